@@ -1,0 +1,463 @@
+//! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
+//! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
+
+use crate::{Boundary, Real};
+
+/// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
+///
+/// Jerk is piecewise constant, acceleration trapezoidal, velocity bell-shaped. Fields carry the book's symbols. The
+/// stored limits are magnitudes; for a move towards smaller positions (`p0 > p1`) they hold in the mirrored axis.
+///
+/// ```
+/// use atraj::{Bell, Boundary};
+/// let boundary = Boundary { p0: 0.0, p1: 10.0, v0: 1.0, v1: 0.0 };
+/// let bell = Bell::new(30.0, 10.0, 5.0, boundary).expect("the limits allow this move");
+/// assert!((bell.t - 2.71_f64).abs() < 1e-12);
+/// assert_eq!(bell.position(0.0), 0.0);
+/// assert_eq!(bell.velocity(bell.ta), 5.0);
+/// assert_eq!(bell.position(bell.t), 10.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Bell<R> {
+    /// Total duration, s.
+    pub t: R,
+    /// Duration of the constant-velocity (cruise) phase, s; 0 if there is none.
+    pub tv: R,
+    /// Duration of the acceleration phase, s.
+    pub ta: R,
+    /// Duration of the deceleration phase, s.
+    pub td: R,
+    /// Duration of each constant-jerk part of the acceleration phase, s.
+    pub taj: R,
+    /// Duration of each constant-jerk part of the deceleration phase, s.
+    pub tdj: R,
+    /// Initial position.
+    pub p0: R,
+    /// Final position.
+    pub p1: R,
+    /// Initial velocity, limited to the maximum velocity.
+    pub v0: R,
+    /// Final velocity, limited to the maximum velocity.
+    pub v1: R,
+    /// Highest velocity reached.
+    pub vm: R,
+    /// Jerk.
+    pub jm: R,
+    /// Highest acceleration reached.
+    pub am: R,
+    /// Highest deceleration reached, negative.
+    pub dm: R,
+}
+
+impl<R: Real> Bell<R> {
+    /// Plans a move within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
+    ///
+    /// Boundary velocities beyond `±velocity` are limited to it. `None` if no such move exists, if it would take no
+    /// time, or if a NaN among the arguments leaves its duration undefined.
+    pub fn new(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Option<Self>
+    where
+        Self: Default,
+    {
+        let mut bell = Self::default();
+        let duration = bell.plan(jerk, acceleration, velocity, boundary)?;
+        (duration > R::from(0)).then_some(bell)
+    }
+
+    /// [`Bell::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
+    /// function gives up. What a failed plan does not reach keeps its old value.
+    pub fn plan(
+        &mut self,
+        jerk: R,
+        acceleration: R,
+        velocity: R,
+        boundary: Boundary<R>,
+    ) -> Option<R> {
+        let jm = jerk.magnitude();
+        let am = acceleration.magnitude();
+        let vm = velocity.magnitude();
+        let boundary = boundary.limit_velocities(vm);
+        (self.p0, self.p1) = (boundary.p0, boundary.p1);
+        (self.v0, self.v1) = (boundary.v0, boundary.v1);
+        let forward = self.forward();
+
+        self.vm = vm;
+        self.jm = jm;
+        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am);
+        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am);
+        self.dm = -self.dm;
+
+        let p = forward.p1 - forward.p0;
+        let one = R::from(1);
+        self.tv = p / vm
+            - R::HALF * self.ta * (one + forward.v0 / vm)
+            - R::HALF * self.td * (one + forward.v1 / vm);
+        let planned =
+            self.tv > R::from(0) || self.plan_without_cruise(am, p, forward.v0, forward.v1);
+        self.t = if planned {
+            self.ta + self.tv + self.td
+        } else {
+            R::from(0)
+        };
+        planned.then_some(self.t)
+    }
+
+    /// No room to cruise. Looks for the highest acceleration whose two ramps fit into the distance `p`, by
+    /// halving a step from `am` down, and writes the ramps. `false` if there is none.
+    ///
+    /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
+        let zero = R::from(0);
+        let two = R::from(2);
+        let four = R::from(4);
+        let jm = self.jm;
+        let s = v0 + v1;
+        let q = two * (v0 * v0 + v1 * v1);
+
+        self.tv = zero;
+        self.am = am;
+        let mut step = am;
+        let coarse = step * R::SIXTEENTH;
+        self.dm = coarse;
+        // The one divergence: here the C function halves an infinite step for ever.
+        if am == R::INFINITY {
+            return false;
+        }
+
+        let mut trial = am;
+        loop {
+            let tj = trial / jm;
+            let tj2 = two * tj;
+            self.taj = tj;
+            self.tdj = tj;
+            let k = trial * tj;
+            let k = k + (k * k + q + (four * p - tj2 * s) * trial).sqrt();
+            let den = two * trial;
+            self.ta = (k - two * v0) / den;
+            let fit = if self.ta < zero {
+                Fit::DownOnly
+            } else {
+                self.td = (k - two * v1) / den;
+                if self.td < zero {
+                    Fit::UpOnly
+                } else if self.ta >= tj2 && self.td >= tj2 {
+                    Fit::Both
+                } else {
+                    Fit::TooSteep
+                }
+            };
+
+            let settled = trial == am || step < coarse;
+            step = step * R::HALF;
+            match fit {
+                Fit::TooSteep => trial = trial - step,
+                _ if !settled => trial = trial + step,
+                Fit::DownOnly => return self.plan_down_only(p, v0, v1),
+                Fit::UpOnly => return self.plan_up_only(p, v0, v1),
+                Fit::Both => {
+                    self.am = trial;
+                    self.dm = -trial;
+                    self.vm = v0 + trial * (self.ta - tj);
+                    return true;
+                }
+            }
+            // Written so that a NaN step ends the search too.
+            if !(step > R::EPSILON) {
+                return false;
+            }
+        }
+    }
+
+    /// The end is reached by braking alone: one deceleration ramp covers the whole distance `p`.
+    fn plan_down_only(&mut self, p: R, v0: R, v1: R) -> bool {
+        self.ta = R::from(0);
+        self.taj = R::from(0);
+        let (td, tdj) = only_ramp(self.jm, p, v0 + v1, v1 - v0);
+        self.td = td;
+        let Some(tdj) = tdj else { return false };
+        self.tdj = tdj;
+        self.am = R::from(0);
+        self.dm = -self.jm * tdj;
+        self.vm = v0;
+        true
+    }
+
+    /// The end is reached by speeding up alone: one acceleration ramp covers the whole distance `p`.
+    fn plan_up_only(&mut self, p: R, v0: R, v1: R) -> bool {
+        self.td = R::from(0);
+        self.tdj = R::from(0);
+        let (ta, taj) = only_ramp(self.jm, p, v0 + v1, v0 - v1);
+        self.ta = ta;
+        let Some(taj) = taj else { return false };
+        self.taj = taj;
+        self.am = self.jm * taj;
+        self.dm = R::from(0);
+        self.vm = v0 + self.am * (ta - taj);
+        true
+    }
+
+    /// Position at time `x`, s. Before the start it is `p0`, after the end and for a NaN `p1`.
+    pub fn position(&self, x: R) -> R {
+        let Self {
+            t,
+            ta,
+            td,
+            taj,
+            tdj,
+            vm,
+            jm,
+            am,
+            dm,
+            ..
+        } = *self;
+        let Boundary { p0, p1, v0, v1 } = self.forward();
+        let three = R::from(3);
+        let six = R::from(6);
+        let y = match self.phase(x) {
+            Phase::Before => return self.p0,
+            Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
+            Phase::Accelerate => {
+                p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
+            }
+            Phase::EaseUp => {
+                let z = ta - x;
+                p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
+            }
+            Phase::Cruise => p0 + R::HALF * (vm + v0) * ta + vm * (x - ta),
+            Phase::JerkDown => {
+                let z = x - (t - td);
+                p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
+            }
+            Phase::Decelerate => {
+                let z = x - (t - td);
+                p1 - R::HALF * (vm + v1) * td
+                    + vm * z
+                    + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
+            }
+            Phase::EaseDown => {
+                let z = t - x;
+                p1 - v1 * z - jm * z * z * z / six
+            }
+            Phase::After => return self.p1,
+        };
+        self.orient(y)
+    }
+
+    /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
+    pub fn velocity(&self, x: R) -> R {
+        let Self {
+            t,
+            ta,
+            td,
+            taj,
+            tdj,
+            vm,
+            jm,
+            am,
+            dm,
+            ..
+        } = *self;
+        let Boundary { v0, v1, .. } = self.forward();
+        let y = match self.phase(x) {
+            Phase::Before => return self.v0,
+            Phase::JerkUp => v0 + R::HALF * jm * x * x,
+            Phase::Accelerate => v0 + am * (x - R::HALF * taj),
+            Phase::EaseUp => {
+                let z = ta - x;
+                vm - R::HALF * jm * z * z
+            }
+            Phase::Cruise => vm,
+            Phase::JerkDown => {
+                let z = x - (t - td);
+                vm - R::HALF * jm * z * z
+            }
+            Phase::Decelerate => vm + dm * (x - t + td - R::HALF * tdj),
+            Phase::EaseDown => {
+                let z = t - x;
+                v1 + R::HALF * jm * z * z
+            }
+            Phase::After => return self.v1,
+        };
+        self.orient(y)
+    }
+
+    /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
+    pub fn acceleration(&self, x: R) -> R {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            jm,
+            am,
+            dm,
+            ..
+        } = *self;
+        let zero = R::from(0);
+        let y = if x < ta {
+            if x >= taj {
+                if x < ta - taj { am } else { jm * (ta - x) }
+            } else if x > zero {
+                jm * x
+            } else {
+                return zero;
+            }
+        } else if x < t - td + tdj {
+            if x >= ta + tv {
+                -jm * (x - t + td)
+            } else {
+                return zero;
+            }
+        } else if x < t {
+            if x < t - tdj { dm } else { -jm * (t - x) }
+        } else {
+            return zero;
+        };
+        self.orient(y)
+    }
+
+    /// Jerk at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
+    pub fn jerk(&self, x: R) -> R {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            jm,
+            ..
+        } = *self;
+        let zero = R::from(0);
+        let y = if x < ta {
+            if x >= ta - taj {
+                -jm
+            } else if x < taj && x >= zero {
+                jm
+            } else {
+                return zero;
+            }
+        } else if x < t - td + tdj {
+            if x >= ta + tv {
+                -jm
+            } else {
+                return zero;
+            }
+        } else if x <= t && x >= t - tdj {
+            jm
+        } else {
+            return zero;
+        };
+        self.orient(y)
+    }
+
+    /// The phase of position and velocity at `x`. Acceleration and jerk compare in another order, which matters where
+    /// rounding has made neighbouring borders cross or a field is NaN.
+    fn phase(&self, x: R) -> Phase {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            ..
+        } = *self;
+        if x < ta {
+            if x < taj {
+                if x <= R::from(0) {
+                    Phase::Before
+                } else {
+                    Phase::JerkUp
+                }
+            } else if x < ta - taj {
+                Phase::Accelerate
+            } else {
+                Phase::EaseUp
+            }
+        } else if x < t - td + tdj {
+            if x < ta + tv {
+                Phase::Cruise
+            } else {
+                Phase::JerkDown
+            }
+        } else if x < t {
+            if x < t - tdj {
+                Phase::Decelerate
+            } else {
+                Phase::EaseDown
+            }
+        } else {
+            Phase::After
+        }
+    }
+
+    /// The boundary conditions in the axis that makes the move go forward.
+    fn forward(&self) -> Boundary<R> {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        let boundary = Boundary { p0, p1, v0, v1 };
+        if self.is_backward() {
+            boundary.mirrored()
+        } else {
+            boundary
+        }
+    }
+
+    /// A value computed in the forward axis, back in the caller's.
+    fn orient(&self, y: R) -> R {
+        if self.is_backward() { -y } else { y }
+    }
+
+    fn is_backward(&self) -> bool {
+        self.p0 > self.p1
+    }
+}
+
+/// The seven phases in order of time, and the standstill around them.
+enum Phase {
+    Before,
+    JerkUp,
+    Accelerate,
+    EaseUp,
+    Cruise,
+    JerkDown,
+    Decelerate,
+    EaseDown,
+    After,
+}
+
+/// What one trial acceleration of the search means for the two ramps.
+enum Fit {
+    DownOnly,
+    UpOnly,
+    Both,
+    TooSteep,
+}
+
+/// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached.
+fn ramp<R: Real>(dv: R, jm: R, am: R) -> (R, R, R) {
+    if dv * jm < am * am {
+        let tj = (dv / jm).sqrt();
+        (tj, R::from(2) * tj, jm * tj)
+    } else {
+        let tj = am / jm;
+        (tj, tj + dv / am, am)
+    }
+}
+
+/// A ramp that covers the distance `p` alone, with `s` the sum and `dv` the difference of its end velocities: its
+/// duration, and the duration of its jerk part if there is a real one.
+fn only_ramp<R: Real>(jm: R, p: R, s: R, dv: R) -> (R, Option<R>) {
+    let duration = R::from(2) * p / s;
+    let m = jm * p;
+    let w = jm * (m * p + dv * s * s);
+    // Not `w >= 0`: a NaN goes on, as in the C function.
+    let tj = if w < R::from(0) {
+        None
+    } else {
+        Some((m - w.sqrt()) / (jm * s))
+    };
+    (duration, tj)
+}

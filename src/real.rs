@@ -1,0 +1,89 @@
+//! The two real types a profile is computed in, and the few operations it needs.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// IEEE-754 binary32 (`f32`) or binary64 (`f64`).
+///
+/// Sealed: the bit-for-bit guarantee holds for these two types and no other.
+pub trait Real:
+    Copy
+    + PartialOrd
+    + From<u8>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + sealed::Sealed
+{
+    /// 1/2, exact.
+    const HALF: Self;
+    /// 1/16, exact.
+    const SIXTEENTH: Self;
+    /// 1/6, rounded once.
+    const SIXTH: Self;
+    /// Distance from 1 to the next larger number: `2^-23` or `2^-52`.
+    const EPSILON: Self;
+    /// Positive infinity.
+    const INFINITY: Self;
+
+    /// Square root, correctly rounded; NaN below zero.
+    fn sqrt(self) -> Self;
+
+    /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
+    fn magnitude(self) -> Self {
+        if self < Self::from(0) { -self } else { self }
+    }
+
+    /// `self` limited to `lo..=hi`; NaN becomes `lo`.
+    fn limit(self, lo: Self, hi: Self) -> Self {
+        if lo < self {
+            if self < hi { self } else { hi }
+        } else {
+            lo
+        }
+    }
+
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool {
+        self.magnitude() < Self::INFINITY
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+// `core` has no square root yet. The C library's is correctly rounded, and where the processor has an instruction for
+// it the compiler emits that instead of the call.
+#[allow(unsafe_code)]
+unsafe extern "C" {
+    safe fn sqrt(x: f64) -> f64;
+    safe fn sqrtf(x: f32) -> f32;
+}
+
+impl Real for f32 {
+    const HALF: Self = 0.5;
+    const SIXTEENTH: Self = 0.0625;
+    const SIXTH: Self = 1.0 / 6.0;
+    const EPSILON: Self = f32::EPSILON;
+    const INFINITY: Self = f32::INFINITY;
+
+    fn sqrt(self) -> Self {
+        sqrtf(self)
+    }
+}
+
+impl Real for f64 {
+    const HALF: Self = 0.5;
+    const SIXTEENTH: Self = 0.0625;
+    const SIXTH: Self = 1.0 / 6.0;
+    const EPSILON: Self = f64::EPSILON;
+    const INFINITY: Self = f64::INFINITY;
+
+    fn sqrt(self) -> Self {
+        sqrt(self)
+    }
+}

@@ -1,0 +1,207 @@
+//! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
+//! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
+
+use crate::{Boundary, Real};
+
+/// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
+/// each other.
+///
+/// Fields carry the book's symbols and are signed: for a move towards smaller positions `vc` and `ac` are negative.
+///
+/// ```
+/// use atraj::{Boundary, Trap};
+/// let trap = Trap::new(5.0, 4.0, -2.0, Boundary::rest_to_rest(0.0, 50.0)).expect("a feasible move");
+/// assert_eq!((trap.ta, trap.td, trap.t), (1.25, 9.375, 11.875));
+/// assert_eq!(trap.velocity(5.0), 5.0);
+/// assert_eq!(trap.position(trap.t), 50.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Trap<R> {
+    /// Total duration, s.
+    pub t: R,
+    /// Initial position.
+    pub p0: R,
+    /// Final position.
+    pub p1: R,
+    /// Initial velocity, limited to the maximum velocity.
+    pub v0: R,
+    /// Final velocity: the demanded one limited to the maximum velocity, or what can be reached on the way.
+    pub v1: R,
+    /// Constant (cruise) velocity, or the highest reached.
+    pub vc: R,
+    /// Time at which the acceleration phase ends, s.
+    pub ta: R,
+    /// Time at which the deceleration phase starts, s.
+    pub td: R,
+    /// Position at `ta`.
+    pub pa: R,
+    /// Position at `td`.
+    pub pd: R,
+    /// Acceleration before `ta`.
+    pub ac: R,
+    /// Acceleration after `td`.
+    pub de: R,
+}
+
+impl<R: Real> Trap<R> {
+    /// Plans a move with the highest velocity `velocity` (its sign is ignored), acceleration `ac` and deceleration `de`.
+    ///
+    /// `ac` and `de` are signed: a forward move has `ac > 0` and `de < 0`, a backward one the opposite. Boundary
+    /// velocities beyond `±velocity` are limited to it; a final velocity out of reach is replaced by the one that is
+    /// reached. `None` if no such move exists, if it would take no time, or if a NaN among the arguments leaves its
+    /// duration undefined.
+    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self>
+    where
+        Self: Default,
+    {
+        let mut trap = Self::default();
+        let duration = trap.plan(velocity, ac, de, boundary)?;
+        (duration > R::from(0)).then_some(trap)
+    }
+
+    /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
+    /// function gives up. What a failed plan does not reach keeps its old value.
+    pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
+        let zero = R::from(0);
+        let p = boundary.p1 - boundary.p0;
+        let p2 = R::from(2) * p;
+        let signed = |v: R| if p < zero { -v } else { v };
+        if ac == de {
+            return None;
+        }
+        let vm = velocity.magnitude();
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
+        (self.p0, self.p1) = (p0, p1);
+        (self.v0, self.v1) = (v0, v1);
+
+        // Squared velocity at which the acceleration line meets the deceleration line.
+        let a = v0 * v0;
+        let b = v1 * v1;
+        let c = (b * ac - a * de - p2 * ac * de) / (ac - de);
+        if c <= zero {
+            return None;
+        }
+        let covered = |t: R| p0 + v0 * t + R::HALF * ac * t * t;
+        if c > vm * vm {
+            self.vc = signed(vm);
+            self.ta = (self.vc - v0) / ac;
+            let t = (v1 - self.vc) / de;
+            self.pa = covered(self.ta);
+            self.pd = p1 - self.vc * t - R::HALF * de * t * t;
+            self.td = self.ta + (self.pd - self.pa) / self.vc;
+            self.t = t + self.td;
+        } else if c > a && c <= b {
+            // Too short to reach v1: accelerate all the way.
+            let b = a + p2 * ac;
+            if b < zero {
+                return None;
+            }
+            self.v1 = signed(b.sqrt());
+            self.vc = self.v1;
+            self.t = (self.v1 - v0) / ac;
+            self.ta = self.t;
+            self.td = self.t;
+            self.pa = covered(self.t);
+            self.pd = p1;
+        } else if c <= a && c > b {
+            // Too short to come down to v1: decelerate all the way.
+            let b = a + p2 * de;
+            if b < zero {
+                return None;
+            }
+            self.v1 = signed(b.sqrt());
+            self.vc = v0;
+            self.t = (self.v1 - v0) / de;
+            self.ta = zero;
+            self.td = zero;
+            self.pa = p0;
+            self.pd = p0;
+        } else {
+            self.vc = signed(c.sqrt());
+            self.ta = (self.vc - v0) / ac;
+            self.td = self.ta;
+            self.pa = covered(self.ta);
+            self.t = self.ta + (v1 - self.vc) / de;
+            self.pd = self.pa;
+        }
+        self.ac = ac;
+        self.de = de;
+        Some(self.t)
+    }
+
+    /// Position at time `x`, s. Before the start and for a NaN it is `p0`, after the end `p1`.
+    pub fn position(&self, x: R) -> R {
+        let Self {
+            t,
+            p0,
+            p1,
+            v0,
+            vc,
+            ta,
+            td,
+            pa,
+            pd,
+            ac,
+            de,
+            ..
+        } = *self;
+        if x >= ta {
+            if x < td {
+                pa + vc * (x - ta)
+            } else if x < t {
+                let z = x - td;
+                pd + vc * z + R::HALF * de * z * z
+            } else {
+                p1
+            }
+        } else if x > R::from(0) {
+            p0 + v0 * x + R::HALF * ac * x * x
+        } else {
+            p0
+        }
+    }
+
+    /// Velocity at time `x`, s. Before the start and for a NaN it is `v0`, after the end `v1`.
+    pub fn velocity(&self, x: R) -> R {
+        let Self {
+            t,
+            v0,
+            v1,
+            vc,
+            ta,
+            td,
+            ac,
+            de,
+            ..
+        } = *self;
+        if x >= ta {
+            if x < td {
+                vc
+            } else if x < t {
+                vc + de * (x - td)
+            } else {
+                v1
+            }
+        } else if x > R::from(0) {
+            v0 + ac * x
+        } else {
+            v0
+        }
+    }
+
+    /// Acceleration at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
+    pub fn acceleration(&self, x: R) -> R {
+        let Self {
+            t, ta, td, ac, de, ..
+        } = *self;
+        let zero = R::from(0);
+        if x < ta {
+            if x >= zero { ac } else { zero }
+        } else if x >= td && x <= t {
+            de
+        } else {
+            zero
+        }
+    }
+}
