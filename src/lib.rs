@@ -17,6 +17,7 @@ mod boundary;
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
 pub mod capi;
+pub mod claraty;
 mod poly;
 mod real;
 mod trap;
