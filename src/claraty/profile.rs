@@ -285,7 +285,7 @@ impl Profile {
         let rounding = 1e-9 * distance.abs() + 1e-15 * (p0.abs() + self.final_position.abs());
         let room = (side * distance - 0.5 * sq(v0) / d) * (2.0 * (a * (d / (a + d))));
         if (before - after).abs() > rounding && room > 0.0 {
-            let peak = (sq(v0) + room).sqrt();
+            let peak = Real::sqrt(sq(v0) + room);
             self.peak_at(room / (a * (v0.abs() + peak)), side * peak, limits);
         }
     }
@@ -310,7 +310,7 @@ impl Profile {
         if a > d {
             let left = beyond_a * (2.0 * (a * (d / (a - d))));
             switch = if left > 0.0 {
-                lower(left.sqrt(), speed)
+                lower(Real::sqrt(left), speed)
             } else {
                 0.0
             };
@@ -318,7 +318,7 @@ impl Profile {
         } else if a < d {
             let lost = lower(beyond_d * (2.0 * (a * (d / (d - a)))), energy);
             if lost > 0.0 {
-                switch = (energy - lost).sqrt();
+                switch = Real::sqrt(energy - lost);
                 t1 = lost / (a * (speed + switch));
             }
         }
@@ -344,7 +344,7 @@ impl Profile {
             } = limits;
             let distance = side * (self.final_position - self.start.position);
             let way_back = 0.5 * sq(v0) / a + distance;
-            let peak = (way_back * (2.0 * (a * (d / (a + d))))).sqrt();
+            let peak = Real::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
             self.peak_at((v0.abs() + peak) / a, side * peak, limits);
         }
     }
@@ -380,7 +380,7 @@ impl Profile {
             velocity: v0,
         } = self.start;
         let c = (0.5 * (sq(FINAL_VELOCITY) - sq(v0)) + d * (p0 - self.final_position)) / (d - a);
-        let half = (sq(v0) - 2.0 * a * c).sqrt() / a;
+        let half = Real::sqrt(sq(v0) - 2.0 * a * c) / a;
         match (-v0 / a + half, -v0 / a - half) {
             (root, other) | (other, root) if root > 0.0 && other < 0.0 => Some(root),
             _ => None,
