@@ -5,11 +5,16 @@
 
 mod common;
 
-use atraj::claraty::{EPS, Mode, Setpoint, State, Target, Trajectory, Warnings};
+use atraj::claraty::{EPS, Mode, Profile, Setpoint, State, Target, Trajectory, Warnings};
 use common::{GoldenReal, Random, just_after};
 use std::collections::BTreeMap;
 
 const SCRIPTS: usize = 1_000_000;
+
+/// Between acceleration and deceleration. Far beyond it the cancellation in the listing's formulas shows.
+const RATIO: f64 = 1e6;
+/// Above `EPS`, so that no rate is raised.
+const LOWEST_RATE: f64 = 1e-9;
 
 /// What a script asks of the axis, and how the outcome is counted.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -337,7 +342,7 @@ impl Tally {
         }
         if same {
             self.same_bits += 1;
-        } else if Bounds::new(order, axis.duration()).tie {
+        } else if Bounds::new(order, axis.duration().max(listed.duration())).tie {
             self.ties += 1;
         } else {
             self.differing.push(format!(
@@ -415,9 +420,12 @@ fn next_target(request: Request, state: State, target: Target, random: &mut Rand
             next.position = position + side * way * random.between(0.0, 1.0);
         }
         StoppingDistance => {
-            let way = stopping(random.pick(&[target.acceleration, target.deceleration]));
-            next.position = position
-                + side * way * (1.0 + random.pick(&[0.0, 1e-16, -1e-16, 1e-12, -1e-12, 1e-3]));
+            let weaker = random.magnitude(-6.0, 0.0);
+            next.acceleration *= random.pick(&[1.0, weaker]);
+            let way = stopping(random.pick(&[next.acceleration, next.deceleration]));
+            let near = random.magnitude(-16.0, -3.0);
+            let beyond = random.sign() * random.pick(&[0.0, 1e-16, near]);
+            next.position = position + side * way * (1.0 + beyond);
         }
         Tiny => next.position = position + random.sign() * length * random.magnitude(-14.0, -6.0),
         Stop => {}
@@ -432,6 +440,10 @@ fn next_target(request: Request, state: State, target: Target, random: &mut Rand
             next.deceleration *= random.magnitude(-1.0, 1.0);
         }
     }
+    next.acceleration = next.acceleration.max(LOWEST_RATE);
+    let ratio = next.deceleration / next.acceleration;
+    next.deceleration = next.acceleration * ratio.clamp(1.0 / RATIO, RATIO);
+    next.deceleration = next.deceleration.max(LOWEST_RATE);
     next
 }
 
@@ -494,4 +506,39 @@ fn a_million_scripts_without_a_wrong_motion() {
         tally.same_bits > SCRIPTS && tally.ties * 1000 < tally.same_bits,
         "hardly anything was compared"
     );
+}
+
+/// The listing's root cancels when there is hardly anything to accelerate for; the ratios are beyond those of the scripts, so
+/// that it shows.
+#[test]
+fn no_seam_where_the_switching_time_cancels() {
+    for [p0, v0, position, velocity, acceleration, deceleration] in [
+        [-0.013582, 0.3878976, -0.013068, 1.5664192, 1e-6, 146.35174],
+        [43.839, 9.1787998, 45.523747, 35.450939, 1e-6, 25.003955],
+        [
+            2.5e-5,
+            1.3674366e-3,
+            2.5000008e-5,
+            4.14323e-3,
+            2.338e-6,
+            1.1395018e5,
+        ],
+    ] {
+        let order = Order {
+            start: State {
+                position: p0,
+                velocity: v0,
+            },
+            target: Target {
+                position,
+                velocity,
+                acceleration,
+                deceleration,
+            },
+        };
+        let (profile, _) = Profile::corrected(order.start, order.target);
+        let times = sample_times([profile.t1, profile.t2, profile.tf], &mut Random(2));
+        let fault = fault(&order, &times, profile.tf, |t| profile.setpoint(t));
+        assert_eq!(fault, None, "{order:?}");
+    }
 }

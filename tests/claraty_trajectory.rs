@@ -213,6 +213,17 @@ fn limits_count_by_magnitude_and_are_raised_to_eps() {
 }
 
 #[test]
+fn a_motion_that_brakes_at_once_brakes_from_the_first_instant() {
+    let target = Target {
+        acceleration: 1.0,
+        deceleration: 4.0,
+        ..to(0.5)
+    };
+    let (profile, _) = Profile::corrected(state(0.0, 2.0), target);
+    assert_eq!(profile.setpoint(0.0).acceleration, -4.0);
+}
+
+#[test]
 fn an_empty_move_stands_still() {
     let (profile, _) = Profile::corrected(state(3.0, 0.0), to(3.0));
     assert_eq!(profile.tf, 0.0);
@@ -301,6 +312,7 @@ fn waypoints_are_the_sum_of_single_moves_at_any_time() {
             let (last_begins, last) = moves.last().unwrap();
             let duration = last_begins + last.tf;
             assert_eq!(axis.duration(), duration);
+            assert_eq!(*axis.profile(), moves[0].1, "the first leg is in hand");
             for _ in 0..20_000 {
                 let t = random.between(0.0, 1.1 * duration);
                 assert_eq!(axis.setpoint_at(t), setpoint_of(&moves, t), "t = {t}");
