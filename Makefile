@@ -30,11 +30,12 @@ BUILD := target/build$(VARIANT)
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist:
-	mkdir -p $(BUILD) $(DIST)/lib $(DIST)/include
+	mkdir -p $(BUILD)
 	CARGO_TARGET_DIR=$(BUILD) $(CARGO) rustc --quiet --release --lib --crate-type staticlib --no-default-features \
 	    --features "$(FEATURES)" --message-format=json-render-diagnostics -- \
 	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -f $(DIST)/lib/*
+	rm -rf $(DIST)/lib $(DIST)/include
+	mkdir -p $(DIST)/lib $(DIST)/include
 	ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
 	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
