@@ -6,7 +6,8 @@
 mod common;
 
 use atraj::claraty::{EPS, Mode, Profile, Setpoint, State, Target, Trajectory, Warnings};
-use common::{GoldenReal, Random, just_after};
+use common::GoldenReal;
+use common::random::{Random, just_after};
 use std::collections::BTreeMap;
 
 const SCRIPTS: usize = 1_000_000;

@@ -5,7 +5,7 @@ mod common;
 use atraj::claraty::{
     EPS, Kind, Mode, Profile, Setpoint, State, Target, Trajectory, Warnings, Waypoints,
 };
-use common::{Random, just_after};
+use common::random::{Random, just_after};
 
 const MODES: [Mode; 2] = [Mode::Corrected, Mode::Listing];
 
