@@ -21,7 +21,7 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
-FEATURES := capi $(filter float,$(REAL)) $(POLY:%=poly-%)
+FEATURES := capi std $(filter float,$(REAL)) $(POLY:%=poly-%)
 LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
 VARIANT := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS))
 DIST := target/dist$(VARIANT)

@@ -61,7 +61,7 @@ impl Warnings {
     pub const SWITCH: Self = Self(8);
 
     /// The set as the sum of 1, 2, 4 and 8.
-    pub fn bits(self) -> u8 {
+    pub const fn bits(self) -> u8 {
         self.0
     }
 }

@@ -40,6 +40,11 @@ impl<'w> Trajectory<'w> {
         trajectory
     }
 
+    /// The profile of the following starts and stops.
+    pub fn mode(&self) -> Mode {
+        self.mode
+    }
+
     /// Chooses the profile of the following starts and stops.
     pub fn set_mode(&mut self, mode: Mode) {
         self.mode = mode;
