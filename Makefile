@@ -1,7 +1,8 @@
 # Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
 #
 #   make dist     archive, shared library and headers, in target/dist
-#   make demo     a servo program in C on that archive: parity with the golden data, pictures in target/demo
+#   make demo     a servo program in C and a controller in C++ on that archive: parity with the golden data, pictures in
+#                 target/demo
 #   make check    everything that proves the library
 #
 # Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
@@ -11,6 +12,7 @@
 
 CARGO ?= cargo
 CC ?= cc
+CXX ?= c++
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
@@ -47,7 +49,8 @@ dist:
 
 DEMO := target/demo
 
-# What a user of liba does: compile a servo program against the headers, link the archive, run moves.
+# What a user of liba does: compile a servo program against the headers, link the archive, run moves. Likewise one of
+# CLARAty with a controller.
 demo: dist
 	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
 	rm -rf $(DEMO)
@@ -55,6 +58,8 @@ demo: dist
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
 	$(CARGO) run --quiet --example parity $(DEMO)/servo
 	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/controller >> $(DEMO)/setpoints.txt
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
 check:
