@@ -347,33 +347,41 @@ fn headers_refuse_what_the_archive_is_not() {
     assert!(!accepts("cc", "c", &source, &["-DA_SIZE_FLOAT=2"]));
 }
 
-/// The block of the README in this language as a whole program; `drive` takes what the axis is told.
-fn readme_program(fence: &str) -> String {
+/// The blocks of the README in this language, each as a whole program; `drive` takes what the axis is told.
+fn readme_programs(fence: &str) -> Vec<String> {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let (_, block) = readme.split_once(&format!("```{fence}\n")).unwrap();
-    let (block, _) = block.split_once("```").unwrap();
-    let (include, body) = block.split_once('\n').unwrap();
-    format!("{include}\nstatic void drive(double p, ...) {{ (void)p; }}\nint main() {{\n{body}}}\n")
+    let opening = format!("```{fence}\n");
+    let blocks = readme.split(&opening).skip(1);
+    let programs = blocks.map(|block| {
+        let (block, _) = block.split_once("```").unwrap();
+        let (include, body) = block.split_once('\n').unwrap();
+        format!(
+            "{include}\nstatic void drive(double p, ...) {{ (void)p; }}\nint main() {{\n{body}}}\n"
+        )
+    });
+    programs.collect()
 }
 
 #[test]
 fn readme_examples_compile() {
     let dist = DOUBLE.dist();
-    for (fence, compiler) in [("c", "cc"), ("cpp", "c++")] {
-        let source = dist.join("tests").join(format!("readme.{fence}"));
-        fs::create_dir_all(dist.join("tests")).unwrap();
-        fs::write(&source, readme_program(fence)).unwrap();
-        let program = source.with_extension(format!("{fence}.out"));
-        let mut command = Command::new(compiler);
-        command
-            .args(["-Wall", "-Werror", "-I"])
-            .arg(dist.join("include"))
-            .arg(&source);
-        run(command
-            .arg(dist.join("lib/libatraj.a"))
-            .args(["-lm", "-o"])
-            .arg(&program));
-        run(&mut Command::new(&program));
+    fs::create_dir_all(dist.join("tests")).unwrap();
+    for (fence, compiler, blocks) in [("c", "cc", 1), ("cpp", "c++", 2)] {
+        let programs = readme_programs(fence);
+        assert_eq!(programs.len(), blocks, "{fence} blocks in the README");
+        for (number, text) in programs.iter().enumerate() {
+            let source = dist.join("tests").join(format!("readme{number}.{fence}"));
+            fs::write(&source, text).unwrap();
+            let program = source.with_extension(format!("{fence}.out"));
+            let mut command = Command::new(compiler);
+            command.args(["-Wall", "-Werror"]);
+            for include in ["include", "include/claraty"] {
+                command.arg("-I").arg(dist.join(include));
+            }
+            command.arg(&source).arg(dist.join("lib/libatraj.a"));
+            run(command.args(["-lm", "-o"]).arg(&program));
+            run(&mut Command::new(&program));
+        }
     }
 }
 
