@@ -161,10 +161,11 @@ impl<R: Real> Bell<R> {
                     return true;
                 }
             }
-            // Written so that a NaN step ends the search too.
-            if !(step > R::EPSILON) {
-                return false;
+            // A NaN step ends the search too.
+            if step > R::EPSILON {
+                continue;
             }
+            return false;
         }
     }
 

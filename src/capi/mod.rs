@@ -1,1 +1,42 @@
-//! The C ABI.
+//! The C ABI: structs and functions of liba, one file for each of its headers.
+//!
+//! The contract, stated once:
+//!
+//! - **Pointers.** A context is NULL or points to a struct of the type named, aligned, and not in use by another thread
+//!   for the time of the call. An output array is NULL or has room for what the function writes. Nothing is kept.
+//! - **NULL** context: `gen` returns 0, a function without a result does nothing, an evaluation returns NaN. The
+//!   original dereferences it, which is undefined, so any answer is compatible.
+//! - **Uninitialised** contexts may be passed to `gen`; what a failing `gen` does not reach keeps its old value.
+//! - **NaN and infinities** in arguments and fields go through the arithmetic as in the original.
+//! - **No** function panics, allocates, keeps state or loops without bound; all are reentrant.
+#![allow(non_camel_case_types)] // C names
+#![allow(clippy::missing_safety_doc)] // the contract above is the safety section of every function
+#![allow(clippy::too_many_arguments)] // the signatures are the original's
+
+#[cfg(atraj_archive)]
+mod panic;
+pub mod trajbell;
+pub mod trajpoly3;
+pub mod trajpoly5;
+pub mod trajpoly7;
+pub mod trajtrap;
+
+/// The real type of this build: `float` with the feature `float`, else `double`.
+#[cfg(feature = "float")]
+pub type a_float = f32;
+/// The real type of this build: `float` with the feature `float`, else `double`.
+#[cfg(not(feature = "float"))]
+pub type a_float = f64;
+
+/// Fails the build unless every named field stands at the same offset in the C struct and in the core's, and both have
+/// the same size: what makes a pointer to one a pointer to the other.
+macro_rules! assert_same_layout {
+    ($c:ty, $core:ty, $($field:ident)*) => {
+        const _: () = {
+            assert!(size_of::<$c>() == size_of::<$core>());
+            assert!(align_of::<$c>() == align_of::<$core>());
+            $(assert!(core::mem::offset_of!($c, $field) == core::mem::offset_of!($core, $field));)*
+        };
+    };
+}
+use assert_same_layout;

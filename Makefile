@@ -1,0 +1,47 @@
+# Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
+#
+#   make dist     archive, shared library and headers, in target/dist
+#   make check    everything that proves the library
+#
+# Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
+#   REAL=float             a_float is float instead of double
+#   POLY=compact           polynomial structs of liba since 2025-03
+#   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
+
+CARGO ?= cargo
+CC ?= cc
+
+VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
+SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
+
+ifneq ($(filter-out double float,$(REAL)),)
+$(error REAL=$(REAL) does not exist: it is double or float)
+endif
+ifneq ($(filter-out compact,$(POLY)),)
+$(error POLY=$(POLY) does not exist: it is compact or left out)
+endif
+FEATURES := capi $(filter float,$(REAL)) $(POLY:%=poly-%)
+LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
+VARIANT := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS))
+DIST := target/dist$(VARIANT)
+BUILD := target/build$(VARIANT)
+
+.PHONY: dist check
+
+# One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
+dist:
+	mkdir -p $(BUILD) $(DIST)/lib $(DIST)/include
+	CARGO_TARGET_DIR=$(BUILD) $(CARGO) rustc --quiet --release --lib --crate-type staticlib --no-default-features \
+	    --features "$(FEATURES)" --message-format=json-render-diagnostics -- \
+	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
+	rm -f $(DIST)/lib/*
+	ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
+	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
+	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
+	ln -s $(SONAME) $(DIST)/lib/libatraj.so
+	cp -R include/. $(DIST)/include
+	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
+	    $(DIST)/include/a/
+
+check:
+	$(CARGO) test

@@ -1,0 +1,62 @@
+//! Reads the build choices of the C ABI and writes the C header that tells them to the compiler of a user.
+
+use std::{env, fs, path::Path};
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rustc-check-cfg=cfg(trajpoly3_v, trajpoly3_a)");
+    println!("cargo::rustc-check-cfg=cfg(trajpoly5_v, trajpoly5_a)");
+    println!("cargo::rustc-check-cfg=cfg(trajpoly7_v, trajpoly7_a, trajpoly7_j)");
+
+    let size = if feature("FLOAT") { 4 } else { 8 };
+    let compact = u8::from(feature("POLY_COMPACT"));
+    let poly3 = level("A_TRAJPOLY3", 3);
+    let poly5 = level("A_TRAJPOLY5", 3);
+    let poly7 = level("A_TRAJPOLY7", 4);
+    let config = format!(
+        "\
+/* How the atraj archive beside these headers was built. Written by its build. */
+#ifndef ATRAJ_CONFIG_H
+#define ATRAJ_CONFIG_H
+#define ATRAJ_SIZE_FLOAT {size}
+#define ATRAJ_TRAJPOLY_COMPACT {compact}
+#define ATRAJ_TRAJPOLY3 {poly3}
+#define ATRAJ_TRAJPOLY5 {poly5}
+#define ATRAJ_TRAJPOLY7 {poly7}
+#endif /* ATRAJ_CONFIG_H */
+"
+    );
+    let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
+    fs::write(Path::new(&out).join("atraj_config.h"), config).expect("OUT_DIR is writable");
+}
+
+fn feature(name: &str) -> bool {
+    env::var_os(format!("CARGO_FEATURE_{name}")).is_some()
+}
+
+/// How many of the arrays `p v a j` the struct of `variable` holds; emits a cfg for each beyond `p`.
+fn level(variable: &str, highest: usize) -> usize {
+    println!("cargo::rerun-if-env-changed={variable}");
+    let level = match env::var(variable) {
+        Err(_) => highest,
+        Ok(text) => match text.parse() {
+            Ok(level) if (1..=highest).contains(&level) => level,
+            _ => {
+                println!(
+                    "cargo::error={variable}={text} does not exist: set it to 1 … {highest} or leave it unset."
+                );
+                highest
+            }
+        },
+    };
+    if feature("POLY_COMPACT") && level != highest {
+        println!(
+            "cargo::error={variable} does not go with `poly-compact`, whose structs have no levels: unset one."
+        );
+    }
+    let module = variable.trim_start_matches("A_").to_lowercase();
+    for array in &["v", "a", "j"][..level - 1] {
+        println!("cargo::rustc-cfg={module}_{array}");
+    }
+    level
+}

@@ -1,0 +1,218 @@
+/*!
+ @file a.h
+ @brief the prelude of the trajectory headers
+ @details The part of liba's prelude that sources written against its trajectory headers lean on: the real type, the
+ fixed-width names and a few macros. `A_SIZE_FLOAT` (or `A_SIZE_REAL`) selects the real type: 4 for float, 8 for
+ double, which is the default. It must be what the archive was built with.
+*/
+
+#ifndef LIBA_A_H
+#define LIBA_A_H
+
+#include <float.h>
+#include <limits.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* An installed archive tells here how it was built. */
+#if defined(__has_include)
+#if __has_include("atraj_config.h")
+#include "atraj_config.h"
+#endif
+#endif
+
+/* compiler */
+
+#if defined(__GNUC__) && defined(__GNUC_MINOR__)
+#define A_PREREQ_GNUC(maj, min) ((__GNUC__ << 16) + __GNUC_MINOR__ >= ((maj) << 16) + (min))
+#else
+#define A_PREREQ_GNUC(maj, min) 0
+#endif
+
+#if defined(_WIN32) && defined(A_EXPORTS)
+#define A_PUBLIC __declspec(dllexport)
+#elif defined(_WIN32) && defined(A_IMPORTS)
+#define A_PUBLIC __declspec(dllimport)
+#elif A_PREREQ_GNUC(4, 0) && !defined(_WIN32)
+#define A_PUBLIC __attribute__((visibility("default")))
+#else
+#define A_PUBLIC
+#endif
+#define A_EXTERN A_PUBLIC extern
+
+#if defined(__cplusplus) || (defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 199901L))
+#define A_INLINE inline
+#elif A_PREREQ_GNUC(2, 7) || defined(_MSC_VER)
+#define A_INLINE __inline
+#else
+#define A_INLINE
+#endif
+#define A_INTERN static A_INLINE
+
+#if defined(__cplusplus) && (__cplusplus >= 201103L)
+#define A_NULL nullptr
+#else
+#define A_NULL NULL
+#endif
+
+/*! fail the build unless the constant expression `x` is true; stands where a declaration may */
+#if defined(__cplusplus) && (__cplusplus >= 201103L)
+#define A_BUILD_ASSERT(x) static_assert(x, #x)
+#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define A_BUILD_ASSERT(x) _Static_assert(x, #x)
+#else
+#define A_BUILD_ASSERT(x) A_BUILD_ASSERT_AT(x, __LINE__)
+#define A_BUILD_ASSERT_AT(x, line) A_BUILD_ASSERT_AS(x, line)
+#if A_PREREQ_GNUC(2, 7)
+#define A_BUILD_ASSERT_AS(x, line) typedef char a_build_assert_##line[(x) ? 1 : -1] __attribute__((unused))
+#else
+#define A_BUILD_ASSERT_AS(x, line) typedef char a_build_assert_##line[(x) ? 1 : -1]
+#endif
+#endif
+
+/* values: every argument may be evaluated more than once */
+
+/*! number of elements of an array */
+#define A_LEN(array) (sizeof(array) / sizeof((array)[0]))
+#define A_MIN(x, y) (((x) < (y)) ? (x) : (y))
+#define A_MAX(x, y) (((x) > (y)) ? (x) : (y))
+#define A_ABS(x) (((x) < 0) ? -(x) : (x))
+/*! `x` limited to `min` .. `max` */
+#define A_SAT(x, min, max) (((min) < (x)) ? (((x) < (max)) ? (x) : (max)) : (min))
+
+/* integers */
+
+typedef size_t a_size;
+typedef ptrdiff_t a_diff;
+typedef int8_t a_i8;
+typedef int16_t a_i16;
+typedef int32_t a_i32;
+typedef int64_t a_i64;
+typedef intmax_t a_imax;
+typedef intptr_t a_iptr;
+typedef uint8_t a_u8;
+typedef uint16_t a_u16;
+typedef uint32_t a_u32;
+typedef uint64_t a_u64;
+typedef uintmax_t a_umax;
+typedef uintptr_t a_uptr;
+typedef unsigned char a_byte;
+typedef float a_f32;
+typedef double a_f64;
+
+/* real number */
+
+#define A_FLOAT_SINGLE 0x04
+#define A_FLOAT_DOUBLE 0x08
+#define A_FLOAT_EXTEND 0x10
+
+#if !defined(A_SIZE_FLOAT)
+#if defined(A_SIZE_REAL)
+#define A_SIZE_FLOAT A_SIZE_REAL
+#elif defined(ATRAJ_SIZE_FLOAT)
+#define A_SIZE_FLOAT ATRAJ_SIZE_FLOAT
+#else
+#define A_SIZE_FLOAT 8
+#endif
+#endif
+#if !defined(A_SIZE_REAL)
+#define A_SIZE_REAL A_SIZE_FLOAT
+#elif A_SIZE_REAL + 0 != A_SIZE_FLOAT + 0
+#error "A_SIZE_FLOAT and A_SIZE_REAL differ: define one of them."
+#endif
+
+#if A_SIZE_FLOAT + 0 == A_FLOAT_SINGLE
+#define A_FLOAT_TYPE A_FLOAT_SINGLE
+#define A_FLOAT float
+#define A_FLOAT_C(X) X##F
+#define A_FLOAT_F(F) F##f
+#define A_FLOAT_PRI(F, C) "%" F C
+#define A_FLOAT_SCN(C) "%" C
+#define A_FLOAT_DIG FLT_DIG
+#define A_FLOAT_MANT_DIG FLT_MANT_DIG
+#define A_FLOAT_EPSILON FLT_EPSILON
+#define A_FLOAT_MIN FLT_MIN
+#define A_FLOAT_MAX FLT_MAX
+#define A_FLOAT_MIN_EXP FLT_MIN_EXP
+#define A_FLOAT_MAX_EXP FLT_MAX_EXP
+#define A_FLOAT_MIN_10_EXP FLT_MIN_10_EXP
+#define A_FLOAT_MAX_10_EXP FLT_MAX_10_EXP
+#elif A_SIZE_FLOAT + 0 == A_FLOAT_DOUBLE
+#define A_FLOAT_TYPE A_FLOAT_DOUBLE
+#define A_FLOAT double
+#define A_FLOAT_C(X) X
+#define A_FLOAT_F(F) F
+#define A_FLOAT_PRI(F, C) "%" F C
+#define A_FLOAT_SCN(C) "%l" C
+#define A_FLOAT_DIG DBL_DIG
+#define A_FLOAT_MANT_DIG DBL_MANT_DIG
+#define A_FLOAT_EPSILON DBL_EPSILON
+#define A_FLOAT_MIN DBL_MIN
+#define A_FLOAT_MAX DBL_MAX
+#define A_FLOAT_MIN_EXP DBL_MIN_EXP
+#define A_FLOAT_MAX_EXP DBL_MAX_EXP
+#define A_FLOAT_MIN_10_EXP DBL_MIN_10_EXP
+#define A_FLOAT_MAX_10_EXP DBL_MAX_10_EXP
+#elif A_SIZE_FLOAT + 0 == A_FLOAT_EXTEND
+#if LDBL_MANT_DIG != 53
+#error "A_SIZE_FLOAT=16 needs a long double that is binary64, as on Arm EABI: define A_SIZE_FLOAT as 4 or 8."
+#endif
+#define A_FLOAT_TYPE A_FLOAT_EXTEND
+#define A_FLOAT long double
+#define A_FLOAT_C(X) X##L
+#define A_FLOAT_F(F) F##l
+#define A_FLOAT_PRI(F, C) "%" F "L" C
+#define A_FLOAT_SCN(C) "%L" C
+#define A_FLOAT_DIG LDBL_DIG
+#define A_FLOAT_MANT_DIG LDBL_MANT_DIG
+#define A_FLOAT_EPSILON LDBL_EPSILON
+#define A_FLOAT_MIN LDBL_MIN
+#define A_FLOAT_MAX LDBL_MAX
+#define A_FLOAT_MIN_EXP LDBL_MIN_EXP
+#define A_FLOAT_MAX_EXP LDBL_MAX_EXP
+#define A_FLOAT_MIN_10_EXP LDBL_MIN_10_EXP
+#define A_FLOAT_MAX_10_EXP LDBL_MAX_10_EXP
+#else
+#error "A_SIZE_FLOAT selects the real type: define it as 4 (float) or 8 (double)."
+#endif
+
+#if defined(ATRAJ_SIZE_FLOAT)
+#if (A_SIZE_FLOAT + 0 == 4) != (ATRAJ_SIZE_FLOAT == 4)
+#error "A_SIZE_FLOAT differs from the archive beside this header: use the other archive (make dist REAL=float) or leave it undefined."
+#endif
+#endif
+
+/*! real number of this build: float or double */
+typedef A_FLOAT a_float;
+/*! the name of `a_float` in liba since 2025 */
+typedef a_float a_real;
+
+#define A_REAL_SINGLE A_FLOAT_SINGLE
+#define A_REAL_DOUBLE A_FLOAT_DOUBLE
+#define A_REAL_EXTEND A_FLOAT_EXTEND
+#define A_REAL_TYPE A_FLOAT_TYPE
+#define A_REAL A_FLOAT
+#define A_REAL_C(X) A_FLOAT_C(X)
+#define A_REAL_F(F) A_FLOAT_F(F)
+#define A_REAL_PRI(F, C) A_FLOAT_PRI(F, C)
+#define A_REAL_SCN(C) A_FLOAT_SCN(C)
+#define A_REAL_DIG A_FLOAT_DIG
+#define A_REAL_MANT_DIG A_FLOAT_MANT_DIG
+#define A_REAL_EPSILON A_FLOAT_EPSILON
+#define A_REAL_MIN A_FLOAT_MIN
+#define A_REAL_MAX A_FLOAT_MAX
+#define A_REAL_MIN_EXP A_FLOAT_MIN_EXP
+#define A_REAL_MAX_EXP A_FLOAT_MAX_EXP
+#define A_REAL_MIN_10_EXP A_FLOAT_MIN_10_EXP
+#define A_REAL_MAX_10_EXP A_FLOAT_MAX_10_EXP
+
+/* Which generation of the polynomial structs: with A_TRAJPOLY_COMPACT one coefficient array, as liba since 2025-03. */
+#if defined(ATRAJ_TRAJPOLY_COMPACT)
+#if ATRAJ_TRAJPOLY_COMPACT && !defined(A_TRAJPOLY_COMPACT)
+#define A_TRAJPOLY_COMPACT
+#elif !ATRAJ_TRAJPOLY_COMPACT && defined(A_TRAJPOLY_COMPACT)
+#error "The archive beside this header has no compact polynomials: use the other archive (make dist POLY=compact) or leave A_TRAJPOLY_COMPACT undefined."
+#endif
+#endif
+
+#endif /* LIBA_A_H */

@@ -1,0 +1,322 @@
+/*!
+ @file trajpoly7.h
+ @brief septic polynomial trajectory
+ @details Prescribed position, velocity, acceleration and jerk at both ends of a move of prescribed duration; Biagotti & Melchiorri,
+ Trajectory Planning for Automatic Machines and Robots, section 2.1. Any consistent unit of length or angle; times in
+ seconds from the start of the move.
+*/
+
+#ifndef LIBA_TRAJPOLY7_H
+#define LIBA_TRAJPOLY7_H
+
+#include "a.h"
+
+/* How many of the coefficient arrays p v a j the struct holds: 1 .. 4. It must be what the archive was built with. */
+#if !defined(A_TRAJPOLY7)
+#if defined(ATRAJ_TRAJPOLY7)
+#define A_TRAJPOLY7 ATRAJ_TRAJPOLY7
+#else
+#define A_TRAJPOLY7 4
+#endif
+#endif
+#if (A_TRAJPOLY7 + 0 < 1) || (A_TRAJPOLY7 + 0 > 4)
+#error "A_TRAJPOLY7 does not exist at this level: define it as 1 .. 4 or leave it undefined."
+#endif
+#if defined(A_TRAJPOLY_COMPACT) && (A_TRAJPOLY7 + 0 != 4)
+#error "The structs of A_TRAJPOLY_COMPACT have no levels: leave A_TRAJPOLY7 undefined."
+#endif
+#if defined(ATRAJ_TRAJPOLY7) && (A_TRAJPOLY7 + 0 != ATRAJ_TRAJPOLY7)
+#error "A_TRAJPOLY7 differs from the archive beside this header: rebuild it with A_TRAJPOLY7=... make dist, or leave it undefined."
+#endif
+
+typedef struct a_trajpoly7 a_trajpoly7;
+
+#if defined(__cplusplus)
+extern "C" {
+#endif /* __cplusplus */
+
+/**
+ * @brief Plan a septic polynomial trajectory: all coefficients that the struct holds.
+ *
+ * A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
+ * @param ctx points to an instance of septic polynomial trajectory, which need not be initialised
+ * @param ts duration, s, other than 0
+ * @param p0 initial position, unit
+ * @param p1 final position, unit
+ * @param v0 initial velocity, unit/s
+ * @param v1 final velocity, unit/s
+ * @param a0 initial acceleration, unit/s^2
+ * @param a1 final acceleration, unit/s^2
+ * @param j0 initial jerk, unit/s^3
+ * @param j1 final jerk, unit/s^3
+ */
+A_EXTERN
+void a_trajpoly7_gen(struct a_trajpoly7 *ctx,
+                     a_float ts,
+                     a_float p0,
+                     a_float p1,
+                     a_float v0,
+                     a_float v1,
+                     a_float a0,
+                     a_float a1,
+                     a_float j0,
+                     a_float j1);
+
+#if !defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Coefficients of position of a septic polynomial trajectory.
+ *
+ * A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
+ * @param ctx points to an instance of septic polynomial trajectory, which need not be initialised
+ * @param ts duration, s, other than 0
+ * @param p0 initial position, unit
+ * @param p1 final position, unit
+ * @param v0 initial velocity, unit/s
+ * @param v1 final velocity, unit/s
+ * @param a0 initial acceleration, unit/s^2
+ * @param a1 final acceleration, unit/s^2
+ * @param j0 initial jerk, unit/s^3
+ * @param j1 final jerk, unit/s^3
+ */
+A_EXTERN
+void a_trajpoly7_gen0(struct a_trajpoly7 *ctx,
+                      a_float ts,
+                      a_float p0,
+                      a_float p1,
+                      a_float v0,
+                      a_float v1,
+                      a_float a0,
+                      a_float a1,
+                      a_float j0,
+                      a_float j1);
+#endif
+
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 1)
+/**
+ * @brief Coefficients of velocity, from those of position: `v[i] = p[i+1]*(i+1)`.
+ * @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
+ */
+A_EXTERN void a_trajpoly7_gen1(struct a_trajpoly7 *ctx);
+#endif
+
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 2)
+/**
+ * @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
+ * @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
+ */
+A_EXTERN void a_trajpoly7_gen2(struct a_trajpoly7 *ctx);
+#endif
+
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 3)
+/**
+ * @brief Coefficients of jerk, from those of acceleration: `j[i] = a[i+1]*(i+1)`.
+ * @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
+ */
+A_EXTERN void a_trajpoly7_gen3(struct a_trajpoly7 *ctx);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of position out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c0 array of 8, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c0(const struct a_trajpoly7 *ctx, a_float *c0);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of velocity out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c1 array of 7, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c1(const struct a_trajpoly7 *ctx, a_float *c1);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of acceleration out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c2 array of 6, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c2(const struct a_trajpoly7 *ctx, a_float *c2);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of jerk out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c3 array of 5, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c3(const struct a_trajpoly7 *ctx, a_float *c3);
+#endif
+
+/**
+ * @brief Position of a septic polynomial trajectory, by Horner's rule.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param x time since the start, s; the polynomial goes on outside the move
+ * @return position, unit; NaN if `ctx` is NULL
+ */
+A_EXTERN a_float a_trajpoly7_pos(const struct a_trajpoly7 *ctx, a_float x);
+
+#if A_TRAJPOLY7 + 0 > 1
+/**
+ * @brief Velocity of a septic polynomial trajectory, by Horner's rule.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param x time since the start, s; the polynomial goes on outside the move
+ * @return velocity, unit/s; NaN if `ctx` is NULL
+ */
+A_EXTERN a_float a_trajpoly7_vel(const struct a_trajpoly7 *ctx, a_float x);
+#endif
+
+#if A_TRAJPOLY7 + 0 > 2
+/**
+ * @brief Acceleration of a septic polynomial trajectory, by Horner's rule.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param x time since the start, s; the polynomial goes on outside the move
+ * @return acceleration, unit/s^2; NaN if `ctx` is NULL
+ */
+A_EXTERN a_float a_trajpoly7_acc(const struct a_trajpoly7 *ctx, a_float x);
+#endif
+
+#if A_TRAJPOLY7 + 0 > 3
+/**
+ * @brief Jerk of a septic polynomial trajectory, by Horner's rule.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param x time since the start, s; the polynomial goes on outside the move
+ * @return jerk, unit/s^3; NaN if `ctx` is NULL
+ */
+A_EXTERN a_float a_trajpoly7_jer(const struct a_trajpoly7 *ctx, a_float x);
+#endif
+
+#if defined(__cplusplus)
+} /* extern "C" */
+namespace a
+{
+typedef struct a_trajpoly7 trajpoly7;
+} /* namespace a */
+#endif /* __cplusplus */
+
+#if !defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Septic polynomial trajectory.
+ *
+ * Coefficients stand in ascending powers of time: `p[0] + p[1]*x + ...`. `A_TRAJPOLY7` arrays are stored.
+ */
+struct a_trajpoly7 {
+    /**
+     * coefficients of position
+     */
+    a_float p[8];
+#if A_TRAJPOLY7 + 0 > 1
+    /**
+     * coefficients of velocity
+     */
+    a_float v[7];
+#endif
+#if A_TRAJPOLY7 + 0 > 2
+    /**
+     * coefficients of acceleration
+     */
+    a_float a[6];
+#endif
+#if A_TRAJPOLY7 + 0 > 3
+    /**
+     * coefficients of jerk
+     */
+    a_float j[5];
+#endif
+#if defined(__cplusplus)
+    void gen(a_float ts, a_float p0, a_float p1,
+             a_float v0 = 0, a_float v1 = 0, a_float a0 = 0, a_float a1 = 0, a_float j0 = 0, a_float j1 = 0)
+    {
+        a_trajpoly7_gen(this, ts, p0, p1, v0, v1, a0, a1, j0, j1);
+    }
+#if defined(A_TRAJPOLY_COMPACT)
+    void c0(a_float *c0_) const { a_trajpoly7_c0(this, c0_); }
+    void c1(a_float *c1_) const { a_trajpoly7_c1(this, c1_); }
+    void c2(a_float *c2_) const { a_trajpoly7_c2(this, c2_); }
+    void c3(a_float *c3_) const { a_trajpoly7_c3(this, c3_); }
+#else
+    void gen0(a_float ts, a_float p0, a_float p1,
+              a_float v0 = 0, a_float v1 = 0, a_float a0 = 0, a_float a1 = 0, a_float j0 = 0, a_float j1 = 0)
+    {
+        a_trajpoly7_gen0(this, ts, p0, p1, v0, v1, a0, a1, j0, j1);
+    }
+#if A_TRAJPOLY7 + 0 > 1
+    void gen1() { a_trajpoly7_gen1(this); }
+#endif
+#if A_TRAJPOLY7 + 0 > 2
+    void gen2() { a_trajpoly7_gen2(this); }
+#endif
+#if A_TRAJPOLY7 + 0 > 3
+    void gen3() { a_trajpoly7_gen3(this); }
+#endif
+#endif
+    a_float pos(a_float x) const { return a_trajpoly7_pos(this, x); }
+#if A_TRAJPOLY7 + 0 > 1
+    a_float vel(a_float x) const { return a_trajpoly7_vel(this, x); }
+#endif
+#if A_TRAJPOLY7 + 0 > 2
+    a_float acc(a_float x) const { return a_trajpoly7_acc(this, x); }
+#endif
+#if A_TRAJPOLY7 + 0 > 3
+    a_float jer(a_float x) const { return a_trajpoly7_jer(this, x); }
+#endif
+#endif /* __cplusplus */
+};
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Septic polynomial trajectory.
+ *
+ * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`.
+ */
+struct a_trajpoly7 {
+    /**
+     * coefficients of position
+     */
+    a_float c[8];
+#if defined(__cplusplus)
+    void gen(a_float ts, a_float p0, a_float p1,
+             a_float v0 = 0, a_float v1 = 0, a_float a0 = 0, a_float a1 = 0, a_float j0 = 0, a_float j1 = 0)
+    {
+        a_trajpoly7_gen(this, ts, p0, p1, v0, v1, a0, a1, j0, j1);
+    }
+#if defined(A_TRAJPOLY_COMPACT)
+    void c0(a_float *c0_) const { a_trajpoly7_c0(this, c0_); }
+    void c1(a_float *c1_) const { a_trajpoly7_c1(this, c1_); }
+    void c2(a_float *c2_) const { a_trajpoly7_c2(this, c2_); }
+    void c3(a_float *c3_) const { a_trajpoly7_c3(this, c3_); }
+#else
+    void gen0(a_float ts, a_float p0, a_float p1,
+              a_float v0 = 0, a_float v1 = 0, a_float a0 = 0, a_float a1 = 0, a_float j0 = 0, a_float j1 = 0)
+    {
+        a_trajpoly7_gen0(this, ts, p0, p1, v0, v1, a0, a1, j0, j1);
+    }
+#if A_TRAJPOLY7 + 0 > 1
+    void gen1() { a_trajpoly7_gen1(this); }
+#endif
+#if A_TRAJPOLY7 + 0 > 2
+    void gen2() { a_trajpoly7_gen2(this); }
+#endif
+#if A_TRAJPOLY7 + 0 > 3
+    void gen3() { a_trajpoly7_gen3(this); }
+#endif
+#endif
+    a_float pos(a_float x) const { return a_trajpoly7_pos(this, x); }
+#if A_TRAJPOLY7 + 0 > 1
+    a_float vel(a_float x) const { return a_trajpoly7_vel(this, x); }
+#endif
+#if A_TRAJPOLY7 + 0 > 2
+    a_float acc(a_float x) const { return a_trajpoly7_acc(this, x); }
+#endif
+#if A_TRAJPOLY7 + 0 > 3
+    a_float jer(a_float x) const { return a_trajpoly7_jer(this, x); }
+#endif
+#endif /* __cplusplus */
+};
+#endif
+
+#endif /* LIBA_TRAJPOLY7_H */

@@ -1,0 +1,126 @@
+//! `a/trajbell.h`: the double-S profile.
+
+use super::{a_float, assert_same_layout};
+use crate::{Bell, Boundary};
+
+/// @brief Bell-shaped (double-S) velocity trajectory.
+///
+/// Jerk, acceleration and velocity are limited. For a move towards smaller positions (`p0 > p1`) the velocities,
+/// accelerations and jerks stored here are those of the mirrored axis; `v0` and `v1` are always the caller's.
+#[repr(C)]
+pub struct a_trajbell {
+    /// total duration, s
+    pub t: a_float,
+    /// constant velocity phase, s
+    pub tv: a_float,
+    /// acceleration phase, s
+    pub ta: a_float,
+    /// deceleration phase, s
+    pub td: a_float,
+    /// time-interval in which the jerk is constant (j max or j min) during the acceleration phase, s
+    pub taj: a_float,
+    /// time-interval in which the jerk is constant (j max or j min) during the deceleration phase, s
+    pub tdj: a_float,
+    /// initial position
+    pub p0: a_float,
+    /// final position
+    pub p1: a_float,
+    /// initial velocity
+    pub v0: a_float,
+    /// final velocity
+    pub v1: a_float,
+    /// highest velocity reached
+    pub vm: a_float,
+    /// jerk
+    pub jm: a_float,
+    /// highest acceleration reached
+    pub am: a_float,
+    /// highest deceleration reached, negative
+    pub dm: a_float,
+}
+assert_same_layout!(a_trajbell, Bell<a_float>, t tv ta td taj tdj p0 p1 v0 v1 vm jm am dm);
+
+/// @brief Plan a bell-shaped velocity trajectory.
+///
+/// With room to cruise, `D = vm - v0` is reached with `taj = am/jm`, `ta = taj + D/am`, or, where `D*jm < am^2`, with
+/// `taj = sqrt(D/jm)`, `ta = 2*taj`; the same backwards from `v1`; `tv = (p1-p0)/vm - ta/2*(1+v0/vm) - td/2*(1+v1/vm)`.
+/// Without, the acceleration is halved down to the highest one whose ramps fit into the distance.
+/// @param ctx points to an instance of bell-shaped velocity trajectory, which need not be initialised
+/// @param jm maximum jerk, unit/s^3; its sign is ignored
+/// @param am maximum acceleration, unit/s^2; its sign is ignored
+/// @param vm maximum velocity, unit/s; its sign is ignored
+/// @param p0 initial position, unit
+/// @param p1 final position, unit
+/// @param v0 initial velocity, unit/s, limited to -vm .. vm
+/// @param v1 final velocity, unit/s, limited to -vm .. vm
+/// @return total duration, s; 0 if no such trajectory exists or `ctx` is NULL. A NaN argument gives NaN or 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajbell_gen(
+    ctx: *mut a_trajbell,
+    jm: a_float,
+    am: a_float,
+    vm: a_float,
+    p0: a_float,
+    p1: a_float,
+    v0: a_float,
+    v1: a_float,
+) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let Some(bell) = (unsafe { ctx.cast::<Bell<a_float>>().as_mut() }) else {
+        return 0.0;
+    };
+    let boundary = Boundary { p0, p1, v0, v1 };
+    bell.plan(jm, am, vm, boundary).unwrap_or(0.0)
+}
+
+/// @brief Position of a bell-shaped velocity trajectory.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory
+/// @param x time since the start, s
+/// @return position, unit: `p0` before the start, `p1` after the end and for a NaN `x`; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajbell_pos(ctx: *const a_trajbell, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
+        Some(bell) => bell.position(x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Velocity of a bell-shaped velocity trajectory.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory
+/// @param x time since the start, s
+/// @return velocity, unit/s: `v0` before the start, `v1` after the end and for a NaN `x`; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajbell_vel(ctx: *const a_trajbell, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
+        Some(bell) => bell.velocity(x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Acceleration of a bell-shaped velocity trajectory.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory
+/// @param x time since the start, s
+/// @return acceleration, unit/s^2: 0 outside the move and for a NaN `x`; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajbell_acc(ctx: *const a_trajbell, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
+        Some(bell) => bell.acceleration(x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Jerk of a bell-shaped velocity trajectory.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory
+/// @param x time since the start, s
+/// @return jerk, unit/s^3: 0 outside the move and for a NaN `x`; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajbell_jer(ctx: *const a_trajbell, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
+        Some(bell) => bell.jerk(x),
+        None => a_float::NAN,
+    }
+}

@@ -1,0 +1,308 @@
+//! `a/trajpoly7.h`: the septic polynomial, in both generations of its struct.
+
+use super::a_float;
+use crate::{Boundary, Poly7, poly};
+
+/// @brief Septic polynomial trajectory.
+///
+/// Coefficients stand in ascending powers of time: `p[0] + p[1]*x + ...`. `A_TRAJPOLY7` arrays are stored.
+#[cfg(not(feature = "poly-compact"))]
+#[repr(C)]
+pub struct a_trajpoly7 {
+    /// coefficients of position
+    pub p: [a_float; 8],
+    /// coefficients of velocity
+    #[cfg(trajpoly7_v)]
+    pub v: [a_float; 7],
+    /// coefficients of acceleration
+    #[cfg(trajpoly7_a)]
+    pub a: [a_float; 6],
+    /// coefficients of jerk
+    #[cfg(trajpoly7_j)]
+    pub j: [a_float; 5],
+}
+
+/// @brief Septic polynomial trajectory.
+///
+/// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`.
+#[cfg(feature = "poly-compact")]
+#[repr(C)]
+pub struct a_trajpoly7 {
+    /// coefficients of position
+    pub c: [a_float; 8],
+}
+
+#[cfg(not(feature = "poly-compact"))]
+impl a_trajpoly7 {
+    fn fill(&mut self, c: [a_float; 8]) {
+        self.p = c;
+        #[cfg(trajpoly7_v)]
+        {
+            self.v = poly::derivative(&self.p);
+        }
+        #[cfg(trajpoly7_a)]
+        {
+            self.a = poly::derivative(&self.v);
+        }
+        #[cfg(trajpoly7_j)]
+        {
+            self.j = poly::derivative(&self.a);
+        }
+    }
+
+    fn position_coefficients(&self) -> [a_float; 8] {
+        self.p
+    }
+
+    #[cfg(trajpoly7_v)]
+    fn velocity_coefficients(&self) -> [a_float; 7] {
+        self.v
+    }
+
+    #[cfg(trajpoly7_a)]
+    fn acceleration_coefficients(&self) -> [a_float; 6] {
+        self.a
+    }
+
+    #[cfg(trajpoly7_j)]
+    fn jerk_coefficients(&self) -> [a_float; 5] {
+        self.j
+    }
+}
+
+#[cfg(feature = "poly-compact")]
+impl a_trajpoly7 {
+    fn fill(&mut self, c: [a_float; 8]) {
+        self.c = c;
+    }
+
+    fn position_coefficients(&self) -> [a_float; 8] {
+        self.c
+    }
+
+    fn velocity_coefficients(&self) -> [a_float; 7] {
+        poly::derivative(&self.position_coefficients())
+    }
+
+    fn acceleration_coefficients(&self) -> [a_float; 6] {
+        poly::derivative(&self.velocity_coefficients())
+    }
+
+    fn jerk_coefficients(&self) -> [a_float; 5] {
+        poly::derivative(&self.acceleration_coefficients())
+    }
+}
+
+/// @brief Plan a septic polynomial trajectory: all coefficients that the struct holds.
+///
+/// A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
+/// @param ctx points to an instance of septic polynomial trajectory, which need not be initialised
+/// @param ts duration, s, other than 0
+/// @param p0 initial position, unit
+/// @param p1 final position, unit
+/// @param v0 initial velocity, unit/s
+/// @param v1 final velocity, unit/s
+/// @param a0 initial acceleration, unit/s^2
+/// @param a1 final acceleration, unit/s^2
+/// @param j0 initial jerk, unit/s^3
+/// @param j1 final jerk, unit/s^3
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_gen(
+    ctx: *mut a_trajpoly7,
+    ts: a_float,
+    p0: a_float,
+    p1: a_float,
+    v0: a_float,
+    v1: a_float,
+    a0: a_float,
+    a1: a_float,
+    j0: a_float,
+    j1: a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    if let Some(ctx) = unsafe { ctx.as_mut() } {
+        ctx.fill(Poly7::coefficients(
+            ts,
+            Boundary { p0, p1, v0, v1 },
+            [a0, a1],
+            [j0, j1],
+        ));
+    }
+}
+
+/// @brief Coefficients of position of a septic polynomial trajectory.
+///
+/// A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
+/// @param ctx points to an instance of septic polynomial trajectory, which need not be initialised
+/// @param ts duration, s, other than 0
+/// @param p0 initial position, unit
+/// @param p1 final position, unit
+/// @param v0 initial velocity, unit/s
+/// @param v1 final velocity, unit/s
+/// @param a0 initial acceleration, unit/s^2
+/// @param a1 final acceleration, unit/s^2
+/// @param j0 initial jerk, unit/s^3
+/// @param j1 final jerk, unit/s^3
+#[cfg(not(feature = "poly-compact"))]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_gen0(
+    ctx: *mut a_trajpoly7,
+    ts: a_float,
+    p0: a_float,
+    p1: a_float,
+    v0: a_float,
+    v1: a_float,
+    a0: a_float,
+    a1: a_float,
+    j0: a_float,
+    j1: a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    if let Some(ctx) = unsafe { ctx.as_mut() } {
+        ctx.p = Poly7::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1], [j0, j1]);
+    }
+}
+
+/// @brief Coefficients of velocity, from those of position: `v[i] = p[i+1]*(i+1)`.
+/// @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
+#[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    if let Some(ctx) = unsafe { ctx.as_mut() } {
+        ctx.v = poly::derivative(&ctx.p);
+    }
+}
+
+/// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
+/// @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
+#[cfg(all(not(feature = "poly-compact"), trajpoly7_a))]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    if let Some(ctx) = unsafe { ctx.as_mut() } {
+        ctx.a = poly::derivative(&ctx.v);
+    }
+}
+
+/// @brief Coefficients of jerk, from those of acceleration: `j[i] = a[i+1]*(i+1)`.
+/// @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
+#[cfg(all(not(feature = "poly-compact"), trajpoly7_j))]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    if let Some(ctx) = unsafe { ctx.as_mut() } {
+        ctx.j = poly::derivative(&ctx.a);
+    }
+}
+
+/// @brief Copy the coefficients of position out.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param c0 array of 8, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+#[cfg(feature = "poly-compact")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_c0(ctx: *const a_trajpoly7, c0: *mut a_float) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::position_coefficients);
+    if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
+        // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
+        unsafe { c0.cast::<[a_float; 8]>().write(coefficients) };
+    }
+}
+
+/// @brief Copy the coefficients of velocity out.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param c1 array of 7, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+#[cfg(feature = "poly-compact")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_c1(ctx: *const a_trajpoly7, c1: *mut a_float) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::velocity_coefficients);
+    if let (Some(coefficients), false) = (coefficients, c1.is_null()) {
+        // SAFETY: `c1` has room for them by the contract of this module, and no reference into `ctx` is left.
+        unsafe { c1.cast::<[a_float; 7]>().write(coefficients) };
+    }
+}
+
+/// @brief Copy the coefficients of acceleration out.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param c2 array of 6, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+#[cfg(feature = "poly-compact")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_c2(ctx: *const a_trajpoly7, c2: *mut a_float) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::acceleration_coefficients);
+    if let (Some(coefficients), false) = (coefficients, c2.is_null()) {
+        // SAFETY: `c2` has room for them by the contract of this module, and no reference into `ctx` is left.
+        unsafe { c2.cast::<[a_float; 6]>().write(coefficients) };
+    }
+}
+
+/// @brief Copy the coefficients of jerk out.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param c3 array of 5, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+#[cfg(feature = "poly-compact")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_c3(ctx: *const a_trajpoly7, c3: *mut a_float) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::jerk_coefficients);
+    if let (Some(coefficients), false) = (coefficients, c3.is_null()) {
+        // SAFETY: `c3` has room for them by the contract of this module, and no reference into `ctx` is left.
+        unsafe { c3.cast::<[a_float; 5]>().write(coefficients) };
+    }
+}
+
+/// @brief Position of a septic polynomial trajectory, by Horner's rule.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param x time since the start, s; the polynomial goes on outside the move
+/// @return position, unit; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    match unsafe { ctx.as_ref() } {
+        Some(ctx) => poly::horner(&ctx.position_coefficients(), x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Velocity of a septic polynomial trajectory, by Horner's rule.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param x time since the start, s; the polynomial goes on outside the move
+/// @return velocity, unit/s; NaN if `ctx` is NULL
+#[cfg(trajpoly7_v)]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    match unsafe { ctx.as_ref() } {
+        Some(ctx) => poly::horner(&ctx.velocity_coefficients(), x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Acceleration of a septic polynomial trajectory, by Horner's rule.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param x time since the start, s; the polynomial goes on outside the move
+/// @return acceleration, unit/s^2; NaN if `ctx` is NULL
+#[cfg(trajpoly7_a)]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    match unsafe { ctx.as_ref() } {
+        Some(ctx) => poly::horner(&ctx.acceleration_coefficients(), x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Jerk of a septic polynomial trajectory, by Horner's rule.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param x time since the start, s; the polynomial goes on outside the move
+/// @return jerk, unit/s^3; NaN if `ctx` is NULL
+#[cfg(trajpoly7_j)]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajpoly7_jer(ctx: *const a_trajpoly7, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    match unsafe { ctx.as_ref() } {
+        Some(ctx) => poly::horner(&ctx.jerk_coefficients(), x),
+        None => a_float::NAN,
+    }
+}

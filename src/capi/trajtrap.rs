@@ -1,0 +1,109 @@
+//! `a/trajtrap.h`: the trapezoidal profile.
+
+use super::{a_float, assert_same_layout};
+use crate::{Boundary, Trap};
+
+/// @brief Trapezoidal velocity trajectory.
+///
+/// Acceleration and velocity are limited. All values are signed: a deceleration is negative for a forward move, and
+/// both rates change sign for a backward one.
+#[repr(C)]
+pub struct a_trajtrap {
+    /// total duration, s
+    pub t: a_float,
+    /// initial position
+    pub p0: a_float,
+    /// final position
+    pub p1: a_float,
+    /// initial velocity
+    pub v0: a_float,
+    /// final velocity, as far as it can be reached
+    pub v1: a_float,
+    /// constant velocity, or the highest reached
+    pub vc: a_float,
+    /// time before constant velocity, s
+    pub ta: a_float,
+    /// time after constant velocity, s
+    pub td: a_float,
+    /// position before constant velocity
+    pub pa: a_float,
+    /// position after constant velocity
+    pub pd: a_float,
+    /// acceleration before constant velocity
+    pub ac: a_float,
+    /// acceleration after constant velocity
+    pub de: a_float,
+}
+assert_same_layout!(a_trajtrap, Trap<a_float>, t p0 p1 v0 v1 vc ta td pa pd ac de);
+
+/// @brief Plan a trapezoidal velocity trajectory.
+///
+/// With `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`, the squared velocity at which both slopes meet, the move
+/// cruises at `vm` if `c > vm^2`, else it peaks at `sqrt(c)`, or only speeds up or slows down if the distance is too
+/// short to reach `v1`; then `v1` is what is reached.
+/// @param ctx points to an instance of trapezoidal velocity trajectory, which need not be initialised
+/// @param vm maximum velocity, unit/s; its sign is ignored
+/// @param ac acceleration before constant velocity, unit/s^2, signed
+/// @param de acceleration after constant velocity, unit/s^2, signed, other than `ac`
+/// @param p0 initial position, unit
+/// @param p1 final position, unit
+/// @param v0 initial velocity, unit/s, limited to -vm .. vm
+/// @param v1 final velocity, unit/s, limited to -vm .. vm
+/// @return total duration, s; 0 if no such trajectory exists or `ctx` is NULL. A NaN argument gives NaN or 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajtrap_gen(
+    ctx: *mut a_trajtrap,
+    vm: a_float,
+    ac: a_float,
+    de: a_float,
+    p0: a_float,
+    p1: a_float,
+    v0: a_float,
+    v1: a_float,
+) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let Some(trap) = (unsafe { ctx.cast::<Trap<a_float>>().as_mut() }) else {
+        return 0.0;
+    };
+    let boundary = Boundary { p0, p1, v0, v1 };
+    trap.plan(vm, ac, de, boundary).unwrap_or(0.0)
+}
+
+/// @brief Position of a trapezoidal velocity trajectory.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory
+/// @param x time since the start, s
+/// @return position, unit: `p0` before the start and for a NaN `x`, `p1` after the end; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajtrap_pos(ctx: *const a_trajtrap, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
+        Some(trap) => trap.position(x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Velocity of a trapezoidal velocity trajectory.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory
+/// @param x time since the start, s
+/// @return velocity, unit/s: `v0` before the start and for a NaN `x`, `v1` after the end; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajtrap_vel(ctx: *const a_trajtrap, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
+        Some(trap) => trap.velocity(x),
+        None => a_float::NAN,
+    }
+}
+
+/// @brief Acceleration of a trapezoidal velocity trajectory.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory
+/// @param x time since the start, s
+/// @return acceleration, unit/s^2: 0 outside the move and for a NaN `x`; NaN if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn a_trajtrap_acc(ctx: *const a_trajtrap, x: a_float) -> a_float {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
+        Some(trap) => trap.acceleration(x),
+        None => a_float::NAN,
+    }
+}
