@@ -55,7 +55,10 @@ fn liba() -> PathBuf {
     let metadata = String::from_utf8(output.stdout).unwrap();
     metadata
         .split('"')
-        .find_map(|text| text.strip_suffix("/Cargo.toml").filter(|d| d.ends_with("liba-0.1.15")))
+        .find_map(|text| {
+            text.strip_suffix("/Cargo.toml")
+                .filter(|d| d.ends_with("liba-0.1.15"))
+        })
         .expect("cargo metadata lists liba 0.1.15")
         .into()
 }

@@ -3,6 +3,7 @@
 
 use crate::family::{Family, Implementation};
 use crate::real::OracleReal;
+use atraj::capi::a_float;
 
 /// The functions of one library in one real type.
 #[allow(missing_docs)]
@@ -12,6 +13,8 @@ pub struct Abi<R: 'static> {
     pub poly3: unsafe extern "C" fn(*mut R, R, R, R, R, R),
     pub poly5: unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R),
     pub poly7: unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R, R, R),
+    /// What has to be called after the polynomials' function above until all coefficient arrays are there.
+    pub derivations: [&'static [Derive<R>]; 3],
     pub evaluations: [&'static [Evaluate<R>]; 5],
 }
 
@@ -19,6 +22,14 @@ pub struct Abi<R: 'static> {
 pub type Gen7<R> = unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R) -> R;
 /// `pos`, `vel`, `acc` or `jer`.
 pub type Evaluate<R> = unsafe extern "C" fn(*const R, R) -> R;
+
+/// A function that finds the coefficients of a derivative.
+pub enum Derive<R> {
+    /// `gen1`, `gen2` or `gen3`: within the struct.
+    Within(unsafe extern "C" fn(*mut R)),
+    /// `c1`, `c2` or `c3`: from the struct, which holds the coefficients of position only, into an array.
+    Beyond(unsafe extern "C" fn(*const R, *mut R)),
+}
 
 impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
@@ -43,6 +54,7 @@ impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
                 _ => panic!("{family:?} has not {} arguments", arguments.len()),
             }
         }
+        self.derive(family, fields);
         R::from(0)
     }
 
@@ -57,58 +69,120 @@ impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
     }
 }
 
-/// The functions of one real type whose names begin with a prefix.
+impl<R> Abi<R> {
+    fn derive(&self, polynomial: Family, fields: &mut [R]) {
+        let (derivations, order) = match polynomial {
+            Family::Poly3 => (self.derivations[0], 3),
+            Family::Poly5 => (self.derivations[1], 5),
+            _ => (self.derivations[2], 7),
+        };
+        let mut start = order + 1;
+        for (index, derivation) in derivations.iter().enumerate() {
+            // SAFETY: `fields` has as many reals as the family's struct, all coefficient arrays one after the other.
+            unsafe {
+                match derivation {
+                    Derive::Within(function) => function(fields.as_mut_ptr()),
+                    Derive::Beyond(function) => {
+                        let (position, derivatives) = fields.split_at_mut(start);
+                        function(position.as_ptr(), derivatives.as_mut_ptr());
+                    }
+                }
+            }
+            start += order - index;
+        }
+    }
+}
+
+/// The C function of this name and type.
+macro_rules! c {
+    ($($name:literal)+: fn($($argument:ty),*) $(-> $result:ty)?) => {{
+        unsafe extern "C" {
+            #[link_name = concat!($($name),+)]
+            fn c($(_: $argument),*) $(-> $result)?;
+        }
+        c as unsafe extern "C" fn($($argument),*) $(-> $result)?
+    }};
+}
+
+/// The functions of one library, whose names begin with `$prefix`; its polynomials are planned by `$plan`, and then by
+/// `$derive`, which is a macro that makes one [`Derive`] of a name.
 macro_rules! library {
-    ($real:ident, $prefix:literal) => {
-        {
-            type R = $real;
-            unsafe extern "C" {
-                #[link_name = concat!($prefix, "trajbell_gen")]
-                fn bell_gen(_: *mut R, _: R, _: R, _: R, _: R, _: R, _: R, _: R) -> R;
-                #[link_name = concat!($prefix, "trajtrap_gen")]
-                fn trap_gen(_: *mut R, _: R, _: R, _: R, _: R, _: R, _: R, _: R) -> R;
-                #[link_name = concat!($prefix, "trajpoly3_gen")]
-                fn poly3_gen(_: *mut R, _: R, _: R, _: R, _: R, _: R);
-                #[link_name = concat!($prefix, "trajpoly5_gen")]
-                fn poly5_gen(_: *mut R, _: R, _: R, _: R, _: R, _: R, _: R, _: R);
-                #[link_name = concat!($prefix, "trajpoly7_gen")]
-                fn poly7_gen(_: *mut R, _: R, _: R, _: R, _: R, _: R, _: R, _: R, _: R, _: R);
-            }
-            library!(@evaluations $prefix,
-                BELL "trajbell_pos" "trajbell_vel" "trajbell_acc" "trajbell_jer",
-                TRAP "trajtrap_pos" "trajtrap_vel" "trajtrap_acc",
-                POLY3 "trajpoly3_pos" "trajpoly3_vel" "trajpoly3_acc",
-                POLY5 "trajpoly5_pos" "trajpoly5_vel" "trajpoly5_acc",
-                POLY7 "trajpoly7_pos" "trajpoly7_vel" "trajpoly7_acc" "trajpoly7_jer");
-            Abi {
-                bell: bell_gen,
-                trap: trap_gen,
-                poly3: poly3_gen,
-                poly5: poly5_gen,
-                poly7: poly7_gen,
-                evaluations: [BELL, TRAP, POLY3, POLY5, POLY7],
-            }
+    ($R:ty, $prefix:literal, $plan:literal, $derive:ident[$($order:literal)*]) => {
+        Abi::<$R> {
+            bell: c!($prefix "trajbell_gen": fn(*mut $R, $R, $R, $R, $R, $R, $R, $R) -> $R),
+            trap: c!($prefix "trajtrap_gen": fn(*mut $R, $R, $R, $R, $R, $R, $R, $R) -> $R),
+            poly3: c!($prefix "trajpoly3_" $plan: fn(*mut $R, $R, $R, $R, $R, $R)),
+            poly5: c!($prefix "trajpoly5_" $plan: fn(*mut $R, $R, $R, $R, $R, $R, $R, $R)),
+            poly7: c!($prefix "trajpoly7_" $plan: fn(*mut $R, $R, $R, $R, $R, $R, $R, $R, $R, $R)),
+            derivations: library!(@derivations $R, $prefix, $derive[$($order)*]),
+            evaluations: [
+                library!(@evaluations $R, $prefix "trajbell_", "pos" "vel" "acc" "jer"),
+                library!(@evaluations $R, $prefix "trajtrap_", "pos" "vel" "acc"),
+                library!(@evaluations $R, $prefix "trajpoly3_", "pos" "vel" "acc"),
+                library!(@evaluations $R, $prefix "trajpoly5_", "pos" "vel" "acc"),
+                library!(@evaluations $R, $prefix "trajpoly7_", "pos" "vel" "acc" "jer"),
+            ],
         }
     };
-    (@evaluations $prefix:literal, $($family:ident $($symbol:literal)*),*) => {$(
-        const $family: &[Evaluate<R>] = &[$({
-            unsafe extern "C" {
-                #[link_name = concat!($prefix, $symbol)]
-                fn evaluate(_: *const R, _: R) -> R;
-            }
-            evaluate
-        }),*];
-    )*};
+    (@evaluations $R:ty, $prefix:literal $family:literal, $($name:literal)*) => {
+        &[$(c!($prefix $family $name: fn(*const $R, $R) -> $R)),*]
+    };
+    (@derivations $R:ty, $prefix:literal, none[]) => {
+        [&[], &[], &[]]
+    };
+    (@derivations $R:ty, $prefix:literal, $derive:ident[$first:literal $second:literal $third:literal]) => {
+        [
+            &[$derive!($R, $prefix "trajpoly3_" $first), $derive!($R, $prefix "trajpoly3_" $second)],
+            &[$derive!($R, $prefix "trajpoly5_" $first), $derive!($R, $prefix "trajpoly5_" $second)],
+            &[
+                $derive!($R, $prefix "trajpoly7_" $first),
+                $derive!($R, $prefix "trajpoly7_" $second),
+                $derive!($R, $prefix "trajpoly7_" $third),
+            ],
+        ]
+    };
+}
+
+macro_rules! within {
+    ($R:ty, $($name:literal)+) => {
+        Derive::Within(c!($($name)+: fn(*mut $R)))
+    };
 }
 
 /// A real type in which the original is linked.
 pub trait Original: OracleReal {
     /// The original's functions.
     const ORIGINAL: Abi<Self>;
+    /// The original with every polynomial planned array by array.
+    const ORIGINAL_STEPWISE: Abi<Self>;
 }
+
 impl Original for f64 {
-    const ORIGINAL: Abi<f64> = library!(f64, "c8_");
+    const ORIGINAL: Abi<f64> = library!(f64, "c8_", "gen", none[]);
+    const ORIGINAL_STEPWISE: Abi<f64> = library!(f64, "c8_", "gen0", within["gen1" "gen2" "gen3"]);
 }
+
 impl Original for f32 {
-    const ORIGINAL: Abi<f32> = library!(f32, "c4_");
+    const ORIGINAL: Abi<f32> = library!(f32, "c4_", "gen", none[]);
+    const ORIGINAL_STEPWISE: Abi<f32> = library!(f32, "c4_", "gen0", within["gen1" "gen2" "gen3"]);
 }
+
+/// Our C functions in the polynomial layout of liba 0.1.15.
+#[cfg(not(feature = "poly-compact"))]
+pub const OURS: Abi<a_float> = library!(a_float, "a_", "gen", none[]);
+
+/// The same with every polynomial planned array by array.
+#[cfg(not(feature = "poly-compact"))]
+pub const OURS_STEPWISE: Abi<a_float> =
+    library!(a_float, "a_", "gen0", within["gen1" "gen2" "gen3"]);
+
+/// Our C functions in the polynomial layout since 2025-03.
+#[cfg(feature = "poly-compact")]
+pub const OURS: Abi<a_float> = {
+    macro_rules! beyond {
+        ($R:ty, $($name:literal)+) => {
+            Derive::Beyond(c!($($name)+: fn(*const $R, *mut $R)))
+        };
+    }
+    library!(a_float, "a_", "gen", beyond["c1" "c2" "c3"])
+};

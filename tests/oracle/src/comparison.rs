@@ -171,14 +171,7 @@ impl Report {
         }
     }
 
-    fn check<R: OracleReal>(
-        &mut self,
-        case: &Case<R>,
-        what: &str,
-        at: Option<R>,
-        got: R,
-        want: R,
-    ) {
+    fn check<R: OracleReal>(&mut self, case: &Case<R>, what: &str, at: Option<R>, got: R, want: R) {
         self.values += 1;
         if !got.same(want) {
             self.differing += 1;
@@ -207,11 +200,7 @@ impl Report {
     /// Panics with the first differences, if there is one, or if nothing was compared.
     pub fn assert_same(&self) {
         assert!(self.values > 0, "nothing was compared");
-        assert!(
-            self.differing == 0,
-            "{self}\n{}",
-            self.examples.join("\n")
-        );
+        assert!(self.differing == 0, "{self}\n{}", self.examples.join("\n"));
     }
 }
 

@@ -20,7 +20,13 @@ pub const MOST_FIELDS: usize = 26;
 
 impl Family {
     /// Every family.
-    pub const ALL: [Self; 5] = [Self::Bell, Self::Trap, Self::Poly3, Self::Poly5, Self::Poly7];
+    pub const ALL: [Self; 5] = [
+        Self::Bell,
+        Self::Trap,
+        Self::Poly3,
+        Self::Poly5,
+        Self::Poly7,
+    ];
 
     /// How files and functions name it.
     pub fn name(self) -> &'static str {

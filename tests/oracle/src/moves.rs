@@ -73,8 +73,7 @@ impl<R: OracleReal> Moves<R> {
     fn case(&mut self) -> Case<R> {
         let family = self.random.pick(&FAMILIES);
         let distribution = self.random.pick(&DISTRIBUTIONS);
-        let only_evaluated =
-            matches!(family, Family::Bell | Family::Trap) && self.random.one_in(8);
+        let only_evaluated = matches!(family, Family::Bell | Family::Trap) && self.random.one_in(8);
         Case {
             family,
             arguments: self.arguments(family, distribution),
@@ -91,7 +90,11 @@ impl<R: OracleReal> Moves<R> {
         for (argument, name) in arguments.iter_mut().zip(names) {
             let limit = matches!(*name, "jm" | "am" | "vm" | "ts" | "ac" | "de");
             let value = self.value(distribution);
-            *argument = if limit || self.random.one_in(2) { value } else { -value };
+            *argument = if limit || self.random.one_in(2) {
+                value
+            } else {
+                -value
+            };
             if matches!(*name, "v0" | "v1") && self.random.one_in(4) {
                 *argument = zero;
             }
