@@ -1,6 +1,7 @@
 # Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
 #
 #   make dist     archive, shared library and headers, in target/dist
+#   make demo     a servo program in C on that archive: parity with the golden data, pictures in target/demo
 #   make check    everything that proves the library
 #
 # Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
@@ -26,15 +27,16 @@ VARIANT := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVEL
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
 
-.PHONY: dist check
+.PHONY: dist demo check
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist:
-	mkdir -p $(BUILD) $(DIST)/lib $(DIST)/include
+	mkdir -p $(BUILD)
 	CARGO_TARGET_DIR=$(BUILD) $(CARGO) rustc --quiet --release --lib --crate-type staticlib --no-default-features \
 	    --features "$(FEATURES)" --message-format=json-render-diagnostics -- \
 	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -f $(DIST)/lib/*
+	rm -rf $(DIST)/lib $(DIST)/include
+	mkdir -p $(DIST)/lib $(DIST)/include
 	ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
 	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
@@ -42,6 +44,18 @@ dist:
 	cp -R include/. $(DIST)/include
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
 	    $(DIST)/include/a/
+
+DEMO := target/demo
+
+# What a user of liba does: compile a servo program against the headers, link the archive, run moves.
+demo: dist
+	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
+	rm -rf $(DEMO)
+	mkdir -p $(DEMO)
+	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
+	$(CARGO) run --quiet --example parity $(DEMO)/servo
+	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
 check:
 	$(CARGO) test
