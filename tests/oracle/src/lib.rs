@@ -4,6 +4,7 @@
 //! one program and the linker cannot mistake one for the other.
 
 pub mod abi;
+pub mod bytes;
 pub mod comparison;
 pub mod family;
 pub mod faults;
