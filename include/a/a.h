@@ -28,6 +28,22 @@
 #else
 #define A_PREREQ_GNUC(maj, min) 0
 #endif
+#if defined(_MSC_VER)
+#define A_PREREQ_MSVC(maj, min) (_MSC_VER >= (maj) * 100 + (min))
+#else
+#define A_PREREQ_MSVC(maj, min) 0
+#endif
+/* sources ask for clang's warnings without looking whether this compiler can tell */
+#if !defined(__has_warning)
+#define __has_warning(x) 0
+#endif
+
+/*! check the arguments from `c` on against the format argument `b`, counted from 1, as those of `a`, as in printf */
+#if A_PREREQ_GNUC(2, 7)
+#define A_FORMAT(a, b, c) __attribute__((__format__(a, b, c)))
+#else
+#define A_FORMAT(a, b, c)
+#endif
 
 #if defined(_WIN32) && defined(A_EXPORTS)
 #define A_PUBLIC __declspec(dllexport)
