@@ -16,4 +16,4 @@ pub mod volume;
 
 #[allow(missing_docs)]
 #[path = "../../common/mod.rs"]
-pub mod golden;
+pub mod common;

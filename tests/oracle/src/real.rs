@@ -1,6 +1,6 @@
 //! What random tests need to know of the two real types.
 
-use crate::golden::GoldenReal;
+use crate::common::GoldenReal;
 
 /// `f32` or `f64`, with its bits, its range and its peculiar values.
 pub trait OracleReal: GoldenReal + Send + 'static {

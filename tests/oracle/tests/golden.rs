@@ -1,8 +1,8 @@
 //! Is the original that is compiled here the one the golden data were taken from?
 
 use oracle::abi::{Abi, Original};
+use oracle::common::{Comparison, golden};
 use oracle::family::{Family, Implementation};
-use oracle::golden::{Comparison, golden};
 
 fn original_gives_the_golden_data<R: Original>() {
     let original: Abi<R> = R::ORIGINAL;

@@ -1,8 +1,8 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family.
 
 use oracle::bytes::encode;
+use oracle::common::golden;
 use oracle::family::Family;
-use oracle::golden::golden;
 use oracle::real::OracleReal;
 use std::io::Result;
 use std::path::{Path, PathBuf};
