@@ -42,7 +42,8 @@ fn scaled(boundary: Boundary<f64>, position: f64, velocity: f64) -> Boundary<f64
 
 /// How much `f` changes over the border `x`.
 fn jump(f: impl Fn(f64) -> f64, x: f64) -> f64 {
-    f(x.next_up()) - f(x.next_down())
+    let rounding = f64::EPSILON * x.abs();
+    f(x + rounding) - f(x - rounding)
 }
 
 fn bell_borders(bell: &Bell<f64>) -> [f64; 9] {
