@@ -4,6 +4,8 @@
 #   make demo     a servo program in C and a controller in C++ on that archive: parity with the golden data, pictures in
 #                 target/demo
 #   make check    everything that proves the library
+#   make soak     a thousand million calls per real type against the original; SOAK_SEED=n goes on from seed n
+#   make fuzz     libFuzzer against the original, FUZZ_SECONDS for each family
 #
 # Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
 #   REAL=float             a_float is float instead of double
@@ -29,7 +31,7 @@ VARIANT := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVEL
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
 
-.PHONY: dist demo check
+.PHONY: dist demo check soak fuzz
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist:
@@ -64,3 +66,16 @@ demo: dist
 
 check:
 	$(CARGO) test
+
+ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
+SOAK_SEED ?= 0
+SOAK_SEEDS ?= 1000
+
+# Every seed stands for a million calls per real type.
+soak:
+	$(CARGO) fetch --quiet $(ORACLE)
+	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS)
+
+FUZZ_SECONDS ?= 60
+fuzz:
+	fuzz/run.sh $(FUZZ_SECONDS)
