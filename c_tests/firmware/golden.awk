@@ -1,4 +1,4 @@
-# Turns golden CSV files into C tables of bit patterns: awk -v stride=N -f golden.awk FILES > golden.h
+# Turns golden CSV files into C tables of bit patterns: awk -v stride=N -f golden.awk FILES > golden_rows.h
 # Every stride-th case is taken, so that a small flash holds the tables. A row is its case number, then the numbers.
 BEGIN { FS = ","; print "/* Every case whose number is a multiple of " stride ". */" }
 FNR == 1 {

@@ -5,20 +5,8 @@
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "a/trajtrap.h"
-#include "semihost.h"
-
-#if A_SIZE_FLOAT == 4
-typedef uint32_t bits;
-#define NAN_BITS 0x7FC00000
-#else
-typedef uint64_t bits;
-#define NAN_BITS 0x7FF8000000000000
-#endif
-typedef union { bits bits; a_float value; } real;
-_Static_assert(sizeof(real) == sizeof(a_float), "bit patterns are as wide as the numbers");
-
 #include "golden.h"
-#define ROWS(table) (sizeof(table) / sizeof *(table))
+#include "semihost.h"
 
 static unsigned rows, compared, differing;
 
