@@ -106,6 +106,7 @@ impl<R: Real> Bell<R> {
     /// halving a step from `am` down, and writes the ramps. `false` if there is none.
     ///
     /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    #[inline(never)]
     fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
         let zero = R::from(0);
         let two = R::from(2);
@@ -123,7 +124,7 @@ impl<R: Real> Bell<R> {
             return false;
         }
 
-        let (mut trial, mut step) = skip_clear_rounds(jm, am, p, v0, v1);
+        let (mut trial, mut step) = skip_plain_rounds(jm, am, p, v0, v1);
         loop {
             let tj = trial / jm;
             let tj2 = two * tj;
@@ -447,56 +448,56 @@ fn ramp<R: Real>(dv: R, jm: R, am: R) -> (R, R, R) {
     }
 }
 
-/// Where the search for an acceleration can begin: the first trial and step that are not plainly decided and passed on.
+/// The trial acceleration and the step with which the search from `am` begins: rounds whose outcome is plain are behind.
 ///
-/// A round that goes on needs only its verdict, not its durations. With `k = am^2/jm`, `s = v0 + v1`, `w = |v0 - v1|`,
-/// the radicand is `r = (k - s)^2 + w^2 + 4 p am` and the shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`. So, as
-/// comparing `sqrt(r)` with `x` is comparing `r` with `x^2` (where `x < 0`, `r >= x^2` holds here anyway),
-/// - it lasts less than 0 where `2 p am - w s + w k < 0`, and
-/// - both ramps have room for their jerk parts where `2 p am - w s >= k (4 k + 4 s + 3 w)`.
+/// A round that goes on needs only its verdict. With `k = am^2/jm`, `s = v0 + v1` and `w = |v0 - v1|` its root is that of
+/// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
+/// to below `2 am/jm`. So `sqrt(r)` is compared with `x = s + w - k` and `x = s + w + 3 k`, or, as `r >= x^2` where `x < 0`,
+/// just `r` with `x^2`: too steep is `-w k <= 2 p am - w s < k (4 k + 4 s + 3 w)`. This takes no root, and one division
+/// for all rounds.
 ///
-/// With `b = |v0| + |v1|`, `size = 2 p am + (k + b)^2` and `u = EPSILON/2`, rounding moves the two sides by at most
-/// 61 u size in the round as it is computed and 40 u size here; a difference of more than 256 u size is beyond doubt.
-/// Nothing overflows, and what underflows is far below the margin, if `p >= EPSILON^2`, `32 EPSILON < am < 1/EPSILON`
-/// and `size < EPSILON^-4`; trials are smaller than `am` but larger than `EPSILON`.
-///
-/// The round that ends the search is never skipped, nor are those after a round in doubt. As rounds end with a step above
-/// `2 EPSILON` until they settle, those left write every duration that the skipped ones would have.
-fn skip_clear_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R) -> (R, R) {
-    let two = R::from(2);
-    let eps = R::EPSILON;
-    let coarse = am * R::SIXTEENTH;
-    let huge = R::from(1) / (eps * eps * eps * eps);
+/// With `size = 2 p am + 4 k^2 + 2 (v0^2 + v1^2)` and `u = EPSILON/2`, rounding moves these comparisons by at most
+/// 31 `u size` in the round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards
+/// keep off overflow and what underflow could move. `docs/search.md` has the proof.
+fn skip_plain_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R) -> (R, R) {
     let (mut trial, mut step) = (am, am);
-    if !(p >= eps * eps && coarse > two * eps && am * eps < R::from(1)) {
+    let coarse = am * R::SIXTEENTH;
+    let eps = R::EPSILON;
+    // So long a search is settled when its step runs out, so its last round writes all durations.
+    let long = coarse >= R::from(4) * eps;
+    if R::CHEAP_ROOT || !(long && p >= eps) {
         return (trial, step);
     }
-
+    let two = R::from(2);
     let s = v0 + v1;
     let w = (v0 - v1).magnitude();
     let half_w = R::HALF * w;
     let ws = w * s;
     let slope = two * s + (w + half_w);
-    let b = v0.magnitude() + v1.magnitude();
-    let p2 = two * p;
+    let q = two * (v0 * v0 + v1 * v1);
+    let two_p = two * p;
     let two_per_jm = two / jm;
+    let huge = R::from(1) / (eps * eps * eps * eps);
     loop {
-        let next = step * R::HALF;
         let k2 = trial * two_per_jm * trial;
-        let distance = p2 * trial;
-        let size = distance + (k2 + b) * (k2 + b);
-        let doubt = R::from(128) * eps * size;
+        let distance = two_p * trial;
+        let size = distance + k2 * k2 + q;
+        let doubt = R::from(64) * eps * size;
         let excess = distance - ws;
-        let lacking = k2 * (k2 + slope) - excess;
-        let shorter = excess + half_w * k2;
-        let too_steep = if lacking < shorter { lacking } else { shorter };
-        let settled = trial == am || step < coarse;
+        let above_shortest = excess + half_w * k2;
+        let below_longest = k2 * (k2 + slope) - excess;
+        let margin = if below_longest < above_shortest {
+            below_longest
+        } else {
+            above_shortest
+        };
+        let next = step * R::HALF;
         if !(size < huge && next > eps) {
             return (trial, step);
         }
-        if too_steep > doubt {
+        if margin > doubt {
             trial = trial - next;
-        } else if too_steep < -doubt && !settled {
+        } else if margin < -doubt && trial != am && step >= coarse {
             trial = trial + next;
         } else {
             return (trial, step);
