@@ -86,14 +86,16 @@ pub fn golden<R: GoldenReal>(table: &str, text: usize, numbers: usize) -> Vec<Ro
     rows
 }
 
-/// Beside this file, also for the package in `tests/oracle`.
 pub fn golden_dir() -> PathBuf {
-    let mut golden = root().ancestors().map(|root| root.join("tests/golden"));
-    golden.find(|d| d.is_dir()).expect("tests/golden")
+    root().join("tests/golden")
 }
 
+/// The repository, from the package in `tests/oracle` too.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .find(|directory| directory.join("tests/golden").is_dir())
+        .expect("a repository around the package")
 }
 
 /// Counts compared values and keeps the differing ones.
