@@ -250,13 +250,11 @@ pub(crate) fn horner<R: Real>(c: &[R], x: R) -> R {
 
 /// The coefficients of the derivative, of which there is one less: `d[k] = c[k+1]*(k+1)`.
 pub(crate) fn derivative<R: Real, const N: usize>(c: &[R]) -> [R; N] {
-    let mut d = [R::from(0); N];
-    let mut power = R::from(1);
-    for (d, &c) in d.iter_mut().zip(c.iter().skip(1)) {
-        *d = c * power;
-        power = power + R::from(1);
-    }
-    d
+    let mut terms = (1..).zip(c.iter().skip(1));
+    core::array::from_fn(|_| match terms.next() {
+        Some((power, &c)) => c * R::from(power),
+        None => R::from(0),
+    })
 }
 
 fn all_finite<R: Real>(c: &[R]) -> bool {
