@@ -41,7 +41,7 @@ endif
 .PHONY: dist demo check firmware-setup firmware-check firmware-report
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
-dist:
+dist: $(filter %.json,$(CARGO_TARGET))
 	mkdir -p $(BUILD)
 	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
 	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \

@@ -28,6 +28,7 @@ impl<R: Real> Poly3<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
+    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(ts: R, boundary: Boundary<R>) -> [R; 4] {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let [n1, n2, n3] = [1, 2, 3].map(R::from);
@@ -93,6 +94,7 @@ impl<R: Real> Poly5<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
+    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(ts: R, boundary: Boundary<R>, [a0, a1]: [R; 2]) -> [R; 6] {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let [n1, n2, n3, n6, n8, n12] = [1, 2, 3, 6, 8, 12].map(R::from);
@@ -164,6 +166,7 @@ impl<R: Real> Poly7<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
+    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(
         ts: R,
         boundary: Boundary<R>,
@@ -239,22 +242,28 @@ impl<R: Real> Poly7<R> {
     }
 }
 
-/// The value at `x`, from the highest power down; multiplication and addition are rounded apart.
+/// The value at `x`, from the highest power down; multiplication and addition are rounded apart. 0 without coefficients.
 pub(crate) fn horner<R: Real>(c: &[R], x: R) -> R {
-    let mut descending = c.iter().rev().copied();
-    match descending.next() {
-        Some(highest) => descending.fold(highest, |y, c| y * x + c),
+    match c.split_last() {
+        Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, &c| y * x + c),
         None => R::from(0),
     }
 }
 
-/// The coefficients of the derivative, of which there is one less: `d[k] = c[k+1]*(k+1)`.
-pub(crate) fn derivative<R: Real, const N: usize>(c: &[R]) -> [R; N] {
-    let mut terms = (1..).zip(c.iter().skip(1));
-    core::array::from_fn(|_| match terms.next() {
-        Some((power, &c)) => c * R::from(power),
-        None => R::from(0),
-    })
+/// The coefficients of the derivative, of which there is one less.
+#[inline(always)]
+fn derivative<R: Real, const N: usize>(c: &[R]) -> [R; N] {
+    let mut d = [R::from(0); N];
+    differentiate(c, &mut d);
+    d
+}
+
+/// The coefficients of the derivative in place: `d[k] = c[k+1]*(k+1)`.
+#[inline(always)] // makes constants of the powers
+pub(crate) fn differentiate<R: Real>(c: &[R], d: &mut [R]) {
+    for ((d, &c), power) in d.iter_mut().zip(c.iter().skip(1)).zip(1..) {
+        *d = c * R::from(power);
+    }
 }
 
 fn all_finite<R: Real>(c: &[R]) -> bool {

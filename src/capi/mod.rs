@@ -40,3 +40,14 @@ macro_rules! assert_same_layout {
     };
 }
 use assert_same_layout;
+
+/// The polynomial with these coefficients at `x`; NaN for those of a NULL context.
+fn evaluate<C: AsRef<[a_float]>>(coefficients: Option<C>, x: a_float) -> a_float {
+    horner(coefficients.as_ref().map(C::as_ref), x)
+}
+
+/// Shared by the functions of all polynomials, of which a tail call is left.
+#[inline(never)]
+fn horner(coefficients: Option<&[a_float]>, x: a_float) -> a_float {
+    coefficients.map_or(a_float::NAN, |c| crate::poly::horner(c, x))
+}
