@@ -46,7 +46,7 @@ dist: $(filter %.json,$(CARGO_TARGET))
 	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
 	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
 	    --message-format=json-render-diagnostics -- \
-	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
+	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
 	rm -rf $(DIST)/lib $(DIST)/include
 	mkdir -p $(DIST)/lib $(DIST)/include
 ifdef TARGET

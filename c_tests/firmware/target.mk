@@ -1,6 +1,7 @@
 # How to compile for the bare-metal TARGET: included by the top Makefile for `make dist TARGET=…` and by this directory's.
 
 PROFILE := firmware
+RUSTC_FLAGS := -C force-unwind-tables=no
 CARGO_TARGET := --target $(TARGET)
 # Both real types in one directory: Debian's way compiles `core` into it, which takes longest.
 CARGO_DIR := target/build-$(TARGET)

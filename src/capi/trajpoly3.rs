@@ -129,7 +129,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
 pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.p, &mut ctx.v);
+        ctx.v = poly::derivative3(&ctx.p);
     }
 }
 
@@ -140,7 +140,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
 pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.v, &mut ctx.a);
+        ctx.a = poly::derivative2(&ctx.v);
     }
 }
 

@@ -137,7 +137,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen0(
 pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.p, &mut ctx.v);
+        ctx.v = poly::derivative5(&ctx.p);
     }
 }
 
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
 pub unsafe extern "C" fn a_trajpoly5_gen2(ctx: *mut a_trajpoly5) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.v, &mut ctx.a);
+        ctx.a = poly::derivative4(&ctx.v);
     }
 }
 

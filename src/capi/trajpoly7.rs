@@ -159,7 +159,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
 pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.p, &mut ctx.v);
+        ctx.v = poly::derivative7(&ctx.p);
     }
 }
 
@@ -170,7 +170,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
 pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.v, &mut ctx.a);
+        ctx.a = poly::derivative6(&ctx.v);
     }
 }
 
@@ -181,7 +181,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
 pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        poly::differentiate(&ctx.a, &mut ctx.j);
+        ctx.j = poly::derivative5(&ctx.a);
     }
 }
 
