@@ -45,12 +45,12 @@ endif
 .PHONY: dist demo check soak fuzz firmware-setup firmware-check firmware-report
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
-dist:
+dist: $(filter %.json,$(CARGO_TARGET))
 	mkdir -p $(BUILD)
 	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
 	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
 	    --message-format=json-render-diagnostics -- \
-	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
+	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
 	rm -rf $(DIST)/lib $(DIST)/include
 	mkdir -p $(DIST)/lib $(DIST)/include
 ifdef TARGET

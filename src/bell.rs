@@ -218,55 +218,30 @@ impl<R: Real> Bell<R> {
 
     /// Position at time `x`, s. Before the start it is `p0`, after the end and for a NaN `p1`.
     pub fn position(&self, x: R) -> R {
-        let Self {
-            t,
-            ta,
-            td,
-            taj,
-            tdj,
-            vm,
-            jm,
-            am,
-            dm,
-            ..
-        } = *self;
-        let Boundary { p0, p1, v0, v1 } = self.forward();
-        let three = R::from(3);
-        let six = R::from(6);
-        let y = match self.phase(x) {
-            Phase::Before => return self.p0,
-            Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
-            Phase::Accelerate => {
-                p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
-            }
-            Phase::EaseUp => {
-                let z = ta - x;
-                p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
-            }
-            Phase::Cruise => p0 + R::HALF * (vm + v0) * ta + vm * (x - ta),
-            Phase::JerkDown => {
-                let z = x - (t - td);
-                p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
-            }
-            Phase::Decelerate => {
-                let z = x - (t - td);
-                p1 - R::HALF * (vm + v1) * td
-                    + vm * z
-                    + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
-            }
-            Phase::EaseDown => {
-                let z = t - x;
-                p1 - v1 * z - jm * z * z * z / six
-            }
-            Phase::After => return self.p1,
-        };
-        self.orient(y)
+        let Self { p0, p1, v0, v1, .. } = *self;
+        // Mirroring twice is exact, so `p0` and `p1` come back as they stand.
+        if p0 > p1 {
+            -self.forward_position(x, -p0, -p1, -v0, -v1)
+        } else {
+            self.forward_position(x, p0, p1, v0, v1)
+        }
     }
 
     /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
     pub fn velocity(&self, x: R) -> R {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        if p0 > p1 {
+            -self.forward_velocity(x, -v0, -v1)
+        } else {
+            self.forward_velocity(x, v0, v1)
+        }
+    }
+
+    #[inline(never)] // one copy for both directions
+    fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         let Self {
             t,
+            tv,
             ta,
             td,
             taj,
@@ -277,28 +252,88 @@ impl<R: Real> Bell<R> {
             dm,
             ..
         } = *self;
-        let Boundary { v0, v1, .. } = self.forward();
-        let y = match self.phase(x) {
-            Phase::Before => return self.v0,
-            Phase::JerkUp => v0 + R::HALF * jm * x * x,
-            Phase::Accelerate => v0 + am * (x - R::HALF * taj),
-            Phase::EaseUp => {
+        let three = R::from(3);
+        let six = R::from(6);
+        if x < ta {
+            if x < taj {
+                if x <= R::from(0) {
+                    p0
+                } else {
+                    p0 + v0 * x + jm * x * x * x / six
+                }
+            } else if x < ta - taj {
+                p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
+            } else {
+                let z = ta - x;
+                p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
+            }
+        } else if x < t - td + tdj {
+            if x < ta + tv {
+                p0 + R::HALF * (vm + v0) * ta + vm * (x - ta)
+            } else {
+                let z = x - (t - td);
+                p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
+            }
+        } else if x < t {
+            if x < t - tdj {
+                let z = x - (t - td);
+                p1 - R::HALF * (vm + v1) * td
+                    + vm * z
+                    + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
+            } else {
+                let z = t - x;
+                p1 - v1 * z - jm * z * z * z / six
+            }
+        } else {
+            p1
+        }
+    }
+
+    #[inline(never)] // one copy for both directions
+    fn forward_velocity(&self, x: R, v0: R, v1: R) -> R {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            vm,
+            jm,
+            am,
+            dm,
+            ..
+        } = *self;
+        if x < ta {
+            if x < taj {
+                if x <= R::from(0) {
+                    v0
+                } else {
+                    v0 + R::HALF * jm * x * x
+                }
+            } else if x < ta - taj {
+                v0 + am * (x - R::HALF * taj)
+            } else {
                 let z = ta - x;
                 vm - R::HALF * jm * z * z
             }
-            Phase::Cruise => vm,
-            Phase::JerkDown => {
+        } else if x < t - td + tdj {
+            if x < ta + tv {
+                vm
+            } else {
                 let z = x - (t - td);
                 vm - R::HALF * jm * z * z
             }
-            Phase::Decelerate => vm + dm * (x - t + td - R::HALF * tdj),
-            Phase::EaseDown => {
+        } else if x < t {
+            if x < t - tdj {
+                vm + dm * (x - t + td - R::HALF * tdj)
+            } else {
                 let z = t - x;
                 v1 + R::HALF * jm * z * z
             }
-            Phase::After => return self.v1,
-        };
-        self.orient(y)
+        } else {
+            v1
+        }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
@@ -373,47 +408,6 @@ impl<R: Real> Bell<R> {
         self.orient(y)
     }
 
-    /// The phase of position and velocity at `x`. Acceleration and jerk compare in another order, which matters where
-    /// rounding has made neighbouring borders cross or a field is NaN.
-    fn phase(&self, x: R) -> Phase {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            ..
-        } = *self;
-        if x < ta {
-            if x < taj {
-                if x <= R::from(0) {
-                    Phase::Before
-                } else {
-                    Phase::JerkUp
-                }
-            } else if x < ta - taj {
-                Phase::Accelerate
-            } else {
-                Phase::EaseUp
-            }
-        } else if x < t - td + tdj {
-            if x < ta + tv {
-                Phase::Cruise
-            } else {
-                Phase::JerkDown
-            }
-        } else if x < t {
-            if x < t - tdj {
-                Phase::Decelerate
-            } else {
-                Phase::EaseDown
-            }
-        } else {
-            Phase::After
-        }
-    }
-
     /// The boundary conditions in the axis that makes the move go forward.
     fn forward(&self) -> Boundary<R> {
         let Self { p0, p1, v0, v1, .. } = *self;
@@ -433,19 +427,6 @@ impl<R: Real> Bell<R> {
     fn is_backward(&self) -> bool {
         self.p0 > self.p1
     }
-}
-
-/// The seven phases in order of time, and the standstill around them.
-enum Phase {
-    Before,
-    JerkUp,
-    Accelerate,
-    EaseUp,
-    Cruise,
-    JerkDown,
-    Decelerate,
-    EaseDown,
-    After,
 }
 
 /// What one trial acceleration of the search means for the two ramps.
