@@ -1,6 +1,9 @@
 # Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
 #
-#   make dist     archive, shared library and headers, in target/dist
+#   make dist     archive, shared library, headers, pkg-config and CMake files, in target/dist
+#   make install [PREFIX=/usr/local] [DESTDIR=…]    puts these there; `make uninstall` removes them
+#   make consumers    installs it and builds programs on it from outside: C, C++, Rust; cc, pkg-config, CMake
+#   make doc      the references for C and for Rust, in target/doc
 #   make check    everything that proves the library
 #
 # Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
@@ -10,6 +13,7 @@
 
 CARGO ?= cargo
 CC ?= cc
+PREFIX ?= /usr/local
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
@@ -25,16 +29,18 @@ LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
 VARIANT := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS))
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
+INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
-.PHONY: dist check
+.PHONY: dist install uninstall consumers doc check
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist:
-	mkdir -p $(BUILD) $(DIST)/lib $(DIST)/include
+	mkdir -p $(BUILD)
 	CARGO_TARGET_DIR=$(BUILD) $(CARGO) rustc --quiet --release --lib --crate-type staticlib --no-default-features \
 	    --features "$(FEATURES)" --message-format=json-render-diagnostics -- \
 	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -f $(DIST)/lib/*
+	rm -rf $(DIST)
+	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
 	ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
 	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
@@ -42,6 +48,29 @@ dist:
 	cp -R include/. $(DIST)/include
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
 	    $(DIST)/include/a/
+	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
+	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
+	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
+
+# Builds only what was never built, so that `sudo make install` needs no Rust.
+$(DIST)/lib/libatraj.a:
+	$(MAKE) dist
+
+install: $(DIST)/lib/libatraj.a
+	cd $(DIST) && find . -type d -exec install -d "$(INSTALLED)/{}" \;
+	cd $(DIST) && find . -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find . -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
+
+uninstall: $(DIST)/lib/libatraj.a
+	cd $(DIST) && find . ! -type d -exec rm -f "$(INSTALLED)/{}" \;
+	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
+
+consumers:
+	tests/consumers.sh
+
+doc:
+	$(CARGO) doc --no-deps --features capi
+	doxygen
 
 check:
 	$(CARGO) test
