@@ -1,10 +1,11 @@
 # Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
 #
-#   make dist     archive, shared library, headers, pkg-config and CMake files, in target/dist
-#   make install [PREFIX=/usr/local] [DESTDIR=…]    puts these there; `make uninstall` removes them
-#   make consumers    installs it and builds programs on it from outside: C, C++, Rust; cc, pkg-config, CMake
-#   make doc      the references for C and for Rust, in target/doc
-#   make check    everything that proves the library
+#   make dist         archive, shared library, headers, pkg-config and CMake files, in target/dist
+#   make install      puts these under DESTDIR and PREFIX (/usr/local); `make uninstall` removes them
+#   make demo         a servo program in C on that archive: parity with the golden data, pictures in target/demo
+#   make consumers    programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake and cargo
+#   make doc          the references for C and for Rust, in target/doc
+#   make check        everything that proves the library
 #
 # Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
 #   REAL=float             a_float is float instead of double
@@ -31,7 +32,7 @@ DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
 INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
-.PHONY: dist install uninstall consumers doc check
+.PHONY: dist install uninstall demo consumers doc check
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist:
@@ -71,6 +72,18 @@ consumers:
 doc:
 	$(CARGO) doc --no-deps --features capi
 	doxygen
+
+DEMO := target/demo
+
+# What a user of liba does: compile a servo program against the headers, link the archive, run moves.
+demo: dist
+	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
+	rm -rf $(DEMO)
+	mkdir -p $(DEMO)
+	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
+	$(CARGO) run --quiet --example parity $(DEMO)/servo
+	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
 check:
 	$(CARGO) test

@@ -26,3 +26,7 @@ pub use boundary::Boundary;
 pub use poly::{Poly3, Poly5, Poly7};
 pub use real::Real;
 pub use trap::Trap;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

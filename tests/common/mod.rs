@@ -1,8 +1,11 @@
-//! Golden data and bit-for-bit comparison, shared by the tests.
+//! Golden data, bit-for-bit comparison, and the archives and C compilers: what the tests share.
 #![allow(dead_code)] // each test file uses a part of it
 
+use std::collections::BTreeSet;
 use std::fmt::{Debug, LowerExp};
 use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::Mutex;
 
 /// A real type as the golden files write it.
 pub trait GoldenReal: atraj::Real + Default + Debug + LowerExp {
@@ -126,4 +129,114 @@ impl Comparison {
             self.differences[..self.differences.len().min(10)].join("\n")
         );
     }
+}
+
+/// A build of the archive, named by the variables `make dist` takes, and the directory it goes to.
+pub struct Variant {
+    pub choices: &'static [&'static str],
+    pub directory: &'static str,
+}
+
+pub const DOUBLE: Variant = Variant {
+    choices: &[],
+    directory: "dist",
+};
+pub const FLOAT: Variant = Variant {
+    choices: &["REAL=float"],
+    directory: "dist-float",
+};
+pub const COMPACT: Variant = Variant {
+    choices: &["POLY=compact"],
+    directory: "dist-compact",
+};
+pub const FLOAT_COMPACT: Variant = Variant {
+    choices: &["REAL=float", "POLY=compact"],
+    directory: "dist-float-compact",
+};
+pub const LOW_LEVELS: Variant = Variant {
+    choices: &["A_TRAJPOLY3=1", "A_TRAJPOLY5=2", "A_TRAJPOLY7=3"],
+    directory: "dist-poly3-level1-poly5-level2-poly7-level3",
+};
+pub const VARIANTS: [&Variant; 5] = [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &LOW_LEVELS];
+
+impl Variant {
+    /// Builds it with `make dist`, once in a test program; its directory.
+    pub fn dist(&self) -> PathBuf {
+        static BUILT: Mutex<BTreeSet<&str>> = Mutex::new(BTreeSet::new());
+        let mut built = BUILT.lock().unwrap();
+        if !built.contains(self.directory) {
+            let mut make = Command::new("make");
+            run(make
+                .current_dir(root())
+                .args(["-s", "dist"])
+                .args(self.choices));
+            built.insert(self.directory);
+        }
+        root().join("target").join(self.directory)
+    }
+}
+
+/// The C or C++ compilers of this machine. In CI both must be there.
+pub fn compilers(language: Language) -> Vec<&'static str> {
+    let known = match language {
+        Language::C => ["gcc", "clang"],
+        Language::Cpp => ["g++", "clang++"],
+    };
+    known
+        .into_iter()
+        .filter(|compiler| has_tool(compiler))
+        .collect()
+}
+
+#[derive(Clone, Copy)]
+pub enum Language {
+    C,
+    Cpp,
+}
+
+/// Whether `tool` can be run. A missing one is said aloud, and is a failure in CI.
+pub fn has_tool(tool: &str) -> bool {
+    let found = Command::new(tool).arg("--version").output().is_ok();
+    if !found {
+        assert!(std::env::var_os("CI").is_none(), "{tool} is missing");
+        println!("SKIPPED: {tool} is missing, what needs it is not tested");
+    }
+    found
+}
+
+/// Runs a command that must succeed; its output.
+pub fn run(command: &mut Command) -> Output {
+    let output = command
+        .output()
+        .unwrap_or_else(|e| panic!("{command:?}: {e}"));
+    assert!(
+        output.status.success(),
+        "{command:?}: {}\n{}{}",
+        output.status,
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    output
+}
+
+/// The lines that a command prints; it must succeed.
+pub fn lines(command: &mut Command) -> Vec<String> {
+    let output = run(command).stdout;
+    String::from_utf8(output)
+        .unwrap()
+        .lines()
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The documented symbols of an archive, `tests/symbols*.txt`.
+pub fn symbols(variant: &Variant) -> Vec<String> {
+    let compact = variant.choices.contains(&"POLY=compact");
+    let file = if compact {
+        "tests/symbols-compact.txt"
+    } else {
+        "tests/symbols.txt"
+    };
+    let list = std::fs::read_to_string(root().join(file)).unwrap();
+    list.lines().map(str::to_owned).collect()
 }

@@ -1,0 +1,107 @@
+// The C++ side of the headers: methods in the structs, default arguments, const, the namespace.
+#include "a/trajbell.h"
+#include "a/trajpoly3.h"
+#include "a/trajpoly5.h"
+#include "a/trajpoly7.h"
+#include "a/trajtrap.h"
+#include <cstdio>
+#include <cstring>
+
+namespace
+{
+int broken = 0;
+
+void promise(bool kept, const char *what)
+{
+    if (!kept)
+    {
+        std::printf("broken: %s\n", what);
+        broken = 1;
+    }
+}
+#define PROMISE(condition) promise(condition, #condition)
+
+template <class T>
+bool same(const T &x, const T &y)
+{
+    return std::memcmp(&x, &y, sizeof(T)) == 0;
+}
+
+void bell()
+{
+    a::trajbell method;
+    a_trajbell function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.gen(30, 10, 5, 0, 10) == a_trajbell_gen(&function, 30, 10, 5, 0, 10, 0, 0));
+    PROMISE(same(method, function));
+    PROMISE(method.gen(30, 10, 5, 0, 10, 1, 0) == a_trajbell_gen(&function, 30, 10, 5, 0, 10, 1, 0));
+    PROMISE(same(method, function));
+    const a::trajbell &planned = method;
+    const a_float x = planned.t / 4;
+    PROMISE(planned.pos(x) == a_trajbell_pos(&function, x) && planned.pos(x) > 0);
+    PROMISE(planned.vel(x) == a_trajbell_vel(&function, x) && planned.vel(x) > 0);
+    PROMISE(planned.acc(0.1f) == a_trajbell_acc(&function, 0.1f) && planned.acc(0.1f) > 0);
+    PROMISE(planned.jer(0.1f) == a_trajbell_jer(&function, 0.1f) && planned.jer(0.1f) == 30);
+}
+
+void trap()
+{
+    a::trajtrap method;
+    a_trajtrap function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.gen(5, 4, -2, 0, 50) == a_trajtrap_gen(&function, 5, 4, -2, 0, 50, 0, 0));
+    PROMISE(same(method, function));
+    const a::trajtrap &planned = method;
+    PROMISE(planned.t == 11.875f && planned.pos(planned.t) == 50);
+    PROMISE(planned.vel(5) == 5 && planned.acc(1) == 4 && planned.acc(10) == -2);
+}
+
+void polynomials()
+{
+    a::trajpoly3 cubic;
+    a::trajpoly5 quintic;
+    a::trajpoly7 septic;
+    cubic.gen(8, 0, 10);
+    quintic.gen(8, 0, 10);
+    septic.gen(8, 0, 10);
+    const a::trajpoly3 &c = cubic;
+    const a::trajpoly5 &q = quintic;
+    const a::trajpoly7 &s = septic;
+    PROMISE(c.pos(4) == 5 && q.pos(4) == 5 && s.pos(4) == 5);
+    PROMISE(c.pos(8) == 10 && q.pos(8) == 10 && s.pos(8) == 10);
+#if A_TRAJPOLY3 > 2 && A_TRAJPOLY5 > 2 && A_TRAJPOLY7 > 3
+    PROMISE(c.vel(0) == 0 && q.vel(0) == 0 && s.vel(0) == 0);
+    PROMISE(c.acc(4) == 0 && q.acc(0) == 0 && s.acc(0) == 0 && s.jer(0) == 0);
+#endif
+#if defined(A_TRAJPOLY_COMPACT)
+    a_float part[8];
+    c.c0(part);
+    PROMISE(part[0] == 0 && part[2] == cubic.c[2]);
+    q.c1(part);
+    PROMISE(part[2] == 3 * quintic.c[3]);
+    s.c3(part);
+    PROMISE(part[1] == 24 * septic.c[4]);
+#else
+    a::trajpoly7 again;
+    std::memset(&again, 0, sizeof(again));
+    again.gen0(8, 0, 10);
+    PROMISE(std::memcmp(again.p, septic.p, sizeof(again.p)) == 0);
+#if A_TRAJPOLY7 > 3
+    again.gen1();
+    again.gen2();
+    again.gen3();
+    PROMISE(same(again, septic));
+#endif
+#endif
+}
+} // namespace
+
+int main()
+{
+    bell();
+    trap();
+    polynomials();
+    return broken;
+}

@@ -1,0 +1,297 @@
+//! Draws motion profiles: `plot DIRECTORY` reads moves from standard input, in the form `servo.c` prints them, and writes
+//! one SVG each, with position, velocity, acceleration and, where there is one, jerk over time.
+//!
+//! ```text
+//! move TITLE                 a new picture; what follows ": " in the title becomes its second line
+//! phase FROM TO NAME         shaded by name, between border lines
+//! at x pos vel acc [jer]     a set-point at time x
+//! ```
+//!
+//! Other lines are passed over.
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use std::collections::HashSet;
+use std::error::Error;
+use std::ops::Range;
+use std::path::Path;
+use std::{env, fs, io};
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Drawn = Result<(), Box<dyn Error>>;
+
+const QUANTITIES: [(&str, &str, RGBColor); 4] = [
+    ("position", "m", RGBColor(31, 90, 166)),
+    ("velocity", "m/s", RGBColor(24, 128, 78)),
+    ("acceleration", "m/s²", RGBColor(204, 85, 0)),
+    ("jerk", "m/s³", RGBColor(140, 40, 130)),
+];
+const SHADES: [(&str, RGBColor); 3] = [
+    ("accelerate", RGBColor(222, 240, 226)),
+    ("cruise", RGBColor(230, 234, 244)),
+    ("decelerate", RGBColor(252, 230, 222)),
+];
+const OTHER_SHADE: RGBColor = RGBColor(250, 244, 214);
+const INK: RGBColor = RGBColor(40, 44, 52);
+const FAINT: RGBColor = RGBColor(120, 126, 136);
+
+// The backend rounds coordinates to whole units, so a picture has four of them to the pixel: curves stay smooth.
+const UNITS: u32 = 4;
+const WIDTH: u32 = 900 * UNITS;
+const HEADING: u32 = 75 * UNITS;
+const PANEL: u32 = 180 * UNITS;
+const LEGEND: u32 = 45 * UNITS;
+const TIME_AXIS: u32 = 45 * UNITS;
+const MARGIN: u32 = 20 * UNITS;
+const VALUE_AXIS: u32 = 75 * UNITS;
+const LEFT: u32 = MARGIN + VALUE_AXIS;
+const RIGHT: u32 = 25 * UNITS;
+const GAP: u32 = 7 * UNITS;
+const BORDER: u32 = UNITS;
+const CURVE: u32 = 5 * UNITS / 2;
+const TITLE: u32 = 23 * UNITS;
+const TEXT: u32 = 16 * UNITS;
+const LABEL: u32 = 14 * UNITS;
+
+fn main() -> Drawn {
+    let directory = env::args_os().nth(1).ok_or("usage: plot DIRECTORY")?;
+    let moves = read_moves(&io::read_to_string(io::stdin())?)?;
+    if moves.is_empty() {
+        return Err("no moves on standard input".into());
+    }
+    fs::create_dir_all(&directory)?;
+    let mut drawn = HashSet::new();
+    for motion in &moves {
+        let path = Path::new(&directory).join(motion.file_name());
+        if !drawn.insert(path.clone()) {
+            return Err(format!("two moves are called {:?}", motion.heading().0).into());
+        }
+        motion
+            .draw(&path)
+            .map_err(|e| format!("{}: {e}", path.display()))?;
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+#[derive(Default)]
+struct Move {
+    title: String,
+    phases: Vec<(Range<f64>, String)>,
+    /// Time, then the quantities.
+    points: Vec<Vec<f64>>,
+}
+
+fn read_moves(text: &str) -> Result<Vec<Move>, Box<dyn Error>> {
+    let mut moves: Vec<Move> = Vec::new();
+    for line in text.lines() {
+        let (word, rest) = line.split_once(' ').unwrap_or((line, ""));
+        if word == "move" {
+            moves.push(Move {
+                title: rest.to_owned(),
+                ..Move::default()
+            });
+            continue;
+        }
+        let motion = moves.last_mut().ok_or("the first line is no `move`")?;
+        match word {
+            "phase" => motion
+                .phases
+                .push(read_phase(rest).ok_or_else(|| line.to_owned())?),
+            "at" => motion
+                .points
+                .push(rest.split(' ').map(str::parse).collect::<Result<_, _>>()?),
+            _ => {}
+        }
+    }
+    Ok(moves)
+}
+
+fn read_phase(text: &str) -> Option<(Range<f64>, String)> {
+    let mut words = text.splitn(3, ' ');
+    let from = words.next()?.parse().ok()?;
+    let to = words.next()?.parse().ok()?;
+    Some((from..to, words.next()?.to_owned()))
+}
+
+impl Move {
+    fn heading(&self) -> (&str, &str) {
+        self.title.split_once(": ").unwrap_or((&self.title, ""))
+    }
+
+    fn file_name(&self) -> String {
+        let words: Vec<_> = self
+            .heading()
+            .0
+            .split(|c: char| !c.is_alphanumeric())
+            .filter(|word| !word.is_empty())
+            .map(str::to_lowercase)
+            .collect();
+        words.join("-") + ".svg"
+    }
+
+    /// How many of [`QUANTITIES`] every set-point has.
+    fn quantities(&self) -> Result<usize, Box<dyn Error>> {
+        let quantities = self.points.first().map_or(0, |point| point.len() - 1);
+        if !(1..=QUANTITIES.len()).contains(&quantities) {
+            return Err("no set-points to draw".into());
+        }
+        if self.points.iter().any(|p| p.len() != 1 + quantities) {
+            return Err("set-points of different length".into());
+        }
+        if self.points.iter().flatten().any(|value| !value.is_finite()) {
+            return Err("a set-point that is not finite".into());
+        }
+        Ok(quantities)
+    }
+
+    fn draw(&self, path: &Path) -> Drawn {
+        let quantities = self.quantities()?;
+        let height = HEADING + PANEL * quantities as u32 + TIME_AXIS + LEGEND;
+        let mut svg = String::new();
+        self.draw_panels(
+            &SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area(),
+            quantities,
+        )?;
+        let size =
+            |units: u32| format!("width=\"{}\" height=\"{}\"", WIDTH / units, height / units);
+        fs::write(path, svg.replacen(&size(1), &size(UNITS), 1))?;
+        Ok(())
+    }
+
+    fn draw_panels(&self, root: &Area, quantities: usize) -> Drawn {
+        root.fill(&WHITE)?;
+        let (heading, rest) = root.split_vertically(HEADING);
+        let (panels, legend) = rest.split_vertically(PANEL * quantities as u32 + TIME_AXIS);
+        self.draw_heading(&heading)?;
+        let mut below = panels;
+        for quantity in 0..quantities {
+            let last = quantity + 1 == quantities;
+            let (panel, rest) = below.split_vertically(PANEL + if last { TIME_AXIS } else { 0 });
+            self.draw_panel(&panel, quantity, last)?;
+            below = rest;
+        }
+        self.draw_legend(&legend, quantities)?;
+        root.present()?;
+        Ok(())
+    }
+
+    fn draw_heading(&self, area: &Area) -> Drawn {
+        let (title, details) = self.heading();
+        let large = ("sans-serif", TITLE).into_text_style(area).color(&INK);
+        let small = ("sans-serif", TEXT).into_text_style(area).color(&FAINT);
+        area.draw_text(title, &large, (LEFT as i32, HEADING as i32 / 5))?;
+        area.draw_text(details, &small, (LEFT as i32, HEADING as i32 * 3 / 5))?;
+        Ok(())
+    }
+
+    fn draw_panel(&self, area: &Area, quantity: usize, time_axis: bool) -> Drawn {
+        let (name, unit, color) = QUANTITIES[quantity];
+        let curve: Vec<_> = self
+            .points
+            .iter()
+            .map(|p| (p[0], p[quantity + 1]))
+            .collect();
+        let times = span(curve.iter().map(|point| point.0));
+        let values = with_margin(span(curve.iter().map(|point| point.1)));
+        let mut chart = ChartBuilder::on(area)
+            .margin_top(GAP)
+            .margin_bottom(GAP)
+            .margin_left(MARGIN)
+            .margin_right(RIGHT)
+            .set_label_area_size(LabelAreaPosition::Left, VALUE_AXIS)
+            .set_label_area_size(
+                LabelAreaPosition::Bottom,
+                if time_axis { TIME_AXIS } else { 0 },
+            )
+            .build_cartesian_2d(times, values.clone())?;
+
+        for (phase, name) in &self.phases {
+            let corners = [(phase.start, values.start), (phase.end, values.end)];
+            chart.draw_series([Rectangle::new(corners, shade(name).filled())])?;
+        }
+        chart
+            .configure_mesh()
+            .disable_x_mesh()
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(INK.mix(0.12).stroke_width(BORDER))
+            .axis_style(INK.mix(0.6).stroke_width(BORDER))
+            .label_style(("sans-serif", LABEL).into_font().color(&INK))
+            .axis_desc_style(("sans-serif", TEXT).into_font().color(&INK))
+            .set_all_tick_mark_size(GAP)
+            .y_labels(5)
+            .x_desc("time [s]")
+            .y_desc(format!("{name} [{unit}]"))
+            .draw()?;
+        for (phase, _) in &self.phases {
+            let border = vec![(phase.end, values.start), (phase.end, values.end)];
+            chart.draw_series([PathElement::new(border, INK.mix(0.35).stroke_width(BORDER))])?;
+        }
+        chart.draw_series([PathElement::new(curve, color.stroke_width(CURVE))])?;
+        Ok(())
+    }
+
+    fn draw_legend(&self, area: &Area, quantities: usize) -> Drawn {
+        let text = ("sans-serif", LABEL).into_text_style(area).color(&INK);
+        let names = self.phase_names();
+        let step = (WIDTH - LEFT - RIGHT) as usize / (quantities + names.len());
+        let swatch = |place: usize| {
+            let x = (LEFT as usize + place * step) as i32;
+            [(x, LABEL as i32), (x + TEXT as i32, 2 * LABEL as i32)]
+        };
+        let label = |swatch: [(i32, i32); 2], name: &str| {
+            let [_, (right, bottom)] = swatch;
+            area.draw_text(
+                name,
+                &text,
+                (right + (LABEL / 2) as i32, bottom - LABEL as i32),
+            )
+        };
+        for (place, (name, _, color)) in QUANTITIES[..quantities].iter().enumerate() {
+            let [(left, top), (right, bottom)] = swatch(place);
+            let middle = (top + bottom) / 2;
+            let sample = [(left, middle), (right, middle)];
+            area.draw(&PathElement::new(sample, color.stroke_width(CURVE)))?;
+            label(swatch(place), name)?;
+        }
+        for (place, name) in (quantities..).zip(names) {
+            let border = INK.mix(0.35).stroke_width(BORDER);
+            area.draw(&Rectangle::new(swatch(place), shade(name).filled()))?;
+            area.draw(&Rectangle::new(swatch(place), border))?;
+            label(swatch(place), name)?;
+        }
+        Ok(())
+    }
+
+    fn phase_names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for (_, name) in &self.phases {
+            if !names.contains(&name.as_str()) {
+                names.push(name);
+            }
+        }
+        names
+    }
+}
+
+fn shade(phase: &str) -> RGBColor {
+    SHADES
+        .iter()
+        .find(|(name, _)| *name == phase)
+        .map_or(OTHER_SHADE, |&(_, color)| color)
+}
+
+fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
+    values.fold(f64::INFINITY..f64::NEG_INFINITY, |span, value| {
+        span.start.min(value)..span.end.max(value)
+    })
+}
+
+/// Room above and below a curve, also below one that is level.
+fn with_margin(span: Range<f64>) -> Range<f64> {
+    let margin = match span.end - span.start {
+        0.0 => 1.0,
+        height => 0.1 * height,
+    };
+    span.start - margin..span.end + margin
+}

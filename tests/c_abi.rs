@@ -1,0 +1,322 @@
+//! Do C and C++ programs that link the archive get the golden bits, the layout and the answers to bad input, with every
+//! compiler, language standard and build choice?
+
+mod common;
+
+use common::{
+    COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, Language, VARIANTS, Variant, compilers,
+    golden_dir, has_tool, lines, root, run, symbols,
+};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+
+const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+const C: [&str; 3] = ["c99", "c11", "c17"];
+const CPP: [&str; 4] = ["c++98", "c++11", "c++17", "c++20"];
+
+/// Compiles `c_tests/{source}` against the variant's headers and archive, once; the program.
+fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> PathBuf {
+    static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+    let dist = variant.dist();
+    let programs = dist.join("tests");
+    let program = programs.join(format!("{source}-{compiler}{}", flags.concat()));
+    let mut built = BUILT.lock().unwrap();
+    if !built.contains(&program) {
+        fs::create_dir_all(programs).unwrap();
+        let mut command = Command::new(compiler);
+        command.args(STRICT).arg("-O2").args(flags);
+        command.arg("-I").arg(dist.join("include"));
+        command.arg(root().join("c_tests").join(source));
+        command.arg(dist.join("lib/libatraj.a")).arg("-lm");
+        run(command.arg("-o").arg(&program));
+        built.insert(program.clone());
+    }
+    program
+}
+
+/// Replays the golden rows; the functions that were called, as the program prints them.
+fn replay_golden(command: &mut Command) -> Vec<String> {
+    let table = lines(command.arg(golden_dir()));
+    let mut functions = Vec::new();
+    for line in table {
+        let [function, rows, differing] = line.split_whitespace().collect::<Vec<_>>()[..] else {
+            panic!("not a table line: {line}");
+        };
+        assert!(rows.parse::<u32>().unwrap() > 0, "{line}");
+        assert_eq!(differing, "0", "{line}");
+        functions.push(function.to_owned());
+    }
+    functions.sort();
+    functions
+}
+
+#[test]
+fn golden_rows_from_c() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::C) {
+            let program = build(variant, compiler, &["-std=c99"], "golden.c");
+            let called = replay_golden(&mut Command::new(&program));
+            let mut expected = symbols(variant);
+            expected.retain(|symbol| symbol.starts_with("a_traj") && exists(variant, symbol));
+            assert_eq!(called, expected, "functions that the golden rows call");
+        }
+    }
+}
+
+/// Whether the functions of the levels above the build's are left out as they should.
+fn exists(variant: &Variant, symbol: &str) -> bool {
+    const ABOVE: [&str; 7] = [
+        "a_trajpoly3_gen1",
+        "a_trajpoly3_vel",
+        "a_trajpoly3_gen2",
+        "a_trajpoly3_acc",
+        "a_trajpoly5_gen2",
+        "a_trajpoly5_acc",
+        "a_trajpoly7_gen3",
+    ];
+    variant.directory != LOW_LEVELS.directory
+        || !(ABOVE.contains(&symbol) || symbol == "a_trajpoly7_jer")
+}
+
+#[test]
+fn a_wrong_golden_bit_is_found() {
+    let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
+    let copy = DOUBLE.dist().join("tests/golden");
+    copy_golden(&copy);
+    let table = copy.join("bell_eval_f64.csv");
+    let csv = fs::read_to_string(&table).unwrap();
+    // The last digit of the last value: the jerk of the last row.
+    let end = csv.trim_end().len() - 1;
+    let wrong = if csv.as_bytes()[end] == b'0' {
+        "1"
+    } else {
+        "0"
+    };
+    fs::write(&table, format!("{}{wrong}\n", &csv[..end])).unwrap();
+    let output = Command::new(&program).arg(&copy).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(
+        text.contains("bell_eval_f64.csv") && text.contains("golden"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_missing_or_empty_golden_file_is_found() {
+    let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
+    let copy = DOUBLE.dist().join("tests/golden-incomplete");
+    copy_golden(&copy);
+    let table = copy.join("poly7_eval_f64.csv");
+    fs::write(&table, "case,x,pos,vel,acc,jer\n").unwrap();
+    assert_eq!(
+        Command::new(&program).arg(&copy).status().unwrap().code(),
+        Some(2)
+    );
+    fs::remove_file(&table).unwrap();
+    assert_eq!(
+        Command::new(&program).arg(&copy).status().unwrap().code(),
+        Some(2)
+    );
+}
+
+fn copy_golden(to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(golden_dir()).unwrap() {
+        let from = entry.unwrap().path();
+        fs::copy(&from, to.join(from.file_name().unwrap())).unwrap();
+    }
+}
+
+#[test]
+fn layout_prelude_and_null() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::C) {
+            for standard in C {
+                let standard = format!("-std={standard}");
+                run(&mut Command::new(build(
+                    variant,
+                    compiler,
+                    &[&standard],
+                    "abi.c",
+                )));
+            }
+        }
+    }
+}
+
+#[test]
+fn cpp_methods_and_namespace() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::Cpp) {
+            for standard in CPP {
+                let standard = format!("-std={standard}");
+                run(&mut Command::new(build(
+                    variant,
+                    compiler,
+                    &[&standard],
+                    "methods.cpp",
+                )));
+            }
+        }
+    }
+}
+
+#[test]
+fn no_sanitizer_finding() {
+    let sanitize = [
+        "-g",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+    ];
+    for variant in [&DOUBLE, &FLOAT_COMPACT] {
+        let golden = build(variant, "cc", &sanitize, "golden.c");
+        replay_golden(&mut Command::new(golden));
+        run(&mut Command::new(build(variant, "cc", &sanitize, "abi.c")));
+    }
+}
+
+#[test]
+fn no_valgrind_finding() {
+    if !has_tool("valgrind") {
+        return;
+    }
+    let golden = build(&DOUBLE, "cc", &["-g"], "golden.c");
+    let valgrind = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
+    replay_golden(Command::new("valgrind").args(valgrind).arg(golden));
+}
+
+/// Whether all headers in `include` compile together with these flags.
+fn accepts(compiler: &str, language: &str, include: &Path, flags: &[&str]) -> bool {
+    let mut command = Command::new(compiler);
+    command
+        .args(STRICT)
+        .args(["-fsyntax-only", "-I"])
+        .arg(include);
+    for name in [
+        "trajbell",
+        "trajtrap",
+        "trajpoly3",
+        "trajpoly5",
+        "trajpoly7",
+    ] {
+        command.args(["-include", &format!("a/{name}.h")]);
+    }
+    let output = command
+        .args(flags)
+        .args(["-x", language, "/dev/null"])
+        .output();
+    output.unwrap().status.success()
+}
+
+#[test]
+fn headers_compile_clean_in_every_configuration() {
+    let include = root().join("include");
+    let mut configurations = vec![
+        vec!["-DA_SIZE_FLOAT=4"],
+        vec!["-DA_SIZE_REAL=4"],
+        vec!["-DA_SIZE_FLOAT=8", "-DA_TRAJPOLY_COMPACT"],
+    ];
+    for level in ["1", "2", "3"] {
+        let level = [3, 5, 7].map(|n| format!("-DA_TRAJPOLY{n}={level}").leak() as &str);
+        configurations.push(level.to_vec());
+    }
+    configurations.push(vec!["-DA_TRAJPOLY7=4"]);
+    for (language, standards, suffix) in [
+        (Language::C, C.to_vec(), "c"),
+        (Language::Cpp, CPP.to_vec(), "c++"),
+    ] {
+        for compiler in compilers(language) {
+            for standard in &standards {
+                for configuration in &configurations {
+                    let standard = format!("-std={standard}");
+                    let mut flags = configuration.clone();
+                    flags.push(&standard);
+                    assert!(
+                        accepts(compiler, suffix, &include, &flags),
+                        "{compiler} {flags:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn headers_refuse_what_the_archive_is_not() {
+    let refused: [(&Variant, &[&str]); 8] = [
+        (&DOUBLE, &["-DA_SIZE_FLOAT=4"]),
+        (&FLOAT, &["-DA_SIZE_FLOAT=8"]),
+        (&DOUBLE, &["-DA_SIZE_FLOAT=16"]),
+        (&DOUBLE, &["-DA_SIZE_FLOAT=8", "-DA_SIZE_REAL=4"]),
+        (&DOUBLE, &["-DA_TRAJPOLY_COMPACT"]),
+        (&DOUBLE, &["-DA_TRAJPOLY7=3"]),
+        (&LOW_LEVELS, &["-DA_TRAJPOLY3=3"]),
+        (&COMPACT, &["-DA_TRAJPOLY5=2"]),
+    ];
+    for (variant, flags) in refused {
+        let include = variant.dist().join("include");
+        assert!(accepts("cc", "c", &include, &[]), "{}", variant.directory);
+        assert!(
+            !accepts("cc", "c", &include, flags),
+            "{} {flags:?}",
+            variant.directory
+        );
+    }
+    let source = root().join("include");
+    assert!(!accepts("cc", "c", &source, &["-DA_TRAJPOLY3=4"]));
+    assert!(!accepts("cc", "c", &source, &["-DA_SIZE_FLOAT=2"]));
+}
+
+/// The block of the README in this language as a whole program; `drive` takes what the axis is told.
+fn readme_program(fence: &str) -> String {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let (_, block) = readme.split_once(&format!("```{fence}\n")).unwrap();
+    let (block, _) = block.split_once("```").unwrap();
+    let (include, body) = block.split_once('\n').unwrap();
+    format!("{include}\nstatic void drive(double p, ...) {{ (void)p; }}\nint main() {{\n{body}}}\n")
+}
+
+#[test]
+fn readme_examples_compile() {
+    let dist = DOUBLE.dist();
+    for (fence, compiler) in [("c", "cc"), ("cpp", "c++")] {
+        let source = dist.join("tests").join(format!("readme.{fence}"));
+        fs::create_dir_all(dist.join("tests")).unwrap();
+        fs::write(&source, readme_program(fence)).unwrap();
+        let program = source.with_extension(format!("{fence}.out"));
+        let mut command = Command::new(compiler);
+        command
+            .args(["-Wall", "-Werror", "-I"])
+            .arg(dist.join("include"))
+            .arg(&source);
+        run(command
+            .arg(dist.join("lib/libatraj.a"))
+            .args(["-lm", "-o"])
+            .arg(&program));
+        run(&mut Command::new(&program));
+    }
+}
+
+#[test]
+fn a_level_that_does_not_exist_fails_the_build_with_a_sentence() {
+    for choice in [
+        "A_TRAJPOLY3=4",
+        "A_TRAJPOLY5=0",
+        "A_TRAJPOLY7=5",
+        "REAL=half",
+        "POLY=wide",
+    ] {
+        let output = Command::new("make")
+            .current_dir(root())
+            .args(["-s", "dist", choice])
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success(), "{choice}");
+        assert!(text.contains("does not exist: "), "{choice}: {text}");
+    }
+}

@@ -1,0 +1,175 @@
+//! Does `make demo` prove and draw what it says, and would its parity table show a wrong bit?
+
+mod common;
+
+use common::root;
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
+
+/// What `make demo` printed. It runs once for all tests here.
+static DEMO: LazyLock<String> = LazyLock::new(|| {
+    let mut make = Command::new("make");
+    for choice in [
+        "MAKEFLAGS",
+        "REAL",
+        "POLY",
+        "A_TRAJPOLY3",
+        "A_TRAJPOLY5",
+        "A_TRAJPOLY7",
+    ] {
+        make.env_remove(choice);
+    }
+    let output = make.arg("demo").current_dir(root()).output().unwrap();
+    let printed = printed(&output);
+    assert!(output.status.success(), "{printed}");
+    printed
+});
+
+#[test]
+fn every_golden_row_passes_the_servo_program() {
+    for table in ["bell", "trap", "poly7"] {
+        let gen_rows = rows(&format!("{table}_gen"));
+        assert_parity(&format!("a_traj{table}_gen"), gen_rows.len() - 1);
+        let eval_rows = rows(&format!("{table}_eval"));
+        for column in eval_rows[0].split(',').skip(2) {
+            assert_parity(&format!("a_traj{table}_{column}"), eval_rows.len() - 1);
+        }
+    }
+    assert_eq!(line(&DEMO, "total")[1], "0");
+}
+
+fn rows(table: &str) -> Vec<String> {
+    let file = common::golden_dir().join(format!("{table}_f64.csv"));
+    let csv = fs::read_to_string(file).unwrap();
+    csv.lines().map(str::to_owned).collect()
+}
+
+fn assert_parity(function: &str, rows: usize) {
+    assert_eq!(
+        line(&DEMO, function),
+        [rows.to_string(), "0".into()],
+        "{function}"
+    );
+}
+
+#[test]
+fn one_wrong_bit_fails() {
+    // The servo's first answer, one bit above the golden duration 2.71 s.
+    let output = parity("one-bit", "sed '2s/^plan 2.71 /plan 2.7100000000000004 /'");
+    let table = printed(&output);
+    assert!(!output.status.success(), "{table}");
+    assert_eq!(line(&table, "a_trajbell_gen")[1], "1");
+    assert_eq!(line(&table, "total")[1], "1");
+    assert!(
+        table.contains("bell_gen_f64.csv:2: a_trajbell_gen is"),
+        "{table}"
+    );
+}
+
+#[test]
+fn missing_answers_fail() {
+    for (name, filter) in [("cut", "head -n 1000"), ("silent", "sed d")] {
+        let output = parity(name, filter);
+        assert!(!output.status.success(), "{}", printed(&output));
+    }
+}
+
+#[test]
+fn every_move_is_drawn() {
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let moves: Vec<_> = setpoints.split("move ").skip(1).collect();
+    let pictures: Vec<_> = DEMO.lines().filter(|line| line.ends_with(".svg")).collect();
+    assert!(!moves.is_empty());
+    assert_eq!(pictures.len(), moves.len());
+    for (motion, picture) in moves.iter().zip(pictures) {
+        let svg = fs::read_to_string(root().join(picture)).unwrap();
+        let last = motion.lines().last().unwrap();
+        for (quantity, label) in [
+            "position [m]",
+            "velocity [m/s]",
+            "acceleration [m/s²]",
+            "jerk [m/s³]",
+        ]
+        .iter()
+        .enumerate()
+        {
+            let given = last.split(' ').count() > 2 + quantity;
+            assert_eq!(svg.contains(label), given, "{picture}: {label}");
+        }
+        let title = motion.split([':', '\n']).next().unwrap();
+        assert!(svg.contains(title), "{picture}: {title}");
+        assert!(svg.contains("time [s]"), "{picture}");
+    }
+}
+
+#[test]
+fn nothing_to_draw_fails() {
+    for input in [
+        "",
+        "move empty\n",
+        "at 0 1 2 3\n",
+        "move bad\nat 0 inf 0 0\n",
+        "move twice\nat 0 1 0 0\nmove twice\nat 0 1 0 0\n",
+    ] {
+        let file = demo_dir().join("nothing.txt");
+        fs::write(&file, input).unwrap();
+        let output = example("plot")
+            .arg(demo_dir().join("nothing"))
+            .stdin(fs::File::open(file).unwrap())
+            .output()
+            .unwrap();
+        assert!(!output.status.success(), "{input:?}: {}", printed(&output));
+    }
+}
+
+fn demo_dir() -> PathBuf {
+    LazyLock::force(&DEMO);
+    root().join("target/demo")
+}
+
+/// The parity run on a servo whose answers pass through a shell filter.
+fn parity(name: &str, filter: &str) -> Output {
+    let directory = demo_dir().join(name);
+    let script = directory.join("servo.sh");
+    fs::create_dir_all(&directory).unwrap();
+    fs::write(
+        &script,
+        format!("#!/bin/sh\ntarget/demo/servo \"$1\" | {filter}\n"),
+    )
+    .unwrap();
+    let chmod = Command::new("chmod")
+        .arg("+x")
+        .arg(&script)
+        .status()
+        .unwrap();
+    assert!(chmod.success());
+    example("parity").arg(script).output().unwrap()
+}
+
+fn example(name: &str) -> Command {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo
+        .args(["run", "--quiet", "--example", name])
+        .current_dir(root())
+        .stdin(Stdio::null());
+    cargo
+}
+
+/// The numbers behind the name of a function in the parity table.
+fn line(table: &str, function: &str) -> Vec<String> {
+    let mut found = table
+        .lines()
+        .filter(|line| line.split_whitespace().next() == Some(function));
+    let line = found
+        .next()
+        .unwrap_or_else(|| panic!("no {function} in:\n{table}"));
+    line.split_whitespace().skip(1).map(str::to_owned).collect()
+}
+
+fn printed(output: &Output) -> String {
+    [&output.stdout, &output.stderr]
+        .map(|text| String::from_utf8_lossy(text))
+        .concat()
+}

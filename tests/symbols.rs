@@ -1,0 +1,84 @@
+//! Is the archive one object that defines the documented symbols and needs nothing but the square root?
+
+mod common;
+
+use common::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, Variant, lines, symbols};
+use std::path::Path;
+use std::process::Command;
+
+/// Names that `nm` prints with these flags, sorted.
+fn names(flags: &[&str], file: &Path) -> Vec<String> {
+    let mut names: Vec<_> = lines(
+        Command::new("nm")
+            .args(["--format=posix"])
+            .args(flags)
+            .arg(file),
+    )
+    .iter()
+    .filter(|line| !line.ends_with(':'))
+    .filter_map(|line| line.split_whitespace().next().map(str::to_owned))
+    .collect();
+    names.sort();
+    names
+}
+
+fn undefined(variant: &Variant) -> &'static [&'static str] {
+    if variant.choices.contains(&"REAL=float") {
+        &["sqrtf"]
+    } else {
+        &["sqrt"]
+    }
+}
+
+#[test]
+fn archive() {
+    for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT] {
+        let archive = variant.dist().join("lib/libatraj.a");
+        let members = lines(Command::new("ar").arg("t").arg(&archive));
+        assert_eq!(members, ["atraj.o"], "members of the archive");
+        assert_eq!(
+            names(&["--defined-only", "--extern-only"], &archive),
+            symbols(variant)
+        );
+        assert_eq!(names(&["--undefined-only"], &archive), undefined(variant));
+        // Local symbols too: a panic or an allocation that can be reached leaves its function here.
+        for name in names(&[], &archive) {
+            assert!(
+                !["panic", "alloc", "unwind", "core"]
+                    .iter()
+                    .any(|word| name.contains(word)),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn shared_library() {
+    for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT] {
+        let library = variant.dist().join("lib/libatraj.so");
+        assert_eq!(
+            names(&["--dynamic", "--defined-only", "--extern-only"], &library),
+            symbols(variant)
+        );
+        let dynamic = lines(
+            Command::new("readelf")
+                .arg("--dynamic")
+                .arg("--wide")
+                .arg(&library),
+        );
+        let entry = |kind: &str| -> Vec<&str> {
+            let of_kind = dynamic.iter().filter(|line| line.contains(kind));
+            of_kind
+                .filter_map(|line| line.split(['[', ']']).nth(1))
+                .collect()
+        };
+        assert_eq!(entry("(SONAME)"), ["libatraj.so.0"]);
+        assert!(
+            entry("(NEEDED)")
+                .iter()
+                .all(|name| ["libm.so.6", "libc.so.6"].contains(name))
+        );
+        assert!(entry("(RPATH)").is_empty() && entry("(RUNPATH)").is_empty());
+    }
+}
