@@ -40,7 +40,7 @@ dist:
 	CARGO_TARGET_DIR=$(BUILD) $(CARGO) rustc --quiet --release --lib --crate-type staticlib --no-default-features \
 	    --features "$(FEATURES)" --message-format=json-render-diagnostics -- \
 	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -rf $(DIST)
+	rm -rf $(DIST)/lib $(DIST)/include
 	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
 	ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
@@ -58,12 +58,12 @@ $(DIST)/lib/libatraj.a:
 	$(MAKE) dist
 
 install: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find . -type d -exec install -d "$(INSTALLED)/{}" \;
-	cd $(DIST) && find . -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
-	cd $(DIST) && find . -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include -type d -exec install -d "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
 
 uninstall: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find . ! -type d -exec rm -f "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include ! -type d -exec rm -f "$(INSTALLED)/{}" \;
 	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
 
 consumers:
