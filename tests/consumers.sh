@@ -39,9 +39,10 @@ have() {
 
 # --- the installation; $real says which, $prefix where it is
 
+# staged_install BUILD-CHOICE…
 staged_install() {
-    make -C "$root" dist REAL="$real"
-    make -C "$root" install REAL="$real" DESTDIR="$work/$real" PREFIX=/opt/atraj
+    make -C "$root" dist "$@"
+    make -C "$root" install "$@" DESTDIR="${prefix%/opt/atraj}" PREFIX=/opt/atraj
 }
 
 complete() {
@@ -118,6 +119,27 @@ program() {
     esac
     LD_LIBRARY_PATH=$prefix/lib ./move > printed
     diff "$work/$real.expected" printed
+}
+
+# --- the example of firmware, linked
+
+# firmware TOOL
+firmware() {
+    example=$root/examples/embedded
+    case $1 in
+    cmake)
+        cmake -S "$example" -B . -DCMAKE_TOOLCHAIN_FILE="$example/cortex-m4f.cmake" -DCMAKE_PREFIX_PATH="$prefix"
+        cmake --build .
+        ;;
+    make)
+        cp "$example"/* .
+        make ATRAJ="$prefix"
+        ;;
+    esac
+    arm-none-eabi-nm axis.elf > symbols
+    grep ' T a_trajbell_gen$' symbols
+    test -z "$(grep ' a_trajtrap_gen$' symbols)"
+    arm-none-eabi-readelf -A axis.elf | grep 'Tag_ABI_VFP_args: VFP registers'
 }
 
 # --- a binary that was linked with the original's shared library
@@ -216,7 +238,7 @@ liba=$(cargo metadata --locked --format-version=1 --manifest-path "$root/tests/o
 for real in double float; do
     prefix=$work/$real/opt/atraj
     row "original, $real" original_program
-    row "make install, $real" staged_install
+    row "make install, $real" staged_install REAL=$real
     row "every file, for everybody to read, $real" complete
     row "soname, no run path, no executable stack, $real" shared_library_in "$prefix"
     have pkg-config && row "no absolute path, $real" relocatable
@@ -232,6 +254,13 @@ for real in double float; do
     row "binary of the original, ours under its name, $real" runs_under_its_name
     row "binary of the original, ours preloaded, $real" runs_preloaded
 done
+
+if have arm-none-eabi-gcc; then
+    prefix=$work/firmware/opt/atraj
+    row "make install, Cortex-M4F, float" staged_install TARGET=thumbv7em-none-eabihf REAL=float
+    row "make, firmware, Cortex-M4F, float" firmware make
+    have cmake && row "cmake, firmware, Cortex-M4F, float" firmware cmake
+fi
 
 row "cargo, path, default features" rust_program true
 row "cargo, path, no default features" rust_program false

@@ -105,6 +105,22 @@ fn every_move_is_drawn() {
 }
 
 #[test]
+fn pictures_in_the_documentation_are_fresh() {
+    LazyLock::force(&DEMO);
+    let pictures: Vec<_> = fs::read_dir(root().join("docs/img")).unwrap().collect();
+    assert!(!pictures.is_empty());
+    for picture in pictures {
+        let committed = picture.unwrap();
+        let drawn = demo_dir().join(committed.file_name());
+        assert!(
+            fs::read(committed.path()).unwrap() == fs::read(&drawn).unwrap(),
+            "copy {} to docs/img",
+            drawn.display()
+        );
+    }
+}
+
+#[test]
 fn nothing_to_draw_fails() {
     for input in [
         "",
