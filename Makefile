@@ -2,8 +2,11 @@
 #
 #   make dist                   archive, shared library and headers, in target/dist
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
-#   make demo                   a servo program in C on that archive: parity with the golden data, pictures in target/demo
+#   make demo                   a servo program in C and a controller in C++ on that archive: parity with the golden data,
+#                               pictures in target/demo
 #   make check                  everything that proves the library
+#   make soak                   a thousand million calls per real type against the original; SOAK_SEED=n goes on from seed n
+#   make fuzz                   libFuzzer against the original, FUZZ_SECONDS for each family
 #   make firmware-setup         installs what the next two need, on Debian
 #   make firmware-check         links the bare-metal archives into firmware and runs it in QEMU
 #   make firmware-report        size and instructions beside the original's: docs/firmware.md
@@ -15,6 +18,7 @@
 
 CARGO ?= cargo
 CC ?= cc
+CXX ?= c++
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
@@ -25,7 +29,7 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
-FEATURES := capi $(filter float,$(REAL)) $(POLY:%=poly-%)
+FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
 VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS))
 DIST := target/dist$(VARIANT)
@@ -38,7 +42,7 @@ CARGO_DIR := $(BUILD)
 PROFILE := release
 endif
 
-.PHONY: dist demo check firmware-setup firmware-check firmware-report
+.PHONY: dist demo check soak fuzz firmware-setup firmware-check firmware-report
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist: $(filter %.json,$(CARGO_TARGET))
@@ -64,7 +68,8 @@ endif
 
 DEMO := target/demo
 
-# What a user of liba does: compile a servo program against the headers, link the archive, run moves.
+# What a user of liba does: compile a servo program against the headers, link the archive, run moves. Likewise one of
+# CLARAty with a controller.
 demo: dist
 	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
 	rm -rf $(DEMO)
@@ -72,10 +77,25 @@ demo: dist
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
 	$(CARGO) run --quiet --example parity $(DEMO)/servo
 	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/controller >> $(DEMO)/setpoints.txt
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
 check:
 	$(CARGO) test
+
+ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
+SOAK_SEED ?= 0
+SOAK_SEEDS ?= 1000
+
+# Every seed stands for a million calls per real type.
+soak:
+	$(CARGO) fetch --quiet $(ORACLE)
+	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS)
+
+FUZZ_SECONDS ?= 60
+fuzz:
+	fuzz/run.sh $(FUZZ_SECONDS)
 
 firmware-setup firmware-check firmware-report:
 	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)

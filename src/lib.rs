@@ -6,6 +6,8 @@
 //! | [`Trap`] | acceleration, velocity | the shortest move counts and the mechanics take the jerk |
 //! | [`Poly3`], [`Poly5`], [`Poly7`] | nothing; the duration is given | the ends of a move are prescribed up to velocity, acceleration or jerk |
 //!
+//! [`claraty`] is CLARAty's trapezoid: a target that may change at any time, and a setpoint whenever asked.
+//!
 //! Positions, velocities, accelerations and jerks are in any consistent unit (m, m/s, m/s², m/s³; rad, …); times are
 //! in seconds from the start of the move. Every operation is rounded once, in the order the numerical contract gives,
 //! so that `f64` and `f32` results equal the C library's to the last bit.
@@ -17,6 +19,7 @@ mod boundary;
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
 pub mod capi;
+pub mod claraty;
 mod poly;
 mod real;
 mod trap;

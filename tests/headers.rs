@@ -20,6 +20,21 @@ fn liba_headers_are_fresh() {
     }
 }
 
+#[test]
+fn claraty_header_is_fresh() {
+    let mut fresh = Vec::new();
+    Builder::new()
+        .with_config(Config::from_file("cbindgen/claraty.toml").unwrap())
+        .with_src("src/capi/claraty.rs")
+        .generate()
+        .unwrap()
+        .write(&mut fresh);
+    // C++98 has no comma at the end of an enumeration.
+    let fresh = String::from_utf8(fresh).unwrap().replace(",\n} ", "\n} ");
+    let fresh = format!("{}\n", fresh.trim()).replace("*/\n\n\n", "*/\n\n");
+    check_fresh("include/claraty/trapezoid.h", &fresh);
+}
+
 /// The C++ methods in a struct call the functions, so these come first: one cbindgen pass each.
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());

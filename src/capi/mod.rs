@@ -1,18 +1,21 @@
-//! The C ABI: structs and functions of liba, one file for each of its headers.
+//! The C ABI: structs and functions of liba and the handle of CLARAty's trapezoid, one file for each header.
 //!
 //! The contract, stated once:
 //!
 //! - **Pointers.** A context is NULL or points to a struct of the type named, aligned, and not in use by another thread
-//!   for the time of the call. An output array is NULL or has room for what the function writes. Nothing is kept.
-//! - **NULL** context: `gen` returns 0, a function without a result does nothing, an evaluation returns NaN. The
-//!   original dereferences it, which is undefined, so any answer is compatible.
+//!   for the time of the call. An output array is NULL or has room for what the function writes. Nothing is kept, but
+//!   by a `claraty_trapezoid` its clock, and its waypoints until the next set.
+//! - **NULL** context: `gen` returns 0, a function without a result does nothing, an evaluation returns NaN, one with
+//!   an error code `CLARATY_ERR_NULL`. The originals dereference it, which is undefined, so any answer is compatible.
 //! - **Uninitialised** contexts may be passed to `gen`; what a failing `gen` does not reach keeps its old value.
-//! - **NaN and infinities** in arguments and fields go through the arithmetic as in the original.
+//! - **NaN and infinities** in arguments and fields go through the arithmetic as in the original; `claraty_trapezoid`
+//!   refuses them.
 //! - **No** function panics, allocates, keeps state or loops without bound; all are reentrant.
 #![allow(non_camel_case_types)] // C names
 #![allow(clippy::missing_safety_doc)] // the contract above is the safety section of every function
 #![allow(clippy::too_many_arguments)] // the signatures are the original's
 
+pub mod claraty;
 #[cfg(atraj_archive)]
 mod panic;
 pub mod trajbell;
