@@ -107,6 +107,7 @@ impl<R: Real> Bell<R> {
     /// halving a step from `am` down, and writes the ramps. `false` if there is none.
     ///
     /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    // Apart, as its many variables would slow down plans with a cruise phase.
     #[inline(never)]
     fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
         self.tv = R::from(0);
@@ -449,7 +450,8 @@ fn ramp<R: Real>(dv: R, jm: R, am: R, full_tj: &mut Option<R>) -> (R, R, R) {
     }
 }
 
-/// The trial acceleration and the step with which the search from `am` begins: rounds whose outcome is plain are behind.
+/// The trial acceleration and the step at which the search from `am` has to look closely, as the rounds before are plain,
+/// and whether it is just as plain that it ends there with a single ramp.
 ///
 /// A round that goes on needs only its verdict. With `k = am^2/jm`, `s = v0 + v1` and `w = |v0 - v1|` its root is that of
 /// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
