@@ -105,8 +105,12 @@ demo: dist
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
 	$(CARGO) run --quiet --example parity $(DEMO)/servo
 	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+ifneq ($(shell command -v $(CXX)),)
 	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/controller >> $(DEMO)/setpoints.txt
+else
+	@echo "SKIPPED: $(CXX) is missing, the controller in C++ is not shown"
+endif
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
 check:
