@@ -1,6 +1,7 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 
+use crate::sample::{Border, Run, Sweep};
 use crate::{Boundary, Real};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
@@ -48,6 +49,21 @@ pub struct Bell<R> {
     pub am: R,
     /// Highest deceleration reached, negative.
     pub dm: R,
+}
+
+/// `$value` with the constant `$PHASE` standing for `$phase`, compiled for each phase.
+macro_rules! in_phase {
+    ($phase:expr, $PHASE:ident => $value:expr) => {
+        in_phase!(@ $phase, $PHASE, $value, Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After)
+    };
+    (@ $phase:expr, $PHASE:ident, $value:expr, $($name:ident)*) => {
+        match $phase {
+            $(Phase::$name => {
+                const $PHASE: Phase = Phase::$name;
+                $value
+            })*
+        }
+    };
 }
 
 impl<R: Real> Bell<R> {
@@ -198,6 +214,11 @@ impl<R: Real> Bell<R> {
 
     /// Position at time `x`, s. Before the start it is `p0`, after the end and for a NaN `p1`.
     pub fn position(&self, x: R) -> R {
+        self.position_in(self.phase(x), x)
+    }
+
+    #[inline(always)]
+    fn position_in(&self, phase: Phase, x: R) -> R {
         let Self {
             t,
             ta,
@@ -213,7 +234,7 @@ impl<R: Real> Bell<R> {
         let Boundary { p0, p1, v0, v1 } = self.forward();
         let three = R::from(3);
         let six = R::from(6);
-        let y = match self.phase(x) {
+        let y = match phase {
             Phase::Before => return self.p0,
             Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
             Phase::Accelerate => {
@@ -245,6 +266,11 @@ impl<R: Real> Bell<R> {
 
     /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
     pub fn velocity(&self, x: R) -> R {
+        self.velocity_in(self.phase(x), x)
+    }
+
+    #[inline(always)]
+    fn velocity_in(&self, phase: Phase, x: R) -> R {
         let Self {
             t,
             ta,
@@ -258,7 +284,7 @@ impl<R: Real> Bell<R> {
             ..
         } = *self;
         let Boundary { v0, v1, .. } = self.forward();
-        let y = match self.phase(x) {
+        let y = match phase {
             Phase::Before => return self.v0,
             Phase::JerkUp => v0 + R::HALF * jm * x * x,
             Phase::Accelerate => v0 + am * (x - R::HALF * taj),
@@ -283,37 +309,28 @@ impl<R: Real> Bell<R> {
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
     pub fn acceleration(&self, x: R) -> R {
+        self.acceleration_in(self.acceleration_phase(x), x)
+    }
+
+    #[inline(always)]
+    fn acceleration_in(&self, phase: Phase, x: R) -> R {
         let Self {
             t,
-            tv,
             ta,
             td,
-            taj,
-            tdj,
             jm,
             am,
             dm,
             ..
         } = *self;
-        let zero = R::from(0);
-        let y = if x < ta {
-            if x >= taj {
-                if x < ta - taj { am } else { jm * (ta - x) }
-            } else if x > zero {
-                jm * x
-            } else {
-                return zero;
-            }
-        } else if x < t - td + tdj {
-            if x >= ta + tv {
-                -jm * (x - t + td)
-            } else {
-                return zero;
-            }
-        } else if x < t {
-            if x < t - tdj { dm } else { -jm * (t - x) }
-        } else {
-            return zero;
+        let y = match phase {
+            Phase::Before | Phase::Cruise | Phase::After => return R::from(0),
+            Phase::JerkUp => jm * x,
+            Phase::Accelerate => am,
+            Phase::EaseUp => jm * (ta - x),
+            Phase::JerkDown => -jm * (x - t + td),
+            Phase::Decelerate => dm,
+            Phase::EaseDown => -jm * (t - x),
         };
         self.orient(y)
     }
@@ -353,9 +370,111 @@ impl<R: Real> Bell<R> {
         self.orient(y)
     }
 
-    /// The phase of position and velocity at `x`. Acceleration and jerk compare in another order, which matters where
-    /// rounding has made neighbouring borders cross or a field is NaN.
+    /// Position, velocity, acceleration and jerk at time `x`, s.
+    pub fn state(&self, x: R) -> [R; 4] {
+        in_phase!(self.phase(x), PHASE => [
+            self.position_in(PHASE, x),
+            self.velocity_in(PHASE, x),
+            self.acceleration(x),
+            self.jerk(x),
+        ])
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
+    /// bits of the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples, which is the length of the longest output, but at most `i32::MAX`.
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
+        Sweep { x0, dt }.sample(self.borders(), outputs, |run| self.sample_run(run))
+    }
+
+    fn sample_run(&self, run: Run<'_, R, 4>) {
+        let x = run.first();
+        let phase = self.phase(x);
+        let acceleration_phase = self.acceleration_phase(x);
+        let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];
+        if phase == acceleration_phase {
+            self.sample_phase(phase, constant, run);
+        } else {
+            let [position, velocity, acceleration, jerk] = run.outputs;
+            self.sample_phase(
+                phase,
+                constant,
+                Run {
+                    outputs: [position, velocity, &mut [], jerk],
+                    ..run
+                },
+            );
+            self.sample_phase(
+                acceleration_phase,
+                constant,
+                Run {
+                    outputs: [&mut [], &mut [], acceleration, &mut []],
+                    ..run
+                },
+            );
+        }
+    }
+
+    #[inline(never)]
+    fn sample_phase(&self, phase: Phase, [acceleration, jerk]: [R; 2], run: Run<'_, R, 4>) {
+        // A copy, which no output can be thought to overlap.
+        let bell = *self;
+        in_phase!(phase, PHASE => run.fill(|x| [
+            bell.position_in(PHASE, x),
+            bell.velocity_in(PHASE, x),
+            match PHASE {
+                Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => bell.acceleration_in(PHASE, x),
+                _ => acceleration,
+            },
+            jerk,
+        ]))
+    }
+
+    /// What times are compared with.
+    fn borders(&self) -> [Border<R>; 10] {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            ..
+        } = *self;
+        let zero = R::from(0);
+        [
+            Border::Below(zero),
+            Border::UpTo(zero),
+            Border::Below(taj),
+            Border::Below(ta - taj),
+            Border::Below(ta),
+            Border::Below(ta + tv),
+            Border::Below(t - td + tdj),
+            Border::Below(t - tdj),
+            Border::Below(t),
+            Border::UpTo(t),
+        ]
+    }
+
+    /// The phase of position and velocity at `x`. That of jerk is found in another order, which matters where rounding
+    /// has made neighbouring borders cross.
     fn phase(&self, x: R) -> Phase {
+        self.phase_by(x, |x, border| x < border)
+    }
+
+    /// The phase of acceleration at `x`: the same unless a border is NaN.
+    fn acceleration_phase(&self, x: R) -> Phase {
+        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
+        self.phase_by(x, |x, border| !(x >= border))
+    }
+
+    fn phase_by(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> Phase {
         let Self {
             t,
             tv,
@@ -366,7 +485,7 @@ impl<R: Real> Bell<R> {
             ..
         } = *self;
         if x < ta {
-            if x < taj {
+            if is_ahead(x, taj) {
                 if x <= R::from(0) {
                     Phase::Before
                 } else {
@@ -378,7 +497,7 @@ impl<R: Real> Bell<R> {
                 Phase::EaseUp
             }
         } else if x < t - td + tdj {
-            if x < ta + tv {
+            if is_ahead(x, ta + tv) {
                 Phase::Cruise
             } else {
                 Phase::JerkDown
@@ -416,6 +535,7 @@ impl<R: Real> Bell<R> {
 }
 
 /// The seven phases in order of time, and the standstill around them.
+#[derive(Clone, Copy, PartialEq)]
 enum Phase {
     Before,
     JerkUp,

@@ -19,6 +19,7 @@ mod boundary;
 pub mod capi;
 mod poly;
 mod real;
+mod sample;
 mod trap;
 
 pub use bell::Bell;

@@ -13,6 +13,7 @@
 #![allow(clippy::missing_safety_doc)] // the contract above is the safety section of every function
 #![allow(clippy::too_many_arguments)] // the signatures are the original's
 
+pub mod atraj;
 #[cfg(atraj_archive)]
 mod panic;
 pub mod trajbell;
