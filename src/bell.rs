@@ -1,7 +1,7 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 
-use crate::sample::{Border, Run, Sweep};
+use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
@@ -49,21 +49,6 @@ pub struct Bell<R> {
     pub am: R,
     /// Highest deceleration reached, negative.
     pub dm: R,
-}
-
-/// `$value` with the constant `$PHASE` standing for `$phase`, compiled for each phase.
-macro_rules! in_phase {
-    ($phase:expr, $PHASE:ident => $value:expr) => {
-        in_phase!(@ $phase, $PHASE, $value, Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After)
-    };
-    (@ $phase:expr, $PHASE:ident, $value:expr, $($name:ident)*) => {
-        match $phase {
-            $(Phase::$name => {
-                const $PHASE: Phase = Phase::$name;
-                $value
-            })*
-        }
-    };
 }
 
 impl<R: Real> Bell<R> {
@@ -372,7 +357,8 @@ impl<R: Real> Bell<R> {
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
-        in_phase!(self.phase(x), PHASE => [
+        in_phase!(self.phase(x), PHASE of
+            Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => [
             self.position_in(PHASE, x),
             self.velocity_in(PHASE, x),
             self.acceleration(x),
@@ -388,7 +374,15 @@ impl<R: Real> Bell<R> {
     /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
     /// bits of the single calls. Each output is filled to its own end and may be empty.
     ///
-    /// Returns the number of samples, which is the length of the longest output, but at most `i32::MAX`.
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    ///
+    /// ```
+    /// use atraj::{Bell, Boundary};
+    /// let bell = Bell::new(30.0, 10.0, 5.0, Boundary::rest_to_rest(0.0, 10.0)).expect("the limits allow this move");
+    /// let (mut p, mut v) = ([0.0; 100], [0.0; 100]);
+    /// assert_eq!(bell.sample_into(0.5, 0.001, [&mut p, &mut v, &mut [], &mut []]), 100);
+    /// assert_eq!((p[7], v[7]), (bell.position(0.5 + 7.0 * 0.001), bell.velocity(0.5 + 7.0 * 0.001)));
+    /// ```
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         Sweep { x0, dt }.sample(self.borders(), outputs, |run| self.sample_run(run))
     }
@@ -399,37 +393,27 @@ impl<R: Real> Bell<R> {
         let acceleration_phase = self.acceleration_phase(x);
         let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];
         if phase == acceleration_phase {
-            self.sample_phase(phase, constant, run);
-        } else {
-            let [position, velocity, acceleration, jerk] = run.outputs;
-            self.sample_phase(
-                phase,
-                constant,
-                Run {
-                    outputs: [position, velocity, &mut [], jerk],
-                    ..run
-                },
-            );
-            self.sample_phase(
-                acceleration_phase,
-                constant,
-                Run {
-                    outputs: [&mut [], &mut [], acceleration, &mut []],
-                    ..run
-                },
-            );
+            return self.sample_phase(phase, constant, run);
         }
+        let [position, velocity, acceleration, jerk] = run.outputs;
+        let outputs = [position, velocity, &mut [], jerk];
+        self.sample_phase(phase, constant, Run { outputs, ..run });
+        let outputs = [&mut [], &mut [], acceleration, &mut []];
+        self.sample_phase(acceleration_phase, constant, Run { outputs, ..run });
     }
 
+    /// `acceleration` is that of the phases in which it is constant.
     #[inline(never)]
     fn sample_phase(&self, phase: Phase, [acceleration, jerk]: [R; 2], run: Run<'_, R, 4>) {
-        // A copy, which no output can be thought to overlap.
         let bell = *self;
-        in_phase!(phase, PHASE => run.fill(|x| [
+        in_phase!(phase, PHASE of
+            Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => run.fill(|x| [
             bell.position_in(PHASE, x),
             bell.velocity_in(PHASE, x),
             match PHASE {
-                Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => bell.acceleration_in(PHASE, x),
+                Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => {
+                    bell.acceleration_in(PHASE, x)
+                }
                 _ => acceleration,
             },
             jerk,

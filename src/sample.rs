@@ -6,7 +6,23 @@
 
 use crate::Real;
 
-/// Evenly spaced times. Samples are numbered in 32 bits, which processors convert to reals fastest.
+/// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases.
+macro_rules! in_phase {
+    ($phase:expr, $PHASE:ident of $($name:ident)+ => $value:expr) => {
+        match $phase {
+            $(Phase::$name => {
+                const $PHASE: Phase = Phase::$name;
+                $value
+            })+
+        }
+    };
+}
+pub(crate) use in_phase;
+
+/// Samples are numbered in 32 bits, which processors convert to reals fastest.
+pub(crate) const MOST_SAMPLES: usize = i32::MAX as usize;
+
+/// Evenly spaced times.
 #[derive(Clone, Copy)]
 pub(crate) struct Sweep<R> {
     /// Time of sample 0, s.
@@ -32,7 +48,7 @@ impl<R: Real> Sweep<R> {
         sample: impl Fn(Run<'_, R, N>),
     ) -> usize {
         let longest = outputs.iter().map(|output| output.len()).max();
-        let count = longest.map_or(0, |len| i32::try_from(len).unwrap_or(i32::MAX));
+        let count = longest.unwrap_or(0).min(MOST_SAMPLES) as i32;
         let crossings = borders.map(|border| self.crossing(border, count));
         let mut start = 0;
         while start < count {

@@ -43,18 +43,28 @@ impl a_trajpoly3 {
         }
     }
 
-    fn position_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn position_coefficients(&self) -> [a_float; 4] {
         self.p
     }
 
     #[cfg(trajpoly3_v)]
-    fn velocity_coefficients(&self) -> [a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
         self.v
     }
 
+    #[cfg(not(trajpoly3_v))]
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
+        poly::derivative(&self.position_coefficients())
+    }
+
     #[cfg(trajpoly3_a)]
-    fn acceleration_coefficients(&self) -> [a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
         self.a
+    }
+
+    #[cfg(not(trajpoly3_a))]
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
+        poly::derivative(&self.velocity_coefficients())
     }
 }
 
@@ -64,15 +74,15 @@ impl a_trajpoly3 {
         self.c = c;
     }
 
-    fn position_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn position_coefficients(&self) -> [a_float; 4] {
         self.c
     }
 
-    fn velocity_coefficients(&self) -> [a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
         poly::derivative(&self.position_coefficients())
     }
 
-    fn acceleration_coefficients(&self) -> [a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
         poly::derivative(&self.velocity_coefficients())
     }
 }

@@ -43,18 +43,28 @@ impl a_trajpoly5 {
         }
     }
 
-    fn position_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn position_coefficients(&self) -> [a_float; 6] {
         self.p
     }
 
     #[cfg(trajpoly5_v)]
-    fn velocity_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
         self.v
     }
 
+    #[cfg(not(trajpoly5_v))]
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
+        poly::derivative(&self.position_coefficients())
+    }
+
     #[cfg(trajpoly5_a)]
-    fn acceleration_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
         self.a
+    }
+
+    #[cfg(not(trajpoly5_a))]
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
+        poly::derivative(&self.velocity_coefficients())
     }
 }
 
@@ -64,15 +74,15 @@ impl a_trajpoly5 {
         self.c = c;
     }
 
-    fn position_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn position_coefficients(&self) -> [a_float; 6] {
         self.c
     }
 
-    fn velocity_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
         poly::derivative(&self.position_coefficients())
     }
 
-    fn acceleration_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
         poly::derivative(&self.velocity_coefficients())
     }
 }

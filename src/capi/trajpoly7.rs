@@ -50,23 +50,38 @@ impl a_trajpoly7 {
         }
     }
 
-    fn position_coefficients(&self) -> [a_float; 8] {
+    pub(super) fn position_coefficients(&self) -> [a_float; 8] {
         self.p
     }
 
     #[cfg(trajpoly7_v)]
-    fn velocity_coefficients(&self) -> [a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
         self.v
     }
 
+    #[cfg(not(trajpoly7_v))]
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
+        poly::derivative(&self.position_coefficients())
+    }
+
     #[cfg(trajpoly7_a)]
-    fn acceleration_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
         self.a
     }
 
+    #[cfg(not(trajpoly7_a))]
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
+        poly::derivative(&self.velocity_coefficients())
+    }
+
     #[cfg(trajpoly7_j)]
-    fn jerk_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
         self.j
+    }
+
+    #[cfg(not(trajpoly7_j))]
+    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
+        poly::derivative(&self.acceleration_coefficients())
     }
 }
 
@@ -76,19 +91,19 @@ impl a_trajpoly7 {
         self.c = c;
     }
 
-    fn position_coefficients(&self) -> [a_float; 8] {
+    pub(super) fn position_coefficients(&self) -> [a_float; 8] {
         self.c
     }
 
-    fn velocity_coefficients(&self) -> [a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
         poly::derivative(&self.position_coefficients())
     }
 
-    fn acceleration_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
         poly::derivative(&self.velocity_coefficients())
     }
 
-    fn jerk_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
         poly::derivative(&self.acceleration_coefficients())
     }
 }
