@@ -86,7 +86,7 @@ fn levels(name: &str) -> String {
     let built = format!("ATRAJ_{}", name.to_uppercase());
     format!(
         "
-/* How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
+/*! How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
 #if !defined({level})
 #if defined({built})
 #define {level} {built}
