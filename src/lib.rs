@@ -72,6 +72,7 @@ pub mod capi;
 pub mod claraty;
 mod poly;
 mod real;
+mod sample;
 mod trap;
 
 pub use bell::Bell;
