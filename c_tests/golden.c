@@ -4,12 +4,10 @@
  Prints a line `function rows differing` for each function; fails on a difference, or on a file without rows.
 */
 #include "atraj.h"
+#include "table.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-enum { MAX_MOVES = 4096, MAX_CELLS = 64, MAX_LINE = 2048 };
+enum { MAX_MOVES = 4096 };
 
 #if A_SIZE_FLOAT == 4
 typedef a_u32 bits;
@@ -18,16 +16,6 @@ static const char suffix[] = "f32";
 typedef a_u64 bits;
 static const char suffix[] = "f64";
 #endif
-
-/* One open golden file and the row read last. */
-struct table {
-    FILE *file;
-    char name[64];
-    int line;
-    char text[MAX_LINE];
-    char *cells[MAX_CELLS];
-    int count;
-};
 
 static int failed;
 
@@ -49,49 +37,9 @@ static a_float real_of(const char *hex)
 
 static struct table open_table(const char *directory, const char *family)
 {
-    static struct table table;
-    char path[1024];
-    snprintf(table.name, sizeof(table.name), "%s_%s.csv", family, suffix);
-    snprintf(path, sizeof(path), "%s/%s", directory, table.name);
-    table.file = fopen(path, "r");
-    table.line = 0;
-    if (!table.file || !fgets(table.text, MAX_LINE, table.file))
-    {
-        fprintf(stderr, "%s: missing or empty\n", path);
-        exit(2);
-    }
-    table.line = 1;
-    return table;
-}
-
-/* Reads the next row; the number of its cells must be `count`. */
-static int next_row(struct table *table, int count)
-{
-    char *cell = table->text;
-    if (!fgets(table->text, MAX_LINE, table->file))
-    {
-        fclose(table->file);
-        if (table->line < 2)
-        {
-            fprintf(stderr, "%s: no rows\n", table->name);
-            exit(2);
-        }
-        return 0;
-    }
-    ++table->line;
-    table->text[strcspn(table->text, "\r\n")] = 0;
-    for (table->count = 0; cell && table->count < MAX_CELLS; ++table->count)
-    {
-        table->cells[table->count] = cell;
-        cell = strchr(cell, ',');
-        if (cell) { *cell++ = 0; }
-    }
-    if (table->count != count)
-    {
-        fprintf(stderr, "%s:%d: %d cells instead of %d\n", table->name, table->line, table->count, count);
-        exit(2);
-    }
-    return 1;
+    char name[64];
+    snprintf(name, sizeof(name), "%s_%s.csv", family, suffix);
+    return open_golden(directory, name);
 }
 
 /* The move that an evaluation row belongs to. */

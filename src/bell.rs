@@ -84,8 +84,9 @@ impl<R: Real> Bell<R> {
 
         self.vm = vm;
         self.jm = jm;
-        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am);
-        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am);
+        let mut full_tj = None;
+        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am, &mut full_tj);
+        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am, &mut full_tj);
         self.dm = -self.dm;
 
         let p = forward.p1 - forward.p0;
@@ -107,24 +108,44 @@ impl<R: Real> Bell<R> {
     /// halving a step from `am` down, and writes the ramps. `false` if there is none.
     ///
     /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    // Apart, as its many variables would slow down plans with a cruise phase.
+    #[inline(never)]
     fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
-        let zero = R::from(0);
-        let two = R::from(2);
-        let four = R::from(4);
-        let jm = self.jm;
-        let s = v0 + v1;
-        let q = two * (v0 * v0 + v1 * v1);
-
-        self.tv = zero;
+        self.tv = R::from(0);
         self.am = am;
-        let coarse = am * R::SIXTEENTH;
-        self.dm = coarse;
+        self.dm = am * R::SIXTEENTH;
         // The one divergence: here the C function halves an infinite step for ever.
         if am == R::INFINITY {
             return false;
         }
 
-        let (mut trial, mut step) = skip_clear_rounds(jm, am, p, v0, v1);
+        let (trial, step, lone_ramp) = skip_plain_rounds(self.jm, am, p, v0, v1);
+        let fit = if lone_ramp {
+            // Of the durations of this round these are all that the lone ramp may keep.
+            self.taj = trial / self.jm;
+            self.tdj = self.taj;
+            if v0 > v1 { Fit::DownOnly } else { Fit::UpOnly }
+        } else {
+            self.search(trial, step, p, v0, v1)
+        };
+        match fit {
+            Fit::DownOnly => self.plan_down_only(p, v0, v1),
+            Fit::UpOnly => self.plan_up_only(p, v0, v1),
+            Fit::Both => true,
+            Fit::TooSteep => false,
+        }
+    }
+
+    /// The rounds from `trial` on. Writes two ramps if both fit, and tells which do.
+    fn search(&mut self, mut trial: R, mut step: R, p: R, v0: R, v1: R) -> Fit {
+        let zero = R::from(0);
+        let two = R::from(2);
+        let four = R::from(4);
+        let Self {
+            jm, am, dm: coarse, ..
+        } = *self;
+        let s = v0 + v1;
+        let q = two * (v0 * v0 + v1 * v1);
         loop {
             let tj = trial / jm;
             let tj2 = two * tj;
@@ -149,23 +170,23 @@ impl<R: Real> Bell<R> {
 
             let settled = trial == am || step < coarse;
             step = step * R::HALF;
-            match fit {
-                Fit::TooSteep => trial = trial - step,
-                _ if !settled => trial = trial + step,
-                Fit::DownOnly => return self.plan_down_only(p, v0, v1),
-                Fit::UpOnly => return self.plan_up_only(p, v0, v1),
-                Fit::Both => {
+            if matches!(fit, Fit::TooSteep) {
+                trial = trial - step;
+            } else if !settled {
+                trial = trial + step;
+            } else {
+                if matches!(fit, Fit::Both) {
                     self.am = trial;
                     self.dm = -trial;
                     self.vm = v0 + trial * (self.ta - tj);
-                    return true;
                 }
+                return fit;
             }
             // A NaN step ends the search too.
             if step > R::EPSILON {
                 continue;
             }
-            return false;
+            return Fit::TooSteep;
         }
     }
 
@@ -199,11 +220,23 @@ impl<R: Real> Bell<R> {
 
     /// Position at time `x`, s. Before the start it is `p0`, after the end and for a NaN `p1`.
     pub fn position(&self, x: R) -> R {
-        self.position_in(self.phase(x), x)
+        let Self { p0, p1, v0, v1, .. } = *self;
+        // Mirroring twice is exact, so `p0` and `p1` come back as they stand.
+        if self.is_backward() {
+            -self.forward_position(x, -p0, -p1, -v0, -v1)
+        } else {
+            self.forward_position(x, p0, p1, v0, v1)
+        }
     }
 
+    #[inline(never)] // one copy for both directions
+    fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+        self.position_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
+    }
+
+    /// In the axis of `forward`, like `velocity_in`.
     #[inline(always)]
-    fn position_in(&self, phase: Phase, x: R) -> R {
+    fn position_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
         let Self {
             t,
             ta,
@@ -216,11 +249,11 @@ impl<R: Real> Bell<R> {
             dm,
             ..
         } = *self;
-        let Boundary { p0, p1, v0, v1 } = self.forward();
+        let Boundary { p0, p1, v0, v1 } = forward;
         let three = R::from(3);
         let six = R::from(6);
-        let y = match phase {
-            Phase::Before => return self.p0,
+        match phase {
+            Phase::Before => p0,
             Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
             Phase::Accelerate => {
                 p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
@@ -244,18 +277,27 @@ impl<R: Real> Bell<R> {
                 let z = t - x;
                 p1 - v1 * z - jm * z * z * z / six
             }
-            Phase::After => return self.p1,
-        };
-        self.orient(y)
+            Phase::After => p1,
+        }
     }
 
     /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
     pub fn velocity(&self, x: R) -> R {
-        self.velocity_in(self.phase(x), x)
+        let Self { p0, p1, v0, v1, .. } = *self;
+        if self.is_backward() {
+            -self.forward_velocity(x, -p0, -p1, -v0, -v1)
+        } else {
+            self.forward_velocity(x, p0, p1, v0, v1)
+        }
+    }
+
+    #[inline(never)] // one copy for both directions
+    fn forward_velocity(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+        self.velocity_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
     }
 
     #[inline(always)]
-    fn velocity_in(&self, phase: Phase, x: R) -> R {
+    fn velocity_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
         let Self {
             t,
             ta,
@@ -268,9 +310,9 @@ impl<R: Real> Bell<R> {
             dm,
             ..
         } = *self;
-        let Boundary { v0, v1, .. } = self.forward();
-        let y = match phase {
-            Phase::Before => return self.v0,
+        let Boundary { v0, v1, .. } = forward;
+        match phase {
+            Phase::Before => v0,
             Phase::JerkUp => v0 + R::HALF * jm * x * x,
             Phase::Accelerate => v0 + am * (x - R::HALF * taj),
             Phase::EaseUp => {
@@ -287,9 +329,8 @@ impl<R: Real> Bell<R> {
                 let z = t - x;
                 v1 + R::HALF * jm * z * z
             }
-            Phase::After => return self.v1,
-        };
-        self.orient(y)
+            Phase::After => v1,
+        }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
@@ -357,10 +398,11 @@ impl<R: Real> Bell<R> {
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
+        let forward = self.forward();
         in_phase!(self.phase(x), PHASE of
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => [
-            self.position_in(PHASE, x),
-            self.velocity_in(PHASE, x),
+            self.orient(self.position_in(PHASE, x, forward)),
+            self.orient(self.velocity_in(PHASE, x, forward)),
             self.acceleration(x),
             self.jerk(x),
         ])
@@ -406,10 +448,11 @@ impl<R: Real> Bell<R> {
     #[inline(never)]
     fn sample_phase(&self, phase: Phase, [acceleration, jerk]: [R; 2], run: Run<'_, R, 4>) {
         let bell = *self;
+        let forward = bell.forward();
         in_phase!(phase, PHASE of
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => run.fill(|x| [
-            bell.position_in(PHASE, x),
-            bell.velocity_in(PHASE, x),
+            bell.orient(bell.position_in(PHASE, x, forward)),
+            bell.orient(bell.velocity_in(PHASE, x, forward)),
             match PHASE {
                 Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => {
                     bell.acceleration_in(PHASE, x)
@@ -540,70 +583,72 @@ enum Fit {
     TooSteep,
 }
 
-/// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached.
-fn ramp<R: Real>(dv: R, jm: R, am: R) -> (R, R, R) {
+/// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached. `full_tj` keeps
+/// the jerk part of a ramp that reaches `am`, so that a second one needs no division.
+fn ramp<R: Real>(dv: R, jm: R, am: R, full_tj: &mut Option<R>) -> (R, R, R) {
     if dv * jm < am * am {
         let tj = (dv / jm).sqrt();
         (tj, R::from(2) * tj, jm * tj)
     } else {
-        let tj = am / jm;
+        let tj = *full_tj.get_or_insert_with(|| am / jm);
         (tj, tj + dv / am, am)
     }
 }
 
-/// Where the search for an acceleration can begin: the first trial and step that are not plainly decided and passed on.
+/// The trial acceleration and the step at which the search from `am` has to look closely, as the rounds before are plain,
+/// and whether it is just as plain that it ends there with a single ramp.
 ///
-/// A round that goes on needs only its verdict, not its durations. With `k = am^2/jm`, `s = v0 + v1`, `w = |v0 - v1|`,
-/// the radicand is `r = (k - s)^2 + w^2 + 4 p am` and the shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`. So, as
-/// comparing `sqrt(r)` with `x` is comparing `r` with `x^2` (where `x < 0`, `r >= x^2` holds here anyway),
-/// - it lasts less than 0 where `2 p am - w s + w k < 0`, and
-/// - both ramps have room for their jerk parts where `2 p am - w s >= k (4 k + 4 s + 3 w)`.
+/// A round that goes on needs only its verdict. With `k = am^2/jm`, `s = v0 + v1` and `w = |v0 - v1|` its root is that of
+/// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
+/// to below `2 am/jm`. So `sqrt(r)` is compared with `x = s + w - k` and `x = s + w + 3 k`, or, as `r >= x^2` where `x < 0`,
+/// just `r` with `x^2`: too steep is `-w k <= 2 p am - w s < k (4 k + 4 s + 3 w)`. This takes no root, and one division
+/// for all rounds.
 ///
-/// With `b = |v0| + |v1|`, `size = 2 p am + (k + b)^2` and `u = EPSILON/2`, rounding moves the two sides by at most
-/// 61 u size in the round as it is computed and 40 u size here; a difference of more than 256 u size is beyond doubt.
-/// Nothing overflows, and what underflows is far below the margin, if `p >= EPSILON^2`, `32 EPSILON < am < 1/EPSILON`
-/// and `size < EPSILON^-4`; trials are smaller than `am` but larger than `EPSILON`.
-///
-/// The round that ends the search is never skipped, nor are those after a round in doubt. As rounds end with a step above
-/// `2 EPSILON` until they settle, those left write every duration that the skipped ones would have.
-fn skip_clear_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R) -> (R, R) {
-    let two = R::from(2);
-    let eps = R::EPSILON;
-    let coarse = am * R::SIXTEENTH;
-    let huge = R::from(1) / (eps * eps * eps * eps);
+/// With `size = 2 p am + 4 k^2 + 2 (v0^2 + v1^2)` and `u = EPSILON/2`, rounding moves these comparisons by at most
+/// 31 `u size` in the round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards
+/// keep off overflow and what underflow could move. `docs/search.md` has the proof.
+fn skip_plain_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R) -> (R, R, bool) {
     let (mut trial, mut step) = (am, am);
-    if !(p >= eps * eps && coarse > two * eps && am * eps < R::from(1)) {
-        return (trial, step);
+    let coarse = am * R::SIXTEENTH;
+    let eps = R::EPSILON;
+    // So long a search is settled when its step runs out, so its last round writes all durations.
+    let long = coarse >= R::from(4) * eps;
+    if R::CHEAP_ROOT || !(long && p >= eps) {
+        return (trial, step, false);
     }
-
+    let two = R::from(2);
     let s = v0 + v1;
     let w = (v0 - v1).magnitude();
     let half_w = R::HALF * w;
     let ws = w * s;
     let slope = two * s + (w + half_w);
-    let b = v0.magnitude() + v1.magnitude();
-    let p2 = two * p;
+    let q = two * (v0 * v0 + v1 * v1);
+    let two_p = two * p;
     let two_per_jm = two / jm;
+    let huge = R::from(1) / (eps * eps * eps * eps);
     loop {
-        let next = step * R::HALF;
         let k2 = trial * two_per_jm * trial;
-        let distance = p2 * trial;
-        let size = distance + (k2 + b) * (k2 + b);
-        let doubt = R::from(128) * eps * size;
+        let distance = two_p * trial;
+        let size = distance + k2 * k2 + q;
+        let doubt = R::from(64) * eps * size;
         let excess = distance - ws;
-        let lacking = k2 * (k2 + slope) - excess;
-        let shorter = excess + half_w * k2;
-        let too_steep = if lacking < shorter { lacking } else { shorter };
-        let settled = trial == am || step < coarse;
+        let above_shortest = excess + half_w * k2;
+        let below_longest = k2 * (k2 + slope) - excess;
+        let margin = if below_longest < above_shortest {
+            below_longest
+        } else {
+            above_shortest
+        };
+        let next = step * R::HALF;
         if !(size < huge && next > eps) {
-            return (trial, step);
+            return (trial, step, false);
         }
-        if too_steep > doubt {
+        if margin > doubt {
             trial = trial - next;
-        } else if too_steep < -doubt && !settled {
+        } else if margin < -doubt && trial != am && step >= coarse {
             trial = trial + next;
         } else {
-            return (trial, step);
+            return (trial, step, above_shortest < -doubt);
         }
         step = next;
     }

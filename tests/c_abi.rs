@@ -22,7 +22,8 @@ fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> Pat
     static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     let dist = variant.dist();
     let programs = dist.join("tests");
-    let program = programs.join(format!("{source}-{compiler}{}", flags.concat()));
+    let options = flags.concat().replace('/', "-");
+    let program = programs.join(format!("{source}-{compiler}{options}"));
     let mut built = BUILT.lock().unwrap();
     if !built.contains(&program) {
         fs::create_dir_all(programs).unwrap();
@@ -60,7 +61,7 @@ fn golden_rows_from_c() {
             let program = build(variant, compiler, &["-std=c99"], "golden.c");
             let called = replay_golden(&mut Command::new(&program));
             let mut expected = symbols(variant);
-            expected.retain(|symbol| exists(variant, symbol));
+            expected.retain(|symbol| !symbol.starts_with("claraty_") && exists(variant, symbol));
             assert_eq!(called, expected, "functions that the golden rows call");
         }
     }
@@ -175,6 +176,73 @@ fn cpp_methods_and_namespace() {
     }
 }
 
+/// Runs the scripts of CLARAty's listing, and what else the program promises; both replays must have had no difference.
+fn replay_claraty(command: &mut Command) {
+    let replays = lines(command.arg(golden_dir()));
+    assert_eq!(
+        replays,
+        ["listing-on-a-clock 5250 0", "listing-advanced 5250 0"]
+    );
+}
+
+#[test]
+fn claraty_from_c() {
+    for variant in [&DOUBLE, &FLOAT] {
+        for compiler in compilers(Language::C) {
+            for standard in C {
+                let standard = format!("-std={standard}");
+                let program = build(variant, compiler, &[&standard], "claraty.c");
+                replay_claraty(&mut Command::new(program));
+            }
+        }
+    }
+}
+
+#[test]
+fn claraty_from_cpp_by_the_name_of_the_original_header() {
+    let include = DOUBLE.dist().join("include/claraty");
+    let include = format!("-I{}", include.display());
+    for compiler in compilers(Language::Cpp) {
+        for standard in CPP {
+            for warnings in ["-UCLARATY_NO_WARNINGS", "-DCLARATY_NO_WARNINGS"] {
+                let standard = format!("-std={standard}");
+                let flags = [standard.as_str(), &include, warnings];
+                let program = build(&DOUBLE, compiler, &flags, "claraty.cpp");
+                replay_claraty(&mut Command::new(program));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wrong_golden_bit_of_claraty_is_found() {
+    let program = build(&DOUBLE, "cc", &["-std=c99"], "claraty.c");
+    let copy = DOUBLE.dist().join("tests/golden-claraty");
+    copy_golden(&copy);
+    let table = copy.join("claraty_listing_f64.csv");
+    let csv = fs::read_to_string(&table).unwrap();
+    // The last digit of t1 of the first start.
+    let wrong = csv.replacen("40011dcf747091b4,400c", "40011dcf747091b5,400c", 1);
+    assert_ne!(csv, wrong);
+    fs::write(&table, wrong).unwrap();
+    let output = Command::new(&program).arg(&copy).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(
+        text.contains("claraty_listing_f64.csv:3: column 6"),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_c_program_calls_every_claraty_function() {
+    let source = fs::read_to_string(root().join("c_tests/claraty.c")).unwrap();
+    for symbol in symbols(&DOUBLE) {
+        let called = source.contains(&format!("{symbol}("));
+        assert!(called || !symbol.starts_with("claraty_"), "{symbol}");
+    }
+}
+
 #[test]
 fn no_sanitizer_finding() {
     let sanitize = [
@@ -186,9 +254,10 @@ fn no_sanitizer_finding() {
         let golden = build(variant, "cc", &sanitize, "golden.c");
         replay_golden(&mut Command::new(golden));
         run(&mut Command::new(build(variant, "cc", &sanitize, "abi.c")));
-        run(&mut Command::new(build(
-            variant, "cc", &sanitize, "sample.c",
-        )));
+        let sample = build(variant, "cc", &sanitize, "sample.c");
+        run(&mut Command::new(sample));
+        let claraty = build(variant, "cc", &sanitize, "claraty.c");
+        replay_claraty(&mut Command::new(claraty));
     }
 }
 
@@ -200,6 +269,8 @@ fn no_valgrind_finding() {
     let golden = build(&DOUBLE, "cc", &["-g"], "golden.c");
     let valgrind = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
     replay_golden(Command::new("valgrind").args(valgrind).arg(golden));
+    let claraty = build(&DOUBLE, "cc", &["-g"], "claraty.c");
+    replay_claraty(Command::new("valgrind").args(valgrind).arg(claraty));
 }
 
 /// Whether all headers in `include` compile together with these flags.
@@ -210,6 +281,10 @@ fn accepts(compiler: &str, language: &str, include: &Path, flags: &[&str]) -> bo
         .args(["-fsyntax-only", "-I"])
         .arg(include);
     command.args(["-include", "atraj.h"]);
+    command.args(["-include", "claraty/trapezoid.h"]);
+    if language == "c++" {
+        command.args(["-include", "claraty/trapezoidal_trajectory.h"]);
+    }
     let output = command
         .args(flags)
         .args(["-x", language, "/dev/null"])
@@ -276,33 +351,41 @@ fn headers_refuse_what_the_archive_is_not() {
     assert!(!accepts("cc", "c", &source, &["-DA_SIZE_FLOAT=2"]));
 }
 
-/// The block of the README in this language as a whole program; `drive` takes what the axis is told.
-fn readme_program(fence: &str) -> String {
+/// The blocks of the README in this language, each as a whole program; `drive` takes what the axis is told.
+fn readme_programs(fence: &str) -> Vec<String> {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let (_, block) = readme.split_once(&format!("```{fence}\n")).unwrap();
-    let (block, _) = block.split_once("```").unwrap();
-    let (include, body) = block.split_once('\n').unwrap();
-    format!("{include}\nstatic void drive(double p, ...) {{ (void)p; }}\nint main() {{\n{body}}}\n")
+    let opening = format!("```{fence}\n");
+    let blocks = readme.split(&opening).skip(1);
+    let programs = blocks.map(|block| {
+        let (block, _) = block.split_once("```").unwrap();
+        let (include, body) = block.split_once('\n').unwrap();
+        format!(
+            "{include}\nstatic void drive(double p, ...) {{ (void)p; }}\nint main() {{\n{body}}}\n"
+        )
+    });
+    programs.collect()
 }
 
 #[test]
 fn readme_examples_compile() {
     let dist = DOUBLE.dist();
-    for (fence, compiler) in [("c", "cc"), ("cpp", "c++")] {
-        let source = dist.join("tests").join(format!("readme.{fence}"));
-        fs::create_dir_all(dist.join("tests")).unwrap();
-        fs::write(&source, readme_program(fence)).unwrap();
-        let program = source.with_extension(format!("{fence}.out"));
-        let mut command = Command::new(compiler);
-        command
-            .args(["-Wall", "-Werror", "-I"])
-            .arg(dist.join("include"))
-            .arg(&source);
-        run(command
-            .arg(dist.join("lib/libatraj.a"))
-            .args(["-lm", "-o"])
-            .arg(&program));
-        run(&mut Command::new(&program));
+    fs::create_dir_all(dist.join("tests")).unwrap();
+    for (fence, compiler, blocks) in [("c", "cc", 1), ("cpp", "c++", 2)] {
+        let programs = readme_programs(fence);
+        assert_eq!(programs.len(), blocks, "{fence} blocks in the README");
+        for (number, text) in programs.iter().enumerate() {
+            let source = dist.join("tests").join(format!("readme{number}.{fence}"));
+            fs::write(&source, text).unwrap();
+            let program = source.with_extension(format!("{fence}.out"));
+            let mut command = Command::new(compiler);
+            command.args(["-Wall", "-Werror"]);
+            for include in ["include", "include/claraty"] {
+                command.arg("-I").arg(dist.join(include));
+            }
+            command.arg(&source).arg(dist.join("lib/libatraj.a"));
+            run(command.args(["-lm", "-o"]).arg(&program));
+            run(&mut Command::new(&program));
+        }
     }
 }
 

@@ -85,7 +85,8 @@ fn every_move_is_drawn() {
     assert_eq!(pictures.len(), moves.len());
     for (motion, picture) in moves.iter().zip(pictures) {
         let svg = fs::read_to_string(root().join(picture)).unwrap();
-        let last = motion.lines().last().unwrap();
+        let mut setpoints = motion.lines().filter(|line| line.starts_with("at "));
+        let last = setpoints.next_back().unwrap();
         for (quantity, label) in [
             "position [m]",
             "velocity [m/s]",
@@ -101,6 +102,52 @@ fn every_move_is_drawn() {
         let title = motion.split([':', '\n']).next().unwrap();
         assert!(svg.contains(title), "{picture}: {title}");
         assert!(svg.contains("time [s]"), "{picture}");
+    }
+}
+
+#[test]
+fn the_controller_turns_back_holds_and_arrives() {
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let (_, motion) = setpoints.split_once("move Retarget and feed hold").unwrap();
+    let points: Vec<Vec<f64>> = motion
+        .lines()
+        .filter_map(|line| line.strip_prefix("at "))
+        .map(|line| line.split(' ').map(|x| x.parse().unwrap()).collect())
+        .collect();
+    for pair in points.windows(2) {
+        let [before, now] = [&pair[0], &pair[1]];
+        let passed = now[0] - before[0];
+        assert!((passed - 1e-3).abs() < 1e-12, "{now:?}");
+        assert!(
+            (now[2] - before[2]).abs() <= 1.0 * passed + 1e-12,
+            "{now:?}"
+        );
+        let mean = 0.5 * (before[2] + now[2]);
+        assert!(
+            (now[1] - before[1] - mean * passed).abs() <= 1e-6,
+            "{now:?}"
+        );
+    }
+    assert!(points.iter().any(|point| point[2] < -0.4), "no way back");
+    let held = |point: &&Vec<f64>| point[2] == 0.0 && (0.11..0.59).contains(&point[1]);
+    assert!(points.iter().filter(held).count() > 100, "no feed hold");
+    let last = points.last().unwrap();
+    assert!((last[1] - 0.1).abs() < 1e-12 && last[2] == 0.0, "{last:?}");
+}
+
+#[test]
+fn pictures_in_the_documentation_are_fresh() {
+    let drawn_by_demo = demo_dir();
+    let pictures: Vec<_> = fs::read_dir(root().join("docs/img")).unwrap().collect();
+    assert!(!pictures.is_empty());
+    for picture in pictures {
+        let committed = picture.unwrap();
+        let drawn = drawn_by_demo.join(committed.file_name());
+        assert!(
+            fs::read(committed.path()).unwrap() == fs::read(&drawn).unwrap(),
+            "copy {} to docs/img",
+            drawn.display()
+        );
     }
 }
 

@@ -21,6 +21,21 @@ fn liba_headers_are_fresh() {
 }
 
 #[test]
+fn claraty_header_is_fresh() {
+    let mut fresh = Vec::new();
+    Builder::new()
+        .with_config(Config::from_file("cbindgen/claraty.toml").unwrap())
+        .with_src("src/capi/claraty.rs")
+        .generate()
+        .unwrap()
+        .write(&mut fresh);
+    // C++98 has no comma at the end of an enumeration.
+    let fresh = String::from_utf8(fresh).unwrap().replace(",\n} ", "\n} ");
+    let fresh = format!("{}\n", fresh.trim()).replace("*/\n\n\n", "*/\n\n");
+    check_fresh("include/claraty/trapezoid.h", &fresh);
+}
+
+#[test]
 fn atraj_header_is_fresh() {
     check_fresh("include/atraj.h", &atraj_header());
 }
@@ -107,7 +122,7 @@ fn levels(name: &str) -> String {
     let built = format!("ATRAJ_{}", name.to_uppercase());
     format!(
         "
-/* How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
+/*! How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
 #if !defined({level})
 #if defined({built})
 #define {level} {built}

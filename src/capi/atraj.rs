@@ -9,6 +9,7 @@ use super::trajtrap::a_trajtrap;
 use crate::poly::horner;
 use crate::sample::{MOST_SAMPLES, Sweep};
 use crate::{Bell, Trap};
+use core::borrow::Borrow;
 
 /// @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
 ///
@@ -320,27 +321,32 @@ pub unsafe extern "C" fn atraj_poly7_state(
 
 /// Evaluates a copy of the cubic polynomial's coefficients, which no output can overlap.
 fn poly3_state(poly: &a_trajpoly3) -> impl Fn(a_float) -> [a_float; 3] + use<> {
-    let p = poly.position_coefficients();
-    let v = poly.velocity_coefficients();
-    let a = poly.acceleration_coefficients();
+    let p: [a_float; 4] = copy(poly.position_coefficients());
+    let v: [a_float; 3] = copy(poly.velocity_coefficients());
+    let a: [a_float; 2] = copy(poly.acceleration_coefficients());
     move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
 }
 
 /// Evaluates a copy of the quintic polynomial's coefficients, which no output can overlap.
 fn poly5_state(poly: &a_trajpoly5) -> impl Fn(a_float) -> [a_float; 3] + use<> {
-    let p = poly.position_coefficients();
-    let v = poly.velocity_coefficients();
-    let a = poly.acceleration_coefficients();
+    let p: [a_float; 6] = copy(poly.position_coefficients());
+    let v: [a_float; 5] = copy(poly.velocity_coefficients());
+    let a: [a_float; 4] = copy(poly.acceleration_coefficients());
     move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
 }
 
 /// Evaluates a copy of the septic polynomial's coefficients, which no output can overlap.
 fn poly7_state(poly: &a_trajpoly7) -> impl Fn(a_float) -> [a_float; 4] + use<> {
-    let p = poly.position_coefficients();
-    let v = poly.velocity_coefficients();
-    let a = poly.acceleration_coefficients();
-    let j = poly.jerk_coefficients();
+    let p: [a_float; 8] = copy(poly.position_coefficients());
+    let v: [a_float; 7] = copy(poly.velocity_coefficients());
+    let a: [a_float; 6] = copy(poly.acceleration_coefficients());
+    let j: [a_float; 5] = copy(poly.jerk_coefficients());
     move |x| [horner(&p, x), horner(&v, x), horner(&a, x), horner(&j, x)]
+}
+
+/// A level's own array comes by reference, one found from the level below by value.
+fn copy<T: Copy>(coefficients: impl Borrow<T>) -> T {
+    *coefficients.borrow()
 }
 
 /// The `n` values at `output`, none if it is NULL.

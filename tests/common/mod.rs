@@ -2,6 +2,8 @@
 #![allow(dead_code)] // each test file uses a part of it
 
 use std::collections::BTreeSet;
+pub mod random;
+
 use std::fmt::{Debug, LowerExp};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -59,17 +61,9 @@ impl<R: Copy> Row<R> {
 /// All rows of `tests/golden/{table}_{f32|f64}.csv`; the first `text` columns are a case number and words, the rest are
 /// `numbers` bit patterns. Panics if the file is missing, has no rows or a row that is not of this form.
 pub fn golden<R: GoldenReal>(table: &str, text: usize, numbers: usize) -> Vec<Row<R>> {
-    let name = format!("{table}_{}.csv", R::SUFFIX);
-    let path = golden_dir().join(&name);
-    let csv = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-    let rows: Vec<_> = csv
-        .lines()
-        .enumerate()
-        .skip(1)
-        .map(|(index, line)| {
-            let place = format!("{name}:{}", index + 1);
-            let cells: Vec<_> = line.split(',').collect();
-            assert_eq!(cells.len(), text + numbers, "{place}: columns");
+    cells(&format!("{table}_{}.csv", R::SUFFIX), text + numbers)
+        .into_iter()
+        .map(|(place, cells)| {
             let case = cells[0].parse().unwrap_or_else(|e| panic!("{place}: {e}"));
             let values = cells[text..]
                 .iter()
@@ -81,19 +75,39 @@ pub fn golden<R: GoldenReal>(table: &str, text: usize, numbers: usize) -> Vec<Ro
                 values,
             }
         })
+        .collect()
+}
+
+/// Where each row of a golden file stands and its `columns` cells. Panics if the file is missing, has no rows or a row
+/// of another length.
+pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
+    let path = golden_dir().join(name);
+    let csv = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let rows: Vec<_> = csv
+        .lines()
+        .enumerate()
+        .skip(1)
+        .map(|(index, line)| {
+            let place = format!("{name}:{}", index + 1);
+            let cells: Vec<_> = line.split(',').map(str::to_owned).collect();
+            assert_eq!(cells.len(), columns, "{place}: columns");
+            (place, cells)
+        })
         .collect();
     assert!(!rows.is_empty(), "{}: no rows", path.display());
     rows
 }
 
-/// Beside this file, also for the package in `tests/oracle`.
 pub fn golden_dir() -> PathBuf {
-    let mut golden = root().ancestors().map(|root| root.join("tests/golden"));
-    golden.find(|d| d.is_dir()).expect("tests/golden")
+    root().join("tests/golden")
 }
 
+/// The repository, from the package in `tests/oracle` too.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .find(|directory| directory.join("tests/golden").is_dir())
+        .expect("a repository around the package")
 }
 
 /// Counts compared values and keeps the differing ones.

@@ -74,6 +74,14 @@ impl Family {
         }
     }
 
+    /// Columns of words and of returned durations in the golden table of `gen`.
+    pub fn golden_columns(self) -> (usize, usize) {
+        match self {
+            Self::Bell | Self::Trap => (2, 1),
+            Self::Poly3 | Self::Poly5 | Self::Poly7 => (1, 0),
+        }
+    }
+
     /// Evaluation functions, in the order of [`Implementation::evaluate`].
     pub fn functions(self) -> &'static [&'static str] {
         match self {

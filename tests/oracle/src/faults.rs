@@ -56,10 +56,10 @@ impl<R: OracleReal> Implementation<R> for Fault {
             (Self::FusedMultiplyAdd, Family::Poly3, &[c0, c1, c2, c3, ..]) => {
                 position = c3.fused(x, c2).fused(x, c1).fused(x, c0);
             }
-            (Self::LessOrEqual, Family::Trap, &[.., ta, _, _, _, ac, _]) => {
-                if x == ta && x >= zero {
-                    acceleration = ac;
-                }
+            (Self::LessOrEqual, Family::Trap, &[.., ta, _, _, _, ac, _])
+                if x == ta && x >= zero =>
+            {
+                acceleration = ac;
             }
             _ => {}
         }

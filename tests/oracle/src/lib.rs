@@ -4,6 +4,7 @@
 //! one program and the linker cannot mistake one for the other.
 
 pub mod abi;
+pub mod bytes;
 pub mod comparison;
 pub mod family;
 pub mod faults;
@@ -15,4 +16,4 @@ pub mod volume;
 
 #[allow(missing_docs)]
 #[path = "../../common/mod.rs"]
-pub mod golden;
+pub mod common;

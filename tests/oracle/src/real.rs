@@ -1,6 +1,6 @@
 //! What random tests need to know of the two real types.
 
-use crate::golden::GoldenReal;
+use crate::common::GoldenReal;
 
 /// `f32` or `f64`, with its bits, its range and its peculiar values.
 pub trait OracleReal: GoldenReal + Send + 'static {
@@ -16,6 +16,8 @@ pub trait OracleReal: GoldenReal + Send + 'static {
     const SPECIAL: [Self; 24];
     /// The value with these low bits.
     fn from_low_bits(bits: u64) -> Self;
+    /// The bits.
+    fn low_bits(self) -> u64;
     /// `x` rounded to this type.
     fn round(x: f64) -> Self;
     /// The exact value.
@@ -65,6 +67,9 @@ macro_rules! oracle_real {
             };
             fn from_low_bits(bits: u64) -> Self {
                 $real::from_bits(bits as $bits)
+            }
+            fn low_bits(self) -> u64 {
+                self.to_bits().into()
             }
             fn round(x: f64) -> Self {
                 x as $real

@@ -74,7 +74,8 @@ pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     let mut rounds = 0;
     let mut planned = true;
     let mut endless = false;
-    if !(bell.tv > zero) {
+    let cruise = bell.tv > zero;
+    if !cruise {
         bell.tv = zero;
         bell.am = am;
         bell.dm = am * R::SIXTEENTH;
@@ -196,11 +197,9 @@ fn negate_if_negative<R: Real>(x: R) -> R {
 }
 
 fn clamp<R: Real>(x: R, lo: R, hi: R) -> R {
-    if !(lo < x) {
-        lo
-    } else if x < hi {
-        x
+    if lo < x {
+        if x < hi { x } else { hi }
     } else {
-        hi
+        lo
     }
 }

@@ -1,0 +1,436 @@
+//! One motion from a position and a velocity to rest: the listing's profile, operation by operation, and the corrected
+//! one, which keeps the listing's operations wherever they give the right motion.
+
+use core::ops::{BitOr, BitOrAssign};
+
+use super::Target;
+use crate::Real;
+
+/// Limits below this are raised to it, and the listing takes a distance below it for no move. The listing leaves it
+/// undefined; the value is this project's choice.
+pub const EPS: f64 = 1e-10;
+
+/// Every motion ends at rest. Named because its sums decide the sign of a zero.
+const FINAL_VELOCITY: f64 = 0.0;
+
+/// Rounding may lift a peak by this much above the velocity limit before it counts as exceeding it.
+const PEAK_ROUNDING: f64 = 1.0 + 1e-9;
+
+/// Position and velocity of an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Position.
+    pub position: f64,
+    /// Velocity, signed.
+    pub velocity: f64,
+}
+
+/// What the axis shall do at one instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Setpoint {
+    /// Position.
+    pub position: f64,
+    /// Velocity, signed.
+    pub velocity: f64,
+    /// Acceleration, signed.
+    pub acceleration: f64,
+}
+
+/// Shape of the velocity over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// No phase at the maximum velocity.
+    #[default]
+    Triangular = 0,
+    /// Cruises at the maximum velocity.
+    Trapezoidal = 1,
+}
+
+/// What a plan had to put up with, as a set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Warnings(u8);
+
+impl Warnings {
+    /// The acceleration was below [`EPS`] and was raised to it.
+    pub const ACCELERATION: Self = Self(1);
+    /// The deceleration was.
+    pub const DECELERATION: Self = Self(2);
+    /// The maximum velocity was.
+    pub const VELOCITY: Self = Self(4);
+    /// The listing found no instant to switch from acceleration to deceleration: its motion is wrong.
+    pub const SWITCH: Self = Self(8);
+
+    /// The set as the sum of 1, 2, 4 and 8.
+    pub const fn bits(self) -> u8 {
+        self.0
+    }
+}
+
+impl BitOr for Warnings {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl BitOrAssign for Warnings {
+    fn bitor_assign(&mut self, other: Self) {
+        *self = *self | other;
+    }
+}
+
+/// Acceleration up to `t1`, cruise up to `t2`, deceleration up to `tf`. Times in seconds from the start of the motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Profile {
+    /// End of the acceleration phase, s.
+    pub t1: f64,
+    /// Start of the deceleration phase, s.
+    pub t2: f64,
+    /// End of the motion, s.
+    pub tf: f64,
+    /// Position at `t1`.
+    pub p_at_t1: f64,
+    /// Position at `t2`.
+    pub p_at_t2: f64,
+    /// Position at `tf` and later.
+    pub final_position: f64,
+    /// Velocity between `t1` and `t2`, signed.
+    pub velocity: f64,
+    /// Acceleration before `t1`, signed.
+    pub acceleration: f64,
+    /// Acceleration after `t2`, signed.
+    pub deceleration: f64,
+    /// Whether there is a cruise phase.
+    pub kind: Kind,
+    start: State,
+    /// Position at time 0 of the line that the cruise phase lies on.
+    cruise_origin: f64,
+}
+
+/// Magnitudes, none below [`EPS`].
+#[derive(Clone, Copy)]
+struct Limits {
+    velocity: f64,
+    acceleration: f64,
+    deceleration: f64,
+}
+
+impl Limits {
+    fn of(target: Target) -> (Self, Warnings) {
+        let mut warnings = Warnings::default();
+        let mut magnitude = |x: f64, warning| {
+            let x = x.abs();
+            if x < EPS {
+                warnings |= warning;
+                EPS
+            } else {
+                x
+            }
+        };
+        let limits = Self {
+            velocity: magnitude(target.velocity, Warnings::VELOCITY),
+            acceleration: magnitude(target.acceleration, Warnings::ACCELERATION),
+            deceleration: magnitude(target.deceleration, Warnings::DECELERATION),
+        };
+        (limits, warnings)
+    }
+}
+
+impl Profile {
+    /// The published listing's motion. In place, because a move below [`EPS`] leaves `kind` as it was.
+    pub fn plan_listing(&mut self, start: State, target: Target) -> Warnings {
+        let (limits, mut warnings) = Limits::of(target);
+        self.start = start;
+        self.final_position = target.position;
+        let v0 = start.velocity;
+        let stopping = sgn(v0) * (0.5 * sq(v0) / limits.acceleration);
+        // Sic: an absolute position against a relative distance. This is where most of its wrong motions begin.
+        let cruise = self.aim(sgn(target.position - stopping), limits);
+        if (target.position - start.position).abs() < EPS {
+            self.final_position = target.position + stopping;
+            (self.t1, self.t2) = (0.0, 0.0);
+            self.tf = (v0 / self.deceleration).abs();
+            (self.p_at_t1, self.p_at_t2) = (0.0, 0.0);
+        } else if cruise <= 0.0 {
+            match self.switching_time() {
+                Some(t1) => self.t1 = t1,
+                None => warnings |= Warnings::SWITCH,
+            }
+            self.finish_triangle(self.t1 * self.acceleration + v0);
+        } else {
+            self.finish_trapezoid(cruise);
+        }
+        warnings
+    }
+
+    /// The right motion from `start` to rest at the target.
+    pub fn corrected(start: State, target: Target) -> (Self, Warnings) {
+        let (limits, warnings) = Limits::of(target);
+        let mut profile = Self::departing(start, target.position);
+        let distance = target.position - start.position;
+        if distance != 0.0 || start.velocity != 0.0 {
+            let side = sgn(if start.velocity != 0.0 {
+                start.velocity
+            } else {
+                distance
+            });
+            if !profile.go(side, limits) && !profile.brake(side, limits) {
+                profile.return_to_target(-side, limits);
+            }
+        }
+        (profile, warnings)
+    }
+
+    /// The shortest way to rest at the target's deceleration; its position and velocity do not matter.
+    pub fn stopping(start: State, target: Target) -> (Self, Warnings) {
+        let (limits, warnings) = Limits::of(Target {
+            velocity: EPS,
+            ..target
+        });
+        let v0 = start.velocity;
+        let deceleration = limits.deceleration;
+        let p1 = start.position + sgn(v0) * (0.5 * sq(v0) / deceleration);
+        let mut profile = Self::departing(start, p1);
+        profile.velocity = v0;
+        profile.deceleration = -sgn(v0) * deceleration;
+        profile.acceleration = profile.deceleration;
+        profile.tf = (v0 / deceleration).abs();
+        (profile, warnings)
+    }
+
+    /// Position, velocity and acceleration at time `t`, s. Before the motion the start without acceleration; after it rest
+    /// at the final position.
+    pub fn setpoint(&self, t: f64) -> Setpoint {
+        let State { position, velocity } = self.start;
+        let (position, velocity, acceleration) = if self.is_over(t) {
+            (self.final_position, 0.0, 0.0)
+        } else if t < 0.0 {
+            (position, velocity, 0.0)
+        } else if t <= self.t1 {
+            let a = self.acceleration;
+            (
+                0.5 * a * sq(t) + velocity * t + position,
+                a * t + velocity,
+                a,
+            )
+        } else if t <= self.t2 {
+            (self.velocity * t + self.cruise_origin, self.velocity, 0.0)
+        } else {
+            let d = self.deceleration;
+            let z = t - self.tf;
+            (
+                0.5 * d * sq(z) + FINAL_VELOCITY * z + self.final_position,
+                d * z + FINAL_VELOCITY,
+                d,
+            )
+        };
+        Setpoint {
+            position,
+            velocity,
+            acceleration,
+        }
+    }
+
+    /// Whether the motion has ended at time `t`. It has at a NaN; a phase that ends at a NaN, as the listing may plan it,
+    /// ends nothing.
+    pub fn is_over(&self, t: f64) -> bool {
+        ![0.0, self.t1, self.t2, self.tf].iter().any(|&end| t <= end)
+    }
+
+    /// At rest, or about to brake, at the start.
+    fn departing(start: State, final_position: f64) -> Self {
+        Self {
+            start,
+            final_position,
+            p_at_t1: start.position,
+            p_at_t2: start.position,
+            cruise_origin: start.position,
+            ..Self::default()
+        }
+    }
+
+    /// Towards the target without turning: trapezoid, or triangle while the start velocity is below the limit.
+    fn go(&mut self, side: f64, limits: Limits) -> bool {
+        let cruise = self.aim(side, limits);
+        if cruise > 0.0 {
+            self.finish_trapezoid(cruise);
+            return true;
+        }
+        if side * self.acceleration <= 0.0 {
+            return false;
+        }
+        let Some(t1) = self.switching_time() else {
+            return false;
+        };
+        self.peak_at(t1, t1 * self.acceleration + self.start.velocity, limits);
+        self.close_seam(side, limits);
+        true
+    }
+
+    /// The root of [`Self::switching_time`] cancels where there is hardly anything to accelerate for; the two branches then
+    /// miss each other at `t1`. The same peak from the room that is left has no such cancellation.
+    fn close_seam(&mut self, side: f64, limits: Limits) {
+        let Limits {
+            acceleration: a,
+            deceleration: d,
+            ..
+        } = limits;
+        let State {
+            position: p0,
+            velocity: v0,
+        } = self.start;
+        let distance = self.final_position - p0;
+        let before = 0.5 * self.acceleration * sq(self.t1) + v0 * self.t1 + p0;
+        let after = 0.5 * self.deceleration * sq(self.t1 - self.tf) + self.final_position;
+        let rounding = 1e-9 * distance.abs() + 1e-15 * (p0.abs() + self.final_position.abs());
+        let room = (side * distance - 0.5 * sq(v0) / d) * (2.0 * (a * (d / (a + d))));
+        if (before - after).abs() > rounding && room > 0.0 {
+            let peak = Real::sqrt(sq(v0) + room);
+            self.peak_at(room / (a * (v0.abs() + peak)), side * peak, limits);
+        }
+    }
+
+    /// No room to accelerate: brake at both rates, the acceleration's first, and switch at the velocity that lands on the
+    /// target. False if neither rate stops before it.
+    fn brake(&mut self, side: f64, limits: Limits) -> bool {
+        let Limits {
+            acceleration: a,
+            deceleration: d,
+            ..
+        } = limits;
+        let speed = self.start.velocity.abs();
+        let energy = sq(self.start.velocity);
+        let distance = side * (self.final_position - self.start.position);
+        let beyond_a = distance - 0.5 * energy / a;
+        let beyond_d = distance - 0.5 * energy / d;
+        if !(beyond_a >= 0.0 || beyond_d >= 0.0) {
+            return false;
+        }
+        let (mut t1, mut switch) = (0.0, speed);
+        if a > d {
+            let left = beyond_a * (2.0 * (a * (d / (a - d))));
+            switch = if left > 0.0 {
+                lower(Real::sqrt(left), speed)
+            } else {
+                0.0
+            };
+            t1 = (speed - switch) / a;
+        } else if a < d {
+            let lost = lower(beyond_d * (2.0 * (a * (d / (d - a)))), energy);
+            if lost > 0.0 {
+                switch = Real::sqrt(energy - lost);
+                t1 = lost / (a * (speed + switch));
+            }
+        }
+        self.acceleration = -side * if t1 == 0.0 { d } else { a };
+        self.deceleration = -side * d;
+        self.peak_at(t1, side * switch, limits);
+        true
+    }
+
+    /// Too fast to stop before the target, or moving away from it: through zero and back, `side` being the way back.
+    fn return_to_target(&mut self, side: f64, limits: Limits) {
+        let cruise = self.aim(side, limits);
+        let v0 = self.start.velocity;
+        if cruise > 0.0 {
+            self.finish_trapezoid(cruise);
+        } else if let Some(t1) = self.switching_time() {
+            self.peak_at(t1, t1 * self.acceleration + v0, limits);
+        } else {
+            let Limits {
+                acceleration: a,
+                deceleration: d,
+                ..
+            } = limits;
+            let distance = side * (self.final_position - self.start.position);
+            let way_back = 0.5 * sq(v0) / a + distance;
+            let peak = Real::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
+            self.peak_at((v0.abs() + peak) / a, side * peak, limits);
+        }
+    }
+
+    /// Signs the limits for a cruise towards `side`, plans both ramps, and returns the time left between them, s: not
+    /// positive if they meet first.
+    fn aim(&mut self, side: f64, limits: Limits) -> f64 {
+        self.velocity = side * limits.velocity;
+        self.acceleration = sgn(self.velocity - self.start.velocity) * limits.acceleration;
+        self.deceleration = -sgn(self.velocity - FINAL_VELOCITY) * limits.deceleration;
+        self.t1 = (self.velocity - self.start.velocity) / self.acceleration;
+        self.p_at_t1 = self.position_at(self.velocity);
+        let stopping = 0.5 * (sq(FINAL_VELOCITY) - sq(self.velocity)) / self.deceleration;
+        self.p_at_t2 = self.final_position - stopping;
+        (self.p_at_t2 - self.p_at_t1) / self.velocity
+    }
+
+    /// Position where the acceleration phase reaches a velocity.
+    fn position_at(&self, velocity: f64) -> f64 {
+        let State {
+            position: p0,
+            velocity: v0,
+        } = self.start;
+        0.5 * (sq(velocity) - sq(v0)) / self.acceleration + p0
+    }
+
+    /// When to switch from acceleration to deceleration without a cruise, s: of the two roots the positive one, provided the
+    /// other is negative.
+    fn switching_time(&self) -> Option<f64> {
+        let (a, d) = (self.acceleration, self.deceleration);
+        let State {
+            position: p0,
+            velocity: v0,
+        } = self.start;
+        let c = (0.5 * (sq(FINAL_VELOCITY) - sq(v0)) + d * (p0 - self.final_position)) / (d - a);
+        let half = Real::sqrt(sq(v0) - 2.0 * a * c) / a;
+        match (-v0 / a + half, -v0 / a - half) {
+            (root, other) | (other, root) if root > 0.0 && other < 0.0 => Some(root),
+            _ => None,
+        }
+    }
+
+    /// A triangle that switches at `t1`; a peak above the limit and the start velocity is cut to the limit.
+    fn peak_at(&mut self, t1: f64, peak: f64, limits: Limits) {
+        let v0 = self.start.velocity;
+        let over_start = peak.abs() > v0.abs() * PEAK_ROUNDING;
+        if over_start && peak.abs() > limits.velocity * PEAK_ROUNDING {
+            let cut = sgn(peak) * limits.velocity;
+            self.t1 = (cut - v0) / self.acceleration;
+            self.finish_triangle(cut);
+        } else {
+            self.t1 = t1;
+            self.finish_triangle(peak);
+        }
+    }
+
+    fn finish_triangle(&mut self, peak: f64) {
+        self.kind = Kind::Triangular;
+        self.velocity = peak;
+        self.p_at_t1 = self.position_at(peak);
+        self.p_at_t2 = self.p_at_t1;
+        self.finish(0.0);
+    }
+
+    fn finish_trapezoid(&mut self, cruise: f64) {
+        self.kind = Kind::Trapezoidal;
+        self.finish(cruise);
+    }
+
+    fn finish(&mut self, cruise: f64) {
+        self.t2 = self.t1 + cruise;
+        self.tf = self.t2 - (self.velocity - FINAL_VELOCITY) / self.deceleration;
+        self.cruise_origin = self.p_at_t1 - self.velocity * self.t1;
+    }
+}
+
+/// -1 below zero, else +1, also for `-0.0`.
+fn sgn(x: f64) -> f64 {
+    if x < 0.0 { -1.0 } else { 1.0 }
+}
+
+fn sq(x: f64) -> f64 {
+    x * x
+}
+
+/// Not `f64::min`: that is a library call where there is no hardware for it.
+fn lower(x: f64, y: f64) -> f64 {
+    if x < y { x } else { y }
+}
