@@ -1,9 +1,15 @@
 # Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
 #
-#   make dist     archive, shared library and headers, in target/dist
-#   make demo     a servo program in C and a controller in C++ on that archive: parity with the golden data, pictures in
-#                 target/demo
-#   make check    everything that proves the library
+#   make dist                   archive, shared library and headers, in target/dist
+#   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
+#   make demo                   a servo program in C and a controller in C++ on that archive: parity with the golden data,
+#                               pictures in target/demo
+#   make check                  everything that proves the library
+#   make soak                   a thousand million calls per real type against the original; SOAK_SEED=n goes on from seed n
+#   make fuzz                   libFuzzer against the original, FUZZ_SECONDS for each family
+#   make firmware-setup         installs what the next two need, on Debian
+#   make firmware-check         links the bare-metal archives into firmware and runs it in QEMU
+#   make firmware-report        size and instructions beside the original's: docs/firmware.md
 #
 # Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
 #   REAL=float             a_float is float instead of double
@@ -23,26 +29,39 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
-FEATURES := capi std $(filter float,$(REAL)) $(POLY:%=poly-%)
+FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
-VARIANT := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS))
+VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS))
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
 
-.PHONY: dist demo check
+ifdef TARGET
+include c_tests/firmware/target.mk
+else
+CARGO_DIR := $(BUILD)
+PROFILE := release
+endif
+
+.PHONY: dist demo check soak fuzz firmware-setup firmware-check firmware-report
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
-dist:
+dist: $(filter %.json,$(CARGO_TARGET))
 	mkdir -p $(BUILD)
-	CARGO_TARGET_DIR=$(BUILD) $(CARGO) rustc --quiet --release --lib --crate-type staticlib --no-default-features \
-	    --features "$(FEATURES)" --message-format=json-render-diagnostics -- \
-	    --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
+	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
+	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
+	    --message-format=json-render-diagnostics -- \
+	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
 	rm -rf $(DIST)/lib $(DIST)/include
 	mkdir -p $(DIST)/lib $(DIST)/include
-	ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
+ifdef TARGET
+	$(DROP_UNWIND_TABLES)
+endif
+	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
+ifndef TARGET
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
 	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
 	ln -s $(SONAME) $(DIST)/lib/libatraj.so
+endif
 	cp -R include/. $(DIST)/include
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
 	    $(DIST)/include/a/
@@ -64,3 +83,19 @@ demo: dist
 
 check:
 	$(CARGO) test
+
+ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
+SOAK_SEED ?= 0
+SOAK_SEEDS ?= 1000
+
+# Every seed stands for a million calls per real type.
+soak:
+	$(CARGO) fetch --quiet $(ORACLE)
+	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS)
+
+FUZZ_SECONDS ?= 60
+fuzz:
+	fuzz/run.sh $(FUZZ_SECONDS)
+
+firmware-setup firmware-check firmware-report:
+	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)

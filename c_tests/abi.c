@@ -14,59 +14,62 @@
 #define REALS(type, count) A_BUILD_ASSERT(sizeof(type) == (count) * sizeof(a_float))
 #define AT(type, field, index) A_BUILD_ASSERT(offsetof(type, field) == (index) * sizeof(a_float))
 
-REALS(a_trajbell, 14);
-AT(a_trajbell, t, 0);
-AT(a_trajbell, tv, 1);
-AT(a_trajbell, ta, 2);
-AT(a_trajbell, td, 3);
-AT(a_trajbell, taj, 4);
-AT(a_trajbell, tdj, 5);
-AT(a_trajbell, p0, 6);
-AT(a_trajbell, p1, 7);
-AT(a_trajbell, v0, 8);
-AT(a_trajbell, v1, 9);
-AT(a_trajbell, vm, 10);
-AT(a_trajbell, jm, 11);
-AT(a_trajbell, am, 12);
-AT(a_trajbell, dm, 13);
+A_INTERN void layout(void)
+{
+    REALS(a_trajbell, 14);
+    AT(a_trajbell, t, 0);
+    AT(a_trajbell, tv, 1);
+    AT(a_trajbell, ta, 2);
+    AT(a_trajbell, td, 3);
+    AT(a_trajbell, taj, 4);
+    AT(a_trajbell, tdj, 5);
+    AT(a_trajbell, p0, 6);
+    AT(a_trajbell, p1, 7);
+    AT(a_trajbell, v0, 8);
+    AT(a_trajbell, v1, 9);
+    AT(a_trajbell, vm, 10);
+    AT(a_trajbell, jm, 11);
+    AT(a_trajbell, am, 12);
+    AT(a_trajbell, dm, 13);
 
-REALS(a_trajtrap, 12);
-AT(a_trajtrap, t, 0);
-AT(a_trajtrap, p0, 1);
-AT(a_trajtrap, p1, 2);
-AT(a_trajtrap, v0, 3);
-AT(a_trajtrap, v1, 4);
-AT(a_trajtrap, vc, 5);
-AT(a_trajtrap, ta, 6);
-AT(a_trajtrap, td, 7);
-AT(a_trajtrap, pa, 8);
-AT(a_trajtrap, pd, 9);
-AT(a_trajtrap, ac, 10);
-AT(a_trajtrap, de, 11);
+    REALS(a_trajtrap, 12);
+    AT(a_trajtrap, t, 0);
+    AT(a_trajtrap, p0, 1);
+    AT(a_trajtrap, p1, 2);
+    AT(a_trajtrap, v0, 3);
+    AT(a_trajtrap, v1, 4);
+    AT(a_trajtrap, vc, 5);
+    AT(a_trajtrap, ta, 6);
+    AT(a_trajtrap, td, 7);
+    AT(a_trajtrap, pa, 8);
+    AT(a_trajtrap, pd, 9);
+    AT(a_trajtrap, ac, 10);
+    AT(a_trajtrap, de, 11);
 
 #if defined(A_TRAJPOLY_COMPACT)
-REALS(a_trajpoly3, 4);
-REALS(a_trajpoly5, 6);
-REALS(a_trajpoly7, 8);
-AT(a_trajpoly7, c, 0);
+    REALS(a_trajpoly3, 4);
+    REALS(a_trajpoly5, 6);
+    REALS(a_trajpoly7, 8);
+    AT(a_trajpoly7, c, 0);
 #else
-REALS(a_trajpoly3, A_TRAJPOLY3 == 1 ? 4 : A_TRAJPOLY3 == 2 ? 7 : 9);
-REALS(a_trajpoly5, A_TRAJPOLY5 == 1 ? 6 : A_TRAJPOLY5 == 2 ? 11 : 15);
-REALS(a_trajpoly7, A_TRAJPOLY7 == 1 ? 8 : A_TRAJPOLY7 == 2 ? 15 : A_TRAJPOLY7 == 3 ? 21 : 26);
-AT(a_trajpoly7, p, 0);
+    REALS(a_trajpoly3, A_TRAJPOLY3 == 1 ? 4 : A_TRAJPOLY3 == 2 ? 7 : 9);
+    REALS(a_trajpoly5, A_TRAJPOLY5 == 1 ? 6 : A_TRAJPOLY5 == 2 ? 11 : 15);
+    REALS(a_trajpoly7, A_TRAJPOLY7 == 1 ? 8 : A_TRAJPOLY7 == 2 ? 15 : A_TRAJPOLY7 == 3 ? 21 : 26);
+    AT(a_trajpoly7, p, 0);
 #if A_TRAJPOLY7 > 1
-AT(a_trajpoly7, v, 8);
+    AT(a_trajpoly7, v, 8);
 #endif
 #if A_TRAJPOLY7 > 2
-AT(a_trajpoly7, a, 15);
+    AT(a_trajpoly7, a, 15);
 #endif
 #if A_TRAJPOLY7 > 3
-AT(a_trajpoly7, j, 21);
+    AT(a_trajpoly7, j, 21);
 #endif
 #endif
 
-A_BUILD_ASSERT(sizeof(a_real) == sizeof(a_float) && sizeof(a_float) == A_SIZE_FLOAT);
-A_BUILD_ASSERT(sizeof(a_i8) == 1 && sizeof(a_u16) == 2 && sizeof(a_i32) == 4 && sizeof(a_u64) == 8);
+    A_BUILD_ASSERT(sizeof(a_real) == sizeof(a_float) && sizeof(a_float) == A_SIZE_FLOAT);
+    A_BUILD_ASSERT(sizeof(a_i8) == 1 && sizeof(a_u16) == 2 && sizeof(a_i32) == 4 && sizeof(a_u64) == 8);
+}
 
 #define PROMISE(condition) \
     do { \
@@ -160,4 +163,8 @@ static int infinite_acceleration(void)
     return 0;
 }
 
-int main(void) { return prelude() || null_contexts() || null_arrays() || infinite_acceleration(); }
+int main(void)
+{
+    layout();
+    return prelude() || null_contexts() || null_arrays() || infinite_acceleration();
+}

@@ -83,8 +83,9 @@ impl<R: Real> Bell<R> {
 
         self.vm = vm;
         self.jm = jm;
-        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am);
-        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am);
+        let mut full_tj = None;
+        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am, &mut full_tj);
+        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am, &mut full_tj);
         self.dm = -self.dm;
 
         let p = forward.p1 - forward.p0;
@@ -106,25 +107,43 @@ impl<R: Real> Bell<R> {
     /// halving a step from `am` down, and writes the ramps. `false` if there is none.
     ///
     /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    #[inline(never)]
     fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
-        let zero = R::from(0);
-        let two = R::from(2);
-        let four = R::from(4);
-        let jm = self.jm;
-        let s = v0 + v1;
-        let q = two * (v0 * v0 + v1 * v1);
-
-        self.tv = zero;
+        self.tv = R::from(0);
         self.am = am;
-        let mut step = am;
-        let coarse = step * R::SIXTEENTH;
-        self.dm = coarse;
+        self.dm = am * R::SIXTEENTH;
         // The one divergence: here the C function halves an infinite step for ever.
         if am == R::INFINITY {
             return false;
         }
 
-        let mut trial = am;
+        let (trial, step, lone_ramp) = skip_plain_rounds(self.jm, am, p, v0, v1);
+        let fit = if lone_ramp {
+            // Of the durations of this round these are all that the lone ramp may keep.
+            self.taj = trial / self.jm;
+            self.tdj = self.taj;
+            if v0 > v1 { Fit::DownOnly } else { Fit::UpOnly }
+        } else {
+            self.search(trial, step, p, v0, v1)
+        };
+        match fit {
+            Fit::DownOnly => self.plan_down_only(p, v0, v1),
+            Fit::UpOnly => self.plan_up_only(p, v0, v1),
+            Fit::Both => true,
+            Fit::TooSteep => false,
+        }
+    }
+
+    /// The rounds from `trial` on. Writes two ramps if both fit, and tells which do.
+    fn search(&mut self, mut trial: R, mut step: R, p: R, v0: R, v1: R) -> Fit {
+        let zero = R::from(0);
+        let two = R::from(2);
+        let four = R::from(4);
+        let Self {
+            jm, am, dm: coarse, ..
+        } = *self;
+        let s = v0 + v1;
+        let q = two * (v0 * v0 + v1 * v1);
         loop {
             let tj = trial / jm;
             let tj2 = two * tj;
@@ -149,23 +168,23 @@ impl<R: Real> Bell<R> {
 
             let settled = trial == am || step < coarse;
             step = step * R::HALF;
-            match fit {
-                Fit::TooSteep => trial = trial - step,
-                _ if !settled => trial = trial + step,
-                Fit::DownOnly => return self.plan_down_only(p, v0, v1),
-                Fit::UpOnly => return self.plan_up_only(p, v0, v1),
-                Fit::Both => {
+            if matches!(fit, Fit::TooSteep) {
+                trial = trial - step;
+            } else if !settled {
+                trial = trial + step;
+            } else {
+                if matches!(fit, Fit::Both) {
                     self.am = trial;
                     self.dm = -trial;
                     self.vm = v0 + trial * (self.ta - tj);
-                    return true;
                 }
+                return fit;
             }
             // A NaN step ends the search too.
             if step > R::EPSILON {
                 continue;
             }
-            return false;
+            return Fit::TooSteep;
         }
     }
 
@@ -199,55 +218,30 @@ impl<R: Real> Bell<R> {
 
     /// Position at time `x`, s. Before the start it is `p0`, after the end and for a NaN `p1`.
     pub fn position(&self, x: R) -> R {
-        let Self {
-            t,
-            ta,
-            td,
-            taj,
-            tdj,
-            vm,
-            jm,
-            am,
-            dm,
-            ..
-        } = *self;
-        let Boundary { p0, p1, v0, v1 } = self.forward();
-        let three = R::from(3);
-        let six = R::from(6);
-        let y = match self.phase(x) {
-            Phase::Before => return self.p0,
-            Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
-            Phase::Accelerate => {
-                p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
-            }
-            Phase::EaseUp => {
-                let z = ta - x;
-                p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
-            }
-            Phase::Cruise => p0 + R::HALF * (vm + v0) * ta + vm * (x - ta),
-            Phase::JerkDown => {
-                let z = x - (t - td);
-                p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
-            }
-            Phase::Decelerate => {
-                let z = x - (t - td);
-                p1 - R::HALF * (vm + v1) * td
-                    + vm * z
-                    + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
-            }
-            Phase::EaseDown => {
-                let z = t - x;
-                p1 - v1 * z - jm * z * z * z / six
-            }
-            Phase::After => return self.p1,
-        };
-        self.orient(y)
+        let Self { p0, p1, v0, v1, .. } = *self;
+        // Mirroring twice is exact, so `p0` and `p1` come back as they stand.
+        if p0 > p1 {
+            -self.forward_position(x, -p0, -p1, -v0, -v1)
+        } else {
+            self.forward_position(x, p0, p1, v0, v1)
+        }
     }
 
     /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
     pub fn velocity(&self, x: R) -> R {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        if p0 > p1 {
+            -self.forward_velocity(x, -v0, -v1)
+        } else {
+            self.forward_velocity(x, v0, v1)
+        }
+    }
+
+    #[inline(never)] // one copy for both directions
+    fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         let Self {
             t,
+            tv,
             ta,
             td,
             taj,
@@ -258,28 +252,88 @@ impl<R: Real> Bell<R> {
             dm,
             ..
         } = *self;
-        let Boundary { v0, v1, .. } = self.forward();
-        let y = match self.phase(x) {
-            Phase::Before => return self.v0,
-            Phase::JerkUp => v0 + R::HALF * jm * x * x,
-            Phase::Accelerate => v0 + am * (x - R::HALF * taj),
-            Phase::EaseUp => {
+        let three = R::from(3);
+        let six = R::from(6);
+        if x < ta {
+            if x < taj {
+                if x <= R::from(0) {
+                    p0
+                } else {
+                    p0 + v0 * x + jm * x * x * x / six
+                }
+            } else if x < ta - taj {
+                p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
+            } else {
+                let z = ta - x;
+                p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
+            }
+        } else if x < t - td + tdj {
+            if x < ta + tv {
+                p0 + R::HALF * (vm + v0) * ta + vm * (x - ta)
+            } else {
+                let z = x - (t - td);
+                p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
+            }
+        } else if x < t {
+            if x < t - tdj {
+                let z = x - (t - td);
+                p1 - R::HALF * (vm + v1) * td
+                    + vm * z
+                    + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
+            } else {
+                let z = t - x;
+                p1 - v1 * z - jm * z * z * z / six
+            }
+        } else {
+            p1
+        }
+    }
+
+    #[inline(never)] // one copy for both directions
+    fn forward_velocity(&self, x: R, v0: R, v1: R) -> R {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            vm,
+            jm,
+            am,
+            dm,
+            ..
+        } = *self;
+        if x < ta {
+            if x < taj {
+                if x <= R::from(0) {
+                    v0
+                } else {
+                    v0 + R::HALF * jm * x * x
+                }
+            } else if x < ta - taj {
+                v0 + am * (x - R::HALF * taj)
+            } else {
                 let z = ta - x;
                 vm - R::HALF * jm * z * z
             }
-            Phase::Cruise => vm,
-            Phase::JerkDown => {
+        } else if x < t - td + tdj {
+            if x < ta + tv {
+                vm
+            } else {
                 let z = x - (t - td);
                 vm - R::HALF * jm * z * z
             }
-            Phase::Decelerate => vm + dm * (x - t + td - R::HALF * tdj),
-            Phase::EaseDown => {
+        } else if x < t {
+            if x < t - tdj {
+                vm + dm * (x - t + td - R::HALF * tdj)
+            } else {
                 let z = t - x;
                 v1 + R::HALF * jm * z * z
             }
-            Phase::After => return self.v1,
-        };
-        self.orient(y)
+        } else {
+            v1
+        }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
@@ -354,47 +408,6 @@ impl<R: Real> Bell<R> {
         self.orient(y)
     }
 
-    /// The phase of position and velocity at `x`. Acceleration and jerk compare in another order, which matters where
-    /// rounding has made neighbouring borders cross or a field is NaN.
-    fn phase(&self, x: R) -> Phase {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            ..
-        } = *self;
-        if x < ta {
-            if x < taj {
-                if x <= R::from(0) {
-                    Phase::Before
-                } else {
-                    Phase::JerkUp
-                }
-            } else if x < ta - taj {
-                Phase::Accelerate
-            } else {
-                Phase::EaseUp
-            }
-        } else if x < t - td + tdj {
-            if x < ta + tv {
-                Phase::Cruise
-            } else {
-                Phase::JerkDown
-            }
-        } else if x < t {
-            if x < t - tdj {
-                Phase::Decelerate
-            } else {
-                Phase::EaseDown
-            }
-        } else {
-            Phase::After
-        }
-    }
-
     /// The boundary conditions in the axis that makes the move go forward.
     fn forward(&self) -> Boundary<R> {
         let Self { p0, p1, v0, v1, .. } = *self;
@@ -416,19 +429,6 @@ impl<R: Real> Bell<R> {
     }
 }
 
-/// The seven phases in order of time, and the standstill around them.
-enum Phase {
-    Before,
-    JerkUp,
-    Accelerate,
-    EaseUp,
-    Cruise,
-    JerkDown,
-    Decelerate,
-    EaseDown,
-    After,
-}
-
 /// What one trial acceleration of the search means for the two ramps.
 enum Fit {
     DownOnly,
@@ -437,14 +437,73 @@ enum Fit {
     TooSteep,
 }
 
-/// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached.
-fn ramp<R: Real>(dv: R, jm: R, am: R) -> (R, R, R) {
+/// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached. `full_tj` keeps
+/// the jerk part of a ramp that reaches `am`, so that a second one needs no division.
+fn ramp<R: Real>(dv: R, jm: R, am: R, full_tj: &mut Option<R>) -> (R, R, R) {
     if dv * jm < am * am {
         let tj = (dv / jm).sqrt();
         (tj, R::from(2) * tj, jm * tj)
     } else {
-        let tj = am / jm;
+        let tj = *full_tj.get_or_insert_with(|| am / jm);
         (tj, tj + dv / am, am)
+    }
+}
+
+/// The trial acceleration and the step with which the search from `am` begins: rounds whose outcome is plain are behind.
+///
+/// A round that goes on needs only its verdict. With `k = am^2/jm`, `s = v0 + v1` and `w = |v0 - v1|` its root is that of
+/// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
+/// to below `2 am/jm`. So `sqrt(r)` is compared with `x = s + w - k` and `x = s + w + 3 k`, or, as `r >= x^2` where `x < 0`,
+/// just `r` with `x^2`: too steep is `-w k <= 2 p am - w s < k (4 k + 4 s + 3 w)`. This takes no root, and one division
+/// for all rounds.
+///
+/// With `size = 2 p am + 4 k^2 + 2 (v0^2 + v1^2)` and `u = EPSILON/2`, rounding moves these comparisons by at most
+/// 31 `u size` in the round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards
+/// keep off overflow and what underflow could move. `docs/search.md` has the proof.
+fn skip_plain_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R) -> (R, R, bool) {
+    let (mut trial, mut step) = (am, am);
+    let coarse = am * R::SIXTEENTH;
+    let eps = R::EPSILON;
+    // So long a search is settled when its step runs out, so its last round writes all durations.
+    let long = coarse >= R::from(4) * eps;
+    if R::CHEAP_ROOT || !(long && p >= eps) {
+        return (trial, step, false);
+    }
+    let two = R::from(2);
+    let s = v0 + v1;
+    let w = (v0 - v1).magnitude();
+    let half_w = R::HALF * w;
+    let ws = w * s;
+    let slope = two * s + (w + half_w);
+    let q = two * (v0 * v0 + v1 * v1);
+    let two_p = two * p;
+    let two_per_jm = two / jm;
+    let huge = R::from(1) / (eps * eps * eps * eps);
+    loop {
+        let k2 = trial * two_per_jm * trial;
+        let distance = two_p * trial;
+        let size = distance + k2 * k2 + q;
+        let doubt = R::from(64) * eps * size;
+        let excess = distance - ws;
+        let above_shortest = excess + half_w * k2;
+        let below_longest = k2 * (k2 + slope) - excess;
+        let margin = if below_longest < above_shortest {
+            below_longest
+        } else {
+            above_shortest
+        };
+        let next = step * R::HALF;
+        if !(size < huge && next > eps) {
+            return (trial, step, false);
+        }
+        if margin > doubt {
+            trial = trial - next;
+        } else if margin < -doubt && trial != am && step >= coarse {
+            trial = trial + next;
+        } else {
+            return (trial, step, above_shortest < -doubt);
+        }
+        step = next;
     }
 }
 

@@ -28,18 +28,19 @@ impl<R: Real> Poly3<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
+    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(ts: R, boundary: Boundary<R>) -> [R; 4] {
         let Boundary { p0, p1, v0, v1 } = boundary;
-        let [n1, n2, n3] = [1, 2, 3].map(R::from);
+        let n = R::from;
         let p = p1 - p0;
-        let u1 = n1 / ts;
+        let u1 = n(1) / ts;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         [
             p0,
             v0,
-            u1 * (-n2 * v0 - v1) + u2 * p * n3,
-            u2 * (v0 + v1) - u3 * p * n2,
+            u1 * (-n(2) * v0 - v1) + u2 * p * n(3),
+            u2 * (v0 + v1) - u3 * p * n(2),
         ]
     }
 
@@ -60,12 +61,12 @@ impl<R: Real> Poly3<R> {
 
     /// Coefficients of velocity.
     pub fn velocity_coefficients(&self) -> [R; 3] {
-        derivative(&self.c)
+        derivative3(&self.c)
     }
 
     /// Coefficients of acceleration.
     pub fn acceleration_coefficients(&self) -> [R; 2] {
-        derivative(&self.velocity_coefficients())
+        derivative2(&self.velocity_coefficients())
     }
 }
 
@@ -93,13 +94,13 @@ impl<R: Real> Poly5<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
+    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(ts: R, boundary: Boundary<R>, [a0, a1]: [R; 2]) -> [R; 6] {
         let Boundary { p0, p1, v0, v1 } = boundary;
-        let [n1, n2, n3, n6, n8, n12] = [1, 2, 3, 6, 8, 12].map(R::from);
-        let [n14, n16, n20, n30] = [14, 16, 20, 30].map(R::from);
+        let n = R::from;
         let half = R::HALF;
         let p = p1 - p0;
-        let u1 = n1 / ts;
+        let u1 = n(1) / ts;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
@@ -108,9 +109,9 @@ impl<R: Real> Poly5<R> {
             p0,
             v0,
             a0 * half,
-            half * (u1 * (a1 - n3 * a0) - u2 * (n12 * v0 + n8 * v1) + u3 * p * n20),
-            half * (u2 * (n3 * a0 - n2 * a1) + u3 * (n16 * v0 + n14 * v1) - u4 * p * n30),
-            half * (u3 * (a1 - a0) - u4 * (v0 + v1) * n6 + u5 * p * n12),
+            half * (u1 * (a1 - n(3) * a0) - u2 * (n(12) * v0 + n(8) * v1) + u3 * p * n(20)),
+            half * (u2 * (n(3) * a0 - n(2) * a1) + u3 * (n(16) * v0 + n(14) * v1) - u4 * p * n(30)),
+            half * (u3 * (a1 - a0) - u4 * (v0 + v1) * n(6) + u5 * p * n(12)),
         ]
     }
 
@@ -131,12 +132,12 @@ impl<R: Real> Poly5<R> {
 
     /// Coefficients of velocity.
     pub fn velocity_coefficients(&self) -> [R; 5] {
-        derivative(&self.c)
+        derivative5(&self.c)
     }
 
     /// Coefficients of acceleration.
     pub fn acceleration_coefficients(&self) -> [R; 4] {
-        derivative(&self.velocity_coefficients())
+        derivative4(&self.velocity_coefficients())
     }
 }
 
@@ -164,6 +165,7 @@ impl<R: Real> Poly7<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
+    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(
         ts: R,
         boundary: Boundary<R>,
@@ -171,14 +173,11 @@ impl<R: Real> Poly7<R> {
         [j0, j1]: [R; 2],
     ) -> [R; 8] {
         let Boundary { p0, p1, v0, v1 } = boundary;
-        let [n1, n2, n3, n4, n12, n14, n15] = [1, 2, 3, 4, 12, 14, 15].map(R::from);
-        let [n20, n30, n39, n45, n60, n78] = [20, 30, 39, 45, 60, 78].map(R::from);
-        let [n90, n120, n168, n204, n210, n216] = [90, 120, 168, 204, 210, 216].map(R::from);
-        let n420 = n210 + n210;
+        let n = R::from;
         let half = R::HALF;
         let sixth = R::SIXTH;
         let p = p1 - p0;
-        let u1 = n1 / ts;
+        let u1 = n(1) / ts;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
@@ -191,15 +190,20 @@ impl<R: Real> Poly7<R> {
             a0 * half,
             j0 * sixth,
             sixth
-                * (u1 * (-n4 * j0 - j1) + u2 * (n15 * a1 - n30 * a0) - u3 * (n120 * v0 + n90 * v1)
-                    + u4 * p * n210),
-            half * (u2 * (n2 * j0 + j1) + u3 * (n20 * a0 - n14 * a1) + u4 * (n90 * v0 + n78 * v1)
-                - u5 * p * n168),
+                * (u1 * (-n(4) * j0 - j1) + u2 * (n(15) * a1 - n(30) * a0)
+                    - u3 * (n(120) * v0 + n(90) * v1)
+                    + u4 * p * n(210)),
+            half * (u2 * (n(2) * j0 + j1)
+                + u3 * (n(20) * a0 - n(14) * a1)
+                + u4 * (n(90) * v0 + n(78) * v1)
+                - u5 * p * n(168)),
             sixth
-                * (u3 * (-n4 * j0 - n3 * j1) + u4 * (n39 * a1 - n45 * a0)
-                    - u5 * (n216 * v0 + n204 * v1)
-                    + u6 * p * n420),
-            sixth * (u4 * (j0 + j1) + u5 * (a0 - a1) * n12 + u6 * (v0 + v1) * n60 - u7 * p * n120),
+                * (u3 * (-n(4) * j0 - n(3) * j1) + u4 * (n(39) * a1 - n(45) * a0)
+                    - u5 * (n(216) * v0 + n(204) * v1)
+                    + u6 * p * (n(210) + n(210))),
+            sixth
+                * (u4 * (j0 + j1) + u5 * (a0 - a1) * n(12) + u6 * (v0 + v1) * n(60)
+                    - u7 * p * n(120)),
         ]
     }
 
@@ -225,38 +229,73 @@ impl<R: Real> Poly7<R> {
 
     /// Coefficients of velocity.
     pub fn velocity_coefficients(&self) -> [R; 7] {
-        derivative(&self.c)
+        derivative7(&self.c)
     }
 
     /// Coefficients of acceleration.
     pub fn acceleration_coefficients(&self) -> [R; 6] {
-        derivative(&self.velocity_coefficients())
+        derivative6(&self.velocity_coefficients())
     }
 
     /// Coefficients of jerk.
     pub fn jerk_coefficients(&self) -> [R; 5] {
-        derivative(&self.acceleration_coefficients())
+        derivative5(&self.acceleration_coefficients())
     }
 }
 
-/// The value at `x`, from the highest power down; multiplication and addition are rounded apart.
+/// The value at `x`, from the highest power down; multiplication and addition are rounded apart. 0 without coefficients.
 pub(crate) fn horner<R: Real>(c: &[R], x: R) -> R {
-    let mut descending = c.iter().rev().copied();
-    match descending.next() {
-        Some(highest) => descending.fold(highest, |y, c| y * x + c),
+    match c.split_last() {
+        Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, &c| y * x + c),
         None => R::from(0),
     }
 }
 
-/// The coefficients of the derivative, of which there is one less: `d[k] = c[k+1]*(k+1)`.
-pub(crate) fn derivative<R: Real, const N: usize>(c: &[R]) -> [R; N] {
-    let mut d = [R::from(0); N];
-    let mut power = R::from(1);
-    for (d, &c) in d.iter_mut().zip(c.iter().skip(1)) {
-        *d = c * power;
-        power = power + R::from(1);
-    }
-    d
+// The coefficients of the derivative of a polynomial of each degree. Written out and inlined, because that is smaller and
+// faster than a loop over so few.
+
+#[inline(always)]
+pub(crate) fn derivative2<R: Real>(&[_, c1, c2]: &[R; 3]) -> [R; 2] {
+    let n = R::from;
+    [c1, c2 * n(2)]
+}
+
+#[inline(always)]
+pub(crate) fn derivative3<R: Real>(&[_, c1, c2, c3]: &[R; 4]) -> [R; 3] {
+    let n = R::from;
+    [c1, c2 * n(2), c3 * n(3)]
+}
+
+#[inline(always)]
+pub(crate) fn derivative4<R: Real>(&[_, c1, c2, c3, c4]: &[R; 5]) -> [R; 4] {
+    let n = R::from;
+    [c1, c2 * n(2), c3 * n(3), c4 * n(4)]
+}
+
+#[inline(always)]
+pub(crate) fn derivative5<R: Real>(&[_, c1, c2, c3, c4, c5]: &[R; 6]) -> [R; 5] {
+    let n = R::from;
+    [c1, c2 * n(2), c3 * n(3), c4 * n(4), c5 * n(5)]
+}
+
+#[inline(always)]
+pub(crate) fn derivative6<R: Real>(&[_, c1, c2, c3, c4, c5, c6]: &[R; 7]) -> [R; 6] {
+    let n = R::from;
+    [c1, c2 * n(2), c3 * n(3), c4 * n(4), c5 * n(5), c6 * n(6)]
+}
+
+#[inline(always)]
+pub(crate) fn derivative7<R: Real>(&[_, c1, c2, c3, c4, c5, c6, c7]: &[R; 8]) -> [R; 7] {
+    let n = R::from;
+    [
+        c1,
+        c2 * n(2),
+        c3 * n(3),
+        c4 * n(4),
+        c5 * n(5),
+        c6 * n(6),
+        c7 * n(7),
+    ]
 }
 
 fn all_finite<R: Real>(c: &[R]) -> bool {

@@ -26,6 +26,8 @@ pub trait Real:
     const EPSILON: Self;
     /// Positive infinity.
     const INFINITY: Self;
+    /// The processor takes a root or a division in one instruction, and has little room for code that avoids them.
+    const CHEAP_ROOT: bool;
 
     /// Square root, correctly rounded; NaN below zero.
     fn sqrt(self) -> Self;
@@ -70,6 +72,7 @@ impl Real for f32 {
     const SIXTH: Self = 1.0 / 6.0;
     const EPSILON: Self = f32::EPSILON;
     const INFINITY: Self = f32::INFINITY;
+    const CHEAP_ROOT: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
     fn sqrt(self) -> Self {
         sqrtf(self)
@@ -82,6 +85,7 @@ impl Real for f64 {
     const SIXTH: Self = 1.0 / 6.0;
     const EPSILON: Self = f64::EPSILON;
     const INFINITY: Self = f64::INFINITY;
+    const CHEAP_ROOT: bool = false;
 
     fn sqrt(self) -> Self {
         sqrt(self)

@@ -28,6 +28,22 @@
 #else
 #define A_PREREQ_GNUC(maj, min) 0
 #endif
+#if defined(_MSC_VER)
+#define A_PREREQ_MSVC(maj, min) (_MSC_VER >= (maj) * 100 + (min))
+#else
+#define A_PREREQ_MSVC(maj, min) 0
+#endif
+/* sources ask for clang's warnings without looking whether this compiler can tell */
+#if !defined(__has_warning)
+#define __has_warning(x) 0
+#endif
+
+/*! check the arguments from `c` on against the format argument `b`, counted from 1, as those of `a`, as in printf */
+#if A_PREREQ_GNUC(2, 7)
+#define A_FORMAT(a, b, c) __attribute__((__format__(a, b, c)))
+#else
+#define A_FORMAT(a, b, c)
+#endif
 
 #if defined(_WIN32) && defined(A_EXPORTS)
 #define A_PUBLIC __declspec(dllexport)
@@ -55,20 +71,8 @@
 #define A_NULL NULL
 #endif
 
-/*! fail the build unless the constant expression `x` is true; stands where a declaration may */
-#if defined(__cplusplus) && (__cplusplus >= 201103L)
-#define A_BUILD_ASSERT(x) static_assert(x, #x)
-#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define A_BUILD_ASSERT(x) _Static_assert(x, #x)
-#else
-#define A_BUILD_ASSERT(x) A_BUILD_ASSERT_AT(x, __LINE__)
-#define A_BUILD_ASSERT_AT(x, line) A_BUILD_ASSERT_AS(x, line)
-#if A_PREREQ_GNUC(2, 7)
-#define A_BUILD_ASSERT_AS(x, line) typedef char a_build_assert_##line[(x) ? 1 : -1] __attribute__((unused))
-#else
-#define A_BUILD_ASSERT_AS(x, line) typedef char a_build_assert_##line[(x) ? 1 : -1]
-#endif
-#endif
+/*! fail the build unless the constant expression `x` is true; an expression of type void */
+#define A_BUILD_ASSERT(x) ((void)sizeof(char[(x) ? 1 : -1]))
 
 /* values: every argument may be evaluated more than once */
 
@@ -127,7 +131,7 @@ typedef double a_f64;
 #define A_FLOAT_C(X) X##F
 #define A_FLOAT_F(F) F##f
 #define A_FLOAT_PRI(F, C) "%" F C
-#define A_FLOAT_SCN(C) "%" C
+#define A_FLOAT_SCN(F, C) "%" F C
 #define A_FLOAT_DIG FLT_DIG
 #define A_FLOAT_MANT_DIG FLT_MANT_DIG
 #define A_FLOAT_EPSILON FLT_EPSILON
@@ -143,7 +147,7 @@ typedef double a_f64;
 #define A_FLOAT_C(X) X
 #define A_FLOAT_F(F) F
 #define A_FLOAT_PRI(F, C) "%" F C
-#define A_FLOAT_SCN(C) "%l" C
+#define A_FLOAT_SCN(F, C) "%" F "l" C
 #define A_FLOAT_DIG DBL_DIG
 #define A_FLOAT_MANT_DIG DBL_MANT_DIG
 #define A_FLOAT_EPSILON DBL_EPSILON
@@ -162,7 +166,7 @@ typedef double a_f64;
 #define A_FLOAT_C(X) X##L
 #define A_FLOAT_F(F) F##l
 #define A_FLOAT_PRI(F, C) "%" F "L" C
-#define A_FLOAT_SCN(C) "%L" C
+#define A_FLOAT_SCN(F, C) "%" F "L" C
 #define A_FLOAT_DIG LDBL_DIG
 #define A_FLOAT_MANT_DIG LDBL_MANT_DIG
 #define A_FLOAT_EPSILON LDBL_EPSILON
@@ -195,7 +199,7 @@ typedef a_float a_real;
 #define A_REAL_C(X) A_FLOAT_C(X)
 #define A_REAL_F(F) A_FLOAT_F(F)
 #define A_REAL_PRI(F, C) A_FLOAT_PRI(F, C)
-#define A_REAL_SCN(C) A_FLOAT_SCN(C)
+#define A_REAL_SCN(F, C) A_FLOAT_SCN(F, C)
 #define A_REAL_DIG A_FLOAT_DIG
 #define A_REAL_MANT_DIG A_FLOAT_MANT_DIG
 #define A_REAL_EPSILON A_FLOAT_EPSILON

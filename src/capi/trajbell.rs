@@ -1,6 +1,6 @@
 //! `a/trajbell.h`: the double-S profile.
 
-use super::{a_float, assert_same_layout};
+use super::{a_float, assert_same_layout, nan};
 use crate::{Bell, Boundary};
 
 /// @brief Bell-shaped (double-S) velocity trajectory.
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn a_trajbell_pos(ctx: *const a_trajbell, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
         Some(bell) => bell.position(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }
 
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn a_trajbell_vel(ctx: *const a_trajbell, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
         Some(bell) => bell.velocity(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }
 
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn a_trajbell_acc(ctx: *const a_trajbell, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
         Some(bell) => bell.acceleration(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }
 
@@ -121,6 +121,6 @@ pub unsafe extern "C" fn a_trajbell_jer(ctx: *const a_trajbell, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
         Some(bell) => bell.jerk(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }

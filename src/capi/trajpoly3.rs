@@ -1,7 +1,9 @@
 //! `a/trajpoly3.h`: the cubic polynomial, in both generations of its struct.
 
-use super::a_float;
-use crate::{Boundary, Poly3, poly};
+use super::{a_float, evaluate};
+#[cfg(not(feature = "poly-compact"))]
+use crate::poly;
+use crate::{Boundary, Poly3};
 
 /// @brief Cubic polynomial trajectory.
 ///
@@ -31,49 +33,33 @@ pub struct a_trajpoly3 {
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly3 {
-    fn fill(&mut self, c: [a_float; 4]) {
-        self.p = c;
-        #[cfg(trajpoly3_v)]
-        {
-            self.v = poly::derivative(&self.p);
-        }
-        #[cfg(trajpoly3_a)]
-        {
-            self.a = poly::derivative(&self.v);
-        }
-    }
-
-    fn position_coefficients(&self) -> [a_float; 4] {
-        self.p
+    fn position_coefficients(&self) -> &[a_float; 4] {
+        &self.p
     }
 
     #[cfg(trajpoly3_v)]
-    fn velocity_coefficients(&self) -> [a_float; 3] {
-        self.v
+    fn velocity_coefficients(&self) -> &[a_float; 3] {
+        &self.v
     }
 
     #[cfg(trajpoly3_a)]
-    fn acceleration_coefficients(&self) -> [a_float; 2] {
-        self.a
+    fn acceleration_coefficients(&self) -> &[a_float; 2] {
+        &self.a
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly3 {
-    fn fill(&mut self, c: [a_float; 4]) {
-        self.c = c;
-    }
-
-    fn position_coefficients(&self) -> [a_float; 4] {
-        self.c
+    fn position_coefficients(&self) -> &[a_float; 4] {
+        &self.c
     }
 
     fn velocity_coefficients(&self) -> [a_float; 3] {
-        poly::derivative(&self.position_coefficients())
+        Poly3 { c: self.c }.velocity_coefficients()
     }
 
     fn acceleration_coefficients(&self) -> [a_float; 2] {
-        poly::derivative(&self.velocity_coefficients())
+        Poly3 { c: self.c }.acceleration_coefficients()
     }
 }
 
@@ -95,9 +81,19 @@ pub unsafe extern "C" fn a_trajpoly3_gen(
     v0: a_float,
     v1: a_float,
 ) {
+    #[cfg(not(feature = "poly-compact"))]
+    // SAFETY: the contract of this function is that of each of these.
+    unsafe {
+        a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
+        #[cfg(trajpoly3_v)]
+        a_trajpoly3_gen1(ctx);
+        #[cfg(trajpoly3_a)]
+        a_trajpoly3_gen2(ctx);
+    }
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.fill(Poly3::coefficients(ts, Boundary { p0, p1, v0, v1 }));
+        ctx.c = Poly3::coefficients(ts, Boundary { p0, p1, v0, v1 });
     }
 }
 
@@ -133,7 +129,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
 pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.v = poly::derivative(&ctx.p);
+        ctx.v = poly::derivative3(&ctx.p);
     }
 }
 
@@ -144,7 +140,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
 pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.a = poly::derivative(&ctx.v);
+        ctx.a = poly::derivative2(&ctx.v);
     }
 }
 
@@ -158,7 +154,7 @@ pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly3::position_coefficients);
     if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
         // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c0.cast::<[a_float; 4]>().write(coefficients) };
+        unsafe { c0.cast::<[a_float; 4]>().write(*coefficients) };
     }
 }
 
@@ -197,10 +193,8 @@ pub unsafe extern "C" fn a_trajpoly3_c2(ctx: *const a_trajpoly3, c2: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.position_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly3::position_coefficients), x)
 }
 
 /// @brief Velocity of a cubic polynomial trajectory, by Horner's rule.
@@ -211,10 +205,8 @@ pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.velocity_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly3::velocity_coefficients), x)
 }
 
 /// @brief Acceleration of a cubic polynomial trajectory, by Horner's rule.
@@ -225,8 +217,6 @@ pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_acc(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.acceleration_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly3::acceleration_coefficients), x)
 }

@@ -1,7 +1,9 @@
 //! `a/trajpoly5.h`: the quintic polynomial, in both generations of its struct.
 
-use super::a_float;
-use crate::{Boundary, Poly5, poly};
+use super::{a_float, evaluate};
+#[cfg(not(feature = "poly-compact"))]
+use crate::poly;
+use crate::{Boundary, Poly5};
 
 /// @brief Quintic polynomial trajectory.
 ///
@@ -31,49 +33,33 @@ pub struct a_trajpoly5 {
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly5 {
-    fn fill(&mut self, c: [a_float; 6]) {
-        self.p = c;
-        #[cfg(trajpoly5_v)]
-        {
-            self.v = poly::derivative(&self.p);
-        }
-        #[cfg(trajpoly5_a)]
-        {
-            self.a = poly::derivative(&self.v);
-        }
-    }
-
-    fn position_coefficients(&self) -> [a_float; 6] {
-        self.p
+    fn position_coefficients(&self) -> &[a_float; 6] {
+        &self.p
     }
 
     #[cfg(trajpoly5_v)]
-    fn velocity_coefficients(&self) -> [a_float; 5] {
-        self.v
+    fn velocity_coefficients(&self) -> &[a_float; 5] {
+        &self.v
     }
 
     #[cfg(trajpoly5_a)]
-    fn acceleration_coefficients(&self) -> [a_float; 4] {
-        self.a
+    fn acceleration_coefficients(&self) -> &[a_float; 4] {
+        &self.a
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly5 {
-    fn fill(&mut self, c: [a_float; 6]) {
-        self.c = c;
-    }
-
-    fn position_coefficients(&self) -> [a_float; 6] {
-        self.c
+    fn position_coefficients(&self) -> &[a_float; 6] {
+        &self.c
     }
 
     fn velocity_coefficients(&self) -> [a_float; 5] {
-        poly::derivative(&self.position_coefficients())
+        Poly5 { c: self.c }.velocity_coefficients()
     }
 
     fn acceleration_coefficients(&self) -> [a_float; 4] {
-        poly::derivative(&self.velocity_coefficients())
+        Poly5 { c: self.c }.acceleration_coefficients()
     }
 }
 
@@ -99,13 +85,19 @@ pub unsafe extern "C" fn a_trajpoly5_gen(
     a0: a_float,
     a1: a_float,
 ) {
+    #[cfg(not(feature = "poly-compact"))]
+    // SAFETY: the contract of this function is that of each of these.
+    unsafe {
+        a_trajpoly5_gen0(ctx, ts, p0, p1, v0, v1, a0, a1);
+        #[cfg(trajpoly5_v)]
+        a_trajpoly5_gen1(ctx);
+        #[cfg(trajpoly5_a)]
+        a_trajpoly5_gen2(ctx);
+    }
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.fill(Poly5::coefficients(
-            ts,
-            Boundary { p0, p1, v0, v1 },
-            [a0, a1],
-        ));
+        ctx.c = Poly5::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1]);
     }
 }
 
@@ -145,7 +137,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen0(
 pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.v = poly::derivative(&ctx.p);
+        ctx.v = poly::derivative5(&ctx.p);
     }
 }
 
@@ -156,7 +148,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
 pub unsafe extern "C" fn a_trajpoly5_gen2(ctx: *mut a_trajpoly5) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.a = poly::derivative(&ctx.v);
+        ctx.a = poly::derivative4(&ctx.v);
     }
 }
 
@@ -170,7 +162,7 @@ pub unsafe extern "C" fn a_trajpoly5_c0(ctx: *const a_trajpoly5, c0: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly5::position_coefficients);
     if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
         // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c0.cast::<[a_float; 6]>().write(coefficients) };
+        unsafe { c0.cast::<[a_float; 6]>().write(*coefficients) };
     }
 }
 
@@ -209,10 +201,8 @@ pub unsafe extern "C" fn a_trajpoly5_c2(ctx: *const a_trajpoly5, c2: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_pos(ctx: *const a_trajpoly5, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.position_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly5::position_coefficients), x)
 }
 
 /// @brief Velocity of a quintic polynomial trajectory, by Horner's rule.
@@ -223,10 +213,8 @@ pub unsafe extern "C" fn a_trajpoly5_pos(ctx: *const a_trajpoly5, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_vel(ctx: *const a_trajpoly5, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.velocity_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly5::velocity_coefficients), x)
 }
 
 /// @brief Acceleration of a quintic polynomial trajectory, by Horner's rule.
@@ -237,8 +225,6 @@ pub unsafe extern "C" fn a_trajpoly5_vel(ctx: *const a_trajpoly5, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_acc(ctx: *const a_trajpoly5, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.acceleration_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly5::acceleration_coefficients), x)
 }

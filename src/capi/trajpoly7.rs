@@ -1,7 +1,9 @@
 //! `a/trajpoly7.h`: the septic polynomial, in both generations of its struct.
 
-use super::a_float;
-use crate::{Boundary, Poly7, poly};
+use super::{a_float, evaluate};
+#[cfg(not(feature = "poly-compact"))]
+use crate::poly;
+use crate::{Boundary, Poly7};
 
 /// @brief Septic polynomial trajectory.
 ///
@@ -34,62 +36,42 @@ pub struct a_trajpoly7 {
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly7 {
-    fn fill(&mut self, c: [a_float; 8]) {
-        self.p = c;
-        #[cfg(trajpoly7_v)]
-        {
-            self.v = poly::derivative(&self.p);
-        }
-        #[cfg(trajpoly7_a)]
-        {
-            self.a = poly::derivative(&self.v);
-        }
-        #[cfg(trajpoly7_j)]
-        {
-            self.j = poly::derivative(&self.a);
-        }
-    }
-
-    fn position_coefficients(&self) -> [a_float; 8] {
-        self.p
+    fn position_coefficients(&self) -> &[a_float; 8] {
+        &self.p
     }
 
     #[cfg(trajpoly7_v)]
-    fn velocity_coefficients(&self) -> [a_float; 7] {
-        self.v
+    fn velocity_coefficients(&self) -> &[a_float; 7] {
+        &self.v
     }
 
     #[cfg(trajpoly7_a)]
-    fn acceleration_coefficients(&self) -> [a_float; 6] {
-        self.a
+    fn acceleration_coefficients(&self) -> &[a_float; 6] {
+        &self.a
     }
 
     #[cfg(trajpoly7_j)]
-    fn jerk_coefficients(&self) -> [a_float; 5] {
-        self.j
+    fn jerk_coefficients(&self) -> &[a_float; 5] {
+        &self.j
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly7 {
-    fn fill(&mut self, c: [a_float; 8]) {
-        self.c = c;
-    }
-
-    fn position_coefficients(&self) -> [a_float; 8] {
-        self.c
+    fn position_coefficients(&self) -> &[a_float; 8] {
+        &self.c
     }
 
     fn velocity_coefficients(&self) -> [a_float; 7] {
-        poly::derivative(&self.position_coefficients())
+        Poly7 { c: self.c }.velocity_coefficients()
     }
 
     fn acceleration_coefficients(&self) -> [a_float; 6] {
-        poly::derivative(&self.velocity_coefficients())
+        Poly7 { c: self.c }.acceleration_coefficients()
     }
 
     fn jerk_coefficients(&self) -> [a_float; 5] {
-        poly::derivative(&self.acceleration_coefficients())
+        Poly7 { c: self.c }.jerk_coefficients()
     }
 }
 
@@ -119,14 +101,21 @@ pub unsafe extern "C" fn a_trajpoly7_gen(
     j0: a_float,
     j1: a_float,
 ) {
+    #[cfg(not(feature = "poly-compact"))]
+    // SAFETY: the contract of this function is that of each of these.
+    unsafe {
+        a_trajpoly7_gen0(ctx, ts, p0, p1, v0, v1, a0, a1, j0, j1);
+        #[cfg(trajpoly7_v)]
+        a_trajpoly7_gen1(ctx);
+        #[cfg(trajpoly7_a)]
+        a_trajpoly7_gen2(ctx);
+        #[cfg(trajpoly7_j)]
+        a_trajpoly7_gen3(ctx);
+    }
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.fill(Poly7::coefficients(
-            ts,
-            Boundary { p0, p1, v0, v1 },
-            [a0, a1],
-            [j0, j1],
-        ));
+        ctx.c = Poly7::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1], [j0, j1]);
     }
 }
 
@@ -170,7 +159,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
 pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.v = poly::derivative(&ctx.p);
+        ctx.v = poly::derivative7(&ctx.p);
     }
 }
 
@@ -181,7 +170,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
 pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.a = poly::derivative(&ctx.v);
+        ctx.a = poly::derivative6(&ctx.v);
     }
 }
 
@@ -192,7 +181,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
 pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.j = poly::derivative(&ctx.a);
+        ctx.j = poly::derivative5(&ctx.a);
     }
 }
 
@@ -206,7 +195,7 @@ pub unsafe extern "C" fn a_trajpoly7_c0(ctx: *const a_trajpoly7, c0: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::position_coefficients);
     if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
         // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c0.cast::<[a_float; 8]>().write(coefficients) };
+        unsafe { c0.cast::<[a_float; 8]>().write(*coefficients) };
     }
 }
 
@@ -259,10 +248,8 @@ pub unsafe extern "C" fn a_trajpoly7_c3(ctx: *const a_trajpoly7, c3: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.position_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly7::position_coefficients), x)
 }
 
 /// @brief Velocity of a septic polynomial trajectory, by Horner's rule.
@@ -273,10 +260,8 @@ pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.velocity_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly7::velocity_coefficients), x)
 }
 
 /// @brief Acceleration of a septic polynomial trajectory, by Horner's rule.
@@ -287,10 +272,8 @@ pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.acceleration_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly7::acceleration_coefficients), x)
 }
 
 /// @brief Jerk of a septic polynomial trajectory, by Horner's rule.
@@ -301,8 +284,6 @@ pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_jer(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    match unsafe { ctx.as_ref() } {
-        Some(ctx) => poly::horner(&ctx.jerk_coefficients(), x),
-        None => a_float::NAN,
-    }
+    let ctx = unsafe { ctx.as_ref() };
+    evaluate(ctx.map(a_trajpoly7::jerk_coefficients), x)
 }

@@ -1,6 +1,6 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
-use super::{a_float, assert_same_layout};
+use super::{a_float, assert_same_layout, nan};
 use crate::{Boundary, Trap};
 
 /// @brief Trapezoidal velocity trajectory.
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn a_trajtrap_pos(ctx: *const a_trajtrap, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
         Some(trap) => trap.position(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }
 
@@ -91,7 +91,7 @@ pub unsafe extern "C" fn a_trajtrap_vel(ctx: *const a_trajtrap, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
         Some(trap) => trap.velocity(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }
 
@@ -104,6 +104,6 @@ pub unsafe extern "C" fn a_trajtrap_acc(ctx: *const a_trajtrap, x: a_float) -> a
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
         Some(trap) => trap.acceleration(x),
-        None => a_float::NAN,
+        None => nan(),
     }
 }

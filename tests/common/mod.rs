@@ -102,8 +102,12 @@ pub fn golden_dir() -> PathBuf {
     root().join("tests/golden")
 }
 
+/// The repository, from the package in `tests/oracle` too.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .find(|directory| directory.join("tests/golden").is_dir())
+        .expect("a repository around the package")
 }
 
 /// Counts compared values and keeps the differing ones.

@@ -1,0 +1,161 @@
+/* Counts executed instructions and stack bytes of every function on an mps2 board: QEMU's -icount makes its timer tick by
+ * the instruction, so the numbers are exact and repeatable. They are instructions, not cycles.
+ *
+ * Prints lines "function case number"; a sweep is 101 evaluations over the move. */
+#include <stddef.h>
+#include "a/trajbell.h"
+#include "a/trajpoly3.h"
+#include "a/trajpoly5.h"
+#include "a/trajpoly7.h"
+#include "a/trajtrap.h"
+#include "golden.h"
+#include "semihost.h"
+
+/* CMSDK timer 0 counts down at 25 MHz; with -icount shift=10 an instruction takes 1024 ns. */
+static volatile uint32_t *const TIMER = (volatile uint32_t *)0x40000000;
+enum { CONTROL, VALUE, RELOAD };
+
+static uint32_t instructions(uint32_t ticks)
+{
+    return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024);
+}
+
+/* Every function is called as this, so that a call costs the same whatever is behind it. */
+typedef a_float function(void *ctx, a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float);
+typedef struct { uint32_t instructions, stack; } cost;
+
+__attribute__((naked)) static void stub(void) { __asm__("bx lr"); }
+
+static const uint32_t PAINT = 0xC5C5C5C5;
+enum { PAINTED_WORDS = 512 };
+
+__attribute__((noinline)) static cost call(function *f, void *ctx, const a_float *a)
+{
+    uint32_t *sp, *word;
+    __asm__ volatile("mov %0, sp" : "=r"(sp));
+    for (word = sp - PAINTED_WORDS; word != sp; ++word) { *(volatile uint32_t *)word = PAINT; }
+    uint32_t const start = TIMER[VALUE];
+    f(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]);
+    uint32_t const ticks = start - TIMER[VALUE];
+    for (word = sp - PAINTED_WORDS; *(volatile uint32_t *)word == PAINT && word != sp; ++word) {}
+    return (cost){instructions(ticks), (uint32_t)(sp - word) * 4};
+}
+
+static cost measure(void (*f)(void), void *ctx, const a_float *arguments)
+{
+    uint32_t const overhead = call((function *)stub, ctx, arguments).instructions;
+    cost c = call((function *)f, ctx, arguments);
+    c.instructions -= overhead - 1; /* the return counts as the function's */
+    return c;
+}
+
+static void print(const char *name, const char *what, uint32_t number)
+{
+    semihost_print(name);
+    semihost_print(what);
+    semihost_print_unsigned(number, 10);
+    semihost_print("\n");
+}
+
+static void once(const char *name, const char *what, void (*f)(void), void *ctx, const a_float *arguments)
+{
+    cost c = measure(f, ctx, arguments);
+    print(name, what, c.instructions);
+    print(name, " stack ", c.stack);
+}
+
+static void sweep(const char *name, void (*f)(void), void *ctx, a_float duration)
+{
+    uint32_t total = 0, most = 0, stack = 0;
+    a_float arguments[9] = {0};
+    for (unsigned i = 0; i <= 100; ++i) {
+        arguments[0] = duration * (a_float)i / 100;
+        cost c = measure(f, ctx, arguments);
+        total += c.instructions;
+        if (most < c.instructions) { most = c.instructions; }
+        if (stack < c.stack) { stack = c.stack; }
+    }
+    arguments[0] = (a_float)0.3 * duration;
+    print(name, " 0.3T ", measure(f, ctx, arguments).instructions);
+    print(name, " mean ", (total + 50) / 101);
+    print(name, " max ", most);
+    print(name, " stack ", stack);
+}
+
+#define FUNCTION(name) (void (*)(void))(a_traj##name)
+#define SWEEP(name, ctx, duration) sweep(#name, FUNCTION(name), &ctx, duration)
+#define ONCE(name, what, ctx, ...) once(#name, " " what " ", FUNCTION(name), &ctx, (const a_float[9]){__VA_ARGS__})
+
+static void bell(void)
+{
+    a_trajbell ctx;
+    ONCE(bell_gen, "cruise", ctx, 30, 10, 5, 0, 10, 1, 0);
+    SWEEP(bell_pos, ctx, ctx.t);
+    SWEEP(bell_vel, ctx, ctx.t);
+    SWEEP(bell_acc, ctx, ctx.t);
+    SWEEP(bell_jer, ctx, ctx.t);
+    ONCE(bell_gen, "no-cruise", ctx, 30, 10, 5, 0, 1, 0, 0);
+    print("bell_pos", " short-0.3T ", measure(FUNCTION(bell_pos), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
+    print("bell_vel", " short-0.3T ", measure(FUNCTION(bell_vel), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
+    print("bell_acc", " short-0.3T ", measure(FUNCTION(bell_acc), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
+    print("bell_jer", " short-0.3T ", measure(FUNCTION(bell_jer), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
+}
+
+/* The most expensive plans among the golden moves, which hold searches of every length. */
+static void worst_bell(void)
+{
+    cost worst = {0, 0};
+    uint32_t which = 0, stack = 0;
+    for (size_t i = 0; i != ROWS(bell_gen); ++i) {
+        a_float arguments[9] = {0};
+        for (size_t k = 0; k != 7; ++k) { arguments[k] = bell_gen[i][k + 1].value; }
+        a_trajbell ctx;
+        cost c = measure(FUNCTION(bell_gen), &ctx, arguments);
+        if (stack < c.stack) { stack = c.stack; }
+        if (worst.instructions < c.instructions) { worst = c; which = i; }
+    }
+    print("bell_gen", " worst ", worst.instructions);
+    print("bell_gen", " worst-case ", which);
+    print("bell_gen", " worst-stack ", stack);
+}
+
+static void trap(void)
+{
+    a_trajtrap ctx;
+    ONCE(trap_gen, "cruise", ctx, 5, 4, -3, 0, 50, 0, 0);
+    SWEEP(trap_pos, ctx, ctx.t);
+    SWEEP(trap_vel, ctx, ctx.t);
+    SWEEP(trap_acc, ctx, ctx.t);
+}
+
+static void poly(void)
+{
+    a_trajpoly3 p3;
+    ONCE(poly3_gen, "move", p3, 2, 1, 10, 3, -3);
+    SWEEP(poly3_pos, p3, 2);
+    SWEEP(poly3_vel, p3, 2);
+    SWEEP(poly3_acc, p3, 2);
+    a_trajpoly5 p5;
+    ONCE(poly5_gen, "move", p5, 2, 1, 10, 3, -3, 7, -7);
+    SWEEP(poly5_pos, p5, 2);
+    SWEEP(poly5_vel, p5, 2);
+    SWEEP(poly5_acc, p5, 2);
+    a_trajpoly7 p7;
+    ONCE(poly7_gen, "move", p7, 2, 1, 10, 3, -3, 7, -7, 9, -9);
+    SWEEP(poly7_pos, p7, 2);
+    SWEEP(poly7_vel, p7, 2);
+    SWEEP(poly7_acc, p7, 2);
+    SWEEP(poly7_jer, p7, 2);
+}
+
+int main(void)
+{
+    TIMER[RELOAD] = UINT32_MAX;
+    TIMER[VALUE] = UINT32_MAX;
+    TIMER[CONTROL] = 1;
+    bell();
+    worst_bell();
+    trap();
+    poly();
+    return 0;
+}

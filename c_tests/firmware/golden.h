@@ -1,0 +1,21 @@
+/* The golden tables as bit patterns of the real type of this build. */
+#ifndef GOLDEN_H
+#define GOLDEN_H
+
+#include <stdint.h>
+#include "a/a.h"
+
+#if A_SIZE_FLOAT == 4
+typedef uint32_t bits;
+#define NAN_BITS 0x7FC00000
+#else
+typedef uint64_t bits;
+#define NAN_BITS 0x7FF8000000000000
+#endif
+typedef union { bits bits; a_float value; } real;
+_Static_assert(sizeof(real) == sizeof(a_float), "a bit pattern is as wide as the number");
+
+#include "golden_rows.h"
+#define ROWS(table) (sizeof(table) / sizeof *(table))
+
+#endif

@@ -1,0 +1,158 @@
+/* Replays golden rows on the target: every number must have the bits of the original, or both be NaN. */
+#include <stddef.h>
+#include "a/trajbell.h"
+#include "a/trajpoly3.h"
+#include "a/trajpoly5.h"
+#include "a/trajpoly7.h"
+#include "a/trajtrap.h"
+#include "golden.h"
+#include "semihost.h"
+
+static unsigned rows, compared, differing;
+
+static int same(real a, real b)
+{
+    return a.bits == b.bits || (a.value != a.value && b.value != b.value);
+}
+
+static void compare(const char *what, const real *row, size_t column, size_t count, const a_float *got)
+{
+    for (size_t i = 0; i != count; ++i) {
+        real const value = {.value = got[i]}, want = row[column + i];
+        ++compared;
+        if (same(value, want)) { continue; }
+        if (++differing > 10) { continue; }
+        semihost_print(what);
+        semihost_print(" case ");
+        semihost_print_unsigned(row[0].bits, 10);
+        semihost_print(" column ");
+        semihost_print_unsigned(column + i, 10);
+        semihost_print(" is ");
+        semihost_print_unsigned(value.bits, 16);
+        semihost_print(", golden ");
+        semihost_print_unsigned(want.bits, 16);
+        semihost_print("\n");
+    }
+    ++rows;
+}
+
+/* The rows of `table` about the case of `row`: they stand in the order of the cases. */
+#define EACH(e, table, next, row) \
+    for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
+
+static size_t replay_bell(void)
+{
+    size_t next = 0;
+    for (size_t i = 0; i != ROWS(bell_gen); ++i) {
+        const real *r = bell_gen[i];
+        a_trajbell ctx = {0};
+        a_float t = a_trajbell_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
+        compare("bell_gen", r, 8, 1, &t);
+        compare("bell_gen", r, 9, 14, (const a_float *)&ctx);
+        EACH(e, bell_eval, next, r)
+        {
+            a_float x = e[1].value;
+            a_float y[] = {a_trajbell_pos(&ctx, x), a_trajbell_vel(&ctx, x), a_trajbell_acc(&ctx, x), a_trajbell_jer(&ctx, x)};
+            compare("bell_eval", e, 2, 4, y);
+        }
+    }
+    return ROWS(bell_eval) - next;
+}
+
+static size_t replay_trap(void)
+{
+    size_t next = 0;
+    for (size_t i = 0; i != ROWS(trap_gen); ++i) {
+        const real *r = trap_gen[i];
+        a_trajtrap ctx = {0};
+        a_float t = a_trajtrap_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
+        compare("trap_gen", r, 8, 1, &t);
+        compare("trap_gen", r, 9, 12, (const a_float *)&ctx);
+        EACH(e, trap_eval, next, r)
+        {
+            a_float x = e[1].value;
+            a_float y[] = {a_trajtrap_pos(&ctx, x), a_trajtrap_vel(&ctx, x), a_trajtrap_acc(&ctx, x)};
+            compare("trap_eval", e, 2, 3, y);
+        }
+    }
+    return ROWS(trap_eval) - next;
+}
+
+static size_t replay_poly3(void)
+{
+    size_t next = 0;
+    for (size_t i = 0; i != ROWS(poly3_gen); ++i) {
+        const real *r = poly3_gen[i];
+        a_trajpoly3 ctx;
+        a_trajpoly3_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value);
+        compare("poly3_gen", r, 6, 9, (const a_float *)&ctx);
+        EACH(e, poly3_eval, next, r)
+        {
+            a_float x = e[1].value;
+            a_float y[] = {a_trajpoly3_pos(&ctx, x), a_trajpoly3_vel(&ctx, x), a_trajpoly3_acc(&ctx, x)};
+            compare("poly3_eval", e, 2, 3, y);
+        }
+    }
+    return ROWS(poly3_eval) - next;
+}
+
+static size_t replay_poly5(void)
+{
+    size_t next = 0;
+    for (size_t i = 0; i != ROWS(poly5_gen); ++i) {
+        const real *r = poly5_gen[i];
+        a_trajpoly5 ctx;
+        a_trajpoly5_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
+        compare("poly5_gen", r, 8, 15, (const a_float *)&ctx);
+        EACH(e, poly5_eval, next, r)
+        {
+            a_float x = e[1].value;
+            a_float y[] = {a_trajpoly5_pos(&ctx, x), a_trajpoly5_vel(&ctx, x), a_trajpoly5_acc(&ctx, x)};
+            compare("poly5_eval", e, 2, 3, y);
+        }
+    }
+    return ROWS(poly5_eval) - next;
+}
+
+static size_t replay_poly7(void)
+{
+    size_t next = 0;
+    for (size_t i = 0; i != ROWS(poly7_gen); ++i) {
+        const real *r = poly7_gen[i];
+        a_trajpoly7 ctx;
+        a_trajpoly7_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value, r[8].value, r[9].value);
+        compare("poly7_gen", r, 10, 26, (const a_float *)&ctx);
+        EACH(e, poly7_eval, next, r)
+        {
+            a_float x = e[1].value;
+            a_float y[] = {a_trajpoly7_pos(&ctx, x), a_trajpoly7_vel(&ctx, x), a_trajpoly7_acc(&ctx, x), a_trajpoly7_jer(&ctx, x)};
+            compare("poly7_eval", e, 2, 4, y);
+        }
+    }
+    return ROWS(poly7_eval) - next;
+}
+
+#if defined(NEIGHBOUR)
+/* Another Rust library in the same image: how many of `count` doubles lie below their mean. */
+uint32_t neighbour_below_mean(const double *values, uint32_t count);
+
+static int neighbour_works(void)
+{
+    const double values[] = {1, 2, 3, 10};
+    return neighbour_below_mean(values, 4) == 3;
+}
+#else
+static int neighbour_works(void) { return 1; }
+#endif
+
+int main(void)
+{
+    size_t left = replay_bell() + replay_trap() + replay_poly3() + replay_poly5() + replay_poly7();
+    semihost_print_unsigned(rows, 10);
+    semihost_print(" comparisons, ");
+    semihost_print_unsigned(compared, 10);
+    semihost_print(" numbers, ");
+    semihost_print_unsigned(differing, 10);
+    semihost_print(" differing\n");
+    return differing || left || !compared || !neighbour_works();
+}

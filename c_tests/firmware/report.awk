@@ -1,0 +1,59 @@
+# Turns the figures of CORE-REAL-IMPLEMENTATION.figures into the tables of docs/firmware.md.
+# A limit not kept is bold: size against the original's -Os, instructions against its -O2.
+
+FNR == 1 {
+    split(FILENAME, part, "/")
+    name = part[length(part)]
+    sub(/\.figures$/, "", name)
+    split(name, part, "-")
+    build = part[1] " " part[2]
+    library = part[3] (part[4] == "" ? "" : "-" part[4])
+    if (!(build in seen)) { seen[build]; builds[++build_count] = build }
+}
+{
+    key = $1 SUBSEP $2
+    figure[build, library, key] = $3
+    if (library == "ours" && !(key in known)) { known[key]; keys[++key_count] = key }
+}
+function value(build, library, key) { return figure[build, library, key] }
+function row(build, key, label, against,   ours, limit) {
+    ours = value(build, "ours", key)
+    limit = value(build, "original-" against, key)
+    if (limit == "") { return }
+    printf "| %s | %s | %s | %s | %.2f |\n", label, (ours + 0 > limit + 0 ? "**" ours "**" : ours),
+        value(build, "original-Os", key), value(build, "original-O2", key), ours / limit
+}
+function head(title, first, against) {
+    printf "\n### %s\n\n| %s | ours | C -Os | C -O2 | ours / C -%s |\n|---|---:|---:|---:|---:|\n", title, first, against
+}
+END {
+    for (b = 1; b <= build_count; ++b) {
+        build = builds[b]
+        printf "\n## %s\n", build
+        head("Size, bytes of code and constants", "part", "Os")
+        row(build, "trajbell" SUBSEP "size", "bell", "Os")
+        row(build, "trajtrap" SUBSEP "size", "trapezoid", "Os")
+        row(build, "trajpoly" SUBSEP "size", "polynomials and Horner", "Os")
+        row(build, "image" SUBSEP "size", "all, linked with libgcc and libm", "Os")
+        for (k = 1; k <= key_count; ++k) {
+            split(keys[k], part, SUBSEP)
+            if (part[2] == "size" && part[1] ~ /^(bell|trap|poly[357])_/) {
+                row(build, keys[k], "`" part[1] "`", "Os")
+            }
+        }
+        head("Instructions", "call", "O2")
+        for (k = 1; k <= key_count; ++k) {
+            split(keys[k], part, SUBSEP)
+            if (part[2] !~ /size|stack|worst-case/) { row(build, keys[k], "`" part[1] "` " part[2], "O2") }
+        }
+        printf "\nThe worst `bell_gen` is golden case %d.\n", value(build, "ours", "bell_gen" SUBSEP "worst-case")
+        printf "\n### Stack, bytes with everything called\n\n| function | ours | C -Os | C -O2 |\n|---|---:|---:|---:|\n"
+        for (k = 1; k <= key_count; ++k) {
+            split(keys[k], part, SUBSEP)
+            if (part[2] == "stack" && keys[k] != "bell_gen" SUBSEP "stack" || part[2] == "worst-stack") {
+                printf "| `%s` | %s | %s | %s |\n", part[1], value(build, "ours", keys[k]),
+                    value(build, "original-Os", keys[k]), value(build, "original-O2", keys[k])
+            }
+        }
+    }
+}

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# usage: run.sh [seconds]
+# Runs every fuzz target for that long, from the golden moves on. Does what `cargo fuzz run` does, without needing cargo-fuzz
+# or a nightly compiler; needs a C++ compiler for libFuzzer.
+set -euo pipefail
+cd "$(dirname "$0")"
+seconds=${1:-60}
+target=$(rustc -vV | sed -n 's/^host: //p')
+oracle=../tests/oracle/Cargo.toml
+
+cargo fetch --quiet --locked --manifest-path $oracle
+cargo run --quiet --release --locked --manifest-path $oracle --bin seeds -- corpus
+flags=(
+    -Cpasses=sancov-module
+    -Cllvm-args=-sanitizer-coverage-level=4
+    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
+    -Cllvm-args=-sanitizer-coverage-pc-table
+    -Cllvm-args=-sanitizer-coverage-trace-compares
+    -Zsanitizer=address
+    -Cdebug-assertions
+    -Coverflow-checks
+    -Ccodegen-units=1
+)
+RUSTC_BOOTSTRAP=1 RUSTFLAGS="${flags[*]}" cargo build --quiet --release --locked --target "$target"
+
+mkdir -p artifacts
+for family in bell trap poly3 poly5 poly7; do
+    log=artifacts/$family.log
+    if ! "target/$target/release/$family" -max_len=128 -max_total_time="$seconds" -artifact_prefix="artifacts/$family-" \
+        "corpus/$family" 2> "$log"; then
+        cat "$log"
+        exit 1
+    fi
+    echo "fuzz $family: $(grep '^Done' "$log")"
+done

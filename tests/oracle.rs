@@ -1,0 +1,26 @@
+//! Does atraj give the bits of the original itself? The package in `tests/oracle` asks; here it is run.
+
+use std::path::Path;
+use std::process::Command;
+
+/// Runs `cargo test` in the package with these arguments.
+fn oracle(arguments: &[&str]) {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracle");
+    let status = Command::new(env!("CARGO"))
+        .args(["test", "--release", "--locked"])
+        .args(arguments)
+        .args(["--", "--nocapture"])
+        .current_dir(package)
+        .status()
+        .expect("cargo runs");
+    assert!(status.success(), "the oracle found a difference: see above");
+}
+
+/// All at once: the default build runs everything, the others their C functions.
+#[test]
+fn the_original_agrees() {
+    oracle(&[]);
+    for features in ["float", "poly-compact", "float,poly-compact"] {
+        oracle(&["--test", "c_abi", "--features", features]);
+    }
+}

@@ -1,0 +1,188 @@
+//! The C ABI of the trajectory functions, declared by hand from the numerical contract, and the libraries linked under it.
+//! Every struct is nothing but reals, so a pointer to the first one stands for it.
+
+use crate::family::{Family, Implementation};
+use crate::real::OracleReal;
+use atraj::capi::a_float;
+
+/// The functions of one library in one real type.
+#[allow(missing_docs)]
+pub struct Abi<R: 'static> {
+    pub bell: Gen7<R>,
+    pub trap: Gen7<R>,
+    pub poly3: unsafe extern "C" fn(*mut R, R, R, R, R, R),
+    pub poly5: unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R),
+    pub poly7: unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R, R, R),
+    /// What has to be called after the polynomials' function above until all coefficient arrays are there.
+    pub derivations: [&'static [Derive<R>]; 3],
+    pub evaluations: [&'static [Evaluate<R>]; 5],
+}
+
+/// `gen` of the bell and of the trapezoid.
+pub type Gen7<R> = unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R) -> R;
+/// `pos`, `vel`, `acc` or `jer`.
+pub type Evaluate<R> = unsafe extern "C" fn(*const R, R) -> R;
+
+/// A function that finds the coefficients of a derivative.
+pub enum Derive<R> {
+    /// `gen1`, `gen2` or `gen3`: within the struct.
+    Within(unsafe extern "C" fn(*mut R)),
+    /// `c1`, `c2` or `c3`: from the struct, which holds the coefficients of position only, into an array.
+    Beyond(unsafe extern "C" fn(*const R, *mut R)),
+}
+
+impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
+    fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
+        assert_eq!(fields.len(), family.fields().len());
+        let ctx = fields.as_mut_ptr();
+        // SAFETY: `ctx` points to as many reals as the family's struct has.
+        unsafe {
+            match (family, arguments) {
+                (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
+                    return (self.bell)(ctx, jm, am, vm, p0, p1, v0, v1);
+                }
+                (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
+                    return (self.trap)(ctx, vm, ac, de, p0, p1, v0, v1);
+                }
+                (Family::Poly3, &[ts, p0, p1, v0, v1]) => (self.poly3)(ctx, ts, p0, p1, v0, v1),
+                (Family::Poly5, &[ts, p0, p1, v0, v1, a0, a1]) => {
+                    (self.poly5)(ctx, ts, p0, p1, v0, v1, a0, a1);
+                }
+                (Family::Poly7, &[ts, p0, p1, v0, v1, a0, a1, j0, j1]) => {
+                    (self.poly7)(ctx, ts, p0, p1, v0, v1, a0, a1, j0, j1);
+                }
+                _ => panic!("{family:?} has not {} arguments", arguments.len()),
+            }
+        }
+        self.derive(family, fields);
+        R::from(0)
+    }
+
+    fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
+        assert_eq!(fields.len(), family.fields().len());
+        let mut values = [R::from(0); 4];
+        for (value, function) in values.iter_mut().zip(self.evaluations[family as usize]) {
+            // SAFETY: `fields` has as many reals as the family's struct.
+            *value = unsafe { function(fields.as_ptr(), x) };
+        }
+        values
+    }
+}
+
+impl<R> Abi<R> {
+    fn derive(&self, polynomial: Family, fields: &mut [R]) {
+        let (derivations, order) = match polynomial {
+            Family::Poly3 => (self.derivations[0], 3),
+            Family::Poly5 => (self.derivations[1], 5),
+            _ => (self.derivations[2], 7),
+        };
+        let mut start = order + 1;
+        for (index, derivation) in derivations.iter().enumerate() {
+            // SAFETY: `fields` has as many reals as the family's struct, all coefficient arrays one after the other.
+            unsafe {
+                match derivation {
+                    Derive::Within(function) => function(fields.as_mut_ptr()),
+                    Derive::Beyond(function) => {
+                        let (position, derivatives) = fields.split_at_mut(start);
+                        function(position.as_ptr(), derivatives.as_mut_ptr());
+                    }
+                }
+            }
+            start += order - index;
+        }
+    }
+}
+
+/// The C function of this name and type.
+macro_rules! c {
+    ($($name:literal)+: fn($($argument:ty),*) $(-> $result:ty)?) => {{
+        unsafe extern "C" {
+            #[link_name = concat!($($name),+)]
+            fn c($(_: $argument),*) $(-> $result)?;
+        }
+        c as unsafe extern "C" fn($($argument),*) $(-> $result)?
+    }};
+}
+
+/// The functions of one library, whose names begin with `$prefix`; its polynomials are planned by `$plan`, and then by
+/// `$derive`, which is a macro that makes one [`Derive`] of a name.
+macro_rules! library {
+    ($R:ty, $prefix:literal, $plan:literal, $derive:ident[$($order:literal)*]) => {
+        Abi::<$R> {
+            bell: c!($prefix "trajbell_gen": fn(*mut $R, $R, $R, $R, $R, $R, $R, $R) -> $R),
+            trap: c!($prefix "trajtrap_gen": fn(*mut $R, $R, $R, $R, $R, $R, $R, $R) -> $R),
+            poly3: c!($prefix "trajpoly3_" $plan: fn(*mut $R, $R, $R, $R, $R, $R)),
+            poly5: c!($prefix "trajpoly5_" $plan: fn(*mut $R, $R, $R, $R, $R, $R, $R, $R)),
+            poly7: c!($prefix "trajpoly7_" $plan: fn(*mut $R, $R, $R, $R, $R, $R, $R, $R, $R, $R)),
+            derivations: library!(@derivations $R, $prefix, $derive[$($order)*]),
+            evaluations: [
+                library!(@evaluations $R, $prefix "trajbell_", "pos" "vel" "acc" "jer"),
+                library!(@evaluations $R, $prefix "trajtrap_", "pos" "vel" "acc"),
+                library!(@evaluations $R, $prefix "trajpoly3_", "pos" "vel" "acc"),
+                library!(@evaluations $R, $prefix "trajpoly5_", "pos" "vel" "acc"),
+                library!(@evaluations $R, $prefix "trajpoly7_", "pos" "vel" "acc" "jer"),
+            ],
+        }
+    };
+    (@evaluations $R:ty, $prefix:literal $family:literal, $($name:literal)*) => {
+        &[$(c!($prefix $family $name: fn(*const $R, $R) -> $R)),*]
+    };
+    (@derivations $R:ty, $prefix:literal, none[]) => {
+        [&[], &[], &[]]
+    };
+    (@derivations $R:ty, $prefix:literal, $derive:ident[$first:literal $second:literal $third:literal]) => {
+        [
+            &[$derive!($R, $prefix "trajpoly3_" $first), $derive!($R, $prefix "trajpoly3_" $second)],
+            &[$derive!($R, $prefix "trajpoly5_" $first), $derive!($R, $prefix "trajpoly5_" $second)],
+            &[
+                $derive!($R, $prefix "trajpoly7_" $first),
+                $derive!($R, $prefix "trajpoly7_" $second),
+                $derive!($R, $prefix "trajpoly7_" $third),
+            ],
+        ]
+    };
+}
+
+macro_rules! within {
+    ($R:ty, $($name:literal)+) => {
+        Derive::Within(c!($($name)+: fn(*mut $R)))
+    };
+}
+
+/// A real type in which the original is linked.
+pub trait Original: OracleReal {
+    /// The original's functions.
+    const ORIGINAL: Abi<Self>;
+    /// The original with every polynomial planned array by array.
+    const ORIGINAL_STEPWISE: Abi<Self>;
+}
+
+impl Original for f64 {
+    const ORIGINAL: Abi<f64> = library!(f64, "c8_", "gen", none[]);
+    const ORIGINAL_STEPWISE: Abi<f64> = library!(f64, "c8_", "gen0", within["gen1" "gen2" "gen3"]);
+}
+
+impl Original for f32 {
+    const ORIGINAL: Abi<f32> = library!(f32, "c4_", "gen", none[]);
+    const ORIGINAL_STEPWISE: Abi<f32> = library!(f32, "c4_", "gen0", within["gen1" "gen2" "gen3"]);
+}
+
+/// Our C functions in the polynomial layout of liba 0.1.15.
+#[cfg(not(feature = "poly-compact"))]
+pub const OURS: Abi<a_float> = library!(a_float, "a_", "gen", none[]);
+
+/// The same with every polynomial planned array by array.
+#[cfg(not(feature = "poly-compact"))]
+pub const OURS_STEPWISE: Abi<a_float> =
+    library!(a_float, "a_", "gen0", within["gen1" "gen2" "gen3"]);
+
+/// Our C functions in the polynomial layout since 2025-03.
+#[cfg(feature = "poly-compact")]
+pub const OURS: Abi<a_float> = {
+    macro_rules! beyond {
+        ($R:ty, $($name:literal)+) => {
+            Derive::Beyond(c!($($name)+: fn(*const $R, *mut $R)))
+        };
+    }
+    library!(a_float, "a_", "gen", beyond["c1" "c2" "c3"])
+};

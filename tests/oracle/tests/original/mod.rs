@@ -1,0 +1,54 @@
+//! The original as its users have it: headers, archive and shared library under its own names.
+#![allow(dead_code)] // each test file uses a part of it
+
+use oracle::common::{DOUBLE, FLOAT, Variant, run};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The `liba` crate.
+pub const LIBA: &str = env!("LIBA");
+
+/// Its headers.
+pub fn include() -> PathBuf {
+    Path::new(LIBA).join("include")
+}
+
+/// The build variants of ours that the original has too, and what its headers must be told.
+pub const REALS: [(&Variant, &str); 2] =
+    [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
+
+/// An empty directory for a test.
+pub fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&directory);
+    fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+/// Builds `liba.a` and `liba.so` of all sources, or of those named, with these compiler flags.
+pub fn build(directory: &Path, sources: &[&str], flags: &[&str]) {
+    let mut objects = Vec::new();
+    for entry in fs::read_dir(Path::new(LIBA).join("src")).unwrap() {
+        let source = entry.unwrap().path();
+        let stem = source.file_stem().unwrap().to_str().unwrap();
+        let wanted = sources.is_empty() || sources.contains(&stem);
+        if wanted && source.extension().is_some_and(|e| e == "c") {
+            let object = directory.join(stem).with_extension("o");
+            let mut compile = Command::new("cc");
+            compile.args(["-c", "-O2", "-fPIC", "-ffp-contract=off", "-I"]);
+            compile.arg(include()).args(flags).arg(&source);
+            run(compile.arg("-o").arg(&object));
+            objects.push(object);
+        }
+    }
+    assert!(objects.len() >= sources.len().max(1), "sources of liba");
+    run(Command::new("ar")
+        .arg("crs")
+        .arg(directory.join("liba.a"))
+        .args(&objects));
+    let mut link = Command::new("cc");
+    link.args(["-shared", "-Wl,-soname,liba.so", "-o"])
+        .arg(directory.join("liba.so"));
+    run(link.args(&objects).arg("-lm"));
+}
