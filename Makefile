@@ -1,9 +1,12 @@
 # Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
 #
-#   make dist                   archive, shared library and headers, in target/dist
+#   make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
+#   make install                puts these under DESTDIR and PREFIX (/usr/local); `make uninstall` removes them
 #   make demo                   a servo program in C and a controller in C++ on that archive: parity with the golden data,
 #                               pictures in target/demo
+#   make consumers              programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake, cargo
+#   make doc                    the references for C and for Rust, in target/doc
 #   make check                  everything that proves the library
 #   make soak                   a thousand million calls per real type against the original; SOAK_SEED=n goes on from seed n
 #   make fuzz                   libFuzzer against the original, FUZZ_SECONDS for each family
@@ -19,6 +22,7 @@
 CARGO ?= cargo
 CC ?= cc
 CXX ?= c++
+PREFIX ?= /usr/local
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
@@ -34,6 +38,7 @@ LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
 VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS))
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
+INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
 include c_tests/firmware/target.mk
@@ -42,7 +47,7 @@ CARGO_DIR := $(BUILD)
 PROFILE := release
 endif
 
-.PHONY: dist demo check soak fuzz firmware-setup firmware-check firmware-report
+.PHONY: dist install uninstall demo consumers doc check soak fuzz firmware-setup firmware-check firmware-report
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist: $(filter %.json,$(CARGO_TARGET))
@@ -52,7 +57,7 @@ dist: $(filter %.json,$(CARGO_TARGET))
 	    --message-format=json-render-diagnostics -- \
 	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
 	rm -rf $(DIST)/lib $(DIST)/include
-	mkdir -p $(DIST)/lib $(DIST)/include
+	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
 endif
@@ -65,6 +70,29 @@ endif
 	cp -R include/. $(DIST)/include
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
 	    $(DIST)/include/a/
+	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
+	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
+	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
+
+# Builds only what was never built, so that `sudo make install` needs no Rust.
+$(DIST)/lib/libatraj.a:
+	$(MAKE) dist
+
+install: $(DIST)/lib/libatraj.a
+	cd $(DIST) && find lib include -type d -exec install -d "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
+
+uninstall: $(DIST)/lib/libatraj.a
+	cd $(DIST) && find lib include ! -type d -exec rm -f "$(INSTALLED)/{}" \;
+	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
+
+consumers:
+	tests/consumers.sh
+
+doc:
+	$(CARGO) doc --no-deps --features capi
+	doxygen
 
 DEMO := target/demo
 
@@ -77,8 +105,12 @@ demo: dist
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
 	$(CARGO) run --quiet --example parity $(DEMO)/servo
 	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+ifneq ($(shell command -v $(CXX)),)
 	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/controller >> $(DEMO)/setpoints.txt
+else
+	@echo "SKIPPED: $(CXX) is missing, the controller in C++ is not shown"
+endif
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
 check:

@@ -1,6 +1,7 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 
+use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
@@ -107,6 +108,7 @@ impl<R: Real> Bell<R> {
     /// halving a step from `am` down, and writes the ramps. `false` if there is none.
     ///
     /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    // Apart, as its many variables would slow down plans with a cruise phase.
     #[inline(never)]
     fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
         self.tv = R::from(0);
@@ -220,28 +222,23 @@ impl<R: Real> Bell<R> {
     pub fn position(&self, x: R) -> R {
         let Self { p0, p1, v0, v1, .. } = *self;
         // Mirroring twice is exact, so `p0` and `p1` come back as they stand.
-        if p0 > p1 {
+        if self.is_backward() {
             -self.forward_position(x, -p0, -p1, -v0, -v1)
         } else {
             self.forward_position(x, p0, p1, v0, v1)
         }
     }
 
-    /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
-    pub fn velocity(&self, x: R) -> R {
-        let Self { p0, p1, v0, v1, .. } = *self;
-        if p0 > p1 {
-            -self.forward_velocity(x, -v0, -v1)
-        } else {
-            self.forward_velocity(x, v0, v1)
-        }
-    }
-
     #[inline(never)] // one copy for both directions
     fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+        self.position_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
+    }
+
+    /// In the axis of `forward`, like `velocity_in`.
+    #[inline(always)]
+    fn position_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
         let Self {
             t,
-            tv,
             ta,
             td,
             taj,
@@ -252,48 +249,57 @@ impl<R: Real> Bell<R> {
             dm,
             ..
         } = *self;
+        let Boundary { p0, p1, v0, v1 } = forward;
         let three = R::from(3);
         let six = R::from(6);
-        if x < ta {
-            if x < taj {
-                if x <= R::from(0) {
-                    p0
-                } else {
-                    p0 + v0 * x + jm * x * x * x / six
-                }
-            } else if x < ta - taj {
+        match phase {
+            Phase::Before => p0,
+            Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
+            Phase::Accelerate => {
                 p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
-            } else {
+            }
+            Phase::EaseUp => {
                 let z = ta - x;
                 p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
             }
-        } else if x < t - td + tdj {
-            if x < ta + tv {
-                p0 + R::HALF * (vm + v0) * ta + vm * (x - ta)
-            } else {
+            Phase::Cruise => p0 + R::HALF * (vm + v0) * ta + vm * (x - ta),
+            Phase::JerkDown => {
                 let z = x - (t - td);
                 p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
             }
-        } else if x < t {
-            if x < t - tdj {
+            Phase::Decelerate => {
                 let z = x - (t - td);
                 p1 - R::HALF * (vm + v1) * td
                     + vm * z
                     + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
-            } else {
+            }
+            Phase::EaseDown => {
                 let z = t - x;
                 p1 - v1 * z - jm * z * z * z / six
             }
+            Phase::After => p1,
+        }
+    }
+
+    /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
+    pub fn velocity(&self, x: R) -> R {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        if self.is_backward() {
+            -self.forward_velocity(x, -p0, -p1, -v0, -v1)
         } else {
-            p1
+            self.forward_velocity(x, p0, p1, v0, v1)
         }
     }
 
     #[inline(never)] // one copy for both directions
-    fn forward_velocity(&self, x: R, v0: R, v1: R) -> R {
+    fn forward_velocity(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+        self.velocity_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
+    }
+
+    #[inline(always)]
+    fn velocity_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
         let Self {
             t,
-            tv,
             ta,
             td,
             taj,
@@ -304,71 +310,53 @@ impl<R: Real> Bell<R> {
             dm,
             ..
         } = *self;
-        if x < ta {
-            if x < taj {
-                if x <= R::from(0) {
-                    v0
-                } else {
-                    v0 + R::HALF * jm * x * x
-                }
-            } else if x < ta - taj {
-                v0 + am * (x - R::HALF * taj)
-            } else {
+        let Boundary { v0, v1, .. } = forward;
+        match phase {
+            Phase::Before => v0,
+            Phase::JerkUp => v0 + R::HALF * jm * x * x,
+            Phase::Accelerate => v0 + am * (x - R::HALF * taj),
+            Phase::EaseUp => {
                 let z = ta - x;
                 vm - R::HALF * jm * z * z
             }
-        } else if x < t - td + tdj {
-            if x < ta + tv {
-                vm
-            } else {
+            Phase::Cruise => vm,
+            Phase::JerkDown => {
                 let z = x - (t - td);
                 vm - R::HALF * jm * z * z
             }
-        } else if x < t {
-            if x < t - tdj {
-                vm + dm * (x - t + td - R::HALF * tdj)
-            } else {
+            Phase::Decelerate => vm + dm * (x - t + td - R::HALF * tdj),
+            Phase::EaseDown => {
                 let z = t - x;
                 v1 + R::HALF * jm * z * z
             }
-        } else {
-            v1
+            Phase::After => v1,
         }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
     pub fn acceleration(&self, x: R) -> R {
+        self.acceleration_in(self.acceleration_phase(x), x)
+    }
+
+    #[inline(always)]
+    fn acceleration_in(&self, phase: Phase, x: R) -> R {
         let Self {
             t,
-            tv,
             ta,
             td,
-            taj,
-            tdj,
             jm,
             am,
             dm,
             ..
         } = *self;
-        let zero = R::from(0);
-        let y = if x < ta {
-            if x >= taj {
-                if x < ta - taj { am } else { jm * (ta - x) }
-            } else if x > zero {
-                jm * x
-            } else {
-                return zero;
-            }
-        } else if x < t - td + tdj {
-            if x >= ta + tv {
-                -jm * (x - t + td)
-            } else {
-                return zero;
-            }
-        } else if x < t {
-            if x < t - tdj { dm } else { -jm * (t - x) }
-        } else {
-            return zero;
+        let y = match phase {
+            Phase::Before | Phase::Cruise | Phase::After => return R::from(0),
+            Phase::JerkUp => jm * x,
+            Phase::Accelerate => am,
+            Phase::EaseUp => jm * (ta - x),
+            Phase::JerkDown => -jm * (x - t + td),
+            Phase::Decelerate => dm,
+            Phase::EaseDown => -jm * (t - x),
         };
         self.orient(y)
     }
@@ -408,6 +396,150 @@ impl<R: Real> Bell<R> {
         self.orient(y)
     }
 
+    /// Position, velocity, acceleration and jerk at time `x`, s.
+    pub fn state(&self, x: R) -> [R; 4] {
+        let forward = self.forward();
+        in_phase!(self.phase(x), PHASE of
+            Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => [
+            self.orient(self.position_in(PHASE, x, forward)),
+            self.orient(self.velocity_in(PHASE, x, forward)),
+            self.acceleration(x),
+            self.jerk(x),
+        ])
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
+    /// bits of the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    ///
+    /// ```
+    /// use atraj::{Bell, Boundary};
+    /// let bell = Bell::new(30.0, 10.0, 5.0, Boundary::rest_to_rest(0.0, 10.0)).expect("the limits allow this move");
+    /// let (mut p, mut v) = ([0.0; 100], [0.0; 100]);
+    /// assert_eq!(bell.sample_into(0.5, 0.001, [&mut p, &mut v, &mut [], &mut []]), 100);
+    /// assert_eq!((p[7], v[7]), (bell.position(0.5 + 7.0 * 0.001), bell.velocity(0.5 + 7.0 * 0.001)));
+    /// ```
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
+        Sweep { x0, dt }.sample(self.borders(), outputs, |run| self.sample_run(run))
+    }
+
+    fn sample_run(&self, run: Run<'_, R, 4>) {
+        let x = run.first();
+        let phase = self.phase(x);
+        let acceleration_phase = self.acceleration_phase(x);
+        let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];
+        if phase == acceleration_phase {
+            return self.sample_phase(phase, constant, run);
+        }
+        let [position, velocity, acceleration, jerk] = run.outputs;
+        let outputs = [position, velocity, &mut [], jerk];
+        self.sample_phase(phase, constant, Run { outputs, ..run });
+        let outputs = [&mut [], &mut [], acceleration, &mut []];
+        self.sample_phase(acceleration_phase, constant, Run { outputs, ..run });
+    }
+
+    /// `acceleration` is that of the phases in which it is constant.
+    #[inline(never)]
+    fn sample_phase(&self, phase: Phase, [acceleration, jerk]: [R; 2], run: Run<'_, R, 4>) {
+        let bell = *self;
+        let forward = bell.forward();
+        in_phase!(phase, PHASE of
+            Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => run.fill(|x| [
+            bell.orient(bell.position_in(PHASE, x, forward)),
+            bell.orient(bell.velocity_in(PHASE, x, forward)),
+            match PHASE {
+                Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => {
+                    bell.acceleration_in(PHASE, x)
+                }
+                _ => acceleration,
+            },
+            jerk,
+        ]))
+    }
+
+    /// What times are compared with.
+    fn borders(&self) -> [Border<R>; 10] {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            ..
+        } = *self;
+        let zero = R::from(0);
+        [
+            Border::Below(zero),
+            Border::UpTo(zero),
+            Border::Below(taj),
+            Border::Below(ta - taj),
+            Border::Below(ta),
+            Border::Below(ta + tv),
+            Border::Below(t - td + tdj),
+            Border::Below(t - tdj),
+            Border::Below(t),
+            Border::UpTo(t),
+        ]
+    }
+
+    /// The phase of position and velocity at `x`. That of jerk is found in another order, which matters where rounding
+    /// has made neighbouring borders cross.
+    fn phase(&self, x: R) -> Phase {
+        self.phase_by(x, |x, border| x < border)
+    }
+
+    /// The phase of acceleration at `x`: the same unless a border is NaN.
+    fn acceleration_phase(&self, x: R) -> Phase {
+        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
+        self.phase_by(x, |x, border| !(x >= border))
+    }
+
+    fn phase_by(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> Phase {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            ..
+        } = *self;
+        if x < ta {
+            if is_ahead(x, taj) {
+                if x <= R::from(0) {
+                    Phase::Before
+                } else {
+                    Phase::JerkUp
+                }
+            } else if x < ta - taj {
+                Phase::Accelerate
+            } else {
+                Phase::EaseUp
+            }
+        } else if x < t - td + tdj {
+            if is_ahead(x, ta + tv) {
+                Phase::Cruise
+            } else {
+                Phase::JerkDown
+            }
+        } else if x < t {
+            if x < t - tdj {
+                Phase::Decelerate
+            } else {
+                Phase::EaseDown
+            }
+        } else {
+            Phase::After
+        }
+    }
+
     /// The boundary conditions in the axis that makes the move go forward.
     fn forward(&self) -> Boundary<R> {
         let Self { p0, p1, v0, v1, .. } = *self;
@@ -427,6 +559,20 @@ impl<R: Real> Bell<R> {
     fn is_backward(&self) -> bool {
         self.p0 > self.p1
     }
+}
+
+/// The seven phases in order of time, and the standstill around them.
+#[derive(Clone, Copy, PartialEq)]
+enum Phase {
+    Before,
+    JerkUp,
+    Accelerate,
+    EaseUp,
+    Cruise,
+    JerkDown,
+    Decelerate,
+    EaseDown,
+    After,
 }
 
 /// What one trial acceleration of the search means for the two ramps.
@@ -449,7 +595,8 @@ fn ramp<R: Real>(dv: R, jm: R, am: R, full_tj: &mut Option<R>) -> (R, R, R) {
     }
 }
 
-/// The trial acceleration and the step with which the search from `am` begins: rounds whose outcome is plain are behind.
+/// The trial acceleration and the step at which the search from `am` has to look closely, as the rounds before are plain,
+/// and whether it is just as plain that it ends there with a single ramp.
 ///
 /// A round that goes on needs only its verdict. With `k = am^2/jm`, `s = v0 + v1` and `w = |v0 - v1|` its root is that of
 /// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0

@@ -3,6 +3,7 @@
 //!
 //! A coefficient array is in ascending powers of time: `c[k]` belongs to `x^k`.
 
+use crate::sample::Sweep;
 use crate::{Boundary, Real};
 
 /// Cubic polynomial: position and velocity are prescribed at both ends.
@@ -57,6 +58,25 @@ impl<R: Real> Poly3<R> {
     /// Acceleration at time `x`, s.
     pub fn acceleration(&self, x: R) -> R {
         horner(&self.acceleration_coefficients(), x)
+    }
+
+    /// Position, velocity and acceleration at time `x`, s.
+    pub fn state(&self, x: R) -> [R; 3] {
+        [self.position(x), self.velocity(x), self.acceleration(x)]
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 3]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities and accelerations at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of
+    /// the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
+        let poly = *self;
+        Sweep { x0, dt }.sample([], outputs, |run| run.fill(|x| poly.state(x)))
     }
 
     /// Coefficients of velocity.
@@ -128,6 +148,25 @@ impl<R: Real> Poly5<R> {
     /// Acceleration at time `x`, s.
     pub fn acceleration(&self, x: R) -> R {
         horner(&self.acceleration_coefficients(), x)
+    }
+
+    /// Position, velocity and acceleration at time `x`, s.
+    pub fn state(&self, x: R) -> [R; 3] {
+        [self.position(x), self.velocity(x), self.acceleration(x)]
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 3]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities and accelerations at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of
+    /// the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
+        let poly = *self;
+        Sweep { x0, dt }.sample([], outputs, |run| run.fill(|x| poly.state(x)))
     }
 
     /// Coefficients of velocity.
@@ -225,6 +264,30 @@ impl<R: Real> Poly7<R> {
     /// Jerk at time `x`, s.
     pub fn jerk(&self, x: R) -> R {
         horner(&self.jerk_coefficients(), x)
+    }
+
+    /// Position, velocity, acceleration and jerk at time `x`, s.
+    pub fn state(&self, x: R) -> [R; 4] {
+        [
+            self.position(x),
+            self.velocity(x),
+            self.acceleration(x),
+            self.jerk(x),
+        ]
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of
+    /// the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
+        let poly = *self;
+        Sweep { x0, dt }.sample([], outputs, |run| run.fill(|x| poly.state(x)))
     }
 
     /// Coefficients of velocity.

@@ -32,6 +32,12 @@ pub trait Real:
     /// Square root, correctly rounded; NaN below zero.
     fn sqrt(self) -> Self;
 
+    /// The number of a sample, rounded once.
+    fn from_index(k: i32) -> Self;
+
+    /// Rounded towards zero; 0 below zero and for a NaN, `usize::MAX` above it.
+    fn to_index(self) -> i32;
+
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
     fn magnitude(self) -> Self {
         if self < Self::from(0) { -self } else { self }
@@ -77,6 +83,14 @@ impl Real for f32 {
     fn sqrt(self) -> Self {
         sqrtf(self)
     }
+
+    fn from_index(k: i32) -> Self {
+        k as Self
+    }
+
+    fn to_index(self) -> i32 {
+        self as i32
+    }
 }
 
 impl Real for f64 {
@@ -89,5 +103,13 @@ impl Real for f64 {
 
     fn sqrt(self) -> Self {
         sqrt(self)
+    }
+
+    fn from_index(k: i32) -> Self {
+        k as Self
+    }
+
+    fn to_index(self) -> i32 {
+        self as i32
     }
 }

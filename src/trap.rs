@@ -1,6 +1,7 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
+use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
@@ -132,8 +133,12 @@ impl<R: Real> Trap<R> {
 
     /// Position at time `x`, s. Before the start and for a NaN it is `p0`, after the end `p1`.
     pub fn position(&self, x: R) -> R {
+        self.position_in(self.phase(x), x)
+    }
+
+    #[inline(always)]
+    fn position_in(&self, phase: Phase, x: R) -> R {
         let Self {
-            t,
             p0,
             p1,
             v0,
@@ -146,47 +151,40 @@ impl<R: Real> Trap<R> {
             de,
             ..
         } = *self;
-        if x >= ta {
-            if x < td {
-                pa + vc * (x - ta)
-            } else if x < t {
+        match phase {
+            Phase::Before => p0,
+            Phase::Accelerate => p0 + v0 * x + R::HALF * ac * x * x,
+            Phase::Cruise => pa + vc * (x - ta),
+            Phase::Decelerate => {
                 let z = x - td;
                 pd + vc * z + R::HALF * de * z * z
-            } else {
-                p1
             }
-        } else if x > R::from(0) {
-            p0 + v0 * x + R::HALF * ac * x * x
-        } else {
-            p0
+            Phase::After => p1,
         }
     }
 
     /// Velocity at time `x`, s. Before the start and for a NaN it is `v0`, after the end `v1`.
     pub fn velocity(&self, x: R) -> R {
+        self.velocity_in(self.phase(x), x)
+    }
+
+    #[inline(always)]
+    fn velocity_in(&self, phase: Phase, x: R) -> R {
         let Self {
-            t,
             v0,
             v1,
             vc,
-            ta,
             td,
             ac,
             de,
             ..
         } = *self;
-        if x >= ta {
-            if x < td {
-                vc
-            } else if x < t {
-                vc + de * (x - td)
-            } else {
-                v1
-            }
-        } else if x > R::from(0) {
-            v0 + ac * x
-        } else {
-            v0
+        match phase {
+            Phase::Before => v0,
+            Phase::Accelerate => v0 + ac * x,
+            Phase::Cruise => vc,
+            Phase::Decelerate => vc + de * (x - td),
+            Phase::After => v1,
         }
     }
 
@@ -204,4 +202,83 @@ impl<R: Real> Trap<R> {
             zero
         }
     }
+
+    /// Position, velocity and acceleration at time `x`, s.
+    pub fn state(&self, x: R) -> [R; 3] {
+        in_phase!(self.phase(x), PHASE of Before Accelerate Cruise Decelerate After => [
+            self.position_in(PHASE, x),
+            self.velocity_in(PHASE, x),
+            self.acceleration(x),
+        ])
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 3]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities and accelerations at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of
+    /// the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
+        Sweep { x0, dt }.sample(self.borders(), outputs, |run| self.sample_run(run))
+    }
+
+    fn sample_run(&self, run: Run<'_, R, 3>) {
+        let x = run.first();
+        self.sample_phase(self.phase(x), self.acceleration(x), run);
+    }
+
+    #[inline(never)]
+    fn sample_phase(&self, phase: Phase, acceleration: R, run: Run<'_, R, 3>) {
+        let trap = *self;
+        in_phase!(phase, PHASE of Before Accelerate Cruise Decelerate After => run.fill(|x| [
+            trap.position_in(PHASE, x),
+            trap.velocity_in(PHASE, x),
+            acceleration,
+        ]))
+    }
+
+    /// What times are compared with; the last tells a NaN, which counts as before the start, from a time after the end.
+    fn borders(&self) -> [Border<R>; 7] {
+        let Self { t, ta, td, .. } = *self;
+        [
+            Border::Below(R::from(0)),
+            Border::UpTo(R::from(0)),
+            Border::Below(ta),
+            Border::Below(td),
+            Border::Below(t),
+            Border::UpTo(t),
+            Border::UpTo(R::INFINITY),
+        ]
+    }
+
+    /// The phase of position and velocity at `x`.
+    fn phase(&self, x: R) -> Phase {
+        let Self { t, ta, td, .. } = *self;
+        if x >= ta {
+            if x < td {
+                Phase::Cruise
+            } else if x < t {
+                Phase::Decelerate
+            } else {
+                Phase::After
+            }
+        } else if x > R::from(0) {
+            Phase::Accelerate
+        } else {
+            Phase::Before
+        }
+    }
+}
+
+/// The three phases in order of time, and the standstill around them.
+#[derive(Clone, Copy)]
+enum Phase {
+    Before,
+    Accelerate,
+    Cruise,
+    Decelerate,
+    After,
 }

@@ -136,6 +136,22 @@ fn the_controller_turns_back_holds_and_arrives() {
 }
 
 #[test]
+fn pictures_in_the_documentation_are_fresh() {
+    let drawn_by_demo = demo_dir();
+    let pictures: Vec<_> = fs::read_dir(root().join("docs/img")).unwrap().collect();
+    assert!(!pictures.is_empty());
+    for picture in pictures {
+        let committed = picture.unwrap();
+        let drawn = drawn_by_demo.join(committed.file_name());
+        assert!(
+            fs::read(committed.path()).unwrap() == fs::read(&drawn).unwrap(),
+            "copy {} to docs/img",
+            drawn.display()
+        );
+    }
+}
+
+#[test]
 fn nothing_to_draw_fails() {
     for input in [
         "",

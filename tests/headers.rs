@@ -35,6 +35,42 @@ fn claraty_header_is_fresh() {
     check_fresh("include/claraty/trapezoid.h", &fresh);
 }
 
+#[test]
+fn atraj_header_is_fresh() {
+    check_fresh("include/atraj.h", &atraj_header());
+}
+
+fn atraj_header() -> String {
+    let config = config("atraj");
+    let about = config.header.clone().unwrap_or_default();
+    let includes = LIBA
+        .map(|name| format!("#include \"a/{name}.h\""))
+        .join("\n");
+    let functions = pass("atraj", &config, ItemType::Functions);
+    format!(
+        "{about}
+#ifndef ATRAJ_H
+#define ATRAJ_H
+
+{includes}
+
+#if defined(__cplusplus)
+extern \"C\" {{
+#endif /* __cplusplus */
+
+{functions}
+
+#if defined(__cplusplus)
+}} /* extern \"C\" */
+#endif /* __cplusplus */
+
+#endif /* ATRAJ_H */
+"
+    )
+    .trim_start()
+    .to_owned()
+}
+
 /// The C++ methods in a struct call the functions, so these come first: one cbindgen pass each.
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());
@@ -86,7 +122,7 @@ fn levels(name: &str) -> String {
     let built = format!("ATRAJ_{}", name.to_uppercase());
     format!(
         "
-/* How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
+/*! How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
 #if !defined({level})
 #if defined({built})
 #define {level} {built}

@@ -70,7 +70,7 @@ fn bell_borders(bell: &Bell<f64>) -> [f64; 9] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 5_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn bell_begins_and_ends_as_prescribed(jm in limit(), am in limit(), vm in limit(), boundary in any_boundary()) {

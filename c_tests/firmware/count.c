@@ -1,7 +1,8 @@
 /* Counts executed instructions and stack bytes of every function on an mps2 board: QEMU's -icount makes its timer tick by
  * the instruction, so the numbers are exact and repeatable. They are instructions, not cycles.
  *
- * Prints lines "function case number"; a sweep is 101 evaluations over the move. */
+ * Prints lines "function case number". */
+#include <math.h>
 #include <stddef.h>
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
@@ -49,22 +50,26 @@ static cost measure(void (*f)(void), void *ctx, const a_float *arguments)
     return c;
 }
 
-static void print(const char *name, const char *what, uint32_t number)
+static void print(const char *name, const char *move, const char *what, uint32_t number)
 {
     semihost_print(name);
+    semihost_print(" ");
+    semihost_print(move);
     semihost_print(what);
+    semihost_print(" ");
     semihost_print_unsigned(number, 10);
     semihost_print("\n");
 }
 
-static void once(const char *name, const char *what, void (*f)(void), void *ctx, const a_float *arguments)
+static void once(const char *name, const char *move, void (*f)(void), void *ctx, const a_float *arguments)
 {
     cost c = measure(f, ctx, arguments);
-    print(name, what, c.instructions);
-    print(name, " stack ", c.stack);
+    print(name, move, "", c.instructions);
+    print(name, "", "stack", c.stack);
 }
 
-static void sweep(const char *name, void (*f)(void), void *ctx, a_float duration)
+/* 101 evaluations from the start of a move to its end. */
+static void sweep(const char *name, const char *move, void (*f)(void), void *ctx, a_float duration)
 {
     uint32_t total = 0, most = 0, stack = 0;
     a_float arguments[9] = {0};
@@ -76,34 +81,40 @@ static void sweep(const char *name, void (*f)(void), void *ctx, a_float duration
         if (stack < c.stack) { stack = c.stack; }
     }
     arguments[0] = (a_float)0.3 * duration;
-    print(name, " 0.3T ", measure(f, ctx, arguments).instructions);
-    print(name, " mean ", (total + 50) / 101);
-    print(name, " max ", most);
-    print(name, " stack ", stack);
+    print(name, move, "0.3T", measure(f, ctx, arguments).instructions);
+    print(name, move, "mean", (total + 50) / 101);
+    print(name, move, "max", most);
+    print(name, "", "stack", stack);
 }
 
 #define FUNCTION(name) (void (*)(void))(a_traj##name)
-#define SWEEP(name, ctx, duration) sweep(#name, FUNCTION(name), &ctx, duration)
-#define ONCE(name, what, ctx, ...) once(#name, " " what " ", FUNCTION(name), &ctx, (const a_float[9]){__VA_ARGS__})
+#define SWEEP(name, move, ctx, duration) sweep(#name, move, FUNCTION(name), &ctx, duration)
+#define ONCE(name, move, ctx, ...) once(#name, move, FUNCTION(name), &ctx, (const a_float[9]){__VA_ARGS__})
+
+static void sweep_bell(const char *move, a_trajbell ctx)
+{
+    SWEEP(bell_pos, move, ctx, ctx.t);
+    SWEEP(bell_vel, move, ctx, ctx.t);
+    SWEEP(bell_acc, move, ctx, ctx.t);
+    SWEEP(bell_jer, move, ctx, ctx.t);
+}
 
 static void bell(void)
 {
     a_trajbell ctx;
     ONCE(bell_gen, "cruise", ctx, 30, 10, 5, 0, 10, 1, 0);
-    SWEEP(bell_pos, ctx, ctx.t);
-    SWEEP(bell_vel, ctx, ctx.t);
-    SWEEP(bell_acc, ctx, ctx.t);
-    SWEEP(bell_jer, ctx, ctx.t);
+    sweep_bell("", ctx);
     ONCE(bell_gen, "no-cruise", ctx, 30, 10, 5, 0, 1, 0, 0);
-    print("bell_pos", " short-0.3T ", measure(FUNCTION(bell_pos), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
-    print("bell_vel", " short-0.3T ", measure(FUNCTION(bell_vel), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
-    print("bell_acc", " short-0.3T ", measure(FUNCTION(bell_acc), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
-    print("bell_jer", " short-0.3T ", measure(FUNCTION(bell_jer), &ctx, (const a_float[9]){(a_float)0.3 * ctx.t}).instructions);
+    sweep_bell("no-cruise-", ctx);
+    ONCE(bell_gen, "backward", ctx, 30, 10, 5, 10, 0, -1, 0);
+    sweep_bell("backward-", ctx);
 }
 
-/* The most expensive plans among the golden moves, which hold searches of every length. */
+/* The most expensive plans: the longest search there is, in which no trial fits, and the worst of the golden moves. */
 static void worst_bell(void)
 {
+    a_trajbell longest;
+    ONCE(bell_gen, "longest", longest, 1, A_FLOAT_MAX, 1, 0, (a_float)NAN, 1, 1);
     cost worst = {0, 0};
     uint32_t which = 0, stack = 0;
     for (size_t i = 0; i != ROWS(bell_gen); ++i) {
@@ -114,38 +125,38 @@ static void worst_bell(void)
         if (stack < c.stack) { stack = c.stack; }
         if (worst.instructions < c.instructions) { worst = c; which = i; }
     }
-    print("bell_gen", " worst ", worst.instructions);
-    print("bell_gen", " worst-case ", which);
-    print("bell_gen", " worst-stack ", stack);
+    print("bell_gen", "", "worst-golden", worst.instructions);
+    print("bell_gen", "", "worst-case", which);
+    print("bell_gen", "", "worst-stack", stack);
 }
 
 static void trap(void)
 {
     a_trajtrap ctx;
     ONCE(trap_gen, "cruise", ctx, 5, 4, -3, 0, 50, 0, 0);
-    SWEEP(trap_pos, ctx, ctx.t);
-    SWEEP(trap_vel, ctx, ctx.t);
-    SWEEP(trap_acc, ctx, ctx.t);
+    SWEEP(trap_pos, "", ctx, ctx.t);
+    SWEEP(trap_vel, "", ctx, ctx.t);
+    SWEEP(trap_acc, "", ctx, ctx.t);
 }
 
 static void poly(void)
 {
     a_trajpoly3 p3;
     ONCE(poly3_gen, "move", p3, 2, 1, 10, 3, -3);
-    SWEEP(poly3_pos, p3, 2);
-    SWEEP(poly3_vel, p3, 2);
-    SWEEP(poly3_acc, p3, 2);
+    SWEEP(poly3_pos, "", p3, 2);
+    SWEEP(poly3_vel, "", p3, 2);
+    SWEEP(poly3_acc, "", p3, 2);
     a_trajpoly5 p5;
     ONCE(poly5_gen, "move", p5, 2, 1, 10, 3, -3, 7, -7);
-    SWEEP(poly5_pos, p5, 2);
-    SWEEP(poly5_vel, p5, 2);
-    SWEEP(poly5_acc, p5, 2);
+    SWEEP(poly5_pos, "", p5, 2);
+    SWEEP(poly5_vel, "", p5, 2);
+    SWEEP(poly5_acc, "", p5, 2);
     a_trajpoly7 p7;
     ONCE(poly7_gen, "move", p7, 2, 1, 10, 3, -3, 7, -7, 9, -9);
-    SWEEP(poly7_pos, p7, 2);
-    SWEEP(poly7_vel, p7, 2);
-    SWEEP(poly7_acc, p7, 2);
-    SWEEP(poly7_jer, p7, 2);
+    SWEEP(poly7_pos, "", p7, 2);
+    SWEEP(poly7_vel, "", p7, 2);
+    SWEEP(poly7_acc, "", p7, 2);
+    SWEEP(poly7_jer, "", p7, 2);
 }
 
 int main(void)

@@ -3,7 +3,7 @@
 # functions, and "image size bytes" of all of it linked with what it needs from the C toolchain. CC is the compiler.
 set -eu
 library=$1
-api=$(cat ../../tests/symbols.txt)
+api=$(grep ^a_ ../../tests/symbols.txt) # the original has no more
 object=$(mktemp)
 trap 'rm -f "$object"' EXIT
 text() { arm-none-eabi-size "$object" | awk 'NR == 2 { print $1 }'; }

@@ -9,10 +9,8 @@ CARGO_DIR := target/build-$(TARGET)
 # The target from rustup if it is there, else Debian's Rust (1.96) with the source of `core`. That can also leave out the
 # frame pointer, which Rust's Thumb targets set up in every function: 6 bytes and 3 instructions.
 ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/null)/*),)
-ifeq ($(wildcard /usr/lib/rustlib/src/rust/library/core),)
-$(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian)
-endif
-CARGO := RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo
+CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
+    $(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian))
 CARGO_TARGET := --target $(CARGO_DIR)/$(TARGET).json -Z json-target-spec -Z build-std=core
 endif
 

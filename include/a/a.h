@@ -23,6 +23,7 @@
 
 /* compiler */
 
+/*! true from this version of GCC, or of a compiler that takes itself for it, on */
 #if defined(__GNUC__) && defined(__GNUC_MINOR__)
 #define A_PREREQ_GNUC(maj, min) ((__GNUC__ << 16) + __GNUC_MINOR__ >= ((maj) << 16) + (min))
 #else
@@ -45,6 +46,7 @@
 #define A_FORMAT(a, b, c)
 #endif
 
+/*! visible outside the library */
 #if defined(_WIN32) && defined(A_EXPORTS)
 #define A_PUBLIC __declspec(dllexport)
 #elif defined(_WIN32) && defined(A_IMPORTS)
@@ -54,8 +56,10 @@
 #else
 #define A_PUBLIC
 #endif
+/*! declares a function of the library */
 #define A_EXTERN A_PUBLIC extern
 
+/*! `inline`, or what the compiler has in its place */
 #if defined(__cplusplus) || (defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 199901L))
 #define A_INLINE inline
 #elif A_PREREQ_GNUC(2, 7) || defined(_MSC_VER)
@@ -63,8 +67,10 @@
 #else
 #define A_INLINE
 #endif
+/*! for a function in a header */
 #define A_INTERN static A_INLINE
 
+/*! the null pointer */
 #if defined(__cplusplus) && (__cplusplus >= 201103L)
 #define A_NULL nullptr
 #else
@@ -78,14 +84,18 @@
 
 /*! number of elements of an array */
 #define A_LEN(array) (sizeof(array) / sizeof((array)[0]))
+/*! the lesser of two */
 #define A_MIN(x, y) (((x) < (y)) ? (x) : (y))
+/*! the greater of two */
 #define A_MAX(x, y) (((x) > (y)) ? (x) : (y))
+/*! the magnitude */
 #define A_ABS(x) (((x) < 0) ? -(x) : (x))
 /*! `x` limited to `min` .. `max` */
 #define A_SAT(x, min, max) (((min) < (x)) ? (((x) < (max)) ? (x) : (max)) : (min))
 
-/* integers */
-
+/*! @name integers
+ @{ */
+/*! the C type of the same name, as liba calls it */
 typedef size_t a_size;
 typedef ptrdiff_t a_diff;
 typedef int8_t a_i8;
@@ -103,13 +113,17 @@ typedef uintptr_t a_uptr;
 typedef unsigned char a_byte;
 typedef float a_f32;
 typedef double a_f64;
+/*! @} */
 
-/* real number */
-
+/*! @name sizes of the real type
+ @{ */
+/*! a value of #A_SIZE_FLOAT */
 #define A_FLOAT_SINGLE 0x04
 #define A_FLOAT_DOUBLE 0x08
 #define A_FLOAT_EXTEND 0x10
+/*! @} */
 
+/*! size of #a_float in bytes: define it as 4 or 8, or leave it to the archive beside this header; without one it is 8 */
 #if !defined(A_SIZE_FLOAT)
 #if defined(A_SIZE_REAL)
 #define A_SIZE_FLOAT A_SIZE_REAL
@@ -119,12 +133,16 @@ typedef double a_f64;
 #define A_SIZE_FLOAT 8
 #endif
 #endif
+/*! the name of #A_SIZE_FLOAT in liba since 2025 */
 #if !defined(A_SIZE_REAL)
 #define A_SIZE_REAL A_SIZE_FLOAT
 #elif A_SIZE_REAL + 0 != A_SIZE_FLOAT + 0
 #error "A_SIZE_FLOAT and A_SIZE_REAL differ: define one of them."
 #endif
 
+/*! @name properties of the real type
+ @{ */
+/*! of #a_float: its type, its constants, functions and formats, and its limits as in `<float.h>` */
 #if A_SIZE_FLOAT + 0 == A_FLOAT_SINGLE
 #define A_FLOAT_TYPE A_FLOAT_SINGLE
 #define A_FLOAT float
@@ -179,6 +197,7 @@ typedef double a_f64;
 #else
 #error "A_SIZE_FLOAT selects the real type: define it as 4 (float) or 8 (double)."
 #endif
+/*! @} */
 
 #if defined(ATRAJ_SIZE_FLOAT)
 #if (A_SIZE_FLOAT + 0 == 4) != (ATRAJ_SIZE_FLOAT == 4)
@@ -191,6 +210,9 @@ typedef A_FLOAT a_float;
 /*! the name of `a_float` in liba since 2025 */
 typedef a_float a_real;
 
+/*! @name properties of the real type since 2025
+ @{ */
+/*! the name of its `A_FLOAT` twin in liba since 2025 */
 #define A_REAL_SINGLE A_FLOAT_SINGLE
 #define A_REAL_DOUBLE A_FLOAT_DOUBLE
 #define A_REAL_EXTEND A_FLOAT_EXTEND
@@ -209,6 +231,7 @@ typedef a_float a_real;
 #define A_REAL_MAX_EXP A_FLOAT_MAX_EXP
 #define A_REAL_MIN_10_EXP A_FLOAT_MIN_10_EXP
 #define A_REAL_MAX_10_EXP A_FLOAT_MAX_10_EXP
+/*! @} */
 
 /* Which generation of the polynomial structs: with A_TRAJPOLY_COMPACT one coefficient array, as liba since 2025-03. */
 #if defined(ATRAJ_TRAJPOLY_COMPACT)

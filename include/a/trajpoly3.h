@@ -11,7 +11,7 @@
 
 #include "a.h"
 
-/* How many of the coefficient arrays p v a j the struct holds: 1 .. 3. It must be what the archive was built with. */
+/*! How many of the coefficient arrays p v a j the struct holds: 1 .. 3. It must be what the archive was built with. */
 #if !defined(A_TRAJPOLY3)
 #if defined(ATRAJ_TRAJPOLY3)
 #define A_TRAJPOLY3 ATRAJ_TRAJPOLY3

@@ -11,7 +11,7 @@
 
 #include "a.h"
 
-/* How many of the coefficient arrays p v a j the struct holds: 1 .. 4. It must be what the archive was built with. */
+/*! How many of the coefficient arrays p v a j the struct holds: 1 .. 4. It must be what the archive was built with. */
 #if !defined(A_TRAJPOLY7)
 #if defined(ATRAJ_TRAJPOLY7)
 #define A_TRAJPOLY7 ATRAJ_TRAJPOLY7

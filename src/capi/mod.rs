@@ -15,6 +15,7 @@
 #![allow(clippy::missing_safety_doc)] // the contract above is the safety section of every function
 #![allow(clippy::too_many_arguments)] // the signatures are the original's
 
+pub mod atraj;
 pub mod claraty;
 #[cfg(atraj_archive)]
 mod panic;

@@ -1,7 +1,7 @@
 //! `a/trajpoly3.h`: the cubic polynomial, in both generations of its struct.
 
 use super::{a_float, evaluate};
-#[cfg(not(feature = "poly-compact"))]
+#[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
 use crate::poly;
 use crate::{Boundary, Poly3};
 
@@ -33,32 +33,42 @@ pub struct a_trajpoly3 {
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly3 {
-    fn position_coefficients(&self) -> &[a_float; 4] {
+    pub(super) fn position_coefficients(&self) -> &[a_float; 4] {
         &self.p
     }
 
     #[cfg(trajpoly3_v)]
-    fn velocity_coefficients(&self) -> &[a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> &[a_float; 3] {
         &self.v
     }
 
+    #[cfg(not(trajpoly3_v))]
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
+        Poly3 { c: self.p }.velocity_coefficients()
+    }
+
     #[cfg(trajpoly3_a)]
-    fn acceleration_coefficients(&self) -> &[a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> &[a_float; 2] {
         &self.a
+    }
+
+    #[cfg(not(trajpoly3_a))]
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
+        Poly3 { c: self.p }.acceleration_coefficients()
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly3 {
-    fn position_coefficients(&self) -> &[a_float; 4] {
+    pub(super) fn position_coefficients(&self) -> &[a_float; 4] {
         &self.c
     }
 
-    fn velocity_coefficients(&self) -> [a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
         Poly3 { c: self.c }.velocity_coefficients()
     }
 
-    fn acceleration_coefficients(&self) -> [a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
         Poly3 { c: self.c }.acceleration_coefficients()
     }
 }

@@ -1,7 +1,7 @@
 //! `a/trajpoly5.h`: the quintic polynomial, in both generations of its struct.
 
 use super::{a_float, evaluate};
-#[cfg(not(feature = "poly-compact"))]
+#[cfg(all(not(feature = "poly-compact"), trajpoly5_v))]
 use crate::poly;
 use crate::{Boundary, Poly5};
 
@@ -33,32 +33,42 @@ pub struct a_trajpoly5 {
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly5 {
-    fn position_coefficients(&self) -> &[a_float; 6] {
+    pub(super) fn position_coefficients(&self) -> &[a_float; 6] {
         &self.p
     }
 
     #[cfg(trajpoly5_v)]
-    fn velocity_coefficients(&self) -> &[a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> &[a_float; 5] {
         &self.v
     }
 
+    #[cfg(not(trajpoly5_v))]
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
+        Poly5 { c: self.p }.velocity_coefficients()
+    }
+
     #[cfg(trajpoly5_a)]
-    fn acceleration_coefficients(&self) -> &[a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> &[a_float; 4] {
         &self.a
+    }
+
+    #[cfg(not(trajpoly5_a))]
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
+        Poly5 { c: self.p }.acceleration_coefficients()
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly5 {
-    fn position_coefficients(&self) -> &[a_float; 6] {
+    pub(super) fn position_coefficients(&self) -> &[a_float; 6] {
         &self.c
     }
 
-    fn velocity_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
         Poly5 { c: self.c }.velocity_coefficients()
     }
 
-    fn acceleration_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
         Poly5 { c: self.c }.acceleration_coefficients()
     }
 }

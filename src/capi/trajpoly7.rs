@@ -1,7 +1,7 @@
 //! `a/trajpoly7.h`: the septic polynomial, in both generations of its struct.
 
 use super::{a_float, evaluate};
-#[cfg(not(feature = "poly-compact"))]
+#[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
 use crate::poly;
 use crate::{Boundary, Poly7};
 
@@ -36,41 +36,56 @@ pub struct a_trajpoly7 {
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly7 {
-    fn position_coefficients(&self) -> &[a_float; 8] {
+    pub(super) fn position_coefficients(&self) -> &[a_float; 8] {
         &self.p
     }
 
     #[cfg(trajpoly7_v)]
-    fn velocity_coefficients(&self) -> &[a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> &[a_float; 7] {
         &self.v
     }
 
+    #[cfg(not(trajpoly7_v))]
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
+        Poly7 { c: self.p }.velocity_coefficients()
+    }
+
     #[cfg(trajpoly7_a)]
-    fn acceleration_coefficients(&self) -> &[a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> &[a_float; 6] {
         &self.a
     }
 
+    #[cfg(not(trajpoly7_a))]
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
+        Poly7 { c: self.p }.acceleration_coefficients()
+    }
+
     #[cfg(trajpoly7_j)]
-    fn jerk_coefficients(&self) -> &[a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> &[a_float; 5] {
         &self.j
+    }
+
+    #[cfg(not(trajpoly7_j))]
+    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
+        Poly7 { c: self.p }.jerk_coefficients()
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly7 {
-    fn position_coefficients(&self) -> &[a_float; 8] {
+    pub(super) fn position_coefficients(&self) -> &[a_float; 8] {
         &self.c
     }
 
-    fn velocity_coefficients(&self) -> [a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
         Poly7 { c: self.c }.velocity_coefficients()
     }
 
-    fn acceleration_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
         Poly7 { c: self.c }.acceleration_coefficients()
     }
 
-    fn jerk_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
         Poly7 { c: self.c }.jerk_coefficients()
     }
 }

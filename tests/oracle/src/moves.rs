@@ -1,5 +1,6 @@
 //! Random moves of every kind, the same ones for the same seed.
 
+use crate::common::random::Random;
 use crate::comparison::{Case, Moment};
 use crate::family::{Family, MOST_ARGUMENTS, MOST_FIELDS};
 use crate::real::OracleReal;
@@ -65,7 +66,7 @@ impl<R: OracleReal> Moves<R> {
     /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self {
-            random: Random::new(seed),
+            random: Random::seeded(seed),
             real: PhantomData,
         }
     }
@@ -224,27 +225,12 @@ impl<R: OracleReal> Iterator for Moves<R> {
     }
 }
 
-/// SplitMix64: 64 bits of state, one round of mixing a number.
-struct Random {
-    state: u64,
-}
-
 impl Random {
     /// Seeds one apart give sequences that have nothing in common.
-    fn new(seed: u64) -> Self {
-        let mut seeding = Self { state: seed };
+    fn seeded(seed: u64) -> Self {
+        let mut seeding = Self(seed);
         seeding.bits();
-        Self {
-            state: seeding.bits() ^ seed.rotate_left(32),
-        }
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = self.state;
-        let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        Self(seeding.bits() ^ seed.rotate_left(32))
     }
 
     /// `0..n`
@@ -254,10 +240,6 @@ impl Random {
 
     fn one_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
-    }
-
-    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len())]
     }
 
     /// `-most..=most`

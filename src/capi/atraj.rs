@@ -1,0 +1,375 @@
+//! `atraj.h`: what liba does not have. A move is evaluated at many times, or for all its quantities, in one call.
+
+use super::a_float;
+use super::trajbell::a_trajbell;
+use super::trajpoly3::a_trajpoly3;
+use super::trajpoly5::a_trajpoly5;
+use super::trajpoly7::a_trajpoly7;
+use super::trajtrap::a_trajtrap;
+use crate::poly::horner;
+use crate::sample::{MOST_SAMPLES, Sweep};
+use crate::{Bell, Trap};
+use core::borrow::Borrow;
+
+/// @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
+///
+/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory
+/// @param x0 time of sample 0 since the start, s
+/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param n number of samples
+/// @param pos position, unit: NULL or an array of `n`
+/// @param vel velocity, unit/s: NULL or an array of `n`
+/// @param acc acceleration, unit/s^2: NULL or an array of `n`
+/// @param jer jerk, unit/s^3: NULL or an array of `n`
+/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_bell_sample(
+    ctx: *const a_trajbell,
+    x0: a_float,
+    dt: a_float,
+    n: usize,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+    jer: *mut a_float,
+) -> usize {
+    let n = n.min(MOST_SAMPLES);
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let Some(bell) = (unsafe { ctx.cast::<Bell<a_float>>().as_ref() }) else {
+        return 0;
+    };
+    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output, n) });
+    bell.sample_into(x0, dt, outputs);
+    n
+}
+
+/// @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time, found together.
+///
+/// They have the bits of the single functions.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory; all are NaN if it is NULL
+/// @param x time since the start, s
+/// @param pos position, unit: NULL or where to write it
+/// @param vel velocity, unit/s: NULL or where to write it
+/// @param acc acceleration, unit/s^2: NULL or where to write it
+/// @param jer jerk, unit/s^3: NULL or where to write it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_bell_state(
+    ctx: *const a_trajbell,
+    x: a_float,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+    jer: *mut a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let state = match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
+        Some(bell) => bell.state(x),
+        None => [a_float::NAN; 4],
+    };
+    // SAFETY: each is NULL or writable by the contract of this module.
+    unsafe { write([pos, vel, acc, jer], state) };
+}
+
+/// @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations at evenly spaced times.
+///
+/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory
+/// @param x0 time of sample 0 since the start, s
+/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param n number of samples
+/// @param pos position, unit: NULL or an array of `n`
+/// @param vel velocity, unit/s: NULL or an array of `n`
+/// @param acc acceleration, unit/s^2: NULL or an array of `n`
+/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_trap_sample(
+    ctx: *const a_trajtrap,
+    x0: a_float,
+    dt: a_float,
+    n: usize,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) -> usize {
+    let n = n.min(MOST_SAMPLES);
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let Some(trap) = (unsafe { ctx.cast::<Trap<a_float>>().as_ref() }) else {
+        return 0;
+    };
+    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    let outputs = [pos, vel, acc].map(|output| unsafe { array(output, n) });
+    trap.sample_into(x0, dt, outputs);
+    n
+}
+
+/// @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time, found together.
+///
+/// They have the bits of the single functions.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory; all are NaN if it is NULL
+/// @param x time since the start, s
+/// @param pos position, unit: NULL or where to write it
+/// @param vel velocity, unit/s: NULL or where to write it
+/// @param acc acceleration, unit/s^2: NULL or where to write it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_trap_state(
+    ctx: *const a_trajtrap,
+    x: a_float,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let state = match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
+        Some(trap) => trap.state(x),
+        None => [a_float::NAN; 3],
+    };
+    // SAFETY: each is NULL or writable by the contract of this module.
+    unsafe { write([pos, vel, acc], state) };
+}
+
+/// @brief Sample a cubic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
+///
+/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+///
+/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// @param ctx points to a planned instance of cubic polynomial trajectory
+/// @param x0 time of sample 0 since the start, s
+/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param n number of samples
+/// @param pos position, unit: NULL or an array of `n`
+/// @param vel velocity, unit/s: NULL or an array of `n`
+/// @param acc acceleration, unit/s^2: NULL or an array of `n`
+/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_poly3_sample(
+    ctx: *const a_trajpoly3,
+    x0: a_float,
+    dt: a_float,
+    n: usize,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) -> usize {
+    let n = n.min(MOST_SAMPLES);
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let Some(poly) = (unsafe { ctx.as_ref() }) else {
+        return 0;
+    };
+    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    let outputs = [pos, vel, acc].map(|output| unsafe { array(output, n) });
+    let state = poly3_state(poly);
+    Sweep { x0, dt }.sample([], outputs, |run| run.fill(&state));
+    n
+}
+
+/// @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time, found together.
+///
+/// They have the bits of the single functions.
+///
+/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// @param ctx points to a planned instance of cubic polynomial trajectory; all are NaN if it is NULL
+/// @param x time since the start, s
+/// @param pos position, unit: NULL or where to write it
+/// @param vel velocity, unit/s: NULL or where to write it
+/// @param acc acceleration, unit/s^2: NULL or where to write it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_poly3_state(
+    ctx: *const a_trajpoly3,
+    x: a_float,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let state = match unsafe { ctx.as_ref() } {
+        Some(poly) => poly3_state(poly)(x),
+        None => [a_float::NAN; 3],
+    };
+    // SAFETY: each is NULL or writable by the contract of this module.
+    unsafe { write([pos, vel, acc], state) };
+}
+
+/// @brief Sample a quintic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
+///
+/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+///
+/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// @param ctx points to a planned instance of quintic polynomial trajectory
+/// @param x0 time of sample 0 since the start, s
+/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param n number of samples
+/// @param pos position, unit: NULL or an array of `n`
+/// @param vel velocity, unit/s: NULL or an array of `n`
+/// @param acc acceleration, unit/s^2: NULL or an array of `n`
+/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_poly5_sample(
+    ctx: *const a_trajpoly5,
+    x0: a_float,
+    dt: a_float,
+    n: usize,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) -> usize {
+    let n = n.min(MOST_SAMPLES);
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let Some(poly) = (unsafe { ctx.as_ref() }) else {
+        return 0;
+    };
+    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    let outputs = [pos, vel, acc].map(|output| unsafe { array(output, n) });
+    let state = poly5_state(poly);
+    Sweep { x0, dt }.sample([], outputs, |run| run.fill(&state));
+    n
+}
+
+/// @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time, found together.
+///
+/// They have the bits of the single functions.
+///
+/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// @param ctx points to a planned instance of quintic polynomial trajectory; all are NaN if it is NULL
+/// @param x time since the start, s
+/// @param pos position, unit: NULL or where to write it
+/// @param vel velocity, unit/s: NULL or where to write it
+/// @param acc acceleration, unit/s^2: NULL or where to write it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_poly5_state(
+    ctx: *const a_trajpoly5,
+    x: a_float,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let state = match unsafe { ctx.as_ref() } {
+        Some(poly) => poly5_state(poly)(x),
+        None => [a_float::NAN; 3],
+    };
+    // SAFETY: each is NULL or writable by the contract of this module.
+    unsafe { write([pos, vel, acc], state) };
+}
+
+/// @brief Sample a septic polynomial trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
+///
+/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+///
+/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// @param ctx points to a planned instance of septic polynomial trajectory
+/// @param x0 time of sample 0 since the start, s
+/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param n number of samples
+/// @param pos position, unit: NULL or an array of `n`
+/// @param vel velocity, unit/s: NULL or an array of `n`
+/// @param acc acceleration, unit/s^2: NULL or an array of `n`
+/// @param jer jerk, unit/s^3: NULL or an array of `n`
+/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_poly7_sample(
+    ctx: *const a_trajpoly7,
+    x0: a_float,
+    dt: a_float,
+    n: usize,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+    jer: *mut a_float,
+) -> usize {
+    let n = n.min(MOST_SAMPLES);
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let Some(poly) = (unsafe { ctx.as_ref() }) else {
+        return 0;
+    };
+    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output, n) });
+    let state = poly7_state(poly);
+    Sweep { x0, dt }.sample([], outputs, |run| run.fill(&state));
+    n
+}
+
+/// @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time, found together.
+///
+/// They have the bits of the single functions.
+///
+/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// @param ctx points to a planned instance of septic polynomial trajectory; all are NaN if it is NULL
+/// @param x time since the start, s
+/// @param pos position, unit: NULL or where to write it
+/// @param vel velocity, unit/s: NULL or where to write it
+/// @param acc acceleration, unit/s^2: NULL or where to write it
+/// @param jer jerk, unit/s^3: NULL or where to write it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_poly7_state(
+    ctx: *const a_trajpoly7,
+    x: a_float,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+    jer: *mut a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let state = match unsafe { ctx.as_ref() } {
+        Some(poly) => poly7_state(poly)(x),
+        None => [a_float::NAN; 4],
+    };
+    // SAFETY: each is NULL or writable by the contract of this module.
+    unsafe { write([pos, vel, acc, jer], state) };
+}
+
+/// Evaluates a copy of the cubic polynomial's coefficients, which no output can overlap.
+fn poly3_state(poly: &a_trajpoly3) -> impl Fn(a_float) -> [a_float; 3] + use<> {
+    let p: [a_float; 4] = copy(poly.position_coefficients());
+    let v: [a_float; 3] = copy(poly.velocity_coefficients());
+    let a: [a_float; 2] = copy(poly.acceleration_coefficients());
+    move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
+}
+
+/// Evaluates a copy of the quintic polynomial's coefficients, which no output can overlap.
+fn poly5_state(poly: &a_trajpoly5) -> impl Fn(a_float) -> [a_float; 3] + use<> {
+    let p: [a_float; 6] = copy(poly.position_coefficients());
+    let v: [a_float; 5] = copy(poly.velocity_coefficients());
+    let a: [a_float; 4] = copy(poly.acceleration_coefficients());
+    move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
+}
+
+/// Evaluates a copy of the septic polynomial's coefficients, which no output can overlap.
+fn poly7_state(poly: &a_trajpoly7) -> impl Fn(a_float) -> [a_float; 4] + use<> {
+    let p: [a_float; 8] = copy(poly.position_coefficients());
+    let v: [a_float; 7] = copy(poly.velocity_coefficients());
+    let a: [a_float; 6] = copy(poly.acceleration_coefficients());
+    let j: [a_float; 5] = copy(poly.jerk_coefficients());
+    move |x| [horner(&p, x), horner(&v, x), horner(&a, x), horner(&j, x)]
+}
+
+/// A level's own array comes by reference, one found from the level below by value.
+fn copy<T: Copy>(coefficients: impl Borrow<T>) -> T {
+    *coefficients.borrow()
+}
+
+/// The `n` values at `output`, none if it is NULL.
+///
+/// # Safety
+/// `output` is NULL or has room for `n` values that nobody else uses.
+unsafe fn array<'a>(output: *mut a_float, n: usize) -> &'a mut [a_float] {
+    if output.is_null() {
+        return &mut [];
+    }
+    // SAFETY: by the contract of this function.
+    unsafe { core::slice::from_raw_parts_mut(output, n) }
+}
+
+/// Writes each value where its output points to, unless that is NULL.
+///
+/// # Safety
+/// Each output is NULL or writable.
+unsafe fn write<const N: usize>(outputs: [*mut a_float; N], values: [a_float; N]) {
+    for (output, value) in outputs.into_iter().zip(values) {
+        if !output.is_null() {
+            // SAFETY: by the contract of this function.
+            unsafe { output.write(value) };
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! Evaluation at evenly spaced times, with the bits of the single calls.
+//!
+//! Sample `k` is taken at `x0 + k*dt`: `k` is converted, multiplied and added with one rounding each. Each of these steps
+//! is monotone, so the times are, and a comparison of time with a constant changes its result at most once in a sweep.
+//! Between two such changes every sample takes the same path through the profile, in a loop without branches.
+
+use crate::Real;
+
+/// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases.
+macro_rules! in_phase {
+    ($phase:expr, $PHASE:ident of $($name:ident)+ => $value:expr) => {
+        match $phase {
+            $(Phase::$name => {
+                const $PHASE: Phase = Phase::$name;
+                $value
+            })+
+        }
+    };
+}
+pub(crate) use in_phase;
+
+/// Samples are numbered in 32 bits, which processors convert to reals fastest.
+pub(crate) const MOST_SAMPLES: usize = i32::MAX as usize;
+
+/// Evenly spaced times.
+#[derive(Clone, Copy)]
+pub(crate) struct Sweep<R> {
+    /// Time of sample 0, s.
+    pub x0: R,
+    /// From one sample to the next, s.
+    pub dt: R,
+}
+
+impl<R: Real> Sweep<R> {
+    /// The state at each of the times.
+    pub fn states<const N: usize>(
+        self,
+        state: impl Fn(R) -> [R; N],
+    ) -> impl Iterator<Item = [R; N]> {
+        (0..i32::MAX).map(move |k| state(self.time(k)))
+    }
+
+    /// Has `sample` fill every output to its end, run by run; the number of samples.
+    pub fn sample<const N: usize, const B: usize>(
+        self,
+        borders: [Border<R>; B],
+        mut outputs: [&mut [R]; N],
+        sample: impl Fn(Run<'_, R, N>),
+    ) -> usize {
+        let longest = outputs.iter().map(|output| output.len()).max();
+        let count = longest.unwrap_or(0).min(MOST_SAMPLES) as i32;
+        let crossings = borders.map(|border| self.crossing(border, count));
+        let mut start = 0;
+        while start < count {
+            let ahead = crossings.iter().filter(|&&crossing| crossing > start);
+            let end = ahead.fold(count, |end, &crossing| end.min(crossing));
+            sample(Run {
+                sweep: self,
+                start,
+                outputs: outputs.each_mut().map(|output| {
+                    let end = output.len().min(end as usize);
+                    output.get_mut(start as usize..end).unwrap_or_default()
+                }),
+            });
+            start = end;
+        }
+        count as usize
+    }
+
+    /// The first of `count` samples that is not on the side of `border` where sample 0 is, or `count`.
+    fn crossing(self, border: Border<R>, count: i32) -> i32 {
+        let first = border.is_ahead(self.time(0));
+        let is_same = |k| border.is_ahead(self.time(k)) == first;
+        let last = count - 1;
+        if is_same(last) {
+            return count;
+        }
+        let narrow = |(same, crossed), probe| {
+            if probe <= same || crossed <= probe {
+                (same, crossed)
+            } else if is_same(probe) {
+                (probe, crossed)
+            } else {
+                (same, probe)
+            }
+        };
+        // Up to rounding it is where the border is; halving finds it wherever it is.
+        let guess = ((border.time() - self.x0) / self.dt).to_index();
+        let mut range = narrow(narrow((0, last), guess), guess.saturating_add(1));
+        while range.1 - range.0 > 1 {
+            range = narrow(range, range.0 + (range.1 - range.0) / 2);
+        }
+        range.1
+    }
+
+    #[inline(always)]
+    fn fill_one(self, start: i32, output: &mut [R], value: impl Fn(R) -> Option<R>) {
+        for (y, k) in output.iter_mut().zip(start..) {
+            if let Some(value) = value(self.time(k)) {
+                *y = value;
+            }
+        }
+    }
+
+    /// Time of sample `k`, s.
+    fn time(self, k: i32) -> R {
+        self.x0 + R::from_index(k) * self.dt
+    }
+}
+
+/// A comparison of time with a constant: true before it, false after it and for a NaN.
+#[derive(Clone, Copy)]
+pub(crate) enum Border<R> {
+    /// `x < border`
+    Below(R),
+    /// `x <= border`
+    UpTo(R),
+}
+
+impl<R: Real> Border<R> {
+    fn is_ahead(self, x: R) -> bool {
+        match self {
+            Self::Below(border) => x < border,
+            Self::UpTo(border) => x <= border,
+        }
+    }
+
+    fn time(self) -> R {
+        match self {
+            Self::Below(border) | Self::UpTo(border) => border,
+        }
+    }
+}
+
+/// Neighbouring samples on the same side of every border, and where they go.
+pub(crate) struct Run<'a, R, const N: usize> {
+    pub sweep: Sweep<R>,
+    pub start: i32,
+    /// Position, velocity, acceleration and, if the profile has it, jerk; empty where not wanted.
+    pub outputs: [&'a mut [R]; N],
+}
+
+impl<R: Real, const N: usize> Run<'_, R, N> {
+    /// The first of its times.
+    pub fn first(&self) -> R {
+        self.sweep.time(self.start)
+    }
+
+    /// Fills the outputs with what `state` says of their times.
+    #[inline(always)]
+    pub fn fill(self, state: impl Fn(R) -> [R; N]) {
+        let len = self.outputs.first().map_or(0, |output| output.len());
+        let alike = self.outputs.iter().all(|output| output.len() == len);
+        let Self {
+            sweep,
+            start,
+            mut outputs,
+        } = self;
+        match outputs.as_mut_slice() {
+            // One loop finds each time once.
+            [p, v, a] if alike => {
+                let outputs = p.iter_mut().zip(v.iter_mut()).zip(a.iter_mut());
+                for (((p, v), a), k) in outputs.zip(start..) {
+                    if let [position, velocity, acceleration] = state(sweep.time(k))[..] {
+                        (*p, *v, *a) = (position, velocity, acceleration);
+                    }
+                }
+            }
+            [p, v, a, j] if alike => {
+                let outputs = p
+                    .iter_mut()
+                    .zip(v.iter_mut())
+                    .zip(a.iter_mut())
+                    .zip(j.iter_mut());
+                for ((((p, v), a), j), k) in outputs.zip(start..) {
+                    if let [position, velocity, acceleration, jerk] = state(sweep.time(k))[..] {
+                        (*p, *v, *a, *j) = (position, velocity, acceleration, jerk);
+                    }
+                }
+            }
+            [p, v, a, j @ ..] => {
+                sweep.fill_one(start, p, |x| state(x).first().copied());
+                sweep.fill_one(start, v, |x| state(x).get(1).copied());
+                sweep.fill_one(start, a, |x| state(x).get(2).copied());
+                for j in j {
+                    sweep.fill_one(start, j, |x| state(x).get(3).copied());
+                }
+            }
+            _ => {}
+        }
+    }
+}
