@@ -9,6 +9,9 @@
 #   make doc                    the references for C and for Rust, in target/doc
 #   make check                  everything that proves the library
 #   make soak                   a thousand million calls per real type against the original; SOAK_SEED=n goes on from seed n
+#   make bench                  times and instructions beside the original's: docs/performance.md
+#   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
+#                               `make instructions-update` rewrites that
 #   make fuzz                   libFuzzer against the original, FUZZ_SECONDS for each family
 #   make firmware-setup         installs what the next two need, on Debian
 #   make firmware-check         links the bare-metal archives into firmware and runs it in QEMU
@@ -47,7 +50,7 @@ CARGO_DIR := $(BUILD)
 PROFILE := release
 endif
 
-.PHONY: dist install uninstall demo consumers doc check soak fuzz firmware-setup firmware-check firmware-report
+.PHONY: dist install uninstall demo consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist: $(filter %.json,$(CARGO_TARGET))
@@ -124,6 +127,24 @@ SOAK_SEEDS ?= 1000
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
 	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS)
+
+# With the settings of the archive.
+BENCH := $(CARGO) run --quiet --profile bench $(ORACLE) --bin bench
+
+bench:
+	$(CARGO) fetch --quiet $(ORACLE)
+	CARGO="$(CARGO)" BENCH="$(BENCH)" tests/bench.sh > target/performance.md
+	mv target/performance.md docs/performance.md
+
+instructions-update:
+	$(CARGO) fetch --quiet $(ORACLE)
+	$(BENCH) -- instructions > target/instructions.txt
+	mv target/instructions.txt tests/instructions.txt
+
+instructions:
+	$(CARGO) fetch --quiet $(ORACLE)
+	$(BENCH) -- instructions > target/instructions.txt
+	awk -F ': ' -f tests/instructions.awk tests/instructions.txt target/instructions.txt
 
 FUZZ_SECONDS ?= 60
 fuzz:

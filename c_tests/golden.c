@@ -3,11 +3,7 @@
  usage: golden DIRECTORY
  Prints a line `function rows differing` for each function; fails on a difference, or on a file without rows.
 */
-#include "a/trajbell.h"
-#include "a/trajpoly3.h"
-#include "a/trajpoly5.h"
-#include "a/trajpoly7.h"
-#include "a/trajtrap.h"
+#include "atraj.h"
 #include "table.h"
 #include <math.h>
 
@@ -107,6 +103,59 @@ static void replay(const char *directory, const char *family, const char *functi
 #define REPLAY(family, columns, column, f, contexts, moves) \
     replay(directory, family, "a_" #f, columns, column, f, contexts, sizeof((contexts)[0]), moves)
 
+/* Checks all columns of an evaluation table with the function `evaluate`, which finds them together. */
+static void replay_together(const char *directory, const char *family, const char *function, int quantities,
+                            void (*evaluate)(const void *ctx, a_float x, a_float *out), const void *contexts,
+                            a_size size, int moves)
+{
+    struct table table = open_table(directory, family);
+    int rows = 0, differing = 0;
+    while (next_row(&table, 2 + quantities))
+    {
+        const char *ctx = (const char *)contexts + size * (a_size)move_of(&table, moves);
+        a_float out[4];
+        evaluate(ctx, real_of(table.cells[1]), out);
+        differing += differs(&table, function, 2, out, quantities);
+        ++rows;
+    }
+    report(function, rows, differing);
+}
+
+/* The state, and the last of seven samples: any time plus -0 is that time. */
+#define TOGETHER3(family) \
+    static void family##_state(const void *ctx, a_float x, a_float *y) \
+    { \
+        atraj_##family##_state(ctx, x, y, y + 1, y + 2); \
+    } \
+    static void family##_sample(const void *ctx, a_float x, a_float *y) \
+    { \
+        a_float p[7], v[7], a[7]; \
+        failed |= atraj_##family##_sample(ctx, x, -(a_float)0, 7, p, v, a) != 7; \
+        y[0] = p[6], y[1] = v[6], y[2] = a[6]; \
+    }
+#define TOGETHER4(family) \
+    static void family##_state(const void *ctx, a_float x, a_float *y) \
+    { \
+        atraj_##family##_state(ctx, x, y, y + 1, y + 2, y + 3); \
+    } \
+    static void family##_sample(const void *ctx, a_float x, a_float *y) \
+    { \
+        a_float p[7], v[7], a[7], j[7]; \
+        failed |= atraj_##family##_sample(ctx, x, -(a_float)0, 7, p, v, a, j) != 7; \
+        y[0] = p[6], y[1] = v[6], y[2] = a[6], y[3] = j[6]; \
+    }
+#define REPLAY_TOGETHER(family, quantities, contexts, moves) \
+    replay_together(directory, #family "_eval", "atraj_" #family "_state", quantities, family##_state, contexts, \
+                    sizeof((contexts)[0]), moves); \
+    replay_together(directory, #family "_eval", "atraj_" #family "_sample", quantities, family##_sample, contexts, \
+                    sizeof((contexts)[0]), moves)
+
+TOGETHER4(bell)
+TOGETHER3(trap)
+TOGETHER3(poly3)
+TOGETHER3(poly5)
+TOGETHER4(poly7)
+
 EVALUATE(trajbell_pos)
 EVALUATE(trajbell_vel)
 EVALUATE(trajbell_acc)
@@ -130,6 +179,7 @@ static void bell(const char *directory)
     REPLAY("bell_eval", 6, 3, trajbell_vel, moves, n);
     REPLAY("bell_eval", 6, 4, trajbell_acc, moves, n);
     REPLAY("bell_eval", 6, 5, trajbell_jer, moves, n);
+    REPLAY_TOGETHER(bell, 4, moves, n);
 }
 
 EVALUATE(trajtrap_pos)
@@ -153,6 +203,7 @@ static void trap(const char *directory)
     REPLAY("trap_eval", 5, 2, trajtrap_pos, moves, n);
     REPLAY("trap_eval", 5, 3, trajtrap_vel, moves, n);
     REPLAY("trap_eval", 5, 4, trajtrap_acc, moves, n);
+    REPLAY_TOGETHER(trap, 3, moves, n);
 }
 
 /*
@@ -310,6 +361,7 @@ static void poly3(const char *directory)
 #if A_TRAJPOLY3 > 2
     REPLAY("poly3_eval", 5, 4, trajpoly3_acc, moves, n);
 #endif
+    REPLAY_TOGETHER(poly3, 3, moves, n);
 }
 
 static void poly5(const char *directory)
@@ -324,6 +376,7 @@ static void poly5(const char *directory)
 #if A_TRAJPOLY5 > 2
     REPLAY("poly5_eval", 5, 4, trajpoly5_acc, moves, n);
 #endif
+    REPLAY_TOGETHER(poly5, 3, moves, n);
 }
 
 static void poly7(const char *directory)
@@ -341,6 +394,7 @@ static void poly7(const char *directory)
 #if A_TRAJPOLY7 > 3
     REPLAY("poly7_eval", 6, 5, trajpoly7_jer, moves, n);
 #endif
+    REPLAY_TOGETHER(poly7, 4, moves, n);
 }
 
 int main(int argc, char **argv)

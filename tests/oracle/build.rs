@@ -1,4 +1,5 @@
-//! Compiles the original's C sources out of the `liba` crate twice, as `c8_…` in binary64 and `c4_…` in binary32.
+//! Compiles the original's C sources out of the `liba` crate, as `c8_…` in binary64 and `c4_…` in binary32, and for
+//! measurements as `o2c8_…` to `o3c4_…` at that level of optimisation.
 //!
 //! The new names are the point: under the same names the linker would resolve both sides of every comparison to ours.
 
@@ -18,8 +19,11 @@ const SOURCES: [(&str, &str); 6] = [
 
 fn main() {
     let liba = liba();
-    for size in ["8", "4"] {
+    for (level, size) in ["", "o2", "o3"].iter().flat_map(|l| [(l, "8"), (l, "4")]) {
         let mut build = cc::Build::new();
+        if let Some(level) = level.strip_prefix('o') {
+            build.opt_level_str(level);
+        }
         build
             .include(liba.join("include"))
             .define("A_SIZE_FLOAT", size)
@@ -28,10 +32,10 @@ fn main() {
             build.file(liba.join(format!("src/{source}.c")));
             for function in functions.split(' ') {
                 let name = format!("{source}_{function}");
-                build.define(&format!("a_{name}"), &*format!("c{size}_{name}"));
+                build.define(&format!("a_{name}"), &*format!("{level}c{size}_{name}"));
             }
         }
-        build.compile(&format!("original{size}"));
+        build.compile(&format!("original{level}{size}"));
     }
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rustc-env=LIBA={}", liba.display());

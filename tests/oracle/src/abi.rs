@@ -155,16 +155,26 @@ pub trait Original: OracleReal {
     const ORIGINAL: Abi<Self>;
     /// The original with every polynomial planned array by array.
     const ORIGINAL_STEPWISE: Abi<Self>;
+    /// The original compiled with `-O2` and with `-O3`.
+    const OPTIMISED: [Abi<Self>; 2];
 }
 
 impl Original for f64 {
     const ORIGINAL: Abi<f64> = library!(f64, "c8_", "gen", none[]);
     const ORIGINAL_STEPWISE: Abi<f64> = library!(f64, "c8_", "gen0", within["gen1" "gen2" "gen3"]);
+    const OPTIMISED: [Abi<f64>; 2] = [
+        library!(f64, "o2c8_", "gen", none[]),
+        library!(f64, "o3c8_", "gen", none[]),
+    ];
 }
 
 impl Original for f32 {
     const ORIGINAL: Abi<f32> = library!(f32, "c4_", "gen", none[]);
     const ORIGINAL_STEPWISE: Abi<f32> = library!(f32, "c4_", "gen0", within["gen1" "gen2" "gen3"]);
+    const OPTIMISED: [Abi<f32>; 2] = [
+        library!(f32, "o2c4_", "gen", none[]),
+        library!(f32, "o3c4_", "gen", none[]),
+    ];
 }
 
 /// Our C functions in the polynomial layout of liba 0.1.15.
