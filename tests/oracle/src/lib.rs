@@ -12,6 +12,7 @@ pub mod moves;
 pub mod ours;
 pub mod real;
 pub mod reference;
+pub mod together;
 pub mod volume;
 
 #[allow(missing_docs)]

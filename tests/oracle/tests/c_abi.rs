@@ -5,6 +5,7 @@ use oracle::abi::{OURS, Original};
 use oracle::comparison::{Case, Report};
 use oracle::family::{Family, Implementation};
 use oracle::moves::Moves;
+use oracle::together::Together;
 use oracle::volume::run_seed;
 
 #[test]
@@ -12,6 +13,11 @@ fn ours_is_the_original() {
     let report = run_seed::<a_float>(&OURS, &a_float::ORIGINAL, 1_000_000);
     println!("{}: {report}", std::any::type_name::<a_float>());
     report.assert_same();
+}
+
+#[test]
+fn ours_together_is_the_original() {
+    run_seed::<a_float>(&Together, &a_float::ORIGINAL, 4_000_000).assert_same();
 }
 
 fn is_polynomial(case: &Case<a_float>) -> bool {
@@ -45,6 +51,7 @@ fn any_struct_is_evaluated_alike() {
     for mut case in Moves::<a_float>::new(3_000_000).take(100_000) {
         case.planned = false;
         report.compare(&OURS, &a_float::ORIGINAL, &case);
+        report.compare(&Together, &a_float::ORIGINAL, &case);
     }
     report.assert_same();
 }
