@@ -229,7 +229,7 @@ impl<R: Real> Bell<R> {
         }
     }
 
-    #[inline(never)] // one copy for both directions
+    #[cfg_attr(target_os = "none", inline(never))] // one copy for both directions, where flash is dear
     fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         self.position_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
     }
@@ -291,7 +291,7 @@ impl<R: Real> Bell<R> {
         }
     }
 
-    #[inline(never)] // one copy for both directions
+    #[cfg_attr(target_os = "none", inline(never))] // one copy for both directions, where flash is dear
     fn forward_velocity(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         self.velocity_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
     }
