@@ -491,16 +491,19 @@ impl<R: Real> Bell<R> {
 
     /// The phase of position and velocity at `x`. That of jerk is found in another order, which matters where rounding
     /// has made neighbouring borders cross.
+    #[inline(always)]
     fn phase(&self, x: R) -> Phase {
         self.phase_by(x, |x, border| x < border)
     }
 
     /// The phase of acceleration at `x`: the same unless a border is NaN.
+    #[inline(always)]
     fn acceleration_phase(&self, x: R) -> Phase {
         #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
         self.phase_by(x, |x, border| !(x >= border))
     }
 
+    #[inline(always)] // the phase becomes a place in the code, not a value
     fn phase_by(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> Phase {
         let Self {
             t,

@@ -35,7 +35,7 @@ pub trait Real:
     /// The number of a sample, rounded once.
     fn from_index(k: i32) -> Self;
 
-    /// Rounded towards zero; 0 below zero and for a NaN, `usize::MAX` above it.
+    /// Rounded towards zero, limited to what an index can be; 0 for a NaN.
     fn to_index(self) -> i32;
 
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.

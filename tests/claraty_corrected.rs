@@ -537,7 +537,8 @@ fn no_seam_where_the_switching_time_cancels() {
                 deceleration,
             },
         };
-        let (profile, _) = Profile::corrected(order.start, order.target);
+        let mut profile = Profile::default();
+        profile.plan_corrected(order.start, order.target);
         let times = sample_times([profile.t1, profile.t2, profile.tf], &mut Random(2));
         let fault = fault(&order, &times, profile.tf, |t| profile.setpoint(t));
         assert_eq!(fault, None, "{order:?}");

@@ -29,6 +29,12 @@ fn at_rest(position: f64) -> Setpoint {
     }
 }
 
+fn corrected(start: State, target: Target) -> (Profile, Warnings) {
+    let mut profile = Profile::default();
+    let warnings = profile.plan_corrected(start, target);
+    (profile, warnings)
+}
+
 fn started(mode: Mode, target: Target) -> Trajectory<'static> {
     let mut axis = Trajectory::new(mode, 0.0);
     axis.set(target.into(), 0.0);
@@ -161,10 +167,10 @@ fn a_root_at_zero_is_no_switching_time() {
     assert_eq!(listing.plan_listing(start, target), Warnings::SWITCH);
     assert_eq!((listing.t1, listing.velocity), (1.0, 4.0));
 
-    let (corrected, warnings) = Profile::corrected(start, target);
+    let (profile, warnings) = corrected(start, target);
     assert_eq!(warnings, Warnings::default());
-    assert_eq!((corrected.t1, corrected.t2, corrected.tf), (0.0, 0.0, 1.0));
-    assert_eq!(corrected.setpoint(0.5).position, 1.75);
+    assert_eq!((profile.t1, profile.t2, profile.tf), (0.0, 0.0, 1.0));
+    assert_eq!(profile.setpoint(0.5).position, 1.75);
 }
 
 #[test]
@@ -193,8 +199,8 @@ fn limits_count_by_magnitude_and_are_raised_to_eps() {
         Warnings::default()
     );
     assert_eq!(
-        Profile::corrected(State::default(), negative),
-        Profile::corrected(State::default(), to(10.0))
+        corrected(State::default(), negative),
+        corrected(State::default(), to(10.0))
     );
     for tiny in [0.0, -0.0, 0.5 * EPS] {
         let target = Target {
@@ -203,12 +209,12 @@ fn limits_count_by_magnitude_and_are_raised_to_eps() {
             acceleration: tiny,
             deceleration: tiny,
         };
-        let (profile, warnings) = Profile::corrected(State::default(), target);
+        let (profile, warnings) = corrected(State::default(), target);
         assert_eq!((warnings, warnings.bits()), (all, 7));
         assert_eq!((profile.velocity, profile.acceleration), (EPS, EPS));
         assert_eq!(listing.plan_listing(State::default(), target), all);
     }
-    let (_, warnings) = Profile::stopping(state(0.0, 0.0), Target::default());
+    let warnings = Profile::default().plan_stop(State::default(), Target::default());
     assert_eq!(warnings, Warnings::ACCELERATION | Warnings::DECELERATION);
 }
 
@@ -219,13 +225,13 @@ fn a_motion_that_brakes_at_once_brakes_from_the_first_instant() {
         deceleration: 4.0,
         ..to(0.5)
     };
-    let (profile, _) = Profile::corrected(state(0.0, 2.0), target);
+    let (profile, _) = corrected(state(0.0, 2.0), target);
     assert_eq!(profile.setpoint(0.0).acceleration, -4.0);
 }
 
 #[test]
 fn an_empty_move_stands_still() {
-    let (profile, _) = Profile::corrected(state(3.0, 0.0), to(3.0));
+    let (profile, _) = corrected(state(3.0, 0.0), to(3.0));
     assert_eq!(profile.tf, 0.0);
     for t in [-1.0, 0.0, 1.0] {
         assert_eq!(profile.setpoint(t), at_rest(3.0));
@@ -276,7 +282,7 @@ fn single_moves(mut from: State) -> Vec<(f64, Profile)> {
                 acceleration: ACCELERATIONS[i],
                 deceleration: ACCELERATIONS[i],
             };
-            let (profile, _) = Profile::corrected(from, target);
+            let (profile, _) = corrected(from, target);
             let leg = (begins, profile);
             begins += profile.tf;
             from = state(POSITIONS[i], 0.0);

@@ -43,21 +43,14 @@ impl Scaled for f64 {
     }
 }
 
-/// SplitMix64.
-struct Random(u64);
+struct Random(common::random::Random);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
     fn below(&mut self, n: u64) -> u64 {
-        self.bits() % n
+        self.0.bits() % n
     }
     fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 * 0.5f64.powi(53)
+        self.0.between(0.0, 1.0)
     }
     fn one_of<T: Copy, const N: usize>(&mut self, from: [T; N]) -> T {
         from[self.below(N as u64) as usize]
@@ -107,7 +100,7 @@ fn near_tie(random: &mut Random) -> [f64; 7] {
 }
 
 fn same_bits_as_the_contract<R: Scaled>() {
-    let mut random = Random(1);
+    let mut random = Random(common::random::Random(1));
     let mut long = 0;
     for _ in 0..MOVES {
         let extreme = random.one_of(R::EXTREMES) + random.below(12) as i32;

@@ -29,15 +29,18 @@
 #else
 #define A_PREREQ_GNUC(maj, min) 0
 #endif
+/*! true from this version of Microsoft's compiler on */
 #if defined(_MSC_VER)
 #define A_PREREQ_MSVC(maj, min) (_MSC_VER >= (maj) * 100 + (min))
 #else
 #define A_PREREQ_MSVC(maj, min) 0
 #endif
-/* sources ask for clang's warnings without looking whether this compiler can tell */
+/*! @cond
+ sources ask for clang's warnings without looking whether this compiler can tell */
 #if !defined(__has_warning)
 #define __has_warning(x) 0
 #endif
+/*! @endcond */
 
 /*! check the arguments from `c` on against the format argument `b`, counted from 1, as those of `a`, as in printf */
 #if A_PREREQ_GNUC(2, 7)

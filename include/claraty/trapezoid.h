@@ -158,11 +158,14 @@ extern "C" {
 /**
  * Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, `CLARATY_CORRECTED`, on the
  * monotonic clock of the system; where there is none, on the manual one.
+ * @param h the handle
  */
 void claraty_trapezoid_init(struct claraty_trapezoid *h);
 
 /**
  * Chooses what the following starts and stops plan.
+ * @param h the handle
+ * @param mode one of `claraty_mode`
  * @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_MODE`
  */
 int claraty_trapezoid_set_mode(struct claraty_trapezoid *h, int mode);
@@ -170,6 +173,8 @@ int claraty_trapezoid_set_mode(struct claraty_trapezoid *h, int mode);
 /**
  * Goes over to another clock; a motion under way goes on from where it is. With a NULL `clock` the clock is manual: it
  * stands still, and only `claraty_trapezoid_advance_timer_by` moves it.
+ * @param h the handle
+ * @param clock monotonic seconds; NULL for the manual clock, which stands still
  * @param user is given to `clock` with every call
  */
 void claraty_trapezoid_set_clock(struct claraty_trapezoid *h, claraty_clock clock, void *user);
@@ -177,6 +182,7 @@ void claraty_trapezoid_set_clock(struct claraty_trapezoid *h, claraty_clock cloc
 /**
  * Stores where to go next; it moves nothing before `claraty_trapezoid_start`. Waypoints of an earlier set are let go: a
  * motion along them ends at rest at the one it is heading for.
+ * @param h the handle
  * @param final_position relative to the start of the trajectory, unit
  * @param max_velocity magnitude, unit/s
  * @param accel magnitude of the change from the present velocity to `max_velocity`, unit/s^2
@@ -192,6 +198,8 @@ int claraty_trapezoid_set(struct claraty_trapezoid *h,
 /**
  * Stores a way along `n` positions with rest at each; for the rest as `claraty_trapezoid_set`. In both modes the legs
  * are corrected motions; the first sets off from the present one. The arrays must stay as they are until the next set.
+ * @param h the handle
+ * @param n number of waypoints
  * @param positions relative to the start of the trajectory, unit
  * @param velocities maximum velocity of the leg to each position, unit/s
  * @param accels acceleration and deceleration of the leg to each position, unit/s^2
@@ -205,6 +213,11 @@ int claraty_trapezoid_set_waypoints(struct claraty_trapezoid *h,
 
 /**
  * `claraty_trapezoid_set_waypoints` with one velocity and one acceleration for all legs.
+ * @param h the handle
+ * @param positions one for each waypoint, relative to the start of the trajectory, unit
+ * @param n number of waypoints
+ * @param max_velocity for every waypoint, unit/s
+ * @param accel for every waypoint, unit/s^2
  * @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_WAYPOINTS`
  */
 int claraty_trapezoid_set_uniform_waypoints(struct claraty_trapezoid *h,
@@ -215,44 +228,53 @@ int claraty_trapezoid_set_uniform_waypoints(struct claraty_trapezoid *h,
 
 /**
  * Sets off, timer at 0: from the present motion, or from rest at 0 if there is none.
+ * @param h the handle
  * @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
  */
 int claraty_trapezoid_start(struct claraty_trapezoid *h);
 
 /**
  * Brakes the present motion to rest; sets the timer to 0 also if there is none.
+ * @param h the handle
  * @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
  */
 int claraty_trapezoid_stop(struct claraty_trapezoid *h);
 
 /**
  * Forgets the present motion and sets the timer to 0. The axis is not braked; the last profile can still be read.
+ * @param h the handle
  */
 void claraty_trapezoid_reset(struct claraty_trapezoid *h);
 
 /**
  * Whether a motion is under way: from the start until the setpoint has been read after the end.
+ * @param h the handle
  * @return 1, 0 or `CLARATY_ERR_NULL`
  */
 int claraty_trapezoid_is_started(const struct claraty_trapezoid *h);
 
 /**
  * Adds to what the clock gives, whichever clock it is. A number that is not finite adds nothing.
+ * @param h the handle
+ * @param seconds to add, s; may be negative
  */
 void claraty_trapezoid_advance_timer_by(struct claraty_trapezoid *h, double seconds);
 
 /**
+ * @param h the handle
  * @return time since the last start, stop or reset, s; NaN if `h` is NULL
  */
 double claraty_trapezoid_elapsed(const struct claraty_trapezoid *h);
 
 /**
+ * @param h the handle
  * @return time from the start to rest, all legs together, s; 0 before the first start; NaN if `h` is NULL
  */
 double claraty_trapezoid_duration(const struct claraty_trapezoid *h);
 
 /**
  * What the axis shall do now. Reading it after the end of the motion ends the motion.
+ * @param h the handle
  * @param position NULL, or where to write the position, unit
  * @param velocity NULL, or where to write the velocity, unit/s
  * @param accel NULL, or where to write the acceleration, unit/s^2
@@ -263,6 +285,7 @@ int claraty_trapezoid_get_setpoint(struct claraty_trapezoid *h, double *position
 /**
  * The same at a time after the start, before or after now. In listing mode a look beyond the end ends the motion, and
  * before the start all is 0, as in the listing; a time that is not finite is looked up there too.
+ * @param h the handle
  * @param time since the start, s
  * @param position NULL, or where to write the position, unit
  * @param velocity NULL, or where to write the velocity, unit/s
@@ -276,31 +299,40 @@ int claraty_trapezoid_get_setpoint_at(struct claraty_trapezoid *h,
                                       double *accel);
 
 /**
+ * @param h the handle
  * @return position now, unit; NaN where `claraty_trapezoid_get_setpoint` fails
  */
 double claraty_trapezoid_get_position(struct claraty_trapezoid *h);
 
 /**
+ * @param h the handle
  * @return velocity now, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
  */
 double claraty_trapezoid_get_velocity(struct claraty_trapezoid *h);
 
 /**
+ * @param h the handle
  * @return acceleration now, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
  */
 double claraty_trapezoid_get_acceleration(struct claraty_trapezoid *h);
 
 /**
+ * @param h the handle
+ * @param time since the start, s
  * @return position at a time after the start, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
  */
 double claraty_trapezoid_get_position_at(struct claraty_trapezoid *h, double time);
 
 /**
+ * @param h the handle
+ * @param time since the start, s
  * @return velocity at a time after the start, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
  */
 double claraty_trapezoid_get_velocity_at(struct claraty_trapezoid *h, double time);
 
 /**
+ * @param h the handle
+ * @param time since the start, s
  * @return acceleration at a time after the start, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
  */
 double claraty_trapezoid_get_acceleration_at(struct claraty_trapezoid *h, double time);
@@ -308,6 +340,7 @@ double claraty_trapezoid_get_acceleration_at(struct claraty_trapezoid *h, double
 /**
  * The profile of the last start or stop, all 0 before; along waypoints that of the leg last looked at, with times from
  * the start of the leg.
+ * @param h the handle
  * @param out NULL, or where to write it
  * @return `CLARATY_OK` or `CLARATY_ERR_NULL`
  */

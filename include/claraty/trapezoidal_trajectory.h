@@ -5,7 +5,7 @@
  (`claraty_trapezoid_set_mode`; corrected motions unless asked for the listing's), the clock, the duration, the profile.
 
  Warnings and refused arguments are told on `std::cerr`, a line each. Define CLARATY_NO_WARNINGS for the whole program to
- leave that out, and <iostream> with it.
+ leave that out, and the header `iostream` with it.
 */
 
 #ifndef CLARATY_TRAPEZOIDAL_TRAJECTORY_H
@@ -157,6 +157,7 @@ public:
 
     /*! for the functions of trapezoid.h */
     claraty_trapezoid *handle() { return &_handle; }
+    /*! for those that only read */
     const claraty_trapezoid *handle() const { return &_handle; }
 
 protected:

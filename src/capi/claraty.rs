@@ -182,6 +182,7 @@ fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
 
 /// Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, `CLARATY_CORRECTED`, on the
 /// monotonic clock of the system; where there is none, on the manual one.
+/// @param h the handle
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_init(h: *mut claraty_trapezoid) {
     if h.is_null() {
@@ -198,6 +199,8 @@ pub unsafe extern "C" fn claraty_trapezoid_init(h: *mut claraty_trapezoid) {
 }
 
 /// Chooses what the following starts and stops plan.
+/// @param h the handle
+/// @param mode one of `claraty_mode`
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_MODE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_mode(
@@ -217,6 +220,8 @@ pub unsafe extern "C" fn claraty_trapezoid_set_mode(
 
 /// Goes over to another clock; a motion under way goes on from where it is. With a NULL `clock` the clock is manual: it
 /// stands still, and only `claraty_trapezoid_advance_timer_by` moves it.
+/// @param h the handle
+/// @param clock monotonic seconds; NULL for the manual clock, which stands still
 /// @param user is given to `clock` with every call
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_clock(
@@ -234,6 +239,7 @@ pub unsafe extern "C" fn claraty_trapezoid_set_clock(
 
 /// Stores where to go next; it moves nothing before `claraty_trapezoid_start`. Waypoints of an earlier set are let go: a
 /// motion along them ends at rest at the one it is heading for.
+/// @param h the handle
 /// @param final_position relative to the start of the trajectory, unit
 /// @param max_velocity magnitude, unit/s
 /// @param accel magnitude of the change from the present velocity to `max_velocity`, unit/s^2
@@ -262,6 +268,8 @@ pub unsafe extern "C" fn claraty_trapezoid_set(
 
 /// Stores a way along `n` positions with rest at each; for the rest as `claraty_trapezoid_set`. In both modes the legs
 /// are corrected motions; the first sets off from the present one. The arrays must stay as they are until the next set.
+/// @param h the handle
+/// @param n number of waypoints
 /// @param positions relative to the start of the trajectory, unit
 /// @param velocities maximum velocity of the leg to each position, unit/s
 /// @param accels acceleration and deceleration of the leg to each position, unit/s^2
@@ -291,6 +299,11 @@ pub unsafe extern "C" fn claraty_trapezoid_set_waypoints(
 }
 
 /// `claraty_trapezoid_set_waypoints` with one velocity and one acceleration for all legs.
+/// @param h the handle
+/// @param positions one for each waypoint, relative to the start of the trajectory, unit
+/// @param n number of waypoints
+/// @param max_velocity for every waypoint, unit/s
+/// @param accel for every waypoint, unit/s^2
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_WAYPOINTS`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
@@ -327,6 +340,7 @@ unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], c
 }
 
 /// Sets off, timer at 0: from the present motion, or from rest at 0 if there is none.
+/// @param h the handle
 /// @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c_int {
@@ -338,6 +352,7 @@ pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c
 }
 
 /// Brakes the present motion to rest; sets the timer to 0 also if there is none.
+/// @param h the handle
 /// @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_stop(h: *mut claraty_trapezoid) -> c_int {
@@ -349,6 +364,7 @@ pub unsafe extern "C" fn claraty_trapezoid_stop(h: *mut claraty_trapezoid) -> c_
 }
 
 /// Forgets the present motion and sets the timer to 0. The axis is not braked; the last profile can still be read.
+/// @param h the handle
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_reset(h: *mut claraty_trapezoid) {
     // SAFETY: by the contract of this module.
@@ -358,6 +374,7 @@ pub unsafe extern "C" fn claraty_trapezoid_reset(h: *mut claraty_trapezoid) {
 }
 
 /// Whether a motion is under way: from the start until the setpoint has been read after the end.
+/// @param h the handle
 /// @return 1, 0 or `CLARATY_ERR_NULL`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_is_started(h: *const claraty_trapezoid) -> c_int {
@@ -369,6 +386,8 @@ pub unsafe extern "C" fn claraty_trapezoid_is_started(h: *const claraty_trapezoi
 }
 
 /// Adds to what the clock gives, whichever clock it is. A number that is not finite adds nothing.
+/// @param h the handle
+/// @param seconds to add, s; may be negative
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_advance_timer_by(
     h: *mut claraty_trapezoid,
@@ -380,6 +399,7 @@ pub unsafe extern "C" fn claraty_trapezoid_advance_timer_by(
     }
 }
 
+/// @param h the handle
 /// @return time since the last start, stop or reset, s; NaN if `h` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_elapsed(h: *const claraty_trapezoid) -> f64 {
@@ -388,6 +408,7 @@ pub unsafe extern "C" fn claraty_trapezoid_elapsed(h: *const claraty_trapezoid) 
         .map_or(f64::NAN, |handle| handle.trajectory.elapsed(handle.now()))
 }
 
+/// @param h the handle
 /// @return time from the start to rest, all legs together, s; 0 before the first start; NaN if `h` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_duration(h: *const claraty_trapezoid) -> f64 {
@@ -396,6 +417,7 @@ pub unsafe extern "C" fn claraty_trapezoid_duration(h: *const claraty_trapezoid)
 }
 
 /// What the axis shall do now. Reading it after the end of the motion ends the motion.
+/// @param h the handle
 /// @param position NULL, or where to write the position, unit
 /// @param velocity NULL, or where to write the velocity, unit/s
 /// @param accel NULL, or where to write the acceleration, unit/s^2
@@ -415,6 +437,7 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint(
 
 /// The same at a time after the start, before or after now. In listing mode a look beyond the end ends the motion, and
 /// before the start all is 0, as in the listing; a time that is not finite is looked up there too.
+/// @param h the handle
 /// @param time since the start, s
 /// @param position NULL, or where to write the position, unit
 /// @param velocity NULL, or where to write the velocity, unit/s
@@ -454,6 +477,7 @@ unsafe fn write_setpoint(
     }
 }
 
+/// @param h the handle
 /// @return position now, unit; NaN where `claraty_trapezoid_get_setpoint` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_position(h: *mut claraty_trapezoid) -> f64 {
@@ -462,6 +486,7 @@ pub unsafe extern "C" fn claraty_trapezoid_get_position(h: *mut claraty_trapezoi
     setpoint.map_or(f64::NAN, |setpoint| setpoint.position)
 }
 
+/// @param h the handle
 /// @return velocity now, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_velocity(h: *mut claraty_trapezoid) -> f64 {
@@ -470,6 +495,7 @@ pub unsafe extern "C" fn claraty_trapezoid_get_velocity(h: *mut claraty_trapezoi
     setpoint.map_or(f64::NAN, |setpoint| setpoint.velocity)
 }
 
+/// @param h the handle
 /// @return acceleration now, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_acceleration(h: *mut claraty_trapezoid) -> f64 {
@@ -478,6 +504,8 @@ pub unsafe extern "C" fn claraty_trapezoid_get_acceleration(h: *mut claraty_trap
     setpoint.map_or(f64::NAN, |setpoint| setpoint.acceleration)
 }
 
+/// @param h the handle
+/// @param time since the start, s
 /// @return position at a time after the start, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_position_at(
@@ -489,6 +517,8 @@ pub unsafe extern "C" fn claraty_trapezoid_get_position_at(
     setpoint.map_or(f64::NAN, |setpoint| setpoint.position)
 }
 
+/// @param h the handle
+/// @param time since the start, s
 /// @return velocity at a time after the start, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_velocity_at(
@@ -500,6 +530,8 @@ pub unsafe extern "C" fn claraty_trapezoid_get_velocity_at(
     setpoint.map_or(f64::NAN, |setpoint| setpoint.velocity)
 }
 
+/// @param h the handle
+/// @param time since the start, s
 /// @return acceleration at a time after the start, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_acceleration_at(
@@ -513,6 +545,7 @@ pub unsafe extern "C" fn claraty_trapezoid_get_acceleration_at(
 
 /// The profile of the last start or stop, all 0 before; along waypoints that of the leg last looked at, with times from
 /// the start of the leg.
+/// @param h the handle
 /// @param out NULL, or where to write it
 /// @return `CLARATY_OK` or `CLARATY_ERR_NULL`
 #[unsafe(no_mangle)]

@@ -137,7 +137,7 @@ impl Limits {
 }
 
 impl Profile {
-    /// The published listing's motion. In place, because a move below [`EPS`] leaves `kind` as it was.
+    /// The published listing's motion. A move below [`EPS`] leaves `kind` as it was.
     pub fn plan_listing(&mut self, start: State, target: Target) -> Warnings {
         let (limits, mut warnings) = Limits::of(target);
         self.start = start;
@@ -164,9 +164,9 @@ impl Profile {
     }
 
     /// The right motion from `start` to rest at the target.
-    pub fn corrected(start: State, target: Target) -> (Self, Warnings) {
+    pub fn plan_corrected(&mut self, start: State, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(target);
-        let mut profile = Self::departing(start, target.position);
+        self.stand(start, target.position);
         let distance = target.position - start.position;
         if distance != 0.0 || start.velocity != 0.0 {
             let side = sgn(if start.velocity != 0.0 {
@@ -174,28 +174,28 @@ impl Profile {
             } else {
                 distance
             });
-            if !profile.go(side, limits) && !profile.brake(side, limits) {
-                profile.return_to_target(-side, limits);
+            if !self.go(side, limits) && !self.brake(side, limits) {
+                self.return_to_target(-side, limits);
             }
         }
-        (profile, warnings)
+        warnings
     }
 
     /// The shortest way to rest at the target's deceleration; its position and velocity do not matter.
-    pub fn stopping(start: State, target: Target) -> (Self, Warnings) {
+    pub fn plan_stop(&mut self, start: State, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(Target {
             velocity: EPS,
             ..target
         });
         let v0 = start.velocity;
         let deceleration = limits.deceleration;
-        let p1 = start.position + sgn(v0) * (0.5 * sq(v0) / deceleration);
-        let mut profile = Self::departing(start, p1);
-        profile.velocity = v0;
-        profile.deceleration = -sgn(v0) * deceleration;
-        profile.acceleration = profile.deceleration;
-        profile.tf = (v0 / deceleration).abs();
-        (profile, warnings)
+        let way = sgn(v0) * (0.5 * sq(v0) / deceleration);
+        self.stand(start, start.position + way);
+        self.velocity = v0;
+        self.deceleration = -sgn(v0) * deceleration;
+        self.acceleration = self.deceleration;
+        self.tf = (v0 / deceleration).abs();
+        warnings
     }
 
     /// Position, velocity and acceleration at time `t`, s. Before the motion the start without acceleration; after it rest
@@ -237,16 +237,15 @@ impl Profile {
         ![0.0, self.t1, self.t2, self.tf].iter().any(|&end| t <= end)
     }
 
-    /// At rest, or about to brake, at the start.
-    fn departing(start: State, final_position: f64) -> Self {
-        Self {
-            start,
-            final_position,
-            p_at_t1: start.position,
-            p_at_t2: start.position,
-            cruise_origin: start.position,
-            ..Self::default()
-        }
+    /// No phase at all.
+    fn stand(&mut self, start: State, final_position: f64) {
+        self.start = start;
+        self.final_position = final_position;
+        self.kind = Kind::Triangular;
+        (self.t1, self.t2, self.tf) = (0.0, 0.0, 0.0);
+        (self.velocity, self.acceleration, self.deceleration) = (0.0, 0.0, 0.0);
+        (self.p_at_t1, self.p_at_t2) = (start.position, start.position);
+        self.cruise_origin = start.position;
     }
 
     /// Towards the target without turning: trapezoid, or triangle while the start velocity is below the limit.

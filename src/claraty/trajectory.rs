@@ -94,7 +94,7 @@ impl<'w> Trajectory<'w> {
                 };
                 self.profile.plan_listing(state, here)
             }
-            Mode::Corrected => self.adopt(Profile::stopping(state, limits)),
+            Mode::Corrected => self.profile.plan_stop(state, limits),
         };
         self.duration = self.profile.tf;
         warnings
@@ -213,7 +213,7 @@ impl<'w> Trajectory<'w> {
             }
             (route, _) => {
                 let target = route.target(0).unwrap_or_default();
-                self.adopt(Profile::corrected(self.departure, target))
+                self.profile.plan_corrected(self.departure, target)
             }
         }
     }
@@ -227,11 +227,6 @@ impl<'w> Trajectory<'w> {
         };
         self.leg += 1;
         self.leg_start += self.profile.tf;
-        Some(self.adopt(Profile::corrected(rest, target)))
-    }
-
-    fn adopt(&mut self, (profile, warnings): (Profile, Warnings)) -> Warnings {
-        self.profile = profile;
-        warnings
+        Some(self.profile.plan_corrected(rest, target))
     }
 }

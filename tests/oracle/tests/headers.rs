@@ -2,9 +2,9 @@
 
 mod original;
 
-use oracle::common::{DOUBLE, Language, Variant, compilers, golden_dir, lines, root, run, symbols};
+use oracle::common::{DOUBLE, Language, Variant, compilers, golden_dir, lines, root, run};
 use oracle::family::Family;
-use original::{REALS, directory, include};
+use original::{REALS, directory, include, shared_symbols};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -52,7 +52,7 @@ fn prototypes_are_the_same() {
     for (variant, size) in REALS {
         let theirs = prototypes(&include(), size);
         assert_eq!(prototypes(&variant.dist().join("include"), size), theirs);
-        assert_eq!(theirs.len(), symbols(variant).len());
+        assert_eq!(theirs.len(), shared_symbols(variant).len());
     }
     let (double, float) = (REALS[0].1, REALS[1].1);
     assert_ne!(
@@ -65,7 +65,7 @@ fn prototypes_are_the_same() {
 /// size, offset and type of every field. The second set stands on the prelude of the first, of which the field `tv` can be
 /// made into something else.
 fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> String {
-    let names: Vec<_> = symbols(&DOUBLE)
+    let names: Vec<_> = shared_symbols(&DOUBLE)
         .into_iter()
         .chain(HEADERS.map(|header| format!("a_{header}")))
         .collect();
@@ -179,7 +179,7 @@ fn programs_are_the_same_with_either_headers() {
         for compiler in compilers(Language::C) {
             assert_eq!(
                 both(&[compiler, "-std=c99"], &golden).len(),
-                symbols(variant).len()
+                shared_symbols(variant).len()
             );
             for standard in ["-std=c99", "-std=c11", "-std=c17"] {
                 assert!(both(&[compiler, standard], &prelude).len() > 20);

@@ -1,7 +1,7 @@
 //! The original as its users have it: headers, archive and shared library under its own names.
 #![allow(dead_code)] // each test file uses a part of it
 
-use oracle::common::{DOUBLE, FLOAT, Variant, run};
+use oracle::common::{DOUBLE, FLOAT, Variant, run, symbols};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,6 +17,13 @@ pub fn include() -> PathBuf {
 /// The build variants of ours that the original has too, and what its headers must be told.
 pub const REALS: [(&Variant, &str); 2] =
     [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
+
+/// The functions that the original has too.
+pub fn shared_symbols(variant: &Variant) -> Vec<String> {
+    let mut names = symbols(variant);
+    names.retain(|name| name.starts_with("a_traj"));
+    names
+}
 
 /// An empty directory for a test.
 pub fn directory(name: &str) -> PathBuf {
