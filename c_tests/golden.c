@@ -2,8 +2,18 @@
  Replays every golden row of liba through the C ABI and compares bits.
  usage: golden DIRECTORY
  Prints a line `function rows differing` for each function; fails on a difference, or on a file without rows.
+
+ With LIBA_HEADERS it keeps to what liba's own headers declare.
 */
+#if defined(LIBA_HEADERS)
+#include "a/trajbell.h"
+#include "a/trajpoly3.h"
+#include "a/trajpoly5.h"
+#include "a/trajpoly7.h"
+#include "a/trajtrap.h"
+#else
 #include "atraj.h"
+#endif
 #include "table.h"
 #include <math.h>
 
@@ -103,6 +113,10 @@ static void replay(const char *directory, const char *family, const char *functi
 #define REPLAY(family, columns, column, f, contexts, moves) \
     replay(directory, family, "a_" #f, columns, column, f, contexts, sizeof((contexts)[0]), moves)
 
+#if defined(LIBA_HEADERS)
+#define REPLAY_TOGETHER(family, quantities, contexts, moves)
+#else
+
 /* Checks all columns of an evaluation table with the function `evaluate`, which finds them together. */
 static void replay_together(const char *directory, const char *family, const char *function, int quantities,
                             void (*evaluate)(const void *ctx, a_float x, a_float *out), const void *contexts,
@@ -155,6 +169,8 @@ TOGETHER3(trap)
 TOGETHER3(poly3)
 TOGETHER3(poly5)
 TOGETHER4(poly7)
+
+#endif /* LIBA_HEADERS */
 
 EVALUATE(trajbell_pos)
 EVALUATE(trajbell_vel)

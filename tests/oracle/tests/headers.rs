@@ -178,7 +178,7 @@ fn programs_are_the_same_with_either_headers() {
         };
         for compiler in compilers(Language::C) {
             assert_eq!(
-                both(&[compiler, "-std=c99"], &golden).len(),
+                both(&[compiler, "-std=c99", "-DLIBA_HEADERS"], &golden).len(),
                 shared_symbols(variant).len()
             );
             for standard in ["-std=c99", "-std=c11", "-std=c17"] {
