@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::root;
+use common::{has_tool, root};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
@@ -107,6 +107,9 @@ fn every_move_is_drawn() {
 
 #[test]
 fn the_controller_turns_back_holds_and_arrives() {
+    if !has_tool("c++") {
+        return;
+    }
     let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
     let (_, motion) = setpoints.split_once("move Retarget and feed hold").unwrap();
     let points: Vec<Vec<f64>> = motion
