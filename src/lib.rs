@@ -62,6 +62,7 @@
 //! | `float` | makes the C ABI's real type `float` |
 //! | `poly-compact` | gives the C ABI the polynomial structs of liba since 2025-03 |
 #![no_std]
+#![cfg_attr(atraj_unstable_core, feature(core_float_math))]
 #![deny(unsafe_code)]
 
 mod bell;

@@ -24,6 +24,10 @@ pub trait Real:
     const SIXTH: Self;
     /// Distance from 1 to the next larger number: `2^-23` or `2^-52`.
     const EPSILON: Self;
+    /// `64 EPSILON`, exact.
+    const DOUBT: Self;
+    /// `EPSILON^-4`, exact.
+    const HUGE: Self;
     /// Positive infinity.
     const INFINITY: Self;
     /// The processor takes a root or a division in one instruction, and has little room for code that avoids them.
@@ -38,24 +42,43 @@ pub trait Real:
     /// Rounded towards zero, limited to what an index can be; 0 for a NaN.
     fn to_index(self) -> i32;
 
+    /// The absolute value.
+    fn abs(self) -> Self;
+
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
     fn magnitude(self) -> Self {
-        if self < Self::from(0) { -self } else { self }
+        if self < Self::from(0) {
+            keep_branch();
+            -self
+        } else {
+            self
+        }
     }
 
-    /// `self` limited to `lo..=hi`; NaN becomes `lo`.
-    fn limit(self, lo: Self, hi: Self) -> Self {
-        if lo < self {
-            if self < hi { self } else { hi }
+    /// `self` limited to `±most`, which is not below zero; NaN becomes `-most`.
+    fn limit(self, most: Self) -> Self {
+        if self.abs() < most {
+            keep_branch();
+            self
+        } else if self > -most {
+            most
         } else {
-            lo
+            -most
         }
     }
 
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool {
-        self.magnitude() < Self::INFINITY
+        self.abs() < Self::INFINITY
     }
+}
+
+/// Keeps the branch it stands in, where the compiler would compute both sides and select. A microcontroller has nothing
+/// to predict, and a value that is not computed costs nothing.
+#[inline(always)]
+pub(crate) fn keep_branch() {
+    #[cfg(target_os = "none")]
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
 }
 
 mod sealed {
@@ -64,24 +87,33 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-// `core` has no square root yet. The C library's is correctly rounded, and where the processor has an instruction for
-// it the compiler emits that instead of the call.
+// Stable `core` has no square root yet. The C library's is correctly rounded, and where the processor has an instruction
+// for it the compiler emits that, with a call for what is below zero. An unstable `core` spares this call.
+#[cfg(not(atraj_unstable_core))]
 #[allow(unsafe_code)]
 unsafe extern "C" {
     safe fn sqrt(x: f64) -> f64;
     safe fn sqrtf(x: f32) -> f32;
 }
+#[cfg(atraj_unstable_core)]
+use core::{f32::math::sqrt as sqrtf, f64::math::sqrt};
 
 impl Real for f32 {
     const HALF: Self = 0.5;
     const SIXTEENTH: Self = 0.0625;
     const SIXTH: Self = 1.0 / 6.0;
     const EPSILON: Self = f32::EPSILON;
+    const DOUBT: Self = 64.0 * f32::EPSILON;
+    const HUGE: Self = 1.0 / (f32::EPSILON * f32::EPSILON * f32::EPSILON * f32::EPSILON);
     const INFINITY: Self = f32::INFINITY;
     const CHEAP_ROOT: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
     fn sqrt(self) -> Self {
         sqrtf(self)
+    }
+
+    fn abs(self) -> Self {
+        f32::abs(self)
     }
 
     fn from_index(k: i32) -> Self {
@@ -98,11 +130,17 @@ impl Real for f64 {
     const SIXTEENTH: Self = 0.0625;
     const SIXTH: Self = 1.0 / 6.0;
     const EPSILON: Self = f64::EPSILON;
+    const DOUBT: Self = 64.0 * f64::EPSILON;
+    const HUGE: Self = 1.0 / (f64::EPSILON * f64::EPSILON * f64::EPSILON * f64::EPSILON);
     const INFINITY: Self = f64::INFINITY;
     const CHEAP_ROOT: bool = false;
 
     fn sqrt(self) -> Self {
         sqrt(self)
+    }
+
+    fn abs(self) -> Self {
+        f64::abs(self)
     }
 
     fn from_index(k: i32) -> Self {

@@ -11,6 +11,7 @@ CARGO_DIR := target/build-$(TARGET)
 ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/null)/*),)
 CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
     $(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian))
+RUSTC_FLAGS += --cfg atraj_unstable_core
 CARGO_TARGET := --target $(CARGO_DIR)/$(TARGET).json -Z json-target-spec -Z build-std=core
 endif
 
