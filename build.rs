@@ -8,6 +8,11 @@ fn main() {
     println!("cargo::rustc-check-cfg=cfg(trajpoly5_v, trajpoly5_a)");
     println!("cargo::rustc-check-cfg=cfg(trajpoly7_v, trajpoly7_a, trajpoly7_j)");
 
+    println!("cargo::rustc-check-cfg=cfg(soft_binary64)");
+    if unit_lacks_binary64() {
+        println!("cargo::rustc-cfg=soft_binary64");
+    }
+
     let size = if feature("FLOAT") { 4 } else { 8 };
     let compact = u8::from(feature("POLY_COMPACT"));
     let poly3 = level("A_TRAJPOLY3", 3);
@@ -28,6 +33,17 @@ fn main() {
     );
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     fs::write(Path::new(&out).join("atraj_config.h"), config).expect("OUT_DIR is writable");
+}
+
+/// A Cortex-M whose floating-point unit computes in binary32 only, as far as the compiler is told.
+fn unit_lacks_binary64() -> bool {
+    let target = env::var("TARGET").expect("cargo sets TARGET");
+    let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    target.starts_with("thumb")
+        && target.ends_with("eabihf")
+        && !["cortex-m7", "fp64"]
+            .iter()
+            .any(|unit| flags.contains(unit))
 }
 
 fn feature(name: &str) -> bool {

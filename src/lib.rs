@@ -74,6 +74,8 @@ pub mod claraty;
 mod poly;
 mod real;
 mod sample;
+#[cfg(soft_binary64)]
+mod soft;
 mod trap;
 
 pub use bell::Bell;

@@ -85,6 +85,8 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
+    #[cfg(soft_binary64)]
+    impl Sealed for crate::soft::Soft64 {}
 }
 
 // Stable `core` has no square root yet. The C library's is correctly rounded, and where the processor has an instruction

@@ -1,11 +1,11 @@
 //! `atraj.h`: what liba does not have. A move is evaluated at many times, or for all its quantities, in one call.
 
-use super::a_float;
 use super::trajbell::a_trajbell;
 use super::trajpoly3::a_trajpoly3;
 use super::trajpoly5::a_trajpoly5;
 use super::trajpoly7::a_trajpoly7;
 use super::trajtrap::a_trajtrap;
+use super::{Number, a_float};
 use crate::poly::horner;
 use crate::sample::{MOST_SAMPLES, Sweep};
 use crate::{Bell, Trap};
@@ -36,12 +36,12 @@ pub unsafe extern "C" fn atraj_bell_sample(
 ) -> usize {
     let n = n.min(MOST_SAMPLES);
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(bell) = (unsafe { ctx.cast::<Bell<a_float>>().as_ref() }) else {
+    let Some(bell) = (unsafe { ctx.cast::<Bell<Number>>().as_ref() }) else {
         return 0;
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
-    let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output, n) });
-    bell.sample_into(x0, dt, outputs);
+    let outputs = [pos, vel, acc, jer].map(|output| unsafe { array::<Number>(output.cast(), n) });
+    bell.sample_into(x0.into(), dt.into(), outputs);
     n
 }
 
@@ -64,8 +64,8 @@ pub unsafe extern "C" fn atraj_bell_state(
     jer: *mut a_float,
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let state = match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
-        Some(bell) => bell.state(x),
+    let state = match unsafe { ctx.cast::<Bell<Number>>().as_ref() } {
+        Some(bell) => bell.state(x.into()).map(Into::into),
         None => [a_float::NAN; 4],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -95,12 +95,12 @@ pub unsafe extern "C" fn atraj_trap_sample(
 ) -> usize {
     let n = n.min(MOST_SAMPLES);
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(trap) = (unsafe { ctx.cast::<Trap<a_float>>().as_ref() }) else {
+    let Some(trap) = (unsafe { ctx.cast::<Trap<Number>>().as_ref() }) else {
         return 0;
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
-    let outputs = [pos, vel, acc].map(|output| unsafe { array(output, n) });
-    trap.sample_into(x0, dt, outputs);
+    let outputs = [pos, vel, acc].map(|output| unsafe { array::<Number>(output.cast(), n) });
+    trap.sample_into(x0.into(), dt.into(), outputs);
     n
 }
 
@@ -121,8 +121,8 @@ pub unsafe extern "C" fn atraj_trap_state(
     acc: *mut a_float,
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let state = match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
-        Some(trap) => trap.state(x),
+    let state = match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
+        Some(trap) => trap.state(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -353,7 +353,7 @@ fn copy<T: Copy>(coefficients: impl Borrow<T>) -> T {
 ///
 /// # Safety
 /// `output` is NULL or has room for `n` values that nobody else uses.
-unsafe fn array<'a>(output: *mut a_float, n: usize) -> &'a mut [a_float] {
+unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
     if output.is_null() {
         return &mut [];
     }

@@ -14,6 +14,7 @@
 #![allow(non_camel_case_types)] // C names
 #![allow(clippy::missing_safety_doc)] // the contract above is the safety section of every function
 #![allow(clippy::too_many_arguments)] // the signatures are the original's
+#![allow(clippy::useless_conversion)] // not where `Number` is a type of its own
 
 pub mod atraj;
 pub mod claraty;
@@ -25,12 +26,29 @@ pub mod trajpoly5;
 pub mod trajpoly7;
 pub mod trajtrap;
 
+use crate::Boundary;
+
 /// The real type of this build: `float` with the feature `float`, else `double`.
 #[cfg(feature = "float")]
 pub type a_float = f32;
 /// The real type of this build: `float` with the feature `float`, else `double`.
 #[cfg(not(feature = "float"))]
 pub type a_float = f64;
+
+/// What the profiles compute in: the same bits.
+#[cfg(any(feature = "float", not(soft_binary64)))]
+type Number = a_float;
+#[cfg(all(not(feature = "float"), soft_binary64))]
+type Number = crate::soft::Soft64;
+
+fn boundary(p0: a_float, p1: a_float, v0: a_float, v1: a_float) -> Boundary<Number> {
+    Boundary {
+        p0: p0.into(),
+        p1: p1.into(),
+        v0: v0.into(),
+        v1: v1.into(),
+    }
+}
 
 /// Fails the build unless every named field stands at the same offset in the C struct and in the core's, and both have
 /// the same size: what makes a pointer to one a pointer to the other.

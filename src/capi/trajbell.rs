@@ -1,7 +1,7 @@
 //! `a/trajbell.h`: the double-S profile.
 
-use super::{a_float, assert_same_layout, nan};
-use crate::{Bell, Boundary};
+use super::{Number, a_float, assert_same_layout, boundary, nan};
+use crate::Bell;
 
 /// @brief Bell-shaped (double-S) velocity trajectory.
 ///
@@ -38,7 +38,7 @@ pub struct a_trajbell {
     /// highest deceleration reached, negative
     pub dm: a_float,
 }
-assert_same_layout!(a_trajbell, Bell<a_float>, t tv ta td taj tdj p0 p1 v0 v1 vm jm am dm);
+assert_same_layout!(a_trajbell, Bell<Number>, t tv ta td taj tdj p0 p1 v0 v1 vm jm am dm);
 
 /// @brief Plan a bell-shaped velocity trajectory.
 ///
@@ -66,11 +66,12 @@ pub unsafe extern "C" fn a_trajbell_gen(
     v1: a_float,
 ) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(bell) = (unsafe { ctx.cast::<Bell<a_float>>().as_mut() }) else {
+    let Some(bell) = (unsafe { ctx.cast::<Bell<Number>>().as_mut() }) else {
         return 0.0;
     };
-    let boundary = Boundary { p0, p1, v0, v1 };
-    bell.plan(jm, am, vm, boundary).unwrap_or(0.0)
+    let boundary = boundary(p0, p1, v0, v1);
+    bell.plan(jm.into(), am.into(), vm.into(), boundary)
+        .map_or(0.0, Into::into)
 }
 
 /// @brief Position of a bell-shaped velocity trajectory.
@@ -80,8 +81,8 @@ pub unsafe extern "C" fn a_trajbell_gen(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajbell_pos(ctx: *const a_trajbell, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
-        Some(bell) => bell.position(x),
+    match unsafe { ctx.cast::<Bell<Number>>().as_ref() } {
+        Some(bell) => bell.position(x.into()).into(),
         None => nan(),
     }
 }
@@ -93,8 +94,8 @@ pub unsafe extern "C" fn a_trajbell_pos(ctx: *const a_trajbell, x: a_float) -> a
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajbell_vel(ctx: *const a_trajbell, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
-        Some(bell) => bell.velocity(x),
+    match unsafe { ctx.cast::<Bell<Number>>().as_ref() } {
+        Some(bell) => bell.velocity(x.into()).into(),
         None => nan(),
     }
 }
@@ -106,8 +107,8 @@ pub unsafe extern "C" fn a_trajbell_vel(ctx: *const a_trajbell, x: a_float) -> a
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajbell_acc(ctx: *const a_trajbell, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
-        Some(bell) => bell.acceleration(x),
+    match unsafe { ctx.cast::<Bell<Number>>().as_ref() } {
+        Some(bell) => bell.acceleration(x.into()).into(),
         None => nan(),
     }
 }
@@ -119,8 +120,8 @@ pub unsafe extern "C" fn a_trajbell_acc(ctx: *const a_trajbell, x: a_float) -> a
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajbell_jer(ctx: *const a_trajbell, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Bell<a_float>>().as_ref() } {
-        Some(bell) => bell.jerk(x),
+    match unsafe { ctx.cast::<Bell<Number>>().as_ref() } {
+        Some(bell) => bell.jerk(x.into()).into(),
         None => nan(),
     }
 }

@@ -1,7 +1,7 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
-use super::{a_float, assert_same_layout, nan};
-use crate::{Boundary, Trap};
+use super::{Number, a_float, assert_same_layout, boundary, nan};
+use crate::Trap;
 
 /// @brief Trapezoidal velocity trajectory.
 ///
@@ -34,7 +34,7 @@ pub struct a_trajtrap {
     /// acceleration after constant velocity
     pub de: a_float,
 }
-assert_same_layout!(a_trajtrap, Trap<a_float>, t p0 p1 v0 v1 vc ta td pa pd ac de);
+assert_same_layout!(a_trajtrap, Trap<Number>, t p0 p1 v0 v1 vc ta td pa pd ac de);
 
 /// @brief Plan a trapezoidal velocity trajectory.
 ///
@@ -62,11 +62,12 @@ pub unsafe extern "C" fn a_trajtrap_gen(
     v1: a_float,
 ) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(trap) = (unsafe { ctx.cast::<Trap<a_float>>().as_mut() }) else {
+    let Some(trap) = (unsafe { ctx.cast::<Trap<Number>>().as_mut() }) else {
         return 0.0;
     };
-    let boundary = Boundary { p0, p1, v0, v1 };
-    trap.plan(vm, ac, de, boundary).unwrap_or(0.0)
+    let boundary = boundary(p0, p1, v0, v1);
+    trap.plan(vm.into(), ac.into(), de.into(), boundary)
+        .map_or(0.0, Into::into)
 }
 
 /// @brief Position of a trapezoidal velocity trajectory.
@@ -76,8 +77,8 @@ pub unsafe extern "C" fn a_trajtrap_gen(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_pos(ctx: *const a_trajtrap, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
-        Some(trap) => trap.position(x),
+    match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
+        Some(trap) => trap.position(x.into()).into(),
         None => nan(),
     }
 }
@@ -89,8 +90,8 @@ pub unsafe extern "C" fn a_trajtrap_pos(ctx: *const a_trajtrap, x: a_float) -> a
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_vel(ctx: *const a_trajtrap, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
-        Some(trap) => trap.velocity(x),
+    match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
+        Some(trap) => trap.velocity(x.into()).into(),
         None => nan(),
     }
 }
@@ -102,8 +103,8 @@ pub unsafe extern "C" fn a_trajtrap_vel(ctx: *const a_trajtrap, x: a_float) -> a
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_acc(ctx: *const a_trajtrap, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Trap<a_float>>().as_ref() } {
-        Some(trap) => trap.acceleration(x),
+    match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
+        Some(trap) => trap.acceleration(x.into()).into(),
         None => nan(),
     }
 }
