@@ -1,6 +1,7 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
+use crate::real::keep_branch;
 use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
@@ -65,69 +66,90 @@ impl<R: Real> Trap<R> {
     /// function gives up. What a failed plan does not reach keeps its old value.
     pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
         let zero = R::from(0);
-        let p = boundary.p1 - boundary.p0;
-        let p2 = R::from(2) * p;
-        let signed = |v: R| if p < zero { -v } else { v };
         if ac == de {
             return None;
         }
+        (self.p0, self.p1) = (boundary.p0, boundary.p1);
+        let p = self.p1 - self.p0;
+        let two_p = p * R::from(2);
         let vm = velocity.magnitude();
-        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
-        (self.p0, self.p1) = (p0, p1);
+        let Boundary { v0, v1, .. } = boundary.limit_velocities(vm);
         (self.v0, self.v1) = (v0, v1);
 
         // Squared velocity at which the acceleration line meets the deceleration line.
         let a = v0 * v0;
         let b = v1 * v1;
-        let c = (b * ac - a * de - p2 * ac * de) / (ac - de);
+        let c = b * ac - a * de;
+        let c = (c - two_p * ac * de) / (ac - de);
         if c <= zero {
             return None;
         }
-        let covered = |t: R| p0 + v0 * t + R::HALF * ac * t * t;
-        if c > vm * vm {
-            self.vc = signed(vm);
-            self.ta = (self.vc - v0) / ac;
-            let t = (v1 - self.vc) / de;
-            self.pa = covered(self.ta);
-            self.pd = p1 - self.vc * t - R::HALF * de * t * t;
-            self.td = self.ta + (self.pd - self.pa) / self.vc;
-            self.t = t + self.td;
+        let shape = if c > vm * vm {
+            Shape::Cruise
         } else if c > a && c <= b {
-            // Too short to reach v1: accelerate all the way.
-            let b = a + p2 * ac;
-            if b < zero {
-                return None;
-            }
-            self.v1 = signed(b.sqrt());
-            self.vc = self.v1;
-            self.t = (self.v1 - v0) / ac;
-            self.ta = self.t;
-            self.td = self.t;
-            self.pa = covered(self.t);
-            self.pd = p1;
+            Shape::UpOnly
         } else if c <= a && c > b {
-            // Too short to come down to v1: decelerate all the way.
-            let b = a + p2 * de;
-            if b < zero {
-                return None;
-            }
-            self.v1 = signed(b.sqrt());
-            self.vc = v0;
-            self.t = (self.v1 - v0) / de;
-            self.ta = zero;
-            self.td = zero;
-            self.pa = p0;
-            self.pd = p0;
+            Shape::DownOnly
         } else {
-            self.vc = signed(c.sqrt());
-            self.ta = (self.vc - v0) / ac;
-            self.td = self.ta;
-            self.pa = covered(self.ta);
-            self.t = self.ta + (v1 - self.vc) / de;
-            self.pd = self.pa;
-        }
+            Shape::Peak
+        };
+        let magnitude = match shape {
+            Shape::Cruise => vm,
+            _ => {
+                // Squared velocity that is reached.
+                let reached = match shape {
+                    Shape::UpOnly => two_p * ac + a,
+                    Shape::DownOnly => two_p * de + a,
+                    _ => c,
+                };
+                if reached < zero {
+                    return None;
+                }
+                reached.sqrt()
+            }
+        };
+        let v = if p < zero {
+            keep_branch();
+            -magnitude
+        } else {
+            magnitude
+        };
+
         self.ac = ac;
         self.de = de;
+        if matches!(shape, Shape::DownOnly) {
+            self.v1 = v;
+            self.vc = v0;
+            self.t = (v - v0) / de;
+            (self.ta, self.td) = (zero, zero);
+            (self.pa, self.pd) = (self.p0, self.p0);
+            return Some(self.t);
+        }
+        self.vc = v;
+        let ta = (v - v0) / ac;
+        self.ta = ta;
+        let line = v0 * ta + self.p0;
+        self.pa = ac * R::HALF * ta * ta + line;
+        match shape {
+            Shape::UpOnly => {
+                self.v1 = v;
+                self.t = ta;
+                self.td = ta;
+                self.pd = self.p1;
+            }
+            Shape::Peak => {
+                self.td = ta;
+                self.pd = self.pa;
+                self.t = (v1 - v) / de + ta;
+            }
+            _ => {
+                let t = (v1 - v) / de;
+                let line = -(v * t) + self.p1;
+                self.pd = -(de * R::HALF * t * t) + line;
+                self.td = (self.pd - self.pa) / v + ta;
+                self.t = t + self.td;
+            }
+        }
         Some(self.t)
     }
 
@@ -138,28 +160,19 @@ impl<R: Real> Trap<R> {
 
     #[inline(always)]
     fn position_in(&self, phase: Phase, x: R) -> R {
-        let Self {
-            p0,
-            p1,
-            v0,
-            vc,
-            ta,
-            td,
-            pa,
-            pd,
-            ac,
-            de,
-            ..
-        } = *self;
         match phase {
-            Phase::Before => p0,
-            Phase::Accelerate => p0 + v0 * x + R::HALF * ac * x * x,
-            Phase::Cruise => pa + vc * (x - ta),
-            Phase::Decelerate => {
-                let z = x - td;
-                pd + vc * z + R::HALF * de * z * z
+            Phase::Before => self.p0,
+            Phase::Accelerate => {
+                let line = self.v0 * x + self.p0;
+                self.ac * R::HALF * x * x + line
             }
-            Phase::After => p1,
+            Phase::Cruise => (x - self.ta) * self.vc + self.pa,
+            Phase::Decelerate => {
+                let z = x - self.td;
+                let line = self.vc * z + self.pd;
+                self.de * R::HALF * z * z + line
+            }
+            Phase::After => self.p1,
         }
     }
 
@@ -170,34 +183,23 @@ impl<R: Real> Trap<R> {
 
     #[inline(always)]
     fn velocity_in(&self, phase: Phase, x: R) -> R {
-        let Self {
-            v0,
-            v1,
-            vc,
-            td,
-            ac,
-            de,
-            ..
-        } = *self;
         match phase {
-            Phase::Before => v0,
-            Phase::Accelerate => v0 + ac * x,
-            Phase::Cruise => vc,
-            Phase::Decelerate => vc + de * (x - td),
-            Phase::After => v1,
+            Phase::Before => self.v0,
+            Phase::Accelerate => self.ac * x + self.v0,
+            Phase::Cruise => self.vc,
+            Phase::Decelerate => (x - self.td) * self.de + self.vc,
+            Phase::After => self.v1,
         }
     }
 
     /// Acceleration at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
+    #[inline(always)]
     pub fn acceleration(&self, x: R) -> R {
-        let Self {
-            t, ta, td, ac, de, ..
-        } = *self;
         let zero = R::from(0);
-        if x < ta {
-            if x >= zero { ac } else { zero }
-        } else if x >= td && x <= t {
-            de
+        if x < self.ta {
+            if x >= zero { self.ac } else { zero }
+        } else if x >= self.td && x <= self.t {
+            self.de
         } else {
             zero
         }
@@ -255,12 +257,12 @@ impl<R: Real> Trap<R> {
     }
 
     /// The phase of position and velocity at `x`.
+    #[inline(always)] // the phase becomes a place in the code, not a value
     fn phase(&self, x: R) -> Phase {
-        let Self { t, ta, td, .. } = *self;
-        if x >= ta {
-            if x < td {
+        if x >= self.ta {
+            if x < self.td {
                 Phase::Cruise
-            } else if x < t {
+            } else if x < self.t {
                 Phase::Decelerate
             } else {
                 Phase::After
@@ -271,6 +273,18 @@ impl<R: Real> Trap<R> {
             Phase::Before
         }
     }
+}
+
+/// How the velocity runs.
+enum Shape {
+    /// Up to the highest velocity, and down.
+    Cruise,
+    /// Up and down.
+    Peak,
+    /// Too short to reach the final velocity.
+    UpOnly,
+    /// Too short to come down to the final velocity.
+    DownOnly,
 }
 
 /// The three phases in order of time, and the standstill around them.
