@@ -1,6 +1,7 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 
+use crate::real::keep_branch;
 use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
@@ -74,26 +75,27 @@ impl<R: Real> Bell<R> {
         velocity: R,
         boundary: Boundary<R>,
     ) -> Option<R> {
-        let jm = jerk.magnitude();
-        let am = acceleration.magnitude();
-        let vm = velocity.magnitude();
-        let boundary = boundary.limit_velocities(vm);
         (self.p0, self.p1) = (boundary.p0, boundary.p1);
-        (self.v0, self.v1) = (boundary.v0, boundary.v1);
+        self.jm = jerk.magnitude();
+        let vm = velocity.magnitude();
+        self.vm = vm;
+        (self.v0, self.v1) = (boundary.v0.limit(vm), boundary.v1.limit(vm));
+        let am = acceleration.magnitude();
         let forward = self.forward();
 
-        self.vm = vm;
-        self.jm = jm;
         let mut full_tj = None;
-        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am, &mut full_tj);
-        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am, &mut full_tj);
+        (self.taj, self.ta, self.am) = self.ramp(vm - forward.v0, am, &mut full_tj);
+        if R::CHEAP_ROOT {
+            full_tj = None; // Cheaper to divide again than to ask.
+        }
+        (self.tdj, self.td, self.dm) = self.ramp(vm - forward.v1, am, &mut full_tj);
         self.dm = -self.dm;
 
         let p = forward.p1 - forward.p0;
         let one = R::from(1);
         self.tv = p / vm
-            - R::HALF * self.ta * (one + forward.v0 / vm)
-            - R::HALF * self.td * (one + forward.v1 / vm);
+            - self.ta * R::HALF * (forward.v0 / vm + one)
+            - self.td * R::HALF * (forward.v1 / vm + one);
         let planned =
             self.tv > R::from(0) || self.plan_without_cruise(am, p, forward.v0, forward.v1);
         self.t = if planned {
@@ -104,10 +106,19 @@ impl<R: Real> Bell<R> {
         planned.then_some(self.t)
     }
 
-    /// No room to cruise. Looks for the highest acceleration whose two ramps fit into the distance `p`, by
-    /// halving a step from `am` down, and writes the ramps. `false` if there is none.
-    ///
-    /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    /// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached. `full_tj`
+    /// keeps the jerk part of a ramp that reaches `am`, so that a second one needs no division.
+    fn ramp(&self, dv: R, am: R, full_tj: &mut Option<R>) -> (R, R, R) {
+        if dv * self.jm < am * am {
+            let tj = (dv / self.jm).sqrt();
+            (tj, tj * R::from(2), self.jm * tj)
+        } else {
+            let tj = *full_tj.get_or_insert_with(|| am / self.jm);
+            (tj, dv / am + tj, am)
+        }
+    }
+
+    /// No room to cruise: two ramps meet, or one covers the whole distance `p`. `false` if there is no such move.
     // Apart, as its many variables would slow down plans with a cruise phase.
     #[inline(never)]
     fn plan_without_cruise(&mut self, am: R, p: R, v0: R, v1: R) -> bool {
@@ -118,47 +129,50 @@ impl<R: Real> Bell<R> {
         if am == R::INFINITY {
             return false;
         }
-
-        let (trial, step, lone_ramp) = skip_plain_rounds(self.jm, am, p, v0, v1);
-        let fit = if lone_ramp {
-            // Of the durations of this round these are all that the lone ramp may keep.
-            self.taj = trial / self.jm;
-            self.tdj = self.taj;
-            if v0 > v1 { Fit::DownOnly } else { Fit::UpOnly }
-        } else {
-            self.search(trial, step, p, v0, v1)
-        };
-        match fit {
-            Fit::DownOnly => self.plan_down_only(p, v0, v1),
-            Fit::UpOnly => self.plan_up_only(p, v0, v1),
+        match self.search(am, p, v0, v1) {
             Fit::Both => true,
             Fit::TooSteep => false,
+            single => self.plan_single_ramp(matches!(single, Fit::DownOnly), p, v0, v1),
         }
     }
 
-    /// The rounds from `trial` on. Writes two ramps if both fit, and tells which do.
-    fn search(&mut self, mut trial: R, mut step: R, p: R, v0: R, v1: R) -> Fit {
+    /// Looks for the highest acceleration whose two ramps fit into the distance `p`, by halving a step from `am` down.
+    /// Writes two ramps if both fit, and tells which do.
+    ///
+    /// At most 1076 rounds for `f64` and 151 for `f32`: the step is halved in every round and starts finite.
+    fn search(&mut self, am: R, p: R, v0: R, v1: R) -> Fit {
         let zero = R::from(0);
         let two = R::from(2);
-        let four = R::from(4);
-        let Self {
-            jm, am, dm: coarse, ..
-        } = *self;
         let s = v0 + v1;
-        let q = two * (v0 * v0 + v1 * v1);
+        let q = (v0 * v0 + v1 * v1) * two;
+        let Plain {
+            mut trial,
+            mut step,
+            single,
+        } = skip_plain_rounds(self.jm, am, p, v0, v1, s, q);
+        if single {
+            // Of the durations of this round these are all that the single ramp may keep.
+            self.taj = trial / self.jm;
+            self.tdj = self.taj;
+            return if v0 > v1 { Fit::DownOnly } else { Fit::UpOnly };
+        }
+        let (two_v0, two_v1) = (v0 * two, v1 * two);
+        let four_p = p * R::from(4);
         loop {
-            let tj = trial / jm;
-            let tj2 = two * tj;
+            let tj = trial / self.jm;
+            let tj2 = tj * two;
             self.taj = tj;
             self.tdj = tj;
             let k = trial * tj;
-            let k = k + (k * k + q + (four * p - tj2 * s) * trial).sqrt();
-            let den = two * trial;
-            self.ta = (k - two * v0) / den;
+            let kk_q = k * k + q;
+            let r = (-(tj2 * s) + four_p) * trial + kk_q;
+            let k = r.sqrt() + k;
+            let den = trial * two;
+            self.ta = (k - two_v0) / den;
             let fit = if self.ta < zero {
                 Fit::DownOnly
             } else {
-                self.td = (k - two * v1) / den;
+                self.td = (k - two_v1) / den;
                 if self.td < zero {
                     Fit::UpOnly
                 } else if self.ta >= tj2 && self.td >= tj2 {
@@ -167,21 +181,20 @@ impl<R: Real> Bell<R> {
                     Fit::TooSteep
                 }
             };
-
-            let settled = trial == am || step < coarse;
-            step = step * R::HALF;
+            let next = step * R::HALF;
             if matches!(fit, Fit::TooSteep) {
-                trial = trial - step;
-            } else if !settled {
-                trial = trial + step;
+                trial = trial - next;
+            } else if !(trial == am || step < self.dm) {
+                trial = trial + next;
             } else {
                 if matches!(fit, Fit::Both) {
                     self.am = trial;
                     self.dm = -trial;
-                    self.vm = v0 + trial * (self.ta - tj);
+                    self.vm = (self.ta - tj) * trial + v0;
                 }
                 return fit;
             }
+            step = next;
             // A NaN step ends the search too.
             if step > R::EPSILON {
                 continue;
@@ -190,31 +203,33 @@ impl<R: Real> Bell<R> {
         }
     }
 
-    /// The end is reached by braking alone: one deceleration ramp covers the whole distance `p`.
-    fn plan_down_only(&mut self, p: R, v0: R, v1: R) -> bool {
-        self.ta = R::from(0);
-        self.taj = R::from(0);
-        let (td, tdj) = only_ramp(self.jm, p, v0 + v1, v1 - v0);
-        self.td = td;
-        let Some(tdj) = tdj else { return false };
-        self.tdj = tdj;
-        self.am = R::from(0);
-        self.dm = -self.jm * tdj;
-        self.vm = v0;
-        true
-    }
-
-    /// The end is reached by speeding up alone: one acceleration ramp covers the whole distance `p`.
-    fn plan_up_only(&mut self, p: R, v0: R, v1: R) -> bool {
-        self.td = R::from(0);
-        self.tdj = R::from(0);
-        let (ta, taj) = only_ramp(self.jm, p, v0 + v1, v0 - v1);
-        self.ta = ta;
-        let Some(taj) = taj else { return false };
-        self.taj = taj;
-        self.am = self.jm * taj;
-        self.dm = R::from(0);
-        self.vm = v0 + self.am * (ta - taj);
+    /// One ramp covers the whole distance `p`: deceleration if `down`, else acceleration.
+    fn plan_single_ramp(&mut self, down: bool, p: R, v0: R, v1: R) -> bool {
+        let zero = R::from(0);
+        let s = v0 + v1;
+        let dv = if down { v1 - v0 } else { v0 - v1 };
+        let jm = self.jm;
+        let duration = p * R::from(2) / s;
+        let m = jm * p;
+        let w = dv * s * s;
+        let w = (m * p + w) * jm;
+        if down {
+            (self.ta, self.taj, self.td) = (zero, zero, duration);
+        } else {
+            (self.td, self.tdj, self.ta) = (zero, zero, duration);
+        }
+        // Not `w >= 0`: a NaN goes on, as in the C function.
+        if w < zero {
+            return false;
+        }
+        let tj = (m - w.sqrt()) / (jm * s);
+        let reached = jm * tj;
+        if down {
+            (self.tdj, self.am, self.dm, self.vm) = (tj, zero, -reached, v0);
+        } else {
+            (self.taj, self.am, self.dm) = (tj, reached, zero);
+            self.vm = (duration - tj) * reached + v0;
+        }
         true
     }
 
@@ -223,59 +238,52 @@ impl<R: Real> Bell<R> {
         let Self { p0, p1, v0, v1, .. } = *self;
         // Mirroring twice is exact, so `p0` and `p1` come back as they stand.
         if self.is_backward() {
-            -self.forward_position(x, -p0, -p1, -v0, -v1)
+            -self.forward_position(-p0, -p1, -v0, -v1, x)
         } else {
-            self.forward_position(x, p0, p1, v0, v1)
+            self.forward_position(p0, p1, v0, v1, x)
         }
     }
 
     #[cfg_attr(target_os = "none", inline(never))] // one copy for both directions, where flash is dear
-    fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+    fn forward_position(&self, p0: R, p1: R, v0: R, v1: R, x: R) -> R {
         self.position_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
     }
 
     /// In the axis of `forward`, like `velocity_in`.
     #[inline(always)]
-    fn position_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
-        let Self {
-            t,
-            ta,
-            td,
-            taj,
-            tdj,
-            vm,
-            jm,
-            am,
-            dm,
-            ..
-        } = *self;
+    fn position_in(&self, (phase, braking): (Phase, R), x: R, forward: Boundary<R>) -> R {
         let Boundary { p0, p1, v0, v1 } = forward;
-        let three = R::from(3);
-        let six = R::from(6);
+        let cruise_line = |p, v, ramp, z| {
+            let start = (v + self.vm) * R::HALF * ramp + p;
+            self.vm * z + start
+        };
         match phase {
             Phase::Before => p0,
-            Phase::JerkUp => p0 + v0 * x + jm * x * x * x / six,
+            Phase::JerkUp | Phase::EaseDown => {
+                let (p, v, z) = match phase {
+                    Phase::JerkUp => (p0, v0, x),
+                    _ => (p1, v1, x - self.t),
+                };
+                let line = v * z + p;
+                jerk_distance(self.jm, z) + line
+            }
             Phase::Accelerate => {
-                p0 + v0 * x + am * (three * x * x - three * x * taj + taj * taj) / six
+                let line = v0 * x + p0;
+                ramp_distance(self.am, x, self.taj) + line
             }
+            Phase::Cruise => cruise_line(p0, v0, self.ta, x - self.ta),
             Phase::EaseUp => {
-                let z = ta - x;
-                p0 + R::HALF * (vm + v0) * ta - vm * z + jm * z * z * z / six
+                let z = x - self.ta;
+                let curve = jerk_distance(-self.jm, z);
+                cruise_line(p0, v0, self.ta, z) + curve
             }
-            Phase::Cruise => p0 + R::HALF * (vm + v0) * ta + vm * (x - ta),
-            Phase::JerkDown => {
-                let z = x - (t - td);
-                p1 - R::HALF * (vm + v1) * td + vm * z - jm * z * z * z / six
-            }
-            Phase::Decelerate => {
-                let z = x - (t - td);
-                p1 - R::HALF * (vm + v1) * td
-                    + vm * z
-                    + dm * (three * z * z - three * z * tdj + tdj * tdj) / six
-            }
-            Phase::EaseDown => {
-                let z = t - x;
-                p1 - v1 * z - jm * z * z * z / six
+            Phase::JerkDown | Phase::Decelerate => {
+                let z = x - braking;
+                let curve = match phase {
+                    Phase::JerkDown => jerk_distance(-self.jm, z),
+                    _ => ramp_distance(self.dm, z, self.tdj),
+                };
+                cruise_line(p1, v1, -self.td, z) + curve
             }
             Phase::After => p1,
         }
@@ -285,111 +293,76 @@ impl<R: Real> Bell<R> {
     pub fn velocity(&self, x: R) -> R {
         let Self { p0, p1, v0, v1, .. } = *self;
         if self.is_backward() {
-            -self.forward_velocity(x, -p0, -p1, -v0, -v1)
+            -self.forward_velocity(-v0, -v1, -p0, -p1, x)
         } else {
-            self.forward_velocity(x, p0, p1, v0, v1)
+            self.forward_velocity(v0, v1, p0, p1, x)
         }
     }
 
     #[cfg_attr(target_os = "none", inline(never))] // one copy for both directions, where flash is dear
-    fn forward_velocity(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+    fn forward_velocity(&self, v0: R, v1: R, p0: R, p1: R, x: R) -> R {
         self.velocity_in(self.phase(x), x, Boundary { p0, p1, v0, v1 })
     }
 
     #[inline(always)]
-    fn velocity_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
-        let Self {
-            t,
-            ta,
-            td,
-            taj,
-            tdj,
-            vm,
-            jm,
-            am,
-            dm,
-            ..
-        } = *self;
+    fn velocity_in(&self, (phase, braking): (Phase, R), x: R, forward: Boundary<R>) -> R {
         let Boundary { v0, v1, .. } = forward;
         match phase {
             Phase::Before => v0,
-            Phase::JerkUp => v0 + R::HALF * jm * x * x,
-            Phase::Accelerate => v0 + am * (x - R::HALF * taj),
-            Phase::EaseUp => {
-                let z = ta - x;
-                vm - R::HALF * jm * z * z
+            Phase::JerkUp => jerk_velocity(self.jm, x) + v0,
+            Phase::Accelerate => (x - self.taj * R::HALF) * self.am + v0,
+            Phase::EaseUp => jerk_velocity(-self.jm, x - self.ta) + self.vm,
+            Phase::Cruise => self.vm,
+            Phase::JerkDown => jerk_velocity(-self.jm, x - braking) + self.vm,
+            Phase::Decelerate => {
+                let half_tj = self.tdj * R::HALF;
+                (x - self.t + self.td - half_tj) * self.dm + self.vm
             }
-            Phase::Cruise => vm,
-            Phase::JerkDown => {
-                let z = x - (t - td);
-                vm - R::HALF * jm * z * z
-            }
-            Phase::Decelerate => vm + dm * (x - t + td - R::HALF * tdj),
-            Phase::EaseDown => {
-                let z = t - x;
-                v1 + R::HALF * jm * z * z
-            }
+            Phase::EaseDown => jerk_velocity(self.jm, x - self.t) + v1,
             Phase::After => v1,
         }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
+    #[inline(always)]
     pub fn acceleration(&self, x: R) -> R {
-        self.acceleration_in(self.acceleration_phase(x), x)
+        self.acceleration_in(self.acceleration_phase(x).0, x)
     }
 
     #[inline(always)]
     fn acceleration_in(&self, phase: Phase, x: R) -> R {
-        let Self {
-            t,
-            ta,
-            td,
-            jm,
-            am,
-            dm,
-            ..
-        } = *self;
         let y = match phase {
             Phase::Before | Phase::Cruise | Phase::After => return R::from(0),
-            Phase::JerkUp => jm * x,
-            Phase::Accelerate => am,
-            Phase::EaseUp => jm * (ta - x),
-            Phase::JerkDown => -jm * (x - t + td),
-            Phase::Decelerate => dm,
-            Phase::EaseDown => -jm * (t - x),
+            Phase::JerkUp => self.jm * x,
+            Phase::Accelerate => self.am,
+            Phase::EaseUp => (x - self.ta) * -self.jm,
+            Phase::JerkDown => (x - self.t + self.td) * -self.jm,
+            Phase::Decelerate => self.dm,
+            Phase::EaseDown => (x - self.t) * self.jm,
         };
         self.orient(y)
     }
 
     /// Jerk at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
+    #[inline(always)]
     pub fn jerk(&self, x: R) -> R {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            jm,
-            ..
-        } = *self;
         let zero = R::from(0);
-        let y = if x < ta {
-            if x >= ta - taj {
-                -jm
-            } else if x < taj && x >= zero {
-                jm
+        let y = if x < self.ta {
+            if x >= self.ta - self.taj {
+                -self.jm
+            } else if x < self.taj && x >= zero {
+                self.jm
             } else {
                 return zero;
             }
-        } else if x < t - td + tdj {
-            if x >= ta + tv {
-                -jm
+        } else if x < self.t - self.td + self.tdj {
+            if x >= self.ta + self.tv {
+                -self.jm
             } else {
                 return zero;
             }
-        } else if x <= t && x >= t - tdj {
-            jm
+        } else if x <= self.t && x >= self.t - self.tdj {
+            self.jm
         } else {
             return zero;
         };
@@ -399,13 +372,26 @@ impl<R: Real> Bell<R> {
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
         let forward = self.forward();
-        in_phase!(self.phase(x), PHASE of
+        let (phase, braking) = self.phase(x);
+        in_phase!(phase, PHASE of
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => [
-            self.orient(self.position_in(PHASE, x, forward)),
-            self.orient(self.velocity_in(PHASE, x, forward)),
-            self.acceleration(x),
-            self.jerk(x),
+            self.orient(self.position_in((PHASE, braking), x, forward)),
+            self.orient(self.velocity_in((PHASE, braking), x, forward)),
+            self.acceleration_in_state(x),
+            self.jerk_in_state(x),
         ])
+    }
+
+    // One copy for all phases, where flash is dear.
+    #[cfg_attr(target_os = "none", inline(never))]
+    fn acceleration_in_state(&self, x: R) -> R {
+        self.acceleration(x)
+    }
+
+    // One copy for all phases, where flash is dear.
+    #[cfg_attr(target_os = "none", inline(never))]
+    fn jerk_in_state(&self, x: R) -> R {
+        self.jerk(x)
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -431,8 +417,8 @@ impl<R: Real> Bell<R> {
 
     fn sample_run(&self, run: Run<'_, R, 4>) {
         let x = run.first();
-        let phase = self.phase(x);
-        let acceleration_phase = self.acceleration_phase(x);
+        let (phase, _) = self.phase(x);
+        let (acceleration_phase, _) = self.acceleration_phase(x);
         let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];
         if phase == acceleration_phase {
             return self.sample_phase(phase, constant, run);
@@ -449,10 +435,11 @@ impl<R: Real> Bell<R> {
     fn sample_phase(&self, phase: Phase, [acceleration, jerk]: [R; 2], run: Run<'_, R, 4>) {
         let bell = *self;
         let forward = bell.forward();
+        let braking = bell.t - bell.td;
         in_phase!(phase, PHASE of
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => run.fill(|x| [
-            bell.orient(bell.position_in(PHASE, x, forward)),
-            bell.orient(bell.velocity_in(PHASE, x, forward)),
+            bell.orient(bell.position_in((PHASE, braking), x, forward)),
+            bell.orient(bell.velocity_in((PHASE, braking), x, forward)),
             match PHASE {
                 Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => {
                     bell.acceleration_in(PHASE, x)
@@ -489,58 +476,53 @@ impl<R: Real> Bell<R> {
         ]
     }
 
-    /// The phase of position and velocity at `x`. That of jerk is found in another order, which matters where rounding
+    /// The phase of position and velocity at `x`, and the time at which deceleration begins. That of jerk is found in another order, which matters where rounding
     /// has made neighbouring borders cross.
     #[inline(always)]
-    fn phase(&self, x: R) -> Phase {
+    fn phase(&self, x: R) -> (Phase, R) {
         self.phase_by(x, |x, border| x < border)
     }
 
     /// The phase of acceleration at `x`: the same unless a border is NaN.
     #[inline(always)]
-    fn acceleration_phase(&self, x: R) -> Phase {
+    fn acceleration_phase(&self, x: R) -> (Phase, R) {
         #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
         self.phase_by(x, |x, border| !(x >= border))
     }
 
     #[inline(always)] // the phase becomes a place in the code, not a value
-    fn phase_by(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> Phase {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            ..
-        } = *self;
-        if x < ta {
-            if is_ahead(x, taj) {
+    fn phase_by(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> (Phase, R) {
+        if x < self.ta {
+            let phase = if is_ahead(x, self.taj) {
                 if x <= R::from(0) {
                     Phase::Before
                 } else {
                     Phase::JerkUp
                 }
-            } else if x < ta - taj {
+            } else if x < self.ta - self.taj {
                 Phase::Accelerate
             } else {
                 Phase::EaseUp
-            }
-        } else if x < t - td + tdj {
-            if is_ahead(x, ta + tv) {
+            };
+            return (phase, R::from(0));
+        }
+        let braking = self.t - self.td;
+        let phase = if x < braking + self.tdj {
+            if is_ahead(x, self.ta + self.tv) {
                 Phase::Cruise
             } else {
                 Phase::JerkDown
             }
-        } else if x < t {
-            if x < t - tdj {
+        } else if x < self.t {
+            if x < self.t - self.tdj {
                 Phase::Decelerate
             } else {
                 Phase::EaseDown
             }
         } else {
             Phase::After
-        }
+        };
+        (phase, braking)
     }
 
     /// The boundary conditions in the axis that makes the move go forward.
@@ -556,7 +538,12 @@ impl<R: Real> Bell<R> {
 
     /// A value computed in the forward axis, back in the caller's.
     fn orient(&self, y: R) -> R {
-        if self.is_backward() { -y } else { y }
+        if self.is_backward() {
+            keep_branch();
+            -y
+        } else {
+            y
+        }
     }
 
     fn is_backward(&self) -> bool {
@@ -586,88 +573,95 @@ enum Fit {
     TooSteep,
 }
 
-/// A velocity change of `dv`: duration of its jerk part, duration of the whole ramp, acceleration reached. `full_tj` keeps
-/// the jerk part of a ramp that reaches `am`, so that a second one needs no division.
-fn ramp<R: Real>(dv: R, jm: R, am: R, full_tj: &mut Option<R>) -> (R, R, R) {
-    if dv * jm < am * am {
-        let tj = (dv / jm).sqrt();
-        (tj, R::from(2) * tj, jm * tj)
-    } else {
-        let tj = *full_tj.get_or_insert_with(|| am / jm);
-        (tj, tj + dv / am, am)
-    }
+// The original has the time until the end of a ramp in the place of a negative `z` here, and subtracts instead of adding
+// something negative. The bits are the same, since rounding knows no sign and neither time is 0.
+
+/// Distance that the jerk `j` adds in the time `z`.
+fn jerk_distance<R: Real>(j: R, z: R) -> R {
+    j * z * z * z / R::from(6)
 }
 
-/// The trial acceleration and the step at which the search from `am` has to look closely, as the rounds before are plain,
-/// and whether it is just as plain that it ends there with a single ramp.
+/// Velocity that the jerk `j` adds in the time `z`.
+fn jerk_velocity<R: Real>(j: R, z: R) -> R {
+    j * R::HALF * z * z
+}
+
+/// Distance that a ramp with the acceleration `a` adds in the time `z`, of which its jerk part took `tj`.
+fn ramp_distance<R: Real>(a: R, z: R, tj: R) -> R {
+    let three_z = z * R::from(3);
+    let from_tj = three_z * tj;
+    let excess = three_z * z - from_tj;
+    (tj * tj + excess) * a / R::from(6)
+}
+
+/// How far the search from `am` comes in plain rounds.
+struct Plain<R> {
+    /// Acceleration that has to be looked at closely.
+    trial: R,
+    /// Step that led to it.
+    step: R,
+    /// It is just as plain that the search ends there with a single ramp.
+    single: bool,
+}
+
+/// Passes over the rounds whose outcome is plain. With `s = v0 + v1` and `q = 2 (v0^2 + v1^2)`.
 ///
-/// A round that goes on needs only its verdict. With `k = am^2/jm`, `s = v0 + v1` and `w = |v0 - v1|` its root is that of
+/// A round that goes on needs only its verdict. With `k = am^2/jm` and `w = |v0 - v1|` its root is that of
 /// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
 /// to below `2 am/jm`. So `sqrt(r)` is compared with `x = s + w - k` and `x = s + w + 3 k`, or, as `r >= x^2` where `x < 0`,
 /// just `r` with `x^2`: too steep is `-w k <= 2 p am - w s < k (4 k + 4 s + 3 w)`. This takes no root, and one division
 /// for all rounds.
 ///
-/// With `size = 2 p am + 4 k^2 + 2 (v0^2 + v1^2)` and `u = EPSILON/2`, rounding moves these comparisons by at most
-/// 31 `u size` in the round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards
-/// keep off overflow and what underflow could move. `docs/search.md` has the proof.
-fn skip_plain_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R) -> (R, R, bool) {
+/// With `size = 2 p am + 4 k^2 + q` and `u = EPSILON/2`, rounding moves these comparisons by at most 31 `u size` in the
+/// round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards keep off overflow
+/// and what underflow could move. `docs/search.md` has the proof.
+fn skip_plain_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R, s: R, q: R) -> Plain<R> {
     let (mut trial, mut step) = (am, am);
-    let coarse = am * R::SIXTEENTH;
-    let eps = R::EPSILON;
     // So long a search is settled when its step runs out, so its last round writes all durations.
-    let long = coarse >= R::from(4) * eps;
-    if R::CHEAP_ROOT || !(long && p >= eps) {
-        return (trial, step, false);
+    let long = am >= R::DOUBT;
+    if R::CHEAP_ROOT || !(long && p >= R::EPSILON) {
+        let single = false;
+        return Plain {
+            trial,
+            step,
+            single,
+        };
     }
+    let coarse = am * R::SIXTEENTH;
     let two = R::from(2);
-    let s = v0 + v1;
-    let w = (v0 - v1).magnitude();
-    let half_w = R::HALF * w;
+    let w = (v0 - v1).abs();
+    let half_w = w * R::HALF;
+    let slope = w + half_w + s * two;
     let ws = w * s;
-    let slope = two * s + (w + half_w);
-    let q = two * (v0 * v0 + v1 * v1);
-    let two_p = two * p;
+    let two_p = p * two;
     let two_per_jm = two / jm;
-    let huge = R::from(1) / (eps * eps * eps * eps);
     loop {
+        let next = step * R::HALF;
+        let distance = trial * two_p;
         let k2 = trial * two_per_jm * trial;
-        let distance = two_p * trial;
-        let size = distance + k2 * k2 + q;
-        let doubt = R::from(64) * eps * size;
+        let size = k2 * k2 + distance + q;
+        let doubt = size * R::DOUBT;
         let excess = distance - ws;
-        let above_shortest = excess + half_w * k2;
-        let below_longest = k2 * (k2 + slope) - excess;
+        let above_shortest = k2 * half_w + excess;
+        let below_longest = (k2 + slope) * k2 - excess;
         let margin = if below_longest < above_shortest {
             below_longest
         } else {
             above_shortest
         };
-        let next = step * R::HALF;
-        if !(size < huge && next > eps) {
-            return (trial, step, false);
-        }
-        if margin > doubt {
+        let clear = size < R::HUGE && next > R::EPSILON;
+        if clear && margin > doubt {
             trial = trial - next;
-        } else if margin < -doubt && trial != am && step >= coarse {
+        } else if clear && margin < -doubt && trial != am && step >= coarse {
             trial = trial + next;
         } else {
-            return (trial, step, above_shortest < -doubt);
+            let single = clear && above_shortest < -doubt;
+            return Plain {
+                trial,
+                step,
+                single,
+            };
         }
         step = next;
     }
-}
-
-/// A ramp that covers the distance `p` alone, with `s` the sum and `dv` the difference of its end velocities: its
-/// duration, and the duration of its jerk part if there is a real one.
-fn only_ramp<R: Real>(jm: R, p: R, s: R, dv: R) -> (R, Option<R>) {
-    let duration = R::from(2) * p / s;
-    let m = jm * p;
-    let w = jm * (m * p + dv * s * s);
-    // Not `w >= 0`: a NaN goes on, as in the C function.
-    let tj = if w < R::from(0) {
-        None
-    } else {
-        Some((m - w.sqrt()) / (jm * s))
-    };
-    (duration, tj)
 }
