@@ -149,7 +149,7 @@ impl<R: Real> Bell<R> {
             mut trial,
             mut step,
             single,
-        } = skip_plain_rounds(self.jm, am, p, v0, v1, s, q);
+        } = self.skip_plain_rounds(am, p, v0, v1, s, q);
         if single {
             // Of the durations of this round these are all that the single ramp may keep.
             self.taj = trial / self.jm;
@@ -200,6 +200,67 @@ impl<R: Real> Bell<R> {
                 continue;
             }
             return Fit::TooSteep;
+        }
+    }
+
+    /// Passes over the rounds whose outcome is plain. With `s = v0 + v1` and `q = 2 (v0^2 + v1^2)`.
+    ///
+    /// A round that goes on needs only its verdict. With `k = am^2/jm` and `w = |v0 - v1|` its root is that of
+    /// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
+    /// to below `2 am/jm`. So `sqrt(r)` is compared with `x = s + w - k` and `x = s + w + 3 k`, or, as `r >= x^2` where `x < 0`,
+    /// just `r` with `x^2`: too steep is `-w k <= 2 p am - w s < k (4 k + 4 s + 3 w)`. This takes no root, and one division
+    /// for all rounds.
+    ///
+    /// With `size = 2 p am + 4 k^2 + q` and `u = EPSILON/2`, rounding moves these comparisons by at most 31 `u size` in the
+    /// round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards keep off overflow
+    /// and what underflow could move. `docs/search.md` has the proof.
+    fn skip_plain_rounds(&self, am: R, p: R, v0: R, v1: R, s: R, q: R) -> Plain<R> {
+        let (mut trial, mut step) = (am, am);
+        // So long a search is settled when its step runs out, so its last round writes all durations.
+        let long = am >= R::DOUBT;
+        if R::CHEAP_ROOT || !(long && p >= R::EPSILON) {
+            let single = false;
+            return Plain {
+                trial,
+                step,
+                single,
+            };
+        }
+        let two = R::from(2);
+        let w = (v0 - v1).abs();
+        let half_w = w * R::HALF;
+        let slope = w + half_w + s * two;
+        let ws = w * s;
+        let two_p = p * two;
+        let two_per_jm = two / self.jm;
+        loop {
+            let next = step * R::HALF;
+            let distance = trial * two_p;
+            let k2 = trial * two_per_jm * trial;
+            let size = k2 * k2 + distance + q;
+            let doubt = size * R::DOUBT;
+            let excess = distance - ws;
+            let above_shortest = k2 * half_w + excess;
+            let below_longest = (k2 + slope) * k2 - excess;
+            let margin = if below_longest < above_shortest {
+                below_longest
+            } else {
+                above_shortest
+            };
+            let clear = size < R::HUGE && next > R::EPSILON;
+            if clear && margin > doubt {
+                trial = trial - next;
+            } else if clear && margin < -doubt && trial != am && step >= self.dm {
+                trial = trial + next;
+            } else {
+                let single = clear && above_shortest < -doubt;
+                return Plain {
+                    trial,
+                    step,
+                    single,
+                };
+            }
+            step = next;
         }
     }
 
@@ -602,66 +663,4 @@ struct Plain<R> {
     step: R,
     /// It is just as plain that the search ends there with a single ramp.
     single: bool,
-}
-
-/// Passes over the rounds whose outcome is plain. With `s = v0 + v1` and `q = 2 (v0^2 + v1^2)`.
-///
-/// A round that goes on needs only its verdict. With `k = am^2/jm` and `w = |v0 - v1|` its root is that of
-/// `r = (k - s)^2 + w^2 + 4 p am`, and its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)`, which is too steep from 0
-/// to below `2 am/jm`. So `sqrt(r)` is compared with `x = s + w - k` and `x = s + w + 3 k`, or, as `r >= x^2` where `x < 0`,
-/// just `r` with `x^2`: too steep is `-w k <= 2 p am - w s < k (4 k + 4 s + 3 w)`. This takes no root, and one division
-/// for all rounds.
-///
-/// With `size = 2 p am + 4 k^2 + q` and `u = EPSILON/2`, rounding moves these comparisons by at most 31 `u size` in the
-/// round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards keep off overflow
-/// and what underflow could move. `docs/search.md` has the proof.
-fn skip_plain_rounds<R: Real>(jm: R, am: R, p: R, v0: R, v1: R, s: R, q: R) -> Plain<R> {
-    let (mut trial, mut step) = (am, am);
-    // So long a search is settled when its step runs out, so its last round writes all durations.
-    let long = am >= R::DOUBT;
-    if R::CHEAP_ROOT || !(long && p >= R::EPSILON) {
-        let single = false;
-        return Plain {
-            trial,
-            step,
-            single,
-        };
-    }
-    let coarse = am * R::SIXTEENTH;
-    let two = R::from(2);
-    let w = (v0 - v1).abs();
-    let half_w = w * R::HALF;
-    let slope = w + half_w + s * two;
-    let ws = w * s;
-    let two_p = p * two;
-    let two_per_jm = two / jm;
-    loop {
-        let next = step * R::HALF;
-        let distance = trial * two_p;
-        let k2 = trial * two_per_jm * trial;
-        let size = k2 * k2 + distance + q;
-        let doubt = size * R::DOUBT;
-        let excess = distance - ws;
-        let above_shortest = k2 * half_w + excess;
-        let below_longest = (k2 + slope) * k2 - excess;
-        let margin = if below_longest < above_shortest {
-            below_longest
-        } else {
-            above_shortest
-        };
-        let clear = size < R::HUGE && next > R::EPSILON;
-        if clear && margin > doubt {
-            trial = trial - next;
-        } else if clear && margin < -doubt && trial != am && step >= coarse {
-            trial = trial + next;
-        } else {
-            let single = clear && above_shortest < -doubt;
-            return Plain {
-                trial,
-                step,
-                single,
-            };
-        }
-        step = next;
-    }
 }
