@@ -81,12 +81,12 @@ impl<R: Real> Poly3<R> {
 
     /// Coefficients of velocity.
     pub fn velocity_coefficients(&self) -> [R; 3] {
-        derivative3(&self.c)
+        derivative(&self.c)
     }
 
     /// Coefficients of acceleration.
     pub fn acceleration_coefficients(&self) -> [R; 2] {
-        derivative2(&self.velocity_coefficients())
+        derivative(&self.velocity_coefficients())
     }
 }
 
@@ -171,12 +171,12 @@ impl<R: Real> Poly5<R> {
 
     /// Coefficients of velocity.
     pub fn velocity_coefficients(&self) -> [R; 5] {
-        derivative5(&self.c)
+        derivative(&self.c)
     }
 
     /// Coefficients of acceleration.
     pub fn acceleration_coefficients(&self) -> [R; 4] {
-        derivative4(&self.velocity_coefficients())
+        derivative(&self.velocity_coefficients())
     }
 }
 
@@ -292,73 +292,85 @@ impl<R: Real> Poly7<R> {
 
     /// Coefficients of velocity.
     pub fn velocity_coefficients(&self) -> [R; 7] {
-        derivative7(&self.c)
+        derivative(&self.c)
     }
 
     /// Coefficients of acceleration.
     pub fn acceleration_coefficients(&self) -> [R; 6] {
-        derivative6(&self.velocity_coefficients())
+        derivative(&self.velocity_coefficients())
     }
 
     /// Coefficients of jerk.
     pub fn jerk_coefficients(&self) -> [R; 5] {
-        derivative5(&self.acceleration_coefficients())
+        derivative(&self.acceleration_coefficients())
     }
 }
 
 /// The value at `x`, from the highest power down; multiplication and addition are rounded apart. 0 without coefficients.
 pub(crate) fn horner<R: Real>(c: &[R], x: R) -> R {
-    match c.split_last() {
-        Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, &c| y * x + c),
-        None => R::from(0),
+    if c.len() > 8 || cfg!(target_os = "none") && !R::CHEAP_ROOT {
+        return match c.split_last() {
+            Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, &c| y * x + c),
+            None => R::from(0),
+        };
     }
+    // Where arithmetic is an instruction each, a loop costs more than what it repeats. So all steps are written out, and
+    // each degree enters at its own.
+    let at = |k: usize| c.get(k).copied().unwrap_or(R::from(0));
+    let c1 = 'one: {
+        let c2 = 'two: {
+            let c3 = 'three: {
+                let c4 = 'four: {
+                    let c5 = 'five: {
+                        let c6 = match c.len() {
+                            8 => at(7) * x + at(6),
+                            7 => at(6),
+                            6 => break 'five at(5),
+                            5 => break 'four at(4),
+                            4 => break 'three at(3),
+                            3 => break 'two at(2),
+                            2 => break 'one at(1),
+                            _ => return at(0),
+                        };
+                        c6 * x + at(5)
+                    };
+                    c5 * x + at(4)
+                };
+                c4 * x + at(3)
+            };
+            c3 * x + at(2)
+        };
+        c2 * x + at(1)
+    };
+    c1 * x + at(0)
 }
 
-// The coefficients of the derivative of a polynomial of each degree. Written out and inlined, because that is smaller and
-// faster than a loop over so few.
-
+/// The coefficients of the derivative of a polynomial of up to the seventh degree. Written out from the highest down: a lower
+/// degree enters later.
 #[inline(always)]
-pub(crate) fn derivative2<R: Real>(&[_, c1, c2]: &[R; 3]) -> [R; 2] {
-    let n = R::from;
-    [c1, c2 * n(2)]
+pub(crate) fn differentiate<R: Real>(c: &[R], derivative: &mut [R]) {
+    let mut term = |power: u8| {
+        let index = usize::from(power);
+        if let (Some(&c), Some(d)) = (c.get(index), derivative.get_mut(index - 1)) {
+            // Times 1 is left out: the bits are the same.
+            *d = if power == 1 { c } else { c * R::from(power) };
+        }
+    };
+    term(7);
+    term(6);
+    term(5);
+    term(4);
+    term(3);
+    term(2);
+    term(1);
 }
 
-#[inline(always)]
-pub(crate) fn derivative3<R: Real>(&[_, c1, c2, c3]: &[R; 4]) -> [R; 3] {
-    let n = R::from;
-    [c1, c2 * n(2), c3 * n(3)]
-}
-
-#[inline(always)]
-pub(crate) fn derivative4<R: Real>(&[_, c1, c2, c3, c4]: &[R; 5]) -> [R; 4] {
-    let n = R::from;
-    [c1, c2 * n(2), c3 * n(3), c4 * n(4)]
-}
-
-#[inline(always)]
-pub(crate) fn derivative5<R: Real>(&[_, c1, c2, c3, c4, c5]: &[R; 6]) -> [R; 5] {
-    let n = R::from;
-    [c1, c2 * n(2), c3 * n(3), c4 * n(4), c5 * n(5)]
-}
-
-#[inline(always)]
-pub(crate) fn derivative6<R: Real>(&[_, c1, c2, c3, c4, c5, c6]: &[R; 7]) -> [R; 6] {
-    let n = R::from;
-    [c1, c2 * n(2), c3 * n(3), c4 * n(4), c5 * n(5), c6 * n(6)]
-}
-
-#[inline(always)]
-pub(crate) fn derivative7<R: Real>(&[_, c1, c2, c3, c4, c5, c6, c7]: &[R; 8]) -> [R; 7] {
-    let n = R::from;
-    [
-        c1,
-        c2 * n(2),
-        c3 * n(3),
-        c4 * n(4),
-        c5 * n(5),
-        c6 * n(6),
-        c7 * n(7),
-    ]
+/// The coefficients of the derivative of a polynomial.
+#[inline(always)] // what is left of it is smaller than a call
+pub(crate) fn derivative<R: Real, const N: usize, const M: usize>(c: &[R; N]) -> [R; M] {
+    let mut derivative = [R::from(0); M];
+    differentiate(c, &mut derivative);
+    derivative
 }
 
 fn all_finite<R: Real>(c: &[R]) -> bool {

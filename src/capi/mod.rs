@@ -26,7 +26,8 @@ pub mod trajpoly5;
 pub mod trajpoly7;
 pub mod trajtrap;
 
-use crate::Boundary;
+use crate::{Boundary, poly};
+use core::slice;
 
 /// The real type of this build: `float` with the feature `float`, else `double`.
 #[cfg(feature = "float")]
@@ -71,16 +72,77 @@ fn nan() -> a_float {
     core::hint::black_box(a_float::NAN)
 }
 
-/// The polynomial with these coefficients at `x`; NaN for those of a NULL context.
-fn evaluate<C: AsRef<[a_float]>>(coefficients: Option<C>, x: a_float) -> a_float {
-    horner(coefficients.as_ref().map(C::as_ref), x)
+/// Which of a struct's numbers are the coefficients of a polynomial: the first of them and the degree, packed into what one
+/// short instruction can load, for each function hands over its own.
+#[derive(Clone, Copy)]
+struct Place(usize);
+
+impl Place {
+    /// The coefficients of a polynomial of this degree, at most 7, which stand `offset` bytes into the struct.
+    const fn new(offset: usize, degree: usize) -> Self {
+        Self(offset / size_of::<a_float>() * 8 + degree)
+    }
+
+    fn first(self) -> usize {
+        self.0 / 8
+    }
+
+    fn degree(self) -> usize {
+        self.0 % 8
+    }
 }
 
-/// Shared by the functions of all polynomials, of which a tail call is left.
+/// The polynomial with these coefficients at `x`; NaN for a NULL context. Shared by the functions of all polynomials, of which
+/// a tail call is left.
+///
+/// # Safety
+/// `ctx` is NULL or points to a struct of reals that has these.
 #[inline(never)]
-fn horner(coefficients: Option<&[a_float]>, x: a_float) -> a_float {
-    match coefficients {
-        Some(coefficients) => crate::poly::horner(coefficients, x),
-        None => nan(),
+unsafe fn evaluate(ctx: *const a_float, place: Place, x: a_float) -> a_float {
+    if ctx.is_null() {
+        return a_float::NAN;
     }
+    // SAFETY: by the contract of this function.
+    let coefficients = unsafe {
+        let first = ctx.cast::<Number>().add(place.first());
+        slice::from_raw_parts(first, place.degree() + 1)
+    };
+    poly::horner(coefficients, x.into()).into()
+}
+
+/// Likewise of coefficients that the struct does not hold.
+#[cfg(feature = "poly-compact")]
+fn evaluate_found<const N: usize>(coefficients: Option<[a_float; N]>, x: a_float) -> a_float {
+    let coefficients = coefficients
+        .as_ref()
+        .map_or(core::ptr::null(), |c| c.as_ptr());
+    // SAFETY: NULL or an array of this length.
+    unsafe { evaluate(coefficients, Place::new(0, N - 1), x) }
+}
+
+/// From these coefficients those of the derivative, which are next in the struct; nothing for a NULL context. One for all
+/// polynomials on bare metal, where size comes first.
+///
+/// # Safety
+/// `ctx` is NULL or points to a struct of reals that has both.
+#[cfg(all(
+    not(feature = "poly-compact"),
+    any(trajpoly3_v, trajpoly5_v, trajpoly7_v)
+))]
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
+unsafe fn differentiate(ctx: *mut a_float, place: Place) {
+    if ctx.is_null() {
+        return;
+    }
+    let degree = place.degree();
+    // SAFETY: by the contract of this function.
+    let (coefficients, derivative) = unsafe {
+        let first = ctx.cast::<Number>().add(place.first());
+        (
+            slice::from_raw_parts(first, degree + 1),
+            slice::from_raw_parts_mut(first.add(degree + 1), degree),
+        )
+    };
+    poly::differentiate(coefficients, derivative);
 }

@@ -1,9 +1,17 @@
 //! `a/trajpoly3.h`: the cubic polynomial, in both generations of its struct.
 
-use super::{a_float, evaluate};
+#[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
+use super::differentiate;
+#[cfg(feature = "poly-compact")]
+use super::evaluate_found;
+use super::{Place, a_float, boundary, evaluate};
+use crate::Poly3;
+#[cfg(not(feature = "poly-compact"))]
+use crate::Real;
 #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
 use crate::poly;
-use crate::{Boundary, Poly3};
+#[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
+use core::mem::offset_of;
 
 /// @brief Cubic polynomial trajectory.
 ///
@@ -94,16 +102,20 @@ pub unsafe extern "C" fn a_trajpoly3_gen(
     #[cfg(not(feature = "poly-compact"))]
     // SAFETY: the contract of this function is that of each of these.
     unsafe {
-        a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
-        #[cfg(trajpoly3_v)]
-        a_trajpoly3_gen1(ctx);
-        #[cfg(trajpoly3_a)]
-        a_trajpoly3_gen2(ctx);
+        if a_float::CHEAP_ROOT {
+            plan(ctx, true, ts, p0, p1, v0, v1);
+        } else {
+            a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
+            #[cfg(trajpoly3_v)]
+            a_trajpoly3_gen1(ctx);
+            #[cfg(trajpoly3_a)]
+            a_trajpoly3_gen2(ctx);
+        }
     }
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.c = Poly3::coefficients(ts, Boundary { p0, p1, v0, v1 });
+        ctx.c = Poly3::coefficients(ts.into(), boundary(p0, p1, v0, v1)).map(Into::into);
     }
 }
 
@@ -126,9 +138,38 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
     v0: a_float,
     v1: a_float,
 ) {
+    // SAFETY: the contract is the same.
+    unsafe { plan(ctx, false, ts, p0, p1, v0, v1) }
+}
+
+/// The coefficients of position, and on demand those derived from them, for which they are still in registers.
+///
+/// # Safety
+/// As for all functions of this module.
+#[cfg(not(feature = "poly-compact"))]
+#[cfg_attr(all(target_abi = "eabihf", feature = "float"), inline(never))]
+unsafe fn plan(
+    ctx: *mut a_trajpoly3,
+    all: bool,
+    ts: a_float,
+    p0: a_float,
+    p1: a_float,
+    v0: a_float,
+    v1: a_float,
+) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.p = Poly3::coefficients(ts, Boundary { p0, p1, v0, v1 });
+        ctx.p = Poly3::coefficients(ts.into(), boundary(p0, p1, v0, v1)).map(Into::into);
+        if all {
+            #[cfg(trajpoly3_v)]
+            {
+                ctx.v = poly::derivative(&ctx.p);
+            }
+            #[cfg(trajpoly3_a)]
+            {
+                ctx.a = poly::derivative(&ctx.v);
+            }
+        }
     }
 }
 
@@ -137,10 +178,8 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
 #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.v = poly::derivative3(&ctx.p);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `v` follows `p`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly3, p), 3)) };
 }
 
 /// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -148,10 +187,8 @@ pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
 #[cfg(all(not(feature = "poly-compact"), trajpoly3_a))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.a = poly::derivative2(&ctx.v);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `a` follows `v`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly3, v), 2)) };
 }
 
 /// @brief Copy the coefficients of position out.
@@ -202,9 +239,8 @@ pub unsafe extern "C" fn a_trajpoly3_c2(ctx: *const a_trajpoly3, c2: *mut a_floa
 /// @return position, unit; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly3::position_coefficients), x)
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the coefficients come first.
+    unsafe { evaluate(ctx.cast(), Place::new(0, 3), x) }
 }
 
 /// @brief Velocity of a cubic polynomial trajectory, by Horner's rule.
@@ -215,8 +251,16 @@ pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly3::velocity_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly3, v), 2), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly3::velocity_coefficients),
+        x,
+    )
 }
 
 /// @brief Acceleration of a cubic polynomial trajectory, by Horner's rule.
@@ -227,6 +271,14 @@ pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_acc(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly3::acceleration_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly3, a), 1), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly3::acceleration_coefficients),
+        x,
+    )
 }

@@ -1,9 +1,17 @@
 //! `a/trajpoly5.h`: the quintic polynomial, in both generations of its struct.
 
-use super::{a_float, evaluate};
+#[cfg(all(not(feature = "poly-compact"), trajpoly5_v))]
+use super::differentiate;
+#[cfg(feature = "poly-compact")]
+use super::evaluate_found;
+use super::{Place, a_float, boundary, evaluate};
+use crate::Poly5;
+#[cfg(not(feature = "poly-compact"))]
+use crate::Real;
 #[cfg(all(not(feature = "poly-compact"), trajpoly5_v))]
 use crate::poly;
-use crate::{Boundary, Poly5};
+#[cfg(all(not(feature = "poly-compact"), trajpoly5_v))]
+use core::mem::offset_of;
 
 /// @brief Quintic polynomial trajectory.
 ///
@@ -98,16 +106,21 @@ pub unsafe extern "C" fn a_trajpoly5_gen(
     #[cfg(not(feature = "poly-compact"))]
     // SAFETY: the contract of this function is that of each of these.
     unsafe {
-        a_trajpoly5_gen0(ctx, ts, p0, p1, v0, v1, a0, a1);
-        #[cfg(trajpoly5_v)]
-        a_trajpoly5_gen1(ctx);
-        #[cfg(trajpoly5_a)]
-        a_trajpoly5_gen2(ctx);
+        if a_float::CHEAP_ROOT {
+            plan(ctx, true, ts, p0, p1, v0, v1, a0, a1);
+        } else {
+            a_trajpoly5_gen0(ctx, ts, p0, p1, v0, v1, a0, a1);
+            #[cfg(trajpoly5_v)]
+            a_trajpoly5_gen1(ctx);
+            #[cfg(trajpoly5_a)]
+            a_trajpoly5_gen2(ctx);
+        }
     }
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.c = Poly5::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1]);
+        ctx.c = Poly5::coefficients(ts.into(), boundary(p0, p1, v0, v1), [a0.into(), a1.into()])
+            .map(Into::into);
     }
 }
 
@@ -134,9 +147,41 @@ pub unsafe extern "C" fn a_trajpoly5_gen0(
     a0: a_float,
     a1: a_float,
 ) {
+    // SAFETY: the contract is the same.
+    unsafe { plan(ctx, false, ts, p0, p1, v0, v1, a0, a1) }
+}
+
+/// The coefficients of position, and on demand those derived from them, for which they are still in registers.
+///
+/// # Safety
+/// As for all functions of this module.
+#[cfg(not(feature = "poly-compact"))]
+#[cfg_attr(all(target_abi = "eabihf", feature = "float"), inline(never))]
+unsafe fn plan(
+    ctx: *mut a_trajpoly5,
+    all: bool,
+    ts: a_float,
+    p0: a_float,
+    p1: a_float,
+    v0: a_float,
+    v1: a_float,
+    a0: a_float,
+    a1: a_float,
+) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.p = Poly5::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1]);
+        ctx.p = Poly5::coefficients(ts.into(), boundary(p0, p1, v0, v1), [a0.into(), a1.into()])
+            .map(Into::into);
+        if all {
+            #[cfg(trajpoly5_v)]
+            {
+                ctx.v = poly::derivative(&ctx.p);
+            }
+            #[cfg(trajpoly5_a)]
+            {
+                ctx.a = poly::derivative(&ctx.v);
+            }
+        }
     }
 }
 
@@ -145,10 +190,8 @@ pub unsafe extern "C" fn a_trajpoly5_gen0(
 #[cfg(all(not(feature = "poly-compact"), trajpoly5_v))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.v = poly::derivative5(&ctx.p);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `v` follows `p`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly5, p), 5)) };
 }
 
 /// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -156,10 +199,8 @@ pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
 #[cfg(all(not(feature = "poly-compact"), trajpoly5_a))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_gen2(ctx: *mut a_trajpoly5) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.a = poly::derivative4(&ctx.v);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `a` follows `v`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly5, v), 4)) };
 }
 
 /// @brief Copy the coefficients of position out.
@@ -210,9 +251,8 @@ pub unsafe extern "C" fn a_trajpoly5_c2(ctx: *const a_trajpoly5, c2: *mut a_floa
 /// @return position, unit; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_pos(ctx: *const a_trajpoly5, x: a_float) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly5::position_coefficients), x)
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the coefficients come first.
+    unsafe { evaluate(ctx.cast(), Place::new(0, 5), x) }
 }
 
 /// @brief Velocity of a quintic polynomial trajectory, by Horner's rule.
@@ -223,8 +263,16 @@ pub unsafe extern "C" fn a_trajpoly5_pos(ctx: *const a_trajpoly5, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_vel(ctx: *const a_trajpoly5, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly5::velocity_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly5, v), 4), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly5::velocity_coefficients),
+        x,
+    )
 }
 
 /// @brief Acceleration of a quintic polynomial trajectory, by Horner's rule.
@@ -235,6 +283,14 @@ pub unsafe extern "C" fn a_trajpoly5_vel(ctx: *const a_trajpoly5, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_acc(ctx: *const a_trajpoly5, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly5::acceleration_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly5, a), 3), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly5::acceleration_coefficients),
+        x,
+    )
 }

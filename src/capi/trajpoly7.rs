@@ -1,9 +1,13 @@
 //! `a/trajpoly7.h`: the septic polynomial, in both generations of its struct.
 
-use super::{a_float, evaluate};
 #[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
-use crate::poly;
-use crate::{Boundary, Poly7};
+use super::differentiate;
+#[cfg(feature = "poly-compact")]
+use super::evaluate_found;
+use super::{Place, a_float, boundary, evaluate};
+use crate::Poly7;
+#[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
+use core::mem::offset_of;
 
 /// @brief Septic polynomial trajectory.
 ///
@@ -130,7 +134,13 @@ pub unsafe extern "C" fn a_trajpoly7_gen(
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.c = Poly7::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1], [j0, j1]);
+        ctx.c = Poly7::coefficients(
+            ts.into(),
+            boundary(p0, p1, v0, v1),
+            [a0.into(), a1.into()],
+            [j0.into(), j1.into()],
+        )
+        .map(Into::into);
     }
 }
 
@@ -163,7 +173,13 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.p = Poly7::coefficients(ts, Boundary { p0, p1, v0, v1 }, [a0, a1], [j0, j1]);
+        ctx.p = Poly7::coefficients(
+            ts.into(),
+            boundary(p0, p1, v0, v1),
+            [a0.into(), a1.into()],
+            [j0.into(), j1.into()],
+        )
+        .map(Into::into);
     }
 }
 
@@ -172,10 +188,8 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
 #[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.v = poly::derivative7(&ctx.p);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `v` follows `p`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly7, p), 7)) };
 }
 
 /// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -183,10 +197,8 @@ pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
 #[cfg(all(not(feature = "poly-compact"), trajpoly7_a))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.a = poly::derivative6(&ctx.v);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `a` follows `v`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly7, v), 6)) };
 }
 
 /// @brief Coefficients of jerk, from those of acceleration: `j[i] = a[i+1]*(i+1)`.
@@ -194,10 +206,8 @@ pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
 #[cfg(all(not(feature = "poly-compact"), trajpoly7_j))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.j = poly::derivative5(&ctx.a);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and `j` follows `a`.
+    unsafe { differentiate(ctx.cast(), Place::new(offset_of!(a_trajpoly7, a), 5)) };
 }
 
 /// @brief Copy the coefficients of position out.
@@ -262,9 +272,8 @@ pub unsafe extern "C" fn a_trajpoly7_c3(ctx: *const a_trajpoly7, c3: *mut a_floa
 /// @return position, unit; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly7::position_coefficients), x)
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the coefficients come first.
+    unsafe { evaluate(ctx.cast(), Place::new(0, 7), x) }
 }
 
 /// @brief Velocity of a septic polynomial trajectory, by Horner's rule.
@@ -275,8 +284,16 @@ pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly7::velocity_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly7, v), 6), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly7::velocity_coefficients),
+        x,
+    )
 }
 
 /// @brief Acceleration of a septic polynomial trajectory, by Horner's rule.
@@ -287,8 +304,16 @@ pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly7::acceleration_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly7, a), 5), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly7::acceleration_coefficients),
+        x,
+    )
 }
 
 /// @brief Jerk of a septic polynomial trajectory, by Horner's rule.
@@ -299,6 +324,14 @@ pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_jer(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    let ctx = unsafe { ctx.as_ref() };
-    evaluate(ctx.map(a_trajpoly7::jerk_coefficients), x)
+    #[cfg(not(feature = "poly-compact"))]
+    unsafe {
+        evaluate(ctx.cast(), Place::new(offset_of!(a_trajpoly7, j), 4), x)
+    }
+    // SAFETY: likewise.
+    #[cfg(feature = "poly-compact")]
+    evaluate_found(
+        unsafe { ctx.as_ref() }.map(a_trajpoly7::jerk_coefficients),
+        x,
+    )
 }
