@@ -36,13 +36,11 @@ impl<R: Real> Poly3<R> {
         let p = p1 - p0;
         let u1 = n(1) / ts;
         let u2 = u1 * u1;
-        let u3 = u1 * u2;
-        [
-            p0,
-            v0,
-            u1 * (-n(2) * v0 - v1) + u2 * p * n(3),
-            u2 * (v0 + v1) - u3 * p * n(2),
-        ]
+        let up = u2 * p * n(3);
+        let c2 = (v0 * -n(2) - v1) * u1 + up;
+        let up = u1 * u2 * p * n(2);
+        let c3 = (v0 + v1) * u2 - up;
+        [p0, v0, c2, c3]
     }
 
     /// Position at time `x`, s; the polynomial goes on outside the move.
@@ -124,15 +122,25 @@ impl<R: Real> Poly5<R> {
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
-        let u5 = u2 * u3;
-        [
-            p0,
-            v0,
-            a0 * half,
-            half * (u1 * (a1 - n(3) * a0) - u2 * (n(12) * v0 + n(8) * v1) + u3 * p * n(20)),
-            half * (u2 * (n(3) * a0 - n(2) * a1) + u3 * (n(16) * v0 + n(14) * v1) - u4 * p * n(30)),
-            half * (u3 * (a1 - a0) - u4 * (v0 + v1) * n(6) + u5 * p * n(12)),
-        ]
+        let c3 = {
+            let up = u3 * p * n(20);
+            let v = v1 * n(8);
+            let uv = (v0 * n(12) + v) * u2;
+            ((a0 * -n(3) + a1) * u1 - uv + up) * half
+        };
+        let c4 = {
+            let up = u4 * p * n(30);
+            let v = v1 * n(14);
+            let uv = (v0 * n(16) + v) * u3;
+            let a = a0 * n(3);
+            ((a1 * -n(2) + a) * u2 + uv - up) * half
+        };
+        let c5 = {
+            let up = u2 * u3 * p * n(12);
+            let uv = (v0 + v1) * u4 * n(6);
+            ((a1 - a0) * u3 - uv + up) * half
+        };
+        [p0, v0, a0 * half, c3, c4, c5]
     }
 
     /// Position at time `x`, s; the polynomial goes on outside the move.
@@ -221,29 +229,38 @@ impl<R: Real> Poly7<R> {
         let u3 = u1 * u2;
         let u4 = u2 * u2;
         let u5 = u2 * u3;
-        let u6 = u3 * u3;
-        let u7 = u3 * u4;
-        [
-            p0,
-            v0,
-            a0 * half,
-            j0 * sixth,
-            sixth
-                * (u1 * (-n(4) * j0 - j1) + u2 * (n(15) * a1 - n(30) * a0)
-                    - u3 * (n(120) * v0 + n(90) * v1)
-                    + u4 * p * n(210)),
-            half * (u2 * (n(2) * j0 + j1)
-                + u3 * (n(20) * a0 - n(14) * a1)
-                + u4 * (n(90) * v0 + n(78) * v1)
-                - u5 * p * n(168)),
-            sixth
-                * (u3 * (-n(4) * j0 - n(3) * j1) + u4 * (n(39) * a1 - n(45) * a0)
-                    - u5 * (n(216) * v0 + n(204) * v1)
-                    + u6 * p * (n(210) + n(210))),
-            sixth
-                * (u4 * (j0 + j1) + u5 * (a0 - a1) * n(12) + u6 * (v0 + v1) * n(60)
-                    - u7 * p * n(120)),
-        ]
+        let c4 = {
+            let up = u4 * p * n(210);
+            let v = v1 * n(90);
+            let uv = (v0 * n(120) + v) * u3;
+            let a = a0 * n(30);
+            let ua = (a1 * n(15) - a) * u2;
+            ((j0 * -n(4) - j1) * u1 + ua - uv + up) * sixth
+        };
+        let c5 = {
+            let up = u5 * p * n(168);
+            let v = v1 * n(78);
+            let uv = (v0 * n(90) + v) * u4;
+            let a = a1 * n(14);
+            let ua = (a0 * n(20) - a) * u3;
+            ((j0 * n(2) + j1) * u2 + ua + uv - up) * half
+        };
+        let c6 = {
+            let up = u3 * u3 * p * (n(210) + n(210));
+            let v = v1 * n(204);
+            let uv = (v0 * n(216) + v) * u5;
+            let a = a0 * n(45);
+            let ua = (a1 * n(39) - a) * u4;
+            let j = j1 * n(3);
+            ((j0 * -n(4) - j) * u3 + ua - uv + up) * sixth
+        };
+        let c7 = {
+            let up = u3 * u4 * p * n(120);
+            let uv = (v0 + v1) * (u3 * u3) * n(60);
+            let ua = (a0 - a1) * u5 * n(12);
+            ((j0 + j1) * u4 + ua + uv - up) * sixth
+        };
+        [p0, v0, a0 * half, j0 * sixth, c4, c5, c6, c7]
     }
 
     /// Position at time `x`, s; the polynomial goes on outside the move.
@@ -310,7 +327,7 @@ impl<R: Real> Poly7<R> {
 pub(crate) fn horner<R: Real>(c: &[R], x: R) -> R {
     if c.len() > 8 || cfg!(target_os = "none") && !R::CHEAP_ROOT {
         return match c.split_last() {
-            Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, &c| y * x + c),
+            Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, c| y * x + *c),
             None => R::from(0),
         };
     }
