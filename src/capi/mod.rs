@@ -83,8 +83,9 @@ impl Place {
         Self(offset / size_of::<a_float>() * 8 + degree)
     }
 
-    fn first(self) -> usize {
-        self.0 / 8
+    /// How many bytes into the struct they start.
+    fn offset(self) -> usize {
+        self.0 / 8 * size_of::<a_float>()
     }
 
     fn degree(self) -> usize {
@@ -104,7 +105,7 @@ unsafe fn evaluate(ctx: *const a_float, place: Place, x: a_float) -> a_float {
     }
     // SAFETY: by the contract of this function.
     let coefficients = unsafe {
-        let first = ctx.cast::<Number>().add(place.first());
+        let first = ctx.cast::<Number>().byte_add(place.offset());
         slice::from_raw_parts(first, place.degree() + 1)
     };
     poly::horner(coefficients, x.into()).into()
@@ -138,7 +139,7 @@ unsafe fn differentiate(ctx: *mut a_float, place: Place) {
     let degree = place.degree();
     // SAFETY: by the contract of this function.
     let (coefficients, derivative) = unsafe {
-        let first = ctx.cast::<Number>().add(place.first());
+        let first = ctx.cast::<Number>().byte_add(place.offset());
         (
             slice::from_raw_parts(first, degree + 1),
             slice::from_raw_parts_mut(first.add(degree + 1), degree),
