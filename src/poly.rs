@@ -373,12 +373,31 @@ pub(crate) fn differentiate<R: Real>(c: &[R], derivative: &mut [R]) {
             *d = if power == 1 { c } else { c * R::from(power) };
         }
     };
-    term(7);
-    term(6);
-    term(5);
-    term(4);
-    term(3);
-    term(2);
+    'one: {
+        'two: {
+            'three: {
+                'four: {
+                    'five: {
+                        match c.len() {
+                            8 => term(7),
+                            7 => {}
+                            6 => break 'five,
+                            5 => break 'four,
+                            4 => break 'three,
+                            3 => break 'two,
+                            2 => break 'one,
+                            _ => return,
+                        }
+                        term(6);
+                    }
+                    term(5);
+                }
+                term(4);
+            }
+            term(3);
+        }
+        term(2);
+    }
     term(1);
 }
 
