@@ -29,18 +29,26 @@ impl<R: Real> Poly3<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
-    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(ts: R, boundary: Boundary<R>) -> [R; 4] {
+        let mut c = [R::from(0); 4];
+        Self::write(&mut c, ts, boundary);
+        c
+    }
+
+    /// Likewise, each where it belongs as soon as it is known.
+    #[inline(always)]
+    pub(crate) fn write(c: &mut [R; 4], ts: R, boundary: Boundary<R>) {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let n = R::from;
+        c[0] = p0;
+        c[1] = v0;
         let p = p1 - p0;
         let u1 = n(1) / ts;
         let u2 = u1 * u1;
         let up = u2 * p * n(3);
-        let c2 = (v0 * -n(2) - v1) * u1 + up;
+        c[2] = (v0 * -n(2) - v1) * u1 + up;
         let up = u1 * u2 * p * n(2);
-        let c3 = (v0 + v1) * u2 - up;
-        [p0, v0, c2, c3]
+        c[3] = (v0 + v1) * u2 - up;
     }
 
     /// Position at time `x`, s; the polynomial goes on outside the move.
@@ -112,35 +120,44 @@ impl<R: Real> Poly5<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
-    #[inline(always)] // in its one or two callers it needs no copy
-    pub fn coefficients(ts: R, boundary: Boundary<R>, [a0, a1]: [R; 2]) -> [R; 6] {
+    pub fn coefficients(ts: R, boundary: Boundary<R>, acceleration: [R; 2]) -> [R; 6] {
+        let mut c = [R::from(0); 6];
+        Self::write(&mut c, ts, boundary, acceleration);
+        c
+    }
+
+    /// Likewise, each where it belongs as soon as it is known.
+    #[inline(always)]
+    pub(crate) fn write(c: &mut [R; 6], ts: R, boundary: Boundary<R>, [a0, a1]: [R; 2]) {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let n = R::from;
         let half = R::HALF;
+        c[0] = p0;
+        c[1] = v0;
+        c[2] = a0 * half;
         let p = p1 - p0;
         let u1 = n(1) / ts;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
-        let c3 = {
+        c[3] = {
             let up = u3 * p * n(20);
             let v = v1 * n(8);
             let uv = (v0 * n(12) + v) * u2;
             ((a0 * -n(3) + a1) * u1 - uv + up) * half
         };
-        let c4 = {
+        c[4] = {
             let up = u4 * p * n(30);
             let v = v1 * n(14);
             let uv = (v0 * n(16) + v) * u3;
             let a = a0 * n(3);
             ((a1 * -n(2) + a) * u2 + uv - up) * half
         };
-        let c5 = {
+        c[5] = {
             let up = u2 * u3 * p * n(12);
             let uv = (v0 + v1) * u4 * n(6);
             ((a1 - a0) * u3 - uv + up) * half
         };
-        [p0, v0, a0 * half, c3, c4, c5]
     }
 
     /// Position at time `x`, s; the polynomial goes on outside the move.
@@ -212,24 +229,41 @@ impl<R: Real> Poly7<R> {
     }
 
     /// The coefficients as they come out, finite or not: literally the C function.
-    #[inline(always)] // in its one or two callers it needs no copy
     pub fn coefficients(
+        ts: R,
+        boundary: Boundary<R>,
+        acceleration: [R; 2],
+        jerk: [R; 2],
+    ) -> [R; 8] {
+        let mut c = [R::from(0); 8];
+        Self::write(&mut c, ts, boundary, acceleration, jerk);
+        c
+    }
+
+    /// Likewise, each where it belongs as soon as it is known.
+    #[inline(always)]
+    pub(crate) fn write(
+        c: &mut [R; 8],
         ts: R,
         boundary: Boundary<R>,
         [a0, a1]: [R; 2],
         [j0, j1]: [R; 2],
-    ) -> [R; 8] {
+    ) {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let n = R::from;
         let half = R::HALF;
         let sixth = R::SIXTH;
+        c[0] = p0;
+        c[1] = v0;
+        c[2] = a0 * half;
+        c[3] = j0 * sixth;
         let p = p1 - p0;
         let u1 = n(1) / ts;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
         let u5 = u2 * u3;
-        let c4 = {
+        c[4] = {
             let up = u4 * p * n(210);
             let v = v1 * n(90);
             let uv = (v0 * n(120) + v) * u3;
@@ -237,7 +271,7 @@ impl<R: Real> Poly7<R> {
             let ua = (a1 * n(15) - a) * u2;
             ((j0 * -n(4) - j1) * u1 + ua - uv + up) * sixth
         };
-        let c5 = {
+        c[5] = {
             let up = u5 * p * n(168);
             let v = v1 * n(78);
             let uv = (v0 * n(90) + v) * u4;
@@ -245,7 +279,7 @@ impl<R: Real> Poly7<R> {
             let ua = (a0 * n(20) - a) * u3;
             ((j0 * n(2) + j1) * u2 + ua + uv - up) * half
         };
-        let c6 = {
+        c[6] = {
             let up = u3 * u3 * p * (n(210) + n(210));
             let v = v1 * n(204);
             let uv = (v0 * n(216) + v) * u5;
@@ -254,13 +288,12 @@ impl<R: Real> Poly7<R> {
             let j = j1 * n(3);
             ((j0 * -n(4) - j) * u3 + ua - uv + up) * sixth
         };
-        let c7 = {
+        c[7] = {
             let up = u3 * u4 * p * n(120);
             let uv = (v0 + v1) * (u3 * u3) * n(60);
             let ua = (a0 - a1) * u5 * n(12);
             ((j0 + j1) * u4 + ua + uv - up) * sixth
         };
-        [p0, v0, a0 * half, j0 * sixth, c4, c5, c6, c7]
     }
 
     /// Position at time `x`, s; the polynomial goes on outside the move.
@@ -324,30 +357,37 @@ impl<R: Real> Poly7<R> {
 }
 
 /// The value at `x`, from the highest power down; multiplication and addition are rounded apart. 0 without coefficients.
+#[inline(always)]
 pub(crate) fn horner<R: Real>(c: &[R], x: R) -> R {
-    if c.len() > 8 || cfg!(target_os = "none") && !R::CHEAP_ROOT {
+    if c.len() > 8 || cfg!(all(target_os = "none", not(soft_binary64))) {
         return match c.split_last() {
             Some((&highest, lower)) => lower.iter().rev().fold(highest, |y, c| y * x + *c),
             None => R::from(0),
         };
     }
-    // Where arithmetic is an instruction each, a loop costs more than what it repeats. So all steps are written out, and
-    // each degree enters at its own.
+    // A loop costs more than what it repeats. So all steps are written out, and each degree enters at its own.
     let at = |k: usize| c.get(k).copied().unwrap_or(R::from(0));
+    // One load for all degrees is smaller where the sums come in the same registers anyhow, as they do from calls.
+    let called = cfg!(soft_binary64) && !R::CHEAP_ROOT;
+    let last = at(c.len().wrapping_sub(1));
+    let highest = |k: usize| if called { last } else { at(k) };
     let c1 = 'one: {
         let c2 = 'two: {
             let c3 = 'three: {
                 let c4 = 'four: {
                     let c5 = 'five: {
-                        let c6 = match c.len() {
-                            8 => at(7) * x + at(6),
-                            7 => at(6),
-                            6 => break 'five at(5),
-                            5 => break 'four at(4),
-                            4 => break 'three at(3),
-                            3 => break 'two at(2),
-                            2 => break 'one at(1),
-                            _ => return at(0),
+                        let c6 = 'six: {
+                            let c7 = match c.len() {
+                                8 => highest(7),
+                                7 => break 'six highest(6),
+                                6 => break 'five highest(5),
+                                5 => break 'four highest(4),
+                                4 => break 'three highest(3),
+                                3 => break 'two highest(2),
+                                2 => break 'one highest(1),
+                                _ => return highest(0),
+                            };
+                            c7 * x + at(6)
                         };
                         c6 * x + at(5)
                     };

@@ -158,9 +158,13 @@ pub unsafe extern "C" fn atraj_poly3_sample(
         return 0;
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
-    let outputs = [pos, vel, acc].map(|output| unsafe { array(output, n) });
+    let outputs = [pos, vel, acc].map(|output| unsafe { array(output.cast(), n) });
     let state = poly3_state(poly);
-    Sweep { x0, dt }.sample([], outputs, |run| run.fill(&state));
+    Sweep {
+        x0: x0.into(),
+        dt: dt.into(),
+    }
+    .sample([], outputs, |run| run.fill(&state));
     n
 }
 
@@ -184,7 +188,7 @@ pub unsafe extern "C" fn atraj_poly3_state(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let state = match unsafe { ctx.as_ref() } {
-        Some(poly) => poly3_state(poly)(x),
+        Some(poly) => poly3_state(poly)(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -220,9 +224,13 @@ pub unsafe extern "C" fn atraj_poly5_sample(
         return 0;
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
-    let outputs = [pos, vel, acc].map(|output| unsafe { array(output, n) });
+    let outputs = [pos, vel, acc].map(|output| unsafe { array(output.cast(), n) });
     let state = poly5_state(poly);
-    Sweep { x0, dt }.sample([], outputs, |run| run.fill(&state));
+    Sweep {
+        x0: x0.into(),
+        dt: dt.into(),
+    }
+    .sample([], outputs, |run| run.fill(&state));
     n
 }
 
@@ -246,7 +254,7 @@ pub unsafe extern "C" fn atraj_poly5_state(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let state = match unsafe { ctx.as_ref() } {
-        Some(poly) => poly5_state(poly)(x),
+        Some(poly) => poly5_state(poly)(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -284,9 +292,13 @@ pub unsafe extern "C" fn atraj_poly7_sample(
         return 0;
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
-    let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output, n) });
+    let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output.cast(), n) });
     let state = poly7_state(poly);
-    Sweep { x0, dt }.sample([], outputs, |run| run.fill(&state));
+    Sweep {
+        x0: x0.into(),
+        dt: dt.into(),
+    }
+    .sample([], outputs, |run| run.fill(&state));
     n
 }
 
@@ -312,7 +324,7 @@ pub unsafe extern "C" fn atraj_poly7_state(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let state = match unsafe { ctx.as_ref() } {
-        Some(poly) => poly7_state(poly)(x),
+        Some(poly) => poly7_state(poly)(x.into()).map(Into::into),
         None => [a_float::NAN; 4],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -320,27 +332,27 @@ pub unsafe extern "C" fn atraj_poly7_state(
 }
 
 /// Evaluates a copy of the cubic polynomial's coefficients, which no output can overlap.
-fn poly3_state(poly: &a_trajpoly3) -> impl Fn(a_float) -> [a_float; 3] + use<> {
-    let p: [a_float; 4] = copy(poly.position_coefficients());
-    let v: [a_float; 3] = copy(poly.velocity_coefficients());
-    let a: [a_float; 2] = copy(poly.acceleration_coefficients());
+fn poly3_state(poly: &a_trajpoly3) -> impl Fn(Number) -> [Number; 3] + use<> {
+    let p: [Number; 4] = copy(poly.position_coefficients());
+    let v: [Number; 3] = copy(poly.velocity_coefficients());
+    let a: [Number; 2] = copy(poly.acceleration_coefficients());
     move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
 }
 
 /// Evaluates a copy of the quintic polynomial's coefficients, which no output can overlap.
-fn poly5_state(poly: &a_trajpoly5) -> impl Fn(a_float) -> [a_float; 3] + use<> {
-    let p: [a_float; 6] = copy(poly.position_coefficients());
-    let v: [a_float; 5] = copy(poly.velocity_coefficients());
-    let a: [a_float; 4] = copy(poly.acceleration_coefficients());
+fn poly5_state(poly: &a_trajpoly5) -> impl Fn(Number) -> [Number; 3] + use<> {
+    let p: [Number; 6] = copy(poly.position_coefficients());
+    let v: [Number; 5] = copy(poly.velocity_coefficients());
+    let a: [Number; 4] = copy(poly.acceleration_coefficients());
     move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
 }
 
 /// Evaluates a copy of the septic polynomial's coefficients, which no output can overlap.
-fn poly7_state(poly: &a_trajpoly7) -> impl Fn(a_float) -> [a_float; 4] + use<> {
-    let p: [a_float; 8] = copy(poly.position_coefficients());
-    let v: [a_float; 7] = copy(poly.velocity_coefficients());
-    let a: [a_float; 6] = copy(poly.acceleration_coefficients());
-    let j: [a_float; 5] = copy(poly.jerk_coefficients());
+fn poly7_state(poly: &a_trajpoly7) -> impl Fn(Number) -> [Number; 4] + use<> {
+    let p: [Number; 8] = copy(poly.position_coefficients());
+    let v: [Number; 7] = copy(poly.velocity_coefficients());
+    let a: [Number; 6] = copy(poly.acceleration_coefficients());
+    let j: [Number; 5] = copy(poly.jerk_coefficients());
     move |x| [horner(&p, x), horner(&v, x), horner(&a, x), horner(&j, x)]
 }
 

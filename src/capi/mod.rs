@@ -113,10 +113,10 @@ unsafe fn evaluate(ctx: *const a_float, place: Place, x: a_float) -> a_float {
 
 /// Likewise of coefficients that the struct does not hold.
 #[cfg(feature = "poly-compact")]
-fn evaluate_found<const N: usize>(coefficients: Option<[a_float; N]>, x: a_float) -> a_float {
+fn evaluate_found<const N: usize>(coefficients: Option<[Number; N]>, x: a_float) -> a_float {
     let coefficients = coefficients
         .as_ref()
-        .map_or(core::ptr::null(), |c| c.as_ptr());
+        .map_or(core::ptr::null(), |c| c.as_ptr().cast());
     // SAFETY: NULL or an array of this length.
     unsafe { evaluate(coefficients, Place::new(0, N - 1), x) }
 }

@@ -4,7 +4,7 @@
 use super::differentiate;
 #[cfg(feature = "poly-compact")]
 use super::evaluate_found;
-use super::{Place, a_float, boundary, evaluate};
+use super::{Number, Place, a_float, boundary, evaluate};
 use crate::Poly3;
 #[cfg(not(feature = "poly-compact"))]
 use crate::Real;
@@ -20,13 +20,13 @@ use core::mem::offset_of;
 #[repr(C)]
 pub struct a_trajpoly3 {
     /// coefficients of position
-    pub p: [a_float; 4],
+    pub p: [Number; 4],
     /// coefficients of velocity
     #[cfg(trajpoly3_v)]
-    pub v: [a_float; 3],
+    pub v: [Number; 3],
     /// coefficients of acceleration
     #[cfg(trajpoly3_a)]
-    pub a: [a_float; 2],
+    pub a: [Number; 2],
 }
 
 /// @brief Cubic polynomial trajectory.
@@ -36,47 +36,47 @@ pub struct a_trajpoly3 {
 #[repr(C)]
 pub struct a_trajpoly3 {
     /// coefficients of position
-    pub c: [a_float; 4],
+    pub c: [Number; 4],
 }
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly3 {
-    pub(super) fn position_coefficients(&self) -> &[a_float; 4] {
+    pub(super) fn position_coefficients(&self) -> &[Number; 4] {
         &self.p
     }
 
     #[cfg(trajpoly3_v)]
-    pub(super) fn velocity_coefficients(&self) -> &[a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> &[Number; 3] {
         &self.v
     }
 
     #[cfg(not(trajpoly3_v))]
-    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> [Number; 3] {
         Poly3 { c: self.p }.velocity_coefficients()
     }
 
     #[cfg(trajpoly3_a)]
-    pub(super) fn acceleration_coefficients(&self) -> &[a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> &[Number; 2] {
         &self.a
     }
 
     #[cfg(not(trajpoly3_a))]
-    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> [Number; 2] {
         Poly3 { c: self.p }.acceleration_coefficients()
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly3 {
-    pub(super) fn position_coefficients(&self) -> &[a_float; 4] {
+    pub(super) fn position_coefficients(&self) -> &[Number; 4] {
         &self.c
     }
 
-    pub(super) fn velocity_coefficients(&self) -> [a_float; 3] {
+    pub(super) fn velocity_coefficients(&self) -> [Number; 3] {
         Poly3 { c: self.c }.velocity_coefficients()
     }
 
-    pub(super) fn acceleration_coefficients(&self) -> [a_float; 2] {
+    pub(super) fn acceleration_coefficients(&self) -> [Number; 2] {
         Poly3 { c: self.c }.acceleration_coefficients()
     }
 }
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen(
     #[cfg(not(feature = "poly-compact"))]
     // SAFETY: the contract of this function is that of each of these.
     unsafe {
-        if a_float::CHEAP_ROOT {
+        if Number::CHEAP_ROOT {
             plan(ctx, true, ts, p0, p1, v0, v1);
         } else {
             a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen(
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.c = Poly3::coefficients(ts.into(), boundary(p0, p1, v0, v1)).map(Into::into);
+        Poly3::write(&mut ctx.c, ts.into(), boundary(p0, p1, v0, v1));
     }
 }
 
@@ -159,7 +159,7 @@ unsafe fn plan(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.p = Poly3::coefficients(ts.into(), boundary(p0, p1, v0, v1)).map(Into::into);
+        Poly3::write(&mut ctx.p, ts.into(), boundary(p0, p1, v0, v1));
         if all {
             #[cfg(trajpoly3_v)]
             {
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly3::position_coefficients);
     if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
         // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c0.cast::<[a_float; 4]>().write(*coefficients) };
+        unsafe { c0.cast::<[Number; 4]>().write(*coefficients) };
     }
 }
 
@@ -215,7 +215,7 @@ pub unsafe extern "C" fn a_trajpoly3_c1(ctx: *const a_trajpoly3, c1: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly3::velocity_coefficients);
     if let (Some(coefficients), false) = (coefficients, c1.is_null()) {
         // SAFETY: `c1` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c1.cast::<[a_float; 3]>().write(coefficients) };
+        unsafe { c1.cast::<[Number; 3]>().write(coefficients) };
     }
 }
 
@@ -229,7 +229,7 @@ pub unsafe extern "C" fn a_trajpoly3_c2(ctx: *const a_trajpoly3, c2: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly3::acceleration_coefficients);
     if let (Some(coefficients), false) = (coefficients, c2.is_null()) {
         // SAFETY: `c2` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c2.cast::<[a_float; 2]>().write(coefficients) };
+        unsafe { c2.cast::<[Number; 2]>().write(coefficients) };
     }
 }
 

@@ -4,7 +4,7 @@
 use super::differentiate;
 #[cfg(feature = "poly-compact")]
 use super::evaluate_found;
-use super::{Place, a_float, boundary, evaluate};
+use super::{Number, Place, a_float, boundary, evaluate};
 use crate::Poly5;
 #[cfg(not(feature = "poly-compact"))]
 use crate::Real;
@@ -20,13 +20,13 @@ use core::mem::offset_of;
 #[repr(C)]
 pub struct a_trajpoly5 {
     /// coefficients of position
-    pub p: [a_float; 6],
+    pub p: [Number; 6],
     /// coefficients of velocity
     #[cfg(trajpoly5_v)]
-    pub v: [a_float; 5],
+    pub v: [Number; 5],
     /// coefficients of acceleration
     #[cfg(trajpoly5_a)]
-    pub a: [a_float; 4],
+    pub a: [Number; 4],
 }
 
 /// @brief Quintic polynomial trajectory.
@@ -36,47 +36,47 @@ pub struct a_trajpoly5 {
 #[repr(C)]
 pub struct a_trajpoly5 {
     /// coefficients of position
-    pub c: [a_float; 6],
+    pub c: [Number; 6],
 }
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly5 {
-    pub(super) fn position_coefficients(&self) -> &[a_float; 6] {
+    pub(super) fn position_coefficients(&self) -> &[Number; 6] {
         &self.p
     }
 
     #[cfg(trajpoly5_v)]
-    pub(super) fn velocity_coefficients(&self) -> &[a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> &[Number; 5] {
         &self.v
     }
 
     #[cfg(not(trajpoly5_v))]
-    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> [Number; 5] {
         Poly5 { c: self.p }.velocity_coefficients()
     }
 
     #[cfg(trajpoly5_a)]
-    pub(super) fn acceleration_coefficients(&self) -> &[a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> &[Number; 4] {
         &self.a
     }
 
     #[cfg(not(trajpoly5_a))]
-    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> [Number; 4] {
         Poly5 { c: self.p }.acceleration_coefficients()
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly5 {
-    pub(super) fn position_coefficients(&self) -> &[a_float; 6] {
+    pub(super) fn position_coefficients(&self) -> &[Number; 6] {
         &self.c
     }
 
-    pub(super) fn velocity_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn velocity_coefficients(&self) -> [Number; 5] {
         Poly5 { c: self.c }.velocity_coefficients()
     }
 
-    pub(super) fn acceleration_coefficients(&self) -> [a_float; 4] {
+    pub(super) fn acceleration_coefficients(&self) -> [Number; 4] {
         Poly5 { c: self.c }.acceleration_coefficients()
     }
 }
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen(
     #[cfg(not(feature = "poly-compact"))]
     // SAFETY: the contract of this function is that of each of these.
     unsafe {
-        if a_float::CHEAP_ROOT {
+        if Number::CHEAP_ROOT {
             plan(ctx, true, ts, p0, p1, v0, v1, a0, a1);
         } else {
             a_trajpoly5_gen0(ctx, ts, p0, p1, v0, v1, a0, a1);
@@ -119,8 +119,12 @@ pub unsafe extern "C" fn a_trajpoly5_gen(
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.c = Poly5::coefficients(ts.into(), boundary(p0, p1, v0, v1), [a0.into(), a1.into()])
-            .map(Into::into);
+        Poly5::write(
+            &mut ctx.c,
+            ts.into(),
+            boundary(p0, p1, v0, v1),
+            [a0.into(), a1.into()],
+        );
     }
 }
 
@@ -170,8 +174,12 @@ unsafe fn plan(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.p = Poly5::coefficients(ts.into(), boundary(p0, p1, v0, v1), [a0.into(), a1.into()])
-            .map(Into::into);
+        Poly5::write(
+            &mut ctx.p,
+            ts.into(),
+            boundary(p0, p1, v0, v1),
+            [a0.into(), a1.into()],
+        );
         if all {
             #[cfg(trajpoly5_v)]
             {
@@ -213,7 +221,7 @@ pub unsafe extern "C" fn a_trajpoly5_c0(ctx: *const a_trajpoly5, c0: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly5::position_coefficients);
     if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
         // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c0.cast::<[a_float; 6]>().write(*coefficients) };
+        unsafe { c0.cast::<[Number; 6]>().write(*coefficients) };
     }
 }
 
@@ -227,7 +235,7 @@ pub unsafe extern "C" fn a_trajpoly5_c1(ctx: *const a_trajpoly5, c1: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly5::velocity_coefficients);
     if let (Some(coefficients), false) = (coefficients, c1.is_null()) {
         // SAFETY: `c1` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c1.cast::<[a_float; 5]>().write(coefficients) };
+        unsafe { c1.cast::<[Number; 5]>().write(coefficients) };
     }
 }
 
@@ -241,7 +249,7 @@ pub unsafe extern "C" fn a_trajpoly5_c2(ctx: *const a_trajpoly5, c2: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly5::acceleration_coefficients);
     if let (Some(coefficients), false) = (coefficients, c2.is_null()) {
         // SAFETY: `c2` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c2.cast::<[a_float; 4]>().write(coefficients) };
+        unsafe { c2.cast::<[Number; 4]>().write(coefficients) };
     }
 }
 

@@ -4,7 +4,7 @@
 use super::differentiate;
 #[cfg(feature = "poly-compact")]
 use super::evaluate_found;
-use super::{Place, a_float, boundary, evaluate};
+use super::{Number, Place, a_float, boundary, evaluate};
 use crate::Poly7;
 #[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
 use core::mem::offset_of;
@@ -16,16 +16,16 @@ use core::mem::offset_of;
 #[repr(C)]
 pub struct a_trajpoly7 {
     /// coefficients of position
-    pub p: [a_float; 8],
+    pub p: [Number; 8],
     /// coefficients of velocity
     #[cfg(trajpoly7_v)]
-    pub v: [a_float; 7],
+    pub v: [Number; 7],
     /// coefficients of acceleration
     #[cfg(trajpoly7_a)]
-    pub a: [a_float; 6],
+    pub a: [Number; 6],
     /// coefficients of jerk
     #[cfg(trajpoly7_j)]
-    pub j: [a_float; 5],
+    pub j: [Number; 5],
 }
 
 /// @brief Septic polynomial trajectory.
@@ -35,61 +35,61 @@ pub struct a_trajpoly7 {
 #[repr(C)]
 pub struct a_trajpoly7 {
     /// coefficients of position
-    pub c: [a_float; 8],
+    pub c: [Number; 8],
 }
 
 #[cfg(not(feature = "poly-compact"))]
 impl a_trajpoly7 {
-    pub(super) fn position_coefficients(&self) -> &[a_float; 8] {
+    pub(super) fn position_coefficients(&self) -> &[Number; 8] {
         &self.p
     }
 
     #[cfg(trajpoly7_v)]
-    pub(super) fn velocity_coefficients(&self) -> &[a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> &[Number; 7] {
         &self.v
     }
 
     #[cfg(not(trajpoly7_v))]
-    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> [Number; 7] {
         Poly7 { c: self.p }.velocity_coefficients()
     }
 
     #[cfg(trajpoly7_a)]
-    pub(super) fn acceleration_coefficients(&self) -> &[a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> &[Number; 6] {
         &self.a
     }
 
     #[cfg(not(trajpoly7_a))]
-    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> [Number; 6] {
         Poly7 { c: self.p }.acceleration_coefficients()
     }
 
     #[cfg(trajpoly7_j)]
-    pub(super) fn jerk_coefficients(&self) -> &[a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> &[Number; 5] {
         &self.j
     }
 
     #[cfg(not(trajpoly7_j))]
-    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> [Number; 5] {
         Poly7 { c: self.p }.jerk_coefficients()
     }
 }
 
 #[cfg(feature = "poly-compact")]
 impl a_trajpoly7 {
-    pub(super) fn position_coefficients(&self) -> &[a_float; 8] {
+    pub(super) fn position_coefficients(&self) -> &[Number; 8] {
         &self.c
     }
 
-    pub(super) fn velocity_coefficients(&self) -> [a_float; 7] {
+    pub(super) fn velocity_coefficients(&self) -> [Number; 7] {
         Poly7 { c: self.c }.velocity_coefficients()
     }
 
-    pub(super) fn acceleration_coefficients(&self) -> [a_float; 6] {
+    pub(super) fn acceleration_coefficients(&self) -> [Number; 6] {
         Poly7 { c: self.c }.acceleration_coefficients()
     }
 
-    pub(super) fn jerk_coefficients(&self) -> [a_float; 5] {
+    pub(super) fn jerk_coefficients(&self) -> [Number; 5] {
         Poly7 { c: self.c }.jerk_coefficients()
     }
 }
@@ -134,13 +134,13 @@ pub unsafe extern "C" fn a_trajpoly7_gen(
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     #[cfg(feature = "poly-compact")]
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.c = Poly7::coefficients(
+        Poly7::write(
+            &mut ctx.c,
             ts.into(),
             boundary(p0, p1, v0, v1),
             [a0.into(), a1.into()],
             [j0.into(), j1.into()],
-        )
-        .map(Into::into);
+        );
     }
 }
 
@@ -173,13 +173,13 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(ctx) = unsafe { ctx.as_mut() } {
-        ctx.p = Poly7::coefficients(
+        Poly7::write(
+            &mut ctx.p,
             ts.into(),
             boundary(p0, p1, v0, v1),
             [a0.into(), a1.into()],
             [j0.into(), j1.into()],
-        )
-        .map(Into::into);
+        );
     }
 }
 
@@ -220,7 +220,7 @@ pub unsafe extern "C" fn a_trajpoly7_c0(ctx: *const a_trajpoly7, c0: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::position_coefficients);
     if let (Some(coefficients), false) = (coefficients, c0.is_null()) {
         // SAFETY: `c0` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c0.cast::<[a_float; 8]>().write(*coefficients) };
+        unsafe { c0.cast::<[Number; 8]>().write(*coefficients) };
     }
 }
 
@@ -234,7 +234,7 @@ pub unsafe extern "C" fn a_trajpoly7_c1(ctx: *const a_trajpoly7, c1: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::velocity_coefficients);
     if let (Some(coefficients), false) = (coefficients, c1.is_null()) {
         // SAFETY: `c1` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c1.cast::<[a_float; 7]>().write(coefficients) };
+        unsafe { c1.cast::<[Number; 7]>().write(coefficients) };
     }
 }
 
@@ -248,7 +248,7 @@ pub unsafe extern "C" fn a_trajpoly7_c2(ctx: *const a_trajpoly7, c2: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::acceleration_coefficients);
     if let (Some(coefficients), false) = (coefficients, c2.is_null()) {
         // SAFETY: `c2` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c2.cast::<[a_float; 6]>().write(coefficients) };
+        unsafe { c2.cast::<[Number; 6]>().write(coefficients) };
     }
 }
 
@@ -262,7 +262,7 @@ pub unsafe extern "C" fn a_trajpoly7_c3(ctx: *const a_trajpoly7, c3: *mut a_floa
     let coefficients = unsafe { ctx.as_ref() }.map(a_trajpoly7::jerk_coefficients);
     if let (Some(coefficients), false) = (coefficients, c3.is_null()) {
         // SAFETY: `c3` has room for them by the contract of this module, and no reference into `ctx` is left.
-        unsafe { c3.cast::<[a_float; 5]>().write(coefficients) };
+        unsafe { c3.cast::<[Number; 5]>().write(coefficients) };
     }
 }
 
