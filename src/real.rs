@@ -43,13 +43,17 @@ pub trait Real:
         if self < Self::from(0) { -self } else { self }
     }
 
-    /// `self` limited to `lo..=hi`; NaN becomes `lo`.
-    fn limit(self, lo: Self, hi: Self) -> Self {
-        if lo < self {
-            if self < hi { self } else { hi }
-        } else {
-            lo
-        }
+    /// The smaller; if one of them is NaN or both are equal, `hi`.
+    fn at_most(self, hi: Self) -> Self {
+        if self < hi { self } else { hi }
+    }
+
+    /// `self` limited to `-hi..=hi`, where `hi` is no negative number; NaN becomes `-hi`.
+    // A maximum and a minimum, each of which is one instruction on the host.
+    fn limit(self, hi: Self) -> Self {
+        let lo = -hi;
+        let raised = if lo < self { self } else { lo };
+        if hi < raised { hi } else { raised }
     }
 
     /// Neither infinite nor NaN.

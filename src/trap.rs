@@ -72,19 +72,18 @@ impl<R: Real> Trap<R> {
             return None;
         }
         let vm = velocity.magnitude();
+        // Their squares need not wait for the limits: rounding is monotone, so the limited square is that of the limited.
+        let highest = velocity * velocity;
+        let a = (boundary.v0 * boundary.v0).at_most(highest);
+        let b = (boundary.v1 * boundary.v1).at_most(highest);
         let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
         (self.p0, self.p1) = (p0, p1);
         (self.v0, self.v1) = (v0, v1);
 
         // Squared velocity at which the acceleration line meets the deceleration line.
-        let a = v0 * v0;
-        let b = v1 * v1;
         let c = (b * ac - a * de - p2 * ac * de) / (ac - de);
-        if c <= zero {
-            return None;
-        }
         let covered = |t: R| p0 + v0 * t + R::HALF * ac * t * t;
-        if c > vm * vm {
+        if c > highest {
             self.vc = signed(vm);
             self.ta = (self.vc - v0) / ac;
             let t = (v1 - self.vc) / de;
@@ -92,32 +91,31 @@ impl<R: Real> Trap<R> {
             self.pd = p1 - self.vc * t - R::HALF * de * t * t;
             self.td = self.ta + (self.pd - self.pa) / self.vc;
             self.t = t + self.td;
-        } else if c > a && c <= b {
-            // Too short to reach v1: accelerate all the way.
-            let b = a + p2 * ac;
-            if b < zero {
+        } else if c <= zero {
+            return None;
+        } else if (c > a) != (c > b) {
+            // Too short to reach v1, or to come down to it: one slope all the way. (Not if c is NaN.)
+            let is_up = c > a;
+            let slope = if is_up { ac } else { de };
+            let square = a + p2 * slope;
+            if square < zero {
                 return None;
             }
-            self.v1 = signed(b.sqrt());
-            self.vc = self.v1;
-            self.t = (self.v1 - v0) / ac;
-            self.ta = self.t;
-            self.td = self.t;
-            self.pa = covered(self.t);
-            self.pd = p1;
-        } else if c <= a && c > b {
-            // Too short to come down to v1: decelerate all the way.
-            let b = a + p2 * de;
-            if b < zero {
-                return None;
+            self.v1 = signed(square.sqrt());
+            self.t = (self.v1 - v0) / slope;
+            if is_up {
+                self.vc = self.v1;
+                self.ta = self.t;
+                self.td = self.t;
+                self.pa = covered(self.t);
+                self.pd = p1;
+            } else {
+                self.vc = v0;
+                self.ta = zero;
+                self.td = zero;
+                self.pa = p0;
+                self.pd = p0;
             }
-            self.v1 = signed(b.sqrt());
-            self.vc = v0;
-            self.t = (self.v1 - v0) / de;
-            self.ta = zero;
-            self.td = zero;
-            self.pa = p0;
-            self.pd = p0;
         } else {
             self.vc = signed(c.sqrt());
             self.ta = (self.vc - v0) / ac;
