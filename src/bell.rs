@@ -430,7 +430,7 @@ impl<R: Real> Bell<R> {
     }
 
     fn sample_run(&self, run: Run<'_, R, 4>) {
-        let x = run.first();
+        let x = run.x;
         let phase = self.phase(x);
         let acceleration_phase = self.acceleration_phase(x);
         let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];
