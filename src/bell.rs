@@ -398,7 +398,19 @@ impl<R: Real> Bell<R> {
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
-        let forward = self.forward();
+        let Self { p0, p1, v0, v1, .. } = *self;
+        let boundary = Boundary { p0, p1, v0, v1 };
+        if cfg!(target_os = "none") {
+            self.forward_state(x, self.forward()) // one copy for both directions, where flash is dear
+        } else if self.is_backward() {
+            self.forward_state(x, boundary.mirrored())
+        } else {
+            self.forward_state(x, boundary)
+        }
+    }
+
+    #[inline(always)]
+    fn forward_state(&self, x: R, forward: Boundary<R>) -> [R; 4] {
         in_phase!(self.phase(x), PHASE of
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => [
             self.orient(self.position_in(PHASE, x, forward)),
