@@ -80,22 +80,23 @@ impl<R: Real> Bell<R> {
         let boundary = boundary.limit_velocities(vm);
         (self.p0, self.p1) = (boundary.p0, boundary.p1);
         (self.v0, self.v1) = (boundary.v0, boundary.v1);
-        let forward = self.forward();
+        // In the axis that makes the move go forward. Turning the difference of positions is exact: it is not 0.
+        let is_backward = self.is_backward();
+        let p = (boundary.p1 - boundary.p0).negated_if(is_backward);
+        let v0 = boundary.v0.negated_if(is_backward);
+        let v1 = boundary.v1.negated_if(is_backward);
 
         self.vm = vm;
         self.jm = jm;
         let mut full_tj = None;
-        (self.taj, self.ta, self.am) = ramp(vm - forward.v0, jm, am, &mut full_tj);
-        (self.tdj, self.td, self.dm) = ramp(vm - forward.v1, jm, am, &mut full_tj);
+        (self.taj, self.ta, self.am) = ramp(vm - v0, jm, am, &mut full_tj);
+        (self.tdj, self.td, self.dm) = ramp(vm - v1, jm, am, &mut full_tj);
         self.dm = -self.dm;
 
-        let p = forward.p1 - forward.p0;
         let one = R::from(1);
-        self.tv = p / vm
-            - R::HALF * self.ta * (one + forward.v0 / vm)
-            - R::HALF * self.td * (one + forward.v1 / vm);
-        let planned =
-            self.tv > R::from(0) || self.plan_without_cruise(am, p, forward.v0, forward.v1);
+        self.tv =
+            p / vm - R::HALF * self.ta * (one + v0 / vm) - R::HALF * self.td * (one + v1 / vm);
+        let planned = self.tv > R::from(0) || self.plan_without_cruise(am, p, v0, v1);
         self.t = if planned {
             self.ta + self.tv + self.td
         } else {

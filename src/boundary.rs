@@ -37,8 +37,8 @@ impl<R: Real> Boundary<R> {
     /// The same with both velocities limited to `±vm`.
     pub(crate) fn limit_velocities(self, vm: R) -> Self {
         Self {
-            v0: self.v0.limit(vm),
-            v1: self.v1.limit(vm),
+            v0: self.v0.limit(-vm, vm),
+            v1: self.v1.limit(-vm, vm),
             ..self
         }
     }

@@ -38,6 +38,9 @@ pub trait Real:
     /// Rounded towards zero, limited to what an index can be; 0 for a NaN.
     fn to_index(self) -> i32;
 
+    /// The opposite where it is wanted, on hosts without a branch, which moves to and fro would mispredict.
+    fn negated_if(self, wanted: bool) -> Self;
+
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
     fn magnitude(self) -> Self {
         if self < Self::from(0) { -self } else { self }
@@ -48,10 +51,9 @@ pub trait Real:
         if self < hi { self } else { hi }
     }
 
-    /// `self` limited to `-hi..=hi`, where `hi` is no negative number; NaN becomes `-hi`.
+    /// `self` limited to `lo..=hi`; NaN becomes `lo`.
     // A maximum and a minimum, each of which is one instruction on the host.
-    fn limit(self, hi: Self) -> Self {
-        let lo = -hi;
+    fn limit(self, lo: Self, hi: Self) -> Self {
         let raised = if lo < self { self } else { lo };
         if hi < raised { hi } else { raised }
     }
@@ -88,6 +90,13 @@ impl Real for f32 {
         sqrtf(self)
     }
 
+    fn negated_if(self, wanted: bool) -> Self {
+        if Self::CHEAP_ROOT {
+            return if wanted { -self } else { self };
+        }
+        Self::from_bits(self.to_bits() ^ (u32::from(wanted) << 31))
+    }
+
     fn from_index(k: i32) -> Self {
         k as Self
     }
@@ -107,6 +116,10 @@ impl Real for f64 {
 
     fn sqrt(self) -> Self {
         sqrt(self)
+    }
+
+    fn negated_if(self, wanted: bool) -> Self {
+        Self::from_bits(self.to_bits() ^ (u64::from(wanted) << 63))
     }
 
     fn from_index(k: i32) -> Self {
