@@ -432,7 +432,19 @@ impl<R: Real> Bell<R> {
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
-        let forward = self.forward();
+        let Self { p0, p1, v0, v1, .. } = *self;
+        let boundary = Boundary { p0, p1, v0, v1 };
+        if cfg!(target_os = "none") {
+            self.forward_state(x, self.forward()) // one copy for both directions, where flash is dear
+        } else if self.is_backward() {
+            self.forward_state(x, boundary.mirrored())
+        } else {
+            self.forward_state(x, boundary)
+        }
+    }
+
+    #[inline(always)]
+    fn forward_state(&self, x: R, forward: Boundary<R>) -> [R; 4] {
         let (phase, braking) = self.phase(x);
         in_phase!(phase, PHASE of
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => [
@@ -477,7 +489,7 @@ impl<R: Real> Bell<R> {
     }
 
     fn sample_run(&self, run: Run<'_, R, 4>) {
-        let x = run.first();
+        let x = run.x;
         let (phase, _) = self.phase(x);
         let (acceleration_phase, _) = self.acceleration_phase(x);
         let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];

@@ -32,6 +32,13 @@ pub(crate) struct Sweep<R> {
 }
 
 impl<R: Real> Sweep<R> {
+    /// Samples in the longest vector of common processors.
+    const VECTOR: usize = if cfg!(target_os = "none") {
+        1
+    } else {
+        32 / size_of::<R>()
+    };
+
     /// The state at each of the times.
     pub fn states<const N: usize>(
         self,
@@ -41,6 +48,9 @@ impl<R: Real> Sweep<R> {
     }
 
     /// Has `sample` fill every output to its end, run by run; the number of samples.
+    ///
+    /// The last run comes first, and each begins a few samples early, where vectors are aligned: the next one overwrites
+    /// those. A store across cache lines would cost more.
     pub fn sample<const N: usize, const B: usize>(
         self,
         borders: [Border<R>; B],
@@ -50,21 +60,30 @@ impl<R: Real> Sweep<R> {
         let longest = outputs.iter().map(|output| output.len()).max();
         let count = longest.unwrap_or(0).min(MOST_SAMPLES) as i32;
         let crossings = borders.map(|border| self.crossing(border, count));
-        let mut start = 0;
-        while start < count {
-            let ahead = crossings.iter().filter(|&&crossing| crossing > start);
-            let end = ahead.fold(count, |end, &crossing| end.min(crossing));
-            sample(Run {
+        let mut end = count;
+        while end > 0 {
+            let behind = crossings.iter().filter(|&&crossing| crossing < end);
+            let start = behind.fold(0, |start, &crossing| start.max(crossing));
+            let first = start - Self::since_aligned(&outputs, start).min(start);
+            let run = Run {
                 sweep: self,
-                start,
+                x: self.time(start),
+                start: first,
                 outputs: outputs.each_mut().map(|output| {
                     let end = output.len().min(end as usize);
-                    output.get_mut(start as usize..end).unwrap_or_default()
+                    output.get_mut(first as usize..end).unwrap_or_default()
                 }),
-            });
-            start = end;
+            };
+            sample(run);
+            end = start;
         }
         count as usize
+    }
+
+    /// How many samples before `k` the first output has since it was aligned for whole vectors.
+    fn since_aligned<const N: usize>(outputs: &[&mut [R]; N], k: i32) -> i32 {
+        let first = outputs.first().map_or(0, |output| output.as_ptr() as usize);
+        ((first / size_of::<R>() + k as usize) % Self::VECTOR) as i32
     }
 
     /// The first of `count` samples that is not on the side of `border` where sample 0 is, or `count`.
@@ -86,7 +105,13 @@ impl<R: Real> Sweep<R> {
         };
         // Up to rounding it is where the border is; halving finds it wherever it is.
         let guess = ((border.time() - self.x0) / self.dt).to_index();
-        let mut range = narrow(narrow((0, last), guess), guess.saturating_add(1));
+        let mut range = narrow((0, last), guess);
+        let neighbour = if range.1 == guess {
+            guess - 1
+        } else {
+            guess.saturating_add(1)
+        };
+        range = narrow(range, neighbour);
         while range.1 - range.0 > 1 {
             range = narrow(range, range.0 + (range.1 - range.0) / 2);
         }
@@ -103,6 +128,7 @@ impl<R: Real> Sweep<R> {
     }
 
     /// Time of sample `k`, s.
+    #[inline(always)]
     fn time(self, k: i32) -> R {
         self.x0 + R::from_index(k) * self.dt
     }
@@ -135,17 +161,14 @@ impl<R: Real> Border<R> {
 /// Neighbouring samples on the same side of every border, and where they go.
 pub(crate) struct Run<'a, R, const N: usize> {
     pub sweep: Sweep<R>,
+    /// One of its times.
+    pub x: R,
     pub start: i32,
     /// Position, velocity, acceleration and, if the profile has it, jerk; empty where not wanted.
     pub outputs: [&'a mut [R]; N],
 }
 
 impl<R: Real, const N: usize> Run<'_, R, N> {
-    /// The first of its times.
-    pub fn first(&self) -> R {
-        self.sweep.time(self.start)
-    }
-
     /// Fills the outputs with what `state` says of their times.
     #[inline(always)]
     pub fn fill(self, state: impl Fn(R) -> [R; N]) {
@@ -155,6 +178,7 @@ impl<R: Real, const N: usize> Run<'_, R, N> {
             sweep,
             start,
             mut outputs,
+            ..
         } = self;
         match outputs.as_mut_slice() {
             // One loop finds each time once.

@@ -228,7 +228,7 @@ impl<R: Real> Trap<R> {
     }
 
     fn sample_run(&self, run: Run<'_, R, 3>) {
-        let x = run.first();
+        let x = run.x;
         self.sample_phase(self.phase(x), self.acceleration(x), run);
     }
 

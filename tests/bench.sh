@@ -6,10 +6,10 @@ cat <<'END'
 # Performance
 
 Written by `make bench`: this library and the original (liba 0.1.15, compiled by gcc at `-O2` and at `-O3` with
-`-ffp-contract=off`), all called through the C ABI, in one process, in turns. Nanoseconds of the shortest turn; a ratio above 1
-means that ours is faster. Only ratios carry over to another machine. "Warm" is 4,096 moves, "cold" 262,144, whose structs
-fit in no cache. Instructions are counted by callgrind. `atraj_bell_sample` and `atraj_bell_state` find all four quantities and are
-compared with four calls of the original, per sample.
+`-ffp-contract=off`), all called through the C ABI, in one process, in turns over the same memory. Nanoseconds and ratios are
+the medians of 99 rounds in which each has a turn; a ratio above 1 means that ours is faster. Only ratios carry over to
+another machine. "Warm" is 4,096 moves, "cold" 262,144, whose structs fit in no cache. Instructions are counted by callgrind.
+`atraj_bell_sample` and `atraj_bell_state` find all four quantities and are compared with four calls of the original, per sample.
 END
 printf '\nMeasured on %s with %s; %s.\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
     "$(rustc --version)" "$(cc --version | head -1)"

@@ -1,10 +1,11 @@
 //! `bench`: a table of ours against the original at `-O2` and `-O3`, all through the C ABI, in one process.
-//! `bench samples`: its rows of sampling alone.
+//! `bench WORD…`: its rows that contain all these words.
 //! `bench instructions`: instructions of our functions, one line each, for the gate.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!
-//! The libraries take short turns, many of them, and the shortest turn of each is what counts: whatever else the machine
-//! does makes turns longer.
+//! The libraries take short turns in a round, many rounds, each from another one on, over the same memory by the same loop.
+//! What counts is the median of the ratios within a round: whatever else the machine does, it does to neighbours, and a
+//! single lucky turn decides nothing.
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
@@ -13,11 +14,12 @@ use oracle::common::random::Random;
 use oracle::family::{Family, Implementation};
 use std::hint::black_box;
 use std::process::Command;
+use std::rc::Rc;
 use std::time::Instant;
 
 const WARM: usize = 4096;
 const COLD: usize = 262_144;
-const TURNS: usize = 60;
+const ROUNDS: usize = 99;
 /// Calls in one turn, at least.
 const CALLS: usize = 4096;
 
@@ -27,7 +29,8 @@ struct Row {
     case: String,
     /// What the times are divided by.
     calls: usize,
-    run: [Box<dyn FnMut()>; 3],
+    /// Does it with the library of this number.
+    run: Box<dyn FnMut(usize)>,
 }
 
 static OPTIMISED: [Abi<a_float>; 2] = <a_float as Original>::OPTIMISED;
@@ -36,49 +39,46 @@ static LIBRARIES: [&Abi<a_float>; 3] = [&OURS, &OPTIMISED[0], &OPTIMISED[1]];
 fn main() {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => print_table(|_| true),
-        ["samples"] => print_table(is_sampling),
         ["instructions"] => print_instructions(),
         ["count", row, library] => {
-            let row = rows(WARM).swap_remove(row.parse().expect("a row"));
-            let [ours, o2, o3] = row.run;
-            let mut run = [ours, o2, o3];
-            counted(&mut *run[library.parse::<usize>().expect("a library")]);
+            let mut row = rows(WARM).swap_remove(row.parse().expect("a row"));
+            let library = library.parse().expect("a library");
+            counted(&mut || (row.run)(library));
         }
-        _ => panic!("usage: bench [instructions | count ROW LIBRARY]"),
+        ref words => print_table(words),
     }
 }
 
-fn is_sampling(row: &Row) -> bool {
-    row.function.starts_with("atraj_")
-}
-
-fn print_table(wanted: fn(&Row) -> bool) {
+fn print_table(words: &[&str]) {
     println!(
         "| function | case | ours ns | -O2 ns | -O3 ns | -O2/ours | -O3/ours | instructions ours | -O2 |"
     );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|");
+    let is_wanted = |row: &Row| {
+        let name = format!("{}, {}", row.function, row.case);
+        words.iter().all(|word| name.contains(word))
+    };
     for (index, row) in rows(WARM).iter_mut().enumerate() {
-        if wanted(row) {
+        if is_wanted(row) {
             let counts = [0, 1].map(|library| instructions(index, library, row.calls));
             print_row(row, &counts.map(|count| format!("{count:.1}")));
         }
     }
     for row in &mut rows(COLD) {
-        if wanted(row) && !is_sampling(row) {
+        if is_wanted(row) {
             print_row(row, &["", ""].map(str::to_owned));
         }
     }
 }
 
 fn print_row(row: &mut Row, [ours, original]: &[String; 2]) {
-    let [ns, o2, o3] = measure(row);
+    let rounds = measure(row);
+    let [ns, o2, o3] = [0, 1, 2].map(|library| median(rounds.iter().map(|turns| turns[library])));
+    let [o2_ratio, o3_ratio] =
+        [1, 2].map(|library| median(rounds.iter().map(|turns| turns[library] / turns[0])));
     println!(
-        "| `{}` | {} | {ns:.2} | {o2:.2} | {o3:.2} | {:.2} | {:.2} | {ours} | {original} |",
-        row.function,
-        row.case,
-        o2 / ns,
-        o3 / ns
+        "| `{}` | {} | {ns:.2} | {o2:.2} | {o3:.2} | {o2_ratio:.2} | {o3_ratio:.2} | {ours} | {original} |",
+        row.function, row.case,
     );
 }
 
@@ -89,20 +89,27 @@ fn print_instructions() {
     }
 }
 
-/// Nanoseconds of a call to each library.
-fn measure(row: &mut Row) -> [f64; 3] {
+/// Nanoseconds of a call to each library, round by round.
+fn measure(row: &mut Row) -> [[f64; 3]; ROUNDS] {
     let passes = CALLS.div_ceil(row.calls);
-    let mut shortest = [f64::INFINITY; 3];
-    for _ in 0..TURNS {
-        for (run, shortest) in row.run.iter_mut().zip(&mut shortest) {
+    let mut rounds = [[0.0; 3]; ROUNDS];
+    for (round, turns) in rounds.iter_mut().enumerate() {
+        for turn in 0..3 {
+            let library = (round + turn) % 3;
             let start = Instant::now();
             for _ in 0..passes {
-                run();
+                (row.run)(library);
             }
-            *shortest = shortest.min(start.elapsed().as_secs_f64());
+            turns[library] = start.elapsed().as_secs_f64() * 1e9 / (passes * row.calls) as f64;
         }
     }
-    shortest.map(|seconds| seconds * 1e9 / (passes * row.calls) as f64)
+    rounds
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<_> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
 }
 
 /// Instructions of a call, counted by callgrind in a process of its own.
@@ -132,7 +139,7 @@ extern "Rust" fn counted(run: &mut dyn FnMut()) {
     run();
 }
 
-/// All rows, over `count` moves; the samples are always those of one move.
+/// All rows, over `count` moves; the samples, those of one move, are among the warm ones.
 fn rows(count: usize) -> Vec<Row> {
     let place = if count == WARM { "warm" } else { "cold" };
     let mut random = Random(1);
@@ -180,10 +187,10 @@ fn rows(count: usize) -> Vec<Row> {
         &mut random,
         &mut rows,
     );
-    for n in [256, 1024, 16_384] {
-        rows.push(samples(n));
+    if count == WARM {
+        rows.extend([256, 1024, 16_384].map(samples));
+        rows.push(states(1024));
     }
-    rows.push(states(1024));
     rows
 }
 
@@ -242,21 +249,20 @@ fn gen7(
     of: fn(&Abi<a_float>) -> Gen7<a_float>,
 ) -> Row {
     let plans: Vec<[a_float; 7]> = plans.iter().map(|p| p[..].try_into().expect("7")).collect();
-    let run = LIBRARIES.map(|abi| -> Box<dyn FnMut()> {
-        let plans = plans.clone();
-        let mut fields = vec![[0.0 as a_float; 14]; plans.len()];
-        let plan = black_box(of(abi));
-        Box::new(move || {
-            for (&[a, b, c, d, e, f, g], fields) in plans.iter().zip(&mut fields) {
-                // SAFETY: no struct has more than 14 reals.
-                black_box(unsafe { plan(fields.as_mut_ptr(), a, b, c, d, e, f, g) });
-            }
-        })
+    let calls = plans.len();
+    let mut fields = vec![[0.0 as a_float; 14]; calls];
+    let functions = LIBRARIES.map(of);
+    let run = Box::new(move |library: usize| {
+        let plan = black_box(functions[library]);
+        for (&[a, b, c, d, e, f, g], fields) in plans.iter().zip(&mut fields) {
+            // SAFETY: no struct has more than 14 reals.
+            black_box(unsafe { plan(fields.as_mut_ptr(), a, b, c, d, e, f, g) });
+        }
     });
     Row {
         function: function.into(),
         case,
-        calls: plans.len(),
+        calls,
         run,
     }
 }
@@ -268,22 +274,19 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
             .collect()
     };
     let plans: Vec<Plan> = (0..count).map(|_| plan()).collect();
-    let run = LIBRARIES.map(|abi| -> Box<dyn FnMut()> {
-        let plans = plans.clone();
-        let mut fields = vec![0.0; family.fields().len()];
-        let abi = black_box(abi);
-        Box::new(move || {
-            for plan in &plans {
-                abi.plan(family, plan, &mut fields);
-                black_box(&fields);
-            }
-        })
+    let mut fields = vec![0.0; family.fields().len()];
+    let run = Box::new(move |library: usize| {
+        let abi = black_box(LIBRARIES[library]);
+        for plan in &plans {
+            abi.plan(family, plan, &mut fields);
+            black_box(&fields);
+        }
     });
     let function = format!("a_traj{}_gen", family.name());
     Row {
         function,
         case: place.into(),
-        calls: plans.len(),
+        calls: count,
         run,
     }
 }
@@ -301,7 +304,7 @@ fn evaluations(
         .iter()
         .filter(|fields| duration(fields) > 0.0)
         .collect();
-    let at_random: Vec<_> = moves
+    let at_random: Rc<[Moment]> = moves
         .iter()
         .map(|fields| {
             (
@@ -310,9 +313,9 @@ fn evaluations(
             )
         })
         .collect();
-    let first: std::rc::Rc<[a_float]> = moves[0][..].into();
+    let first: Rc<[a_float]> = moves[0][..].into();
     let step = duration(&first) / moves.len() as a_float;
-    let sweep = (0..moves.len())
+    let sweep: Rc<[Moment]> = (0..moves.len())
         .map(|k| (first.clone(), k as a_float * step))
         .collect();
     for (case, moments) in [
@@ -327,109 +330,101 @@ fn evaluations(
             rows.push(evaluation(
                 format!("a_traj{}_{name}", family.name()),
                 &case,
-                &moments,
+                moments.clone(),
                 |abi| abi.evaluations[family as usize][index],
             ));
         }
     }
 }
 
-type Moment = (std::rc::Rc<[a_float]>, a_float);
+type Moment = (Rc<[a_float]>, a_float);
 
 fn evaluation(
     function: String,
     case: &str,
-    moments: &[Moment],
+    moments: Rc<[Moment]>,
     of: impl Fn(&Abi<a_float>) -> Evaluate<a_float>,
 ) -> Row {
-    let run = LIBRARIES.map(|abi| -> Box<dyn FnMut()> {
-        let moments = moments.to_vec();
-        let evaluate = black_box(of(abi));
-        Box::new(move || {
-            for (fields, x) in &moments {
-                // SAFETY: the fields are those of the function's struct.
-                black_box(unsafe { evaluate(fields.as_ptr(), *x) });
-            }
-        })
+    let calls = moments.len();
+    let functions = LIBRARIES.map(of);
+    let run = Box::new(move |library: usize| {
+        let evaluate = black_box(functions[library]);
+        for (fields, x) in &moments[..] {
+            // SAFETY: the fields are those of the function's struct.
+            black_box(unsafe { evaluate(fields.as_ptr(), *x) });
+        }
     });
     Row {
         function,
         case: case.into(),
-        calls: moments.len(),
+        calls,
         run,
     }
 }
 
-/// The double-S of the README's table: from 0 to 10, with an initial velocity.
-fn example() -> (Plan, a_float) {
-    let fields = planned(Family::Bell, &[vec![30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]).remove(0);
-    let duration = fields[0];
-    (fields, duration)
-}
-
 /// `n` samples of all four quantities; the original's are four calls each.
 fn samples(n: usize) -> Row {
-    let (fields, duration) = example();
-    let dt = duration / (n - 1) as a_float;
-    let [_, o2, o3] = LIBRARIES;
-    let four = |abi: &'static Abi<a_float>| four_calls(abi, fields.clone(), n, dt);
-    let mut out = [const { Vec::new() }; 4].map(|_: Vec<a_float>| vec![0.0; n]);
-    let (o2, o3) = (four(o2), four(o3));
-    let ours = Box::new(move || {
+    at_once("atraj_bell_sample", n, move |fields, dt, out| {
         let [p, v, a, j] = out.each_mut().map(|out| out.as_mut_ptr());
         // SAFETY: the fields are those of a bell, and every output has `n` elements.
         unsafe { atraj_bell_sample(fields.as_ptr().cast(), 0.0, black_box(dt), n, p, v, a, j) };
-        black_box(&out);
-    });
-    Row {
-        function: "atraj_bell_sample".into(),
-        case: format!("{n} samples"),
-        calls: n,
-        run: [ours, o2, o3],
-    }
+    })
 }
 
 /// All four quantities at `n` times, a call each.
 fn states(n: usize) -> Row {
-    let (fields, duration) = example();
-    let dt = duration / (n - 1) as a_float;
-    let [_, o2, o3] = LIBRARIES;
-    let (o2, o3) = (
-        four_calls(o2, fields.clone(), n, dt),
-        four_calls(o3, fields.clone(), n, dt),
-    );
-    let mut out = vec![[0.0 as a_float; 4]; n];
-    let ours = Box::new(move || {
-        for (k, [p, v, a, j]) in out.iter_mut().enumerate() {
+    at_once("atraj_bell_state", n, |fields, dt, [p, v, a, j]| {
+        let all = p.iter_mut().zip(v).zip(a).zip(j);
+        for (k, (((p, v), a), j)) in all.enumerate() {
             // SAFETY: the fields are those of a bell.
             unsafe { atraj_bell_state(fields.as_ptr().cast(), k as a_float * dt, p, v, a, j) };
+        }
+    })
+}
+
+/// Positions, velocities, accelerations and jerks at so many times.
+type Samples = [Vec<a_float>; 4];
+
+/// The double-S of the README's table, from 0 to 10 with an initial velocity: `ours` against four calls of the original
+/// for each time.
+fn at_once(
+    function: &str,
+    n: usize,
+    ours: impl Fn(&[a_float], a_float, &mut Samples) + 'static,
+) -> Row {
+    let fields = planned(Family::Bell, &[vec![30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]).remove(0);
+    let dt = fields[0] / (n - 1) as a_float;
+    let mut out = [(); 4].map(|()| vec![0.0; n]);
+    let functions = LIBRARIES.map(|abi| abi.evaluations[Family::Bell as usize]);
+    let run = Box::new(move |library: usize| {
+        match library {
+            0 => ours(&fields, dt, &mut out),
+            _ => four_calls(functions[library], &fields, dt, &mut out),
         }
         black_box(&out);
     });
     Row {
-        function: "atraj_bell_state".into(),
+        function: function.into(),
         case: format!("{n} samples"),
         calls: n,
-        run: [ours, o2, o3],
+        run,
     }
 }
 
-fn four_calls(abi: &Abi<a_float>, fields: Plan, n: usize, dt: a_float) -> Box<dyn FnMut()> {
-    let functions: [Evaluate<a_float>; 4] = abi.evaluations[Family::Bell as usize]
-        .try_into()
-        .expect("four functions");
-    let functions = black_box(functions);
-    let mut out = [const { Vec::new() }; 4].map(|_: Vec<a_float>| vec![0.0; n]);
-    Box::new(move || {
-        let [p, v, a, j] = &mut out;
-        let all = p.iter_mut().zip(v).zip(a).zip(j);
-        for (k, (((p, v), a), j)) in all.enumerate() {
-            let x = k as a_float * dt;
-            for (y, function) in [p, v, a, j].into_iter().zip(functions) {
-                // SAFETY: the fields are those of a bell.
-                *y = unsafe { function(fields.as_ptr(), x) };
-            }
+fn four_calls(
+    functions: &[Evaluate<a_float>],
+    fields: &[a_float],
+    dt: a_float,
+    [p, v, a, j]: &mut Samples,
+) {
+    let functions: [Evaluate<a_float>; 4] = functions.try_into().expect("four functions");
+    let [pos, vel, acc, jer] = black_box(functions);
+    let all = p.iter_mut().zip(v).zip(a).zip(j);
+    for (k, (((p, v), a), j)) in all.enumerate() {
+        let x = k as a_float * dt;
+        for (y, function) in [(p, pos), (v, vel), (a, acc), (j, jer)] {
+            // SAFETY: the fields are those of a bell.
+            *y = unsafe { function(fields.as_ptr(), x) };
         }
-        black_box(&out);
-    })
+    }
 }
