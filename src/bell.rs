@@ -81,23 +81,22 @@ impl<R: Real> Bell<R> {
         self.vm = vm;
         (self.v0, self.v1) = (boundary.v0.limit(vm), boundary.v1.limit(vm));
         let am = acceleration.magnitude();
-        let forward = self.forward();
+        // In the axis that makes the move go forward. The difference of the positions is not 0 if that is the other axis.
+        let p = self.p1 - self.p0;
+        let [p, v0, v1] = R::negated_if(self.is_backward(), [p, self.v0, self.v1]);
 
         let mut full_tj = None;
-        (self.taj, self.ta, self.am) = self.ramp(vm - forward.v0, am, &mut full_tj);
+        (self.taj, self.ta, self.am) = self.ramp(vm - v0, am, &mut full_tj);
         if R::CHEAP_ROOT {
             full_tj = None; // Cheaper to divide again than to ask.
         }
-        (self.tdj, self.td, self.dm) = self.ramp(vm - forward.v1, am, &mut full_tj);
+        (self.tdj, self.td, self.dm) = self.ramp(vm - v1, am, &mut full_tj);
         self.dm = -self.dm;
 
-        let p = forward.p1 - forward.p0;
         let one = R::from(1);
-        self.tv = p / vm
-            - self.ta * R::HALF * (forward.v0 / vm + one)
-            - self.td * R::HALF * (forward.v1 / vm + one);
-        let planned =
-            self.tv > R::from(0) || self.plan_without_cruise(am, p, forward.v0, forward.v1);
+        self.tv =
+            p / vm - self.ta * R::HALF * (v0 / vm + one) - self.td * R::HALF * (v1 / vm + one);
+        let planned = self.tv > R::from(0) || self.plan_without_cruise(am, p, v0, v1);
         self.t = if planned {
             self.ta + self.tv + self.td
         } else {

@@ -45,6 +45,9 @@ pub trait Real:
     /// The absolute value.
     fn abs(self) -> Self;
 
+    /// The opposites, if they are wanted: on hosts without a branch, which moves to and fro would mispredict.
+    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3];
+
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
     fn magnitude(self) -> Self {
         if self < Self::from(0) {
@@ -118,6 +121,20 @@ impl Real for f32 {
         f32::abs(self)
     }
 
+    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
+        if cfg!(target_os = "none") {
+            let [a, b, c] = values;
+            return if wanted {
+                keep_branch();
+                [-a, -b, -c]
+            } else {
+                values
+            };
+        }
+        let sign = u32::from(wanted) << 31;
+        values.map(|value| Self::from_bits(value.to_bits() ^ sign))
+    }
+
     fn from_index(k: i32) -> Self {
         k as Self
     }
@@ -143,6 +160,20 @@ impl Real for f64 {
 
     fn abs(self) -> Self {
         f64::abs(self)
+    }
+
+    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
+        if cfg!(target_os = "none") {
+            let [a, b, c] = values;
+            return if wanted {
+                keep_branch();
+                [-a, -b, -c]
+            } else {
+                values
+            };
+        }
+        let sign = u64::from(wanted) << 63;
+        values.map(|value| Self::from_bits(value.to_bits() ^ sign))
     }
 
     fn from_index(k: i32) -> Self {

@@ -129,6 +129,11 @@ impl Real for Soft64 {
         Self(self.0 & !(1 << 63))
     }
 
+    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
+        let [a, b, c] = values;
+        if wanted { [-a, -b, -c] } else { values }
+    }
+
     fn from_index(k: i32) -> Self {
         f64::from(k).into()
     }
