@@ -59,7 +59,8 @@ impl<R: Real> Sweep<R> {
     ) -> usize {
         let longest = outputs.iter().map(|output| output.len()).max();
         let count = longest.unwrap_or(0).min(MOST_SAMPLES) as i32;
-        let crossings = borders.map(|border| self.crossing(border, count));
+        let rate = R::from(1) / self.dt;
+        let crossings = borders.map(|border| self.crossing(border, rate, count));
         let mut end = count;
         while end > 0 {
             let behind = crossings.iter().filter(|&&crossing| crossing < end);
@@ -86,8 +87,8 @@ impl<R: Real> Sweep<R> {
         ((first / size_of::<R>() + k as usize) % Self::VECTOR) as i32
     }
 
-    /// The first of `count` samples that is not on the side of `border` where sample 0 is, or `count`.
-    fn crossing(self, border: Border<R>, count: i32) -> i32 {
+    /// The first of `count` samples that is not on the side of `border` where sample 0 is, or `count`. `rate` is `1/dt`.
+    fn crossing(self, border: Border<R>, rate: R, count: i32) -> i32 {
         let first = border.is_ahead(self.time(0));
         let is_same = |k| border.is_ahead(self.time(k)) == first;
         let last = count - 1;
@@ -104,7 +105,7 @@ impl<R: Real> Sweep<R> {
             }
         };
         // Up to rounding it is where the border is; halving finds it wherever it is.
-        let guess = ((border.time() - self.x0) / self.dt).to_index();
+        let guess = ((border.time() - self.x0) * rate).to_index();
         let mut range = narrow((0, last), guess);
         let neighbour = if range.1 == guess {
             guess - 1
