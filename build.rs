@@ -8,6 +8,7 @@ fn main() {
     println!("cargo::rustc-check-cfg=cfg(trajpoly5_v, trajpoly5_a)");
     println!("cargo::rustc-check-cfg=cfg(trajpoly7_v, trajpoly7_a, trajpoly7_j)");
 
+    println!("cargo::rerun-if-env-changed=CARGO_ENCODED_RUSTFLAGS");
     println!("cargo::rustc-check-cfg=cfg(soft_binary64)");
     if unit_lacks_binary64() {
         println!("cargo::rustc-cfg=soft_binary64");
