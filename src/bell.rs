@@ -155,26 +155,27 @@ impl<R: Real> Bell<R> {
             self.tdj = self.taj;
             return if v0 > v1 { Fit::DownOnly } else { Fit::UpOnly };
         }
+        let minus_s = -s;
         let (two_v0, two_v1) = (v0 * two, v1 * two);
         let four_p = p * R::from(4);
-        loop {
+        let mut td = self.td;
+        let (fit, tj, ta) = loop {
             let tj = trial / self.jm;
             let tj2 = tj * two;
-            self.taj = tj;
-            self.tdj = tj;
             let k = trial * tj;
+            // (k*k + q) + (4p - tj2*s)*trial
             let kk_q = k * k + q;
-            let r = (-(tj2 * s) + four_p) * trial + kk_q;
+            let r = (tj2 * minus_s + four_p) * trial + kk_q;
             let k = r.sqrt() + k;
             let den = trial * two;
-            self.ta = (k - two_v0) / den;
-            let fit = if self.ta < zero {
+            let ta = (k - two_v0) / den;
+            let fit = if ta < zero {
                 Fit::DownOnly
             } else {
-                self.td = (k - two_v1) / den;
-                if self.td < zero {
+                td = (k - two_v1) / den;
+                if td < zero {
                     Fit::UpOnly
-                } else if self.ta >= tj2 && self.td >= tj2 {
+                } else if ta >= tj2 && td >= tj2 {
                     Fit::Both
                 } else {
                     Fit::TooSteep
@@ -186,20 +187,23 @@ impl<R: Real> Bell<R> {
             } else if !(trial == am || step < self.dm) {
                 trial = trial + next;
             } else {
-                if matches!(fit, Fit::Both) {
-                    self.am = trial;
-                    self.dm = -trial;
-                    self.vm = (self.ta - tj) * trial + v0;
-                }
-                return fit;
+                break (fit, tj, ta);
             }
             step = next;
             // A NaN step ends the search too.
             if step > R::EPSILON {
                 continue;
             }
-            return Fit::TooSteep;
+            break (Fit::TooSteep, tj, ta);
+        };
+        (self.taj, self.tdj) = (tj, tj);
+        (self.ta, self.td) = (ta, td);
+        if matches!(fit, Fit::Both) {
+            self.am = trial;
+            self.dm = -trial;
+            self.vm = (ta - tj) * trial + v0;
         }
+        fit
     }
 
     /// Passes over the rounds whose outcome is plain. With `s = v0 + v1` and `q = 2 (v0^2 + v1^2)`.
