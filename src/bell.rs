@@ -552,8 +552,8 @@ impl<R: Real> Bell<R> {
         ]
     }
 
-    /// The phase of position and velocity at `x`, and the time at which deceleration begins. That of jerk is found in another order, which matters where rounding
-    /// has made neighbouring borders cross.
+    /// The phase of position and velocity at `x`, and from cruise on the time at which deceleration begins. The phase of jerk
+    /// is found in another order, which matters where rounding has made neighbouring borders cross.
     #[inline(always)]
     fn phase(&self, x: R) -> (Phase, R) {
         self.phase_by(x, |x, border| x < border)
