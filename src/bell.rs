@@ -222,11 +222,10 @@ impl<R: Real> Bell<R> {
         // So long a search is settled when its step runs out, so its last round writes all durations.
         let long = am >= R::DOUBT;
         if R::CHEAP_ROOT || !(long && p >= R::EPSILON) {
-            let single = false;
             return Plain {
                 trial,
                 step,
-                single,
+                single: false,
             };
         }
         let two = R::from(2);
@@ -256,11 +255,10 @@ impl<R: Real> Bell<R> {
             } else if clear && margin < -doubt && trial != am && step >= self.dm {
                 trial = trial + next;
             } else {
-                let single = clear && above_shortest < -doubt;
                 return Plain {
                     trial,
                     step,
-                    single,
+                    single: clear && above_shortest < -doubt,
                 };
             }
             step = next;
@@ -435,14 +433,12 @@ impl<R: Real> Bell<R> {
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
-        let Self { p0, p1, v0, v1, .. } = *self;
-        let boundary = Boundary { p0, p1, v0, v1 };
         if cfg!(target_os = "none") {
             self.forward_state(x, self.forward()) // one copy for both directions, where flash is dear
         } else if self.is_backward() {
-            self.forward_state(x, boundary.mirrored())
+            self.forward_state(x, self.boundary().mirrored())
         } else {
-            self.forward_state(x, boundary)
+            self.forward_state(x, self.boundary())
         }
     }
 
@@ -603,13 +599,16 @@ impl<R: Real> Bell<R> {
 
     /// The boundary conditions in the axis that makes the move go forward.
     fn forward(&self) -> Boundary<R> {
-        let Self { p0, p1, v0, v1, .. } = *self;
-        let boundary = Boundary { p0, p1, v0, v1 };
         if self.is_backward() {
-            boundary.mirrored()
+            self.boundary().mirrored()
         } else {
-            boundary
+            self.boundary()
         }
+    }
+
+    fn boundary(&self) -> Boundary<R> {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        Boundary { p0, p1, v0, v1 }
     }
 
     /// A value computed in the forward axis, back in the caller's.

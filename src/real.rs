@@ -45,8 +45,22 @@ pub trait Real:
     /// The absolute value.
     fn abs(self) -> Self;
 
+    /// The opposite, if it is wanted, by its sign bit.
+    fn flipped_if(self, wanted: bool) -> Self;
+
     /// The opposites, if they are wanted: on hosts without a branch, which moves to and fro would mispredict.
-    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3];
+    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
+        if !cfg!(target_os = "none") {
+            return values.map(|value| value.flipped_if(wanted));
+        }
+        let [a, b, c] = values;
+        if wanted {
+            keep_branch();
+            [-a, -b, -c]
+        } else {
+            values
+        }
+    }
 
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
     fn magnitude(self) -> Self {
@@ -121,18 +135,8 @@ impl Real for f32 {
         f32::abs(self)
     }
 
-    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
-        if cfg!(target_os = "none") {
-            let [a, b, c] = values;
-            return if wanted {
-                keep_branch();
-                [-a, -b, -c]
-            } else {
-                values
-            };
-        }
-        let sign = u32::from(wanted) << 31;
-        values.map(|value| Self::from_bits(value.to_bits() ^ sign))
+    fn flipped_if(self, wanted: bool) -> Self {
+        Self::from_bits(self.to_bits() ^ (u32::from(wanted) << 31))
     }
 
     fn from_index(k: i32) -> Self {
@@ -162,18 +166,8 @@ impl Real for f64 {
         f64::abs(self)
     }
 
-    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
-        if cfg!(target_os = "none") {
-            let [a, b, c] = values;
-            return if wanted {
-                keep_branch();
-                [-a, -b, -c]
-            } else {
-                values
-            };
-        }
-        let sign = u64::from(wanted) << 63;
-        values.map(|value| Self::from_bits(value.to_bits() ^ sign))
+    fn flipped_if(self, wanted: bool) -> Self {
+        Self::from_bits(self.to_bits() ^ (u64::from(wanted) << 63))
     }
 
     fn from_index(k: i32) -> Self {

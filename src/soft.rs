@@ -81,7 +81,7 @@ impl Div for Soft64 {
 impl Neg for Soft64 {
     type Output = Self;
     fn neg(self) -> Self {
-        Self(self.0 ^ (1 << 63))
+        self.flipped_if(true)
     }
 }
 
@@ -129,9 +129,8 @@ impl Real for Soft64 {
         Self(self.0 & !(1 << 63))
     }
 
-    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
-        let [a, b, c] = values;
-        if wanted { [-a, -b, -c] } else { values }
+    fn flipped_if(self, wanted: bool) -> Self {
+        Self(self.0 ^ (u64::from(wanted) << 63))
     }
 
     fn from_index(k: i32) -> Self {
