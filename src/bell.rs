@@ -1,7 +1,7 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 
-use crate::real::keep_branch;
+use crate::real::keep_branch_on_bare_metal;
 use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
@@ -83,9 +83,14 @@ impl<R: Real> Bell<R> {
         let am = acceleration.magnitude();
         // In the axis that makes the move go forward. The difference of the positions is not 0 if that is the other axis.
         let p = self.p1 - self.p0;
-        let [p, v0, v1] = R::negated_if(self.is_backward(), [p, self.v0, self.v1]);
+        let [p, v0, v1] = R::forward(p, self.v0, self.v1);
 
-        let mut full_tj = None;
+        // Hosts divide ahead, which saves a branch; microcontrollers, when a ramp asks for it.
+        let mut full_tj = if cfg!(target_os = "none") {
+            None
+        } else {
+            Some(am / self.jm)
+        };
         (self.taj, self.ta, self.am) = self.ramp(vm - v0, am, &mut full_tj);
         if R::CHEAP_ROOT {
             full_tj = None; // Cheaper to divide again than to ask.
@@ -614,7 +619,7 @@ impl<R: Real> Bell<R> {
     /// A value computed in the forward axis, back in the caller's.
     fn orient(&self, y: R) -> R {
         if self.is_backward() {
-            keep_branch();
+            keep_branch_on_bare_metal();
             -y
         } else {
             y

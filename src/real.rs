@@ -33,8 +33,8 @@ pub trait Real:
     /// The processor takes a root or a division in one instruction, and has little room for code that avoids them.
     const CHEAP_ROOT: bool;
 
-    /// Square root, correctly rounded; NaN below zero.
-    fn sqrt(self) -> Self;
+    /// The processor's or the C library's square root, correctly rounded; NaN below zero.
+    fn plain_sqrt(self) -> Self;
 
     /// The number of a sample, rounded once.
     fn from_index(k: i32) -> Self;
@@ -45,27 +45,49 @@ pub trait Real:
     /// The absolute value.
     fn abs(self) -> Self;
 
-    /// The opposite, if it is wanted, by its sign bit.
-    fn flipped_if(self, wanted: bool) -> Self;
+    /// This absolute value with the sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
 
-    /// The opposites, if they are wanted: on hosts without a branch, which moves to and fro would mispredict.
-    fn negated_if(wanted: bool, values: [Self; 3]) -> [Self; 3] {
-        if !cfg!(target_os = "none") {
-            return values.map(|value| value.flipped_if(wanted));
+    /// Square root, correctly rounded; NaN below zero.
+    fn sqrt(self) -> Self {
+        if cfg!(target_os = "none") {
+            return self.plain_sqrt();
         }
-        let [a, b, c] = values;
-        if wanted {
-            keep_branch();
-            [-a, -b, -c]
+        // Of a root that cannot fail compilers leave the instruction alone, without a call for what is below zero.
+        let zero = Self::from(0);
+        let root = self.abs().plain_sqrt();
+        if self > zero {
+            root
         } else {
-            values
+            keep_branch();
+            if self < zero {
+                zero * Self::INFINITY
+            } else {
+                self
+            }
         }
+    }
+
+    /// A displacement and two velocities in the axis in which the displacement is not below zero.
+    fn forward(p: Self, v0: Self, v1: Self) -> [Self; 3] {
+        let zero = Self::from(0);
+        if cfg!(target_os = "none") {
+            return if p < zero {
+                keep_branch();
+                [-p, -v0, -v1]
+            } else {
+                [p, v0, v1]
+            };
+        }
+        // Moves to and fro would mispredict a branch. Neither -0.0 nor a NaN is turned.
+        let side = Self::from(1).copysign(if p < zero { p } else { zero });
+        [p * side, v0 * side, v1 * side]
     }
 
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
     fn magnitude(self) -> Self {
         if self < Self::from(0) {
-            keep_branch();
+            keep_branch_on_bare_metal();
             -self
         } else {
             self
@@ -75,7 +97,7 @@ pub trait Real:
     /// `self` limited to `±most`, which is not below zero; NaN becomes `-most`.
     fn limit(self, most: Self) -> Self {
         if self.abs() < most {
-            keep_branch();
+            keep_branch_on_bare_metal();
             self
         } else if self > -most {
             most
@@ -90,12 +112,18 @@ pub trait Real:
     }
 }
 
-/// Keeps the branch it stands in, where the compiler would compute both sides and select. A microcontroller has nothing
-/// to predict, and a value that is not computed costs nothing.
+/// Keeps the branch it stands in, where the compiler would compute both sides and select.
 #[inline(always)]
-pub(crate) fn keep_branch() {
-    #[cfg(target_os = "none")]
+fn keep_branch() {
     core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+}
+
+/// Likewise on a microcontroller, which has nothing to predict: a value that is not computed costs nothing.
+#[inline(always)]
+pub(crate) fn keep_branch_on_bare_metal() {
+    if cfg!(target_os = "none") {
+        keep_branch();
+    }
 }
 
 mod sealed {
@@ -127,7 +155,7 @@ impl Real for f32 {
     const INFINITY: Self = f32::INFINITY;
     const CHEAP_ROOT: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
-    fn sqrt(self) -> Self {
+    fn plain_sqrt(self) -> Self {
         sqrtf(self)
     }
 
@@ -135,8 +163,8 @@ impl Real for f32 {
         f32::abs(self)
     }
 
-    fn flipped_if(self, wanted: bool) -> Self {
-        Self::from_bits(self.to_bits() ^ (u32::from(wanted) << 31))
+    fn copysign(self, sign: Self) -> Self {
+        f32::copysign(self, sign)
     }
 
     fn from_index(k: i32) -> Self {
@@ -158,7 +186,7 @@ impl Real for f64 {
     const INFINITY: Self = f64::INFINITY;
     const CHEAP_ROOT: bool = false;
 
-    fn sqrt(self) -> Self {
+    fn plain_sqrt(self) -> Self {
         sqrt(self)
     }
 
@@ -166,8 +194,8 @@ impl Real for f64 {
         f64::abs(self)
     }
 
-    fn flipped_if(self, wanted: bool) -> Self {
-        Self::from_bits(self.to_bits() ^ (u64::from(wanted) << 63))
+    fn copysign(self, sign: Self) -> Self {
+        f64::copysign(self, sign)
     }
 
     fn from_index(k: i32) -> Self {

@@ -18,6 +18,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 #[repr(transparent)]
 pub struct Soft64(u64);
 
+const SIGN: u64 = 1 << 63;
+
 // From the run-time ABI for the Arm architecture: what the compiler itself calls for an `f64`, in every toolchain.
 #[allow(unsafe_code)]
 unsafe extern "C" {
@@ -81,7 +83,7 @@ impl Div for Soft64 {
 impl Neg for Soft64 {
     type Output = Self;
     fn neg(self) -> Self {
-        self.flipped_if(true)
+        Self(self.0 ^ SIGN)
     }
 }
 
@@ -121,16 +123,16 @@ impl Real for Soft64 {
 
     // Apart, as the C function returns its result in the unit's registers, and the compiler would leave it there.
     #[inline(never)]
-    fn sqrt(self) -> Self {
-        Real::sqrt(f64::from(self)).into()
+    fn plain_sqrt(self) -> Self {
+        f64::from(self).plain_sqrt().into()
     }
 
     fn abs(self) -> Self {
-        Self(self.0 & !(1 << 63))
+        Self(self.0 & !SIGN)
     }
 
-    fn flipped_if(self, wanted: bool) -> Self {
-        Self(self.0 ^ (u64::from(wanted) << 63))
+    fn copysign(self, sign: Self) -> Self {
+        Self(self.0 & !SIGN | sign.0 & SIGN)
     }
 
     fn from_index(k: i32) -> Self {

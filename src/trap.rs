@@ -1,7 +1,7 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
-use crate::real::keep_branch;
+use crate::real::keep_branch_on_bare_metal;
 use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
@@ -109,7 +109,7 @@ impl<R: Real> Trap<R> {
             }
         };
         let v = if p < zero {
-            keep_branch();
+            keep_branch_on_bare_metal();
             -magnitude
         } else {
             magnitude
