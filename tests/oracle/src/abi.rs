@@ -32,6 +32,7 @@ pub enum Derive<R> {
 }
 
 impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
+    #[inline(always)] // for the benchmark, where each library has its own calls
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
         assert_eq!(fields.len(), family.fields().len());
         let ctx = fields.as_mut_ptr();

@@ -5,10 +5,12 @@
 //!
 //! The libraries take short turns in a round, many rounds, each from another one on, over the same memory by the same loop.
 //! What counts is the median of the ratios within a round: whatever else the machine does, it does to neighbours, and a
-//! single lucky turn decides nothing.
+//! single lucky turn decides nothing. Each library has a copy of the loop to itself: where one call reaches all of them in
+//! turn, the processor looks up its target, and some functions pay a nanosecond for that and others not.
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
+use atraj::capi::trajbell::a_trajbell;
 use oracle::abi::{Abi, Evaluate, Gen7, OURS, Original};
 use oracle::common::random::Random;
 use oracle::family::{Family, Implementation};
@@ -251,19 +253,28 @@ fn gen7(
     let plans: Vec<[a_float; 7]> = plans.iter().map(|p| p[..].try_into().expect("7")).collect();
     let calls = plans.len();
     let mut fields = vec![[0.0 as a_float; 14]; calls];
-    let functions = LIBRARIES.map(of);
     let run = Box::new(move |library: usize| {
-        let plan = black_box(functions[library]);
-        for (&[a, b, c, d, e, f, g], fields) in plans.iter().zip(&mut fields) {
-            // SAFETY: no struct has more than 14 reals.
-            black_box(unsafe { plan(fields.as_mut_ptr(), a, b, c, d, e, f, g) });
-        }
+        let pass = [plan_all::<0>, plan_all::<1>, plan_all::<2>][library];
+        pass(of, &plans, &mut fields);
     });
     Row {
         function: function.into(),
         case,
         calls,
         run,
+    }
+}
+
+#[inline(never)]
+fn plan_all<const LIBRARY: usize>(
+    of: fn(&Abi<a_float>) -> Gen7<a_float>,
+    plans: &[[a_float; 7]],
+    fields: &mut [[a_float; 14]],
+) {
+    let plan = black_box(of(LIBRARIES[LIBRARY]));
+    for (&[a, b, c, d, e, f, g], fields) in plans.iter().zip(fields) {
+        // SAFETY: no struct has more than 14 reals.
+        black_box(unsafe { plan(fields.as_mut_ptr(), a, b, c, d, e, f, g) });
     }
 }
 
@@ -276,11 +287,8 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
     let plans: Vec<Plan> = (0..count).map(|_| plan()).collect();
     let mut fields = vec![0.0; family.fields().len()];
     let run = Box::new(move |library: usize| {
-        let abi = black_box(LIBRARIES[library]);
-        for plan in &plans {
-            abi.plan(family, plan, &mut fields);
-            black_box(&fields);
-        }
+        let pass = [fit_all::<0>, fit_all::<1>, fit_all::<2>][library];
+        pass(family, &plans, &mut fields);
     });
     let function = format!("a_traj{}_gen", family.name());
     Row {
@@ -288,6 +296,15 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
         case: place.into(),
         calls: count,
         run,
+    }
+}
+
+#[inline(never)]
+fn fit_all<const LIBRARY: usize>(family: Family, plans: &[Plan], fields: &mut [a_float]) {
+    let abi = black_box(LIBRARIES[LIBRARY]);
+    for plan in plans {
+        abi.plan(family, plan, fields);
+        black_box(&fields);
     }
 }
 
@@ -331,7 +348,7 @@ fn evaluations(
                 format!("a_traj{}_{name}", family.name()),
                 &case,
                 moments.clone(),
-                |abi| abi.evaluations[family as usize][index],
+                (family, index),
             ));
         }
     }
@@ -339,20 +356,11 @@ fn evaluations(
 
 type Moment = (Rc<[a_float]>, a_float);
 
-fn evaluation(
-    function: String,
-    case: &str,
-    moments: Rc<[Moment]>,
-    of: impl Fn(&Abi<a_float>) -> Evaluate<a_float>,
-) -> Row {
+fn evaluation(function: String, case: &str, moments: Rc<[Moment]>, which: (Family, usize)) -> Row {
     let calls = moments.len();
-    let functions = LIBRARIES.map(of);
     let run = Box::new(move |library: usize| {
-        let evaluate = black_box(functions[library]);
-        for (fields, x) in &moments[..] {
-            // SAFETY: the fields are those of the function's struct.
-            black_box(unsafe { evaluate(fields.as_ptr(), *x) });
-        }
+        let pass = [evaluate_all::<0>, evaluate_all::<1>, evaluate_all::<2>][library];
+        pass(which, &moments);
     });
     Row {
         function,
@@ -362,25 +370,55 @@ fn evaluation(
     }
 }
 
+#[inline(never)]
+fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments: &[Moment]) {
+    let evaluate = black_box(LIBRARIES[LIBRARY].evaluations[family as usize][index]);
+    for (fields, x) in moments {
+        // SAFETY: the fields are those of the function's struct.
+        black_box(unsafe { evaluate(fields.as_ptr(), *x) });
+    }
+}
+
 /// `n` samples of all four quantities; the original's are four calls each.
 fn samples(n: usize) -> Row {
     at_once("atraj_bell_sample", n, move |fields, dt, out| {
         let [p, v, a, j] = out.each_mut().map(|out| out.as_mut_ptr());
+        let sample = black_box(atraj_bell_sample as Sample);
         // SAFETY: the fields are those of a bell, and every output has `n` elements.
-        unsafe { atraj_bell_sample(fields.as_ptr().cast(), 0.0, black_box(dt), n, p, v, a, j) };
+        unsafe { sample(fields.as_ptr().cast(), 0.0, dt, n, p, v, a, j) };
     })
 }
 
 /// All four quantities at `n` times, a call each.
 fn states(n: usize) -> Row {
     at_once("atraj_bell_state", n, |fields, dt, [p, v, a, j]| {
+        let state = black_box(atraj_bell_state as State);
         let all = p.iter_mut().zip(v).zip(a).zip(j);
         for (k, (((p, v), a), j)) in all.enumerate() {
             // SAFETY: the fields are those of a bell.
-            unsafe { atraj_bell_state(fields.as_ptr().cast(), k as a_float * dt, p, v, a, j) };
+            unsafe { state(fields.as_ptr().cast(), k as a_float * dt, p, v, a, j) };
         }
     })
 }
+
+type Sample = unsafe extern "C" fn(
+    *const a_trajbell,
+    a_float,
+    a_float,
+    usize,
+    *mut a_float,
+    *mut a_float,
+    *mut a_float,
+    *mut a_float,
+) -> usize;
+type State = unsafe extern "C" fn(
+    *const a_trajbell,
+    a_float,
+    *mut a_float,
+    *mut a_float,
+    *mut a_float,
+    *mut a_float,
+);
 
 /// Positions, velocities, accelerations and jerks at so many times.
 type Samples = [Vec<a_float>; 4];
@@ -395,11 +433,11 @@ fn at_once(
     let fields = planned(Family::Bell, &[vec![30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]).remove(0);
     let dt = fields[0] / (n - 1) as a_float;
     let mut out = [(); 4].map(|()| vec![0.0; n]);
-    let functions = LIBRARIES.map(|abi| abi.evaluations[Family::Bell as usize]);
     let run = Box::new(move |library: usize| {
         match library {
             0 => ours(&fields, dt, &mut out),
-            _ => four_calls(functions[library], &fields, dt, &mut out),
+            1 => four_calls::<1>(&fields, dt, &mut out),
+            _ => four_calls::<2>(&fields, dt, &mut out),
         }
         black_box(&out);
     });
@@ -411,12 +449,9 @@ fn at_once(
     }
 }
 
-fn four_calls(
-    functions: &[Evaluate<a_float>],
-    fields: &[a_float],
-    dt: a_float,
-    [p, v, a, j]: &mut Samples,
-) {
+#[inline(never)]
+fn four_calls<const LIBRARY: usize>(fields: &[a_float], dt: a_float, [p, v, a, j]: &mut Samples) {
+    let functions = LIBRARIES[LIBRARY].evaluations[Family::Bell as usize];
     let functions: [Evaluate<a_float>; 4] = functions.try_into().expect("four functions");
     let [pos, vel, acc, jer] = black_box(functions);
     let all = p.iter_mut().zip(v).zip(a).zip(j);
