@@ -272,10 +272,18 @@ fn plan_all<const LIBRARY: usize>(
     fields: &mut [[a_float; 14]],
 ) {
     let plan = black_box(of(LIBRARIES[LIBRARY]));
+    align_code();
     for (&[a, b, c, d, e, f, g], fields) in plans.iter().zip(fields) {
         // SAFETY: no struct has more than 14 reals.
         black_box(unsafe { plan(fields.as_mut_ptr(), a, b, c, d, e, f, g) });
     }
+}
+
+/// What follows begins a cache line, so that the copies of a loop differ in nothing.
+#[inline(always)]
+fn align_code() {
+    // SAFETY: emits nothing but padding.
+    unsafe { std::arch::asm!(".p2align 6", options(nomem, nostack, preserves_flags)) };
 }
 
 fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -> Row {
@@ -302,6 +310,7 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
 #[inline(never)]
 fn fit_all<const LIBRARY: usize>(family: Family, plans: &[Plan], fields: &mut [a_float]) {
     let abi = black_box(LIBRARIES[LIBRARY]);
+    align_code();
     for plan in plans {
         abi.plan(family, plan, fields);
         black_box(&fields);
@@ -373,6 +382,7 @@ fn evaluation(function: String, case: &str, moments: Rc<[Moment]>, which: (Famil
 #[inline(never)]
 fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments: &[Moment]) {
     let evaluate = black_box(LIBRARIES[LIBRARY].evaluations[family as usize][index]);
+    align_code();
     for (fields, x) in moments {
         // SAFETY: the fields are those of the function's struct.
         black_box(unsafe { evaluate(fields.as_ptr(), *x) });
@@ -454,6 +464,7 @@ fn four_calls<const LIBRARY: usize>(fields: &[a_float], dt: a_float, [p, v, a, j
     let functions = LIBRARIES[LIBRARY].evaluations[Family::Bell as usize];
     let functions: [Evaluate<a_float>; 4] = functions.try_into().expect("four functions");
     let [pos, vel, acc, jer] = black_box(functions);
+    align_code();
     let all = p.iter_mut().zip(v).zip(a).zip(j);
     for (k, (((p, v), a), j)) in all.enumerate() {
         let x = k as a_float * dt;
