@@ -1,7 +1,7 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 
-use crate::real::keep_branch_on_bare_metal;
+use crate::real::{keep_branch_on_bare_metal, leave_apart_on_hosts};
 use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
@@ -393,11 +393,15 @@ impl<R: Real> Bell<R> {
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
     #[inline(always)]
     pub fn acceleration(&self, x: R) -> R {
-        self.acceleration_in(self.acceleration_phase(x).0, x)
+        let turn = self.turn();
+        let (phase, _) = self.acceleration_phase(x);
+        let y = self.acceleration_in(phase, x, turn);
+        leave_apart_on_hosts(phase == Phase::Accelerate);
+        y
     }
 
     #[inline(always)]
-    fn acceleration_in(&self, phase: Phase, x: R) -> R {
+    fn acceleration_in(&self, phase: Phase, x: R, turn: impl Fn(R) -> R) -> R {
         let y = match phase {
             Phase::Before | Phase::Cruise | Phase::After => return R::from(0),
             Phase::JerkUp => self.jm * x,
@@ -407,12 +411,17 @@ impl<R: Real> Bell<R> {
             Phase::Decelerate => self.dm,
             Phase::EaseDown => (x - self.t) * self.jm,
         };
-        self.orient(y)
+        turn(y)
     }
 
     /// Jerk at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
     #[inline(always)]
     pub fn jerk(&self, x: R) -> R {
+        self.jerk_turned(x, self.turn())
+    }
+
+    #[inline(always)]
+    fn jerk_turned(&self, x: R, turn: impl Fn(R) -> R) -> R {
         let zero = R::from(0);
         let y = if x < self.ta {
             if x >= self.ta - self.taj {
@@ -433,7 +442,7 @@ impl<R: Real> Bell<R> {
         } else {
             return zero;
         };
-        self.orient(y)
+        turn(y)
     }
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
@@ -462,13 +471,14 @@ impl<R: Real> Bell<R> {
     // One copy for all phases, where flash is dear.
     #[cfg_attr(target_os = "none", inline(never))]
     fn acceleration_in_state(&self, x: R) -> R {
-        self.acceleration(x)
+        let (phase, _) = self.acceleration_phase(x);
+        self.acceleration_in(phase, x, |y| self.orient(y))
     }
 
     // One copy for all phases, where flash is dear.
     #[cfg_attr(target_os = "none", inline(never))]
     fn jerk_in_state(&self, x: R) -> R {
-        self.jerk(x)
+        self.jerk_turned(x, |y| self.orient(y))
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -496,7 +506,10 @@ impl<R: Real> Bell<R> {
         let x = run.x;
         let (phase, _) = self.phase(x);
         let (acceleration_phase, _) = self.acceleration_phase(x);
-        let constant = [self.acceleration_in(acceleration_phase, x), self.jerk(x)];
+        let constant = [
+            self.acceleration_in(acceleration_phase, x, |y| self.orient(y)),
+            self.jerk_turned(x, |y| self.orient(y)),
+        ];
         if phase == acceleration_phase {
             return self.sample_phase(phase, constant, run);
         }
@@ -519,7 +532,7 @@ impl<R: Real> Bell<R> {
             bell.orient(bell.velocity_in((PHASE, braking), x, forward)),
             match PHASE {
                 Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => {
-                    bell.acceleration_in(PHASE, x)
+                    bell.acceleration_in(PHASE, x, |y| bell.orient(y))
                 }
                 _ => acceleration,
             },
@@ -623,6 +636,23 @@ impl<R: Real> Bell<R> {
             -y
         } else {
             y
+        }
+    }
+
+    /// `orient` for a single value: hosts find the factor before it, so that little is left to do after a branch.
+    #[inline(always)]
+    fn turn(&self) -> impl Fn(R) -> R {
+        let side = if cfg!(target_os = "none") {
+            R::from(1)
+        } else {
+            R::side(self.p1 - self.p0)
+        };
+        move |y| {
+            if cfg!(target_os = "none") {
+                self.orient(y)
+            } else {
+                y * side
+            }
         }
     }
 

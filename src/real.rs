@@ -53,35 +53,37 @@ pub trait Real:
         if cfg!(target_os = "none") {
             return self.plain_sqrt();
         }
-        // Of a root that cannot fail compilers leave the instruction alone, without a call for what is below zero.
-        let zero = Self::from(0);
+        // Of a root that cannot fail LLVM leaves the instruction alone; any other is also a call, around which values have to
+        // be kept in memory.
         let root = self.abs().plain_sqrt();
+        let zero = Self::from(0);
         if self > zero {
             root
         } else {
             keep_branch();
-            if self < zero {
-                zero * Self::INFINITY
-            } else {
-                self
-            }
+            let nan = zero * Self::INFINITY;
+            if self < zero { nan } else { self }
         }
     }
 
     /// A displacement and two velocities in the axis in which the displacement is not below zero.
     fn forward(p: Self, v0: Self, v1: Self) -> [Self; 3] {
-        let zero = Self::from(0);
-        if cfg!(target_os = "none") {
-            return if p < zero {
-                keep_branch();
-                [-p, -v0, -v1]
-            } else {
-                [p, v0, v1]
-            };
+        if !cfg!(target_os = "none") {
+            let side = Self::side(p);
+            [p * side, v0 * side, v1 * side]
+        } else if p < Self::from(0) {
+            keep_branch();
+            [-p, -v0, -v1]
+        } else {
+            [p, v0, v1]
         }
-        // Moves to and fro would mispredict a branch. Neither -0.0 nor a NaN is turned.
-        let side = Self::from(1).copysign(if p < zero { p } else { zero });
-        [p * side, v0 * side, v1 * side]
+    }
+
+    /// -1 for a displacement below zero, which -0.0 and NaN are not, else 1; without a branch, as moves to and fro would
+    /// mispredict it.
+    fn side(p: Self) -> Self {
+        let zero = Self::from(0);
+        Self::from(1).copysign(if p < zero { p } else { zero })
     }
 
     /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
@@ -122,6 +124,15 @@ fn keep_branch() {
 #[inline(always)]
 pub(crate) fn keep_branch_on_bare_metal() {
     if cfg!(target_os = "none") {
+        keep_branch();
+    }
+}
+
+/// Gives the branch in which `this` holds a way out of its own on a host: the compiler would share what ends it with other
+/// branches, and jump there.
+#[inline(always)]
+pub(crate) fn leave_apart_on_hosts(this: bool) {
+    if this && !cfg!(target_os = "none") {
         keep_branch();
     }
 }

@@ -1,7 +1,7 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
-use crate::real::keep_branch_on_bare_metal;
+use crate::real::{keep_branch_on_bare_metal, leave_apart_on_hosts};
 use crate::sample::{Border, Run, Sweep, in_phase};
 use crate::{Boundary, Real};
 
@@ -155,7 +155,10 @@ impl<R: Real> Trap<R> {
 
     /// Position at time `x`, s. Before the start and for a NaN it is `p0`, after the end `p1`.
     pub fn position(&self, x: R) -> R {
-        self.position_in(self.phase(x), x)
+        let phase = self.phase(x);
+        let y = self.position_in(phase, x);
+        leave_apart_on_hosts(matches!(phase, Phase::Accelerate));
+        y
     }
 
     #[inline(always)]
