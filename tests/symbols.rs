@@ -23,7 +23,8 @@ fn names(flags: &[&str], file: &Path) -> Vec<String> {
     names
 }
 
-fn undefined(variant: &Variant) -> &'static [&'static str] {
+/// What the archive may need; of the roots a compiler that knows them not to fail leaves the instruction alone.
+fn needed(variant: &Variant) -> &'static [&'static str] {
     if variant.choices.contains(&"REAL=float") {
         &["clock_gettime", "sqrt", "sqrtf"]
     } else {
@@ -41,7 +42,11 @@ fn archive() {
             names(&["--defined-only", "--extern-only"], &archive),
             symbols(variant)
         );
-        assert_eq!(names(&["--undefined-only"], &archive), undefined(variant));
+        let undefined = names(&["--undefined-only"], &archive);
+        assert!(undefined.iter().any(|name| name == "clock_gettime"));
+        for name in &undefined {
+            assert!(needed(variant).contains(&name.as_str()), "needs {name}");
+        }
         // Local symbols too: a panic or an allocation that can be reached leaves its function here.
         for name in names(&[], &archive) {
             assert!(
