@@ -1,15 +1,16 @@
 #!/bin/sh
-# Writes docs/performance.md to standard output. CARGO and BENCH come from the Makefile.
+# Writes docs/performance.md to standard output. BENCH and RUSTFLAGS come from the Makefile.
 set -eu
 
 cat <<'END'
 # Performance
 
 Written by `make bench`: this library and the original (liba 0.1.15, compiled by gcc at `-O2` and at `-O3` with
-`-ffp-contract=off`), all called through the C ABI, in one process, in turns over the same memory. Nanoseconds and ratios are
-the medians of 99 rounds in which each has a turn; a ratio above 1 means that ours is faster. Only ratios carry over to
-another machine. "Warm" is 4,096 moves, "cold" 262,144, whose structs fit in no cache. Instructions are counted by callgrind.
-`atraj_bell_sample` and `atraj_bell_state` find all four quantities and are compared with four calls of the original, per sample.
+`-ffp-contract=off`), all called through the C ABI, in one process, in turns over the same memory, each from a loop of its own
+that begins a cache line. Nanoseconds and ratios are the medians of 99 rounds in which each has a turn; a ratio above 1 means
+that ours is faster. Only ratios carry over to another machine. "Warm" is 4,096 moves, "cold" 262,144, whose structs fit in no
+cache; a sweep is over the times of one move. Instructions are counted by callgrind. `atraj_bell_sample` and `atraj_bell_state`
+find all four quantities and are compared with four calls of the original, per sample.
 END
 printf '\nMeasured on %s with %s; %s.\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
     "$(rustc --version)" "$(cc --version | head -1)"
@@ -19,6 +20,7 @@ $BENCH
 printf '\n## binary32\n\n'
 $BENCH --features float
 printf '\n## Sampling, compiled for the processor of this machine (`target-cpu=native`)\n\nbinary64, then binary32.\n\n'
-RUSTFLAGS='-C target-cpu=native' $BENCH --target-dir target/bench-native -- samples
+export RUSTFLAGS="$RUSTFLAGS -C target-cpu=native"
+$BENCH --target-dir target/bench-native -- samples
 printf '\n'
-RUSTFLAGS='-C target-cpu=native' $BENCH --target-dir target/bench-native --features float -- samples
+$BENCH --target-dir target/bench-native --features float -- samples
