@@ -506,10 +506,7 @@ impl<R: Real> Bell<R> {
         let x = run.x;
         let (phase, _) = self.phase(x);
         let (acceleration_phase, _) = self.acceleration_phase(x);
-        let constant = [
-            self.acceleration_in(acceleration_phase, x, |y| self.orient(y)),
-            self.jerk_turned(x, |y| self.orient(y)),
-        ];
+        let constant = self.jerk_turned(x, |y| self.orient(y));
         if phase == acceleration_phase {
             return self.sample_phase(phase, constant, run);
         }
@@ -522,7 +519,7 @@ impl<R: Real> Bell<R> {
 
     /// `acceleration` is that of the phases in which it is constant.
     #[inline(never)]
-    fn sample_phase(&self, phase: Phase, [acceleration, jerk]: [R; 2], run: Run<'_, R, 4>) {
+    fn sample_phase(&self, phase: Phase, jerk: R, run: Run<'_, R, 4>) {
         let bell = *self;
         let forward = bell.forward();
         let braking = bell.t - bell.td;
@@ -530,12 +527,7 @@ impl<R: Real> Bell<R> {
             Before JerkUp Accelerate EaseUp Cruise JerkDown Decelerate EaseDown After => run.fill(|x| [
             bell.orient(bell.position_in((PHASE, braking), x, forward)),
             bell.orient(bell.velocity_in((PHASE, braking), x, forward)),
-            match PHASE {
-                Phase::JerkUp | Phase::EaseUp | Phase::JerkDown | Phase::EaseDown => {
-                    bell.acceleration_in(PHASE, x, |y| bell.orient(y))
-                }
-                _ => acceleration,
-            },
+            bell.acceleration_in(PHASE, x, |y| bell.orient(y)),
             jerk,
         ]))
     }
