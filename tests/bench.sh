@@ -10,7 +10,7 @@ Written by `make bench`: this library and the original (liba 0.1.15, compiled by
 that begins a cache line. Nanoseconds and ratios are the medians of 99 rounds in which each has a turn; a ratio above 1 means
 that ours is faster. Only ratios carry over to another machine. "Warm" is 4,096 moves, "cold" 262,144, whose structs fit in no
 cache; a sweep is over the times of one move. Instructions are counted by callgrind. `atraj_bell_sample` and `atraj_bell_state`
-find all four quantities and are compared with four calls of the original, per sample.
+find all four quantities, into arrays that begin at cache lines, and are compared with four calls of the original, per sample.
 END
 printf '\nMeasured on %s with %s; %s.\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
     "$(rustc --version)" "$(cc --version | head -1)"

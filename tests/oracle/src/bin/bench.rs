@@ -392,7 +392,7 @@ fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments:
 /// `n` samples of all four quantities; the original's are four calls each.
 fn samples(n: usize) -> Row {
     at_once("atraj_bell_sample", n, move |fields, dt, out| {
-        let [p, v, a, j] = out.each_mut().map(|out| out.as_mut_ptr());
+        let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
         let sample = black_box(atraj_bell_sample as Sample);
         // SAFETY: the fields are those of a bell, and every output has `n` elements.
         unsafe { sample(fields.as_ptr().cast(), 0.0, dt, n, p, v, a, j) };
@@ -430,26 +430,25 @@ type State = unsafe extern "C" fn(
     *mut a_float,
 );
 
-/// Positions, velocities, accelerations and jerks at so many times.
-type Samples = [Vec<a_float>; 4];
+/// Positions, velocities, accelerations and jerks at so many times: the rows of a table that begins at a cache line.
+type Samples<'a> = [&'a mut [a_float]; 4];
 
 /// The double-S of the README's table, from 0 to 10 with an initial velocity: `ours` against four calls of the original
 /// for each time.
-fn at_once(
-    function: &str,
-    n: usize,
-    ours: impl Fn(&[a_float], a_float, &mut Samples) + 'static,
-) -> Row {
+fn at_once(function: &str, n: usize, ours: impl Fn(&[a_float], a_float, Samples) + 'static) -> Row {
     let fields = planned(Family::Bell, &[vec![30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]).remove(0);
     let dt = fields[0] / (n - 1) as a_float;
-    let mut out = [(); 4].map(|()| vec![0.0; n]);
+    let mut memory = vec![0.0; 4 * n + 16];
+    let start = memory.as_ptr().align_offset(64);
     let run = Box::new(move |library: usize| {
+        let mut rows = memory[start..].chunks_exact_mut(n);
+        let out = [(); 4].map(|()| rows.next().expect("four rows"));
         match library {
-            0 => ours(&fields, dt, &mut out),
-            1 => four_calls::<1>(&fields, dt, &mut out),
-            _ => four_calls::<2>(&fields, dt, &mut out),
+            0 => ours(&fields, dt, out),
+            1 => four_calls::<1>(&fields, dt, out),
+            _ => four_calls::<2>(&fields, dt, out),
         }
-        black_box(&out);
+        black_box(&memory);
     });
     Row {
         function: function.into(),
@@ -460,7 +459,7 @@ fn at_once(
 }
 
 #[inline(never)]
-fn four_calls<const LIBRARY: usize>(fields: &[a_float], dt: a_float, [p, v, a, j]: &mut Samples) {
+fn four_calls<const LIBRARY: usize>(fields: &[a_float], dt: a_float, [p, v, a, j]: Samples) {
     let functions = LIBRARIES[LIBRARY].evaluations[Family::Bell as usize];
     let functions: [Evaluate<a_float>; 4] = functions.try_into().expect("four functions");
     let [pos, vel, acc, jer] = black_box(functions);
