@@ -446,6 +446,7 @@ impl<R: Real> Bell<R> {
     }
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
+    #[inline(always)]
     pub fn state(&self, x: R) -> [R; 4] {
         if cfg!(target_os = "none") {
             self.forward_state(x, self.forward()) // one copy for both directions, where flash is dear
@@ -481,6 +482,12 @@ impl<R: Real> Bell<R> {
         self.jerk_turned(x, |y| self.orient(y))
     }
 
+    // Out of line, as sampling is not in a hurry where it calls this.
+    #[inline(never)]
+    fn state_apart(&self, x: R) -> [R; 4] {
+        self.state(x)
+    }
+
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
     pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
         Sweep { x0, dt }.states(|x| self.state(x))
@@ -499,7 +506,8 @@ impl<R: Real> Bell<R> {
     /// assert_eq!((p[7], v[7]), (bell.position(0.5 + 7.0 * 0.001), bell.velocity(0.5 + 7.0 * 0.001)));
     /// ```
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
-        Sweep { x0, dt }.sample(self.borders(), outputs, |run| self.sample_run(run))
+        let state = |x| self.state_apart(x);
+        Sweep { x0, dt }.sample(self.borders(), outputs, state, |run| self.sample_run(run))
     }
 
     fn sample_run(&self, run: Run<'_, R, 4>) {

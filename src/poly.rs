@@ -82,7 +82,8 @@ impl<R: Real> Poly3<R> {
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
         let poly = *self;
-        Sweep { x0, dt }.sample([], outputs, |run| run.fill(|x| poly.state(x)))
+        let state = |x| poly.state(x);
+        Sweep { x0, dt }.sample([], outputs, state, |run| run.fill(state))
     }
 
     /// Coefficients of velocity.
@@ -191,7 +192,8 @@ impl<R: Real> Poly5<R> {
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
         let poly = *self;
-        Sweep { x0, dt }.sample([], outputs, |run| run.fill(|x| poly.state(x)))
+        let state = |x| poly.state(x);
+        Sweep { x0, dt }.sample([], outputs, state, |run| run.fill(state))
     }
 
     /// Coefficients of velocity.
@@ -337,7 +339,8 @@ impl<R: Real> Poly7<R> {
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         let poly = *self;
-        Sweep { x0, dt }.sample([], outputs, |run| run.fill(|x| poly.state(x)))
+        let state = |x| poly.state(x);
+        Sweep { x0, dt }.sample([], outputs, state, |run| run.fill(state))
     }
 
     /// Coefficients of velocity.

@@ -5,6 +5,7 @@
 //! Between two such changes every sample takes the same path through the profile, in a loop without branches.
 
 use crate::Real;
+use core::ops::Range;
 
 /// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases.
 macro_rules! in_phase {
@@ -33,11 +34,14 @@ pub(crate) struct Sweep<R> {
 
 impl<R: Real> Sweep<R> {
     /// Samples in the longest vector of common processors.
-    const VECTOR: usize = if cfg!(target_os = "none") {
+    const VECTOR: i32 = if cfg!(target_os = "none") {
         1
     } else {
-        32 / size_of::<R>()
+        32 / size_of::<R>() as i32
     };
+
+    /// Fewer samples than it pays to find the runs of; none where flash is dear.
+    const FEW: i32 = if cfg!(target_os = "none") { 0 } else { 32 };
 
     /// The state at each of the times.
     pub fn states<const N: usize>(
@@ -47,7 +51,8 @@ impl<R: Real> Sweep<R> {
         (0..i32::MAX).map(move |k| state(self.time(k)))
     }
 
-    /// Has `sample` fill every output to its end, run by run; the number of samples.
+    /// Has `sample` fill every output to its end, run by run; the number of samples. Where too few samples are alike for a
+    /// loop, each of them is a `state`.
     ///
     /// The last run comes first, and each begins a few samples early, where vectors are aligned: the next one overwrites
     /// those. A store across cache lines would cost more.
@@ -55,36 +60,59 @@ impl<R: Real> Sweep<R> {
         self,
         borders: [Border<R>; B],
         mut outputs: [&mut [R]; N],
+        state: impl Fn(R) -> [R; N],
         sample: impl Fn(Run<'_, R, N>),
     ) -> usize {
         let longest = outputs.iter().map(|output| output.len()).max();
         let count = longest.unwrap_or(0).min(MOST_SAMPLES) as i32;
+        if B > 0 && count < Self::FEW {
+            self.sample_each(0..count, &mut outputs, state);
+            return count as usize;
+        }
         let rate = R::from(1) / self.dt;
         let crossings = borders.map(|border| self.crossing(border, rate, count));
         let mut end = count;
         while end > 0 {
             let behind = crossings.iter().filter(|&&crossing| crossing < end);
             let start = behind.fold(0, |start, &crossing| start.max(crossing));
-            let first = start - Self::since_aligned(&outputs, start).min(start);
-            let run = Run {
-                sweep: self,
-                x: self.time(start),
-                start: first,
-                outputs: outputs.each_mut().map(|output| {
-                    let end = output.len().min(end as usize);
-                    output.get_mut(first as usize..end).unwrap_or_default()
-                }),
-            };
-            sample(run);
+            if B > 0 && end - start < Self::VECTOR {
+                self.sample_each(start..end, &mut outputs, &state);
+            } else {
+                let first = start - Self::since_aligned(&outputs, start).min(start);
+                sample(Run {
+                    sweep: self,
+                    x: self.time(start),
+                    start: first,
+                    outputs: outputs.each_mut().map(|output| {
+                        let end = output.len().min(end as usize);
+                        output.get_mut(first as usize..end).unwrap_or_default()
+                    }),
+                });
+            }
             end = start;
         }
         count as usize
     }
 
+    fn sample_each<const N: usize>(
+        self,
+        numbers: Range<i32>,
+        outputs: &mut [&mut [R]; N],
+        state: impl Fn(R) -> [R; N],
+    ) {
+        for k in numbers {
+            for (output, value) in outputs.iter_mut().zip(state(self.time(k))) {
+                if let Some(y) = output.get_mut(k as usize) {
+                    *y = value;
+                }
+            }
+        }
+    }
+
     /// How many samples before `k` the first output has since it was aligned for whole vectors.
     fn since_aligned<const N: usize>(outputs: &[&mut [R]; N], k: i32) -> i32 {
         let first = outputs.first().map_or(0, |output| output.as_ptr() as usize);
-        ((first / size_of::<R>() + k as usize) % Self::VECTOR) as i32
+        ((first / size_of::<R>() + k as usize) % Self::VECTOR as usize) as i32
     }
 
     /// The first of `count` samples that is not on the side of `border` where sample 0 is, or `count`. `rate` is `1/dt`.

@@ -209,12 +209,19 @@ impl<R: Real> Trap<R> {
     }
 
     /// Position, velocity and acceleration at time `x`, s.
+    #[inline(always)]
     pub fn state(&self, x: R) -> [R; 3] {
         in_phase!(self.phase(x), PHASE of Before Accelerate Cruise Decelerate After => [
             self.position_in(PHASE, x),
             self.velocity_in(PHASE, x),
             self.acceleration(x),
         ])
+    }
+
+    // Out of line, as sampling is not in a hurry where it calls this.
+    #[inline(never)]
+    fn state_apart(&self, x: R) -> [R; 3] {
+        self.state(x)
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -227,7 +234,8 @@ impl<R: Real> Trap<R> {
     ///
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
-        Sweep { x0, dt }.sample(self.borders(), outputs, |run| self.sample_run(run))
+        let state = |x| self.state_apart(x);
+        Sweep { x0, dt }.sample(self.borders(), outputs, state, |run| self.sample_run(run))
     }
 
     fn sample_run(&self, run: Run<'_, R, 3>) {
