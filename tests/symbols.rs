@@ -23,12 +23,13 @@ fn names(flags: &[&str], file: &Path) -> Vec<String> {
     names
 }
 
-/// What the archive may need; of the roots a compiler that knows them not to fail leaves the instruction alone.
+/// What the archive may need: the clock, roots, of which a compiler that knows them not to fail leaves the instruction alone,
+/// and `memset` for samples that are all 0.
 fn needed(variant: &Variant) -> &'static [&'static str] {
     if variant.choices.contains(&"REAL=float") {
-        &["clock_gettime", "sqrt", "sqrtf"]
+        &["clock_gettime", "memset", "sqrt", "sqrtf"]
     } else {
-        &["clock_gettime", "sqrt"]
+        &["clock_gettime", "memset", "sqrt"]
     }
 }
 
