@@ -482,12 +482,6 @@ impl<R: Real> Bell<R> {
         self.jerk_turned(x, |y| self.orient(y))
     }
 
-    // Out of line, as sampling is not in a hurry where it calls this.
-    #[inline(never)]
-    fn state_apart(&self, x: R) -> [R; 4] {
-        self.state(x)
-    }
-
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
     pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
         Sweep { x0, dt }.states(|x| self.state(x))
@@ -506,7 +500,7 @@ impl<R: Real> Bell<R> {
     /// assert_eq!((p[7], v[7]), (bell.position(0.5 + 7.0 * 0.001), bell.velocity(0.5 + 7.0 * 0.001)));
     /// ```
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
-        let state = |x| self.state_apart(x);
+        let state = |x| self.state(x);
         Sweep { x0, dt }.sample(self.borders(), outputs, state, |run| self.sample_run(run))
     }
 

@@ -82,8 +82,7 @@ impl<R: Real> Poly3<R> {
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
         let poly = *self;
-        let state = |x| poly.state(x);
-        Sweep { x0, dt }.sample([], outputs, state, |run| run.fill(state))
+        Sweep { x0, dt }.fill(outputs, |x| poly.state(x))
     }
 
     /// Coefficients of velocity.
@@ -192,8 +191,7 @@ impl<R: Real> Poly5<R> {
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
         let poly = *self;
-        let state = |x| poly.state(x);
-        Sweep { x0, dt }.sample([], outputs, state, |run| run.fill(state))
+        Sweep { x0, dt }.fill(outputs, |x| poly.state(x))
     }
 
     /// Coefficients of velocity.
@@ -339,8 +337,7 @@ impl<R: Real> Poly7<R> {
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         let poly = *self;
-        let state = |x| poly.state(x);
-        Sweep { x0, dt }.sample([], outputs, state, |run| run.fill(state))
+        Sweep { x0, dt }.fill(outputs, |x| poly.state(x))
     }
 
     /// Coefficients of velocity.

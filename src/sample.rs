@@ -40,8 +40,13 @@ impl<R: Real> Sweep<R> {
         32 / size_of::<R>() as i32
     };
 
-    /// Fewer samples than it pays to find the runs of; none where flash is dear.
-    const FEW: i32 = if cfg!(target_os = "none") { 0 } else { 32 };
+    /// Fewer samples than it pays to find the runs of.
+    const FEW: i32 = 32;
+
+    /// Whether `count` samples take less time one by one; not asked where flash is dear.
+    fn are_few(count: i32, most: i32) -> bool {
+        !cfg!(target_os = "none") && count < most
+    }
 
     /// The state at each of the times.
     pub fn states<const N: usize>(
@@ -63,10 +68,9 @@ impl<R: Real> Sweep<R> {
         state: impl Fn(R) -> [R; N],
         sample: impl Fn(Run<'_, R, N>),
     ) -> usize {
-        let longest = outputs.iter().map(|output| output.len()).max();
-        let count = longest.unwrap_or(0).min(MOST_SAMPLES) as i32;
-        if B > 0 && count < Self::FEW {
-            self.sample_each(0..count, &mut outputs, state);
+        let count = Self::count(&outputs);
+        if Self::are_few(count, Self::FEW) {
+            self.sample_each(0..count, &mut outputs, &state);
             return count as usize;
         }
         let rate = R::from(1) / self.dt;
@@ -75,25 +79,53 @@ impl<R: Real> Sweep<R> {
         while end > 0 {
             let behind = crossings.iter().filter(|&&crossing| crossing < end);
             let start = behind.fold(0, |start, &crossing| start.max(crossing));
-            if B > 0 && end - start < Self::VECTOR {
+            if Self::are_few(end - start, Self::VECTOR) {
                 self.sample_each(start..end, &mut outputs, &state);
             } else {
-                let first = start - Self::since_aligned(&outputs, start).min(start);
-                sample(Run {
-                    sweep: self,
-                    x: self.time(start),
-                    start: first,
-                    outputs: outputs.each_mut().map(|output| {
-                        let end = output.len().min(end as usize);
-                        output.get_mut(first as usize..end).unwrap_or_default()
-                    }),
-                });
+                sample(self.run(start..end, &mut outputs));
             }
             end = start;
         }
         count as usize
     }
 
+    /// Fills every output to its end with what `state` says of a profile without borders; the number of samples.
+    #[inline(always)]
+    pub fn fill<const N: usize>(
+        self,
+        mut outputs: [&mut [R]; N],
+        state: impl Fn(R) -> [R; N],
+    ) -> usize {
+        let count = Self::count(&outputs);
+        self.run(0..count, &mut outputs).fill(state);
+        count as usize
+    }
+
+    fn count<const N: usize>(outputs: &[&mut [R]; N]) -> i32 {
+        let longest = outputs.iter().map(|output| output.len()).max();
+        longest.unwrap_or(0).min(MOST_SAMPLES) as i32
+    }
+
+    fn run<'a, const N: usize>(
+        self,
+        numbers: Range<i32>,
+        outputs: &'a mut [&mut [R]; N],
+    ) -> Run<'a, R, N> {
+        let Range { start, end } = numbers;
+        let first = start - Self::since_aligned(outputs, start).min(start);
+        Run {
+            sweep: self,
+            x: self.time(start),
+            start: first,
+            outputs: outputs.each_mut().map(|output| {
+                let end = output.len().min(end as usize);
+                output.get_mut(first as usize..end).unwrap_or_default()
+            }),
+        }
+    }
+
+    // Apart, as the loops above are what has to be fast.
+    #[inline(never)]
     fn sample_each<const N: usize>(
         self,
         numbers: Range<i32>,

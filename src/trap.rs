@@ -218,12 +218,6 @@ impl<R: Real> Trap<R> {
         ])
     }
 
-    // Out of line, as sampling is not in a hurry where it calls this.
-    #[inline(never)]
-    fn state_apart(&self, x: R) -> [R; 3] {
-        self.state(x)
-    }
-
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
     pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 3]> {
         Sweep { x0, dt }.states(|x| self.state(x))
@@ -234,7 +228,7 @@ impl<R: Real> Trap<R> {
     ///
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
-        let state = |x| self.state_apart(x);
+        let state = |x| self.state(x);
         Sweep { x0, dt }.sample(self.borders(), outputs, state, |run| self.sample_run(run))
     }
 

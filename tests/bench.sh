@@ -21,15 +21,17 @@ evaluations() {
         sed -En "/<o$1c$2_traj.*_(pos|vel|acc|jer)>:/,/^\$/s/^ *[0-9a-f]+:\t//p" |
         sed -E 's/ +#.*//; s/-?0x[0-9a-f]+\(%rip\)/(%rip)/; s/^(j[a-z]+) .*/\1/; /nop|int3|^xchg +%ax,%ax/d'
 }
+same_evaluations() {
+    test -n "$(evaluations 2 "$1")"
+    test "$(evaluations 2 "$1")" = "$(evaluations 3 "$1")"
+}
 
 printf '\n## binary64\n\n'
 $BENCH
-test -n "$(evaluations 2 8)"
-test "$(evaluations 2 8)" = "$(evaluations 3 8)"
+same_evaluations 8
 printf '\n## binary32\n\n'
 $BENCH --features float
-test -n "$(evaluations 2 4)"
-test "$(evaluations 2 4)" = "$(evaluations 3 4)"
+same_evaluations 4
 cat <<'END'
 
 Of the original's evaluations gcc makes the same instructions at `-O2` and at `-O3`, which this page's script has compared: where

@@ -164,7 +164,7 @@ pub unsafe extern "C" fn atraj_poly3_sample(
         x0: x0.into(),
         dt: dt.into(),
     }
-    .sample([], outputs, &state, |run| run.fill(&state));
+    .fill(outputs, state);
     n
 }
 
@@ -230,7 +230,7 @@ pub unsafe extern "C" fn atraj_poly5_sample(
         x0: x0.into(),
         dt: dt.into(),
     }
-    .sample([], outputs, &state, |run| run.fill(&state));
+    .fill(outputs, state);
     n
 }
 
@@ -298,7 +298,7 @@ pub unsafe extern "C" fn atraj_poly7_sample(
         x0: x0.into(),
         dt: dt.into(),
     }
-    .sample([], outputs, &state, |run| run.fill(&state));
+    .fill(outputs, state);
     n
 }
 
