@@ -508,18 +508,18 @@ impl<R: Real> Bell<R> {
         let x = run.x;
         let (phase, _) = self.phase(x);
         let (acceleration_phase, _) = self.acceleration_phase(x);
-        let constant = self.jerk_turned(x, |y| self.orient(y));
+        let jerk = self.jerk_turned(x, |y| self.orient(y));
         if phase == acceleration_phase {
-            return self.sample_phase(phase, constant, run);
+            return self.sample_phase(phase, jerk, run);
         }
-        let [position, velocity, acceleration, jerk] = run.outputs;
-        let outputs = [position, velocity, &mut [], jerk];
-        self.sample_phase(phase, constant, Run { outputs, ..run });
+        let [position, velocity, acceleration, jerks] = run.outputs;
+        let outputs = [position, velocity, &mut [], jerks];
+        self.sample_phase(phase, jerk, Run { outputs, ..run });
         let outputs = [&mut [], &mut [], acceleration, &mut []];
-        self.sample_phase(acceleration_phase, constant, Run { outputs, ..run });
+        self.sample_phase(acceleration_phase, jerk, Run { outputs, ..run });
     }
 
-    /// `acceleration` is that of the phases in which it is constant.
+    /// `jerk`, whose borders are its own, is the same in the whole run.
     #[inline(never)]
     fn sample_phase(&self, phase: Phase, jerk: R, run: Run<'_, R, 4>) {
         let bell = *self;
