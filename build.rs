@@ -9,9 +9,9 @@ fn main() {
     println!("cargo::rustc-check-cfg=cfg(trajpoly7_v, trajpoly7_a, trajpoly7_j)");
 
     println!("cargo::rerun-if-env-changed=CARGO_ENCODED_RUSTFLAGS");
-    println!("cargo::rustc-check-cfg=cfg(soft_binary64)");
+    println!("cargo::rustc-check-cfg=cfg(unit_lacks_binary64)");
     if unit_lacks_binary64() {
-        println!("cargo::rustc-cfg=soft_binary64");
+        println!("cargo::rustc-cfg=unit_lacks_binary64");
     }
 
     let size = if feature("FLOAT") { 4 } else { 8 };

@@ -66,22 +66,20 @@
 #![deny(unsafe_code)]
 
 mod bell;
-mod boundary;
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
 pub mod capi;
 pub mod claraty;
 mod poly;
 mod real;
-mod sample;
-#[cfg(soft_binary64)]
-mod soft;
+mod sampling;
+mod state;
 mod trap;
 
 pub use bell::Bell;
-pub use boundary::Boundary;
-pub use poly::{Poly3, Poly5, Poly7};
+pub use poly::{Poly, Poly3, Poly5, Poly7};
 pub use real::Real;
+pub use state::{Boundary, State};
 pub use trap::Trap;
 
 #[cfg(doctest)]

@@ -1,9 +1,9 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
-use crate::real::{keep_branch_on_bare_metal, leave_apart_on_hosts};
-use crate::sample::{Border, Run, Sweep, in_phase};
-use crate::{Boundary, Real};
+use crate::real::Real;
+use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
+use crate::state::Boundary;
 
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
 /// each other.
@@ -46,6 +46,33 @@ pub struct Trap<R> {
     pub de: R,
 }
 
+/// How the velocity runs.
+enum Shape {
+    /// Up to the highest velocity, and down.
+    Cruise,
+    /// Up and down.
+    Peak,
+    /// Too short to reach the demanded final velocity: the reached one takes its place.
+    UpOnly,
+    /// Too short to come down to the demanded final velocity: the reached one takes its place.
+    DownOnly,
+}
+
+/// The three phases in order of time, each with its interval, and the standstill around them.
+#[derive(Clone, Copy)]
+enum Phase {
+    /// `x <= 0`.
+    Before,
+    /// `0 < x < ta`.
+    Accelerate,
+    /// `ta <= x < td`.
+    Cruise,
+    /// `td <= x < t`.
+    Decelerate,
+    /// `x >= t`.
+    After,
+}
+
 impl<R: Real> Trap<R> {
     /// Plans a move with the highest velocity `velocity` (its sign is ignored), acceleration `ac` and deceleration `de`.
     ///
@@ -53,35 +80,28 @@ impl<R: Real> Trap<R> {
     /// velocities beyond `±velocity` are limited to it; a final velocity out of reach is replaced by the one that is
     /// reached. `None` if no such move exists, if it would take no time, or if a NaN among the arguments leaves its
     /// duration undefined.
-    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self>
-    where
-        Self: Default,
-    {
+    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
         let mut trap = Self::default();
         let duration = trap.plan(velocity, ac, de, boundary)?;
-        (duration > R::from(0)).then_some(trap)
+        (duration > R::ZERO).then_some(trap)
     }
 
     /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
     pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
-        let zero = R::from(0);
         if ac == de {
             return None;
         }
-        (self.p0, self.p1) = (boundary.p0, boundary.p1);
-        let p = self.p1 - self.p0;
-        let two_p = p * R::from(2);
         let vm = velocity.magnitude();
-        let Boundary { v0, v1, .. } = boundary.limit_velocities(vm);
-        (self.v0, self.v1) = (v0, v1);
+        let boundary = boundary.limit_velocities(vm);
+        let Boundary { p0, p1, v0, v1 } = boundary;
+        (self.p0, self.p1, self.v0, self.v1) = (p0, p1, v0, v1);
+        let two_h = R::from(2) * (p1 - p0);
 
         // Squared velocity at which the acceleration line meets the deceleration line.
-        let a = v0 * v0;
-        let b = v1 * v1;
-        let c = b * ac - a * de;
-        let c = (c - two_p * ac * de) / (ac - de);
-        if c <= zero {
+        let (a, b) = (v0 * v0, v1 * v1);
+        let c = (b * ac - a * de - two_h * ac * de) / (ac - de);
+        if c <= R::ZERO {
             return None;
         }
         let shape = if c > vm * vm {
@@ -93,90 +113,47 @@ impl<R: Real> Trap<R> {
         } else {
             Shape::Peak
         };
-        let magnitude = match shape {
+        let speed = match shape {
             Shape::Cruise => vm,
-            _ => {
-                // Squared velocity that is reached.
-                let reached = match shape {
-                    Shape::UpOnly => two_p * ac + a,
-                    Shape::DownOnly => two_p * de + a,
-                    _ => c,
-                };
-                if reached < zero {
-                    return None;
-                }
-                reached.sqrt()
-            }
+            Shape::UpOnly => root(a + two_h * ac)?,
+            Shape::DownOnly => root(a + two_h * de)?,
+            Shape::Peak => c.sqrt(),
         };
-        let v = if p < zero {
-            keep_branch_on_bare_metal();
-            -magnitude
-        } else {
-            magnitude
-        };
-
-        self.ac = ac;
-        self.de = de;
+        let v = speed.negate_if(boundary.is_backward());
+        (self.ac, self.de) = (ac, de);
         if matches!(shape, Shape::DownOnly) {
             self.v1 = v;
             self.vc = v0;
             self.t = (v - v0) / de;
-            (self.ta, self.td) = (zero, zero);
-            (self.pa, self.pd) = (self.p0, self.p0);
+            (self.ta, self.td) = (R::ZERO, R::ZERO);
+            (self.pa, self.pd) = (p0, p0);
             return Some(self.t);
         }
         self.vc = v;
-        let ta = (v - v0) / ac;
-        self.ta = ta;
-        let line = v0 * ta + self.p0;
-        self.pa = ac * R::HALF * ta * ta + line;
-        match shape {
-            Shape::UpOnly => {
-                self.v1 = v;
-                self.t = ta;
-                self.td = ta;
-                self.pd = self.p1;
-            }
-            Shape::Peak => {
-                self.td = ta;
-                self.pd = self.pa;
-                self.t = (v1 - v) / de + ta;
-            }
-            _ => {
-                let t = (v1 - v) / de;
-                let line = -(v * t) + self.p1;
-                self.pd = -(de * R::HALF * t * t) + line;
-                self.td = (self.pd - self.pa) / v + ta;
-                self.t = t + self.td;
-            }
+        self.ta = (v - v0) / ac;
+        self.pa = p0 + v0 * self.ta + R::HALF * ac * self.ta * self.ta;
+        if matches!(shape, Shape::UpOnly) {
+            self.v1 = v;
+            (self.t, self.td) = (self.ta, self.ta);
+            self.pd = p1;
+            return Some(self.t);
         }
+        // Duration of the deceleration.
+        let t = (v1 - v) / de;
+        if matches!(shape, Shape::Cruise) {
+            self.pd = p1 - v * t - R::HALF * de * t * t;
+            self.td = self.ta + (self.pd - self.pa) / v;
+        } else {
+            self.pd = self.pa;
+            self.td = self.ta;
+        }
+        self.t = self.td + t;
         Some(self.t)
     }
 
     /// Position at time `x`, s. Before the start and for a NaN it is `p0`, after the end `p1`.
     pub fn position(&self, x: R) -> R {
-        let phase = self.phase(x);
-        let y = self.position_in(phase, x);
-        leave_apart_on_hosts(matches!(phase, Phase::Accelerate));
-        y
-    }
-
-    #[inline(always)]
-    fn position_in(&self, phase: Phase, x: R) -> R {
-        match phase {
-            Phase::Before => self.p0,
-            Phase::Accelerate => {
-                let line = self.v0 * x + self.p0;
-                self.ac * R::HALF * x * x + line
-            }
-            Phase::Cruise => (x - self.ta) * self.vc + self.pa,
-            Phase::Decelerate => {
-                let z = x - self.td;
-                let line = self.vc * z + self.pd;
-                self.de * R::HALF * z * z + line
-            }
-            Phase::After => self.p1,
-        }
+        self.position_in(self.phase(x), x)
     }
 
     /// Velocity at time `x`, s. Before the start and for a NaN it is `v0`, after the end `v1`.
@@ -184,38 +161,20 @@ impl<R: Real> Trap<R> {
         self.velocity_in(self.phase(x), x)
     }
 
-    #[inline(always)]
-    fn velocity_in(&self, phase: Phase, x: R) -> R {
-        match phase {
-            Phase::Before => self.v0,
-            Phase::Accelerate => self.ac * x + self.v0,
-            Phase::Cruise => self.vc,
-            Phase::Decelerate => (x - self.td) * self.de + self.vc,
-            Phase::After => self.v1,
-        }
-    }
-
     /// Acceleration at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
-    #[inline(always)]
     pub fn acceleration(&self, x: R) -> R {
-        let zero = R::from(0);
         if x < self.ta {
-            if x >= zero { self.ac } else { zero }
+            if x >= R::ZERO { self.ac } else { R::ZERO }
         } else if x >= self.td && x <= self.t {
             self.de
         } else {
-            zero
+            R::ZERO
         }
     }
 
     /// Position, velocity and acceleration at time `x`, s.
-    #[inline(always)]
     pub fn state(&self, x: R) -> [R; 3] {
-        in_phase!(self.phase(x), PHASE of Before Accelerate Cruise Decelerate After => [
-            self.position_in(PHASE, x),
-            self.velocity_in(PHASE, x),
-            self.acceleration(x),
-        ])
+        [self.position(x), self.velocity(x), self.acceleration(x)]
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -228,41 +187,10 @@ impl<R: Real> Trap<R> {
     ///
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
-        let state = |x| self.state(x);
-        Sweep { x0, dt }.sample(self.borders(), outputs, state, |run| self.sample_run(run))
-    }
-
-    fn sample_run(&self, run: Run<'_, R, 3>) {
-        let x = run.x;
-        self.sample_phase(self.phase(x), self.acceleration(x), run);
-    }
-
-    #[inline(never)]
-    fn sample_phase(&self, phase: Phase, acceleration: R, run: Run<'_, R, 3>) {
-        let trap = *self;
-        in_phase!(phase, PHASE of Before Accelerate Cruise Decelerate After => run.fill(|x| [
-            trap.position_in(PHASE, x),
-            trap.velocity_in(PHASE, x),
-            acceleration,
-        ]))
-    }
-
-    /// What times are compared with; the last tells a NaN, which counts as before the start, from a time after the end.
-    fn borders(&self) -> [Border<R>; 7] {
-        let Self { t, ta, td, .. } = *self;
-        [
-            Border::Below(R::from(0)),
-            Border::UpTo(R::from(0)),
-            Border::Below(ta),
-            Border::Below(td),
-            Border::Below(t),
-            Border::UpTo(t),
-            Border::UpTo(R::INFINITY),
-        ]
+        Sweep { x0, dt }.sample(self, outputs)
     }
 
     /// The phase of position and velocity at `x`.
-    #[inline(always)] // the phase becomes a place in the code, not a value
     fn phase(&self, x: R) -> Phase {
         if x >= self.ta {
             if x < self.td {
@@ -272,32 +200,73 @@ impl<R: Real> Trap<R> {
             } else {
                 Phase::After
             }
-        } else if x > R::from(0) {
+        } else if x > R::ZERO {
             Phase::Accelerate
         } else {
             Phase::Before
         }
     }
+
+    fn position_in(&self, phase: Phase, x: R) -> R {
+        match phase {
+            Phase::Before => self.p0,
+            Phase::Accelerate => self.p0 + self.v0 * x + R::HALF * self.ac * x * x,
+            Phase::Cruise => self.pa + self.vc * (x - self.ta),
+            Phase::Decelerate => {
+                let z = x - self.td;
+                self.pd + self.vc * z + R::HALF * self.de * z * z
+            }
+            Phase::After => self.p1,
+        }
+    }
+
+    fn velocity_in(&self, phase: Phase, x: R) -> R {
+        match phase {
+            Phase::Before => self.v0,
+            Phase::Accelerate => self.v0 + self.ac * x,
+            Phase::Cruise => self.vc,
+            Phase::Decelerate => self.vc + self.de * (x - self.td),
+            Phase::After => self.v1,
+        }
+    }
 }
 
-/// How the velocity runs.
-enum Shape {
-    /// Up to the highest velocity, and down.
-    Cruise,
-    /// Up and down.
-    Peak,
-    /// Too short to reach the final velocity.
-    UpOnly,
-    /// Too short to come down to the final velocity.
-    DownOnly,
+/// The root of a squared velocity; `None` below 0.
+fn root<R: Real>(squared: R) -> Option<R> {
+    // Not `squared >= 0`: a NaN goes on, as in the C function.
+    if squared < R::ZERO {
+        None
+    } else {
+        Some(squared.sqrt())
+    }
 }
 
-/// The three phases in order of time, and the standstill around them.
-#[derive(Clone, Copy)]
-enum Phase {
-    Before,
-    Accelerate,
-    Cruise,
-    Decelerate,
-    After,
+impl<R: Real> Profile<R, 3, 7> for Trap<R> {
+    fn borders(&self) -> [Border<R>; 7] {
+        let Self { t, ta, td, .. } = *self;
+        [
+            Border::Below(R::ZERO),
+            Border::UpTo(R::ZERO),
+            Border::Below(ta),
+            Border::Below(td),
+            Border::Below(t),
+            Border::UpTo(t),
+            // A NaN counts as before the start, and this border tells it from a time after the end.
+            Border::UpTo(R::INFINITY),
+        ]
+    }
+
+    fn state(&self, x: R) -> [R; 3] {
+        self.state(x)
+    }
+
+    fn fill(&self, run: Run<'_, R, 3>) {
+        let trap = *self;
+        let acceleration = trap.acceleration(run.x);
+        in_phase!(trap.phase(run.x), PHASE of Before Accelerate Cruise Decelerate After => run.fill(|x| [
+            trap.position_in(PHASE, x),
+            trap.velocity_in(PHASE, x),
+            acceleration,
+        ]))
+    }
 }

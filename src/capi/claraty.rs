@@ -1,6 +1,7 @@
 //! `claraty/trapezoid.h`: CLARAty's trapezoid as a handle.
 
-use crate::claraty::{EPS, Kind, Mode, Route, Setpoint, Target, Trajectory, Warnings, Waypoints};
+use crate::claraty::{EPS, Kind, Mode, Route, Target, Trajectory, Warnings, Waypoints};
+use crate::state::State;
 use core::ffi::{c_int, c_void};
 use core::slice;
 
@@ -144,13 +145,13 @@ impl Handle {
         Ok(())
     }
 
-    fn setpoint(&mut self) -> Result<Setpoint, claraty_result> {
+    fn setpoint(&mut self) -> Result<State<f64>, claraty_result> {
         let now = self.finite_now()?;
         Ok(self.trajectory.setpoint(now))
     }
 
     /// The listing may plan a motion that ends at no number; what it makes of such a time is part of its behaviour.
-    fn setpoint_at(&mut self, time: f64) -> Result<Setpoint, claraty_result> {
+    fn setpoint_at(&mut self, time: f64) -> Result<State<f64>, claraty_result> {
         if self.trajectory.mode() == Mode::Corrected {
             finite(time)?;
         }
@@ -460,7 +461,7 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint_at(
 /// # Safety
 /// Each pointer is NULL or valid to write.
 unsafe fn write_setpoint(
-    setpoint: Setpoint,
+    setpoint: State<f64>,
     position: *mut f64,
     velocity: *mut f64,
     accel: *mut f64,

@@ -18,16 +18,15 @@
 
 pub mod atraj;
 pub mod claraty;
+#[cfg(all(target_os = "none", not(feature = "poly-compact")))]
+mod firmware;
 #[cfg(atraj_archive)]
 mod panic;
 pub mod trajbell;
-pub mod trajpoly3;
-pub mod trajpoly5;
-pub mod trajpoly7;
+pub mod trajpoly;
 pub mod trajtrap;
 
-use crate::{Boundary, poly};
-use core::slice;
+use crate::state::Boundary;
 
 /// The real type of this build: `float` with the feature `float`, else `double`.
 #[cfg(feature = "float")]
@@ -36,11 +35,12 @@ pub type a_float = f32;
 #[cfg(not(feature = "float"))]
 pub type a_float = f64;
 
-/// What the profiles compute in: the same bits.
-#[cfg(any(feature = "float", not(soft_binary64)))]
-type Number = a_float;
-#[cfg(all(not(feature = "float"), soft_binary64))]
-type Number = crate::soft::Soft64;
+/// The type that the profiles compute in: the same bits.
+#[cfg(feature = "float")]
+type Number = f32;
+/// The type that the profiles compute in: the same bits.
+#[cfg(not(feature = "float"))]
+type Number = crate::real::Double;
 
 fn boundary(p0: a_float, p1: a_float, v0: a_float, v1: a_float) -> Boundary<Number> {
     Boundary {
@@ -64,86 +64,10 @@ macro_rules! assert_same_layout {
 }
 use assert_same_layout;
 
-/// What an evaluation of a NULL context returns. Out of line, and hidden from constant propagation: what is left of the
-/// check is one branch in each evaluation.
+/// The value of a NULL context. Out of line, and hidden from constant propagation: one branch is left of the check in each
+/// evaluation.
 #[cold]
 #[inline(never)]
 fn nan() -> a_float {
     core::hint::black_box(a_float::NAN)
-}
-
-/// Which of a struct's numbers are the coefficients of a polynomial: the first of them and the degree, packed into what one
-/// short instruction can load, for each function hands over its own.
-#[derive(Clone, Copy)]
-struct Place(usize);
-
-impl Place {
-    /// The coefficients of a polynomial of this degree, at most 7, which stand `offset` bytes into the struct.
-    const fn new(offset: usize, degree: usize) -> Self {
-        Self(offset / size_of::<a_float>() * 8 + degree)
-    }
-
-    /// How many bytes into the struct they start.
-    fn offset(self) -> usize {
-        self.0 / 8 * size_of::<a_float>()
-    }
-
-    fn degree(self) -> usize {
-        self.0 % 8
-    }
-}
-
-/// The polynomial with these coefficients at `x`; NaN for a NULL context. Shared by the functions of all polynomials, of which
-/// a tail call is left.
-///
-/// # Safety
-/// `ctx` is NULL or points to a struct of reals that has these.
-#[inline(never)]
-unsafe fn evaluate(ctx: *const a_float, place: Place, x: a_float) -> a_float {
-    if ctx.is_null() {
-        return a_float::NAN;
-    }
-    // SAFETY: by the contract of this function.
-    let coefficients = unsafe {
-        let first = ctx.cast::<Number>().byte_add(place.offset());
-        slice::from_raw_parts(first, place.degree() + 1)
-    };
-    poly::horner(coefficients, x.into()).into()
-}
-
-/// Likewise of coefficients that the struct does not hold.
-#[cfg(feature = "poly-compact")]
-fn evaluate_found<const N: usize>(coefficients: Option<[Number; N]>, x: a_float) -> a_float {
-    let coefficients = coefficients
-        .as_ref()
-        .map_or(core::ptr::null(), |c| c.as_ptr().cast());
-    // SAFETY: NULL or an array of this length.
-    unsafe { evaluate(coefficients, Place::new(0, N - 1), x) }
-}
-
-/// From these coefficients those of the derivative, which are next in the struct; nothing for a NULL context. One for all
-/// polynomials on bare metal, where size comes first.
-///
-/// # Safety
-/// `ctx` is NULL or points to a struct of reals that has both.
-#[cfg(all(
-    not(feature = "poly-compact"),
-    any(trajpoly3_v, trajpoly5_v, trajpoly7_v)
-))]
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline(always))]
-unsafe fn differentiate(ctx: *mut a_float, place: Place) {
-    if ctx.is_null() {
-        return;
-    }
-    let degree = place.degree();
-    // SAFETY: by the contract of this function.
-    let (coefficients, derivative) = unsafe {
-        let first = ctx.cast::<Number>().byte_add(place.offset());
-        (
-            slice::from_raw_parts(first, degree + 1),
-            slice::from_raw_parts_mut(first.add(degree + 1), degree),
-        )
-    };
-    poly::differentiate(coefficients, derivative);
 }

@@ -1,7 +1,7 @@
 //! `a/trajbell.h`: the double-S profile.
 
 use super::{Number, a_float, assert_same_layout, boundary, nan};
-use crate::Bell;
+use crate::bell::Bell;
 
 /// @brief Bell-shaped (double-S) velocity trajectory.
 ///

@@ -1,7 +1,7 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
 use super::{Number, a_float, assert_same_layout, boundary, nan};
-use crate::Trap;
+use crate::trap::Trap;
 
 /// @brief Trapezoidal velocity trajectory.
 ///

@@ -24,6 +24,6 @@ mod route;
 mod trajectory;
 
 pub use clock::Timer;
-pub use profile::{EPS, Kind, Profile, Setpoint, State, Warnings};
+pub use profile::{EPS, Kind, Profile, Warnings};
 pub use route::{Route, Target, Waypoints};
 pub use trajectory::{Mode, Trajectory};

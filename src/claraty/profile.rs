@@ -4,7 +4,8 @@
 use core::ops::{BitOr, BitOrAssign};
 
 use super::Target;
-use crate::Real;
+use crate::real::Operations;
+use crate::state::State;
 
 /// Limits below this are raised to it, and the listing takes a distance below it for no move. The listing leaves it
 /// undefined; the value is this project's choice.
@@ -15,26 +16,6 @@ const FINAL_VELOCITY: f64 = 0.0;
 
 /// Rounding may lift a peak by this much above the velocity limit before it counts as exceeding it.
 const PEAK_ROUNDING: f64 = 1.0 + 1e-9;
-
-/// Position and velocity of an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
-    /// Position.
-    pub position: f64,
-    /// Velocity, signed.
-    pub velocity: f64,
-}
-
-/// What the axis shall do at one instant.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Setpoint {
-    /// Position.
-    pub position: f64,
-    /// Velocity, signed.
-    pub velocity: f64,
-    /// Acceleration, signed.
-    pub acceleration: f64,
-}
 
 /// Shape of the velocity over time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -102,7 +83,7 @@ pub struct Profile {
     pub deceleration: f64,
     /// Whether there is a cruise phase.
     pub kind: Kind,
-    start: State,
+    start: State<f64>,
     /// Position at time 0 of the line that the cruise phase lies on.
     cruise_origin: f64,
 }
@@ -138,7 +119,7 @@ impl Limits {
 
 impl Profile {
     /// The published listing's motion. A move below [`EPS`] leaves `kind` as it was.
-    pub fn plan_listing(&mut self, start: State, target: Target) -> Warnings {
+    pub fn plan_listing(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, mut warnings) = Limits::of(target);
         self.start = start;
         self.final_position = target.position;
@@ -164,7 +145,7 @@ impl Profile {
     }
 
     /// The right motion from `start` to rest at the target.
-    pub fn plan_corrected(&mut self, start: State, target: Target) -> Warnings {
+    pub fn plan_corrected(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(target);
         self.stand(start, target.position);
         let distance = target.position - start.position;
@@ -182,7 +163,7 @@ impl Profile {
     }
 
     /// The shortest way to rest at the target's deceleration; its position and velocity do not matter.
-    pub fn plan_stop(&mut self, start: State, target: Target) -> Warnings {
+    pub fn plan_stop(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(Target {
             velocity: EPS,
             ..target
@@ -200,8 +181,10 @@ impl Profile {
 
     /// Position, velocity and acceleration at time `t`, s. Before the motion the start without acceleration; after it rest
     /// at the final position.
-    pub fn setpoint(&self, t: f64) -> Setpoint {
-        let State { position, velocity } = self.start;
+    pub fn setpoint(&self, t: f64) -> State<f64> {
+        let State {
+            position, velocity, ..
+        } = self.start;
         let (position, velocity, acceleration) = if self.is_over(t) {
             (self.final_position, 0.0, 0.0)
         } else if t < 0.0 {
@@ -224,7 +207,7 @@ impl Profile {
                 d,
             )
         };
-        Setpoint {
+        State {
             position,
             velocity,
             acceleration,
@@ -238,7 +221,7 @@ impl Profile {
     }
 
     /// No phase at all.
-    fn stand(&mut self, start: State, final_position: f64) {
+    fn stand(&mut self, start: State<f64>, final_position: f64) {
         self.start = start;
         self.final_position = final_position;
         self.kind = Kind::Triangular;
@@ -277,6 +260,7 @@ impl Profile {
         let State {
             position: p0,
             velocity: v0,
+            ..
         } = self.start;
         let distance = self.final_position - p0;
         let before = 0.5 * self.acceleration * sq(self.t1) + v0 * self.t1 + p0;
@@ -284,7 +268,7 @@ impl Profile {
         let rounding = 1e-9 * distance.abs() + 1e-15 * (p0.abs() + self.final_position.abs());
         let room = (side * distance - 0.5 * sq(v0) / d) * (2.0 * (a * (d / (a + d))));
         if (before - after).abs() > rounding && room > 0.0 {
-            let peak = Real::sqrt(sq(v0) + room);
+            let peak = Operations::sqrt(sq(v0) + room);
             self.peak_at(room / (a * (v0.abs() + peak)), side * peak, limits);
         }
     }
@@ -309,7 +293,7 @@ impl Profile {
         if a > d {
             let left = beyond_a * (2.0 * (a * (d / (a - d))));
             switch = if left > 0.0 {
-                lower(Real::sqrt(left), speed)
+                lower(Operations::sqrt(left), speed)
             } else {
                 0.0
             };
@@ -317,7 +301,7 @@ impl Profile {
         } else if a < d {
             let lost = lower(beyond_d * (2.0 * (a * (d / (d - a)))), energy);
             if lost > 0.0 {
-                switch = Real::sqrt(energy - lost);
+                switch = Operations::sqrt(energy - lost);
                 t1 = lost / (a * (speed + switch));
             }
         }
@@ -343,7 +327,7 @@ impl Profile {
             } = limits;
             let distance = side * (self.final_position - self.start.position);
             let way_back = 0.5 * sq(v0) / a + distance;
-            let peak = Real::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
+            let peak = Operations::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
             self.peak_at((v0.abs() + peak) / a, side * peak, limits);
         }
     }
@@ -366,6 +350,7 @@ impl Profile {
         let State {
             position: p0,
             velocity: v0,
+            ..
         } = self.start;
         0.5 * (sq(velocity) - sq(v0)) / self.acceleration + p0
     }
@@ -377,9 +362,10 @@ impl Profile {
         let State {
             position: p0,
             velocity: v0,
+            ..
         } = self.start;
         let c = (0.5 * (sq(FINAL_VELOCITY) - sq(v0)) + d * (p0 - self.final_position)) / (d - a);
-        let half = Real::sqrt(sq(v0) - 2.0 * a * c) / a;
+        let half = Operations::sqrt(sq(v0) - 2.0 * a * c) / a;
         match (-v0 / a + half, -v0 / a - half) {
             (root, other) | (other, root) if root > 0.0 && other < 0.0 => Some(root),
             _ => None,

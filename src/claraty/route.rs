@@ -17,11 +17,11 @@ pub struct Target {
 #[derive(Clone, Copy, Debug)]
 pub struct Waypoints<'w> {
     positions: &'w [f64],
-    limits: Limits<'w>,
+    limits: LegLimits<'w>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Limits<'w> {
+enum LegLimits<'w> {
     Each {
         velocities: &'w [f64],
         accelerations: &'w [f64],
@@ -44,7 +44,7 @@ impl<'w> Waypoints<'w> {
             velocities.len() == positions.len() && accelerations.len() == positions.len();
         (same_count && !positions.is_empty()).then_some(Self {
             positions,
-            limits: Limits::Each {
+            limits: LegLimits::Each {
                 velocities,
                 accelerations,
             },
@@ -55,7 +55,7 @@ impl<'w> Waypoints<'w> {
     pub fn uniform(positions: &'w [f64], velocity: f64, acceleration: f64) -> Option<Self> {
         (!positions.is_empty()).then_some(Self {
             positions,
-            limits: Limits::Same {
+            limits: LegLimits::Same {
                 velocity,
                 acceleration,
             },
@@ -64,11 +64,11 @@ impl<'w> Waypoints<'w> {
 
     fn get(&self, index: usize) -> Option<Target> {
         let (velocity, acceleration) = match self.limits {
-            Limits::Each {
+            LegLimits::Each {
                 velocities,
                 accelerations,
             } => (*velocities.get(index)?, *accelerations.get(index)?),
-            Limits::Same {
+            LegLimits::Same {
                 velocity,
                 acceleration,
             } => (velocity, acceleration),

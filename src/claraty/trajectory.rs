@@ -1,6 +1,7 @@
 //! A trajectory in time: start, stop, reset, and the setpoint of whichever leg the time falls into.
 
-use super::{Profile, Route, Setpoint, State, Target, Timer, Warnings};
+use super::{Profile, Route, Target, Timer, Warnings};
+use crate::state::State;
 
 /// Which profile a trajectory follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,7 +21,7 @@ pub struct Trajectory<'w> {
     timer: Timer,
     started: bool,
     /// Where the motion began, to walk the route again when time goes back.
-    departure: State,
+    departure: State<f64>,
     /// Whether the motion follows `route`; else it is the one leg in hand.
     on_route: bool,
     leg: usize,
@@ -143,7 +144,7 @@ impl<'w> Trajectory<'w> {
     }
 
     /// The setpoint now. Reading it after the end of the motion ends the motion.
-    pub fn setpoint(&mut self, now: f64) -> Setpoint {
+    pub fn setpoint(&mut self, now: f64) -> State<f64> {
         let t = self.elapsed(now);
         let setpoint = self.look(t);
         self.end_at(t);
@@ -152,7 +153,7 @@ impl<'w> Trajectory<'w> {
 
     /// The setpoint at time `t` after the start, s. In listing mode a look beyond the end ends the motion, as the listing
     /// has it; else a look changes nothing.
-    pub fn setpoint_at(&mut self, t: f64) -> Setpoint {
+    pub fn setpoint_at(&mut self, t: f64) -> State<f64> {
         let setpoint = self.look(t);
         if self.mode == Mode::Listing {
             self.end_at(t);
@@ -161,7 +162,7 @@ impl<'w> Trajectory<'w> {
     }
 
     /// The state to carry on from.
-    fn under_way(&mut self, now: f64) -> Option<State> {
+    fn under_way(&mut self, now: f64) -> Option<State<f64>> {
         let was_started = self.started;
         let setpoint = self.setpoint(now);
         let under_way = match self.mode {
@@ -169,15 +170,12 @@ impl<'w> Trajectory<'w> {
             Mode::Listing => was_started,
             Mode::Corrected => self.started,
         };
-        under_way.then_some(State {
-            position: setpoint.position,
-            velocity: setpoint.velocity,
-        })
+        under_way.then_some(setpoint)
     }
 
-    fn look(&mut self, t: f64) -> Setpoint {
+    fn look(&mut self, t: f64) -> State<f64> {
         if self.mode == Mode::Listing && t < 0.0 {
-            return Setpoint::default();
+            return State::default();
         }
         self.seek(t);
         self.profile.setpoint(t - self.leg_start)
@@ -223,7 +221,7 @@ impl<'w> Trajectory<'w> {
         let target = self.route.target(self.leg + 1)?;
         let rest = State {
             position: self.profile.final_position,
-            velocity: 0.0,
+            ..State::default()
         };
         self.leg += 1;
         self.leg_start += self.profile.tf;

@@ -1,30 +1,31 @@
-//! Binary64 for the Cortex-M cores whose floating-point unit has binary32 only.
+//! Binary64 for the Cortex-M cores whose unit computes in binary32 only.
 //!
-//! There each operation on an `f64` is a call that takes and returns core registers. The compiler carries an `f64` in the
-//! unit's registers all the same and moves it out and in for every call: a third more code. A [`Soft64`] stays in core
-//! registers, as what gcc makes of a `double` does.
+//! On such a core each operation on an `f64` is a call that takes and returns core registers. The compiler nevertheless carries
+//! an `f64` in the unit's registers and moves it out and in around every call: a third more code. A [`Soft64`] stays in core
+//! registers, as a `double` of gcc does.
 //!
-//! The compiler does not know that these calls have no effect but their result, so it neither leaves out nor moves any.
-//! Code for every [`Real`] is therefore written as it should run: nothing is computed twice or before it is needed, a
-//! field is read where it is used, and of the operands of a sum or a product the one computed last stands first, as it
-//! already is where the call wants its first argument. No order of two operands changes a bit.
+//! The compiler does not know that these calls have no effect but their result, so it neither drops nor moves one. A formula
+//! ends with the operand that is computed last, and a call returns its result where the next call takes its first argument.
+//! Sums, differences and products therefore swap their operands here. The swap changes no bit.
 
-use crate::Real;
+use super::{Operations, Real};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The bits of an `f64`.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 #[repr(transparent)]
 pub struct Soft64(u64);
 
 const SIGN: u64 = 1 << 63;
 
-// From the run-time ABI for the Arm architecture: what the compiler itself calls for an `f64`, in every toolchain.
+// From the run-time ABI for the Arm architecture: every toolchain has these functions, and the compiler itself calls them for
+// an `f64`.
 #[allow(unsafe_code)]
 unsafe extern "C" {
     safe fn __aeabi_dadd(a: u64, b: u64) -> u64;
-    safe fn __aeabi_dsub(a: u64, b: u64) -> u64;
+    /// `b - a`
+    safe fn __aeabi_drsub(a: u64, b: u64) -> u64;
     safe fn __aeabi_dmul(a: u64, b: u64) -> u64;
     safe fn __aeabi_ddiv(a: u64, b: u64) -> u64;
     safe fn __aeabi_dcmpeq(a: u64, b: u64) -> i32;
@@ -55,21 +56,21 @@ impl From<u8> for Soft64 {
 impl Add for Soft64 {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self(__aeabi_dadd(self.0, other.0))
+        Self(__aeabi_dadd(other.0, self.0))
     }
 }
 
 impl Sub for Soft64 {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self(__aeabi_dsub(self.0, other.0))
+        Self(__aeabi_drsub(other.0, self.0))
     }
 }
 
 impl Mul for Soft64 {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self(__aeabi_dmul(self.0, other.0))
+        Self(__aeabi_dmul(other.0, self.0))
     }
 }
 
@@ -111,21 +112,20 @@ impl PartialOrd for Soft64 {
     }
 }
 
-impl Real for Soft64 {
-    const HALF: Self = Self(0.5f64.to_bits());
+impl Real for Soft64 {}
+
+impl Operations for Soft64 {
+    const ZERO: Self = Self(0);
     const SIXTEENTH: Self = Self(0.0625f64.to_bits());
     const SIXTH: Self = Self((1.0f64 / 6.0).to_bits());
+    const HALF: Self = Self(0.5f64.to_bits());
+    const ONE: Self = Self(1.0f64.to_bits());
     const EPSILON: Self = Self(f64::EPSILON.to_bits());
-    const DOUBT: Self = Self(<f64 as Real>::DOUBT.to_bits());
-    const HUGE: Self = Self(<f64 as Real>::HUGE.to_bits());
+    const DOUBT: Self = Self(<f64 as Operations>::DOUBT.to_bits());
+    const HUGE: Self = Self(<f64 as Operations>::HUGE.to_bits());
     const INFINITY: Self = Self(f64::INFINITY.to_bits());
-    const CHEAP_ROOT: bool = false;
-
-    // Apart, as the C function returns its result in the unit's registers, and the compiler would leave it there.
-    #[inline(never)]
-    fn plain_sqrt(self) -> Self {
-        f64::from(self).plain_sqrt().into()
-    }
+    const NAN: Self = Self(f64::NAN.to_bits());
+    const HAS_UNIT: bool = false;
 
     fn abs(self) -> Self {
         Self(self.0 & !SIGN)
@@ -133,6 +133,12 @@ impl Real for Soft64 {
 
     fn copysign(self, sign: Self) -> Self {
         Self(self.0 & !SIGN | sign.0 & SIGN)
+    }
+
+    // The C function returns its result in the unit's registers. Inlined, the compiler leaves the result there.
+    #[inline(never)]
+    fn plain_sqrt(self) -> Self {
+        f64::from(self).plain_sqrt().into()
     }
 
     fn from_index(k: i32) -> Self {

@@ -1,13 +1,26 @@
 //! Evaluation at evenly spaced times, with the bits of the single calls.
 //!
 //! Sample `k` is taken at `x0 + k*dt`: `k` is converted, multiplied and added with one rounding each. Each of these steps
-//! is monotone, so the times are, and a comparison of time with a constant changes its result at most once in a sweep.
-//! Between two such changes every sample takes the same path through the profile, in a loop without branches.
+//! is monotone. The times are therefore monotone too, and a comparison of time with a constant changes its result at most once
+//! in a sweep. Between two such changes every sample takes the same path through the profile, in a loop without branches.
 
-use crate::Real;
+use crate::real::{Real, processor};
 use core::ops::Range;
 
-/// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases.
+/// A profile whose motion changes at borders in time.
+pub(crate) trait Profile<R, const QUANTITIES: usize, const BORDERS: usize> {
+    /// Everything that an evaluation compares times with.
+    fn borders(&self) -> [Border<R>; BORDERS];
+
+    /// Position, velocity, acceleration and, if the profile has it, jerk at time `x`, s.
+    fn state(&self, x: R) -> [R; QUANTITIES];
+
+    /// Fills `run`, whose times all lie between the same borders.
+    fn fill(&self, run: Run<'_, R, QUANTITIES>);
+}
+
+/// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases. A loop over such a value has
+/// no branches.
 macro_rules! in_phase {
     ($phase:expr, $PHASE:ident of $($name:ident)+ => $value:expr) => {
         match $phase {
@@ -34,18 +47,14 @@ pub(crate) struct Sweep<R> {
 
 impl<R: Real> Sweep<R> {
     /// Samples in the longest vector of common processors.
-    const VECTOR: i32 = if cfg!(target_os = "none") {
-        1
-    } else {
-        32 / size_of::<R>() as i32
-    };
+    const VECTOR: i32 = (processor::VECTOR_BYTES / size_of::<R>()) as i32;
 
-    /// Fewer samples than it pays to find the runs of.
+    /// It does not pay to look for runs in fewer samples.
     const FEW: i32 = 32;
 
-    /// Whether `count` samples take less time one by one; not asked where flash is dear.
+    /// Whether `count` samples are better taken one by one: they take less time, or flash is scarce.
     fn are_few(count: i32, most: i32) -> bool {
-        !cfg!(target_os = "none") && count < most
+        processor::IS_BARE_METAL || count < most
     }
 
     /// The state at each of the times.
@@ -56,24 +65,24 @@ impl<R: Real> Sweep<R> {
         (0..i32::MAX).map(move |k| state(self.time(k)))
     }
 
-    /// Has `sample` fill every output to its end, run by run; the number of samples. Where too few samples are alike for a
-    /// loop, each of them is a `state`.
+    /// Fills every output to its end, run by run; the number of samples. Where too few samples are alike for a loop, it takes
+    /// them one by one.
     ///
-    /// The last run comes first, and each begins a few samples early, where vectors are aligned: the next one overwrites
-    /// those. A store across cache lines would cost more.
+    /// The last run comes first, and each run begins a few samples early, where vectors are aligned. The next run overwrites
+    /// these samples. A store across cache lines would cost more.
     pub fn sample<const N: usize, const B: usize>(
         self,
-        borders: [Border<R>; B],
+        profile: &impl Profile<R, N, B>,
         mut outputs: [&mut [R]; N],
-        state: impl Fn(R) -> [R; N],
-        sample: impl Fn(Run<'_, R, N>),
     ) -> usize {
+        let state = |x| profile.state(x);
+        let borders = profile.borders();
         let count = Self::count(&outputs);
         if Self::are_few(count, Self::FEW) {
             self.sample_each(0..count, &mut outputs, &state);
             return count as usize;
         }
-        let rate = R::from(1) / self.dt;
+        let rate = R::ONE / self.dt;
         let crossings = borders.map(|border| self.crossing(border, rate, count));
         let mut end = count;
         while end > 0 {
@@ -82,14 +91,14 @@ impl<R: Real> Sweep<R> {
             if Self::are_few(end - start, Self::VECTOR) {
                 self.sample_each(start..end, &mut outputs, &state);
             } else {
-                sample(self.run(start..end, &mut outputs));
+                profile.fill(self.run(start..end, &mut outputs));
             }
             end = start;
         }
         count as usize
     }
 
-    /// Fills every output to its end with what `state` says of a profile without borders; the number of samples.
+    /// Fills every output of a profile without borders to its end; the number of samples.
     #[inline(always)]
     pub fn fill<const N: usize>(
         self,
@@ -124,7 +133,7 @@ impl<R: Real> Sweep<R> {
         }
     }
 
-    // Apart, as the loops above are what has to be fast.
+    // A separate function keeps this loop out of the way of the fast ones.
     #[inline(never)]
     fn sample_each<const N: usize>(
         self,
@@ -147,7 +156,7 @@ impl<R: Real> Sweep<R> {
         ((first / size_of::<R>() + k as usize) % Self::VECTOR as usize) as i32
     }
 
-    /// The first of `count` samples that is not on the side of `border` where sample 0 is, or `count`. `rate` is `1/dt`.
+    /// The first of `count` samples beyond `border`, seen from sample 0, or `count`. `rate` is `1/dt`.
     fn crossing(self, border: Border<R>, rate: R, count: i32) -> i32 {
         let first = border.is_ahead(self.time(0));
         let is_same = |k| border.is_ahead(self.time(k)) == first;
@@ -164,7 +173,7 @@ impl<R: Real> Sweep<R> {
                 (same, probe)
             }
         };
-        // Up to rounding it is where the border is; halving finds it wherever it is.
+        // The border is the crossing up to rounding. Halving finds the crossing wherever it is.
         let guess = ((border.time() - self.x0) * rate).to_index();
         let mut range = narrow((0, last), guess);
         let neighbour = if range.1 == guess {
@@ -219,18 +228,18 @@ impl<R: Real> Border<R> {
     }
 }
 
-/// Neighbouring samples on the same side of every border, and where they go.
+/// Neighbouring samples between the same borders, and the outputs for them.
 pub(crate) struct Run<'a, R, const N: usize> {
-    pub sweep: Sweep<R>,
-    /// One of its times.
+    sweep: Sweep<R>,
+    /// A time between these borders.
     pub x: R,
-    pub start: i32,
+    start: i32,
     /// Position, velocity, acceleration and, if the profile has it, jerk; empty where not wanted.
-    pub outputs: [&'a mut [R]; N],
+    outputs: [&'a mut [R]; N],
 }
 
 impl<R: Real, const N: usize> Run<'_, R, N> {
-    /// Fills the outputs with what `state` says of their times.
+    /// Fills the outputs with the states at their times.
     #[inline(always)]
     pub fn fill(self, state: impl Fn(R) -> [R; N]) {
         let len = self.outputs.first().map_or(0, |output| output.len());
@@ -242,7 +251,7 @@ impl<R: Real, const N: usize> Run<'_, R, N> {
             ..
         } = self;
         match outputs.as_mut_slice() {
-            // One loop finds each time once.
+            // One loop computes each time once.
             [p, v, a] if alike => {
                 let outputs = p.iter_mut().zip(v.iter_mut()).zip(a.iter_mut());
                 for (((p, v), a), k) in outputs.zip(start..) {

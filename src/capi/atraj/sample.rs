@@ -1,15 +1,14 @@
-//! `atraj.h`: what liba does not have. A move is evaluated at many times, or for all its quantities, in one call.
+//! `atraj.h`: a move at many times, or all its quantities at one time, in one call.
 
-use super::trajbell::a_trajbell;
-use super::trajpoly3::a_trajpoly3;
-use super::trajpoly5::a_trajpoly5;
-use super::trajpoly7::a_trajpoly7;
-use super::trajtrap::a_trajtrap;
-use super::{Number, a_float};
-use crate::poly::horner;
-use crate::sample::{MOST_SAMPLES, Sweep};
-use crate::{Bell, Trap};
-use core::borrow::Borrow;
+use crate::bell::Bell;
+use crate::capi::trajbell::a_trajbell;
+use crate::capi::trajpoly::{
+    trajpoly3::a_trajpoly3, trajpoly5::a_trajpoly5, trajpoly7::a_trajpoly7,
+};
+use crate::capi::trajtrap::a_trajtrap;
+use crate::capi::{Number, a_float};
+use crate::sampling::{MOST_SAMPLES, Sweep};
+use crate::trap::Trap;
 
 /// @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
 ///
@@ -133,7 +132,7 @@ pub unsafe extern "C" fn atraj_trap_state(
 ///
 /// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
 ///
-/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of cubic polynomial trajectory
 /// @param x0 time of sample 0 since the start, s
 /// @param dt from one sample to the next, s; may be 0 or negative
@@ -159,7 +158,7 @@ pub unsafe extern "C" fn atraj_poly3_sample(
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc].map(|output| unsafe { array(output.cast(), n) });
-    let state = poly3_state(poly);
+    let state = poly.state();
     Sweep {
         x0: x0.into(),
         dt: dt.into(),
@@ -172,7 +171,7 @@ pub unsafe extern "C" fn atraj_poly3_sample(
 ///
 /// They have the bits of the single functions.
 ///
-/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of cubic polynomial trajectory; all are NaN if it is NULL
 /// @param x time since the start, s
 /// @param pos position, unit: NULL or where to write it
@@ -188,7 +187,7 @@ pub unsafe extern "C" fn atraj_poly3_state(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let state = match unsafe { ctx.as_ref() } {
-        Some(poly) => poly3_state(poly)(x.into()).map(Into::into),
+        Some(poly) => poly.state()(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -199,7 +198,7 @@ pub unsafe extern "C" fn atraj_poly3_state(
 ///
 /// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
 ///
-/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of quintic polynomial trajectory
 /// @param x0 time of sample 0 since the start, s
 /// @param dt from one sample to the next, s; may be 0 or negative
@@ -225,7 +224,7 @@ pub unsafe extern "C" fn atraj_poly5_sample(
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc].map(|output| unsafe { array(output.cast(), n) });
-    let state = poly5_state(poly);
+    let state = poly.state();
     Sweep {
         x0: x0.into(),
         dt: dt.into(),
@@ -238,7 +237,7 @@ pub unsafe extern "C" fn atraj_poly5_sample(
 ///
 /// They have the bits of the single functions.
 ///
-/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of quintic polynomial trajectory; all are NaN if it is NULL
 /// @param x time since the start, s
 /// @param pos position, unit: NULL or where to write it
@@ -254,7 +253,7 @@ pub unsafe extern "C" fn atraj_poly5_state(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let state = match unsafe { ctx.as_ref() } {
-        Some(poly) => poly5_state(poly)(x.into()).map(Into::into),
+        Some(poly) => poly.state()(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
@@ -265,7 +264,7 @@ pub unsafe extern "C" fn atraj_poly5_state(
 ///
 /// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
 ///
-/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of septic polynomial trajectory
 /// @param x0 time of sample 0 since the start, s
 /// @param dt from one sample to the next, s; may be 0 or negative
@@ -293,7 +292,7 @@ pub unsafe extern "C" fn atraj_poly7_sample(
     };
     // SAFETY: each is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output.cast(), n) });
-    let state = poly7_state(poly);
+    let state = poly.state();
     Sweep {
         x0: x0.into(),
         dt: dt.into(),
@@ -306,7 +305,7 @@ pub unsafe extern "C" fn atraj_poly7_sample(
 ///
 /// They have the bits of the single functions.
 ///
-/// What the struct has no coefficients of, for they are above its level, is found from those of position.
+/// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of septic polynomial trajectory; all are NaN if it is NULL
 /// @param x time since the start, s
 /// @param pos position, unit: NULL or where to write it
@@ -324,41 +323,11 @@ pub unsafe extern "C" fn atraj_poly7_state(
 ) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let state = match unsafe { ctx.as_ref() } {
-        Some(poly) => poly7_state(poly)(x.into()).map(Into::into),
+        Some(poly) => poly.state()(x.into()).map(Into::into),
         None => [a_float::NAN; 4],
     };
     // SAFETY: each is NULL or writable by the contract of this module.
     unsafe { write([pos, vel, acc, jer], state) };
-}
-
-/// Evaluates a copy of the cubic polynomial's coefficients, which no output can overlap.
-fn poly3_state(poly: &a_trajpoly3) -> impl Fn(Number) -> [Number; 3] + use<> {
-    let p: [Number; 4] = copy(poly.position_coefficients());
-    let v: [Number; 3] = copy(poly.velocity_coefficients());
-    let a: [Number; 2] = copy(poly.acceleration_coefficients());
-    move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
-}
-
-/// Evaluates a copy of the quintic polynomial's coefficients, which no output can overlap.
-fn poly5_state(poly: &a_trajpoly5) -> impl Fn(Number) -> [Number; 3] + use<> {
-    let p: [Number; 6] = copy(poly.position_coefficients());
-    let v: [Number; 5] = copy(poly.velocity_coefficients());
-    let a: [Number; 4] = copy(poly.acceleration_coefficients());
-    move |x| [horner(&p, x), horner(&v, x), horner(&a, x)]
-}
-
-/// Evaluates a copy of the septic polynomial's coefficients, which no output can overlap.
-fn poly7_state(poly: &a_trajpoly7) -> impl Fn(Number) -> [Number; 4] + use<> {
-    let p: [Number; 8] = copy(poly.position_coefficients());
-    let v: [Number; 7] = copy(poly.velocity_coefficients());
-    let a: [Number; 6] = copy(poly.acceleration_coefficients());
-    let j: [Number; 5] = copy(poly.jerk_coefficients());
-    move |x| [horner(&p, x), horner(&v, x), horner(&a, x), horner(&j, x)]
-}
-
-/// A level's own array comes by reference, one found from the level below by value.
-fn copy<T: Copy>(coefficients: impl Borrow<T>) -> T {
-    *coefficients.borrow()
 }
 
 /// The `n` values at `output`, none if it is NULL.

@@ -1,0 +1,100 @@
+//! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
+//! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
+//!
+//! `plan` fills the struct, `search` finds the acceleration of a move without cruise, and `motion` evaluates the struct.
+//!
+//! Evaluation reads the struct in the axis in which the move goes forward: it mirrors `p0 p1 v0 v1` if `p0 > p1`, takes every
+//! other field as it stands, and mirrors the result back.
+
+mod motion;
+mod plan;
+mod search;
+
+use crate::real::Real;
+use crate::sampling::Sweep;
+use crate::state::Boundary;
+
+/// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
+///
+/// Jerk is piecewise constant, acceleration trapezoidal, velocity bell-shaped. Fields carry the book's symbols. For a move
+/// towards smaller positions (`p0 > p1`) the fields `vm`, `jm`, `am` and `dm` hold in the mirrored axis.
+///
+/// ```
+/// use atraj::{Bell, Boundary};
+/// let boundary = Boundary { p0: 0.0, p1: 10.0, v0: 1.0, v1: 0.0 };
+/// let bell = Bell::new(30.0, 10.0, 5.0, boundary).expect("the limits allow this move");
+/// assert!((bell.t - 2.71_f64).abs() < 1e-12);
+/// assert_eq!(bell.position(0.0), 0.0);
+/// assert_eq!(bell.velocity(bell.ta), 5.0);
+/// assert_eq!(bell.position(bell.t), 10.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Bell<R> {
+    /// Total duration, s.
+    pub t: R,
+    /// Duration of the constant-velocity (cruise) phase, s; 0 if there is none.
+    pub tv: R,
+    /// Duration of the acceleration phase, s.
+    pub ta: R,
+    /// Duration of the deceleration phase, s.
+    pub td: R,
+    /// Duration of each constant-jerk part of the acceleration phase, s.
+    pub taj: R,
+    /// Duration of each constant-jerk part of the deceleration phase, s.
+    pub tdj: R,
+    /// Initial position.
+    pub p0: R,
+    /// Final position.
+    pub p1: R,
+    /// Initial velocity, limited to the maximum velocity.
+    pub v0: R,
+    /// Final velocity, limited to the maximum velocity.
+    pub v1: R,
+    /// Highest velocity reached.
+    pub vm: R,
+    /// Jerk.
+    pub jm: R,
+    /// Highest acceleration reached.
+    pub am: R,
+    /// Highest deceleration reached, negative.
+    pub dm: R,
+}
+
+impl<R: Real> Bell<R> {
+    /// Plans a move within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
+    ///
+    /// Boundary velocities beyond `±velocity` are limited to it. `None` if no such move exists, if it would take no
+    /// time, or if a NaN among the arguments leaves its duration undefined.
+    pub fn new(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Option<Self> {
+        let mut bell = Self::default();
+        let duration = bell.plan(jerk, acceleration, velocity, boundary)?;
+        (duration > R::ZERO).then_some(bell)
+    }
+
+    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
+        Sweep { x0, dt }.states(|x| self.state(x))
+    }
+
+    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
+    /// bits of the single calls. Each output is filled to its own end and may be empty.
+    ///
+    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    ///
+    /// ```
+    /// use atraj::{Bell, Boundary};
+    /// let bell = Bell::new(30.0, 10.0, 5.0, Boundary::rest_to_rest(0.0, 10.0)).expect("the limits allow this move");
+    /// let (mut p, mut v) = ([0.0; 100], [0.0; 100]);
+    /// assert_eq!(bell.sample_into(0.5, 0.001, [&mut p, &mut v, &mut [], &mut []]), 100);
+    /// assert_eq!((p[7], v[7]), (bell.position(0.5 + 7.0 * 0.001), bell.velocity(0.5 + 7.0 * 0.001)));
+    /// ```
+    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
+        Sweep { x0, dt }.sample(self, outputs)
+    }
+
+    fn boundary(&self) -> Boundary<R> {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        Boundary { p0, p1, v0, v1 }
+    }
+}

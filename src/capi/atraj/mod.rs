@@ -1,0 +1,5 @@
+//! `atraj.h`: what liba does not have.
+
+mod sample;
+
+pub use sample::*;

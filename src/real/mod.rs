@@ -1,0 +1,221 @@
+//! The two real types of a profile and the operations that a profile needs.
+
+pub(crate) mod processor;
+#[cfg(unit_lacks_binary64)]
+mod soft;
+
+/// The type that carries a C `double` through the profiles. A Cortex-M unit that lacks binary64 leaves such numbers to the
+/// run-time library of the compiler.
+#[cfg(all(feature = "capi", not(feature = "float"), not(unit_lacks_binary64)))]
+pub(crate) type Double = f64;
+#[cfg(all(feature = "capi", not(feature = "float"), unit_lacks_binary64))]
+pub(crate) type Double = soft::Soft64;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use processor::keep_branch_on_bare_metal;
+
+/// IEEE-754 binary32 (`f32`) or binary64 (`f64`).
+///
+/// The trait is sealed: the bit-for-bit guarantee holds for these two types and no other.
+pub trait Real: Operations {}
+
+impl Real for f32 {}
+impl Real for f64 {}
+
+/// What the profiles compute with.
+pub trait Operations:
+    Copy
+    + Default
+    + PartialOrd
+    + From<u8>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    const ZERO: Self;
+    /// 1/16, exact.
+    const SIXTEENTH: Self;
+    /// 1/6, rounded once.
+    const SIXTH: Self;
+    /// 1/2, exact.
+    const HALF: Self;
+    const ONE: Self;
+    /// Distance from 1 to the next larger number: `2^-23` or `2^-52`.
+    const EPSILON: Self;
+    /// `64 EPSILON`, exact.
+    const DOUBT: Self;
+    /// `EPSILON^-4`, exact.
+    const HUGE: Self;
+    const INFINITY: Self;
+    const NAN: Self;
+    /// The processor divides, and takes a root, in one instruction.
+    const HAS_UNIT: bool;
+
+    /// The absolute value.
+    fn abs(self) -> Self;
+
+    /// The absolute value of `self` with the sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
+
+    /// The square root as the processor or the C library takes it, correctly rounded; NaN below zero.
+    fn plain_sqrt(self) -> Self;
+
+    /// `k` rounded once.
+    fn from_index(k: i32) -> Self;
+
+    /// `self` rounded towards zero and limited to the range of an `i32`; 0 for a NaN.
+    fn to_index(self) -> i32;
+
+    /// The square root, correctly rounded; NaN below zero.
+    ///
+    /// LLVM emits a bare instruction only if the argument cannot be negative. Any other root comes with a call for negative
+    /// arguments, and values have to be saved around the call.
+    fn sqrt(self) -> Self {
+        if processor::IS_BARE_METAL {
+            self.plain_sqrt()
+        } else if self < Self::ZERO {
+            Self::NAN
+        } else {
+            self.abs().plain_sqrt().copysign(self)
+        }
+    }
+
+    /// The absolute value, but `-0.0` stays `-0.0` and a NaN keeps its sign.
+    fn magnitude(self) -> Self {
+        self.negate_if(self < Self::ZERO)
+    }
+
+    /// `-self` if `negative` holds, else `self`.
+    fn negate_if(self, negative: bool) -> Self {
+        if negative {
+            keep_branch_on_bare_metal();
+            -self
+        } else {
+            self
+        }
+    }
+
+    /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`.
+    fn limit(self, most: Self) -> Self {
+        if self.abs() < most {
+            keep_branch_on_bare_metal();
+            self
+        } else if self > -most {
+            most
+        } else {
+            -most
+        }
+    }
+
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool {
+        self.abs() < Self::INFINITY
+    }
+}
+
+// Stable `core` has no square root yet. The root of the C library is correctly rounded, and the compiler knows the name: it emits
+// an instruction where the processor has one. An unstable `core` brings a root of its own.
+#[cfg(not(atraj_unstable_core))]
+#[allow(unsafe_code)]
+unsafe extern "C" {
+    safe fn sqrt(x: f64) -> f64;
+    safe fn sqrtf(x: f32) -> f32;
+}
+#[cfg(atraj_unstable_core)]
+use core::{f32::math::sqrt as sqrtf, f64::math::sqrt};
+
+impl Operations for f32 {
+    const ZERO: Self = 0.0;
+    const SIXTEENTH: Self = 0.0625;
+    const SIXTH: Self = 1.0 / 6.0;
+    const HALF: Self = 0.5;
+    const ONE: Self = 1.0;
+    const EPSILON: Self = f32::EPSILON;
+    const DOUBT: Self = 64.0 * f32::EPSILON;
+    const HUGE: Self = 1.0 / (f32::EPSILON * f32::EPSILON * f32::EPSILON * f32::EPSILON);
+    const INFINITY: Self = f32::INFINITY;
+    const NAN: Self = f32::NAN;
+    const HAS_UNIT: bool = processor::HAS_BINARY32_UNIT;
+
+    fn abs(self) -> Self {
+        f32::abs(self)
+    }
+
+    fn copysign(self, sign: Self) -> Self {
+        f32::copysign(self, sign)
+    }
+
+    fn plain_sqrt(self) -> Self {
+        sqrtf(self)
+    }
+
+    fn from_index(k: i32) -> Self {
+        k as Self
+    }
+
+    fn to_index(self) -> i32 {
+        self as i32
+    }
+}
+
+impl Operations for f64 {
+    const ZERO: Self = 0.0;
+    const SIXTEENTH: Self = 0.0625;
+    const SIXTH: Self = 1.0 / 6.0;
+    const HALF: Self = 0.5;
+    const ONE: Self = 1.0;
+    const EPSILON: Self = f64::EPSILON;
+    const DOUBT: Self = 64.0 * f64::EPSILON;
+    const HUGE: Self = 1.0 / (f64::EPSILON * f64::EPSILON * f64::EPSILON * f64::EPSILON);
+    const INFINITY: Self = f64::INFINITY;
+    const NAN: Self = f64::NAN;
+    const HAS_UNIT: bool = processor::HAS_BINARY64_UNIT;
+
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    fn copysign(self, sign: Self) -> Self {
+        f64::copysign(self, sign)
+    }
+
+    fn plain_sqrt(self) -> Self {
+        sqrt(self)
+    }
+
+    fn from_index(k: i32) -> Self {
+        k as Self
+    }
+
+    fn to_index(self) -> i32 {
+        self as i32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Operations;
+
+    macro_rules! roots_are_the_standard_librarys {
+        ($test:ident, $R:ident, $Bits:ident) => {
+            #[test]
+            fn $test() {
+                let special = [0.0, 1.0, $R::MIN_POSITIVE / 4.0, $R::INFINITY, $R::NAN];
+                let special = special.into_iter().flat_map(|x| [x, -x]);
+                // A step that shares no factor with the range visits every kind of exponent and significand.
+                let spread = (0..200_000)
+                    .map(|k| $R::from_bits((k as $Bits).wrapping_mul($Bits::MAX / 61 * 17)));
+                for x in special.chain(spread) {
+                    let (root, expected) = (Operations::sqrt(x), x.sqrt());
+                    let same =
+                        root.to_bits() == expected.to_bits() || root.is_nan() && expected.is_nan();
+                    assert!(same, "sqrt({x:e}) = {root:e}, not {expected:e}");
+                }
+            }
+        };
+    }
+    roots_are_the_standard_librarys!(roots_of_f32, f32, u32);
+    roots_are_the_standard_librarys!(roots_of_f64, f64, u64);
+}

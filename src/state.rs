@@ -1,0 +1,76 @@
+//! Where an axis is, and where a move starts and ends.
+
+use crate::real::Real;
+use crate::real::processor::keep_branch_on_bare_metal;
+
+/// Position, velocity and acceleration of an axis at one instant, all signed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State<R> {
+    /// Position.
+    pub position: R,
+    /// Velocity: positive towards larger positions.
+    pub velocity: R,
+    /// Acceleration: positive where the velocity grows.
+    pub acceleration: R,
+}
+
+/// Where a move starts and ends: position and velocity at both ends.
+///
+/// ```
+/// use atraj::Boundary;
+/// let there = Boundary { p0: 0.0, p1: 10.0, v0: 1.0, v1: 0.0 };
+/// let back = Boundary::rest_to_rest(10.0, 0.0);
+/// assert_eq!((there.p1, back.v0), (back.p0, there.v1));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Boundary<R> {
+    /// Position at the start.
+    pub p0: R,
+    /// Position at the end.
+    pub p1: R,
+    /// Velocity at the start, signed: positive towards larger positions.
+    pub v0: R,
+    /// Velocity at the end, signed: positive towards larger positions.
+    pub v1: R,
+}
+
+impl<R: Real> Boundary<R> {
+    /// A move that begins and ends at standstill.
+    pub fn rest_to_rest(p0: R, p1: R) -> Self {
+        Self {
+            p0,
+            p1,
+            v0: R::ZERO,
+            v1: R::ZERO,
+        }
+    }
+
+    /// The move with both velocities limited to `-vm … vm`.
+    pub(crate) fn limit_velocities(self, vm: R) -> Self {
+        Self {
+            v0: self.v0.limit(vm),
+            v1: self.v1.limit(vm),
+            ..self
+        }
+    }
+
+    /// Whether the move goes towards smaller positions.
+    pub(crate) fn is_backward(self) -> bool {
+        self.p0 > self.p1
+    }
+
+    /// The move in the axis that makes it go forward: mirrored if it is `backward`.
+    pub(crate) fn forward(self, backward: bool) -> Self {
+        if backward {
+            keep_branch_on_bare_metal();
+            Self {
+                p0: -self.p0,
+                p1: -self.p1,
+                v0: -self.v0,
+                v1: -self.v1,
+            }
+        } else {
+            self
+        }
+    }
+}
