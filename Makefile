@@ -44,7 +44,7 @@ BUILD := target/build$(VARIANT)
 INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
-include c_tests/firmware/target.mk
+include packaging/bare-metal.mk
 else
 CARGO_DIR := $(BUILD)
 PROFILE := release
