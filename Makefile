@@ -5,6 +5,7 @@
 #   make install                puts these under DESTDIR and PREFIX (/usr/local); `make uninstall` removes them
 #   make demo                   a servo program in C and a controller in C++ on that archive: parity with the golden data,
 #                               pictures in target/demo
+#   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake, cargo
 #   make doc                    the references for C and for Rust, in target/doc
 #   make check                  everything that proves the library
@@ -52,7 +53,7 @@ PROFILE := release
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 
-.PHONY: dist install uninstall demo consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist install uninstall demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
 dist: $(filter %.json,$(CARGO_TARGET))
@@ -117,6 +118,29 @@ else
 	@echo "SKIPPED: $(CXX) is missing, the controller in C++ is not shown"
 endif
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
+
+EXAMPLES := follow sample relink retarget
+EXAMPLES_OUT := target/examples
+EXAMPLE_FLAGS := -Wall -Wextra -Wpedantic -Werror -O2 -I$(DIST)/include -I$(DIST)/include/claraty
+
+# $(call example,NAME): the three languages must print the same lines. Each program prints into a file, because make would
+# not see the program fail in a pipe.
+define example
+$(CC) -std=c99 $(EXAMPLE_FLAGS) -o $(EXAMPLES_OUT)/$1-c examples/$1.c $(DIST)/lib/libatraj.a -lm
+$(EXAMPLES_OUT)/$1-c > $(EXAMPLES_OUT)/$1-c.txt
+$(CXX) -std=c++98 $(EXAMPLE_FLAGS) -o $(EXAMPLES_OUT)/$1-cpp examples/$1.cpp $(DIST)/lib/libatraj.a -lm
+$(EXAMPLES_OUT)/$1-cpp > $(EXAMPLES_OUT)/$1-cpp.txt
+$(CARGO) run --quiet --example $1 > $(EXAMPLES_OUT)/$1-rs.txt
+for language in c cpp rs; do diff -u examples/expected/$1.txt $(EXAMPLES_OUT)/$1-$$language.txt || exit 1; done
+@echo 'example $1: C, C++ and Rust print the expected lines'
+
+endef
+
+examples: dist
+	$(if $(VARIANT),$(error make examples runs on the default build: leave REAL, POLY and the levels out))
+	rm -rf $(EXAMPLES_OUT)
+	mkdir -p $(EXAMPLES_OUT)
+	$(foreach name,$(EXAMPLES),$(call example,$(name)))
 
 check:
 	$(CARGO) test
