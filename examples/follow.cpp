@@ -1,6 +1,6 @@
 /*
  Plans a move and follows it: 10 m from rest to rest, within a jerk of 30 m/s^3, an acceleration of 10 m/s^2 and a velocity
- of 5 m/s. A controller tells its drive every set-point; this program prints one in 250.
+ of 5 m/s. A controller tells its drive every setpoint; this program prints one in 250.
 
      make dist
      c++ -Itarget/dist/include examples/follow.cpp target/dist/lib/libatraj.a -lm -o follow

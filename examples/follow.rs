@@ -1,5 +1,5 @@
 //! Plans a move and follows it: 10 m from rest to rest, within a jerk of 30 m/s³, an acceleration of 10 m/s² and a velocity
-//! of 5 m/s. A controller tells its drive every set-point; this program prints one in 250.
+//! of 5 m/s. A controller tells its drive every setpoint; this program prints one in 250.
 //!
 //! ```sh
 //! cargo run --example follow

@@ -1,6 +1,6 @@
 /*
  Gives a moving axis a new target, behind it. The axis brakes, turns round and arrives at rest; its velocity never jumps.
- A controller asks for a set-point every millisecond; this program prints one in 500.
+ A controller asks for a setpoint every millisecond; this program prints one in 500.
 
      make dist
      c++ -Itarget/dist/include/claraty examples/retarget.cpp target/dist/lib/libatraj.a -lm -o retarget

@@ -1,5 +1,5 @@
 //! Gives a moving axis a new target, behind it. The axis brakes, turns round and arrives at rest; its velocity never jumps.
-//! A controller asks for a set-point every millisecond; this program prints one in 500.
+//! A controller asks for a setpoint every millisecond; this program prints one in 500.
 //!
 //! ```sh
 //! cargo run --example retarget
