@@ -1,23 +1,26 @@
-# Builds what a C program links, and proves it. Needs Rust, make and a C compiler.
+# Builds the archive that a C program links, and proves it. Needs Rust, make and a C compiler.
 #
 #   make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
-#   make install                puts these under DESTDIR and PREFIX (/usr/local); `make uninstall` removes them
-#   make demo                   a servo program in C and a controller in C++ on that archive: parity with the golden data,
-#                               pictures in target/demo
-#   make consumers              programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake, cargo
-#   make doc                    the references for C and for Rust, in target/doc
-#   make check                  everything that proves the library
-#   make soak                   a thousand million calls per real type against the original; SOAK_SEED=n goes on from seed n
-#   make bench                  times and instructions beside the original's: docs/performance.md
+#   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local);
+#                               `make uninstall` removes them
+#   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
+#                               data, pictures in target/demo
+#   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
+#   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
+#                               cargo
+#   make doc                    writes the references for C and for Rust, in target/doc
+#   make check                  runs everything that proves the library
+#   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
+#   make bench                  measures times and instructions beside the original's: docs/performance.md
 #   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
-#                               `make instructions-update` rewrites that
-#   make fuzz                   libFuzzer against the original, FUZZ_SECONDS for each family
-#   make firmware-setup         installs what the next two need, on Debian
-#   make firmware-check         links the bare-metal archives into firmware and runs it in QEMU
-#   make firmware-report        size and instructions beside the original's: docs/firmware.md
+#                               `make instructions-update` rewrites tests/instructions.txt
+#   make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family
+#   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian
+#   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
+#   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
 #
-# Build choices of the C ABI, each with a directory of its own (target/dist-float, target/dist-compact, …):
+# Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …):
 #   REAL=float             a_float is float instead of double
 #   POLY=compact           polynomial structs of liba since 2025-03
 #   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
@@ -44,17 +47,17 @@ BUILD := target/build$(VARIANT)
 INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
-include c_tests/firmware/target.mk
+include packaging/bare-metal.mk
 else
 CARGO_DIR := $(BUILD)
 PROFILE := release
-# A function is as fast wherever a linker puts it.
+# Aligned functions are equally fast wherever a linker puts them.
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 
-.PHONY: dist install uninstall demo consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist install uninstall demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
-# One object: whatever the linker of a user takes from the archive, it finds no other symbol than the documented ones.
+# The archive holds one object. So a user's linker finds the documented symbols in it and no others.
 dist: $(filter %.json,$(CARGO_TARGET))
 	mkdir -p $(BUILD)
 	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
@@ -79,7 +82,7 @@ endif
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
 	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
 
-# Builds only what was never built, so that `sudo make install` needs no Rust.
+# Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
 $(DIST)/lib/libatraj.a:
 	$(MAKE) dist
 
@@ -101,8 +104,8 @@ doc:
 
 DEMO := target/demo
 
-# What a user of liba does: compile a servo program against the headers, link the archive, run moves. Likewise one of
-# CLARAty with a controller.
+# Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Then does the
+# steps of a CLARAty user, with a controller.
 demo: dist
 	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
 	rm -rf $(DEMO)
@@ -118,6 +121,29 @@ else
 endif
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
+EXAMPLES := follow sample relink retarget
+EXAMPLES_OUT := target/examples
+EXAMPLE_FLAGS := -Wall -Wextra -Wpedantic -Werror -O2 -I$(DIST)/include -I$(DIST)/include/claraty
+
+# $(call example,NAME): the three languages must print the same lines. Each program prints into a file, because make would
+# not see the program fail in a pipe.
+define example
+$(CC) -std=c99 $(EXAMPLE_FLAGS) -o $(EXAMPLES_OUT)/$1-c examples/$1.c $(DIST)/lib/libatraj.a -lm
+$(EXAMPLES_OUT)/$1-c > $(EXAMPLES_OUT)/$1-c.txt
+$(CXX) -std=c++98 $(EXAMPLE_FLAGS) -o $(EXAMPLES_OUT)/$1-cpp examples/$1.cpp $(DIST)/lib/libatraj.a -lm
+$(EXAMPLES_OUT)/$1-cpp > $(EXAMPLES_OUT)/$1-cpp.txt
+$(CARGO) run --quiet --example $1 > $(EXAMPLES_OUT)/$1-rs.txt
+for language in c cpp rs; do diff -u examples/expected/$1.txt $(EXAMPLES_OUT)/$1-$$language.txt || exit 1; done
+@echo 'example $1: C, C++ and Rust print the expected lines'
+
+endef
+
+examples: dist
+	$(if $(VARIANT),$(error make examples runs on the default build: leave REAL, POLY and the levels out))
+	rm -rf $(EXAMPLES_OUT)
+	mkdir -p $(EXAMPLES_OUT)
+	$(foreach name,$(EXAMPLES),$(call example,$(name)))
+
 check:
 	$(CARGO) test
 
@@ -125,12 +151,12 @@ ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
 SOAK_SEED ?= 0
 SOAK_SEEDS ?= 1000
 
-# Every seed stands for a million calls per real type.
+# A seed stands for a million calls per real type.
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
 	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS)
 
-# With the settings of the archive.
+# The benchmark is compiled with the archive's settings, or it would measure other code.
 BENCH := $(CARGO) run --quiet --profile bench $(ORACLE) --bin bench
 bench instructions instructions-update: export RUSTFLAGS := $(RUSTC_FLAGS)
 

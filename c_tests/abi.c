@@ -1,6 +1,6 @@
 /*
- What a C program may rely on beside the numbers: the layout of the structs, the prelude's names, the answers to NULL
- and to an infinite acceleration. Fails at compile time or returns the line of the first broken promise.
+ Tests the promises to a C program other than numbers: the layout of the structs, the prelude's names, the answers to NULL
+ and to an infinite acceleration. A broken layout fails to compile; any other broken promise is printed with its line.
 */
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
@@ -127,7 +127,7 @@ static int null_arrays(void)
     a_trajpoly7_c2(A_NULL, c);
     PROMISE(memcmp(c, poly.c, sizeof(c)) == 0);
     a_trajpoly7_c3(&poly, A_NULL);
-    /* the array may lie inside the context */
+    /* The array may lie inside the context. */
     a_trajpoly7_c1(&poly, c);
     a_trajpoly7_c1(&poly, poly.c);
     PROMISE(memcmp(c, poly.c, 7 * sizeof(a_float)) == 0);
@@ -152,7 +152,7 @@ static int null_arrays(void)
 }
 #endif
 
-/* The original never returns from these. */
+/* The original never returns from the failing plans; a controller must not hang. */
 static int infinite_acceleration(void)
 {
     a_trajbell bell;

@@ -1,7 +1,8 @@
 /*
- CLARAty's trapezoid through the C handle: the golden scripts bit for bit, and what the header promises beside them.
+ Tests CLARAty's trapezoid through the C handle: replays the golden scripts bit for bit and checks the header's promises.
  usage: claraty DIRECTORY
- Prints a line `what rows differing` for each replay; fails on a difference, or with the line of a broken promise.
+ Prints a line `what rows differing` for each replay, and the line of each broken promise. Fails on either a difference or a
+ broken promise.
 */
 #include "claraty/trapezoid.h"
 #include "table.h"
@@ -40,7 +41,7 @@ static int broken;
         broken = 1; \
     }
 
-/* On the manual clock, in corrected mode. */
+/* A new axis on the manual clock, in corrected mode. */
 static axis manual(void)
 {
     axis x;
@@ -80,7 +81,7 @@ static void null_pointers(void)
     PROMISE(claraty_trapezoid_get_profile(&x, NULL) == CLARATY_OK);
 }
 
-/* Whether two axes are on the same motion, and would set off to the same next one. */
+/* Whether two axes are in the same motion and would start the same next motion. */
 static int alike(axis x, axis y)
 {
     int same = claraty_trapezoid_elapsed(&x) == claraty_trapezoid_elapsed(&y)
@@ -167,7 +168,7 @@ static void getters(void)
     PROMISE(claraty_trapezoid_is_started(&x) == 0);
 }
 
-/* Two axes in turn, and a copy of one in mid-motion, against each alone. */
+/* Two axes take turns; one is copied in mid-motion. Neither the other axis nor the copy may change a motion. */
 static void many_axes(void)
 {
     axis x = manual(), y = manual(), alone = manual(), copy;
@@ -223,7 +224,7 @@ static void waypoints(void)
         from = p[i];
     }
     PROMISE(claraty_trapezoid_duration(&x) == sum);
-    /* After the next set the arrays are the caller's again. */
+    /* After the next set the library no longer reads the arrays. */
     claraty_trapezoid_advance_timer_by(&x, 0.5);
     PROMISE(claraty_trapezoid_set(&x, 0, 1, 2, 2) == CLARATY_OK);
     p[0] = p[1] = p[2] = NAN;

@@ -1,4 +1,4 @@
-// CLARAty's trapezoid through the C++ class: the golden scripts bit for bit, and the original's members.
+// Tests CLARAty's trapezoid through the C++ class: replays the golden scripts bit for bit and checks the original's members.
 // usage: claraty DIRECTORY
 #include "table.h"
 #include <trapezoidal_trajectory.h>
@@ -53,7 +53,7 @@ void promise(bool kept, int line, const char *what)
 }
 #define PROMISE(condition) promise(condition, __LINE__, #condition)
 
-// As CLARAty's own: get_size() instead of size().
+// CLARAty's own vector has get_size() instead of size().
 class Vector
 {
 public:
@@ -66,7 +66,7 @@ private:
     double _element[8];
 };
 
-// Every second element of an array: not side by side.
+// Takes every second element of an array, so its elements do not lie side by side.
 class Strided
 {
 public:
@@ -125,7 +125,7 @@ void along(V p, V v, V a)
     same.set(p, 1, 2);
     each.start();
     same.start();
-    // 2 + 3 + 5 units of length at 1 unit/s, and half a second more for each leg
+    // The legs are 2, 3 and 5 units long, at 1 unit/s; each takes half a second more to speed up and brake.
     PROMISE(claraty_trapezoid_duration(each.handle()) == 11.5);
     for (double t = 0; t < 12; t += 0.1) { PROMISE(each.get_position(t) == same.get_position(t)); }
     PROMISE(each.get_position(2.5) == 2 && each.get_position(6) == -1 && each.get_position(0) == 0);
@@ -188,7 +188,7 @@ void warnings()
 int main(int argc, char **argv)
 {
     if (argc != 2) { return 2; }
-    std::cerr.rdbuf(0); // the listing warns of its own motions
+    std::cerr.rdbuf(0); // silent, because the listing's motions give warnings
     bool same = replay_listing(argv[1], "listing-on-a-clock", 0) != 0;
     same &= replay_listing(argv[1], "listing-advanced", 1) != 0;
     members();

@@ -1,11 +1,12 @@
 /*
- Replays the scripts of the published listing, for the program that says before what an axis is:
+ Replays the scripts of the published listing. The program that includes this file includes "table.h" and <stdint.h> before
+ and defines an axis:
      axis                                             its type
-     axis_init(axis *, claraty_clock, void *user)     new, in listing mode, on this clock
+     axis_init(axis *, claraty_clock, void *user)     makes it new, in listing mode, on this clock
      axis_set axis_start axis_stop axis_reset axis_advance axis_is_started
      axis_get(axis *, double out[3]), axis_get_at(axis *, double time, double out[3])
      axis_profile(const axis *, claraty_profile *)
- and includes "table.h" and <stdint.h>. axis_start and axis_stop return the warnings, or -1 where an axis does not tell.
+ axis_start and axis_stop return the warnings, or -1 if the axis cannot return them.
 */
 
 enum { SCRIPTS = 270, COLUMNS = 21, PROFILE = 6, TYPE = 15, STARTED = 16, WARNINGS = 17, SETPOINT = 18 };
@@ -42,7 +43,8 @@ static int number_differs(const struct table *table, int column, int got)
 
 static double clock_of(void *user) { return *(const double *)user; }
 
-/* Plays the operation of a row; a clock that stands still is advanced. Whether something differs from the row. */
+/* Plays the operation of a row. `advance` moves the axis's timer if its clock stands still, else it moves the clock. Returns
+   whether something differs from the row. */
 static int play(axis *x, const struct table *table, double *now, int stands_still)
 {
     const char *const op = table->cells[1];
@@ -79,7 +81,7 @@ static int play(axis *x, const struct table *table, double *now, int stands_stil
     return bad | number_differs(table, STARTED, axis_is_started(x));
 }
 
-/* Prints `how rows differing`; whether all 270 scripts were there and nothing differs. */
+/* Prints `how rows differing`. Returns whether all 270 scripts were there and nothing differs. */
 static int replay_listing(const char *directory, const char *how, int stands_still)
 {
     struct table table = open_golden(directory, "claraty_listing_f64.csv");

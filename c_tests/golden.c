@@ -1,9 +1,9 @@
 /*
  Replays every golden row of liba through the C ABI and compares bits.
  usage: golden DIRECTORY
- Prints a line `function rows differing` for each function; fails on a difference, or on a file without rows.
+ Prints a line `function rows differing` for each function. Fails on a difference, or on a file without rows.
 
- With LIBA_HEADERS it keeps to what liba's own headers declare.
+ With LIBA_HEADERS it calls only the functions that liba's own headers declare.
 */
 #if defined(LIBA_HEADERS)
 #include "a/trajbell.h"
@@ -52,7 +52,7 @@ static struct table open_table(const char *directory, const char *family)
     return open_golden(directory, name);
 }
 
-/* The move that an evaluation row belongs to. */
+/* The number of the move that an evaluation row belongs to. */
 static int move_of(const struct table *table, int moves)
 {
     int move = atoi(table->cells[0]);
@@ -70,7 +70,7 @@ static void reals(const struct table *table, int first, int count, a_float *out)
     for (i = 0; i < count; ++i) { out[i] = real_of(table->cells[first + i]); }
 }
 
-/* Whether `count` values have the golden bits; prints those that have not. */
+/* Whether some of `count` values differ from the golden bits. Prints each value that differs. */
 static int differs(const struct table *table, const char *function, int first, const a_float *got, int count)
 {
     int i, bad = 0;
@@ -117,7 +117,7 @@ static void replay(const char *directory, const char *family, const char *functi
 #define REPLAY_TOGETHER(family, quantities, contexts, moves)
 #else
 
-/* Checks all columns of an evaluation table with the function `evaluate`, which finds them together. */
+/* Checks all columns of an evaluation table with the function `evaluate`, which computes them together. */
 static void replay_together(const char *directory, const char *family, const char *function, int quantities,
                             void (*evaluate)(const void *ctx, a_float x, a_float *out), const void *contexts,
                             a_size size, int moves)
@@ -135,7 +135,7 @@ static void replay_together(const char *directory, const char *family, const cha
     report(function, rows, differing);
 }
 
-/* The state, and the last of seven samples: any time plus -0 is that time. */
+/* Evaluate by the state and by the last of seven samples. The step is -0, because every time plus -0 is the same time. */
 #define TOGETHER3(family) \
     static void family##_state(const void *ctx, a_float x, a_float *y) \
     { \
@@ -223,9 +223,9 @@ static void trap(const char *directory)
 }
 
 /*
- A polynomial family: `arguments` of gen, then the coefficients of `orders` derivatives, of which `levels` exist in this
- build; the highest power of position is `degree`. `coefficients` writes those of one order by the function that exists
- for it alone.
+ A polynomial family. A golden row has the `arguments` of gen, then the coefficients of `orders` derivatives; `levels` of these
+ exist in this build. The highest power of position is `degree`. `coefficients` writes the coefficients of one order, by the
+ function for this order alone.
 */
 struct poly {
     int degree, arguments, orders, levels;
@@ -239,7 +239,7 @@ static const char part[] = "c";
 static const char part[] = "gen";
 #endif
 
-/* Checks gen on all moves and then each array; leaves the moves planned and returns how many there are. */
+/* Checks gen on all moves, then each array. Leaves the moves planned and returns their number. */
 static int poly(const char *directory, const struct poly *poly, void *moves, a_size size)
 {
     char family[16], function[32];
@@ -276,7 +276,7 @@ static int poly(const char *directory, const struct poly *poly, void *moves, a_s
     return moves_read;
 }
 
-/* The coefficients of one order by the function that exists for it alone; an array it must fill is poisoned before. */
+/* Write the coefficients of one order, by the function for this order alone. The array that it must fill is poisoned before. */
 #if defined(A_TRAJPOLY_COMPACT)
 #define FIRST(n, array, arguments) \
     a_trajpoly##n##_gen arguments; \

@@ -1,4 +1,4 @@
-// The C++ side of the headers: methods in the structs, default arguments, const, the namespace.
+// Tests the C++ side of the headers: methods in the structs, default arguments, const, the namespace.
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
 #include "a/trajpoly5.h"

@@ -1,7 +1,7 @@
 /*
- Sweeps through the C ABI against the single functions: every combination of NULL outputs, lengths from 0 on, outputs
- anywhere in memory that the type allows, times that are not finite or go backwards, a NULL context.
- Fails with the line of the first broken promise.
+ Compares sweeps through the C ABI with the single functions: every combination of NULL outputs, lengths from 0 on, outputs
+ at any alignment that the type allows, times that are not finite or go backwards, a NULL context.
+ Prints the line of the first broken promise and fails.
 */
 #include "atraj.h"
 #include <math.h>
@@ -19,7 +19,7 @@
 
 enum { MOST = 150, QUANTITIES = 4 };
 
-/* A family seen through untyped contexts: `single` is 0 for a quantity that it, or this build, has no function for. */
+/* A family through untyped contexts. `single` is 0 if the family, or this build, has no function for the quantity. */
 struct family {
     int quantities;
     a_size (*sample)(const void *ctx, a_float x0, a_float dt, a_size n, a_float *const *out);
@@ -29,7 +29,7 @@ struct family {
 
 static int same(a_float x, a_float y) { return memcmp(&x, &y, sizeof(x)) == 0 || (isnan(x) && isnan(y)); }
 
-/* One sweep into the outputs whose bit is set in `wanted`, each beginning `offset` elements into its memory. */
+/* One sweep into the outputs whose bit is set in `wanted`. Each output begins `offset` elements into its memory. */
 static int sweep(const struct family *family, const void *ctx, a_float x0, a_float dt, a_size n, int wanted, int offset)
 {
     static a_float memory[QUANTITIES][MOST + 8];
@@ -156,7 +156,7 @@ static int trap(void)
     return null_context(&family) || sweeps(&family, &ctx, t);
 }
 
-/* The single functions that exist at this level. */
+/* The single functions of this build's levels. */
 SINGLE(a_trajpoly3_pos)
 SINGLE(a_trajpoly5_pos)
 SINGLE(a_trajpoly7_pos)

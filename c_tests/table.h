@@ -1,11 +1,11 @@
-/* Reads golden files, for programs in C and C++. A file that is missing, empty or of another form ends the program. */
+/* Reads golden files, in C and C++. Ends the program if a file is missing, empty or of another form. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { MAX_CELLS = 64, MAX_LINE = 2048 };
 
-/* One open golden file and the row read last. */
+/* An open golden file and its last row read. */
 struct table {
     FILE *file;
     char name[64];

@@ -1,6 +1,6 @@
 /*
- A 1 kHz controller of one axis, as CLARAty's users write it: a move, a new target in mid-motion, a feed hold and the way
- on. Prints what the drive is told, in the form `servo.c` prints it and `plot.rs` draws it.
+ A 1 kHz controller of one axis, in the style of CLARAty's users: a move, a new target in mid-motion, a feed hold, and the
+ rest of the way. It prints the setpoints for the drive in the form of `servo.c`, and `plot.rs` draws them.
 */
 #include <trapezoidal_trajectory.h>
 
@@ -18,14 +18,14 @@ class Axis
 public:
     Axis() : _ticks(0), _begun(0), _origin(0), _position(0)
     {
-        // One period a tick, so that every run is the same; a real controller leaves the clock of the system in place.
+        // The manual clock moves one period per tick, so every run is the same. A real controller keeps the system's clock.
         claraty_trapezoid_set_clock(_trajectory.handle(), 0, 0);
     }
 
     void go_to(double position)
     {
         print_phases();
-        // A trajectory counts from where it sets off at rest; one under way goes on counting.
+        // Positions count from the place where the trajectory started from rest. A retarget in motion keeps that origin.
         if (!_trajectory.is_started()) { _origin = _position; }
         _trajectory.set(position - _origin, VELOCITY, ACCEL, DECEL);
         _trajectory.start();
@@ -37,7 +37,7 @@ public:
         _trajectory.stop();
     }
 
-    // One control period: tells the drive its setpoint. Whether the motion goes on.
+    // One control period: prints the setpoint and returns whether the motion goes on.
     bool tick()
     {
         double position, velocity, accel;
@@ -49,7 +49,7 @@ public:
         return _trajectory.is_started();
     }
 
-    // Of the motion since the last command.
+    // Prints the phases of the motion since the last command.
     void print_phases()
     {
         claraty_profile p;

@@ -1,5 +1,5 @@
-//! Is what a C program computes through the archive bit for bit the golden data? `parity SERVO` replays every golden row
-//! of the double-S, the trapezoid and the septic polynomial through the program made of `servo.c` and prints a table.
+//! Does a C program that links the archive compute the golden data bit for bit? `parity SERVO` replays every golden row of
+//! the double-S, the trapezoid and the septic polynomial through the program built from `servo.c` and prints a table.
 
 use std::env;
 use std::fmt::Write;
@@ -83,7 +83,7 @@ impl Parity {
         }
     }
 
-    /// Compares what the servo answered to one golden row.
+    /// Compares the servo's answer with one golden row.
     fn check(&mut self, place: &str, answer: &[f64], golden: &[f64]) {
         assert_eq!(answer.len(), golden.len(), "{place}: numbers in the answer");
         self.rows += 1;
@@ -143,7 +143,7 @@ fn replay(servo: &Path, profile: &Profile) -> Vec<Parity> {
     parities
 }
 
-/// The file the servo reads, and the golden row behind each of its answers.
+/// The requests for the servo, and the golden row behind each answer.
 fn requests<'a>(
     profile: &Profile,
     plans: &'a [Row<f64>],
@@ -167,7 +167,7 @@ fn requests<'a>(
     (requests, asked)
 }
 
-/// What the servo answers: the word of each `plan` and `at` line and its numbers.
+/// The servo's answers: the first word of each `plan` and `at` line, and its numbers.
 fn answers(servo: &Path, name: &str, requests: &str) -> Vec<(String, Vec<f64>)> {
     let file = servo.with_file_name(format!("golden-{name}.txt"));
     fs::write(&file, requests).unwrap_or_else(|e| panic!("{}: {e}", file.display()));

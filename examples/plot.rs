@@ -1,13 +1,13 @@
-//! Draws motion profiles: `plot DIRECTORY` reads moves from standard input, in the form `servo.c` prints them, and writes
-//! one SVG each, with position, velocity, acceleration and, where there is one, jerk over time.
+//! Draws motion profiles. `plot DIRECTORY` reads moves from standard input, in the form of `servo.c`'s output, and writes one
+//! SVG for each move. The SVG shows position, velocity, acceleration and, if given, jerk over time.
 //!
 //! ```text
-//! move TITLE                 a new picture; what follows ": " in the title becomes its second line
+//! move TITLE                 a new picture; the text after ": " in the title becomes its second line
 //! phase FROM TO NAME         shaded by name, between border lines
-//! at x pos vel acc [jer]     a set-point at time x
+//! at x pos vel acc [jer]     a setpoint at time x
 //! ```
 //!
-//! Other lines are passed over.
+//! Other lines are ignored.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -35,7 +35,7 @@ const OTHER_SHADE: RGBColor = RGBColor(250, 244, 214);
 const INK: RGBColor = RGBColor(40, 44, 52);
 const FAINT: RGBColor = RGBColor(120, 126, 136);
 
-// The backend rounds coordinates to whole units, so a picture has four of them to the pixel: curves stay smooth.
+// The backend rounds coordinates to whole units. Four units per pixel keep curves smooth.
 const UNITS: u32 = 4;
 const WIDTH: u32 = 900 * UNITS;
 const HEADING: u32 = 75 * UNITS;
@@ -130,17 +130,17 @@ impl Move {
         words.join("-") + ".svg"
     }
 
-    /// How many of [`QUANTITIES`] every set-point has.
+    /// How many of [`QUANTITIES`] every setpoint has.
     fn quantities(&self) -> Result<usize, Box<dyn Error>> {
         let quantities = self.points.first().map_or(0, |point| point.len() - 1);
         if !(1..=QUANTITIES.len()).contains(&quantities) {
-            return Err("no set-points to draw".into());
+            return Err("no setpoints to draw".into());
         }
         if self.points.iter().any(|p| p.len() != 1 + quantities) {
-            return Err("set-points of different length".into());
+            return Err("setpoints of different length".into());
         }
         if self.points.iter().flatten().any(|value| !value.is_finite()) {
-            return Err("a set-point that is not finite".into());
+            return Err("a setpoint that is not finite".into());
         }
         Ok(quantities)
     }
@@ -287,7 +287,7 @@ fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
     })
 }
 
-/// Room above and below a curve, also below one that is level.
+/// Adds room above and below a curve, also if the curve is level.
 fn with_margin(span: Range<f64>) -> Range<f64> {
     let margin = match span.end - span.start {
         0.0 => 1.0,

@@ -1,17 +1,17 @@
 /*
- A servo program as liba's users write them: plans the moves of a file and prints what the drive would be told.
+ A servo program in the style of liba's users. It plans the moves of a file and prints every setpoint for the drive.
 
      servo moves.txt
 
- One request a line; text after # is the title of the move.
+ Each line is one request; the text after # is the title of the move.
      bell  jm am vm p0 p1 v0 v1          plan a double-S
      trap  vm ac de p0 p1 v0 v1          plan a trapezoid
      poly7 ts p0 p1 v0 v1 a0 a1 j0 j1    plan a septic polynomial
-     at x                                one set-point of the last plan, x seconds after its start
-     every dt                            its set-points from start to end, dt seconds apart
- The answer, all numbers in as many digits as bring the same bits back:
+     at x                                print one setpoint of the last plan, x seconds after its start
+     every dt                            print its setpoints from start to end, dt seconds apart
+ The answer has these lines. Numbers have so many digits that reading them gives the same bits.
      move TITLE
-     plan ...                            what the planner returned and wrote, in the order of its struct
+     plan ...                            the planner's result and struct, in the order of the struct
      phase FROM TO NAME
      at x pos vel acc [jer]
 */
@@ -138,7 +138,7 @@ static a_size read_numbers(char *text, a_float *number, a_size room)
     return text[strspn(text, " \t")] == '\0' ? count : 0;
 }
 
-/* Cuts the title off the request. */
+/* Cuts the title off the request and returns it. */
 static char const *title_of(char *request)
 {
     request[strcspn(request, "\r\n")] = '\0';

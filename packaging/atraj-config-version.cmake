@@ -1,4 +1,4 @@
-# A later version will do as long as the first number, which is also the soname's, is the same.
+# A later version is compatible if its first number is the same, because the soname has only the first number.
 
 set(PACKAGE_VERSION "@VERSION@")
 string(REGEX MATCH "^[0-9]+" _atraj_major "${PACKAGE_VERSION}")

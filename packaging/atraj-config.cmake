@@ -1,4 +1,4 @@
-# Targets: atraj::atraj, the shared library, where there is one (not on bare metal), and atraj::static, the archive.
+# Targets: atraj::static is the archive; atraj::atraj is the shared library, which bare metal does not have.
 
 if(TARGET atraj::static)
     return()

@@ -5,12 +5,13 @@ set -eu
 cat <<'END'
 # Performance
 
-Written by `make bench`: this library and the original (liba 0.1.15, compiled by gcc at `-O2` and at `-O3` with
-`-ffp-contract=off`), all called through the C ABI, in one process, in turns over the same memory, each from a loop of its own
-that begins a cache line. Nanoseconds and ratios are the medians of 99 rounds in which each has a turn; a ratio above 1 means
-that ours is faster. Only ratios carry over to another machine. "Warm" is 4,096 moves, "cold" 262,144, whose structs fit in no
-cache; a sweep is over the times of one move. Instructions are counted by callgrind. `atraj_bell_sample` and `atraj_bell_state`
-find all four quantities, into arrays that begin at cache lines, and are compared with four calls of the original, per sample.
+`make bench` writes this page. It compares this library with the original (liba 0.1.15, compiled by gcc with `-ffp-contract=off`,
+once at `-O2` and once at `-O3`). One process calls all three through the C ABI, in turns and over the same memory. Each has a loop
+of its own, which begins a cache line. Nanoseconds and ratios are the medians of 99 rounds; in each round every library has a turn.
+If a ratio is above 1, ours is faster. Only ratios carry over to another machine. "Warm" means 4,096 moves, "cold" means 262,144 moves,
+whose structs fit in no cache. A sweep goes over the times of one move. callgrind counts the instructions. `atraj_bell_sample` and
+`atraj_bell_state` compute all four quantities, into arrays that begin at cache lines. They are compared, per sample, with four calls
+of the original.
 END
 printf '\nMeasured on %s with %s; %s.\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
     "$(rustc --version)" "$(cc --version | head -1)"
@@ -34,8 +35,8 @@ $BENCH --features float
 same_evaluations 4
 cat <<'END'
 
-Of the original's evaluations gcc makes the same instructions at `-O2` and at `-O3`, which this page's script has compared: where
-these columns differ, it is by nothing but the places in memory that the linker gave them.
+gcc compiles the original's evaluations to the same instructions at `-O2` and at `-O3`; the script of this page has compared them.
+Where these columns differ, the only cause is the place in memory that the linker gave each function.
 END
 printf '\n## Sampling, compiled for the processor of this machine (`target-cpu=native`)\n\nbinary64, then binary32.\n\n'
 export RUSTFLAGS="$RUSTFLAGS -C target-cpu=native"

@@ -1,5 +1,5 @@
-/* Counts executed instructions and stack bytes of every function on an mps2 board: QEMU's -icount makes its timer tick by
- * the instruction, so the numbers are exact and repeatable. They are instructions, not cycles.
+/* Counts executed instructions and stack bytes of every function on an mps2 board. QEMU's -icount ties the board's timer to
+ * the instructions, so the numbers are exact and repeatable. They are instructions, not cycles.
  *
  * Prints lines "function case number". */
 #include <math.h>
@@ -21,7 +21,7 @@ static uint32_t instructions(uint32_t ticks)
     return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024);
 }
 
-/* Every function is called as this, so that a call costs the same whatever is behind it. */
+/* Every function is called through this one type, so every call costs the same. */
 typedef a_float function(void *ctx, a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float);
 typedef struct { uint32_t instructions, stack; } cost;
 
@@ -46,7 +46,7 @@ static cost measure(void (*f)(void), void *ctx, const a_float *arguments)
 {
     uint32_t const overhead = call((function *)stub, ctx, arguments).instructions;
     cost c = call((function *)f, ctx, arguments);
-    c.instructions -= overhead - 1; /* the return counts as the function's */
+    c.instructions -= overhead - 1; /* the return instruction belongs to the function */
     return c;
 }
 
@@ -110,7 +110,7 @@ static void bell(void)
     sweep_bell("backward-", ctx);
 }
 
-/* The most expensive plans: the longest search there is, in which no trial fits, and the worst of the golden moves. */
+/* The most expensive plans: the longest possible search, in which no trial fits, and the worst golden move. */
 static void worst_bell(void)
 {
     a_trajbell longest;

@@ -1,9 +1,9 @@
 #!/bin/sh
-# figures.sh LIBRARY: prints "family size bytes" of a library's families of functions, "function size bytes" of its
-# functions, and "image size bytes" of all of it linked with what it needs from the C toolchain. CC is the compiler.
+# figures.sh LIBRARY: prints "family size bytes" for each family of functions, "function size bytes" for each function, and
+# "image size bytes" for the whole library linked with the C toolchain's libraries. CC is the compiler.
 set -eu
 library=$1
-api=$(grep ^a_ ../../tests/symbols.txt) # the original has no more
+api=$(grep ^a_ ../../tests/symbols.txt) # the original has only these
 object=$(mktemp)
 trap 'rm -f "$object"' EXIT
 text() { arm-none-eabi-size "$object" | awk 'NR == 2 { print $1 }'; }

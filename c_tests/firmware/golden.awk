@@ -1,5 +1,5 @@
 # Turns golden CSV files into C tables of bit patterns: awk -v stride=N -f golden.awk FILES > golden_rows.h
-# Every stride-th case is taken, so that a small flash holds the tables. A row is its case number, then the numbers.
+# It takes every stride-th case, so the tables fit into a small flash. A row begins with its case number.
 BEGIN { FS = ","; print "/* Every case whose number is a multiple of " stride ". */" }
 FNR == 1 {
     if (NR > 1) { print "};" }

@@ -1,4 +1,4 @@
-/* The golden tables as bit patterns of the real type of this build. */
+/* The golden tables, as bit patterns of this build's real type. */
 #ifndef GOLDEN_H
 #define GOLDEN_H
 

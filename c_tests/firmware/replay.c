@@ -1,4 +1,4 @@
-/* Replays golden rows on the target: every number must have the bits of the original, or both be NaN. */
+/* Replays golden rows on the target. Every number must have the original's bits, or both must be NaN. */
 #include <stddef.h>
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
@@ -36,7 +36,7 @@ static void compare(const char *what, const real *row, size_t column, size_t cou
     ++rows;
 }
 
-/* The rows of `table` about the case of `row`: they stand in the order of the cases. */
+/* Visits the rows of `table` with the case of `row`. `next` goes on from case to case, because tables are in order of cases. */
 #define EACH(e, table, next, row) \
     for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
 
@@ -133,7 +133,7 @@ static size_t replay_poly7(void)
 }
 
 #if defined(NEIGHBOUR)
-/* Another Rust library in the same image: how many of `count` doubles lie below their mean. */
+/* From another Rust library in the same image: how many of `count` doubles lie below their mean. */
 uint32_t neighbour_below_mean(const double *values, uint32_t count);
 
 static int neighbour_works(void)

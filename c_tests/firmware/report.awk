@@ -1,5 +1,5 @@
 # Turns the figures of CORE-REAL-IMPLEMENTATION.figures into the tables of docs/firmware.md.
-# A limit not kept is bold: size against the original's -Os, instructions against its -O2.
+# A figure over its limit is bold. The limit of a size is the original's -Os; the limit of instructions is its -O2.
 
 FNR == 1 {
     split(FILENAME, part, "/")

@@ -1,4 +1,4 @@
-/* Semihosting: how firmware under QEMU prints and ends. */
+/* Semihosting lets firmware under QEMU print and exit. */
 #ifndef SEMIHOST_H
 #define SEMIHOST_H
 

@@ -1,4 +1,4 @@
-/* Reset of a Cortex-M: memory as C expects it, the floating-point unit on, then main. */
+/* Reset of a Cortex-M: prepares the memory for C, turns the floating-point unit on, then calls main. */
 #include <stdint.h>
 #include "semihost.h"
 

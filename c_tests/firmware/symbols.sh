@@ -1,7 +1,10 @@
 #!/bin/sh
-# symbols.sh ARCHIVE API: fails unless the archive gives the linker the functions listed in API and no other symbol, needs
-# only what every C toolchain has, cannot panic, and carries no unwind tables. Only what liba does not have, CLARAty
-# and atraj.h, copies enough at once to need the memory functions.
+# symbols.sh ARCHIVE API: fails unless the archive
+#   - gives the linker the functions listed in API and no other symbol,
+#   - needs only symbols that every C toolchain has,
+#   - cannot panic,
+#   - has no unwind tables,
+#   - needs the memory functions only in CLARAty and atraj.h, which copy enough at once. liba's functions must not need them.
 set -eu
 archive=$1 api=$2
 symbols=$(readelf -Ws "$archive" | awk '$4 != "FILE" && $8 != "" && $7 != "Ndx" { print $5, ($7 == "UND" ? "U" : "D"), $8 }')

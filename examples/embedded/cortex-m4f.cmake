@@ -1,4 +1,4 @@
-# Toolchain file: Cortex-M4F, the C compiler that Arm ships.
+# Toolchain file for a Cortex-M4F and Arm's C compiler.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)

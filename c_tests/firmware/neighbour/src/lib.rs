@@ -1,4 +1,5 @@
-//! Stands for any other Rust library in a firmware: it brings its own panic handler and compiler-builtins.
+//! Stands for any other Rust library in a firmware. It brings its own panic handler and compiler-builtins, which must not
+//! clash with ours.
 #![no_std]
 
 /// How many of `count` values lie below their mean.

@@ -1,13 +1,14 @@
-# How to compile for the bare-metal TARGET: included by the top Makefile for `make dist TARGET=…` and by this directory's.
+# How to compile for the bare-metal TARGET. The top Makefile includes this file for `make dist TARGET=…`; the Makefile of
+# c_tests/firmware includes it too.
 
 PROFILE := firmware
 RUSTC_FLAGS := -C force-unwind-tables=no
 CARGO_TARGET := --target $(TARGET)
-# Both real types in one directory: Debian's way compiles `core` into it, which takes longest.
+# Both real types share this directory: Debian's Rust compiles `core` into it, and compiling `core` takes longest.
 CARGO_DIR := target/build-$(TARGET)
 
-# The target from rustup if it is there, else Debian's Rust (1.96) with the source of `core`. That can also leave out the
-# frame pointer, which Rust's Thumb targets set up in every function: 6 bytes and 3 instructions.
+# rustup's target is used if it is installed, else Debian's Rust (1.96) with the source of `core`. Debian's Rust can also
+# leave out the frame pointer. Rust's Thumb targets set one up in every function, for 6 bytes and 3 instructions.
 ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/null)/*),)
 CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
     $(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian))
@@ -22,7 +23,7 @@ $(CARGO_DIR)/$(TARGET).json:
 
 ifneq ($(filter thumb%,$(TARGET)),)
 CROSS := arm-none-eabi-
-# Nothing unwinds through this archive, and an entry costs 8 bytes a function.
+# Nothing unwinds through this archive, and an unwind entry costs 8 bytes per function.
 DROP_UNWIND_TABLES = $(CROSS)objcopy -R '.ARM.exidx*' -R '.rel.ARM.exidx*' $(BUILD)/atraj.o
 else ifneq ($(filter riscv%,$(TARGET)),)
 CROSS := riscv64-unknown-elf-
