@@ -21,6 +21,6 @@ fn oracle(arguments: &[&str]) {
 fn the_original_agrees() {
     oracle(&[]);
     for features in ["float", "poly-compact", "float,poly-compact"] {
-        oracle(&["--test", "c_abi", "--features", features]);
+        oracle(&["--test", "does_the_c_abi_agree", "--features", features]);
     }
 }

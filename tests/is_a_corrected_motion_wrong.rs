@@ -1,7 +1,7 @@
 //! A million random scripts in corrected mode against the definition of a wrong motion, which knows nothing of how a
 //! profile is planned; the same moves as the listing plans them, for comparison.
 //!
-//! `cargo test --test claraty_corrected -- --nocapture` prints the shares of wrong motions.
+//! `cargo test --test is_a_corrected_motion_wrong -- --nocapture` prints the shares of wrong motions.
 
 mod common;
 

@@ -193,7 +193,7 @@ fn check_fresh(path: &str, fresh: &str) {
     let committed = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         committed == fresh,
-        "{} is stale: run `UPDATE_HEADERS=1 cargo test --test headers`",
+        "{} is stale: run `UPDATE_HEADERS=1 cargo test --test are_headers_fresh`",
         path.display()
     );
 }
