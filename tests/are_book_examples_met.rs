@@ -39,7 +39,7 @@ fn example_3_10() {
 
 #[test]
 fn example_3_11() {
-    // The book stops its search at 1.9384 s; the original's goes on to a shorter move.
+    // The book stops its search at 1.9384 s. The original searches on and finds a shorter move.
     let bell = example(10.0, 7.0, 0.0);
     assert_abs_diff_eq!(bell.t, 1.9331, epsilon = 5e-5);
     assert!(bell.t < 1.9384);

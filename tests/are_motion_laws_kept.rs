@@ -1,10 +1,14 @@
-//! What any profile of its kind keeps, after Biagotti & Melchiorri: the prescribed ends, continuity over the phase
-//! borders, the limits, the mirrored move, and the scaling laws of section 5.2. None of it needs the original to be told.
+//! Does every move keep the laws of motion in Biagotti & Melchiorri: the prescribed ends, continuity over the borders of
+//! phases, the limits, the mirrored move, and the scaling laws of section 5.2?
+//!
+//! No law needs the original.
 
 use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
 use proptest::prelude::*;
+use support::Family;
+use support::profiles::{bell_fields, trap_fields};
 
-/// Relative to the size of the numbers that a value is made of.
+/// Relative to the largest number that a value is computed from.
 const TOLERANCE: f64 = 1e-9;
 
 fn close(x: f64, y: f64, scale: f64) -> bool {
@@ -46,29 +50,6 @@ fn jump(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     f(x + rounding) - f(x - rounding)
 }
 
-fn bell_borders(bell: &Bell<f64>) -> [f64; 9] {
-    let Bell {
-        t,
-        tv,
-        ta,
-        td,
-        taj,
-        tdj,
-        ..
-    } = *bell;
-    [
-        0.0,
-        taj,
-        ta - taj,
-        ta,
-        ta + tv,
-        t - td,
-        t - td + tdj,
-        t - tdj,
-        t,
-    ]
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 5_000, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -79,7 +60,7 @@ proptest! {
         if bell.ta > 0.0 {
             prop_assert_eq!((bell.position(0.0), bell.velocity(0.0)), (boundary.p0, v0));
         } else {
-            // The only ramp is reckoned back from its end.
+            // The only ramp is computed back from its end.
             let size = size(&[bell.p0, bell.p1, vm * bell.t]);
             prop_assert!(close(bell.position(0.0), boundary.p0, size));
             prop_assert!(close(bell.velocity(0.0), v0, vm));
@@ -93,7 +74,7 @@ proptest! {
     fn bell_is_continuous(jm in limit(), am in limit(), vm in limit(), boundary in any_boundary()) {
         let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let size = size(&[bell.p0, bell.p1, vm * bell.t]);
-        for x in bell_borders(&bell) {
+        for x in Family::Bell.borders(&[], &bell_fields(&bell)) {
             let p = jump(|x| bell.position(x), x);
             let v = jump(|x| bell.velocity(x), x);
             let a = jump(|x| bell.acceleration(x), x);
@@ -111,8 +92,8 @@ proptest! {
         let x = part * bell.t;
         prop_assert!([0.0, jm, -jm].contains(&bell.jerk(x)));
         prop_assert!(bell.velocity(x).abs() <= vm * (1.0 + TOLERANCE), "velocity {}", bell.velocity(x));
-        // A ramp that covers the whole distance alone has its end velocities and its jerk prescribed; like the book, the
-        // original does not look whether it then keeps to the acceleration.
+        // The end velocities and the jerk determine a ramp that covers the whole distance alone. The book and the original
+        // do not check its acceleration.
         if bell.ta > 0.0 && bell.td > 0.0 {
             let acceleration = bell.acceleration(x);
             prop_assert!(acceleration.abs() <= am * (1.0 + TOLERANCE), "acceleration {acceleration}");
@@ -133,7 +114,7 @@ proptest! {
         prop_assert_eq!(mirrored.jerk(x), -bell.jerk(x));
     }
 
-    /// By powers of two, which are exact.
+    /// A power of two scales without rounding.
     #[test]
     fn bell_scales(
         jm in limit(), am in limit(), vm in limit(), boundary in any_boundary(), part in -0.1..1.1_f64,
@@ -164,7 +145,7 @@ proptest! {
         prop_assert_eq!(trap.position(trap.t), boundary.p1);
         prop_assert_eq!(trap.velocity(trap.t), trap.v1);
         let size = size(&[trap.p0, trap.p1, vm * trap.t]);
-        for x in [0.0, trap.ta, trap.td, trap.t] {
+        for x in Family::Trap.borders(&[], &trap_fields(&trap)) {
             let p = jump(|x| trap.position(x), x);
             let v = jump(|x| trap.velocity(x), x);
             prop_assert!(close(p, 0.0, size), "position jumps by {p} at {x} in {trap:?}");
@@ -204,7 +185,7 @@ proptest! {
         prop_assert_eq!((poly3.velocity(0.0), poly5.velocity(0.0), poly7.velocity(0.0)), (v0, v0, v0));
         prop_assert_eq!((poly5.acceleration(0.0), poly7.acceleration(0.0)), (a[0], a[0]));
         prop_assert!(close(poly7.jerk(0.0), j[0], j[0]));
-        // Every term of a sum at the end is some multiple of what is prescribed.
+        // At the end, every term of a sum is a multiple of a prescribed value.
         let size = 1e3 * size(&[p0, p1, v0 * ts, v1 * ts, a[0] * ts * ts, a[1] * ts * ts, j[0] * ts.powi(3), j[1] * ts.powi(3)]);
         for p in [poly3.position(ts), poly5.position(ts), poly7.position(ts)] {
             prop_assert!(close(p, p1, size), "{p} for {p1}");

@@ -1,11 +1,10 @@
 //! Is the archive one object that defines the documented symbols and needs nothing but the square root and the
 //! clock?
 
-mod common;
-
-use common::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, Variant, lines, symbols};
 use std::path::Path;
 use std::process::Command;
+use support::tools::lines;
+use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, Variant};
 
 /// Names that `nm` prints with these flags, sorted.
 fn names(flags: &[&str], file: &Path) -> Vec<String> {
@@ -41,7 +40,7 @@ fn archive() {
         assert_eq!(members, ["atraj.o"], "members of the archive");
         assert_eq!(
             names(&["--defined-only", "--extern-only"], &archive),
-            symbols(variant)
+            variant.symbols()
         );
         let undefined = names(&["--undefined-only"], &archive);
         assert!(undefined.iter().any(|name| name == "clock_gettime"));
@@ -66,7 +65,7 @@ fn shared_library() {
         let library = variant.dist().join("lib/libatraj.so");
         assert_eq!(
             names(&["--dynamic", "--defined-only", "--extern-only"], &library),
-            symbols(variant)
+            variant.symbols()
         );
         let dynamic = lines(
             Command::new("readelf")

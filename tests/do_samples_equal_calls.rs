@@ -1,52 +1,28 @@
-//! Do `state`, `states` and `sample_into` give the bits of the single calls, whatever the times, lengths and outputs are?
-
-mod common;
+//! Do `state`, `states` and `sample_into` give the bits of single calls, whatever the times, lengths and outputs are?
 
 use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
-use common::{Comparison, GoldenReal, golden};
+use std::array;
+use support::profiles::{Profile, bell, poly3, poly5, poly7, trap};
+use support::{Comparison, Family, Random, Real, golden, test_each_family};
 
-/// A profile with `N` quantities as its single calls and its joint ones.
-trait Sampled<R, const N: usize> {
-    fn single(&self, x: R) -> [R; N];
-    fn state(&self, x: R) -> [R; N];
-    fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; N]>;
-    fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; N]) -> usize;
+/// A sweep of `n` samples.
+#[derive(Clone, Copy)]
+struct Sweep<R> {
+    x0: R,
+    dt: R,
+    n: usize,
 }
 
-macro_rules! sampled {
-    ($profile:ident, $n:literal, $($quantity:ident)*) => {
-        impl<R: GoldenReal> Sampled<R, $n> for $profile<R> {
-            fn single(&self, x: R) -> [R; $n] {
-                [$(self.$quantity(x)),*]
-            }
-            fn state(&self, x: R) -> [R; $n] {
-                self.state(x)
-            }
-            fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; $n]> {
-                self.states(x0, dt).take(n).collect()
-            }
-            fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; $n]) -> usize {
-                self.sample_into(x0, dt, outputs)
-            }
-        }
-    };
-}
-sampled!(Bell, 4, position velocity acceleration jerk);
-sampled!(Trap, 3, position velocity acceleration);
-sampled!(Poly3, 3, position velocity acceleration);
-sampled!(Poly5, 3, position velocity acceleration);
-sampled!(Poly7, 4, position velocity acceleration jerk);
-
-/// One sweep; output `i` has `lengths[i]` elements and begins `offset` elements into its memory.
-fn check_sweep<R: GoldenReal, const N: usize>(
+/// One sweep. Output `i` has `lengths[i]` elements and begins `offset` elements into its memory.
+fn check_sweep<R: Real, const N: usize>(
     comparison: &mut Comparison,
     place: &str,
-    profile: &impl Sampled<R, N>,
+    profile: &impl Profile<R, N>,
     [x0, dt]: [R; 2],
     lengths: [usize; N],
     offset: usize,
 ) {
-    let untouched = R::from(77);
+    let untouched = R::of(77.0);
     let mut memory = lengths.map(|len| vec![untouched; offset + len + 1]);
     let outputs = memory.each_mut().map(|memory| {
         let end = memory.len() - 1;
@@ -54,199 +30,181 @@ fn check_sweep<R: GoldenReal, const N: usize>(
     });
     let n = lengths.into_iter().max().unwrap();
     assert_eq!(profile.sample_into(x0, dt, outputs), n, "{place}");
-    let states = profile.states(x0, dt, n);
-    let mut k_real = R::from(0);
-    for (k, joint) in states.into_iter().enumerate() {
-        let x = x0 + k_real * dt;
-        k_real = k_real + R::from(1);
-        let single = profile.single(x);
+    for (k, joint) in profile.states(x0, dt, n).into_iter().enumerate() {
+        let place = format_args!("{place}: sample {k} from {x0:e} by {dt:e}");
+        let x = x0 + R::of(k as f64) * dt;
+        let each = profile.each(x);
         let state = profile.state(x);
-        let mut check = |what, got: R, want| {
-            if got.same(want) {
-                comparison.compared += 1;
-            } else {
-                let place = format!("{place}: sample {k} from {x0:e} by {dt:e}");
-                comparison.check(&place, what, got, want);
-            }
-        };
-        for (i, &want) in single.iter().enumerate() {
-            check("state", state[i], want);
-            check("states", joint[i], want);
+        for (i, &want) in each.iter().enumerate() {
+            comparison.check(place, "state", state[i], want);
+            comparison.check(place, "states", joint[i], want);
             if k < lengths[i] {
-                check("sample", memory[i][offset + k], want);
+                comparison.check(place, "sample", memory[i][offset + k], want);
             }
         }
     }
     for (memory, len) in memory.iter().zip(lengths) {
-        let around = memory[..offset].iter().chain(&memory[offset + len..]);
+        let mut around = memory[..offset].iter().chain(&memory[offset + len..]);
         assert!(
-            around.into_iter().all(|&x| x == untouched),
-            "{place}: written outside"
+            around.all(|&x| x == untouched),
+            "{place}: written outside the output"
         );
     }
 }
 
-/// Sweeps of every kind over a profile in which something happens at the times `borders`.
-fn check_profile<R: GoldenReal, const N: usize>(
+/// Sweeps of every kind over a profile that changes at the times `borders`.
+fn check_profile<R: Real, const N: usize>(
     comparison: &mut Comparison,
     place: &str,
-    profile: &impl Sampled<R, N>,
+    profile: &impl Profile<R, N>,
     borders: &[R],
 ) {
-    let zero = R::from(0);
-    let one = R::from(1);
-    let huge = one / (R::EPSILON * R::EPSILON);
-    let end = borders.last().copied().unwrap_or(one);
-    let mut sweeps = Vec::new();
-    for n in [0, 1, 2, 3, 9, 70] {
-        let dt = end / R::from(n.max(2) - 1);
-        sweeps.extend([(zero, dt, n), (end + dt, -dt, n), (-dt, dt * R::HALF, n)]);
-    }
-    for &border in borders {
-        let ulp = border * R::EPSILON;
-        let before = border - R::from(6) * ulp;
-        let after = border + R::from(6) * ulp;
-        sweeps.extend([(before, ulp, 12), (after, -ulp, 12)]);
-        sweeps.extend([(border, zero, 2), (border, -zero, 2)]);
-        sweeps.extend([(zero, border, 3), (-zero, -border, 3)]);
-    }
-    let infinity = R::INFINITY;
-    let special = [zero, one, infinity, huge, R::parse("nan").unwrap()];
-    let special = special.into_iter().flat_map(|x| [x, -x]);
-    for x0 in special.clone() {
-        sweeps.extend(special.clone().map(|dt| (x0, dt, 4)));
-    }
-    for (i, (x0, dt, n)) in sweeps.into_iter().enumerate() {
-        let n = usize::from(n);
-        let some = std::array::from_fn(|output| if i >> output & 1 == 1 { n } else { 0 });
+    let end = borders[borders.len() - 1];
+    let all = [
+        sweeps_over(end),
+        sweeps_around(borders),
+        sweeps_of_special_times(),
+    ];
+    for (i, Sweep { x0, dt, n }) in all.into_iter().flatten().enumerate() {
+        let some = array::from_fn(|output| if i >> output & 1 == 1 { n } else { 0 });
         for lengths in [[n; N], some] {
             check_sweep(comparison, place, profile, [x0, dt], lengths, i % 4);
         }
     }
 }
 
-fn bell_of<R: Copy>(fields: &[R]) -> Bell<R> {
-    let [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm] = *fields else {
-        panic!("{} fields", fields.len());
+/// Forward, backward and beyond both ends, with few samples and with many.
+fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
+    let zero = R::of(0.0);
+    let of_length = |n: u8| {
+        let dt = end / R::of(f64::from(n.max(2) - 1));
+        let sweeps = [(zero, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
+        sweeps.map(|(x0, dt)| Sweep {
+            x0,
+            dt,
+            n: n.into(),
+        })
     };
-    #[rustfmt::skip]
-    let bell = Bell { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm };
-    bell
+    [0, 1, 2, 3, 9, 70]
+        .into_iter()
+        .flat_map(of_length)
+        .collect()
 }
 
-fn bell_borders<R: GoldenReal>(bell: &Bell<R>) -> [R; 7] {
-    #[rustfmt::skip]
-    let Bell { t, tv, ta, td, taj, tdj, .. } = *bell;
-    [taj, ta - taj, ta, ta + tv, t - td + tdj, t - tdj, t]
+/// By single roundings across each border, standing at it, and from zero to it.
+fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
+    let zero = R::of(0.0);
+    let around = |&border: &R| {
+        let ulp = border * R::MACHINE_EPSILON;
+        let [before, after] = [-6.0, 6.0].map(|ulps| border + R::of(ulps) * ulp);
+        let sweeps = [
+            (before, ulp, 12),
+            (after, -ulp, 12),
+            (border, zero, 2),
+            (border, -zero, 2),
+            (zero, border, 3),
+            (-zero, -border, 3),
+        ];
+        sweeps.map(|(x0, dt, n)| Sweep { x0, dt, n })
+    };
+    borders.iter().flat_map(around).collect()
 }
 
-fn trap_of<R: Copy>(fields: &[R]) -> Trap<R> {
-    let [t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de] = *fields else {
-        panic!("{} fields", fields.len());
-    };
-    #[rustfmt::skip]
-    let trap = Trap { t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de };
-    trap
+fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
+    let huge = R::of(1.0) / (R::MACHINE_EPSILON * R::MACHINE_EPSILON);
+    let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
+    let special = [zero, one, infinity, huge, nan].into_iter();
+    let special = special.flat_map(|x| [x, -x]);
+    let from = |x0| special.clone().map(move |dt| Sweep { x0, dt, n: 4 });
+    special.clone().flat_map(from).collect()
 }
 
 /// Every golden move through sweeps, and every golden evaluation through the joint calls.
-fn golden_moves<R: GoldenReal, const N: usize, P: Sampled<R, N>>(
-    family: &str,
-    [text, arguments, fields]: [usize; 3],
-    profile: impl Fn(&[R]) -> P,
-    borders: impl Fn(&P) -> Vec<R>,
+fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(
+    family: Family,
+    profile: fn(&[R]) -> P,
 ) {
     let mut comparison = Comparison::default();
-    let moves: Vec<_> = golden::<R>(&format!("{family}_gen"), text, arguments + fields)
+    let planned: Vec<_> = golden::moves::<R>(family)
         .iter()
-        .map(|row| {
-            let profile = profile(&row.values[arguments..]);
-            check_profile(&mut comparison, &row.place, &profile, &borders(&profile));
+        .map(|golden| {
+            let profile = profile(&golden.fields);
+            let borders = family.borders(&golden.arguments, &golden.fields);
+            check_profile(&mut comparison, &golden.place, &profile, &borders);
             profile
         })
         .collect();
-    for row in golden::<R>(&format!("{family}_eval"), 1, 1 + N) {
-        let x = row.values[0];
-        let mut sampled = [[R::from(0); 3]; N];
+    for golden in golden::evaluations::<R>(family) {
+        let profile = &planned[golden.case];
+        let mut sampled = [[R::of(0.0); 3]; N];
         // Any time plus -0 is that time.
-        moves[row.case].sample_into(x, -R::from(0), sampled.each_mut().map(|y| &mut y[..]));
-        let state = moves[row.case].state(x);
-        for (i, &want) in row.values[1..].iter().enumerate() {
-            comparison.check(&row.place, "state", state[i], want);
+        profile.sample_into(
+            golden.x,
+            R::of(-0.0),
+            sampled.each_mut().map(|y| &mut y[..]),
+        );
+        let state = profile.state(golden.x);
+        for (i, &want) in golden.values.iter().enumerate() {
+            comparison.check(&golden.place, "state", state[i], want);
             for got in sampled[i] {
-                comparison.check(&row.place, "sample", got, want);
+                comparison.check(&golden.place, "sample", got, want);
             }
         }
     }
-    comparison.finish(family);
+    comparison.finish(family.name());
 }
 
-fn bell<R: GoldenReal>() {
-    golden_moves("bell", [2, 8, 14], bell_of::<R>, |bell| {
-        bell_borders(bell).to_vec()
-    });
+fn golden_moves<R: Real>(family: Family) {
+    match family {
+        Family::Bell => check_golden_moves::<R, _, Bell<R>>(family, bell),
+        Family::Trap => check_golden_moves::<R, _, Trap<R>>(family, trap),
+        Family::Poly3 => check_golden_moves::<R, _, Poly3<R>>(family, poly3),
+        Family::Poly5 => check_golden_moves::<R, _, Poly5<R>>(family, poly5),
+        Family::Poly7 => check_golden_moves::<R, _, Poly7<R>>(family, poly7),
+    }
 }
 
-fn trap<R: GoldenReal>() {
-    golden_moves("trap", [2, 8, 12], trap_of::<R>, |trap| {
-        vec![trap.ta, trap.td, trap.t]
-    });
-}
-
-fn poly3<R: GoldenReal>() {
-    let poly = |fields: &[R]| Poly3 {
-        c: *fields.first_chunk().unwrap(),
-    };
-    golden_moves("poly3", [1, 5, 9], poly, |_| vec![]);
-}
-
-fn poly5<R: GoldenReal>() {
-    let poly = |fields: &[R]| Poly5 {
-        c: *fields.first_chunk().unwrap(),
-    };
-    golden_moves("poly5", [1, 7, 15], poly, |_| vec![]);
-}
-
-fn poly7<R: GoldenReal>() {
-    let poly = |fields: &[R]| Poly7 {
-        c: *fields.first_chunk().unwrap(),
-    };
-    golden_moves("poly7", [1, 9, 26], poly, |_| vec![]);
-}
+test_each_family!(golden_moves);
 
 /// Structs that no plan makes: borders in any order, NaN and infinite fields.
-fn any_fields<R: GoldenReal>() {
-    let [zero, one, two, three] = [0, 1, 2, 3].map(R::from);
-    let values = [
-        zero,
-        one,
-        two,
-        three,
-        R::HALF,
-        -one,
-        R::INFINITY,
-        R::parse("nan").unwrap(),
-    ];
-    let mut random = 1_u64;
+fn any_fields<R: Real>() {
+    let mut random = Random::seeded(1);
     let mut comparison = Comparison::default();
     for number in 0..400 {
-        let fields: [R; 14] = std::array::from_fn(|_| {
-            random = random
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            // Finite ones more often.
-            values[[0, 1, 2, 3, 4, 5, 6, 7, 1, 2, 3, 4, 1, 2, 3, 4][(random >> 60) as usize]]
-        });
         let place = format!("struct {number}");
-        let bell = bell_of(&fields);
-        check_profile(&mut comparison, &place, &bell, &bell_borders(&bell));
-        let trap = trap_of(&fields[..12]);
-        check_profile(&mut comparison, &place, &trap, &[trap.ta, trap.td, trap.t]);
+        let mut fields = |family: Family| -> Vec<R> {
+            let count = family.fields().len();
+            (0..count).map(|_| any_field(&mut random)).collect()
+        };
+        let of_bell = fields(Family::Bell);
+        let borders = Family::Bell.borders(&[], &of_bell);
+        check_profile(&mut comparison, &place, &bell(&of_bell), &borders);
+        let of_trap = fields(Family::Trap);
+        let borders = Family::Trap.borders(&[], &of_trap);
+        check_profile(&mut comparison, &place, &trap(&of_trap), &borders);
     }
     comparison.finish("any fields");
 }
 
-/// Beyond 2^24 not every number of a sample is a binary32.
+/// A small positive number more often than another.
+fn any_field<R: Real>(random: &mut Random) -> R {
+    let ordinary = [1.0, 2.0, 3.0, 0.5];
+    let peculiar = [0.0, -1.0, f64::INFINITY, f64::NAN];
+    let choices = if random.one_in(4) { peculiar } else { ordinary };
+    R::of(random.pick(&choices))
+}
+
+#[test]
+fn any_fields_f32() {
+    any_fields::<f32>();
+}
+
+#[test]
+fn any_fields_f64() {
+    any_fields::<f64>();
+}
+
+/// Beyond 2^24 the number of a sample need not be a binary32.
 #[test]
 fn many_samples() {
     const MANY: usize = (1 << 24) + 1000;
@@ -278,19 +236,3 @@ fn outputs_of_different_lengths() {
     }
     comparison.finish("different lengths");
 }
-
-macro_rules! for_both_reals {
-    ($($name:ident)*) => {$(
-        mod $name {
-            #[test]
-            fn f32() {
-                super::$name::<f32>();
-            }
-            #[test]
-            fn f64() {
-                super::$name::<f64>();
-            }
-        }
-    )*};
-}
-for_both_reals!(bell trap poly3 poly5 poly7 any_fields);

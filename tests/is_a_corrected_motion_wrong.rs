@@ -3,12 +3,10 @@
 //!
 //! `cargo test --test is_a_corrected_motion_wrong -- --nocapture` prints the shares of wrong motions.
 
-mod common;
-
 use atraj::claraty::{EPS, Mode, Profile, Setpoint, State, Target, Trajectory, Warnings};
-use common::GoldenReal;
-use common::random::{Random, just_after};
 use std::collections::BTreeMap;
+use support::real::just_after;
+use support::{Random, Real};
 
 const SCRIPTS: usize = 1_000_000;
 

@@ -1,10 +1,9 @@
 //! The listing's behaviour, script by script: every profile, setpoint, warning and *started* of the golden data, bit for
 //! bit.
 
-mod common;
-
 use atraj::claraty::{Mode, Target, Trajectory, Warnings};
-use common::{Comparison, GoldenReal, cells};
+use support::golden::cells;
+use support::{Comparison, Real};
 
 const SCRIPTS: usize = 270;
 const PROFILE: [&str; 9] = [

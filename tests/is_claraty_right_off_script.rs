@@ -1,11 +1,10 @@
 //! What no golden script pins down: ends, timers, ties, waypoints and clocks.
 
-mod common;
-
 use atraj::claraty::{
     EPS, Kind, Mode, Profile, Setpoint, State, Target, Trajectory, Warnings, Waypoints,
 };
-use common::random::{Random, just_after};
+use support::Random;
+use support::real::just_after;
 
 const MODES: [Mode; 2] = [Mode::Corrected, Mode::Listing];
 

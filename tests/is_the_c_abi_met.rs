@@ -1,17 +1,15 @@
 //! Do C and C++ programs that link the archive get the golden bits, the layout and the answers to bad input, with every
 //! compiler, language standard and build choice?
 
-mod common;
-
-use common::{
-    COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, Language, VARIANTS, Variant, compilers,
-    golden_dir, has_tool, lines, root, run, symbols,
-};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
+use support::golden;
+use support::repository::root;
+use support::tools::{Language, compilers, has_tool, lines, run};
+use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, VARIANTS, Variant};
 
 const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 const C: [&str; 3] = ["c99", "c11", "c17"];
@@ -40,7 +38,7 @@ fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> Pat
 
 /// Replays the golden rows; the functions that were called, as the program prints them.
 fn replay_golden(command: &mut Command) -> Vec<String> {
-    let table = lines(command.arg(golden_dir()));
+    let table = lines(command.arg(golden::directory()));
     let mut functions = Vec::new();
     for line in table {
         let [function, rows, differing] = line.split_whitespace().collect::<Vec<_>>()[..] else {
@@ -60,7 +58,7 @@ fn golden_rows_from_c() {
         for compiler in compilers(Language::C) {
             let program = build(variant, compiler, &["-std=c99"], "golden.c");
             let called = replay_golden(&mut Command::new(&program));
-            let mut expected = symbols(variant);
+            let mut expected = variant.symbols();
             expected.retain(|symbol| !symbol.starts_with("claraty_") && exists(variant, symbol));
             assert_eq!(called, expected, "functions that the golden rows call");
         }
@@ -126,7 +124,7 @@ fn a_missing_or_empty_golden_file_is_found() {
 
 fn copy_golden(to: &Path) {
     fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(golden_dir()).unwrap() {
+    for entry in fs::read_dir(golden::directory()).unwrap() {
         let from = entry.unwrap().path();
         fs::copy(&from, to.join(from.file_name().unwrap())).unwrap();
     }
@@ -178,7 +176,7 @@ fn cpp_methods_and_namespace() {
 
 /// Runs the scripts of CLARAty's listing, and what else the program promises; both replays must have had no difference.
 fn replay_claraty(command: &mut Command) {
-    let replays = lines(command.arg(golden_dir()));
+    let replays = lines(command.arg(golden::directory()));
     assert_eq!(
         replays,
         ["listing-on-a-clock 5250 0", "listing-advanced 5250 0"]
@@ -237,7 +235,7 @@ fn a_wrong_golden_bit_of_claraty_is_found() {
 #[test]
 fn the_c_program_calls_every_claraty_function() {
     let source = fs::read_to_string(root().join("c_tests/claraty.c")).unwrap();
-    for symbol in symbols(&DOUBLE) {
+    for symbol in DOUBLE.symbols() {
         let called = source.contains(&format!("{symbol}("));
         assert!(called || !symbol.starts_with("claraty_"), "{symbol}");
     }

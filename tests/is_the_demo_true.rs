@@ -1,12 +1,12 @@
 //! Does `make demo` prove and draw what it says, and would its parity table show a wrong bit?
 
-mod common;
-
-use common::{has_tool, root};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 use std::sync::LazyLock;
+use support::golden;
+use support::repository::root;
+use support::tools::has_tool;
 
 /// What `make demo` printed. It runs once for all tests here.
 static DEMO: LazyLock<String> = LazyLock::new(|| {
@@ -41,7 +41,7 @@ fn every_golden_row_passes_the_servo_program() {
 }
 
 fn rows(table: &str) -> Vec<String> {
-    let file = common::golden_dir().join(format!("{table}_f64.csv"));
+    let file = golden::directory().join(format!("{table}_f64.csv"));
     let csv = fs::read_to_string(file).unwrap();
     csv.lines().map(str::to_owned).collect()
 }

@@ -1,143 +1,129 @@
-//! Does the search without cruise pass over its plain rounds without changing a bit? Against the literal contract, with
-//! moves made so that a round of the search is a near tie, or lies at the border of what is passed over at all.
+//! Does the search without cruise, which passes over plain rounds, give the bits of the literal search?
+//!
+//! The moves are made so that a round of the search is a near tie, or so that it lies near a bound of the short cut.
 
-mod common;
-#[allow(dead_code, clippy::neg_cmp_op_on_partial_ord)] // literal on purpose, and it tells more than this test asks
-#[path = "oracle/src/reference.rs"]
-mod reference;
-
-use atraj::{Bell, Boundary};
-use common::GoldenReal;
+use std::array;
+use support::{Family, Implementation, Ours, Random, Real, reference};
 
 const MOVES: u32 = 300_000;
 
-/// What the moves are made with: computed in binary64, then scaled and rounded to the type under test.
-trait Scaled: GoldenReal {
-    /// Powers of two that bring an argument to a border of the range, or of what the search passes over.
+/// How far the moves reach into the range of a type.
+trait Range: Real {
+    /// Powers of two that bring an argument to an end of the range, or to a bound of the short cut.
     const EXTREMES: [i32; 6];
     /// The highest power of two that a unit of time and length changes by.
     const UNITS: i32;
-    /// `x * 2^exponent`
-    fn scaled(x: f64, exponent: i32) -> Self;
-    fn special() -> [Self; 6];
 }
-impl Scaled for f32 {
+impl Range for f32 {
     const EXTREMES: [i32; 6] = [-140, -110, -22, 23, 46, 100];
     const UNITS: i32 = 75;
-    fn scaled(x: f64, exponent: i32) -> Self {
-        (x * 2f64.powi(exponent)) as f32
-    }
-    fn special() -> [Self; 6] {
-        [0.0, -0.0, f32::INFINITY, f32::NAN, 1e-45, f32::MAX]
-    }
 }
-impl Scaled for f64 {
+impl Range for f64 {
     const EXTREMES: [i32; 6] = [-1060, -900, -51, 52, 104, 900];
     const UNITS: i32 = 550;
-    fn scaled(x: f64, exponent: i32) -> Self {
-        // In two steps: the factor alone may be out of range.
-        x * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2)
-    }
-    fn special() -> [Self; 6] {
-        [0.0, -0.0, f64::INFINITY, f64::NAN, 5e-324, f64::MAX]
+}
+
+/// Any significand, a small fraction or a power of two, up to `2^exponent`.
+fn magnitude(random: &mut Random, exponent: i32) -> f64 {
+    let scale = 2f64.powi(random.below(2 * exponent as usize) as i32 - exponent);
+    match random.below(4) {
+        0 => (1 + random.below(16)) as f64 / 4.0,
+        1 => scale,
+        _ => random.between(1.0, 2.0) * scale,
     }
 }
 
-struct Random(common::random::Random);
-
-impl Random {
-    fn below(&mut self, n: u64) -> u64 {
-        self.0.bits() % n
-    }
-    fn unit(&mut self) -> f64 {
-        self.0.between(0.0, 1.0)
-    }
-    fn one_of<T: Copy, const N: usize>(&mut self, from: [T; N]) -> T {
-        from[self.below(N as u64) as usize]
-    }
-    /// Any significand, a small fraction or a power of two, up to `2^exponent`.
-    fn magnitude(&mut self, exponent: i32) -> f64 {
-        let scale = 2f64.powi(self.below(2 * exponent as u64) as i32 - exponent);
-        match self.below(4) {
-            0 => (1 + self.below(16)) as f64 / 4.0,
-            1 => scale,
-            _ => (1.0 + self.unit()) * scale,
-        }
-    }
-    fn velocity(&mut self, vm: f64) -> f64 {
-        match self.below(4) {
-            0 => 0.0,
-            1 => vm * (self.below(9) as f64 / 4.0 - 1.0),
-            _ => vm * (2.0 * self.unit() - 1.0),
-        }
+fn velocity(random: &mut Random, vm: f64) -> f64 {
+    match random.below(4) {
+        0 => 0.0,
+        1 => vm * (random.below(9) as f64 / 4.0 - 1.0),
+        _ => vm * random.between(-1.0, 1.0),
     }
 }
 
-/// `jm am vm p0 p1 v0 v1` of a move whose distance makes the round at a trial acceleration, one of those that the search
-/// passes, a tie but for a relative difference from 1 down to nothing.
+/// `jm am vm p0 p1 v0 v1` of a near tie: at one of the trial accelerations of the search, the distance differs from the
+/// distance of a tie by a relative difference from 1 down to nothing.
 fn near_tie(random: &mut Random) -> [f64; 7] {
-    let jm = random.magnitude(8);
-    let am = random.magnitude(8);
-    let vm = random.magnitude(8);
-    let v0 = random.velocity(vm);
+    let jm = magnitude(random, 8);
+    let am = magnitude(random, 8);
+    let vm = magnitude(random, 8);
+    let v0 = velocity(random, vm);
     let v1 = match random.below(4) {
         0 => v0,
-        1 => v0 * (1.0 + random.magnitude(40)),
-        _ => random.velocity(vm),
+        1 => v0 * (1.0 + magnitude(random, 40)),
+        _ => velocity(random, vm),
     };
     let trial = am * (1 + random.below(32)) as f64 / 2f64.powi(5 + random.below(6) as i32);
     let (s, w, k) = (v0 + v1, (v0 - v1).abs(), trial * trial / jm);
-    let twice_p_trial = match random.below(2) {
-        0 => w * s - w * k,
-        _ => w * s + k * (4.0 * k + 4.0 * s + 3.0 * w),
+    let twice_p_trial = if random.one_in(2) {
+        w * s - w * k
+    } else {
+        w * s + k * (4.0 * k + 4.0 * s + 3.0 * w)
     };
-    let off = 2f64.powi(-(random.below(60) as i32)) * random.one_of([-1.0, 0.0, 1.0]);
+    let off = 2f64.powi(-(random.below(60) as i32)) * random.pick(&[-1.0, 0.0, 1.0]);
     let p = twice_p_trial / (2.0 * trial) * (1.0 + off);
-    // A short way does not cruise anyway; a high `vm` sees to it.
-    let vm = if random.below(2) == 0 { vm } else { 1e6 * vm };
-    let p0 = random.one_of([0.0, 0.0, 1.0, -p]);
+    // A short way does not cruise anyway. A longer one needs a high `vm` for that.
+    let vm = if random.one_in(2) { vm } else { 1e6 * vm };
+    let p0 = random.pick(&[0.0, 0.0, 1.0, -p]);
     [jm, am, vm, p0, p0 + p, v0, v1]
 }
 
-fn same_bits_as_the_contract<R: Scaled>() {
-    let mut random = Random(common::random::Random(1));
+/// A near tie, some of them moved to an end of the range, made backward or given a special argument.
+fn arguments<R: Range>(random: &mut Random) -> [R; 7] {
+    let exponents = exponents::<R>(random);
+    let near_tie = near_tie(random);
+    let mut arguments = array::from_fn(|i| scaled(near_tie[i], exponents[i]));
+    if random.one_in(16) {
+        arguments[random.below(7)] = random.pick(&R::SPECIAL);
+    }
+    if random.one_in(4) {
+        for argument in &mut arguments[3..] {
+            *argument = -*argument;
+        }
+    }
+    arguments
+}
+
+/// Powers of two for the arguments of a move.
+fn exponents<R: Range>(random: &mut Random) -> [i32; 7] {
+    let extreme = random.pick(&R::EXTREMES) + random.below(12) as i32;
+    let unit = random.below(2 * R::UNITS as usize) as i32 - R::UNITS;
+    let odd = random.below(7);
+    match random.below(6) {
+        // Another unit of length and time. Squares of velocities come near overflow or underflow, `am` does not.
+        0 => [-1, 0, 1, 2, 2, 1, 1].map(|power| power * unit),
+        1 => [extreme; 7],
+        2 => array::from_fn(|index| if index == odd { extreme } else { 0 }),
+        _ => [0; 7],
+    }
+}
+
+/// `x * 2^exponent`, in two steps, as the factor alone may be out of range.
+fn scaled<R: Real>(x: f64, exponent: i32) -> R {
+    let half = exponent / 2;
+    R::of(x * 2f64.powi(half) * 2f64.powi(exponent - half))
+}
+
+fn same_bits_as_the_literal_search<R: Range>() {
+    let mut random = Random(1);
     let mut long = 0;
     for _ in 0..MOVES {
-        let extreme = random.one_of(R::EXTREMES) + random.below(12) as i32;
-        let unit = random.below(2 * R::UNITS as u64) as i32 - R::UNITS;
-        let odd = random.below(7) as usize;
-        let exponents = match random.below(6) {
-            // Another unit of length and time: the squares of velocities come near overflow or underflow, `am` does not.
-            0 => [-1, 0, 1, 2, 2, 1, 1].map(|power| power * unit),
-            1 => [extreme; 7],
-            2 => std::array::from_fn(|index| if index == odd { extreme } else { 0 }),
-            _ => [0; 7],
-        };
-        let near_tie = near_tie(&mut random);
-        let mut arguments: [R; 7] =
-            std::array::from_fn(|index| R::scaled(near_tie[index], exponents[index]));
-        if random.below(16) == 0 {
-            arguments[random.below(7) as usize] = random.one_of(R::special());
-        }
-        if random.below(4) == 0 {
-            for argument in &mut arguments[3..] {
-                *argument = -*argument;
-            }
-        }
-
-        let [jm, am, vm, p0, p1, v0, v1] = arguments;
-        let mut ours = Bell::default();
-        let duration = ours.plan(jm, am, vm, Boundary { p0, p1, v0, v1 });
-        let mut literal = Bell::default();
-        let plan = reference::plan(&mut literal, arguments);
+        let arguments = arguments::<R>(&mut random);
+        let mut ours = [R::of(0.0); Family::Bell.fields().len()];
+        let mut literal = ours;
+        let duration = Ours.plan(Family::Bell, &arguments, &mut ours);
+        let plan = reference::plan(&arguments, &mut literal);
         long += u32::from(plan.rounds > 3);
 
-        let written = fields(&ours).into_iter().zip(fields(&literal));
-        let pairs = written.chain([(duration.unwrap_or(R::from(0)), plan.duration)]);
-        for (index, (ours, literal)) in pairs.enumerate() {
+        let written = Family::Bell
+            .fields()
+            .iter()
+            .zip(ours.into_iter().zip(literal));
+        let returned = (&"duration", (duration, plan.duration));
+        for (name, (ours, literal)) in written.chain([returned]) {
             assert!(
                 ours.same(literal),
-                "field {index}: {} is not {} of {arguments:?}, {} rounds",
+                "{name}: {} is not {} of {arguments:?}, {} rounds",
                 ours.show(),
                 literal.show(),
                 plan.rounds,
@@ -150,32 +136,12 @@ fn same_bits_as_the_contract<R: Scaled>() {
     );
 }
 
-fn fields<R: Copy>(bell: &Bell<R>) -> [R; 14] {
-    let Bell {
-        t,
-        tv,
-        ta,
-        td,
-        taj,
-        tdj,
-        p0,
-        p1,
-        v0,
-        v1,
-        vm,
-        jm,
-        am,
-        dm,
-    } = *bell;
-    [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
+#[test]
+fn same_bits_as_the_literal_search_f32() {
+    same_bits_as_the_literal_search::<f32>();
 }
 
 #[test]
-fn same_bits_as_the_contract_f32() {
-    same_bits_as_the_contract::<f32>();
-}
-
-#[test]
-fn same_bits_as_the_contract_f64() {
-    same_bits_as_the_contract::<f64>();
+fn same_bits_as_the_literal_search_f64() {
+    same_bits_as_the_literal_search::<f64>();
 }

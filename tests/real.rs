@@ -1,10 +1,7 @@
 //! The few operations of a real type that are not the processor's own, against those of the standard library.
 
-mod common;
-
 use atraj::Real;
-use common::GoldenReal;
-use common::random::Random;
+use support::{Random, Real as _};
 
 fn any<R: Real>(of_bits: fn(u64) -> R, special: &[R]) -> Vec<R> {
     let mut random = Random(1);

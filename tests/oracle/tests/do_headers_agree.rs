@@ -1,28 +1,20 @@
-//! Do the original's headers and ours say the same to a compiler?
+//! Do the original's headers and ours mean the same to a compiler?
 
-mod original;
-
-use oracle::common::{DOUBLE, Language, Variant, compilers, golden_dir, lines, root, run};
-use oracle::family::Family;
-use original::{REALS, directory, include, shared_symbols};
+use oracle::original::{REALS, directory, include, shared_symbols};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
-
-const HEADERS: [&str; 5] = [
-    "trajbell",
-    "trajtrap",
-    "trajpoly3",
-    "trajpoly5",
-    "trajpoly7",
-];
+use support::repository::root;
+use support::tools::{Language, compilers, lines, run};
+use support::variant::{DOUBLE, Variant};
+use support::{Family, golden};
 
 /// The prototypes that gcc sees in the headers of a directory, with the real type by its C name.
 fn prototypes(include: &Path, size: &str) -> Vec<String> {
     let directory = directory("prototypes");
     let mut program = String::new();
-    for header in HEADERS {
+    for header in Family::ALL.map(Family::c_name) {
         writeln!(program, "#include \"a/{header}.h\"").unwrap();
     }
     let source = directory.join("prototypes.c");
@@ -61,16 +53,17 @@ fn prototypes_are_the_same() {
     );
 }
 
-/// A C program that takes both sets of headers in, the first one with all names changed, and has the compiler compare
-/// size, offset and type of every field. The second set stands on the prelude of the first, of which the field `tv` can be
-/// made into something else.
+/// A C program that includes both sets of headers, the first set with all names changed. In it the compiler compares size,
+/// offset and type of every field. The second set uses the prelude of the first. `tv` replaces the field `tv` of the first
+/// set.
 fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> String {
+    let headers = Family::ALL.map(Family::c_name);
     let names: Vec<_> = shared_symbols(&DOUBLE)
         .into_iter()
-        .chain(HEADERS.map(|header| format!("a_{header}")))
+        .chain(headers.map(|header| format!("a_{header}")))
         .collect();
     let mut program = format!("#define tv {tv}\n");
-    for (header, highest) in HEADERS.iter().zip([0, 0, 3, 3, 4]) {
+    for (header, highest) in headers.iter().zip([0, 0, 3, 3, 4]) {
         if highest > 0 {
             let level = levels.min(highest);
             writeln!(program, "#define A_{} {level}", header.to_uppercase()).unwrap();
@@ -79,19 +72,19 @@ fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> Strin
     for name in &names {
         writeln!(program, "#define {name} first_{name}").unwrap();
     }
-    for header in HEADERS {
+    for header in headers {
         writeln!(program, "#include \"{}/a/{header}.h\"", first.display()).unwrap();
     }
     program.push_str("#undef tv\n");
     for name in &names {
         writeln!(program, "#undef {name}").unwrap();
     }
-    for header in HEADERS {
+    for header in headers {
         writeln!(program, "#undef LIBA_{}_H", header.to_uppercase()).unwrap();
         writeln!(program, "#include \"{}/a/{header}.h\"", second.display()).unwrap();
     }
-    for (family, header) in Family::ALL.into_iter().zip(HEADERS) {
-        let ours = format!("a_{header}");
+    for family in Family::ALL {
+        let ours = format!("a_{}", family.c_name());
         let stored = &["p", "v", "a", "j"][..levels];
         let is_stored = |field: &&&str| !field.contains('[') || stored.contains(&&field[..1]);
         writeln!(
@@ -160,7 +153,7 @@ fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) 
         .arg(source)
         .arg(variant.dist().join("lib/libatraj.a"));
     run(compile.arg("-lm").arg("-o").arg(&program));
-    lines(Command::new(program).arg(golden_dir()))
+    lines(Command::new(program).arg(golden::directory()))
 }
 
 #[test]

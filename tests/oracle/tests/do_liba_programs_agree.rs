@@ -1,21 +1,12 @@
 //! Do the original's own test programs print the same with our headers and archive as with the original's?
 
-mod original;
-
-use oracle::common::{has_tool, lines, run};
-use original::{LIBA, REALS, build, directory, include};
+use oracle::original::{LIBA, REALS, build, directory, include};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use support::Family;
+use support::tools::{has_tool, lines, run};
 
-const PROGRAMS: [&str; 5] = [
-    "trajbell",
-    "trajtrap",
-    "trajpoly3",
-    "trajpoly5",
-    "trajpoly7",
-];
-
-/// What the programs make their moves of; each of them prints with some of these.
+/// Arguments of the programs. Each program prints with some of them.
 const MOVES: [&str; 7] = [
     "30 10 5 0 10 1 0",
     "3 2 2 10 -10 0 0.5",
@@ -26,7 +17,7 @@ const MOVES: [&str; 7] = [
     "0 5 4 -2 0 50 0 0",
 ];
 
-/// Compiles a program, in C, or in C with its C++ twin, which then prints in its stead.
+/// Compiles a program: the C source alone, or the C source with its C++ twin, which then does the printing.
 fn compile(
     directory: &Path,
     name: &str,
@@ -76,7 +67,7 @@ fn the_originals_own_programs_print_the_same() {
         };
         let theirs =
             |name, cpp| compile(&theirs, name, cpp, size, &include(), &theirs.join("liba.a"));
-        for name in PROGRAMS {
+        for name in Family::ALL.map(Family::c_name) {
             let mut printed = [0, 0];
             for cpp in [false, true].into_iter().filter(|&cpp| !cpp || has_cpp) {
                 let programs = [ours(name, cpp), theirs(name, cpp)];

@@ -1,9 +1,9 @@
-//! Fifty million random calls per real type through the Rust API and the original.
+//! Do the Rust API and the original agree in fifty million random calls per real type?
 
 use oracle::abi::Original;
 use oracle::comparison::Report;
-use oracle::ours::Ours;
 use oracle::volume::run_seed;
+use support::Ours;
 
 fn fifty_million_calls<R: Original>() {
     let seeds = 0..50;

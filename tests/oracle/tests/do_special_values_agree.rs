@@ -1,9 +1,9 @@
-//! Every special value in every argument, alone and beside every other special value, and as the time.
+//! Do ours and the original agree on special values: in every argument, in every pair of arguments, and as the time?
 
 use oracle::abi::Original;
 use oracle::comparison::{Case, MOMENTS, Moment, Report};
-use oracle::family::{Family, MOST_ARGUMENTS, MOST_FIELDS};
-use oracle::ours::Ours;
+use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
+use support::{Family, Ours};
 
 /// Ordinary moves: with cruise, without, backward.
 const MOVES: [[f64; MOST_ARGUMENTS]; 3] = [
@@ -20,14 +20,14 @@ fn pairs<R: Original>() {
             for (first, second) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
                 for (n, a) in R::SPECIAL.into_iter().enumerate() {
                     for b in R::SPECIAL {
-                        let mut arguments = ordinary.map(R::round);
+                        let mut arguments = ordinary.map(R::of);
                         arguments[second] = b;
                         arguments[first] = a;
                         let at = |i| Moment::At(R::SPECIAL[(MOMENTS * n + i) % R::SPECIAL.len()]);
                         let case = Case {
                             family,
                             arguments,
-                            before: [R::from(3); MOST_FIELDS],
+                            before: [R::of(3.0); MOST_FIELDS],
                             planned: true,
                             moments: std::array::from_fn(at),
                         };

@@ -1,12 +1,12 @@
-//! Our C functions in this build's real type and polynomial layout against the original's.
+//! Do our C functions, in this build's real type and polynomial layout, give the bits of the original's?
 
 use atraj::capi::a_float;
 use oracle::abi::{OURS, Original};
 use oracle::comparison::{Case, Report};
-use oracle::family::{Family, Implementation};
 use oracle::moves::Moves;
 use oracle::together::Together;
 use oracle::volume::run_seed;
+use support::Implementation;
 
 #[test]
 fn ours_is_the_original() {
@@ -21,7 +21,7 @@ fn ours_together_is_the_original() {
 }
 
 fn is_polynomial(case: &Case<a_float>) -> bool {
-    !matches!(case.family, Family::Bell | Family::Trap)
+    case.family.is_polynomial()
 }
 
 fn planned_array_by_array(stepwise: &impl Implementation<a_float>) {
@@ -43,7 +43,7 @@ fn ours_is_the_same_array_by_array() {
     planned_array_by_array(&oracle::abi::OURS_STEPWISE);
 }
 
-/// A stored polynomial is evaluated from the array of its own derivative, whatever the others hold.
+/// Each quantity of a stored polynomial comes from one coefficient array, whatever the other arrays hold.
 #[cfg(not(feature = "poly-compact"))]
 #[test]
 fn any_struct_is_evaluated_alike() {

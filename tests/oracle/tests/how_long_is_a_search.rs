@@ -1,20 +1,20 @@
-//! How long can the search without cruise take?
+//! How many rounds can the search without cruise take?
 
 use oracle::abi::Original;
 use oracle::comparison::{Case, MOMENTS, Moment, Report};
-use oracle::family::{Family, MOST_ARGUMENTS, MOST_FIELDS};
-use oracle::ours::Ours;
+use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
+use support::{Family, Ours, Real};
 
 fn rounds<R: Original>(am: R, p1: R) -> u32 {
-    let one = R::from(1);
-    let mut arguments = [R::from(0); MOST_ARGUMENTS];
-    arguments[..7].copy_from_slice(&[one, am, one, R::from(0), p1, one, one]);
+    let [zero, one] = [0.0, 1.0].map(R::of);
+    let mut arguments = [zero; MOST_ARGUMENTS];
+    arguments[..7].copy_from_slice(&[one, am, one, zero, p1, one, one]);
     let case = Case {
         family: Family::Bell,
         arguments,
-        before: [R::from(0); MOST_FIELDS],
+        before: [zero; MOST_FIELDS],
         planned: true,
-        moments: [Moment::Fraction(R::HALF); MOMENTS],
+        moments: [Moment::Fraction(R::of(0.5)); MOMENTS],
     };
     let mut report = Report::default();
     report.compare(&Ours, &R::ORIGINAL, &case);
@@ -22,24 +22,24 @@ fn rounds<R: Original>(am: R, p1: R) -> u32 {
     report.most_rounds
 }
 
-/// The step begins at `am` and ends at epsilon, and every round halves it: the bound is attained where no trial ever fits,
-/// and one halving of `am` less is one round less.
+/// The step begins at `am` and ends at epsilon, and every round halves it. A search in which no trial fits takes the most
+/// rounds. Half the `am` is one round less.
 fn bound<R: Original>(largest: R) {
-    let nowhere = R::from_low_bits(u64::MAX); // NaN
+    let nowhere = R::of(f64::NAN);
     assert_eq!(rounds(largest, nowhere), R::MOST_ROUNDS);
-    assert_eq!(rounds(largest * R::HALF, nowhere), R::MOST_ROUNDS - 1);
-    assert_eq!(rounds(R::INFINITY, nowhere), 0);
+    assert_eq!(rounds(largest * R::of(0.5), nowhere), R::MOST_ROUNDS - 1);
+    assert_eq!(rounds(R::of(f64::INFINITY), nowhere), 0);
     assert_eq!(rounds(nowhere, nowhere), 1);
 }
 
 #[test]
 fn at_most_1076_rounds_in_f64() {
-    assert_eq!(<f64 as oracle::real::OracleReal>::MOST_ROUNDS, 1076);
+    assert_eq!(<f64 as Real>::MOST_ROUNDS, 1076);
     bound(f64::MAX);
 }
 
 #[test]
 fn at_most_151_rounds_in_f32() {
-    assert_eq!(<f32 as oracle::real::OracleReal>::MOST_ROUNDS, 151);
+    assert_eq!(<f32 as Real>::MOST_ROUNDS, 151);
     bound(f32::MAX);
 }

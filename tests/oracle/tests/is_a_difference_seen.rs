@@ -1,11 +1,11 @@
-//! Would the comparison see a difference, and are there two libraries to compare?
+//! Does the comparison see a difference, and does it compare two libraries?
 
 use oracle::abi::{OURS, Original};
 use oracle::comparison::Report;
 use oracle::faults::Fault;
-use oracle::ours::Ours;
 use oracle::volume::run_seed;
 use std::collections::HashSet;
+use support::Ours;
 
 #[test]
 fn three_libraries_are_linked() {
@@ -42,7 +42,7 @@ fn every_fault_is_caught_f32() {
     every_fault_is_caught::<f32>();
 }
 
-/// What the faults are measured against.
+/// If something differed without a fault, a caught fault would prove nothing.
 #[test]
 fn without_a_fault_nothing_differs() {
     run_seed::<f64>(&Ours, &<f64 as Original>::ORIGINAL, 0).assert_same();

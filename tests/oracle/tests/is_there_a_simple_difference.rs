@@ -1,18 +1,20 @@
-//! Moves as proptest makes them: where ours and the original part, it looks for the simplest move that shows it.
+//! Is there a simple move on which ours and the original differ?
+//!
+//! proptest makes the moves, and of a move that shows a difference it makes the simplest one.
 
 use oracle::abi::Original;
 use oracle::comparison::{Case, MOMENTS, Moment, Report};
-use oracle::family::{Family, Implementation, MOST_ARGUMENTS, MOST_FIELDS};
 use oracle::faults::Fault;
-use oracle::ours::Ours;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestError, TestRunner};
+use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};
+use support::{Family, Implementation, Ours};
 
-/// Ordinary numbers, which shrink to small integers; special ones; any.
+/// An ordinary number, which shrinks to a small integer, a special number, or any bit pattern.
 fn real<R: Original>() -> impl Strategy<Value = R> {
     prop_oneof![
-        4 => (-64..64_i16).prop_map(|n| R::round(f64::from(n))),
-        4 => (-100.0..100.0).prop_map(R::round),
+        4 => (-64..64_i16).prop_map(|n| R::of(f64::from(n))),
+        4 => (-100.0..100.0).prop_map(R::of),
         1 => prop::sample::select(R::SPECIAL.to_vec()),
         1 => any::<u64>().prop_map(R::from_low_bits),
     ]
@@ -20,9 +22,8 @@ fn real<R: Original>() -> impl Strategy<Value = R> {
 
 fn moment<R: Original>() -> impl Strategy<Value = Moment<R>> {
     prop_oneof![
-        (0..Moment::<R>::BORDERS, -2..=2_i8)
-            .prop_map(|(index, steps)| Moment::Border { index, steps }),
-        (-0.1..1.1).prop_map(|fraction| Moment::Fraction(R::round(fraction))),
+        (0..MOST_BORDERS, -2..=2_i8).prop_map(|(index, steps)| Moment::Border { index, steps }),
+        (-0.1..1.1).prop_map(|fraction| Moment::Fraction(R::of(fraction))),
         real().prop_map(Moment::At),
     ]
 }
@@ -37,14 +38,14 @@ fn case<R: Original>() -> impl Strategy<Value = Case<R>> {
             |(family, arguments, moments): (_, [_; MOST_ARGUMENTS], [_; MOMENTS])| Case {
                 family,
                 arguments,
-                before: [R::from(0); MOST_FIELDS],
+                before: [R::of(0.0); MOST_FIELDS],
                 planned: true,
                 moments,
             },
         )
 }
 
-/// The simplest case in which they differ.
+/// The simplest case in which `ours` and the original differ.
 fn difference<R: Original>(ours: impl Implementation<R>) -> Option<Case<R>> {
     let config = Config {
         cases: 50_000,

@@ -1,17 +1,18 @@
-//! Our library beside the original's on one link line: which of the two does what?
+//! With our library and the original's on one link line, which library does what?
 
-mod original;
-
-use oracle::common::{DOUBLE, has_tool, lines, root, run};
-use original::{build, directory, include};
+use oracle::original::{build, directory, include};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use support::Family;
+use support::repository::root;
+use support::tools::{has_tool, lines, run};
+use support::variant::DOUBLE;
 
-/// Names of the trajectories, the original's other parts and the system's that the program uses.
+/// Functions that the program calls: of the trajectories, of the original's other parts, and of the system.
 const TRACED: [&str; 4] = ["a_trajbell_gen", "a_pid_pos", "sqrt", "memcpy"];
 
-/// Links `c/mixed.c` with these libraries; what it prints, and which file defines each of the traced names.
+/// Links `c/mixed.c` with these libraries; what it prints, and the file that defines each traced function.
 fn link(libraries: &[&Path]) -> (Vec<String>, [String; 4]) {
     let program = directory("linked").join("mixed");
     let mut link = Command::new("cc");
@@ -67,19 +68,13 @@ fn the_first_on_the_line_has_the_trajectories_and_nothing_else_is_replaced() {
     }
 }
 
-/// The original's shared library with our functions alone, and types for `abidiff`.
+/// The original's shared library, with no functions but ours and with types for `abidiff`.
 fn with_types(name: &str, flags: &[&str]) -> PathBuf {
     let directory = directory(name);
     let exports = directory.join("exports.map");
     fs::write(&exports, "{ global: a_traj*; local: *; };\n").unwrap();
-    let sources = [
-        "trajbell",
-        "trajtrap",
-        "trajpoly3",
-        "trajpoly5",
-        "trajpoly7",
-        "poly",
-    ];
+    let mut sources = Family::ALL.map(Family::c_name).to_vec();
+    sources.push("poly");
     build(&directory, &sources, &[&["-g"], flags].concat());
     let library = directory.join("exported.so");
     let mut link = Command::new("cc");
@@ -95,7 +90,7 @@ fn with_types(name: &str, flags: &[&str]) -> PathBuf {
     library
 }
 
-/// What `abidiff` finds between the two and whether it is a change.
+/// What `abidiff` prints about two libraries, and whether it found a change.
 fn abidiff(theirs: &Path, ours: &Path) -> (String, bool) {
     let output = Command::new("abidiff")
         .arg("--no-added-syms")

@@ -12,12 +12,11 @@ use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
 use atraj::capi::trajbell::a_trajbell;
 use oracle::abi::{Abi, Evaluate, Gen7, OURS, Original};
-use oracle::common::random::Random;
-use oracle::family::{Family, Implementation};
 use std::hint::black_box;
 use std::process::Command;
 use std::rc::Rc;
 use std::time::Instant;
+use support::{Family, Implementation, Random};
 
 const WARM: usize = 4096;
 const COLD: usize = 262_144;
@@ -298,7 +297,7 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
         let pass = [fit_all::<0>, fit_all::<1>, fit_all::<2>][library];
         pass(family, &plans, &mut fields);
     });
-    let function = format!("a_traj{}_gen", family.name());
+    let function = format!("a_{}_gen", family.c_name());
     Row {
         function,
         case: place.into(),
@@ -348,13 +347,9 @@ fn evaluations(
         (format!("random, {place}"), at_random),
         (format!("sweep, {place}"), sweep),
     ] {
-        for (index, name) in ["pos", "vel", "acc", "jer"]
-            .iter()
-            .enumerate()
-            .take(family.functions().len())
-        {
+        for (index, quantity) in family.quantities().iter().enumerate() {
             rows.push(evaluation(
-                format!("a_traj{}_{name}", family.name()),
+                format!("a_{}_{}", family.c_name(), quantity.c),
                 &case,
                 moments.clone(),
                 (family, index),

@@ -1,23 +1,34 @@
 //! The double-S plan written a second time, step by step as the numerical contract has it, and never optimised. It counts
 //! the rounds of the search without cruise, which no library tells.
 
-use atraj::{Bell, Real};
+use crate::profiles::{bell, bell_fields};
+use crate::real::Real;
+use atraj::Bell;
 
 /// What a plan comes to.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<R> {
     /// The duration; 0 where the plan fails.
     pub duration: R,
-    /// Rounds of the search; 0 with a cruise phase, and where [`Plan::endless`].
+    /// Rounds of the search; 0 with a cruise phase or if [`Plan::endless`].
     pub rounds: u32,
     /// The original would never return: `am` is infinite and there is no cruise phase.
     pub endless: bool,
 }
 
+/// Plans as `gen` does: finds what `fields` held before and writes them.
+pub fn plan<R: Real>(arguments: &[R], fields: &mut [R]) -> Plan<R> {
+    let mut bell = bell(fields);
+    let arguments = arguments.try_into().expect("seven arguments");
+    let plan = steps(&mut bell, arguments);
+    fields.copy_from_slice(&bell_fields(&bell));
+    plan
+}
+
 /// Steps 1 to 8 of `gen(jm, am, vm, p0, p1, v0, v1)`.
-pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
+fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     let [jm, am, vm, mut p0, mut p1, v0, v1] = arguments;
-    let [zero, one, two] = [0, 1, 2].map(R::from);
+    let [zero, half, one, two] = [0.0, 0.5, 1.0, 2.0].map(R::of);
 
     // 1
     let jm = negate_if_negative(jm);
@@ -44,7 +55,7 @@ pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     // 3
     let d = vm - v0;
     if d * jm < a {
-        bell.taj = (d / jm).sqrt();
+        bell.taj = (d / jm).square_root();
         bell.ta = two * bell.taj;
         bell.am = jm * bell.taj;
     } else {
@@ -56,7 +67,7 @@ pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     // 4
     let e = vm - v1;
     if e * jm < a {
-        bell.tdj = (e / jm).sqrt();
+        bell.tdj = (e / jm).square_root();
         bell.td = two * bell.tdj;
         bell.dm = (-jm) * bell.tdj;
     } else {
@@ -67,8 +78,8 @@ pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
 
     // 5
     let p = p1 - p0;
-    bell.tv = ((p / vm) - ((R::HALF * bell.ta) * (one + v0 / vm)))
-        - ((R::HALF * bell.td) * (one + v1 / vm));
+    bell.tv =
+        ((p / vm) - ((half * bell.ta) * (one + v0 / vm))) - ((half * bell.td) * (one + v1 / vm));
 
     // 6
     let mut rounds = 0;
@@ -78,8 +89,8 @@ pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     if !cruise {
         bell.tv = zero;
         bell.am = am;
-        bell.dm = am * R::SIXTEENTH;
-        endless = am == R::INFINITY;
+        bell.dm = am * R::of(1.0 / 16.0);
+        endless = am == R::of(f64::INFINITY);
         (planned, rounds) = if endless {
             (false, 0)
         } else {
@@ -101,9 +112,9 @@ pub fn plan<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
 }
 
 /// The search of step 6 for an acceleration whose two ramps fit into the distance `p`, beginning at `am`: whether it is
-/// found, and after how many rounds. `bell` holds `jm`, and `am` and `am/16` in its fields `am` and `dm`.
-pub fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bool, u32) {
-    let [zero, two, four] = [0, 2, 4].map(R::from);
+/// found, and after how many rounds. The fields `am` and `dm` of `bell` hold `am` and `am/16`.
+fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bool, u32) {
+    let [zero, two, four] = [0.0, 2.0, 4.0].map(R::of);
     let jm = bell.jm;
     let a2v0 = two * v0;
     let a2v1 = two * v1;
@@ -120,7 +131,7 @@ pub fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bo
         bell.tdj = tj;
         let k = am * tj;
         let r = (k * k + q) + (four * p - tj2 * s) * am;
-        let k = k + r.sqrt();
+        let k = k + r.square_root();
         let den = two * am;
         bell.ta = (k - a2v0) / den;
         let raise = if bell.ta < zero {
@@ -147,9 +158,9 @@ pub fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bo
                 false
             }
         };
-        step = step * R::HALF;
+        step = step * R::of(0.5);
         am = if raise { am + step } else { am - step };
-        let go_on = step > R::EPSILON;
+        let go_on = step > R::MACHINE_EPSILON;
         if !go_on {
             return (false, rounds);
         }
@@ -157,17 +168,17 @@ pub fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bo
 }
 
 fn down_only<R: Real>(bell: &mut Bell<R>, p: R, v0: R, v1: R) -> bool {
-    let zero = R::from(0);
+    let zero = R::of(0.0);
     let s = v0 + v1;
     bell.ta = zero;
     bell.taj = zero;
-    bell.td = (R::from(2) * p) / s;
+    bell.td = (R::of(2.0) * p) / s;
     let m = bell.jm * p;
     let w = bell.jm * (m * p + ((v1 - v0) * s) * s);
     if w < zero {
         return false;
     }
-    bell.tdj = (m - w.sqrt()) / (bell.jm * s);
+    bell.tdj = (m - w.square_root()) / (bell.jm * s);
     bell.am = zero;
     bell.dm = (-bell.jm) * bell.tdj;
     bell.vm = v0;
@@ -175,17 +186,17 @@ fn down_only<R: Real>(bell: &mut Bell<R>, p: R, v0: R, v1: R) -> bool {
 }
 
 fn up_only<R: Real>(bell: &mut Bell<R>, p: R, v0: R, v1: R) -> bool {
-    let zero = R::from(0);
+    let zero = R::of(0.0);
     let s = v0 + v1;
     bell.td = zero;
     bell.tdj = zero;
-    bell.ta = (R::from(2) * p) / s;
+    bell.ta = (R::of(2.0) * p) / s;
     let m = bell.jm * p;
     let w = bell.jm * (m * p + ((v0 - v1) * s) * s);
     if w < zero {
         return false;
     }
-    bell.taj = (m - w.sqrt()) / (bell.jm * s);
+    bell.taj = (m - w.square_root()) / (bell.jm * s);
     bell.am = bell.jm * bell.taj;
     bell.dm = zero;
     bell.vm = v0 + bell.am * (bell.ta - bell.taj);
@@ -193,7 +204,7 @@ fn up_only<R: Real>(bell: &mut Bell<R>, p: R, v0: R, v1: R) -> bool {
 }
 
 fn negate_if_negative<R: Real>(x: R) -> R {
-    if x < R::from(0) { -x } else { x }
+    if x < R::of(0.0) { -x } else { x }
 }
 
 fn clamp<R: Real>(x: R, lo: R, hi: R) -> R {

@@ -1,39 +1,39 @@
 //! The original as its users have it: headers, archive and shared library under its own names.
-#![allow(dead_code)] // each test file uses a part of it
 
-use oracle::common::{DOUBLE, FLOAT, Variant, run, symbols};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use support::tools::run;
+use support::variant::{DOUBLE, FLOAT, Variant};
 
 /// The `liba` crate.
 pub const LIBA: &str = env!("LIBA");
 
-/// Its headers.
+/// The headers.
 pub fn include() -> PathBuf {
     Path::new(LIBA).join("include")
 }
 
-/// The build variants of ours that the original has too, and what its headers must be told.
+/// Our builds that the original has too, each with the flag that its headers need.
 pub const REALS: [(&Variant, &str); 2] =
     [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
 
 /// The functions that the original has too.
 pub fn shared_symbols(variant: &Variant) -> Vec<String> {
-    let mut names = symbols(variant);
+    let mut names = variant.symbols();
     names.retain(|name| name.starts_with("a_traj"));
     names
 }
 
-/// An empty directory for a test.
+/// An empty directory for a test, beside what `build.rs` made.
 pub fn directory(name: &str) -> PathBuf {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let directory = Path::new(env!("OUT_DIR")).join(name);
     let _ = fs::remove_dir_all(&directory);
     fs::create_dir_all(&directory).unwrap();
     directory
 }
 
-/// Builds `liba.a` and `liba.so` of all sources, or of those named, with these compiler flags.
+/// Builds `liba.a` and `liba.so` of the named sources, or of all sources if none is named, with these compiler flags.
 pub fn build(directory: &Path, sources: &[&str], flags: &[&str]) {
     let mut objects = Vec::new();
     for entry in fs::read_dir(Path::new(LIBA).join("src")).unwrap() {
