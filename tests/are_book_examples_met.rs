@@ -4,7 +4,7 @@
 use approx::assert_abs_diff_eq;
 use atraj::{Bell, Boundary};
 
-/// All four move from 0 to 10 with a jerk of 30 and an acceleration of 10 at most.
+/// All four examples move from 0 to 10 with a jerk of 30 and an acceleration of 10 at most.
 fn example(velocity: f64, v0: f64, v1: f64) -> Bell<f64> {
     let boundary = Boundary {
         p0: 0.0,

@@ -67,7 +67,8 @@ extern \"C\" {{
     .to_owned()
 }
 
-/// The C++ methods in a struct call the functions, so these come first: one cbindgen pass each.
+/// The C++ methods in a struct call the functions, so the functions come first. cbindgen runs once for the functions and
+/// once for the structs.
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());
     let config = config(name);
@@ -107,7 +108,7 @@ typedef struct a_{name} {name};
     .to_owned()
 }
 
-/// What a polynomial header says of the arrays in its struct; nothing for the others.
+/// What a polynomial header says of the arrays in its struct. Other headers say nothing.
 fn levels(name: &str) -> String {
     let highest = match name {
         "trajpoly3" | "trajpoly5" => 3,
@@ -172,7 +173,7 @@ fn pass(name: &str, config: &Config, items: ItemType) -> String {
         .unwrap()
         .write(&mut text);
     let text = String::from_utf8(text).unwrap();
-    // cbindgen puts the `;` of a conditional field behind its `#endif`, and knows no condition but `defined`.
+    // cbindgen puts the `;` of a conditional field behind its `#endif`, and writes no condition but `defined`.
     let mut text = text.replace("\n#endif\n    ;\n", ";\n#endif\n");
     for (level, array) in ["v", "a", "j"].iter().enumerate() {
         let condition = format!("A_{} + 0 > {}", name.to_uppercase(), level + 1);

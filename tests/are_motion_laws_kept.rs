@@ -15,7 +15,7 @@ fn close(x: f64, y: f64, scale: f64) -> bool {
     (x - y).abs() <= TOLERANCE * (1.0 + scale.abs())
 }
 
-/// Largest magnitude.
+/// The largest magnitude.
 fn size(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |most, x| x.abs().max(most))
 }
@@ -44,7 +44,7 @@ fn scaled(boundary: Boundary<f64>, position: f64, velocity: f64) -> Boundary<f64
     }
 }
 
-/// How much `f` changes over the border `x`.
+/// The change of `f` across the border `x`.
 fn jump(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     let rounding = f64::EPSILON * x.abs();
     f(x + rounding) - f(x - rounding)

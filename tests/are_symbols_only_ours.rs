@@ -1,5 +1,5 @@
-//! Is the archive one object that defines the documented symbols and needs nothing but the square root and the
-//! clock?
+//! Does the library define the documented symbols and no other, and need nothing but the square root, the clock and
+//! `memset`?
 
 use std::path::Path;
 use std::process::Command;
@@ -22,8 +22,8 @@ fn names(flags: &[&str], file: &Path) -> Vec<String> {
     names
 }
 
-/// What the archive may need: the clock, roots, of which a compiler that knows them not to fail leaves the instruction alone,
-/// and `memset` for samples that are all 0.
+/// What the archive may need: the clock, roots, and `memset` for samples that are all 0. LLVM emits a bare root instruction
+/// only if the argument cannot be negative. Otherwise it also emits a call.
 fn needed(variant: &Variant) -> &'static [&'static str] {
     if variant.choices.contains(&"REAL=float") {
         &["clock_gettime", "memset", "sqrt", "sqrtf"]
@@ -33,7 +33,7 @@ fn needed(variant: &Variant) -> &'static [&'static str] {
 }
 
 #[test]
-fn archive() {
+fn in_the_archive() {
     for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT] {
         let archive = variant.dist().join("lib/libatraj.a");
         let members = lines(Command::new("ar").arg("t").arg(&archive));
@@ -47,7 +47,7 @@ fn archive() {
         for name in &undefined {
             assert!(needed(variant).contains(&name.as_str()), "needs {name}");
         }
-        // Local symbols too: a panic or an allocation that can be reached leaves its function here.
+        // Local symbols too: a panic or an allocation that the code can reach leaves its function here.
         for name in names(&[], &archive) {
             assert!(
                 !["panic", "alloc", "unwind", "core"]
@@ -60,7 +60,7 @@ fn archive() {
 }
 
 #[test]
-fn shared_library() {
+fn in_the_shared_library() {
     for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT] {
         let library = variant.dist().join("lib/libatraj.so");
         assert_eq!(

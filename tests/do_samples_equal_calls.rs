@@ -137,7 +137,7 @@ fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(
     for golden in golden::evaluations::<R>(family) {
         let profile = &planned[golden.case];
         let mut sampled = [[R::of(0.0); 3]; N];
-        // Any time plus -0 is that time.
+        // Any time plus -0 is this time.
         profile.sample_into(
             golden.x,
             R::of(-0.0),

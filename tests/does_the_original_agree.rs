@@ -1,4 +1,6 @@
-//! Does atraj give the bits of the original itself? The package in `tests/oracle` asks; here it is run.
+//! Does atraj give the bits of the original itself?
+//!
+//! The tests of the package in `tests/oracle` ask. This test runs them.
 
 use std::path::Path;
 use std::process::Command;
@@ -16,7 +18,8 @@ fn oracle(arguments: &[&str]) {
     assert!(status.success(), "the oracle found a difference: see above");
 }
 
-/// All at once: the default build runs everything, the others their C functions.
+/// In one test, because cargo runs one build at a time. The default build runs every test, each other build the tests of its
+/// C functions.
 #[test]
 fn the_original_agrees() {
     oracle(&[]);

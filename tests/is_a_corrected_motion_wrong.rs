@@ -1,5 +1,7 @@
-//! A million random scripts in corrected mode against the definition of a wrong motion, which knows nothing of how a
-//! profile is planned; the same moves as the listing plans them, for comparison.
+//! Is any motion of a million random scripts wrong in corrected mode?
+//!
+//! The definition of a wrong motion knows nothing of how a profile is planned. The listing plans the same moves, for
+//! comparison.
 //!
 //! `cargo test --test is_a_corrected_motion_wrong -- --nocapture` prints the shares of wrong motions.
 
@@ -10,12 +12,12 @@ use support::{Random, Real};
 
 const SCRIPTS: usize = 1_000_000;
 
-/// Between acceleration and deceleration. Far beyond it the cancellation in the listing's formulas shows.
+/// The highest ratio of acceleration and deceleration. Far higher ratios show the cancellation in the listing's formulas.
 const RATIO: f64 = 1e6;
 /// Above `EPS`, so that no rate is raised.
 const LOWEST_RATE: f64 = 1e-9;
 
-/// What a script asks of the axis, and how the outcome is counted.
+/// What a script asks of the axis. The outcomes of each request are counted apart.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Request {
     FirstMove,
@@ -63,7 +65,7 @@ impl Request {
     }
 }
 
-/// A motion that was asked for: from where, to where, within which limits.
+/// A requested motion: from where, to where, within which limits.
 #[derive(Clone, Copy, Debug)]
 struct Order {
     start: State,
@@ -71,7 +73,7 @@ struct Order {
 }
 
 impl Order {
-    /// A stop is the order to go as far as braking takes.
+    /// A stop is the order to go as far as the axis goes while it brakes.
     fn stop(start: State, limits: Target) -> Self {
         let v0 = start.velocity;
         let position = start.position + 0.5 * v0 * v0.abs() / limits.deceleration;
@@ -94,7 +96,7 @@ impl Order {
         0.5 * self.start.velocity * self.start.velocity / rate
     }
 
-    /// The motion starts towards this side.
+    /// The side that the motion starts towards: -1 or +1.
     fn side(&self) -> f64 {
         if self.start.velocity == 0.0 {
             self.distance().signum()
@@ -104,7 +106,7 @@ impl Order {
     }
 }
 
-/// Times worth a look: around every phase border, where the axis turns, and in between.
+/// Times at every phase border, just after it, and in between.
 fn sample_times([t1, t2, tf]: [f64; 3], random: &mut Random) -> Vec<f64> {
     let mut times = vec![0.0];
     for border in [t1, t2, tf] {
@@ -118,15 +120,15 @@ fn sample_times([t1, t2, tf]: [f64; 3], random: &mut Random) -> Vec<f64> {
     times
 }
 
-/// What a right motion keeps to, and how exactly `f64` can tell.
+/// The bounds of a right motion, and the rounding that `f64` adds.
 struct Bounds {
     top_speed: f64,
-    /// Positions seen from the start, in the direction the motion starts to.
+    /// Both positions are distances from the start, towards the side that the motion starts to.
     nearest: f64,
     farthest: f64,
-    /// Whether either rate stops the axis before the target.
+    /// Whether the axis can stop before the target with one of the rates.
     avoidable: bool,
-    /// Within rounding of a stopping distance two motions are right.
+    /// The target is within rounding of a stopping distance, so two motions are right.
     tie: bool,
     position_rounding: f64,
     velocity_rounding: f64,
@@ -165,7 +167,7 @@ impl Bounds {
     }
 }
 
-/// Why a motion is wrong, judged from its setpoints alone; `None` if it is right.
+/// Why a motion is wrong, judged from its setpoints alone. `None` if it is right.
 fn fault(
     order: &Order,
     times: &[f64],
@@ -205,7 +207,7 @@ fn fault(
     None
 }
 
-/// The same for a piece of the motion without a phase border inside.
+/// Why a piece of a motion is wrong. No phase border lies inside the piece.
 fn fault_between(
     order: &Order,
     bounds: &Bounds,
@@ -315,8 +317,8 @@ impl Tally {
         }
     }
 
-    /// The listing's motion is right: the corrected one has its bits, but for moves below `EPS`, the acceleration at the
-    /// first instant of a stop, and ties.
+    /// Compares a corrected motion with a right motion of the listing. The bits must be the same, except in moves below `EPS`,
+    /// in the acceleration at the first instant of a stop, and in ties.
     fn compare(
         &mut self,
         axis: &mut Trajectory,
@@ -392,13 +394,13 @@ fn random_limits(random: &mut Random) -> Target {
     }
 }
 
-/// The way it takes to reach the maximum velocity and to stop again.
+/// The distance in which an axis reaches the maximum velocity and stops again.
 fn natural_length(limits: Target) -> f64 {
     let rates = 1.0 / limits.acceleration + 1.0 / limits.deceleration;
     0.5 * limits.velocity * limits.velocity * rates
 }
 
-/// What `request` makes of the present target, for an axis in `state`.
+/// The target after `request`, for an axis in `state` with the present `target`.
 fn next_target(request: Request, state: State, target: Target, random: &mut Random) -> Target {
     let State { position, velocity } = state;
     let length = natural_length(target);
@@ -507,8 +509,8 @@ fn a_million_scripts_without_a_wrong_motion() {
     );
 }
 
-/// The listing's root cancels when there is hardly anything to accelerate for; the ratios are beyond those of the scripts, so
-/// that it shows.
+/// The listing's root cancels when the axis has hardly to accelerate. The ratios are higher than in the scripts, so that the
+/// cancellation shows.
 #[test]
 fn no_seam_where_the_switching_time_cancels() {
     for [p0, v0, position, velocity, acceleration, deceleration] in [

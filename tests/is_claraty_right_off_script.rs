@@ -1,4 +1,4 @@
-//! What no golden script pins down: ends, timers, ties, waypoints and clocks.
+//! Is CLARAty's trapezoid right where no golden script looks: at ends, timers, ties, waypoints and clocks?
 
 use atraj::claraty::{
     EPS, Kind, Mode, Profile, Setpoint, State, Target, Trajectory, Warnings, Waypoints,
@@ -270,7 +270,7 @@ fn waypoints() -> Waypoints<'static> {
     Waypoints::new(&POSITIONS, &VELOCITIES, &ACCELERATIONS).unwrap()
 }
 
-/// The same moves as single corrected profiles, each with the time it starts at.
+/// The moves between the waypoints as single corrected profiles, each with its start time.
 fn single_moves(mut from: State) -> Vec<(f64, Profile)> {
     let mut begins = 0.0;
     (0..POSITIONS.len())
@@ -375,7 +375,7 @@ fn a_set_lets_go_of_the_waypoints_and_ends_at_the_next_one() {
     axis.set(waypoints().into(), 0.0);
     axis.start(0.0);
     let before = axis.setpoint(now);
-    axis.setpoint_at(0.0); // wherever somebody looked last
+    axis.setpoint_at(0.0); // The outcome must not depend on the last look.
     axis.set(to(0.0).into(), now);
     assert_eq!(axis.setpoint(now), before);
     assert_eq!(axis.duration(), begins + profile.tf);

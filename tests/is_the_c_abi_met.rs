@@ -15,7 +15,7 @@ const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 const C: [&str; 3] = ["c99", "c11", "c17"];
 const CPP: [&str; 4] = ["c++98", "c++11", "c++17", "c++20"];
 
-/// Compiles `c_tests/{source}` against the variant's headers and archive, once; the program.
+/// Compiles `c_tests/{source}` against the variant's headers and archive, once. The result is the program.
 fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> PathBuf {
     static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     let dist = variant.dist();
@@ -36,7 +36,7 @@ fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> Pat
     program
 }
 
-/// Replays the golden rows; the functions that were called, as the program prints them.
+/// Replays the golden rows. The result is the functions that the program called, as it prints them.
 fn replay_golden(command: &mut Command) -> Vec<String> {
     let table = lines(command.arg(golden::directory()));
     let mut functions = Vec::new();
@@ -65,7 +65,7 @@ fn golden_rows_from_c() {
     }
 }
 
-/// Whether the functions of the levels above the build's are left out as they should.
+/// Whether the build has this function. It has none of a level above its own.
 fn exists(variant: &Variant, symbol: &str) -> bool {
     const ABOVE: [&str; 7] = [
         "a_trajpoly3_gen1",
@@ -148,7 +148,7 @@ fn layout_prelude_and_null() {
 }
 
 #[test]
-fn sampling() {
+fn sampling_from_c() {
     for variant in VARIANTS {
         for compiler in compilers(Language::C) {
             let program = build(variant, compiler, &["-std=c99"], "sample.c");
@@ -174,7 +174,7 @@ fn cpp_methods_and_namespace() {
     }
 }
 
-/// Runs the scripts of CLARAty's listing, and what else the program promises; both replays must have had no difference.
+/// Runs a program that replays the scripts of CLARAty's listing twice, without a difference.
 fn replay_claraty(command: &mut Command) {
     let replays = lines(command.arg(golden::directory()));
     assert_eq!(
@@ -349,7 +349,7 @@ fn headers_refuse_what_the_archive_is_not() {
     assert!(!accepts("cc", "c", &source, &["-DA_SIZE_FLOAT=2"]));
 }
 
-/// The blocks of the README in this language, each as a whole program; `drive` takes what the axis is told.
+/// The blocks of the README in this language, each as a whole program. `drive` takes the setpoints.
 fn readme_programs(fence: &str) -> Vec<String> {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
     let opening = format!("```{fence}\n");

@@ -1,4 +1,4 @@
-//! Does `make demo` prove and draw what it says, and would its parity table show a wrong bit?
+//! Does `make demo` prove and draw what it says, and does its parity table show a wrong bit?
 
 use std::fs;
 use std::path::PathBuf;
@@ -8,7 +8,7 @@ use support::golden;
 use support::repository::root;
 use support::tools::has_tool;
 
-/// What `make demo` printed. It runs once for all tests here.
+/// What `make demo` printed. It runs once for all tests of this file.
 static DEMO: LazyLock<String> = LazyLock::new(|| {
     let mut make = Command::new("make");
     for choice in [

@@ -1,4 +1,4 @@
-//! `bell` against the original: any move, any time, the same bits.
+//! Does `bell` give the bits of the original for any move at any time?
 #![no_main]
 
 use oracle::{Family, bytes::compare};

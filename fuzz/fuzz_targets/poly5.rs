@@ -1,4 +1,4 @@
-//! `poly5` against the original: any move, any time, the same bits.
+//! Does `poly5` give the bits of the original for any move at any time?
 #![no_main]
 
 use oracle::{Family, bytes::compare};

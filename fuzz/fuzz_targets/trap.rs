@@ -1,4 +1,4 @@
-//! `trap` against the original: any move, any time, the same bits.
+//! Does `trap` give the bits of the original for any move at any time?
 #![no_main]
 
 use oracle::{Family, bytes::compare};

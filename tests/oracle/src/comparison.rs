@@ -4,21 +4,21 @@ use std::fmt;
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Implementation, Real, reference};
 
-/// Times at which each move is evaluated.
+/// The number of times at which each move is evaluated.
 pub const MOMENTS: usize = 4;
 
 /// A move to plan and the times at which to evaluate it.
 #[derive(Clone, Copy)]
 pub struct Case<R> {
-    /// Whose functions are called.
+    /// The functions that are called.
     pub family: Family,
     /// Arguments of `gen`, as many as the family has.
     pub arguments: [R; MOST_ARGUMENTS],
-    /// What the struct holds before.
+    /// What the struct holds before `gen`.
     pub before: [R; MOST_FIELDS],
     /// Whether `gen` is called. If not, the struct is evaluated as it is.
     pub planned: bool,
-    /// When it is evaluated.
+    /// The times at which it is evaluated.
     pub moments: [Moment<R>; MOMENTS],
 }
 
@@ -33,7 +33,7 @@ pub enum Moment<R> {
     Border {
         /// Which border, modulo the number of borders.
         index: usize,
-        /// Numbers further from zero.
+        /// How many representable numbers further from zero.
         steps: i8,
     },
 }

@@ -8,11 +8,11 @@ use support::{Family, Implementation, Ours, Real};
 pub enum Fault {
     /// The bell's duration adds its operands in another order: `ta + (tv + td)`.
     OperandOrder,
-    /// The bell's position multiplies by 1/6 where it should divide by 6, in the first phase alone.
+    /// The bell's position multiplies by 1/6 instead of dividing by 6, in the first phase alone.
     ProductWithSixth,
     /// A cubic's position multiplies and adds in one rounding.
     FusedMultiplyAdd,
-    /// The trapezoid's acceleration phase ends with `x <= ta` where it should with `x < ta`.
+    /// The trapezoid's acceleration phase ends with `x <= ta` instead of `x < ta`.
     LessOrEqual,
 }
 

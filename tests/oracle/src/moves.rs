@@ -10,7 +10,7 @@ use support::{Family, Random, Real};
 enum Distribution {
     /// 2^-7 to 2^7.
     Ordinary,
-    /// Ordinary, with a distance within a few roundings of where the plan takes another branch or has no solution.
+    /// Ordinary, with a distance at which a few roundings decide the branch of the plan, or whether it has a solution.
     NearlyInfeasible,
     /// Near the smallest normal number.
     Tiny,
@@ -18,11 +18,11 @@ enum Distribution {
     Huge,
     /// Below the smallest normal number.
     Denormal,
-    /// Every argument of another magnitude.
+    /// The magnitude of every argument is different.
     Wide,
     /// Small multiples of powers of two, on which much arithmetic is exact and many comparisons are ties.
     BinaryFractions,
-    /// Ordinary but for one argument.
+    /// All arguments ordinary except one.
     OneSpecial,
     /// Every second argument special.
     Special,
@@ -45,7 +45,7 @@ const DISTRIBUTIONS: [Distribution; 12] = [
     Distribution::Bits,
 ];
 
-/// The bell twice, because it has the most branches.
+/// The bell comes twice, because it has the most branches.
 const FAMILIES: [Family; 6] = [
     Family::Bell,
     Family::Bell,

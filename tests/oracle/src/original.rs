@@ -14,7 +14,7 @@ pub fn include() -> PathBuf {
     Path::new(LIBA).join("include")
 }
 
-/// Our builds that the original has too, each with the flag that its headers need.
+/// Our builds that exist of the original too, each with the flag that the original's headers need.
 pub const REALS: [(&Variant, &str); 2] =
     [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
 

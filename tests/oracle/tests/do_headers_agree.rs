@@ -141,7 +141,7 @@ fn layouts_are_the_same() {
     }
 }
 
-/// A program on these headers and on our archive; what it prints.
+/// Compiles a program with these headers and our archive. The result is what it prints.
 fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) -> Vec<String> {
     let program = directory("consumer").join("program");
     let mut compile = Command::new(compiler[0]);

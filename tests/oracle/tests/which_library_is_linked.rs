@@ -12,7 +12,7 @@ use support::variant::DOUBLE;
 /// Functions that the program calls: of the trajectories, of the original's other parts, and of the system.
 const TRACED: [&str; 4] = ["a_trajbell_gen", "a_pid_pos", "sqrt", "memcpy"];
 
-/// Links `c/mixed.c` with these libraries; what it prints, and the file that defines each traced function.
+/// Links `c/mixed.c` with these libraries. The result is what it prints, and the file that defines each traced function.
 fn link(libraries: &[&Path]) -> (Vec<String>, [String; 4]) {
     let program = directory("linked").join("mixed");
     let mut link = Command::new("cc");

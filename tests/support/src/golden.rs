@@ -13,7 +13,7 @@ pub struct Move<R> {
     pub place: String,
     /// Arguments of `gen`.
     pub arguments: Vec<R>,
-    /// What `gen` returned, if it returns something.
+    /// What `gen` returned, if it returns anything.
     pub duration: Option<R>,
     /// What `gen` wrote.
     pub fields: Vec<R>,
