@@ -16,10 +16,10 @@ pub enum Family {
 }
 
 /// The most arguments a family's `gen` has.
-pub const MOST_ARGUMENTS: usize = 9;
+pub const MOST_ARGUMENTS: usize = POLY7.arguments.len();
 /// The most reals a family's struct holds.
-pub const MOST_FIELDS: usize = 26;
-/// The most borders a family has.
+pub const MOST_FIELDS: usize = POLY7.fields.len();
+/// The most borders a family has, which are the borders of the bell.
 pub const MOST_BORDERS: usize = 9;
 
 /// Something that a profile is evaluated for.
@@ -188,12 +188,15 @@ impl Family {
         let start = R::of(0.0);
         match self {
             Self::Bell => {
-                let bell = bell(fields);
                 #[rustfmt::skip]
-                let Bell { t, tv, ta, td, taj, tdj, .. } = bell;
-                let speeding = [start, taj, ta - taj, ta];
-                let braking = [t - td, t - td + tdj, t - tdj, t];
-                [&speeding[..], &[ta + tv], &braking].concat()
+                let Bell { t, tv, ta, td, taj, tdj, .. } = bell(fields);
+                #[rustfmt::skip]
+                let borders: [R; MOST_BORDERS] = [
+                    start, taj, ta - taj, ta,
+                    ta + tv,
+                    t - td, t - td + tdj, t - tdj, t,
+                ];
+                borders.to_vec()
             }
             Self::Trap => {
                 let Trap { t, ta, td, .. } = trap(fields);
