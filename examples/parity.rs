@@ -1,55 +1,20 @@
-//! Does a C program that links the archive compute the golden data bit for bit? `parity SERVO` replays every golden row of
-//! the double-S, the trapezoid and the septic polynomial through the program built from `servo.c` and prints a table.
+//! Is what a C program computes through the archive bit for bit the golden data? `parity SERVO` replays every golden row
+//! of the double-S, the trapezoid and the septic polynomial through the program made of `servo.c` and prints a table.
 
 use std::env;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
-
-#[path = "../tests/common/mod.rs"]
-mod common;
-use common::{Comparison, GoldenReal, Row, golden};
-
-/// A planner of the servo program and the shape of its golden files.
-struct Profile {
-    name: &'static str,
-    words: usize,
-    arguments: usize,
-    results: usize,
-    evaluations: &'static [&'static str],
-}
-
-const PROFILES: [Profile; 3] = [
-    Profile {
-        name: "bell",
-        words: 2,
-        arguments: 7,
-        results: 1 + 14,
-        evaluations: &["pos", "vel", "acc", "jer"],
-    },
-    Profile {
-        name: "trap",
-        words: 2,
-        arguments: 7,
-        results: 1 + 12,
-        evaluations: &["pos", "vel", "acc"],
-    },
-    Profile {
-        name: "poly7",
-        words: 1,
-        arguments: 9,
-        results: 8 + 7 + 6 + 5,
-        evaluations: &["pos", "vel", "acc", "jer"],
-    },
-];
+use support::golden::{self, Evaluation, Move};
+use support::{Comparison, Family, Real};
 
 fn main() -> ExitCode {
     let servo = env::args_os().nth(1).expect("usage: parity SERVO");
     println!("{:<18}{:>8}{:>16}", "function", "rows", "differing bits");
     let mut total = Parity::new("total".into());
-    for profile in &PROFILES {
-        for parity in replay(Path::new(&servo), profile) {
+    for family in [Family::Bell, Family::Trap, Family::Poly7] {
+        for parity in replay(Path::new(&servo), family) {
             parity.print();
             total.add(parity);
         }
@@ -83,7 +48,7 @@ impl Parity {
         }
     }
 
-    /// Compares the servo's answer with one golden row.
+    /// Compares an answer of the servo with a golden row.
     fn check(&mut self, place: &str, answer: &[f64], golden: &[f64]) {
         assert_eq!(answer.len(), golden.len(), "{place}: numbers in the answer");
         self.rows += 1;
@@ -109,65 +74,78 @@ impl Parity {
     }
 }
 
-/// Every golden row of one profile: the planner first, then its evaluations.
-fn replay(servo: &Path, profile: &Profile) -> Vec<Parity> {
-    let name = profile.name;
-    let plans = golden::<f64>(
-        &format!("{name}_gen"),
-        profile.words,
-        profile.arguments + profile.results,
-    );
-    let points = golden::<f64>(&format!("{name}_eval"), 1, 1 + profile.evaluations.len());
-
+/// Every golden row of one family: the planner first, then its evaluations.
+fn replay(servo: &Path, family: Family) -> Vec<Parity> {
+    let (name, c_name) = (family.name(), family.c_name());
     let mut parities: Vec<_> = ["gen"]
-        .iter()
-        .chain(profile.evaluations)
-        .map(|suffix| Parity::new(format!("a_traj{name}_{suffix}")))
+        .into_iter()
+        .chain(family.quantities().iter().map(|quantity| quantity.c))
+        .map(|suffix| Parity::new(format!("a_{c_name}_{suffix}")))
         .collect();
-    let (requests, asked) = requests(profile, &plans, &points);
+    let (requests, expected) = requests(family);
     let answers = answers(servo, name, &requests);
-    assert_eq!(answers.len(), asked.len(), "{name}: answers of the servo");
-    for ((word, answer), row) in answers.iter().zip(asked) {
+    assert_eq!(
+        answers.len(),
+        expected.len(),
+        "{name}: answers of the servo"
+    );
+    for ((word, answer), Expected { place, golden }) in answers.iter().zip(&expected) {
         if word == "plan" {
-            parities[0].check(&row.place, answer, &row.values[profile.arguments..]);
+            parities[0].check(place, answer, golden);
         } else {
+            // The answer begins with the time.
+            assert_eq!(
+                answer.len(),
+                1 + golden.len(),
+                "{place}: numbers in the answer"
+            );
             for (i, parity) in parities[1..].iter_mut().enumerate() {
-                parity.check(
-                    &row.place,
-                    &answer[i + 1..=i + 1],
-                    &row.values[i + 1..=i + 1],
-                );
+                parity.check(place, &answer[i + 1..=i + 1], &golden[i..=i]);
             }
         }
     }
     parities
 }
 
-/// The requests for the servo, and the golden row behind each answer.
-fn requests<'a>(
-    profile: &Profile,
-    plans: &'a [Row<f64>],
-    points: &'a [Row<f64>],
-) -> (String, Vec<&'a Row<f64>>) {
+/// The golden numbers behind an answer of the servo, and where they stand.
+struct Expected {
+    place: String,
+    golden: Vec<f64>,
+}
+
+/// The file the servo reads, and what it must answer.
+fn requests(family: Family) -> (String, Vec<Expected>) {
+    let moves: Vec<Move<f64>> = golden::moves(family);
+    let evaluations: Vec<Evaluation<f64>> = golden::evaluations(family);
     let mut requests = String::new();
-    let mut asked = Vec::new();
-    for plan in plans {
-        requests += profile.name;
-        for argument in &plan.values[..profile.arguments] {
+    let mut expected = Vec::new();
+    for (case, golden) in moves.iter().enumerate() {
+        requests += family.name();
+        for argument in &golden.arguments {
             write!(requests, " {argument:e}").unwrap();
         }
         requests.push('\n');
-        asked.push(plan);
-        for point in points.iter().filter(|point| point.case == plan.case) {
-            writeln!(requests, "at {:e}", point.values[0]).unwrap();
-            asked.push(point);
+        expected.push(Expected {
+            place: golden.place.clone(),
+            golden: golden
+                .duration
+                .into_iter()
+                .chain(golden.fields.clone())
+                .collect(),
+        });
+        for golden in evaluations.iter().filter(|golden| golden.case == case) {
+            writeln!(requests, "at {:e}", golden.x).unwrap();
+            expected.push(Expected {
+                place: golden.place.clone(),
+                golden: golden.values.clone(),
+            });
         }
     }
-    assert_eq!(asked.len(), plans.len() + points.len());
-    (requests, asked)
+    assert_eq!(expected.len(), moves.len() + evaluations.len());
+    (requests, expected)
 }
 
-/// The servo's answers: the first word of each `plan` and `at` line, and its numbers.
+/// What the servo answers: the word of each `plan` and `at` line and its numbers.
 fn answers(servo: &Path, name: &str, requests: &str) -> Vec<(String, Vec<f64>)> {
     let file = servo.with_file_name(format!("golden-{name}.txt"));
     fs::write(&file, requests).unwrap_or_else(|e| panic!("{}: {e}", file.display()));

@@ -5,7 +5,8 @@
 //! cargo run --example retarget
 //! ```
 
-use atraj::claraty::{Setpoint, Target, Trajectory};
+use atraj::State;
+use atraj::claraty::{Target, Trajectory};
 
 const PERIOD: f64 = 0.001; // s
 
@@ -18,7 +19,7 @@ fn main() {
         deceleration: 4.0,
     };
     let mut axis = Trajectory::default();
-    let (mut point, mut change, mut tick) = (Setpoint::default(), 0.0, 0);
+    let (mut point, mut change, mut tick) = (State::default(), 0.0, 0);
     let mut now = 0.0; // the caller reads the clock, and tells every method the time
     axis.set(far.into(), now);
     axis.start(now);

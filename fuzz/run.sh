@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # usage: run.sh [seconds]
-# Runs every fuzz target for that long, from the golden moves on. Does what `cargo fuzz run` does, without needing cargo-fuzz
-# or a nightly compiler; needs a C++ compiler for libFuzzer.
+# Runs every fuzz target for this time, beginning with the golden moves. Does what `cargo fuzz run` does without cargo-fuzz
+# and without a nightly compiler. libFuzzer needs a C++ compiler.
 set -euo pipefail
 cd "$(dirname "$0")"
 seconds=${1:-60}

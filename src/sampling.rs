@@ -75,11 +75,10 @@ impl<R: Real> Sweep<R> {
         profile: &impl Profile<R, N, B>,
         mut outputs: [&mut [R]; N],
     ) -> usize {
-        let state = |x| profile.state(x);
         let borders = profile.borders();
         let count = Self::count(&outputs);
         if Self::are_few(count, Self::FEW) {
-            self.sample_each(0..count, &mut outputs, &state);
+            self.sample_each(0..count, &mut outputs, profile);
             return count as usize;
         }
         let rate = R::ONE / self.dt;
@@ -89,7 +88,7 @@ impl<R: Real> Sweep<R> {
             let behind = crossings.iter().filter(|&&crossing| crossing < end);
             let start = behind.fold(0, |start, &crossing| start.max(crossing));
             if Self::are_few(end - start, Self::VECTOR) {
-                self.sample_each(start..end, &mut outputs, &state);
+                self.sample_each(start..end, &mut outputs, profile);
             } else {
                 profile.fill(self.run(start..end, &mut outputs));
             }
@@ -135,14 +134,14 @@ impl<R: Real> Sweep<R> {
 
     // A separate function keeps this loop out of the way of the fast ones.
     #[inline(never)]
-    fn sample_each<const N: usize>(
+    fn sample_each<const N: usize, const B: usize>(
         self,
         numbers: Range<i32>,
         outputs: &mut [&mut [R]; N],
-        state: impl Fn(R) -> [R; N],
+        profile: &impl Profile<R, N, B>,
     ) {
         for k in numbers {
-            for (output, value) in outputs.iter_mut().zip(state(self.time(k))) {
+            for (output, value) in outputs.iter_mut().zip(profile.state(self.time(k))) {
                 if let Some(y) = output.get_mut(k as usize) {
                     *y = value;
                 }

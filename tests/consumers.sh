@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs the library as a user does and builds programs on it, each in an empty folder of its own. They must print what
-# they print with the original, whose sources cargo fetches for tests/oracle. One line for each that passed.
+# they print with the original, whose sources cargo fetches for tests/oracle. Prints one line for each program.
 #
-# A missing tool is said aloud; under CI it is a failure.
+# A missing tool is printed. In CI it is a failure.
 
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -13,7 +13,8 @@ trap 'rm -rf "$work"' EXIT
 passed=0 failed=0 skipped=0
 unset MAKEFLAGS MAKELEVEL REAL POLY A_TRAJPOLY3 A_TRAJPOLY5 A_TRAJPOLY7 TARGET DESTDIR PREFIX LD_LIBRARY_PATH
 
-# row TITLE COMMAND: runs it in an empty folder. In the background, because under `if` a shell lets failing steps pass.
+# row TITLE COMMAND: runs the command in an empty folder. In the background, because under `if` a shell lets failing steps
+# pass.
 row() {
     title=$1
     shift
@@ -37,7 +38,7 @@ have() {
     return 1
 }
 
-# --- the installation; $real says which, $prefix where it is
+# --- the installation in $prefix, for the real type $real
 
 # staged_install BUILD-CHOICE…
 staged_install() {
@@ -144,7 +145,7 @@ firmware() {
 
 # --- a binary that was linked with the original's shared library
 
-# In $liba the original as cargo fetched it; the program, what it prints, and the library become $work/original-$real.
+# $liba is the original as cargo fetched it. $work/original-$real gets the library and the program.
 original_program() {
     case $real in double) size=8 ;; float) size=4 ;; esac
     set -- -DA_SIZE_FLOAT=$size -I"$liba/include"
@@ -193,7 +194,7 @@ rust_program() {
     done
 }
 
-# If anything below it used `std`, this crate's panic handler would be the second one.
+# If atraj used `std`, this crate's panic handler would be the second one, which is an error.
 rust_without_std() {
     crate false
     cat > src/lib.rs << 'END'
@@ -266,7 +267,7 @@ row "cargo, path, default features" rust_program true
 row "cargo, path, no default features" rust_program false
 row "cargo, path, no_std" rust_without_std
 row "cargo package" cargo_package
-# Not missed under CI: it takes longer to build than everything else here together.
+# May be missing in CI, because cargo-c takes longer to build than every row here together.
 if command -v cargo-cinstall > /dev/null; then
     row "cargo cinstall" cargo_c
 else

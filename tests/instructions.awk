@@ -1,4 +1,5 @@
-# Compares instruction counts, `function, case: count`: the allowed ones, then those of this build.
+# Compares instruction counts, `function, case: count`: the first file has the allowed counts, the second the counts of this
+# build.
 NR == FNR { allowed[$1] = $2; next }
 {
     if (!($1 in allowed)) { print "new: " $0; failed = 1 }

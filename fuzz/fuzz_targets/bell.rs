@@ -1,6 +1,6 @@
-//! `bell` against the original: any move, any time, the same bits.
+//! Does `bell` give the bits of the original for any move at any time?
 #![no_main]
 
-use oracle::{bytes::compare, family::Family};
+use oracle::{Family, bytes::compare};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| compare(Family::Bell, bytes));

@@ -27,16 +27,16 @@ pub enum Kind {
     Trapezoidal = 1,
 }
 
-/// What a plan had to put up with, as a set.
+/// What a plan had to change or could not do, as a set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Warnings(u8);
 
 impl Warnings {
     /// The acceleration was below [`EPS`] and was raised to it.
     pub const ACCELERATION: Self = Self(1);
-    /// The deceleration was.
+    /// The deceleration was below [`EPS`] and was raised to it.
     pub const DECELERATION: Self = Self(2);
-    /// The maximum velocity was.
+    /// The maximum velocity was below [`EPS`] and was raised to it.
     pub const VELOCITY: Self = Self(4);
     /// The listing found no instant to switch from acceleration to deceleration: its motion is wrong.
     pub const SWITCH: Self = Self(8);
@@ -126,7 +126,7 @@ impl Profile {
         let v0 = start.velocity;
         let stopping = sgn(v0) * (0.5 * sq(v0) / limits.acceleration);
         // Sic: an absolute position against a relative distance. This is where most of its wrong motions begin.
-        let cruise = self.aim(sgn(target.position - stopping), limits);
+        let cruise = self.plan_ramps(sgn(target.position - stopping), limits);
         if (target.position - start.position).abs() < EPS {
             self.final_position = target.position + stopping;
             (self.t1, self.t2) = (0.0, 0.0);
@@ -147,16 +147,16 @@ impl Profile {
     /// The right motion from `start` to rest at the target.
     pub fn plan_corrected(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(target);
-        self.stand(start, target.position);
+        self.clear_phases(start, target.position);
         let distance = target.position - start.position;
         if distance != 0.0 || start.velocity != 0.0 {
-            let side = sgn(if start.velocity != 0.0 {
+            let direction = sgn(if start.velocity != 0.0 {
                 start.velocity
             } else {
                 distance
             });
-            if !self.go(side, limits) && !self.brake(side, limits) {
-                self.return_to_target(-side, limits);
+            if !self.advance(direction, limits) && !self.brake(direction, limits) {
+                self.return_to_target(-direction, limits);
             }
         }
         warnings
@@ -171,7 +171,7 @@ impl Profile {
         let v0 = start.velocity;
         let deceleration = limits.deceleration;
         let way = sgn(v0) * (0.5 * sq(v0) / deceleration);
-        self.stand(start, start.position + way);
+        self.clear_phases(start, start.position + way);
         self.velocity = v0;
         self.deceleration = -sgn(v0) * deceleration;
         self.acceleration = self.deceleration;
@@ -214,14 +214,14 @@ impl Profile {
         }
     }
 
-    /// Whether the motion has ended at time `t`. It has at a NaN; a phase that ends at a NaN, as the listing may plan it,
-    /// ends nothing.
+    /// Whether the motion has ended at time `t`. A NaN is after the end. The listing may plan a phase that ends at a NaN; such a
+    /// phase does not count.
     pub fn is_over(&self, t: f64) -> bool {
         ![0.0, self.t1, self.t2, self.tf].iter().any(|&end| t <= end)
     }
 
-    /// No phase at all.
-    fn stand(&mut self, start: State<f64>, final_position: f64) {
+    /// A motion without phases: it rests at `final_position` from the first instant.
+    fn clear_phases(&mut self, start: State<f64>, final_position: f64) {
         self.start = start;
         self.final_position = final_position;
         self.kind = Kind::Triangular;
@@ -232,26 +232,26 @@ impl Profile {
     }
 
     /// Towards the target without turning: trapezoid, or triangle while the start velocity is below the limit.
-    fn go(&mut self, side: f64, limits: Limits) -> bool {
-        let cruise = self.aim(side, limits);
+    fn advance(&mut self, direction: f64, limits: Limits) -> bool {
+        let cruise = self.plan_ramps(direction, limits);
         if cruise > 0.0 {
             self.finish_trapezoid(cruise);
             return true;
         }
-        if side * self.acceleration <= 0.0 {
+        if direction * self.acceleration <= 0.0 {
             return false;
         }
         let Some(t1) = self.switching_time() else {
             return false;
         };
         self.peak_at(t1, t1 * self.acceleration + self.start.velocity, limits);
-        self.close_seam(side, limits);
+        self.close_seam(direction, limits);
         true
     }
 
     /// The root of [`Self::switching_time`] cancels where there is hardly anything to accelerate for; the two branches then
     /// miss each other at `t1`. The same peak from the room that is left has no such cancellation.
-    fn close_seam(&mut self, side: f64, limits: Limits) {
+    fn close_seam(&mut self, direction: f64, limits: Limits) {
         let Limits {
             acceleration: a,
             deceleration: d,
@@ -266,16 +266,16 @@ impl Profile {
         let before = 0.5 * self.acceleration * sq(self.t1) + v0 * self.t1 + p0;
         let after = 0.5 * self.deceleration * sq(self.t1 - self.tf) + self.final_position;
         let rounding = 1e-9 * distance.abs() + 1e-15 * (p0.abs() + self.final_position.abs());
-        let room = (side * distance - 0.5 * sq(v0) / d) * (2.0 * (a * (d / (a + d))));
+        let room = (direction * distance - 0.5 * sq(v0) / d) * (2.0 * (a * (d / (a + d))));
         if (before - after).abs() > rounding && room > 0.0 {
             let peak = Operations::sqrt(sq(v0) + room);
-            self.peak_at(room / (a * (v0.abs() + peak)), side * peak, limits);
+            self.peak_at(room / (a * (v0.abs() + peak)), direction * peak, limits);
         }
     }
 
     /// No room to accelerate: brake at both rates, the acceleration's first, and switch at the velocity that lands on the
     /// target. False if neither rate stops before it.
-    fn brake(&mut self, side: f64, limits: Limits) -> bool {
+    fn brake(&mut self, direction: f64, limits: Limits) -> bool {
         let Limits {
             acceleration: a,
             deceleration: d,
@@ -283,7 +283,7 @@ impl Profile {
         } = limits;
         let speed = self.start.velocity.abs();
         let energy = sq(self.start.velocity);
-        let distance = side * (self.final_position - self.start.position);
+        let distance = direction * (self.final_position - self.start.position);
         let beyond_a = distance - 0.5 * energy / a;
         let beyond_d = distance - 0.5 * energy / d;
         if !(beyond_a >= 0.0 || beyond_d >= 0.0) {
@@ -305,15 +305,15 @@ impl Profile {
                 t1 = lost / (a * (speed + switch));
             }
         }
-        self.acceleration = -side * if t1 == 0.0 { d } else { a };
-        self.deceleration = -side * d;
-        self.peak_at(t1, side * switch, limits);
+        self.acceleration = -direction * if t1 == 0.0 { d } else { a };
+        self.deceleration = -direction * d;
+        self.peak_at(t1, direction * switch, limits);
         true
     }
 
-    /// Too fast to stop before the target, or moving away from it: through zero and back, `side` being the way back.
-    fn return_to_target(&mut self, side: f64, limits: Limits) {
-        let cruise = self.aim(side, limits);
+    /// Too fast to stop before the target, or moving away from it: through zero and back, `direction` being the way back.
+    fn return_to_target(&mut self, direction: f64, limits: Limits) {
+        let cruise = self.plan_ramps(direction, limits);
         let v0 = self.start.velocity;
         if cruise > 0.0 {
             self.finish_trapezoid(cruise);
@@ -325,17 +325,17 @@ impl Profile {
                 deceleration: d,
                 ..
             } = limits;
-            let distance = side * (self.final_position - self.start.position);
+            let distance = direction * (self.final_position - self.start.position);
             let way_back = 0.5 * sq(v0) / a + distance;
             let peak = Operations::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
-            self.peak_at((v0.abs() + peak) / a, side * peak, limits);
+            self.peak_at((v0.abs() + peak) / a, direction * peak, limits);
         }
     }
 
-    /// Signs the limits for a cruise towards `side`, plans both ramps, and returns the time left between them, s: not
+    /// Signs the limits for a cruise towards `direction`, plans both ramps, and returns the time left between them, s: not
     /// positive if they meet first.
-    fn aim(&mut self, side: f64, limits: Limits) -> f64 {
-        self.velocity = side * limits.velocity;
+    fn plan_ramps(&mut self, direction: f64, limits: Limits) -> f64 {
+        self.velocity = direction * limits.velocity;
         self.acceleration = sgn(self.velocity - self.start.velocity) * limits.acceleration;
         self.deceleration = -sgn(self.velocity - FINAL_VELOCITY) * limits.deceleration;
         self.t1 = (self.velocity - self.start.velocity) / self.acceleration;

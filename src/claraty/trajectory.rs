@@ -170,7 +170,11 @@ impl<'w> Trajectory<'w> {
             Mode::Listing => was_started,
             Mode::Corrected => self.started,
         };
-        under_way.then_some(setpoint)
+        // The acceleration of a trapezoid may jump, so the motion does not carry it on.
+        under_way.then_some(State {
+            acceleration: 0.0,
+            ..setpoint
+        })
     }
 
     fn look(&mut self, t: f64) -> State<f64> {

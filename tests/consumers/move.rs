@@ -1,6 +1,7 @@
-//! Prints the bits of a few moves, as move.c and move.cpp do; the argument is the real type.
+//! Prints the bits of a few moves, as move.c and move.cpp do. The argument is the real type.
 
 use atraj::{Bell, Boundary, Poly7, Real, Trap};
+use std::ops::{Div, Neg};
 
 fn main() {
     match std::env::args().nth(1).as_deref() {
@@ -10,7 +11,10 @@ fn main() {
     }
 }
 
-fn moves<R: Real + Default + Into<f64>>() {
+fn moves<R>()
+where
+    R: Real + Copy + Default + From<u8> + Into<f64> + Div<Output = R> + Neg<Output = R>,
+{
     let r = R::from;
     let boundary = |p1, v0| Boundary { p0: r(0), p1: r(p1), v0: r(v0), v1: r(0) };
 

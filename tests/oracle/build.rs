@@ -1,13 +1,14 @@
-//! Compiles the original's C sources out of the `liba` crate, as `c8_…` in binary64 and `c4_…` in binary32, and for
-//! measurements as `o2c8_…` to `o3c4_…` at that level of optimisation.
+//! Compiles the original's C sources out of the `liba` crate: as `c8_…` in binary64 and as `c4_…` in binary32. For
+//! measurements it compiles them again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`.
 //!
-//! The new names are the point: under the same names the linker would resolve both sides of every comparison to ours.
+//! The new names keep the libraries apart. Under the same names the linker would resolve both sides of every comparison to
+//! ours.
 
 use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Source files and the names that each of them makes public.
+/// Source files, each with the names that it makes public.
 const SOURCES: [(&str, &str); 6] = [
     ("poly", "eval eval_ evar evar_ swap"),
     ("trajbell", "gen pos vel acc jer"),

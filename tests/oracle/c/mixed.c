@@ -9,7 +9,7 @@
 
 int main(int argc, char **argv)
 {
-    /* sizes that the compiler cannot know, so that it calls sqrt and memcpy */
+    /* The compiler cannot know these sizes, so it calls sqrt and memcpy. */
     const size_t size = (size_t)(argc > 0) * sizeof(a_trajbell);
     volatile double four = 4.0 * argc;
     a_trajbell bell, copy;

@@ -1,9 +1,8 @@
 //! The C ABI of the trajectory functions, declared by hand from the numerical contract, and the libraries linked under it.
-//! Every struct is nothing but reals, so a pointer to the first one stands for it.
+//! Every struct is nothing but reals, so a function takes a pointer to the first one.
 
-use crate::family::{Family, Implementation};
-use crate::real::OracleReal;
 use atraj::capi::a_float;
+use support::{Family, Implementation, Real};
 
 /// The functions of one library in one real type.
 #[allow(missing_docs)]
@@ -13,7 +12,7 @@ pub struct Abi<R: 'static> {
     pub poly3: unsafe extern "C" fn(*mut R, R, R, R, R, R),
     pub poly5: unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R),
     pub poly7: unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R, R, R),
-    /// What has to be called after the polynomials' function above until all coefficient arrays are there.
+    /// What has to be called after the polynomials' function above to fill the other coefficient arrays.
     pub derivations: [&'static [Derive<R>]; 3],
     pub evaluations: [&'static [Evaluate<R>]; 5],
 }
@@ -27,11 +26,11 @@ pub type Evaluate<R> = unsafe extern "C" fn(*const R, R) -> R;
 pub enum Derive<R> {
     /// `gen1`, `gen2` or `gen3`: within the struct.
     Within(unsafe extern "C" fn(*mut R)),
-    /// `c1`, `c2` or `c3`: from the struct, which holds the coefficients of position only, into an array.
+    /// `c1`, `c2` or `c3`: from the struct, which holds the coefficients of position alone, into an array.
     Beyond(unsafe extern "C" fn(*const R, *mut R)),
 }
 
-impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
+impl<R: Real> Implementation<R> for Abi<R> {
     #[inline(always)] // for the benchmark, where each library has its own calls
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
         assert_eq!(fields.len(), family.fields().len());
@@ -56,12 +55,12 @@ impl<R: Copy + From<u8>> Implementation<R> for Abi<R> {
             }
         }
         self.derive(family, fields);
-        R::from(0)
+        R::of(0.0)
     }
 
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
         assert_eq!(fields.len(), family.fields().len());
-        let mut values = [R::from(0); 4];
+        let mut values = [R::of(0.0); 4];
         for (value, function) in values.iter_mut().zip(self.evaluations[family as usize]) {
             // SAFETY: `fields` has as many reals as the family's struct.
             *value = unsafe { function(fields.as_ptr(), x) };
@@ -105,8 +104,8 @@ macro_rules! c {
     }};
 }
 
-/// The functions of one library, whose names begin with `$prefix`; its polynomials are planned by `$plan`, and then by
-/// `$derive`, which is a macro that makes one [`Derive`] of a name.
+/// The functions of one library. Their names begin with `$prefix`. `$plan` plans a polynomial, and then `$derive`, a macro
+/// that makes a [`Derive`] of a name, fills its other arrays.
 macro_rules! library {
     ($R:ty, $prefix:literal, $plan:literal, $derive:ident[$($order:literal)*]) => {
         Abi::<$R> {
@@ -151,7 +150,7 @@ macro_rules! within {
 }
 
 /// A real type in which the original is linked.
-pub trait Original: OracleReal {
+pub trait Original: Real {
     /// The original's functions.
     const ORIGINAL: Abi<Self>;
     /// The original with every polynomial planned array by array.
@@ -182,7 +181,7 @@ impl Original for f32 {
 #[cfg(not(feature = "poly-compact"))]
 pub const OURS: Abi<a_float> = library!(a_float, "a_", "gen", none[]);
 
-/// The same with every polynomial planned array by array.
+/// Our C functions with every polynomial planned array by array.
 #[cfg(not(feature = "poly-compact"))]
 pub const OURS_STEPWISE: Abi<a_float> =
     library!(a_float, "a_", "gen0", within["gen1" "gen2" "gen3"]);

@@ -1,13 +1,12 @@
 //! Cases as strings of bytes, which is what a fuzzer changes.
 //!
-//! The first byte is the real type: odd for `f32`. Then, in little endian, the arguments of the family's `gen` and a byte
-//! and a number for each time. What is missing is 0.
+//! The first byte is the real type: odd for `f32`. The arguments of the family's `gen` follow in little endian, and then a
+//! byte and a number for each time. Missing bytes are 0.
 
 use crate::abi::Original;
 use crate::comparison::{Case, MOMENTS, Moment, Report};
-use crate::family::{Family, MOST_ARGUMENTS, MOST_FIELDS};
-use crate::ours::Ours;
-use crate::real::OracleReal;
+use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
+use support::{Family, Ours, Real};
 
 /// Puts the case through ours and the original. Panics if they differ.
 pub fn compare(family: Family, bytes: &[u8]) {
@@ -24,8 +23,8 @@ fn compare_as<R: Original>(family: Family, bytes: &[u8]) {
     report.assert_same();
 }
 
-fn decode<R: OracleReal>(family: Family, mut bytes: &[u8]) -> Case<R> {
-    let mut arguments = [R::from(0); MOST_ARGUMENTS];
+fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
+    let mut arguments = [R::of(0.0); MOST_ARGUMENTS];
     for argument in arguments.iter_mut().take(family.arguments().len()) {
         *argument = number(&mut bytes);
     }
@@ -44,13 +43,13 @@ fn decode<R: OracleReal>(family: Family, mut bytes: &[u8]) -> Case<R> {
     Case {
         family,
         arguments,
-        before: [R::from(0); MOST_FIELDS],
+        before: [R::of(0.0); MOST_FIELDS],
         planned: true,
         moments: [(); MOMENTS].map(|()| moment()),
     }
 }
 
-fn number<R: OracleReal>(bytes: &mut &[u8]) -> R {
+fn number<R: Real>(bytes: &mut &[u8]) -> R {
     R::from_low_bits(take(bytes, size_of::<R>()))
 }
 
@@ -65,7 +64,7 @@ fn take(bytes: &mut &[u8], count: usize) -> u64 {
 }
 
 /// The bytes of a move and of times at which to evaluate it.
-pub fn encode<R: OracleReal>(arguments: &[R], times: &[R]) -> Vec<u8> {
+pub fn encode<R: Real>(arguments: &[R], times: &[R]) -> Vec<u8> {
     let mut bytes = vec![u8::from(size_of::<R>() == 4)];
     for &argument in arguments {
         bytes.extend(

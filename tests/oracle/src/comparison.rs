@@ -1,77 +1,45 @@
 //! The one comparison that every run uses: a case through two implementations, bit for bit.
 
-use crate::family::{Family, Implementation, MOST_ARGUMENTS, MOST_FIELDS};
-use crate::ours::{bell, bell_fields};
-use crate::real::OracleReal;
-use crate::reference;
 use std::fmt;
+use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
+use support::{Family, Implementation, Real, reference};
 
-/// Times at which each move is evaluated.
+/// The number of times at which each move is evaluated.
 pub const MOMENTS: usize = 4;
 
 /// A move to plan and the times at which to evaluate it.
 #[derive(Clone, Copy)]
 pub struct Case<R> {
-    /// Whose functions are called.
+    /// The functions that are called.
     pub family: Family,
     /// Arguments of `gen`, as many as the family has.
     pub arguments: [R; MOST_ARGUMENTS],
-    /// What the struct holds before.
+    /// What the struct holds before `gen`.
     pub before: [R; MOST_FIELDS],
-    /// Whether `gen` is called; else the struct is evaluated as it is.
+    /// Whether `gen` is called. If not, the struct is evaluated as it is.
     pub planned: bool,
-    /// When it is evaluated.
+    /// The times at which it is evaluated.
     pub moments: [Moment<R>; MOMENTS],
 }
 
-/// A time, told by itself or by what is there in the planned move.
+/// A time, given by itself or by a place in the planned move.
 #[derive(Clone, Copy, Debug)]
 pub enum Moment<R> {
     /// The time itself.
     At(R),
     /// A part of the duration.
     Fraction(R),
-    /// So many representable numbers beside one of the phase borders.
+    /// A few representable numbers beside a border.
     Border {
-        /// Which of them; taken modulo their number.
+        /// Which border, modulo the number of borders.
         index: usize,
-        /// Numbers further from zero.
+        /// How many representable numbers further from zero.
         steps: i8,
     },
 }
 
-impl<R: OracleReal> Moment<R> {
-    /// The most borders a family has.
-    pub const BORDERS: usize = 9;
-
-    fn time(self, case: &Case<R>, fields: &[R]) -> R {
-        let zero = R::from(0);
-        let mut all = [zero; 9];
-        let borders: &[R] = match case.family {
-            Family::Bell => {
-                let [t, tv, ta, td, taj, tdj] = *fields.first_chunk().unwrap();
-                all = [
-                    zero,
-                    taj,
-                    ta - taj,
-                    ta,
-                    ta + tv,
-                    t - td,
-                    t - td + tdj,
-                    t - tdj,
-                    t,
-                ];
-                &all
-            }
-            Family::Trap => {
-                (all[1], all[2], all[3]) = (fields[6], fields[7], fields[0]);
-                &all[..4]
-            }
-            Family::Poly3 | Family::Poly5 | Family::Poly7 => {
-                all[1] = case.arguments[0];
-                &all[..2]
-            }
-        };
+impl<R: Real> Moment<R> {
+    fn time(self, borders: &[R]) -> R {
         match self {
             Self::At(x) => x,
             Self::Fraction(f) => f * borders[borders.len() - 1],
@@ -87,25 +55,25 @@ pub struct Report {
     pub moves: u64,
     /// Calls of each implementation.
     pub calls: u64,
-    /// Values, returned or stored, that have been compared.
+    /// Compared values, returned or stored.
     pub values: u64,
-    /// Values of other bits.
+    /// Values whose bits differ.
     pub differing: u64,
-    /// The first of them in words.
+    /// The first differing values in words.
     pub examples: Vec<String>,
-    /// Moves on which the original would never return; they are compared with the reference instead.
+    /// Moves on which the original would never return. They are compared with the reference instead.
     pub endless: u64,
     /// Bells without cruise.
     pub searches: u64,
-    /// Rounds of all those searches.
+    /// Rounds of all searches.
     pub rounds: u64,
-    /// Rounds of the longest.
+    /// Rounds of the longest search.
     pub most_rounds: u32,
 }
 
 impl Report {
-    /// Puts the case through both. A bell is planned by the reference as well, which counts its rounds.
-    pub fn compare<R: OracleReal>(
+    /// Puts the case through both. The reference plans a bell too, and counts its rounds.
+    pub fn compare<R: Real>(
         &mut self,
         ours: &impl Implementation<R>,
         original: &impl Implementation<R>,
@@ -118,19 +86,20 @@ impl Report {
         if case.planned {
             self.compare_plans(ours, original, case, got, want);
         }
-        let functions = case.family.functions();
+        let quantities = case.family.quantities();
+        let borders = case.family.borders(&case.arguments, want);
         for moment in case.moments {
-            let x = moment.time(case, want);
+            let x = moment.time(&borders);
             let got = ours.evaluate(case.family, got, x);
             let want = original.evaluate(case.family, want, x);
-            self.calls += functions.len() as u64;
-            for ((what, got), want) in functions.iter().zip(got).zip(want) {
-                self.check(case, what, Some(x), got, want);
+            self.calls += quantities.len() as u64;
+            for ((quantity, got), want) in quantities.iter().zip(got).zip(want) {
+                self.check(case, quantity.name, Some(x), got, want);
             }
         }
     }
 
-    fn compare_plans<R: OracleReal>(
+    fn compare_plans<R: Real>(
         &mut self,
         ours: &impl Implementation<R>,
         original: &impl Implementation<R>,
@@ -140,9 +109,9 @@ impl Report {
     ) {
         let arguments = &case.arguments[..case.family.arguments().len()];
         let reference = (case.family == Family::Bell).then(|| {
-            let mut bell = bell(want);
-            let plan = reference::plan(&mut bell, *arguments.first_chunk().unwrap());
-            (plan, bell_fields(&bell))
+            let mut fields = want.to_vec();
+            let plan = reference::plan(arguments, &mut fields);
+            (plan, fields)
         });
 
         self.calls += 1;
@@ -171,7 +140,7 @@ impl Report {
         }
     }
 
-    fn check<R: OracleReal>(&mut self, case: &Case<R>, what: &str, at: Option<R>, got: R, want: R) {
+    fn check<R: Real>(&mut self, case: &Case<R>, what: &str, at: Option<R>, got: R, want: R) {
         self.values += 1;
         if !got.same(want) {
             self.differing += 1;
@@ -184,7 +153,7 @@ impl Report {
         }
     }
 
-    /// Adds what another run has found.
+    /// Adds the report of another run.
     pub fn add(&mut self, other: Self) {
         self.moves += other.moves;
         self.calls += other.calls;
@@ -197,7 +166,7 @@ impl Report {
         self.most_rounds = self.most_rounds.max(other.most_rounds);
     }
 
-    /// Panics with the first differences, if there is one, or if nothing was compared.
+    /// Panics with the first differences if there is one, or if nothing was compared.
     pub fn assert_same(&self) {
         assert!(self.values > 0, "nothing was compared");
         assert!(self.differing == 0, "{self}\n{}", self.examples.join("\n"));
@@ -222,7 +191,7 @@ impl fmt::Display for Report {
     }
 }
 
-impl<R: OracleReal> fmt::Display for Case<R> {
+impl<R: Real> fmt::Display for Case<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.family.name(), R::NAME)?;
         let (names, values) = if self.planned {
@@ -237,7 +206,7 @@ impl<R: OracleReal> fmt::Display for Case<R> {
     }
 }
 
-impl<R: OracleReal> fmt::Debug for Case<R> {
+impl<R: Real> fmt::Debug for Case<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self}; {:?}", self.moments)
     }

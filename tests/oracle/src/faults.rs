@@ -1,19 +1,18 @@
-//! Faults planted into ours, each as small as a fault can be, to show that the comparison sees them.
+//! Faults planted into ours, each as small as a fault can be. They show whether the comparison sees a fault.
 
-use crate::family::{Family, Implementation};
-use crate::ours::{Ours, bell, bell_fields};
-use crate::real::OracleReal;
+use support::profiles::{bell, bell_fields, trap};
+use support::{Family, Implementation, Ours, Real};
 
 /// Ours with one fault.
 #[derive(Clone, Copy, Debug)]
 pub enum Fault {
     /// The bell's duration adds its operands in another order: `ta + (tv + td)`.
     OperandOrder,
-    /// The bell's position multiplies by 1/6 where it should divide by 6, in the first phase alone.
+    /// The bell's position multiplies by 1/6 instead of dividing by 6, in the first phase alone.
     ProductWithSixth,
     /// A cubic's position multiplies and adds in one rounding.
     FusedMultiplyAdd,
-    /// The trapezoid's acceleration phase ends with `x <= ta` where it should with `x < ta`.
+    /// The trapezoid's acceleration phase ends with `x <= ta` instead of `x < ta`.
     LessOrEqual,
 }
 
@@ -27,13 +26,13 @@ impl Fault {
     ];
 }
 
-impl<R: OracleReal> Implementation<R> for Fault {
+impl<R: Real> Implementation<R> for Fault {
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
         let duration = Ours.plan(family, arguments, fields);
         match (self, family) {
             (Self::OperandOrder, Family::Bell) => {
                 let mut bell = bell(fields);
-                if duration > R::from(0) {
+                if duration > R::of(0.0) {
                     bell.t = bell.ta + (bell.tv + bell.td);
                 }
                 fields.copy_from_slice(&bell_fields(&bell));
@@ -44,22 +43,24 @@ impl<R: OracleReal> Implementation<R> for Fault {
     }
 
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
-        let zero = R::from(0);
+        let zero = R::of(0.0);
         let [mut position, velocity, mut acceleration, jerk] = Ours.evaluate(family, fields, x);
         match (self, family, fields) {
             (Self::ProductWithSixth, Family::Bell, _) => {
                 let b = bell(fields);
                 if b.p0 <= b.p1 && zero < x && x < b.taj && x < b.ta {
-                    position = b.p0 + b.v0 * x + b.jm * x * x * x * R::SIXTH;
+                    let sixth = R::of(1.0) / R::of(6.0);
+                    position = b.p0 + b.v0 * x + b.jm * x * x * x * sixth;
                 }
             }
             (Self::FusedMultiplyAdd, Family::Poly3, &[c0, c1, c2, c3, ..]) => {
                 position = c3.fused(x, c2).fused(x, c1).fused(x, c0);
             }
-            (Self::LessOrEqual, Family::Trap, &[.., ta, _, _, _, ac, _])
-                if x == ta && x >= zero =>
-            {
-                acceleration = ac;
+            (Self::LessOrEqual, Family::Trap, _) => {
+                let trap = trap(fields);
+                if x == trap.ta && x >= zero {
+                    acceleration = trap.ac;
+                }
             }
             _ => {}
         }

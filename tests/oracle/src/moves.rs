@@ -1,17 +1,16 @@
-//! Random moves of every kind, the same ones for the same seed.
+//! Random moves of every kind. The same seed gives the same moves.
 
-use crate::common::random::Random;
 use crate::comparison::{Case, Moment};
-use crate::family::{Family, MOST_ARGUMENTS, MOST_FIELDS};
-use crate::real::OracleReal;
 use std::marker::PhantomData;
+use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};
+use support::{Family, Random, Real};
 
 /// What the numbers of a move are like.
 #[derive(Clone, Copy)]
 enum Distribution {
     /// 2^-7 to 2^7.
     Ordinary,
-    /// Ordinary, with a distance within a few roundings of where the plan takes another branch or has no solution.
+    /// Ordinary, with a distance at which a few roundings decide the branch of the plan, or whether it has a solution.
     NearlyInfeasible,
     /// Near the smallest normal number.
     Tiny,
@@ -19,11 +18,11 @@ enum Distribution {
     Huge,
     /// Below the smallest normal number.
     Denormal,
-    /// Every argument of another magnitude.
+    /// The magnitude of every argument is different.
     Wide,
     /// Small multiples of powers of two, on which much arithmetic is exact and many comparisons are ties.
     BinaryFractions,
-    /// Ordinary but for one argument.
+    /// All arguments ordinary except one.
     OneSpecial,
     /// Every second argument special.
     Special,
@@ -46,7 +45,7 @@ const DISTRIBUTIONS: [Distribution; 12] = [
     Distribution::Bits,
 ];
 
-/// The bell twice, because it has the most branches.
+/// The bell comes twice, because it has the most branches.
 const FAMILIES: [Family; 6] = [
     Family::Bell,
     Family::Bell,
@@ -62,7 +61,7 @@ pub struct Moves<R> {
     real: PhantomData<R>,
 }
 
-impl<R: OracleReal> Moves<R> {
+impl<R: Real> Moves<R> {
     /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self {
@@ -74,7 +73,7 @@ impl<R: OracleReal> Moves<R> {
     fn case(&mut self) -> Case<R> {
         let family = self.random.pick(&FAMILIES);
         let distribution = self.random.pick(&DISTRIBUTIONS);
-        let only_evaluated = matches!(family, Family::Bell | Family::Trap) && self.random.one_in(8);
+        let only_evaluated = !family.is_polynomial() && self.random.one_in(8);
         Case {
             family,
             arguments: self.arguments(family, distribution),
@@ -85,7 +84,7 @@ impl<R: OracleReal> Moves<R> {
     }
 
     fn arguments(&mut self, family: Family, distribution: Distribution) -> [R; MOST_ARGUMENTS] {
-        let zero = R::from(0);
+        let zero = R::of(0.0);
         let names = family.arguments();
         let mut arguments = [zero; MOST_ARGUMENTS];
         for (argument, name) in arguments.iter_mut().zip(names) {
@@ -121,8 +120,7 @@ impl<R: OracleReal> Moves<R> {
         arguments
     }
 
-    /// Moves the end to where a ramp, or two ramps without cruise, just fit in. The duration of a polynomial becomes
-    /// nearly nothing.
+    /// Moves the end so that one ramp, or two ramps without cruise, just fit in. A polynomial gets nearly no duration.
     fn pinch(&mut self, family: Family, arguments: &mut [R; MOST_ARGUMENTS]) {
         let wide = arguments.map(R::widen);
         let distance = match family {
@@ -154,19 +152,19 @@ impl<R: OracleReal> Moves<R> {
                 }
             }
             Family::Poly3 | Family::Poly5 | Family::Poly7 => {
-                arguments[0] = R::round(self.random.binade(-60, -7));
+                arguments[0] = R::of(self.random.binade(-60, -7));
                 return;
             }
         };
         if self.random.one_in(2) {
-            arguments[3] = R::from(0);
+            arguments[3] = R::of(0.0);
         }
-        let near = R::round(arguments[3].widen() + distance);
+        let near = R::of(arguments[3].widen() + distance);
         arguments[4] = near.neighbour(self.random.steps(3));
     }
 
     fn before(&mut self, distribution: Distribution, read: bool) -> [R; MOST_FIELDS] {
-        let mut before = [R::from(0); MOST_FIELDS];
+        let mut before = [R::of(0.0); MOST_FIELDS];
         if read || self.random.one_in(2) {
             for field in &mut before {
                 *field = self.value(distribution);
@@ -180,9 +178,9 @@ impl<R: OracleReal> Moves<R> {
 
     fn moment(&mut self) -> Moment<R> {
         match self.random.below(8) {
-            0..=2 => Moment::Fraction(R::round(1.2 * self.random.unit() - 0.1)),
+            0..=2 => Moment::Fraction(R::of(1.2 * self.random.unit() - 0.1)),
             3..=6 => Moment::Border {
-                index: self.random.below(Moment::<R>::BORDERS),
+                index: self.random.below(MOST_BORDERS),
                 steps: self.random.steps(2),
             },
             _ => {
@@ -192,69 +190,35 @@ impl<R: OracleReal> Moves<R> {
         }
     }
 
-    /// A number of this kind; positive but where it is special or any bit pattern.
+    /// A number of this kind. Only a special number or a bit pattern can be negative.
     fn value(&mut self, distribution: Distribution) -> R {
         let random = &mut self.random;
         let (lowest, highest) = R::EXPONENTS;
         match distribution {
             Distribution::Ordinary | Distribution::NearlyInfeasible | Distribution::OneSpecial => {
-                R::round(random.binade(-7, 7))
+                R::of(random.binade(-7, 7))
             }
-            Distribution::Tiny => R::round(random.binade(lowest, lowest * 3 / 4)),
-            Distribution::Huge => R::round(random.binade(highest * 3 / 4, highest)),
+            Distribution::Tiny => R::of(random.binade(lowest, lowest * 3 / 4)),
+            Distribution::Huge => R::of(random.binade(highest * 3 / 4, highest)),
             Distribution::Denormal => {
                 let shortened = random.below(R::SIGNIFICAND_BITS as usize) as u32;
                 R::from_low_bits(random.bits() >> (64 - R::SIGNIFICAND_BITS + shortened))
             }
-            Distribution::Wide => R::round(random.binade(lowest, highest)),
+            Distribution::Wide => R::of(random.binade(lowest, highest)),
             Distribution::BinaryFractions => {
-                R::round(random.below(65) as f64 / f64::from(1 << random.below(5)))
+                R::of(random.below(65) as f64 / f64::from(1 << random.below(5)))
             }
             Distribution::Special if random.one_in(2) => random.pick(&R::SPECIAL),
-            Distribution::Special => R::round(random.binade(-7, 7)),
+            Distribution::Special => R::of(random.binade(-7, 7)),
             Distribution::Bits => R::from_low_bits(random.bits()),
         }
     }
 }
 
-impl<R: OracleReal> Iterator for Moves<R> {
+impl<R: Real> Iterator for Moves<R> {
     type Item = Case<R>;
 
     fn next(&mut self) -> Option<Case<R>> {
         Some(self.case())
-    }
-}
-
-impl Random {
-    /// Seeds one apart give sequences that have nothing in common.
-    fn seeded(seed: u64) -> Self {
-        let mut seeding = Self(seed);
-        seeding.bits();
-        Self(seeding.bits() ^ seed.rotate_left(32))
-    }
-
-    /// `0..n`
-    fn below(&mut self, n: usize) -> usize {
-        ((u128::from(self.bits()) * n as u128) >> 64) as usize
-    }
-
-    fn one_in(&mut self, n: usize) -> bool {
-        self.below(n) == 0
-    }
-
-    /// `-most..=most`
-    fn steps(&mut self, most: i8) -> i8 {
-        self.below(2 * most as usize + 1) as i8 - most
-    }
-
-    /// `0..1`
-    fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 * (0.5 * f64::EPSILON)
-    }
-
-    /// Any significand with an exponent in `lowest..=highest`.
-    fn binade(&mut self, lowest: i32, highest: i32) -> f64 {
-        let exponent = lowest + self.below((highest - lowest + 1) as usize) as i32;
-        f64::from_bits(((exponent + 1023) as u64) << 52 | self.bits() >> 12)
     }
 }

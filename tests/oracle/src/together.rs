@@ -1,12 +1,11 @@
-//! The functions of `atraj.h`, which find all quantities together.
+//! The functions of `atraj.h`, which compute all quantities in one call.
 
 use crate::abi::OURS;
-use crate::common::GoldenReal;
-use crate::family::{Family, Implementation};
 use atraj::capi::a_float;
 use atraj::capi::atraj::*;
+use support::{Family, Implementation, Real};
 
-/// Our C ABI, evaluated by the state at a time and by a few samples of that time, which must agree.
+/// Our C ABI, evaluated by the state at a time and by a few samples of this time, which must agree.
 pub struct Together;
 
 impl Implementation<a_float> for Together {
@@ -42,7 +41,7 @@ fn state(family: Family, ctx: *const a_float, x: a_float) -> [a_float; 4] {
     state
 }
 
-/// Three samples of the same time, as any time plus -0 is that time.
+/// Three samples of one time. Any time plus -0 is this time.
 fn samples(family: Family, ctx: *const a_float, x: a_float) -> [[a_float; 4]; 3] {
     let mut out = [[0.0; 3]; 4];
     let [p, v, a, j] = out.each_mut().map(|y| y.as_mut_ptr());

@@ -1,15 +1,14 @@
 //! Many random moves, in portions that belong to a seed.
 
 use crate::comparison::Report;
-use crate::family::Implementation;
 use crate::moves::Moves;
-use crate::real::OracleReal;
+use support::{Implementation, Real};
 
-/// Calls of each implementation that a seed stands for; a few more where the last move goes beyond.
+/// Calls of each implementation in the moves of a seed. The last move may add a few.
 pub const CALLS_PER_SEED: u64 = 1_000_000;
 
 /// All moves of one seed through both.
-pub fn run_seed<R: OracleReal>(
+pub fn run_seed<R: Real>(
     ours: &impl Implementation<R>,
     original: &impl Implementation<R>,
     seed: u64,

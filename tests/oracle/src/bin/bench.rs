@@ -1,37 +1,36 @@
 //! `bench`: a table of ours against the original at `-O2` and `-O3`, all through the C ABI, in one process.
-//! `bench WORD…`: its rows that contain all these words.
-//! `bench instructions`: instructions of our functions, one line each, for the gate.
+//! `bench WORD…`: the rows of the table that contain all these words.
+//! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!
-//! The libraries take short turns in a round, many rounds, each from another one on, over the same memory by the same loop.
-//! What counts is the median of the ratios within a round: whatever else the machine does, it does to neighbours, and a
-//! single lucky turn decides nothing. Each library has a copy of the loop to itself: where one call reaches all of them in
-//! turn, the processor looks up its target, and some functions pay a nanosecond for that and others not.
+//! In each round every library has a short turn, over the same memory. The next round begins with the next library. The
+//! result is the median of the ratios within a round. Other work on the machine slows neighbouring turns alike, and a single
+//! lucky turn decides nothing. Each library has its own copy of the loop. If one call reached all libraries in turn, the
+//! processor would look up its target, which costs some functions a nanosecond and others nothing.
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
 use atraj::capi::trajbell::a_trajbell;
 use oracle::abi::{Abi, Evaluate, Gen7, OURS, Original};
-use oracle::common::random::Random;
-use oracle::family::{Family, Implementation};
 use std::hint::black_box;
 use std::process::Command;
 use std::rc::Rc;
 use std::time::Instant;
+use support::{Family, Implementation, Random};
 
 const WARM: usize = 4096;
 const COLD: usize = 262_144;
 const ROUNDS: usize = 99;
-/// Calls in one turn, at least.
+/// The fewest calls in one turn.
 const CALLS: usize = 4096;
 
-/// Something that three libraries do: ours, the original at `-O2`, and at `-O3`.
+/// Calls that can go to three libraries: ours, the original at `-O2`, and the original at `-O3`.
 struct Row {
     function: String,
     case: String,
-    /// What the times are divided by.
+    /// The number of calls that share the measured time.
     calls: usize,
-    /// Does it with the library of this number.
+    /// Makes the calls to the library of this number.
     run: Box<dyn FnMut(usize)>,
 }
 
@@ -134,14 +133,14 @@ fn instructions(row: usize, library: usize, calls: usize) -> f64 {
     count.trim().parse::<f64>().expect("a number") / calls as f64
 }
 
-/// Under this name callgrind finds it.
+/// callgrind finds the function by this name.
 #[inline(never)]
 #[unsafe(no_mangle)]
 extern "Rust" fn counted(run: &mut dyn FnMut()) {
     run();
 }
 
-/// All rows, over `count` moves; the samples, those of one move, are among the warm ones.
+/// All rows, over `count` moves. The rows of samples use one move and come with the warm rows.
 fn rows(count: usize) -> Vec<Row> {
     let place = if count == WARM { "warm" } else { "cold" };
     let mut random = Random(1);
@@ -198,7 +197,7 @@ fn rows(count: usize) -> Vec<Row> {
 
 type Plan = Vec<a_float>;
 
-/// Random plans that cruise, that have no room to, and both with velocities at the ends.
+/// Random plans: with cruise, without cruise, and both mixed with velocities at the ends.
 fn bells(count: usize, random: &mut Random) -> [(&'static str, Vec<Plan>); 3] {
     let mut plans = |lo: f64, hi: f64, speed: f64| -> Vec<Plan> {
         let mut plan = || {
@@ -234,7 +233,7 @@ fn septic(random: &mut Random) -> Plan {
     plan
 }
 
-/// The structs that ours makes of these plans.
+/// The structs that our `gen` makes of these plans.
 fn planned(family: Family, plans: &[Plan]) -> Vec<Plan> {
     let plan = |arguments: &Plan| {
         let mut fields = vec![0.0; family.fields().len()];
@@ -279,7 +278,7 @@ fn plan_all<const LIBRARY: usize>(
     }
 }
 
-/// What follows begins a cache line, so that the copies of a loop differ in nothing.
+/// The code after the call begins a cache line, so that the copies of a loop differ in nothing.
 #[inline(always)]
 fn align_code() {
     // SAFETY: emits nothing but padding.
@@ -298,7 +297,7 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
         let pass = [fit_all::<0>, fit_all::<1>, fit_all::<2>][library];
         pass(family, &plans, &mut fields);
     });
-    let function = format!("a_traj{}_gen", family.name());
+    let function = format!("a_{}_gen", family.c_name());
     Row {
         function,
         case: place.into(),
@@ -317,7 +316,7 @@ fn fit_all<const LIBRARY: usize>(family: Family, plans: &[Plan], fields: &mut [a
     }
 }
 
-/// Each evaluation function at random times of `moves`, and in a sweep over the first of them.
+/// Each evaluation function at random times of `moves`, and in a sweep over the first move.
 fn evaluations(
     family: Family,
     place: &str,
@@ -348,13 +347,9 @@ fn evaluations(
         (format!("random, {place}"), at_random),
         (format!("sweep, {place}"), sweep),
     ] {
-        for (index, name) in ["pos", "vel", "acc", "jer"]
-            .iter()
-            .enumerate()
-            .take(family.functions().len())
-        {
+        for (index, quantity) in family.quantities().iter().enumerate() {
             rows.push(evaluation(
-                format!("a_traj{}_{name}", family.name()),
+                format!("a_{}_{}", family.c_name(), quantity.c),
                 &case,
                 moments.clone(),
                 (family, index),
@@ -384,28 +379,28 @@ fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments:
     let evaluate = black_box(LIBRARIES[LIBRARY].evaluations[family as usize][index]);
     align_code();
     for (fields, x) in moments {
-        // SAFETY: the fields are those of the function's struct.
+        // SAFETY: the function takes the struct of this family, and these are its fields.
         black_box(unsafe { evaluate(fields.as_ptr(), *x) });
     }
 }
 
-/// `n` samples of all four quantities; the original's are four calls each.
+/// `n` samples of all four quantities. The original needs four calls for each sample.
 fn samples(n: usize) -> Row {
     at_once("atraj_bell_sample", n, move |fields, dt, out| {
         let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
         let sample = black_box(atraj_bell_sample as Sample);
-        // SAFETY: the fields are those of a bell, and every output has `n` elements.
+        // SAFETY: these are the fields of a bell, and every output has `n` elements.
         unsafe { sample(fields.as_ptr().cast(), 0.0, dt, n, p, v, a, j) };
     })
 }
 
-/// All four quantities at `n` times, a call each.
+/// All four quantities at `n` times, one call for each time.
 fn states(n: usize) -> Row {
     at_once("atraj_bell_state", n, |fields, dt, [p, v, a, j]| {
         let state = black_box(atraj_bell_state as State);
         let all = p.iter_mut().zip(v).zip(a).zip(j);
         for (k, (((p, v), a), j)) in all.enumerate() {
-            // SAFETY: the fields are those of a bell.
+            // SAFETY: these are the fields of a bell.
             unsafe { state(fields.as_ptr().cast(), k as a_float * dt, p, v, a, j) };
         }
     })
@@ -430,7 +425,7 @@ type State = unsafe extern "C" fn(
     *mut a_float,
 );
 
-/// Positions, velocities, accelerations and jerks at so many times: the rows of a table that begins at a cache line.
+/// Rows of positions, velocities, accelerations and jerks. The first row begins at a cache line.
 type Samples<'a> = [&'a mut [a_float]; 4];
 
 /// The double-S of the README's table, from 0 to 10 with an initial velocity: `ours` against four calls of the original
@@ -468,7 +463,7 @@ fn four_calls<const LIBRARY: usize>(fields: &[a_float], dt: a_float, [p, v, a, j
     for (k, (((p, v), a), j)) in all.enumerate() {
         let x = k as a_float * dt;
         for (y, function) in [(p, pos), (v, vel), (a, acc), (j, jer)] {
-            // SAFETY: the fields are those of a bell.
+            // SAFETY: these are the fields of a bell.
             *y = unsafe { function(fields.as_ptr(), x) };
         }
     }

@@ -1,11 +1,9 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family.
 
 use oracle::bytes::encode;
-use oracle::common::golden;
-use oracle::family::Family;
-use oracle::real::OracleReal;
 use std::io::Result;
 use std::path::{Path, PathBuf};
+use support::{Family, Real, golden};
 
 fn main() -> Result<()> {
     let directory = PathBuf::from(std::env::args_os().nth(1).expect("a directory"));
@@ -16,24 +14,14 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-fn write<R: OracleReal>(family: Family, directory: &Path) -> Result<()> {
+fn write<R: Real>(family: Family, directory: &Path) -> Result<()> {
     std::fs::create_dir_all(directory)?;
-    let arguments = family.arguments().len();
-    let (text, returned) = family.golden_columns();
-    let columns = arguments + returned + family.fields().len();
-    let times = golden::<R>(
-        &format!("{}_eval", family.name()),
-        1,
-        1 + family.functions().len(),
-    );
-    for row in golden::<R>(&format!("{}_gen", family.name()), text, columns) {
-        let times = times.iter().filter(|time| time.case == row.case);
-        let times: Vec<_> = times.map(|time| time.values[0]).collect();
-        let bytes = encode(&row.values[..arguments], &times);
-        std::fs::write(
-            directory.join(format!("golden-{}-{}", R::NAME, row.case)),
-            bytes,
-        )?;
+    let evaluations = golden::evaluations::<R>(family);
+    for (case, golden) in golden::moves::<R>(family).iter().enumerate() {
+        let times = evaluations.iter().filter(|golden| golden.case == case);
+        let times: Vec<_> = times.map(|golden| golden.x).collect();
+        let file = directory.join(format!("golden-{}-{case}", R::NAME));
+        std::fs::write(file, encode(&golden.arguments, &times))?;
     }
     Ok(())
 }

@@ -1,14 +1,14 @@
-//! `soak [first seed] [seeds]`: that many million calls per real type against the original. A run that was interrupted goes
-//! on from the seed that its progress line names.
+//! `soak [first seed] [seeds]`: a million calls per seed and real type against the original. An interrupted run goes on from
+//! the seed after the one in its last progress line.
 
 use oracle::abi::Original;
 use oracle::comparison::Report;
-use oracle::ours::Ours;
 use oracle::volume::run_seed;
 use std::io::{IsTerminal, Write, stderr};
 use std::ops::Range;
 use std::process::ExitCode;
 use std::time::Instant;
+use support::Ours;
 
 fn main() -> ExitCode {
     let mut numbers = std::env::args()

@@ -1,0 +1,33 @@
+//! Does the Rust API give the bits of the original C library on every golden row?
+
+use support::{Comparison, Family, Ours, Real, golden, test_each_family};
+
+fn meets_golden_data<R: Real>(family: Family) {
+    let mut comparison = Comparison::default();
+    golden::compare::<R>(&mut comparison, &Ours, family);
+    comparison.finish(family.name());
+}
+
+test_each_family!(meets_golden_data);
+
+#[test]
+#[should_panic(expected = "no_such_table_f64.csv")]
+fn a_missing_golden_file_fails() {
+    golden::rows::<f64>("no_such_table", 1, 1);
+}
+
+#[test]
+#[should_panic(
+    expected = "row 7: position is -0e0 (8000000000000000), golden 0e0 (0000000000000000)"
+)]
+fn a_differing_sign_of_zero_fails_and_shows_both() {
+    let mut comparison = Comparison::default();
+    comparison.check("row 7", "position", -0.0, 0.0);
+    comparison.finish("self-check");
+}
+
+#[test]
+#[should_panic(expected = "nothing was compared")]
+fn comparing_nothing_fails() {
+    Comparison::default().finish("self-check");
+}

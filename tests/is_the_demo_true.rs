@@ -1,0 +1,225 @@
+//! Does `make demo` prove and draw what it says, and does its parity table show a wrong bit?
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
+use support::golden;
+use support::repository::root;
+use support::tools::has_tool;
+
+/// What `make demo` printed. It runs once for all tests of this file.
+static DEMO: LazyLock<String> = LazyLock::new(|| {
+    let mut make = Command::new("make");
+    for choice in [
+        "MAKEFLAGS",
+        "REAL",
+        "POLY",
+        "A_TRAJPOLY3",
+        "A_TRAJPOLY5",
+        "A_TRAJPOLY7",
+    ] {
+        make.env_remove(choice);
+    }
+    let output = make.arg("demo").current_dir(root()).output().unwrap();
+    let printed = printed(&output);
+    assert!(output.status.success(), "{printed}");
+    printed
+});
+
+#[test]
+fn every_golden_row_passes_the_servo_program() {
+    for table in ["bell", "trap", "poly7"] {
+        let gen_rows = rows(&format!("{table}_gen"));
+        assert_parity(&format!("a_traj{table}_gen"), gen_rows.len() - 1);
+        let eval_rows = rows(&format!("{table}_eval"));
+        for column in eval_rows[0].split(',').skip(2) {
+            assert_parity(&format!("a_traj{table}_{column}"), eval_rows.len() - 1);
+        }
+    }
+    assert_eq!(line(&DEMO, "total")[1], "0");
+}
+
+fn rows(table: &str) -> Vec<String> {
+    let file = golden::directory().join(format!("{table}_f64.csv"));
+    let csv = fs::read_to_string(file).unwrap();
+    csv.lines().map(str::to_owned).collect()
+}
+
+fn assert_parity(function: &str, rows: usize) {
+    assert_eq!(
+        line(&DEMO, function),
+        [rows.to_string(), "0".into()],
+        "{function}"
+    );
+}
+
+#[test]
+fn one_wrong_bit_fails() {
+    // The servo's first answer, one bit above the golden duration 2.71 s.
+    let output = parity("one-bit", "sed '2s/^plan 2.71 /plan 2.7100000000000004 /'");
+    let table = printed(&output);
+    assert!(!output.status.success(), "{table}");
+    assert_eq!(line(&table, "a_trajbell_gen")[1], "1");
+    assert_eq!(line(&table, "total")[1], "1");
+    assert!(
+        table.contains("bell_gen_f64.csv:2: a_trajbell_gen is"),
+        "{table}"
+    );
+}
+
+#[test]
+fn missing_answers_fail() {
+    for (name, filter) in [("cut", "head -n 1000"), ("silent", "sed d")] {
+        let output = parity(name, filter);
+        assert!(!output.status.success(), "{}", printed(&output));
+    }
+}
+
+#[test]
+fn every_move_is_drawn() {
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let moves: Vec<_> = setpoints.split("move ").skip(1).collect();
+    let pictures: Vec<_> = DEMO.lines().filter(|line| line.ends_with(".svg")).collect();
+    assert!(!moves.is_empty());
+    assert_eq!(pictures.len(), moves.len());
+    for (motion, picture) in moves.iter().zip(pictures) {
+        let svg = fs::read_to_string(root().join(picture)).unwrap();
+        let mut setpoints = motion.lines().filter(|line| line.starts_with("at "));
+        let last = setpoints.next_back().unwrap();
+        for (quantity, label) in [
+            "position [m]",
+            "velocity [m/s]",
+            "acceleration [m/s²]",
+            "jerk [m/s³]",
+        ]
+        .iter()
+        .enumerate()
+        {
+            let given = last.split(' ').count() > 2 + quantity;
+            assert_eq!(svg.contains(label), given, "{picture}: {label}");
+        }
+        let title = motion.split([':', '\n']).next().unwrap();
+        assert!(svg.contains(title), "{picture}: {title}");
+        assert!(svg.contains("time [s]"), "{picture}");
+    }
+}
+
+#[test]
+fn the_controller_turns_back_holds_and_arrives() {
+    if !has_tool("c++") {
+        return;
+    }
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let (_, motion) = setpoints.split_once("move Retarget and feed hold").unwrap();
+    let points: Vec<Vec<f64>> = motion
+        .lines()
+        .filter_map(|line| line.strip_prefix("at "))
+        .map(|line| line.split(' ').map(|x| x.parse().unwrap()).collect())
+        .collect();
+    for pair in points.windows(2) {
+        let [before, now] = [&pair[0], &pair[1]];
+        let passed = now[0] - before[0];
+        assert!((passed - 1e-3).abs() < 1e-12, "{now:?}");
+        assert!(
+            (now[2] - before[2]).abs() <= 1.0 * passed + 1e-12,
+            "{now:?}"
+        );
+        let mean = 0.5 * (before[2] + now[2]);
+        assert!(
+            (now[1] - before[1] - mean * passed).abs() <= 1e-6,
+            "{now:?}"
+        );
+    }
+    assert!(points.iter().any(|point| point[2] < -0.4), "no way back");
+    let held = |point: &&Vec<f64>| point[2] == 0.0 && (0.11..0.59).contains(&point[1]);
+    assert!(points.iter().filter(held).count() > 100, "no feed hold");
+    let last = points.last().unwrap();
+    assert!((last[1] - 0.1).abs() < 1e-12 && last[2] == 0.0, "{last:?}");
+}
+
+#[test]
+fn pictures_in_the_documentation_are_fresh() {
+    let drawn_by_demo = demo_dir();
+    let pictures: Vec<_> = fs::read_dir(root().join("docs/img")).unwrap().collect();
+    assert!(!pictures.is_empty());
+    for picture in pictures {
+        let committed = picture.unwrap();
+        let drawn = drawn_by_demo.join(committed.file_name());
+        assert!(
+            fs::read(committed.path()).unwrap() == fs::read(&drawn).unwrap(),
+            "copy {} to docs/img",
+            drawn.display()
+        );
+    }
+}
+
+#[test]
+fn nothing_to_draw_fails() {
+    for input in [
+        "",
+        "move empty\n",
+        "at 0 1 2 3\n",
+        "move bad\nat 0 inf 0 0\n",
+        "move twice\nat 0 1 0 0\nmove twice\nat 0 1 0 0\n",
+    ] {
+        let file = demo_dir().join("nothing.txt");
+        fs::write(&file, input).unwrap();
+        let output = example("plot")
+            .arg(demo_dir().join("nothing"))
+            .stdin(fs::File::open(file).unwrap())
+            .output()
+            .unwrap();
+        assert!(!output.status.success(), "{input:?}: {}", printed(&output));
+    }
+}
+
+fn demo_dir() -> PathBuf {
+    LazyLock::force(&DEMO);
+    root().join("target/demo")
+}
+
+/// The parity run on a servo whose answers pass through a shell filter.
+fn parity(name: &str, filter: &str) -> Output {
+    let directory = demo_dir().join(name);
+    let script = directory.join("servo.sh");
+    fs::create_dir_all(&directory).unwrap();
+    fs::write(
+        &script,
+        format!("#!/bin/sh\ntarget/demo/servo \"$1\" | {filter}\n"),
+    )
+    .unwrap();
+    let chmod = Command::new("chmod")
+        .arg("+x")
+        .arg(&script)
+        .status()
+        .unwrap();
+    assert!(chmod.success());
+    example("parity").arg(script).output().unwrap()
+}
+
+fn example(name: &str) -> Command {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo
+        .args(["run", "--quiet", "--example", name])
+        .current_dir(root())
+        .stdin(Stdio::null());
+    cargo
+}
+
+/// The numbers behind the name of a function in the parity table.
+fn line(table: &str, function: &str) -> Vec<String> {
+    let mut found = table
+        .lines()
+        .filter(|line| line.split_whitespace().next() == Some(function));
+    let line = found
+        .next()
+        .unwrap_or_else(|| panic!("no {function} in:\n{table}"));
+    line.split_whitespace().skip(1).map(str::to_owned).collect()
+}
+
+fn printed(output: &Output) -> String {
+    [&output.stdout, &output.stderr]
+        .map(|text| String::from_utf8_lossy(text))
+        .concat()
+}

@@ -1,0 +1,187 @@
+//! Do the original's headers and ours mean the same to a compiler?
+
+use oracle::original::{REALS, directory, include, shared_symbols};
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use support::repository::root;
+use support::tools::{Language, compilers, lines, run};
+use support::variant::{DOUBLE, Variant};
+use support::{Family, golden};
+
+/// The prototypes that gcc sees in the headers of a directory, with the real type by its C name.
+fn prototypes(include: &Path, size: &str) -> Vec<String> {
+    let directory = directory("prototypes");
+    let mut program = String::new();
+    for header in Family::ALL.map(Family::c_name) {
+        writeln!(program, "#include \"a/{header}.h\"").unwrap();
+    }
+    let source = directory.join("prototypes.c");
+    let list = directory.join("prototypes.txt");
+    fs::write(&source, program).unwrap();
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-fsyntax-only", size, "-I"]).arg(include);
+    run(gcc.arg("-aux-info").arg(&list).arg(source));
+    let real = if size.ends_with('4') {
+        "float"
+    } else {
+        "double"
+    };
+    let mut prototypes: Vec<_> = fs::read_to_string(list)
+        .unwrap()
+        .lines()
+        .filter_map(|line| line.split_once("*/ "))
+        .map(|(_place, prototype)| prototype.replace("struct ", "").replace("a_float", real))
+        .filter(|prototype| prototype.contains(" a_traj"))
+        .collect();
+    prototypes.sort();
+    prototypes
+}
+
+#[test]
+fn prototypes_are_the_same() {
+    for (variant, size) in REALS {
+        let theirs = prototypes(&include(), size);
+        assert_eq!(prototypes(&variant.dist().join("include"), size), theirs);
+        assert_eq!(theirs.len(), shared_symbols(variant).len());
+    }
+    let (double, float) = (REALS[0].1, REALS[1].1);
+    assert_ne!(
+        prototypes(&include(), double),
+        prototypes(&include(), float)
+    );
+}
+
+/// A C program that includes both sets of headers, the first set with all names changed. In it the compiler compares size,
+/// offset and type of every field. The second set uses the prelude of the first. `tv` replaces the field `tv` of the first
+/// set.
+fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> String {
+    let headers = Family::ALL.map(Family::c_name);
+    let names: Vec<_> = shared_symbols(&DOUBLE)
+        .into_iter()
+        .chain(headers.map(|header| format!("a_{header}")))
+        .collect();
+    let mut program = format!("#define tv {tv}\n");
+    for (header, highest) in headers.iter().zip([0, 0, 3, 3, 4]) {
+        if highest > 0 {
+            let level = levels.min(highest);
+            writeln!(program, "#define A_{} {level}", header.to_uppercase()).unwrap();
+        }
+    }
+    for name in &names {
+        writeln!(program, "#define {name} first_{name}").unwrap();
+    }
+    for header in headers {
+        writeln!(program, "#include \"{}/a/{header}.h\"", first.display()).unwrap();
+    }
+    program.push_str("#undef tv\n");
+    for name in &names {
+        writeln!(program, "#undef {name}").unwrap();
+    }
+    for header in headers {
+        writeln!(program, "#undef LIBA_{}_H", header.to_uppercase()).unwrap();
+        writeln!(program, "#include \"{}/a/{header}.h\"", second.display()).unwrap();
+    }
+    for family in Family::ALL {
+        let ours = format!("a_{}", family.c_name());
+        let stored = &["p", "v", "a", "j"][..levels];
+        let is_stored = |field: &&&str| !field.contains('[') || stored.contains(&&field[..1]);
+        writeln!(
+            program,
+            "_Static_assert(sizeof({ours}) == sizeof(first_{ours}), \"{ours}\");"
+        )
+        .unwrap();
+        for field in family.fields().iter().filter(is_stored) {
+            writeln!(
+                program,
+                "_Static_assert(offsetof({ours}, {field}) == offsetof(first_{ours}, {field}) && \
+                 _Generic((({ours} *)0)->{field}, __typeof__(((first_{ours} *)0)->{field}): 1), \"{ours}.{field}\");"
+            )
+            .unwrap();
+        }
+    }
+    program
+}
+
+fn check_layout(compiler: &str, size: &str, program: &str) -> Output {
+    let source = directory("layouts").join("layout.c");
+    fs::write(&source, program).unwrap();
+    let mut check = Command::new(compiler);
+    check.args(["-std=gnu11", "-Wall", "-Werror", "-fsyntax-only", size]);
+    check.arg(source).output().unwrap()
+}
+
+#[test]
+fn layouts_are_the_same() {
+    let (ours, theirs) = (root().join("include"), include());
+    for (first, second) in [(&theirs, &ours), (&ours, &theirs)] {
+        for levels in 1..=4 {
+            let program = layout_program(first, second, levels, "tv");
+            for (_, size) in REALS {
+                for compiler in compilers(Language::C) {
+                    let output = check_layout(compiler, size, &program);
+                    let errors = String::from_utf8_lossy(&output.stderr);
+                    assert!(
+                        output.status.success(),
+                        "{compiler} {size} level {levels}: {errors}"
+                    );
+                }
+            }
+        }
+    }
+    for planted in ["more, tv", "t_v"] {
+        let program = layout_program(&theirs, &ours, 4, planted);
+        let output = check_layout("cc", REALS[0].1, &program);
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            errors.contains("a_trajbell"),
+            "{planted} went unseen: {errors}"
+        );
+    }
+}
+
+/// Compiles a program with these headers and our archive. The result is what it prints.
+fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) -> Vec<String> {
+    let program = directory("consumer").join("program");
+    let mut compile = Command::new(compiler[0]);
+    compile
+        .args(&compiler[1..])
+        .args(["-Wall", "-Wextra", "-Werror", "-I"])
+        .arg(include);
+    compile
+        .arg(source)
+        .arg(variant.dist().join("lib/libatraj.a"));
+    run(compile.arg("-lm").arg("-o").arg(&program));
+    lines(Command::new(program).arg(golden::directory()))
+}
+
+#[test]
+fn programs_are_the_same_with_either_headers() {
+    let prelude = Path::new(env!("CARGO_MANIFEST_DIR")).join("c/prelude.c");
+    let golden = root().join("c_tests/golden.c");
+    let methods = root().join("c_tests/methods.cpp");
+    for (variant, size) in REALS {
+        let both = |compiler: &[&str], source: &Path| {
+            let compiler = [compiler, &[size]].concat();
+            let ours = consume(variant, &variant.dist().join("include"), &compiler, source);
+            let theirs = consume(variant, &include(), &compiler, source);
+            assert_eq!(ours, theirs, "{compiler:?} {}", source.display());
+            ours
+        };
+        for compiler in compilers(Language::C) {
+            assert_eq!(
+                both(&[compiler, "-std=c99", "-DLIBA_HEADERS"], &golden).len(),
+                shared_symbols(variant).len()
+            );
+            for standard in ["-std=c99", "-std=c11", "-std=c17"] {
+                assert!(both(&[compiler, standard], &prelude).len() > 20);
+            }
+        }
+        for compiler in compilers(Language::Cpp) {
+            for standard in ["-std=c++98", "-std=c++11", "-std=c++17", "-std=c++20"] {
+                both(&[compiler, standard], &methods);
+            }
+        }
+    }
+}

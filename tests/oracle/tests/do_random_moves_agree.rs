@@ -1,0 +1,36 @@
+//! Do the Rust API and the original agree in fifty million random calls per real type?
+
+use oracle::abi::Original;
+use oracle::comparison::Report;
+use oracle::volume::run_seed;
+use support::Ours;
+
+fn fifty_million_calls<R: Original>() {
+    let seeds = 0..50;
+    let mut total = Report::default();
+    for seed in seeds.clone() {
+        total.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
+    }
+    println!("{}: seeds {seeds:?}: {total}", R::NAME);
+    total.assert_same();
+    assert!(total.calls >= 50_000_000);
+    assert!(
+        total.endless > 0,
+        "no infinite acceleration among the moves"
+    );
+    assert_eq!(
+        total.most_rounds,
+        R::MOST_ROUNDS,
+        "rounds of the longest search"
+    );
+}
+
+#[test]
+fn f64() {
+    fifty_million_calls::<f64>();
+}
+
+#[test]
+fn f32() {
+    fifty_million_calls::<f32>();
+}

@@ -1,0 +1,56 @@
+//! Does the comparison see a difference, and does it compare two libraries?
+
+use oracle::abi::{OURS, Original};
+use oracle::comparison::Report;
+use oracle::faults::Fault;
+use oracle::volume::run_seed;
+use std::collections::HashSet;
+use support::Ours;
+
+#[test]
+fn three_libraries_are_linked() {
+    let addresses = [
+        <f64 as Original>::ORIGINAL.bell as usize,
+        <f32 as Original>::ORIGINAL.bell as usize,
+        OURS.bell as usize,
+        <f64 as Original>::ORIGINAL.trap as usize,
+        <f32 as Original>::ORIGINAL.trap as usize,
+        OURS.trap as usize,
+        <f64 as Original>::ORIGINAL.poly7 as usize,
+        <f32 as Original>::ORIGINAL.poly7 as usize,
+        OURS.poly7 as usize,
+    ];
+    assert_eq!(HashSet::from(addresses).len(), addresses.len());
+}
+
+fn every_fault_is_caught<R: Original>() {
+    for fault in Fault::ALL {
+        let report: Report = run_seed::<R>(&fault, &R::ORIGINAL, 0);
+        println!("{} {fault:?}: {} differing", R::NAME, report.differing);
+        assert!(report.differing > 0, "{fault:?} in {} went unseen", R::NAME);
+        assert!(!report.examples.is_empty());
+    }
+}
+
+#[test]
+fn every_fault_is_caught_f64() {
+    every_fault_is_caught::<f64>();
+}
+
+#[test]
+fn every_fault_is_caught_f32() {
+    every_fault_is_caught::<f32>();
+}
+
+/// If something differed without a fault, a caught fault would prove nothing.
+#[test]
+fn without_a_fault_nothing_differs() {
+    run_seed::<f64>(&Ours, &<f64 as Original>::ORIGINAL, 0).assert_same();
+    run_seed::<f32>(&Ours, &<f32 as Original>::ORIGINAL, 0).assert_same();
+}
+
+#[test]
+#[should_panic(expected = "nothing was compared")]
+fn an_empty_run_is_no_proof() {
+    Report::default().assert_same();
+}

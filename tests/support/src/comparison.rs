@@ -1,0 +1,44 @@
+//! Counted comparison, bit for bit.
+
+use crate::real::Real;
+use std::fmt::Display;
+
+/// Counts compared values and keeps the differing ones.
+#[derive(Default)]
+pub struct Comparison {
+    /// How many values were compared.
+    pub compared: usize,
+    /// Each differing value in words.
+    pub differences: Vec<String>,
+}
+
+impl Comparison {
+    /// Compares two values; `place` and `what` say which.
+    pub fn check<R: Real>(&mut self, place: impl Display, what: &str, got: R, want: R) {
+        self.compared += 1;
+        if !got.same(want) {
+            self.differences.push(format!(
+                "{place}: {what} is {}, golden {}",
+                got.show(),
+                want.show()
+            ));
+        }
+    }
+
+    /// Prints the count. Panics with the first differences if there is one, or if nothing was compared.
+    pub fn finish(self, what: &str) {
+        println!(
+            "{what}: {} values, {} differing",
+            self.compared,
+            self.differences.len()
+        );
+        assert!(self.compared > 0, "{what}: nothing was compared");
+        assert!(
+            self.differences.is_empty(),
+            "{what}: {} of {} values differ:\n{}",
+            self.differences.len(),
+            self.compared,
+            self.differences[..self.differences.len().min(10)].join("\n")
+        );
+    }
+}

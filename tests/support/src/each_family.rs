@@ -1,0 +1,21 @@
+//! Tests of every family in both real types.
+
+/// Makes the tests `bell::f32`, `bell::f64`, … of a function `fn check<R: Real>(family: Family)`.
+#[macro_export]
+macro_rules! test_each_family {
+    ($check:ident) => {
+        $crate::test_each_family!($check: bell Bell, trap Trap, poly3 Poly3, poly5 Poly5, poly7 Poly7);
+    };
+    ($check:ident: $($name:ident $family:ident),*) => {$(
+        mod $name {
+            #[test]
+            fn f32() {
+                super::$check::<f32>($crate::Family::$family);
+            }
+            #[test]
+            fn f64() {
+                super::$check::<f64>($crate::Family::$family);
+            }
+        }
+    )*};
+}

@@ -1,0 +1,208 @@
+//! The five families of profiles: their arguments, fields, borders and quantities.
+
+use crate::profiles::{BELL_FIELDS, TRAP_FIELDS, bell, trap};
+use crate::real::Real;
+use atraj::{Bell, Trap};
+
+/// A profile family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Family {
+    Bell,
+    Trap,
+    Poly3,
+    Poly5,
+    Poly7,
+}
+
+/// The most arguments a family's `gen` has.
+pub const MOST_ARGUMENTS: usize = POLY7.arguments.len();
+/// The most reals a family's struct holds.
+pub const MOST_FIELDS: usize = POLY7.fields.len();
+/// The most borders a family has, which are the borders of the bell.
+pub const MOST_BORDERS: usize = 9;
+
+/// Something that a profile is evaluated for.
+pub struct Quantity {
+    /// Its name.
+    pub name: &'static str,
+    /// How the name of its C function ends.
+    pub c: &'static str,
+}
+
+/// The quantities, in the order in which every implementation gives them.
+pub const QUANTITIES: [Quantity; 4] = [
+    Quantity {
+        name: "position",
+        c: "pos",
+    },
+    Quantity {
+        name: "velocity",
+        c: "vel",
+    },
+    Quantity {
+        name: "acceleration",
+        c: "acc",
+    },
+    Quantity {
+        name: "jerk",
+        c: "jer",
+    },
+];
+
+struct Description {
+    name: &'static str,
+    c_name: &'static str,
+    arguments: &'static [&'static str],
+    fields: &'static [&'static str],
+    quantities: usize,
+    returns_duration: bool,
+    golden_words: usize,
+}
+
+const BELL: Description = Description {
+    name: "bell",
+    c_name: "trajbell",
+    arguments: &["jm", "am", "vm", "p0", "p1", "v0", "v1"],
+    fields: &BELL_FIELDS,
+    quantities: 4,
+    returns_duration: true,
+    golden_words: 2,
+};
+
+const TRAP: Description = Description {
+    name: "trap",
+    c_name: "trajtrap",
+    arguments: &["vm", "ac", "de", "p0", "p1", "v0", "v1"],
+    fields: &TRAP_FIELDS,
+    quantities: 3,
+    returns_duration: true,
+    golden_words: 2,
+};
+
+const POLY3: Description = Description {
+    name: "poly3",
+    c_name: "trajpoly3",
+    arguments: &["ts", "p0", "p1", "v0", "v1"],
+    fields: &[
+        "p[0]", "p[1]", "p[2]", "p[3]", //
+        "v[0]", "v[1]", "v[2]", //
+        "a[0]", "a[1]",
+    ],
+    quantities: 3,
+    returns_duration: false,
+    golden_words: 1,
+};
+
+const POLY5: Description = Description {
+    name: "poly5",
+    c_name: "trajpoly5",
+    arguments: &["ts", "p0", "p1", "v0", "v1", "a0", "a1"],
+    fields: &[
+        "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", //
+        "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", //
+        "a[0]", "a[1]", "a[2]", "a[3]",
+    ],
+    quantities: 3,
+    returns_duration: false,
+    golden_words: 1,
+};
+
+const POLY7: Description = Description {
+    name: "poly7",
+    c_name: "trajpoly7",
+    arguments: &["ts", "p0", "p1", "v0", "v1", "a0", "a1", "j0", "j1"],
+    fields: &[
+        "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", "p[6]", "p[7]", //
+        "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", "v[5]", "v[6]", //
+        "a[0]", "a[1]", "a[2]", "a[3]", "a[4]", "a[5]", //
+        "j[0]", "j[1]", "j[2]", "j[3]", "j[4]",
+    ],
+    quantities: 4,
+    returns_duration: false,
+    golden_words: 1,
+};
+
+impl Family {
+    /// Every family.
+    pub const ALL: [Self; 5] = [
+        Self::Bell,
+        Self::Trap,
+        Self::Poly3,
+        Self::Poly5,
+        Self::Poly7,
+    ];
+
+    const fn description(self) -> &'static Description {
+        match self {
+            Self::Bell => &BELL,
+            Self::Trap => &TRAP,
+            Self::Poly3 => &POLY3,
+            Self::Poly5 => &POLY5,
+            Self::Poly7 => &POLY7,
+        }
+    }
+
+    /// How golden files, fuzz targets and Rust name it.
+    pub const fn name(self) -> &'static str {
+        self.description().name
+    }
+
+    /// How the C library names its header and, after `a_`, its struct and functions.
+    pub const fn c_name(self) -> &'static str {
+        self.description().c_name
+    }
+
+    /// Arguments of `gen`, in order.
+    pub const fn arguments(self) -> &'static [&'static str] {
+        self.description().arguments
+    }
+
+    /// Fields of the struct, in order of memory. A C struct is nothing but reals, so their array is its layout.
+    pub const fn fields(self) -> &'static [&'static str] {
+        self.description().fields
+    }
+
+    /// What the C library evaluates.
+    pub fn quantities(self) -> &'static [Quantity] {
+        &QUANTITIES[..self.description().quantities]
+    }
+
+    /// Whether `gen` returns the duration.
+    pub const fn returns_duration(self) -> bool {
+        self.description().returns_duration
+    }
+
+    /// Columns of words before the numbers in the golden table of `gen`.
+    pub const fn golden_words(self) -> usize {
+        self.description().golden_words
+    }
+
+    /// Whether it is a polynomial, whose duration is an argument.
+    pub const fn is_polynomial(self) -> bool {
+        !self.returns_duration()
+    }
+
+    /// Times at which a move changes: its start, the borders of its phases, its end.
+    pub fn borders<R: Real>(self, arguments: &[R], fields: &[R]) -> Vec<R> {
+        let start = R::of(0.0);
+        match self {
+            Self::Bell => {
+                #[rustfmt::skip]
+                let Bell { t, tv, ta, td, taj, tdj, .. } = bell(fields);
+                #[rustfmt::skip]
+                let borders: [R; MOST_BORDERS] = [
+                    start, taj, ta - taj, ta,
+                    ta + tv,
+                    t - td, t - td + tdj, t - tdj, t,
+                ];
+                borders.to_vec()
+            }
+            Self::Trap => {
+                let Trap { t, ta, td, .. } = trap(fields);
+                vec![start, ta, td, t]
+            }
+            Self::Poly3 | Self::Poly5 | Self::Poly7 => vec![start, arguments[0]],
+        }
+    }
+}

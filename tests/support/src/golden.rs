@@ -1,0 +1,153 @@
+//! Golden data: tables of what the original computed, and the comparison of an implementation with them.
+
+use crate::comparison::Comparison;
+use crate::family::Family;
+use crate::implementation::Implementation;
+use crate::real::Real;
+use crate::repository::root;
+use std::path::PathBuf;
+
+/// A planned move.
+pub struct Move<R> {
+    /// File and line.
+    pub place: String,
+    /// Arguments of `gen`.
+    pub arguments: Vec<R>,
+    /// What `gen` returned, if it returns anything.
+    pub duration: Option<R>,
+    /// What `gen` wrote.
+    pub fields: Vec<R>,
+}
+
+/// A move at a time.
+pub struct Evaluation<R> {
+    /// File and line.
+    pub place: String,
+    /// The number of the move.
+    pub case: usize,
+    /// The time.
+    pub x: R,
+    /// The family's quantities.
+    pub values: Vec<R>,
+}
+
+/// All golden moves of a family, each at the index that is its number.
+pub fn moves<R: Real>(family: Family) -> Vec<Move<R>> {
+    let arguments = family.arguments().len();
+    let returned = usize::from(family.returns_duration());
+    let numbers = arguments + returned + family.fields().len();
+    let table = format!("{}_gen", family.name());
+    let to_move = |(index, row): (usize, Row<R>)| {
+        assert_eq!(row.case, index, "{}: case", row.place);
+        Move {
+            place: row.place,
+            arguments: row.values[..arguments].to_vec(),
+            duration: family.returns_duration().then(|| row.values[arguments]),
+            fields: row.values[arguments + returned..].to_vec(),
+        }
+    };
+    let rows = rows(&table, family.golden_words(), numbers);
+    rows.into_iter().enumerate().map(to_move).collect()
+}
+
+/// All golden evaluations of a family.
+pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
+    let table = format!("{}_eval", family.name());
+    let to_evaluation = |row: Row<R>| Evaluation {
+        place: row.place,
+        case: row.case,
+        x: row.values[0],
+        values: row.values[1..].to_vec(),
+    };
+    let rows = rows(&table, 1, 1 + family.quantities().len());
+    rows.into_iter().map(to_evaluation).collect()
+}
+
+/// Compares everything an implementation returns and writes with the golden data of a family.
+pub fn compare<R: Real>(
+    comparison: &mut Comparison,
+    implementation: &impl Implementation<R>,
+    family: Family,
+) {
+    let moves = moves(family);
+    let planned: Vec<_> = moves
+        .iter()
+        .map(|golden| compare_plan(comparison, implementation, family, golden))
+        .collect();
+    for golden in evaluations::<R>(family) {
+        let got = implementation.evaluate(family, &planned[golden.case], golden.x);
+        for ((quantity, got), want) in family.quantities().iter().zip(got).zip(golden.values) {
+            comparison.check(&golden.place, quantity.name, got, want);
+        }
+    }
+}
+
+/// The fields that the implementation writes.
+fn compare_plan<R: Real>(
+    comparison: &mut Comparison,
+    implementation: &impl Implementation<R>,
+    family: Family,
+    golden: &Move<R>,
+) -> Vec<R> {
+    let mut fields = vec![R::of(0.0); family.fields().len()];
+    let duration = implementation.plan(family, &golden.arguments, &mut fields);
+    if let Some(want) = golden.duration {
+        comparison.check(&golden.place, "duration", duration, want);
+    }
+    for ((name, &got), &want) in family.fields().iter().zip(&fields).zip(&golden.fields) {
+        comparison.check(&golden.place, name, got, want);
+    }
+    fields
+}
+
+/// A row of a golden table.
+pub struct Row<R> {
+    /// File and line.
+    pub place: String,
+    /// The number of the move.
+    pub case: usize,
+    /// The numbers.
+    pub values: Vec<R>,
+}
+
+/// All rows of `tests/golden/{table}_{f32|f64}.csv`. The first `words` columns are a case number and words, the other
+/// `numbers` columns are bit patterns. Panics if the file is missing, has no rows or a row that is not of this form.
+pub fn rows<R: Real>(table: &str, words: usize, numbers: usize) -> Vec<Row<R>> {
+    let to_row = |(place, cells): (String, Vec<String>)| {
+        let case = cells[0].parse().unwrap_or_else(|e| panic!("{place}: {e}"));
+        let number = |cell: &String| R::parse(cell).unwrap_or_else(|| panic!("{place}: {cell:?}"));
+        let values = cells[words..].iter().map(number).collect();
+        Row {
+            place,
+            case,
+            values,
+        }
+    };
+    let cells = cells(&format!("{table}_{}.csv", R::NAME), words + numbers);
+    cells.into_iter().map(to_row).collect()
+}
+
+/// File and line of each row of a golden file, and its `columns` cells. Panics if the file is missing, has no rows or a
+/// row of another length.
+pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
+    let path = directory().join(name);
+    let csv = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let rows: Vec<_> = csv
+        .lines()
+        .enumerate()
+        .skip(1)
+        .map(|(index, line)| {
+            let place = format!("{name}:{}", index + 1);
+            let cells: Vec<_> = line.split(',').map(str::to_owned).collect();
+            assert_eq!(cells.len(), columns, "{place}: columns");
+            (place, cells)
+        })
+        .collect();
+    assert!(!rows.is_empty(), "{}: no rows", path.display());
+    rows
+}
+
+/// Where the golden files are.
+pub fn directory() -> PathBuf {
+    root().join("tests/golden")
+}

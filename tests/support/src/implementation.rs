@@ -1,0 +1,13 @@
+//! How tests see a library: each family is a function from arguments to fields and one from fields to quantities.
+
+use crate::family::Family;
+
+/// One implementation of the five families in the real type `R`.
+pub trait Implementation<R> {
+    /// Calls the family's `gen`: finds what `fields` held before, writes them, returns the duration. A polynomial's `gen`
+    /// returns nothing, which is 0 here.
+    fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R;
+
+    /// The quantities at time `x`. Those beyond [`Family::quantities`] may be anything.
+    fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4];
+}

@@ -1,0 +1,22 @@
+//! What the tests share, here and in `tests/oracle`. The families of profiles are described here and nowhere else.
+
+pub mod comparison;
+pub mod each_family;
+pub mod family;
+pub mod golden;
+pub mod implementation;
+pub mod ours;
+pub mod profiles;
+pub mod random;
+pub mod real;
+pub mod reference;
+pub mod repository;
+pub mod tools;
+pub mod variant;
+
+pub use comparison::Comparison;
+pub use family::Family;
+pub use implementation::Implementation;
+pub use ours::Ours;
+pub use random::Random;
+pub use real::Real;

@@ -1,0 +1,81 @@
+//! The Rust API under test.
+
+use crate::family::Family;
+use crate::implementation::Implementation;
+use crate::profiles::{Profile, bell, bell_fields, poly3, poly5, poly7, trap, trap_fields};
+use crate::real::Real;
+use atraj::{Boundary, Poly};
+
+/// atraj's plain structs and methods, without the C ABI. Its polynomials hold nothing but the coefficients of position, so
+/// an evaluation does not read the other fields of a polynomial.
+pub struct Ours;
+
+impl<R: Real> Implementation<R> for Ours {
+    fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
+        match (family, arguments) {
+            (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
+                let mut bell = bell(fields);
+                let duration = bell.plan(jm, am, vm, Boundary { p0, p1, v0, v1 });
+                fields.copy_from_slice(&bell_fields(&bell));
+                return duration.unwrap_or(R::of(0.0));
+            }
+            (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
+                let mut trap = trap(fields);
+                let duration = trap.plan(vm, ac, de, Boundary { p0, p1, v0, v1 });
+                fields.copy_from_slice(&trap_fields(&trap));
+                return duration.unwrap_or(R::of(0.0));
+            }
+            (Family::Poly3, &[ts, p0, p1, v0, v1]) => {
+                let mut p = poly3(fields);
+                p.plan(ts, Boundary { p0, p1, v0, v1 });
+                let v: Poly<R, 3> = p.derivative();
+                let a: Poly<R, 2> = v.derivative();
+                write(fields, &[&p.c, &v.c, &a.c]);
+            }
+            (Family::Poly5, &[ts, p0, p1, v0, v1, a0, a1]) => {
+                let mut p = poly5(fields);
+                p.plan(ts, Boundary { p0, p1, v0, v1 }, [a0, a1]);
+                let v: Poly<R, 5> = p.derivative();
+                let a: Poly<R, 4> = v.derivative();
+                write(fields, &[&p.c, &v.c, &a.c]);
+            }
+            (Family::Poly7, &[ts, p0, p1, v0, v1, a0, a1, j0, j1]) => {
+                let mut p = poly7(fields);
+                p.plan(ts, Boundary { p0, p1, v0, v1 }, [a0, a1], [j0, j1]);
+                let v: Poly<R, 7> = p.derivative();
+                let a: Poly<R, 6> = v.derivative();
+                let j: Poly<R, 5> = a.derivative();
+                write(fields, &[&p.c, &v.c, &a.c, &j.c]);
+            }
+            _ => panic!("{family:?} has not {} arguments", arguments.len()),
+        }
+        R::of(0.0)
+    }
+
+    fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
+        match family {
+            Family::Bell => padded(bell(fields).each(x)),
+            Family::Trap => padded(trap(fields).each(x)),
+            Family::Poly3 => padded(poly3(fields).each(x)),
+            Family::Poly5 => padded(poly5(fields).each(x)),
+            Family::Poly7 => padded(poly7(fields).each(x)),
+        }
+    }
+}
+
+/// Writes coefficient arrays one after the other. They must fill the fields.
+fn write<R: Real>(mut fields: &mut [R], arrays: &[&[R]]) {
+    for array in arrays {
+        let (written, rest) = fields.split_at_mut(array.len());
+        written.copy_from_slice(array);
+        fields = rest;
+    }
+    assert!(fields.is_empty(), "{} fields are left", fields.len());
+}
+
+/// The quantities, and 0 for what the profile does not have.
+fn padded<R: Real, const N: usize>(quantities: [R; N]) -> [R; 4] {
+    let mut all = [R::of(0.0); 4];
+    all[..N].copy_from_slice(&quantities);
+    all
+}

@@ -1,0 +1,90 @@
+//! The structs of the Rust API as arrays: their fields, and their functions with any number of quantities.
+
+use crate::real::Real;
+use atraj::{Bell, Poly3, Poly5, Poly7, Trap};
+
+macro_rules! named_fields {
+    ($profile:ident, $count:literal, $names:ident, $from:ident, $to:ident, [$($field:ident),*]) => {
+        /// The fields of the struct, in order of memory.
+        pub const $names: [&str; $count] = [$(stringify!($field)),*];
+
+        /// The struct that these fields are.
+        pub fn $from<R: Copy>(fields: &[R]) -> $profile<R> {
+            let &[$($field),*] = fields else {
+                panic!("{} fields instead of {}", fields.len(), $count);
+            };
+            $profile { $($field),* }
+        }
+
+        /// The fields of the struct.
+        pub fn $to<R: Copy>(profile: &$profile<R>) -> [R; $count] {
+            [$(profile.$field),*]
+        }
+    };
+}
+
+#[rustfmt::skip]
+named_fields!(
+    Bell, 14, BELL_FIELDS, bell, bell_fields,
+    [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
+);
+#[rustfmt::skip]
+named_fields!(
+    Trap, 12, TRAP_FIELDS, trap, trap_fields,
+    [t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de]
+);
+
+/// The cubic whose coefficients of position these fields begin with.
+pub fn poly3<R: Copy>(fields: &[R]) -> Poly3<R> {
+    Poly3 { c: head(fields) }
+}
+
+/// The quintic whose coefficients of position these fields begin with.
+pub fn poly5<R: Copy>(fields: &[R]) -> Poly5<R> {
+    Poly5 { c: head(fields) }
+}
+
+/// The septic whose coefficients of position these fields begin with.
+pub fn poly7<R: Copy>(fields: &[R]) -> Poly7<R> {
+    Poly7 { c: head(fields) }
+}
+
+fn head<R: Copy, const N: usize>(fields: &[R]) -> [R; N] {
+    *fields.first_chunk().expect("the family's fields")
+}
+
+/// A profile with `N` quantities: each by its own function, and all together.
+pub trait Profile<R, const N: usize> {
+    /// The quantities at a time, a call each.
+    fn each(&self, x: R) -> [R; N];
+    /// The quantities at a time, in one call.
+    fn state(&self, x: R) -> [R; N];
+    /// The quantities at `n` times from an iterator.
+    fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; N]>;
+    /// Fills each output with a quantity. The result is the number of samples.
+    fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; N]) -> usize;
+}
+
+macro_rules! profile {
+    ($profile:ident, $n:literal, $($quantity:ident)*) => {
+        impl<R: Real> Profile<R, $n> for $profile<R> {
+            fn each(&self, x: R) -> [R; $n] {
+                [$(self.$quantity(x)),*]
+            }
+            fn state(&self, x: R) -> [R; $n] {
+                self.state(x)
+            }
+            fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; $n]> {
+                self.states(x0, dt).take(n).collect()
+            }
+            fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; $n]) -> usize {
+                self.sample_into(x0, dt, outputs)
+            }
+        }
+    };
+}
+profile!(Bell, 4, position velocity acceleration jerk);
+profile!(Trap, 3, position velocity acceleration);
+profile!(Poly3, 4, position velocity acceleration jerk);
+profile!(Poly5, 4, position velocity acceleration jerk);
+profile!(Poly7, 4, position velocity acceleration jerk);

@@ -1,0 +1,11 @@
+//! Where the repository is.
+
+use std::path::Path;
+
+/// The repository's root.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .find(|directory| directory.join("tests/golden").is_dir())
+        .expect("a repository around this package")
+}

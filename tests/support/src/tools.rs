@@ -1,0 +1,58 @@
+//! Compilers and other programs that a test runs.
+
+use std::process::{Command, Output};
+
+/// A language that the headers are for.
+#[derive(Clone, Copy)]
+#[allow(missing_docs)]
+pub enum Language {
+    C,
+    Cpp,
+}
+
+/// The compilers of this machine for a language. In CI all of them must be there.
+pub fn compilers(language: Language) -> Vec<&'static str> {
+    let known = match language {
+        Language::C => ["gcc", "clang"],
+        Language::Cpp => ["g++", "clang++"],
+    };
+    known
+        .into_iter()
+        .filter(|compiler| has_tool(compiler))
+        .collect()
+}
+
+/// Whether `tool` can be run. A missing tool is printed. In CI it is a failure.
+pub fn has_tool(tool: &str) -> bool {
+    let found = Command::new(tool).arg("--version").output().is_ok();
+    if !found {
+        assert!(std::env::var_os("CI").is_none(), "{tool} is missing");
+        println!("SKIPPED: {tool} is missing, what needs it is not tested");
+    }
+    found
+}
+
+/// Runs a command that must succeed; its output.
+pub fn run(command: &mut Command) -> Output {
+    let output = command
+        .output()
+        .unwrap_or_else(|e| panic!("{command:?}: {e}"));
+    assert!(
+        output.status.success(),
+        "{command:?}: {}\n{}{}",
+        output.status,
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    output
+}
+
+/// Runs a command that must succeed; the lines that it prints.
+pub fn lines(command: &mut Command) -> Vec<String> {
+    let output = run(command).stdout;
+    String::from_utf8(output)
+        .unwrap()
+        .lines()
+        .map(str::to_owned)
+        .collect()
+}
