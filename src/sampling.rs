@@ -12,8 +12,21 @@ pub(crate) trait Profile<R, const QUANTITIES: usize, const BORDERS: usize> {
     /// Everything that an evaluation compares times with.
     fn borders(&self) -> [Border<R>; BORDERS];
 
-    /// Position, velocity, acceleration and, if the profile has it, jerk at time `x`, s.
-    fn state(&self, x: R) -> [R; QUANTITIES];
+    /// Position, velocity, acceleration and, if the profile has it, jerk at time `x`, s: a call each.
+    fn each(&self, x: R) -> [R; QUANTITIES];
+
+    /// The quantities at time `x`, computed in one place for every phase: fast and large.
+    fn together(&self, x: R) -> [R; QUANTITIES];
+
+    /// The quantities at time `x`, in the way that suits the processor.
+    #[inline(always)]
+    fn state(&self, x: R) -> [R; QUANTITIES] {
+        if processor::IS_BARE_METAL {
+            self.each(x)
+        } else {
+            self.together(x)
+        }
+    }
 
     /// Fills `run`, whose times all lie between the same borders.
     fn fill(&self, run: Run<'_, R, QUANTITIES>);

@@ -1,7 +1,6 @@
 //! Where an axis is, and where a move starts and ends.
 
 use crate::real::Real;
-use crate::real::processor::keep_branch_on_bare_metal;
 
 /// Position, velocity and acceleration of an axis at one instant, all signed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,26 +50,6 @@ impl<R: Real> Boundary<R> {
             v0: self.v0.limit(vm),
             v1: self.v1.limit(vm),
             ..self
-        }
-    }
-
-    /// Whether the move goes towards smaller positions.
-    pub(crate) fn is_backward(self) -> bool {
-        self.p0 > self.p1
-    }
-
-    /// The move in the axis that makes it go forward: mirrored if it is `backward`.
-    pub(crate) fn forward(self, backward: bool) -> Self {
-        if backward {
-            keep_branch_on_bare_metal();
-            Self {
-                p0: -self.p0,
-                p1: -self.p1,
-                v0: -self.v0,
-                v1: -self.v1,
-            }
-        } else {
-            self
         }
     }
 }

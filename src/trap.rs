@@ -93,10 +93,10 @@ impl<R: Real> Trap<R> {
             return None;
         }
         let vm = velocity.magnitude();
-        let boundary = boundary.limit_velocities(vm);
-        let Boundary { p0, p1, v0, v1 } = boundary;
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
         (self.p0, self.p1, self.v0, self.v1) = (p0, p1, v0, v1);
-        let two_h = R::from(2) * (p1 - p0);
+        let h = p1 - p0;
+        let two_h = R::from(2) * h;
 
         // Squared velocity at which the acceleration line meets the deceleration line.
         let (a, b) = (v0 * v0, v1 * v1);
@@ -119,7 +119,7 @@ impl<R: Real> Trap<R> {
             Shape::DownOnly => root(a + two_h * de)?,
             Shape::Peak => c.sqrt(),
         };
-        let v = speed.negate_if(boundary.is_backward());
+        let v = speed.negate_if(h < R::ZERO);
         (self.ac, self.de) = (ac, de);
         if matches!(shape, Shape::DownOnly) {
             self.v1 = v;
@@ -174,7 +174,7 @@ impl<R: Real> Trap<R> {
 
     /// Position, velocity and acceleration at time `x`, s.
     pub fn state(&self, x: R) -> [R; 3] {
-        [self.position(x), self.velocity(x), self.acceleration(x)]
+        Profile::state(self, x)
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -191,6 +191,7 @@ impl<R: Real> Trap<R> {
     }
 
     /// The phase of position and velocity at `x`.
+    #[inline(always)]
     fn phase(&self, x: R) -> Phase {
         if x >= self.ta {
             if x < self.td {
@@ -207,6 +208,7 @@ impl<R: Real> Trap<R> {
         }
     }
 
+    #[inline(always)]
     fn position_in(&self, phase: Phase, x: R) -> R {
         match phase {
             Phase::Before => self.p0,
@@ -220,6 +222,7 @@ impl<R: Real> Trap<R> {
         }
     }
 
+    #[inline(always)]
     fn velocity_in(&self, phase: Phase, x: R) -> R {
         match phase {
             Phase::Before => self.v0,
@@ -256,8 +259,17 @@ impl<R: Real> Profile<R, 3, 7> for Trap<R> {
         ]
     }
 
-    fn state(&self, x: R) -> [R; 3] {
-        self.state(x)
+    fn each(&self, x: R) -> [R; 3] {
+        [self.position(x), self.velocity(x), self.acceleration(x)]
+    }
+
+    fn together(&self, x: R) -> [R; 3] {
+        let acceleration = self.acceleration(x);
+        in_phase!(self.phase(x), PHASE of Before Accelerate Cruise Decelerate After => [
+            self.position_in(PHASE, x),
+            self.velocity_in(PHASE, x),
+            acceleration,
+        ])
     }
 
     fn fill(&self, run: Run<'_, R, 3>) {

@@ -92,9 +92,4 @@ impl<R: Real> Bell<R> {
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         Sweep { x0, dt }.sample(self, outputs)
     }
-
-    fn boundary(&self) -> Boundary<R> {
-        let Self { p0, p1, v0, v1, .. } = *self;
-        Boundary { p0, p1, v0, v1 }
-    }
 }

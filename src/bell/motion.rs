@@ -3,7 +3,6 @@
 use super::Bell;
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, in_phase};
-use crate::state::Boundary;
 
 /// The seven phases in order of time, each with its interval and its jerk, and the standstill around them.
 #[derive(Clone, Copy, PartialEq)]
@@ -31,27 +30,27 @@ enum Phase {
 impl<R: Real> Bell<R> {
     /// Position at time `x`, s. Before the start it is `p0`, after the end and for a NaN `p1`.
     pub fn position(&self, x: R) -> R {
-        let boundary = self.boundary();
-        let backward = boundary.is_backward();
-        let forward = boundary.forward(backward);
-        let phase = self.phase(x, |x, border| x < border);
-        self.position_in(phase, x, forward).negate_if(backward)
+        let Self { p0, p1, v0, v1, .. } = *self;
+        if self.is_backward() {
+            -self.forward_position(x, -p0, -p1, -v0, -v1)
+        } else {
+            self.forward_position(x, p0, p1, v0, v1)
+        }
     }
 
     /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
     pub fn velocity(&self, x: R) -> R {
-        let boundary = self.boundary();
-        let backward = boundary.is_backward();
-        let forward = boundary.forward(backward);
-        let phase = self.phase(x, |x, border| x < border);
-        self.velocity_in(phase, x, forward).negate_if(backward)
+        let Self { v0, v1, .. } = *self;
+        if self.is_backward() {
+            -self.forward_velocity(x, -v0, -v1)
+        } else {
+            self.forward_velocity(x, v0, v1)
+        }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
     pub fn acceleration(&self, x: R) -> R {
-        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
-        let phase = self.phase(x, |x, border| !(x >= border));
-        self.acceleration_in(phase, x)
+        self.acceleration_in(self.phase(x, is_not_from), x)
     }
 
     /// Jerk at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
@@ -80,17 +79,32 @@ impl<R: Real> Bell<R> {
     }
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
+    #[inline(always)]
     pub fn state(&self, x: R) -> [R; 4] {
-        [
-            self.position(x),
-            self.velocity(x),
-            self.acceleration(x),
-            self.jerk(x),
-        ]
+        Profile::state(self, x)
+    }
+
+    fn is_backward(&self) -> bool {
+        self.p0 > self.p1
+    }
+
+    fn forward_position(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+        self.position_in(self.phase(x, is_below), x, p0, p1, v0, v1)
+    }
+
+    fn forward_velocity(&self, x: R, v0: R, v1: R) -> R {
+        self.velocity_in(self.phase(x, is_below), x, v0, v1)
+    }
+
+    /// A computed value of the forward axis in the caller's axis.
+    fn orient(&self, y: R) -> R {
+        y.negate_if(self.is_backward())
     }
 
     /// The phase at `x`; `is_ahead(x, border)` tells whether a border is ahead of `x`. The quantities ask in different ways, which
     /// differ where a border is NaN.
+    // Each caller has its own copy: the phase becomes a place in the code instead of a value.
+    #[inline(always)]
     fn phase(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> Phase {
         if x < self.ta {
             if is_ahead(x, self.taj) {
@@ -122,8 +136,8 @@ impl<R: Real> Bell<R> {
     }
 
     /// Position in the forward axis. The time `z` counts from the border that the formula of the phase refers to.
-    fn position_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
-        let Boundary { p0, p1, v0, v1 } = forward;
+    #[inline(always)]
+    fn position_in(&self, phase: Phase, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         match phase {
             Phase::Before => p0,
             Phase::AccelerationRises => p0 + v0 * x + jerk_distance(self.jm, x),
@@ -156,40 +170,48 @@ impl<R: Real> Bell<R> {
     }
 
     /// Velocity in the forward axis.
-    fn velocity_in(&self, phase: Phase, x: R, forward: Boundary<R>) -> R {
-        let Boundary { v0, v1, .. } = forward;
+    #[inline(always)]
+    fn velocity_in(&self, phase: Phase, x: R, v0: R, v1: R) -> R {
         match phase {
             Phase::Before => v0,
             Phase::AccelerationRises => v0 + jerk_velocity(self.jm, x),
             Phase::AccelerationHolds => v0 + self.am * (x - R::HALF * self.taj),
-            Phase::AccelerationFalls => self.vm - jerk_velocity(self.jm, self.ta - x),
+            Phase::AccelerationFalls => self.vm - jerk_velocity(self.jm, x - self.ta),
             Phase::Cruise => self.vm,
             Phase::DecelerationRises => self.vm - jerk_velocity(self.jm, x - (self.t - self.td)),
             Phase::DecelerationHolds => {
                 self.vm + self.dm * (x - self.t + self.td - R::HALF * self.tdj)
             }
-            Phase::DecelerationFalls => v1 + jerk_velocity(self.jm, self.t - x),
+            Phase::DecelerationFalls => v1 + jerk_velocity(self.jm, x - self.t),
             Phase::After => v1,
         }
     }
 
     /// Acceleration in the caller's axis.
+    #[inline(always)]
     fn acceleration_in(&self, phase: Phase, x: R) -> R {
         let acceleration = match phase {
             Phase::Before | Phase::Cruise | Phase::After => return R::ZERO,
             Phase::AccelerationRises => self.jm * x,
             Phase::AccelerationHolds => self.am,
-            Phase::AccelerationFalls => self.jm * (self.ta - x),
+            Phase::AccelerationFalls => -self.jm * (x - self.ta),
             Phase::DecelerationRises => -self.jm * (x - self.t + self.td),
             Phase::DecelerationHolds => self.dm,
-            Phase::DecelerationFalls => -self.jm * (self.t - x),
+            Phase::DecelerationFalls => self.jm * (x - self.t),
         };
         self.orient(acceleration)
     }
 
-    /// A computed value of the forward axis in the caller's axis.
-    fn orient(&self, y: R) -> R {
-        y.negate_if(self.boundary().is_backward())
+    /// Position and velocity in the forward axis, acceleration and jerk in the caller's axis.
+    #[inline(always)]
+    fn forward_state(&self, x: R, p0: R, p1: R, v0: R, v1: R) -> [R; 4] {
+        in_phase!(self.phase(x, is_below), PHASE of Before AccelerationRises AccelerationHolds AccelerationFalls Cruise
+            DecelerationRises DecelerationHolds DecelerationFalls After => [
+            self.position_in(PHASE, x, p0, p1, v0, v1),
+            self.velocity_in(PHASE, x, v0, v1),
+            self.acceleration(x),
+            self.jerk(x),
+        ])
     }
 }
 
@@ -218,28 +240,54 @@ impl<R: Real> Profile<R, 4, 10> for Bell<R> {
         ]
     }
 
-    fn state(&self, x: R) -> [R; 4] {
-        self.state(x)
+    fn each(&self, x: R) -> [R; 4] {
+        [
+            self.position(x),
+            self.velocity(x),
+            self.acceleration(x),
+            self.jerk(x),
+        ]
+    }
+
+    #[inline(always)]
+    fn together(&self, x: R) -> [R; 4] {
+        let Self { p0, p1, v0, v1, .. } = *self;
+        if self.is_backward() {
+            let [p, v, a, j] = self.forward_state(x, -p0, -p1, -v0, -v1);
+            [-p, -v, a, j]
+        } else {
+            self.forward_state(x, p0, p1, v0, v1)
+        }
     }
 
     fn fill(&self, run: Run<'_, R, 4>) {
         let bell = *self;
-        let phase = bell.phase(run.x, |x, border| x < border);
-        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
-        if phase != bell.phase(run.x, |x, border| !(x >= border)) {
-            return run.fill(|x| bell.state(x));
+        let phase = bell.phase(run.x, is_below);
+        if phase != bell.phase(run.x, is_not_from) {
+            return run.fill(|x| bell.each(x));
         }
-        let backward = bell.boundary().is_backward();
-        let forward = bell.boundary().forward(backward);
+        let backward = bell.is_backward();
+        let [p0, p1, v0, v1] = [bell.p0, bell.p1, bell.v0, bell.v1].map(|y| y.negate_if(backward));
         let jerk = bell.jerk(run.x);
         in_phase!(phase, PHASE of Before AccelerationRises AccelerationHolds AccelerationFalls Cruise
             DecelerationRises DecelerationHolds DecelerationFalls After => run.fill(|x| [
-            bell.position_in(PHASE, x, forward).negate_if(backward),
-            bell.velocity_in(PHASE, x, forward).negate_if(backward),
+            bell.position_in(PHASE, x, p0, p1, v0, v1).negate_if(backward),
+            bell.velocity_in(PHASE, x, v0, v1).negate_if(backward),
             bell.acceleration_in(PHASE, x),
             jerk,
         ]))
     }
+}
+
+/// How position and velocity ask for a border: a NaN is not ahead.
+fn is_below<R: Real>(x: R, border: R) -> bool {
+    x < border
+}
+
+/// How acceleration asks for a border: a NaN is ahead.
+#[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN border is ahead")]
+fn is_not_from<R: Real>(x: R, border: R) -> bool {
+    !(x >= border)
 }
 
 // Where the original has the time until a border, these have a negative time since it. Rounding knows no sign and neither time

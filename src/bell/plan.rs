@@ -24,14 +24,14 @@ impl<R: Real> Bell<R> {
         (self.p0, self.p1) = (boundary.p0, boundary.p1);
         (self.v0, self.v1) = (boundary.v0, boundary.v1);
         (self.vm, self.jm) = (vm, jm);
-        let Boundary { p0, p1, v0, v1 } = boundary.forward(boundary.is_backward());
+        let h = boundary.p1 - boundary.p0;
+        let [h, v0, v1] = R::forward(h, boundary.v0, boundary.v1);
 
         let full_tj = am / jm;
         (self.taj, self.ta, self.am) = ramp(vm - v0, jm, am, full_tj);
         (self.tdj, self.td, self.dm) = ramp(vm - v1, jm, am, full_tj);
         self.dm = -self.dm;
 
-        let h = p1 - p0;
         self.tv = h / vm
             - R::HALF * self.ta * (R::ONE + v0 / vm)
             - R::HALF * self.td * (R::ONE + v1 / vm);

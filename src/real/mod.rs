@@ -97,6 +97,22 @@ pub trait Operations:
         }
     }
 
+    /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.
+    ///
+    /// Moves to and fro mispredict a branch, so a host multiplies by the direction. A microcontroller predicts nothing, and skips
+    /// the work with a branch.
+    fn forward(h: Self, v0: Self, v1: Self) -> [Self; 3] {
+        if !processor::IS_BARE_METAL {
+            let direction = Self::ONE.copysign(if h < Self::ZERO { h } else { Self::ZERO });
+            [h * direction, v0 * direction, v1 * direction]
+        } else if h < Self::ZERO {
+            keep_branch_on_bare_metal();
+            [-h, -v0, -v1]
+        } else {
+            [h, v0, v1]
+        }
+    }
+
     /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`.
     fn limit(self, most: Self) -> Self {
         if self.abs() < most {
