@@ -18,7 +18,7 @@
 
 pub mod atraj;
 pub mod claraty;
-#[cfg(all(target_os = "none", not(feature = "poly-compact")))]
+#[cfg(not(feature = "poly-compact"))]
 mod firmware;
 #[cfg(atraj_archive)]
 mod panic;
