@@ -70,6 +70,7 @@ mod bell;
 #[allow(unsafe_code)]
 pub mod capi;
 pub mod claraty;
+mod online;
 mod poly;
 mod real;
 mod sampling;

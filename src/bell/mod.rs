@@ -7,6 +7,7 @@
 //! other field as it stands, and mirrors the result back.
 
 mod motion;
+mod optimal;
 mod plan;
 mod search;
 

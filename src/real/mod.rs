@@ -62,6 +62,10 @@ pub trait Operations:
     /// The square root as the processor or the C library takes it, correctly rounded; NaN below zero.
     fn plain_sqrt(self) -> Self;
 
+    /// A number not below the cube root of `self`, which is not below 0, and at most 12 % above it. A factor of 8 in `self` is a
+    /// factor of 2 in the result, exactly.
+    fn cube_root_above(self) -> Self;
+
     /// `k` rounded once.
     fn from_index(k: i32) -> Self;
 
@@ -167,6 +171,15 @@ impl Operations for f32 {
         sqrtf(self)
     }
 
+    fn cube_root_above(self) -> Self {
+        // A third of the exponent, and of the significand for want of anything better: 3.5 % off at most, before the factor.
+        if self > Self::ZERO {
+            1.0625 * f32::from_bits(self.to_bits() / 3 + 0x2a51_4067)
+        } else {
+            self
+        }
+    }
+
     fn from_index(k: i32) -> Self {
         k as Self
     }
@@ -199,6 +212,15 @@ impl Operations for f64 {
 
     fn plain_sqrt(self) -> Self {
         sqrt(self)
+    }
+
+    fn cube_root_above(self) -> Self {
+        // A third of the exponent, and of the significand for want of anything better: 3.5 % off at most, before the factor.
+        if self > Self::ZERO {
+            1.0625 * f64::from_bits(self.to_bits() / 3 + 0x2a9f_7893_0000_0000)
+        } else {
+            self
+        }
     }
 
     fn from_index(k: i32) -> Self {

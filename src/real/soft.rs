@@ -141,6 +141,10 @@ impl Operations for Soft64 {
         f64::from(self).plain_sqrt().into()
     }
 
+    fn cube_root_above(self) -> Self {
+        f64::from(self).cube_root_above().into()
+    }
+
     fn from_index(k: i32) -> Self {
         f64::from(k).into()
     }

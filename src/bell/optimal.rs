@@ -1,0 +1,102 @@
+//! The double-S that never fails: the fastest motion between two velocities within the limits.
+
+use super::Bell;
+use crate::online::border::Border;
+use crate::real::Real;
+use crate::state::Boundary;
+
+impl<R: Real> Bell<R> {
+    /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
+    ///
+    /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity or acceleration means no limit; an infinite jerk
+    /// needs a finite acceleration. A target behind, or nearer than the way to stop, is reached by turning. `None` if a limit is 0, or
+    /// if an argument is not a number, or a position infinite; nothing else fails. A move without displacement and without velocity
+    /// has the duration 0.
+    ///
+    /// ```
+    /// use atraj::{Bell, Boundary};
+    /// // 0.1 m to go at 2 m/s: too near to stop, so the axis passes the target and comes back.
+    /// let boundary = Boundary { p0: 0.0, p1: 0.1, v0: 2.0, v1: 0.0 };
+    /// assert_eq!(Bell::new(30.0, 10.0, 5.0, boundary), None);
+    /// let bell = Bell::fastest(30.0, 10.0, 5.0, boundary).expect("the arguments are numbers");
+    /// assert_eq!((bell.position(bell.t), bell.velocity(bell.t)), (0.1, 0.0));
+    /// ```
+    pub fn fastest(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Option<Self> {
+        let (jm, am, vm) = (
+            jerk.magnitude(),
+            acceleration.magnitude(),
+            velocity.magnitude(),
+        );
+        let limits_are_positive = jm > R::ZERO && am > R::ZERO && vm > R::ZERO;
+        let limits_an_acceleration = jm < R::INFINITY || am < R::INFINITY;
+        let Boundary { p0, p1, v0, v1 } = boundary;
+        let ends_are_numbers = p0.is_finite() && p1.is_finite() && v0 == v0 && v1 == v1;
+        if !(limits_are_positive && limits_an_acceleration && ends_are_numbers) {
+            return None;
+        }
+        let boundary = boundary.limit_velocities(vm);
+        let bell = Self::within(jm, am, vm, boundary);
+        // A jerk part that is too short for the clock would show as a spike. It is made as long as the clock needs.
+        let shortest = R::from(8) * R::EPSILON * bell.t;
+        let slow = am / shortest;
+        let bell = if slow < jm * R::HALF {
+            Self::within(slow, am, vm, boundary)
+        } else {
+            bell
+        };
+        bell.t.is_finite().then_some(bell)
+    }
+
+    fn within(jm: R, am: R, vm: R, boundary: Boundary<R>) -> Self {
+        let Boundary { p0, p1, v0, v1 } = boundary;
+        let [h, forward_v0, forward_v1] = R::forward(p1 - p0, v0, v1);
+        let border = Border {
+            v0: forward_v0 / jm,
+            dv: (forward_v1 - forward_v0) / jm,
+            rise: am / jm,
+            fall: am / jm,
+        };
+        // Where the direct ramp ends at the target up to rounding, it is the move; else the axis dips first if it would get too far.
+        let h = h / jm;
+        let direct = border.direct();
+        let tie = R::from(4) * R::EPSILON * (h.abs() + direct.abs());
+        let dips = if (h - direct).abs() <= tie {
+            forward_v1 < R::ZERO
+        } else {
+            h < direct
+        };
+        let (border, h, from) = if dips {
+            (border.mirrored(), -h, -forward_v0)
+        } else {
+            (border, h, forward_v0)
+        };
+
+        let (mut ramps, cruise_from) = border.by_way_of((vm - from) / jm);
+        let mut cruise = R::ZERO;
+        let peak;
+        if h >= cruise_from {
+            cruise = (h - cruise_from) / (vm / jm);
+            peak = vm;
+        } else {
+            ramps = border.first_over(h);
+            peak = from + jm * ramps[0].tj * (ramps[0].t - ramps[0].tj);
+        }
+        let [up, down] = ramps;
+        Self {
+            t: up.t + cruise + down.t,
+            tv: cruise,
+            ta: up.t,
+            td: down.t,
+            taj: up.tj,
+            tdj: down.tj,
+            p0,
+            p1,
+            v0,
+            v1,
+            vm: peak.negate_if(dips),
+            jm: jm.negate_if(dips),
+            am: (jm * up.tj).negate_if(dips),
+            dm: (-jm * down.tj).negate_if(dips),
+        }
+    }
+}

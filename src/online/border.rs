@@ -1,0 +1,278 @@
+//! The motion of a given duration that gets farthest, and the first such motion that gets as far as wanted.
+//!
+//! The displacements that an axis can reach in a duration form an interval, because limits are convex: a mean of two motions within
+//! the limits keeps the limits and travels the mean. So the fastest motion over a displacement lies on the border of the first
+//! interval that holds the displacement. `docs/planner.md` has the theory.
+//!
+//! The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
+//! the upper border of the mirrored axis.
+//!
+//! All quantities here are divided by the jerk, which leaves powers of time: an acceleration is in s, a velocity in s^2, a
+//! displacement in s^3. So a jerk part lasts as long as the acceleration that it adds is large.
+
+use crate::real::Real;
+
+/// The ends and limits of the motions on the upper border. The acceleration is 0 at both ends.
+#[derive(Clone, Copy)]
+pub(crate) struct Border<R> {
+    /// Velocity at the start.
+    pub v0: R,
+    /// Change of velocity from the start to the end: one difference, taken before the division.
+    pub dv: R,
+    /// Highest acceleration.
+    pub rise: R,
+    /// Highest deceleration, positive.
+    pub fall: R,
+}
+
+/// A ramp from one velocity to another, with the acceleration 0 at both ends.
+#[derive(Clone, Copy)]
+pub(crate) struct Ramp<R> {
+    /// Duration of each jerk part, which is the acceleration reached.
+    pub tj: R,
+    /// Duration of the ramp.
+    pub t: R,
+}
+
+impl<R: Real> Ramp<R> {
+    /// The fastest ramp over the change of velocity `dv`, which is not below 0.
+    pub fn over(dv: R, limit: R) -> Self {
+        if dv < limit * limit {
+            let tj = dv.sqrt();
+            Self { tj, t: tj + tj }
+        } else {
+            Self {
+                tj: limit,
+                t: limit + dv / limit,
+            }
+        }
+    }
+
+    /// A ramp that reaches no limit.
+    fn without_hold(tj: R) -> Self {
+        Self { tj, t: tj + tj }
+    }
+}
+
+impl<R: Real> Border<R> {
+    /// The axis seen from the other side.
+    pub fn mirrored(self) -> Self {
+        Self {
+            v0: -self.v0,
+            dv: -self.dv,
+            rise: self.fall,
+            fall: self.rise,
+        }
+    }
+
+    /// Displacement of the ramp that leads from the start straight to the end. Its duration allows no other displacement.
+    pub fn direct(&self) -> R {
+        let limit = if self.dv < R::ZERO {
+            self.fall
+        } else {
+            self.rise
+        };
+        self.mean() * Ramp::over(self.dv.abs(), limit).t
+    }
+
+    /// The two ramps by way of the velocity `v0 + room`, and their displacement.
+    pub fn by_way_of(&self, room: R) -> ([Ramp<R>; 2], R) {
+        let up = Ramp::over(room, self.rise);
+        let down = Ramp::over(positive(room - self.dv), self.fall);
+        let change = R::HALF * room * (up.t + down.t) + R::HALF * self.dv * down.t;
+        ([up, down], self.v0 * (up.t + down.t) + change)
+    }
+
+    /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the direct one. The
+    /// peak velocity has no limit.
+    pub fn first_over(&self, h: R) -> [Ramp<R>; 2] {
+        // As the duration grows, one ramp holds its limit first, and later the other one too.
+        let (rise, fall) = (self.rise, self.fall);
+        let sum = rise + fall;
+        let up_first = (sum * sum + self.dv) * fall >= (sum * sum - self.dv) * rise;
+        let hold = Hold::of(self, up_first);
+        if h >= hold.displacement(hold.other).0 {
+            return self.both_holds(h);
+        }
+        let begins = hold.begins();
+        let whole = sum < R::INFINITY;
+        if whole && !(begins > R::ZERO && h < self.no_hold(hold.limit + begins).0) {
+            let reached = root(lower(hold.bound(h), hold.other), begins, |w| {
+                let (displacement, slope) = hold.displacement(w);
+                (displacement - h, slope)
+            });
+            let held = Ramp {
+                tj: hold.limit,
+                t: hold.limit + (reached * reached + hold.dv) / hold.limit,
+            };
+            let other = Ramp::without_hold(reached);
+            return if up_first {
+                [held, other]
+            } else {
+                [other, held]
+            };
+        }
+        let u = root(
+            lower(self.no_hold_bound(h), hold.limit + begins),
+            self.dv.abs().sqrt(),
+            |u| {
+                let (displacement, slope) = self.no_hold(u);
+                (displacement - h, slope)
+            },
+        );
+        let difference = if u > R::ZERO { self.dv / u } else { R::ZERO };
+        [u + difference, u - difference].map(|twice| Ramp::without_hold(R::HALF * positive(twice)))
+    }
+
+    /// Mean of the velocities at both ends.
+    fn mean(&self) -> R {
+        self.v0 + R::HALF * self.dv
+    }
+
+    /// Without a hold: the displacement, and its derivative, where the acceleration falls by `u` in the middle. From the direct ramp
+    /// on, where `u = sqrt(|dv|)`, the displacement is convex.
+    fn no_hold(&self, u: R) -> (R, R) {
+        let quarter = R::HALF * R::HALF;
+        let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
+        let (u2, ratio2) = (u * u, ratio * ratio);
+        let twice_mean = R::from(2) * self.mean();
+        (
+            u * (twice_mean + quarter * (u2 - ratio2)),
+            twice_mean + quarter * (R::from(3) * u2 + ratio2),
+        )
+    }
+
+    /// Not below the `u` of the displacement `h`, and above it by a small factor.
+    fn no_hold_bound(&self, h: R) -> R {
+        let apart = self.dv.abs().sqrt();
+        let cubic = (R::from(4) * positive(h)).cube_root_above() + apart;
+        let eight_means = R::from(8) * self.mean();
+        if eight_means <= R::ZERO {
+            return cubic + (-eight_means).sqrt();
+        }
+        // Without the cube the displacement is a quadratic over u.
+        let linear =
+            R::from(2) * (h + (h * h + R::HALF * R::HALF * eight_means * self.dv * self.dv).sqrt());
+        lower(cubic, linear / eight_means)
+    }
+
+    /// With both holds the displacement is a quadratic in the duration of the first ramp.
+    fn both_holds(&self, h: R) -> [Ramp<R>; 2] {
+        let Self { v0, dv, rise, fall } = *self;
+        // The second ramp lasts `ratio` times as long as the first, and `offset`.
+        let ratio = rise / fall;
+        let offset = ((fall - rise) * (fall + rise) - dv) / fall;
+        let change = R::HALF * (dv - rise * rise);
+        let a = R::HALF * rise * (R::ONE + ratio);
+        let b = v0 * (R::ONE + ratio) + R::HALF * rise * (offset - rise) + ratio * change;
+        let c = offset * (v0 + change) - h;
+        let up = larger_root(a, b, c);
+        let [up, down] = [up, ratio * up + offset];
+        [Ramp { tj: rise, t: up }, Ramp { tj: fall, t: down }]
+    }
+}
+
+/// One ramp holds its limit, the other reaches less than its own. Reversed in time, the second ramp is the first.
+struct Hold<R> {
+    /// Limit of the ramp that holds.
+    limit: R,
+    /// Limit of the other ramp.
+    other: R,
+    /// Change of velocity from the end of the ramp that holds to the end of the other.
+    dv: R,
+    /// Velocity at the end of the other ramp.
+    end: R,
+    /// Mean of the velocities at both ends.
+    mean: R,
+}
+
+impl<R: Real> Hold<R> {
+    fn of(border: &Border<R>, up: bool) -> Self {
+        let &Border { v0, dv, rise, fall } = border;
+        let (limit, other, dv, end) = if up {
+            (rise, fall, dv, v0 + dv)
+        } else {
+            (fall, rise, -dv, v0)
+        };
+        Self {
+            limit,
+            other,
+            dv,
+            end,
+            mean: border.mean(),
+        }
+    }
+
+    /// The acceleration that the other ramp reaches where the hold begins; 0 if the direct ramp has a hold too.
+    fn begins(&self) -> R {
+        positive(self.limit * self.limit - self.dv).sqrt()
+    }
+
+    /// The displacement, and its derivative, where the other ramp reaches the acceleration `w`. Where the displacement grows, it is
+    /// convex.
+    fn displacement(&self, w: R) -> (R, R) {
+        let Self {
+            limit,
+            dv,
+            end,
+            mean,
+            ..
+        } = *self;
+        let u = limit + w;
+        let part = u / limit;
+        (
+            u * part * (end + R::HALF * w * w) + dv / limit * (mean - R::HALF * limit * limit),
+            part * (end + end + w * (u + w)),
+        )
+    }
+
+    /// Not below the `w` of the displacement `h`, and above it by a small factor.
+    fn bound(&self, h: R) -> R {
+        let left = h - self.displacement(R::ZERO).0;
+        let against = positive(-(self.end + self.end));
+        let product =
+            against + (against * against + R::from(2) * self.limit * positive(left)).sqrt();
+        let bound = lower(product / self.limit, product.sqrt());
+        if self.end > R::ZERO {
+            lower(bound, left / (self.end + self.end))
+        } else {
+            bound
+        }
+    }
+}
+
+/// The root of an increasing convex function, `(value, derivative)`, from `x` on downwards but not below `least`. `x` is not below
+/// the root.
+fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
+    for _ in 0..MOST_ROUNDS {
+        let (value, derivative) = f(x);
+        let next = x - value / derivative;
+        // Rounding ends the descent.
+        if !(next < x) {
+            break;
+        }
+        x = next;
+    }
+    if x > least { x } else { least }
+}
+
+/// More rounds than any root takes.
+const MOST_ROUNDS: u32 = 40;
+
+/// The larger root of `a x^2 + b x + c`, `a > 0`.
+fn larger_root<R: Real>(a: R, b: R, c: R) -> R {
+    let d = positive(b * b - R::from(4) * a * c).sqrt();
+    if b > R::ZERO {
+        -(c + c) / (b + d)
+    } else {
+        (d - b) / (a + a)
+    }
+}
+
+fn positive<R: Real>(x: R) -> R {
+    if x > R::ZERO { x } else { R::ZERO }
+}
+
+fn lower<R: Real>(x: R, y: R) -> R {
+    if x < y { x } else { y }
+}
