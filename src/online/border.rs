@@ -91,15 +91,16 @@ impl<R: Real> Border<R> {
         let sum = rise + fall;
         let up_first = (sum * sum + self.dv) * fall >= (sum * sum - self.dv) * rise;
         let hold = Hold::of(self, up_first);
-        if h >= hold.displacement(hold.other).0 {
+        let beyond = h - hold.least();
+        if beyond >= hold.displacement(hold.other).0 {
             return self.both_holds(h);
         }
         let begins = hold.begins();
         let whole = sum < R::INFINITY;
         if whole && !(begins > R::ZERO && h < self.no_hold(hold.limit + begins).0) {
-            let reached = root(lower(hold.bound(h), hold.other), begins, |w| {
+            let reached = root(lower(hold.bound(beyond), hold.other), begins, |w| {
                 let (displacement, slope) = hold.displacement(w);
-                (displacement - h, slope)
+                (displacement - beyond, slope)
             });
             let held = Ramp {
                 tj: hold.limit,
@@ -208,9 +209,8 @@ impl<R: Real> Hold<R> {
         positive(self.limit * self.limit - self.dv).sqrt()
     }
 
-    /// The displacement, and its derivative, where the other ramp reaches the acceleration `w`. Where the displacement grows, it is
-    /// convex.
-    fn displacement(&self, w: R) -> (R, R) {
+    /// The displacement where the other ramp reaches no acceleration.
+    fn least(&self) -> R {
         let Self {
             limit,
             dv,
@@ -218,23 +218,28 @@ impl<R: Real> Hold<R> {
             mean,
             ..
         } = *self;
+        limit * end + dv / limit * (mean - R::HALF * limit * limit)
+    }
+
+    /// The displacement beyond the least one, and its derivative, where the other ramp reaches the acceleration `w`. Where the
+    /// displacement grows, it is convex.
+    fn displacement(&self, w: R) -> (R, R) {
+        let Self { limit, end, .. } = *self;
         let u = limit + w;
-        let part = u / limit;
         (
-            u * part * (end + R::HALF * w * w) + dv / limit * (mean - R::HALF * limit * limit),
-            part * (end + end + w * (u + w)),
+            w / limit * (end * (u + limit) + R::HALF * u * u * w),
+            u / limit * (end + end + w * (u + w)),
         )
     }
 
-    /// Not below the `w` of the displacement `h`, and above it by a small factor.
-    fn bound(&self, h: R) -> R {
-        let left = h - self.displacement(R::ZERO).0;
+    /// Not below the `w` of a displacement beyond the least one, and above it by a small factor.
+    fn bound(&self, beyond: R) -> R {
         let against = positive(-(self.end + self.end));
         let product =
-            against + (against * against + R::from(2) * self.limit * positive(left)).sqrt();
+            against + (against * against + R::from(2) * self.limit * positive(beyond)).sqrt();
         let bound = lower(product / self.limit, product.sqrt());
         if self.end > R::ZERO {
-            lower(bound, left / (self.end + self.end))
+            lower(bound, beyond / (self.end + self.end))
         } else {
             bound
         }
