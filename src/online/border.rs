@@ -152,9 +152,9 @@ impl<R: Real> Border<R> {
             return cubic + (-eight_means).sqrt();
         }
         // Without the cube the displacement is a quadratic over u.
-        let linear =
-            R::from(2) * (h + (h * h + R::HALF * R::HALF * eight_means * self.dv * self.dv).sqrt());
-        lower(cubic, linear / eight_means)
+        let half = (h + h) / eight_means;
+        let linear = half + (half * half + self.dv / eight_means * self.dv).sqrt();
+        lower(cubic, linear)
     }
 
     /// With both holds the displacement is a quadratic in the duration of the first ramp.
@@ -164,10 +164,10 @@ impl<R: Real> Border<R> {
         let ratio = rise / fall;
         let offset = ((fall - rise) * (fall + rise) - dv) / fall;
         let change = R::HALF * (dv - rise * rise);
-        let a = R::HALF * rise * (R::ONE + ratio);
+        let twice_a = rise * (R::ONE + ratio);
         let b = v0 * (R::ONE + ratio) + R::HALF * rise * (offset - rise) + ratio * change;
         let c = offset * (v0 + change) - h;
-        let up = larger_root(a, b, c);
+        let up = larger_root(b / twice_a, (c + c) / twice_a);
         let [up, down] = [up, ratio * up + offset];
         [Ramp { tj: rise, t: up }, Ramp { tj: fall, t: down }]
     }
@@ -264,14 +264,10 @@ fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
 /// More rounds than any root takes.
 const MOST_ROUNDS: u32 = 40;
 
-/// The larger root of `a x^2 + b x + c`, `a > 0`.
-fn larger_root<R: Real>(a: R, b: R, c: R) -> R {
-    let d = positive(b * b - R::from(4) * a * c).sqrt();
-    if b > R::ZERO {
-        -(c + c) / (b + d)
-    } else {
-        (d - b) / (a + a)
-    }
+/// The larger root of `x^2 + 2 p x + q`.
+fn larger_root<R: Real>(p: R, q: R) -> R {
+    let d = positive(p * p - q).sqrt();
+    if p > R::ZERO { -q / (p + d) } else { d - p }
 }
 
 fn positive<R: Real>(x: R) -> R {
