@@ -52,4 +52,10 @@ impl<R: Real> Boundary<R> {
             ..self
         }
     }
+
+    /// Whether the positions are finite and no velocity is NaN.
+    pub(crate) fn is_numbers(self) -> bool {
+        let is_nan = |v: R| v.partial_cmp(&v).is_none();
+        self.p0.is_finite() && self.p1.is_finite() && !is_nan(self.v0) && !is_nan(self.v1)
+    }
 }

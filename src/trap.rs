@@ -1,6 +1,7 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
+use crate::online::border::{larger_root, positive};
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
 use crate::state::Boundary;
@@ -151,6 +152,79 @@ impl<R: Real> Trap<R> {
         Some(self.t)
     }
 
+    /// Plans the fastest move there is within the magnitude of `velocity` and two accelerations of opposite signs, in either order: the
+    /// positive one limits the acceleration towards larger positions, the negative one the acceleration towards smaller ones.
+    ///
+    /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity means no limit. A target behind, or nearer than
+    /// the way to stop, is reached by turning. `None` if a limit is 0 or both accelerations have one sign, if an acceleration is
+    /// infinite, for velocities would jump, or if an argument is not a number, or a position infinite; nothing else fails. A move
+    /// without displacement and without velocity has the duration 0.
+    ///
+    /// ```
+    /// use atraj::{Boundary, Trap};
+    /// // 1 m to go at 4 m/s: too near to stop, so the axis passes the target and comes back.
+    /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 }).expect("numbers");
+    /// assert_eq!((trap.ac, trap.de), (-2.0, 4.0));
+    /// assert_eq!((trap.position(trap.t), trap.velocity(trap.t)), (1.0, 0.0));
+    /// ```
+    pub fn fastest(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
+        let vm = velocity.magnitude();
+        let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
+        let limits = vm > R::ZERO && rise > R::ZERO && fall > R::ZERO;
+        if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {
+            return None;
+        }
+        let (h, dv) = (p1 - p0, v1 - v0);
+        // The ramp that leads from the start straight to the end. Where it ends at the target up to rounding, it is the move.
+        let direct = (v0 + R::HALF * dv) * (dv.abs() / if dv < R::ZERO { fall } else { rise });
+        let tie = R::from(4) * R::EPSILON * (h.abs() + direct.abs());
+        let down_first = if (h - direct).abs() <= tie {
+            v1 < R::ZERO
+        } else {
+            h < direct
+        };
+
+        // In the axis in which the first ramp goes up.
+        let [h, v0_up, dv] = [h, v0, dv].map(|x| x.negate_if(down_first));
+        let (first, second) = if down_first {
+            (fall, rise)
+        } else {
+            (rise, fall)
+        };
+        let mut up = (vm - v0_up) / first;
+        let mut down = positive(vm - v0_up - dv) / second;
+        let by_way_of_vm = R::HALF * (v0_up + vm) * up + R::HALF * (v0_up + dv + vm) * down;
+        let (cruise, peak) = if h >= by_way_of_vm {
+            ((h - by_way_of_vm) / vm, vm)
+        } else {
+            // The longer ramp is the unknown: the other one follows without losing digits.
+            [up, down] = if first < second {
+                meeting_ramps(h, v0_up, dv, first, second)
+            } else {
+                let [down, up] = meeting_ramps(h, v0_up + dv, -dv, second, first);
+                [up, down]
+            };
+            (R::ZERO, v0_up + first * up)
+        };
+        let [vc, ac, de] = [peak, first, -second].map(|x| x.negate_if(down_first));
+        let trap = Self {
+            t: up + cruise + down,
+            p0,
+            p1,
+            v0,
+            v1,
+            vc,
+            ta: up,
+            td: up + cruise,
+            pa: p0 + v0 * up + R::HALF * ac * up * up,
+            pd: p1 - vc * down - R::HALF * de * down * down,
+            ac,
+            de,
+        };
+        trap.t.is_finite().then_some(trap)
+    }
+
     /// Position at time `x`, s. Before the start and for a NaN it is `p0`, after the end `p1`.
     pub fn position(&self, x: R) -> R {
         self.position_in(self.phase(x), x)
@@ -232,6 +306,17 @@ impl<R: Real> Trap<R> {
             Phase::After => self.v1,
         }
     }
+}
+
+/// Durations of two ramps that meet at their highest velocity and together cover the displacement `h`: the first one from the
+/// velocity `v` at the acceleration `first`, the second one to the velocity `v + dv` at the deceleration `second`. The duration of
+/// the first ramp is the root of a quadratic.
+fn meeting_ramps<R: Real>(h: R, v: R, dv: R, first: R, second: R) -> [R; 2] {
+    let ratio = first / second;
+    let offset = dv / second;
+    let beyond = h + offset * (v + R::HALF * dv);
+    let t = larger_root(v / first, -(beyond + beyond) / (first * (R::ONE + ratio)));
+    [positive(t), positive(ratio * t - offset)]
 }
 
 /// The root of a squared velocity; `None` below 0.

@@ -29,9 +29,7 @@ impl<R: Real> Bell<R> {
         );
         let limits_are_positive = jm > R::ZERO && am > R::ZERO && vm > R::ZERO;
         let limits_an_acceleration = jm < R::INFINITY || am < R::INFINITY;
-        let Boundary { p0, p1, v0, v1 } = boundary;
-        let ends_are_numbers = p0.is_finite() && p1.is_finite() && v0 == v0 && v1 == v1;
-        if !(limits_are_positive && limits_an_acceleration && ends_are_numbers) {
+        if !(limits_are_positive && limits_an_acceleration && boundary.is_numbers()) {
             return None;
         }
         let boundary = boundary.limit_velocities(vm);

@@ -265,12 +265,13 @@ fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
 const MOST_ROUNDS: u32 = 40;
 
 /// The larger root of `x^2 + 2 p x + q`.
-fn larger_root<R: Real>(p: R, q: R) -> R {
+pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
     let d = positive(p * p - q).sqrt();
     if p > R::ZERO { -q / (p + d) } else { d - p }
 }
 
-fn positive<R: Real>(x: R) -> R {
+/// `x`, but 0 below 0 and for a NaN.
+pub(crate) fn positive<R: Real>(x: R) -> R {
     if x > R::ZERO { x } else { R::ZERO }
 }
 
