@@ -69,6 +69,7 @@ mod bell;
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
 pub mod capi;
+mod check;
 pub mod claraty;
 mod online;
 mod poly;
@@ -78,6 +79,7 @@ mod state;
 mod trap;
 
 pub use bell::Bell;
+pub use check::{Extremes, Findings};
 pub use poly::{Poly, Poly3, Poly5, Poly7};
 pub use real::Real;
 pub use state::{Boundary, State};

@@ -1,9 +1,10 @@
 //! Polynomial profiles between two prescribed ends in a prescribed time, with the operations and the rounding of liba's
 //! `a_trajpoly3/5/7_*`; Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 2.1.
 
+use crate::check::Extremes;
 use crate::real::Real;
 use crate::sampling::Sweep;
-use crate::state::Boundary;
+use crate::state::{Boundary, State};
 
 /// Polynomial of time with `N` coefficients.
 ///
@@ -147,22 +148,22 @@ impl<R: Real> Poly7<R> {
 impl<R: Real, const N: usize> Poly<R, N> {
     /// Position at time `x`, s.
     pub fn position(&self, x: R) -> R {
-        self.derivative_at::<0>(x)
+        self.derivative_at(0, x)
     }
 
     /// Velocity at time `x`, s.
     pub fn velocity(&self, x: R) -> R {
-        self.derivative_at::<1>(x)
+        self.derivative_at(1, x)
     }
 
     /// Acceleration at time `x`, s.
     pub fn acceleration(&self, x: R) -> R {
-        self.derivative_at::<2>(x)
+        self.derivative_at(2, x)
     }
 
     /// Jerk at time `x`, s.
     pub fn jerk(&self, x: R) -> R {
-        self.derivative_at::<3>(x)
+        self.derivative_at(3, x)
     }
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
@@ -189,6 +190,68 @@ impl<R: Real, const N: usize> Poly<R, N> {
         Sweep { x0, dt }.fill(outputs, |x| poly.state(x))
     }
 
+    /// The lowest and the highest position, velocity and acceleration between 0 and `ts`, s. A polynomial limits none of them.
+    pub fn extremes(&self, ts: R) -> Extremes<R> {
+        let at = |x| State {
+            position: self.position(x),
+            velocity: self.velocity(x),
+            acceleration: self.acceleration(x),
+        };
+        let mut reached = Extremes::of(at(R::ZERO));
+        let end = at(ts);
+        reached.include_position(end.position);
+        reached.include_velocity(end.velocity);
+        reached.include_acceleration(end.acceleration);
+        // A derivative turns where the next derivative is 0, so the zeros of each lie between the zeros of the next.
+        let mut zeros = Zeros::default();
+        for order in (1..N).rev() {
+            zeros = self.zeros(order, ts, zeros);
+            for &x in zeros.iter() {
+                match order {
+                    1 => reached.include_position(self.position(x)),
+                    2 => reached.include_velocity(self.velocity(x)),
+                    3 => reached.include_acceleration(self.acceleration(x)),
+                    _ => {}
+                }
+            }
+        }
+        reached
+    }
+
+    /// Where the derivative of this order passes through 0 between 0 and `ts`; `turns` are the zeros of the next derivative.
+    fn zeros(&self, order: usize, ts: R, turns: Zeros<R>) -> Zeros<R> {
+        let mut zeros = Zeros::default();
+        let mut from = R::ZERO;
+        for &to in turns.iter().chain([&ts]) {
+            let (start, end) = (
+                self.derivative_at(order, from),
+                self.derivative_at(order, to),
+            );
+            if start < R::ZERO && end > R::ZERO || start > R::ZERO && end < R::ZERO {
+                zeros.push(self.zero_between(order, from, to));
+            } else if end == R::ZERO {
+                zeros.push(to);
+            }
+            from = to;
+        }
+        zeros
+    }
+
+    /// Where the derivative of this order, which changes its sign between these times, passes through 0. Each round halves the
+    /// interval.
+    fn zero_between(&self, order: usize, mut from: R, mut to: R) -> R {
+        let rises = self.derivative_at(order, to) > R::ZERO;
+        for _ in 0..MOST_HALVINGS {
+            let middle = from + R::HALF * (to - from);
+            if (self.derivative_at(order, middle) > R::ZERO) == rises {
+                to = middle;
+            } else {
+                from = middle;
+            }
+        }
+        to
+    }
+
     /// The derivative with respect to time, which has one coefficient fewer: `d.c[k] = c[k+1]*(k+1)`.
     ///
     /// ```
@@ -209,14 +272,14 @@ impl<R: Real, const N: usize> Poly<R, N> {
 
     /// The derivative of this order at time `x`, s, by Horner's rule: from the highest power down, multiplication and addition
     /// rounded apart.
-    fn derivative_at<const ORDER: usize>(&self, x: R) -> R {
+    fn derivative_at(&self, order: usize, x: R) -> R {
         let differentiate =
-            |(power, &c): (usize, &R)| (0..ORDER).fold(c, |c, k| c * R::from((power - k) as u8));
+            |(power, &c): (usize, &R)| (0..order).fold(c, |c, k| c * R::from((power - k) as u8));
         let mut terms = self
             .c
             .iter()
             .enumerate()
-            .skip(ORDER)
+            .skip(order)
             .rev()
             .map(differentiate);
         let highest = terms.next().unwrap_or_default();
@@ -226,6 +289,29 @@ impl<R: Real, const N: usize> Poly<R, N> {
     /// The polynomial if every coefficient is finite.
     fn finite(self) -> Option<Self> {
         self.c.iter().all(|c| c.is_finite()).then_some(self)
+    }
+}
+
+/// So often is an interval halved until it is shorter than a rounding of its length: one more than the digits of binary64.
+const MOST_HALVINGS: u32 = 54;
+
+/// Times in ascending order. A polynomial of the seventh degree has at most seven zeros.
+#[derive(Default)]
+struct Zeros<R> {
+    times: [R; 7],
+    count: usize,
+}
+
+impl<R: Real> Zeros<R> {
+    fn push(&mut self, x: R) {
+        if let Some(time) = self.times.get_mut(self.count) {
+            *time = x;
+            self.count += 1;
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &R> {
+        self.times.iter().take(self.count)
     }
 }
 

@@ -1,10 +1,11 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
+use crate::check::{Extremes, Findings};
 use crate::online::border::{larger_root, positive};
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
-use crate::state::Boundary;
+use crate::state::{Boundary, State};
 
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
 /// each other.
@@ -223,6 +224,100 @@ impl<R: Real> Trap<R> {
             de,
         };
         trap.t.is_finite().then_some(trap)
+    }
+
+    /// Examines the move against the magnitude of `velocity` and two accelerations of opposite signs, in either order; an infinite limit
+    /// is no limit. Any plan may be examined, a plan of the C library's too. `None` if a field is not finite or a limit is NaN.
+    ///
+    /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
+    pub fn check(&self, velocity: R, ac: R, de: R) -> Option<Findings> {
+        let Self {
+            t,
+            p0,
+            p1,
+            v0,
+            v1,
+            vc,
+            ta,
+            td,
+            pa,
+            pd,
+            ..
+        } = *self;
+        let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
+        let vm = velocity.abs();
+        let fields = [t, p0, p1, v0, v1, vc, ta, td, pa, pd, self.ac, self.de];
+        if !(fields.iter().all(|x| x.is_finite()) && [vm, rise, fall].iter().all(|&x| x >= R::ZERO))
+        {
+            return None;
+        }
+        let reached = self.extremes();
+        let few = R::DOUBT; // 64 roundings
+        let of_velocity = few * (reached.speed() + reached.acceleration() * t);
+        let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
+        let State {
+            acceleration: lowest,
+            ..
+        } = reached.lowest;
+        let State {
+            acceleration: highest,
+            ..
+        } = reached.highest;
+        let steep = highest > rise + few * rise || -lowest > fall + few * fall;
+        Some(
+            Findings::EXCEEDS_ACCELERATION.when(steep)
+                | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)
+                | Findings::JUMPS.when(self.jumps(of_position, of_velocity))
+                | Findings::OVERSHOOTS.when(reached.overshoots(p0, p1, of_position)),
+        )
+    }
+
+    /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
+    pub fn extremes(&self) -> Extremes<R> {
+        let Self {
+            t, v0, vc, ta, td, ..
+        } = *self;
+        let mut reached = Extremes::of(State {
+            position: self.p0,
+            velocity: v0,
+            acceleration: if ta > R::ZERO {
+                self.ac
+            } else {
+                self.acceleration(R::ZERO)
+            },
+        });
+        reached.include_position(self.p1);
+        reached.include_velocity(vc);
+        reached.include_velocity(self.v1);
+        if td > ta {
+            reached.include_acceleration(R::ZERO);
+        }
+        if t > td {
+            reached.include_acceleration(self.de);
+        }
+        // Where the velocity passes through 0 the axis turns.
+        for (x, from, to) in [(-v0 / self.ac, R::ZERO, ta), (td - vc / self.de, td, t)] {
+            if x > from && x < to {
+                reached.include_position(self.position(x));
+            }
+        }
+        reached
+    }
+
+    /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
+    fn jumps(&self, of_position: R, of_velocity: R) -> bool {
+        let late = R::DOUBT * self.t;
+        let in_order = self.ta >= R::ZERO && self.ta <= self.td + late && self.td <= self.t + late;
+        let at = |phase, x| (self.position_in(phase, x), self.velocity_in(phase, x));
+        let fits = |before, after, x| {
+            let ((p, v), (q, w)) = (at(before, x), at(after, x));
+            (p - q).abs() <= of_position && (v - w).abs() <= of_velocity
+        };
+        !(in_order
+            && fits(Phase::Before, Phase::Accelerate, R::ZERO)
+            && fits(Phase::Accelerate, Phase::Cruise, self.ta)
+            && fits(Phase::Cruise, Phase::Decelerate, self.td)
+            && fits(Phase::Decelerate, Phase::After, self.t))
     }
 
     /// Position at time `x`, s. Before the start and for a NaN it is `p0`, after the end `p1`.

@@ -6,7 +6,7 @@ use crate::sampling::{Border, Profile, Run, in_phase};
 
 /// The seven phases in order of time, each with its interval and its jerk, and the standstill around them.
 #[derive(Clone, Copy, PartialEq)]
-enum Phase {
+pub(super) enum Phase {
     /// `x <= 0`: no jerk.
     Before,
     /// `0 < x < taj`: jerk `jm`.
@@ -25,6 +25,21 @@ enum Phase {
     DecelerationFalls,
     /// `x >= t`: no jerk.
     After,
+}
+
+impl Phase {
+    /// In order of time.
+    pub(super) const ALL: [Self; 9] = [
+        Self::Before,
+        Self::AccelerationRises,
+        Self::AccelerationHolds,
+        Self::AccelerationFalls,
+        Self::Cruise,
+        Self::DecelerationRises,
+        Self::DecelerationHolds,
+        Self::DecelerationFalls,
+        Self::After,
+    ];
 }
 
 impl<R: Real> Bell<R> {
@@ -97,7 +112,7 @@ impl<R: Real> Bell<R> {
     }
 
     /// A computed value of the forward axis in the caller's axis.
-    fn orient(&self, y: R) -> R {
+    pub(super) fn orient(&self, y: R) -> R {
         y.negate_if(self.is_backward())
     }
 
@@ -137,7 +152,7 @@ impl<R: Real> Bell<R> {
 
     /// Position in the forward axis. The time `z` counts from the border that the formula of the phase refers to.
     #[inline(always)]
-    fn position_in(&self, phase: Phase, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+    pub(super) fn position_in(&self, phase: Phase, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         match phase {
             Phase::Before => p0,
             Phase::AccelerationRises => p0 + v0 * x + jerk_distance(self.jm, x),
@@ -171,7 +186,7 @@ impl<R: Real> Bell<R> {
 
     /// Velocity in the forward axis.
     #[inline(always)]
-    fn velocity_in(&self, phase: Phase, x: R, v0: R, v1: R) -> R {
+    pub(super) fn velocity_in(&self, phase: Phase, x: R, v0: R, v1: R) -> R {
         match phase {
             Phase::Before => v0,
             Phase::AccelerationRises => v0 + jerk_velocity(self.jm, x),

@@ -252,11 +252,11 @@ fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
     for _ in 0..MOST_ROUNDS {
         let (value, derivative) = f(x);
         let next = x - value / derivative;
-        // Rounding ends the descent.
-        if !(next < x) {
-            break;
+        if next < x {
+            x = next;
+        } else {
+            break; // by rounding
         }
-        x = next;
     }
     if x > least { x } else { least }
 }

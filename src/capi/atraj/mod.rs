@@ -1,5 +1,61 @@
 //! `atraj.h`: what liba does not have.
 
+mod bell;
+mod poly;
 mod sample;
+mod trap;
 
+pub use bell::*;
+pub use poly::*;
 pub use sample::*;
+pub use trap::*;
+
+use super::{Number, a_float};
+use crate::check::{Extremes, Findings};
+
+/// Bits of what a check finds.
+#[repr(C)]
+pub enum atraj_finding {
+    /// the jerk is above its limit
+    ATRAJ_EXCEEDS_JERK = 1,
+    /// the acceleration is above its limit
+    ATRAJ_EXCEEDS_ACCELERATION = 2,
+    /// the velocity is above its limit
+    ATRAJ_EXCEEDS_VELOCITY = 4,
+    /// position or velocity is not continuous, or not where the struct says
+    ATRAJ_JUMPS = 8,
+    /// the move leaves the positions between its ends
+    ATRAJ_OVERSHOOTS = 16,
+}
+
+/// What a function returns that cannot answer.
+#[repr(C)]
+pub enum atraj_error {
+    /// the context is NULL
+    ATRAJ_ERR_NULL = -1,
+    /// a field is infinite or not a number, or a limit is not a number
+    ATRAJ_ERR_NOT_FINITE = -2,
+}
+use atraj_error::*;
+
+const _: () = assert!(
+    atraj_finding::ATRAJ_EXCEEDS_JERK as u8 == Findings::EXCEEDS_JERK.bits()
+        && atraj_finding::ATRAJ_EXCEEDS_ACCELERATION as u8 == Findings::EXCEEDS_ACCELERATION.bits()
+        && atraj_finding::ATRAJ_EXCEEDS_VELOCITY as u8 == Findings::EXCEEDS_VELOCITY.bits()
+        && atraj_finding::ATRAJ_JUMPS as u8 == Findings::JUMPS.bits()
+        && atraj_finding::ATRAJ_OVERSHOOTS as u8 == Findings::OVERSHOOTS.bits()
+);
+
+/// Writes the extremes where an output is not NULL.
+///
+/// # Safety
+/// Each output is NULL or has room for three values.
+unsafe fn write_extremes(extremes: Extremes<Number>, lowest: *mut a_float, highest: *mut a_float) {
+    for (output, state) in [(lowest, extremes.lowest), (highest, extremes.highest)] {
+        if !output.is_null() {
+            let values = [state.position, state.velocity, state.acceleration].map(Into::into);
+            // SAFETY: by the contract of this function.
+            unsafe { output.cast::<[a_float; 3]>().write(values) };
+        }
+    }
+}

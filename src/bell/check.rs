@@ -1,0 +1,171 @@
+//! What a filled double-S reaches, and what is wrong with it.
+
+use super::Bell;
+use super::motion::Phase;
+use crate::check::{Extremes, Findings};
+use crate::real::Real;
+use crate::state::State;
+
+impl<R: Real> Bell<R> {
+    /// Examines the move against the magnitudes of `jerk`, `acceleration` and `velocity`; an infinite limit is no limit. Any plan may
+    /// be examined, a plan of the C library's too. `None` if a field is not finite or a limit is NaN.
+    ///
+    /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration
+    /// and jerk.
+    ///
+    /// ```
+    /// use atraj::{Bell, Boundary, Findings};
+    /// // One ramp covers the way, and liba's plan of it forgets the limit of the acceleration.
+    /// let boundary = Boundary { p0: 0.0, p1: 10.0, v0: 7.5, v1: 0.0 };
+    /// let plan = Bell::new(30.0, 2.5, 10.0, boundary).expect("a plan");
+    /// assert_eq!(plan.check(30.0, 2.5, 10.0), Some(Findings::EXCEEDS_ACCELERATION));
+    /// let fastest = Bell::fastest(30.0, 2.5, 10.0, boundary).expect("numbers");
+    /// assert_eq!(fastest.check(30.0, 2.5, 10.0), Some(Findings::OVERSHOOTS));
+    /// ```
+    pub fn check(&self, jerk: R, acceleration: R, velocity: R) -> Option<Findings> {
+        let limits = [jerk, acceleration, velocity].map(|limit| limit.abs());
+        if !(self.fields().iter().all(|x| x.is_finite()) && limits.iter().all(|&x| x >= R::ZERO)) {
+            return None;
+        }
+        let [jm, am, vm] = limits;
+        let reached = self.extremes();
+        let few = R::DOUBT; // 64 roundings
+        let speed_scale = reached.speed() + reached.acceleration() * self.t;
+        let position_scale = self.p0.abs() + self.p1.abs() + reached.speed() * self.t;
+        let jerk = if self.taj > R::ZERO || self.tdj > R::ZERO {
+            self.jm.abs()
+        } else {
+            R::ZERO
+        };
+        Some(
+            Findings::EXCEEDS_JERK.when(jerk > jm + few * jm)
+                | Findings::EXCEEDS_ACCELERATION.when(reached.acceleration() > am + few * am)
+                | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + few * speed_scale)
+                | Findings::JUMPS.when(self.jumps(few * position_scale, few * speed_scale))
+                | Findings::OVERSHOOTS.when(reached.overshoots(
+                    self.p0,
+                    self.p1,
+                    few * position_scale,
+                )),
+        )
+    }
+
+    /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
+    pub fn extremes(&self) -> Extremes<R> {
+        let mut reached = Extremes::of(State {
+            position: self.p0,
+            velocity: self.v0,
+            acceleration: R::ZERO,
+        });
+        reached.include_position(self.p1);
+        reached.include_velocity(self.v1);
+        reached.include_velocity(self.orient(self.vm));
+        if self.ta > R::ZERO {
+            reached.include_acceleration(self.orient(self.jm * self.taj));
+            reached.include_acceleration(self.orient(self.am));
+        }
+        if self.td > R::ZERO {
+            reached.include_acceleration(self.orient(-self.jm * self.tdj));
+            reached.include_acceleration(self.orient(self.dm));
+        }
+        // Where the velocity passes through 0 the axis turns.
+        let Self {
+            t,
+            ta,
+            td,
+            taj,
+            tdj,
+            am,
+            dm,
+            ..
+        } = *self;
+        let turns = [
+            self.turn(self.orient(self.v0), am, taj, ta),
+            self.turn(self.orient(self.v1), -dm, tdj, td).map(|z| t - z),
+        ];
+        for x in turns.into_iter().flatten() {
+            reached.include_position(self.position(x));
+        }
+        reached
+    }
+
+    /// When a ramp between `v` and `vm` passes through the velocity 0, counted from the end at `v`. The ramp lasts `duration`, each of
+    /// its jerk parts `tj`, and reaches the acceleration `a`.
+    fn turn(&self, v: R, a: R, tj: R, duration: R) -> Option<R> {
+        let two = R::from(2);
+        if !(v < R::ZERO && self.vm > R::ZERO || v > R::ZERO && self.vm < R::ZERO) {
+            return None;
+        }
+        let in_jerk_part = (-two * v / self.jm).sqrt();
+        let in_hold = R::HALF * tj - v / a;
+        if in_jerk_part <= tj {
+            Some(in_jerk_part)
+        } else if in_hold <= duration - tj {
+            Some(in_hold)
+        } else {
+            Some(duration - (two * self.vm / self.jm).sqrt())
+        }
+    }
+
+    /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
+    fn jumps(&self, of_position: R, of_velocity: R) -> bool {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            ..
+        } = *self;
+        let [p0, p1, v0, v1] = [self.p0, self.p1, self.v0, self.v1].map(|y| self.orient(y));
+        let borders = [
+            R::ZERO,
+            taj,
+            ta - taj,
+            ta,
+            ta + tv,
+            t - td + tdj,
+            t - tdj,
+            t,
+        ];
+        let at = |phase, x| {
+            let position = self.position_in(phase, x, p0, p1, v0, v1);
+            (position, self.velocity_in(phase, x, v0, v1))
+        };
+        let late = R::DOUBT * t;
+        let in_order = borders
+            .iter()
+            .zip(borders.iter().skip(1))
+            .all(|(&x, &y)| x <= y + late);
+        let agree = borders
+            .iter()
+            .zip(Phase::ALL.iter().zip(Phase::ALL.iter().skip(1)));
+        !in_order
+            || agree.into_iter().any(|(&x, (&before, &after))| {
+                let ((p, v), (q, w)) = (at(before, x), at(after, x));
+                let fits = (p - q).abs() <= of_position && (v - w).abs() <= of_velocity;
+                !fits
+            })
+    }
+
+    fn fields(&self) -> [R; 14] {
+        let Self {
+            t,
+            tv,
+            ta,
+            td,
+            taj,
+            tdj,
+            p0,
+            p1,
+            v0,
+            v1,
+            vm,
+            jm,
+            am,
+            dm,
+        } = *self;
+        [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
+    }
+}
