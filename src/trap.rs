@@ -180,8 +180,9 @@ impl<R: Real> Trap<R> {
         // The ramp that leads from the start straight to the end. Where it ends at the target up to rounding, it is the move.
         let direct = (v0 + R::HALF * dv) * (dv.abs() / if dv < R::ZERO { fall } else { rise });
         let tie = R::from(4) * R::EPSILON * (h.abs() + direct.abs());
+        let backward = h < R::ZERO;
         let down_first = if (h - direct).abs() <= tie {
-            v1 < R::ZERO
+            (v1.negate_if(backward) < R::ZERO) != backward
         } else {
             h < direct
         };

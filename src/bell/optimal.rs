@@ -4,6 +4,7 @@ use super::Bell;
 use crate::online::border::Border;
 use crate::real::Real;
 use crate::state::Boundary;
+use crate::trap::Trap;
 
 impl<R: Real> Bell<R> {
     /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
@@ -33,16 +34,58 @@ impl<R: Real> Bell<R> {
             return None;
         }
         let boundary = boundary.limit_velocities(vm);
+        if boundary.p0 == boundary.p1 && boundary.v0 == boundary.v1 {
+            return Some(Self::nothing(boundary));
+        }
+        let jm = Self::resolved_jerk(jm, am, vm, boundary);
         let bell = Self::within(jm, am, vm, boundary);
-        // A jerk part that is too short for the clock would show as a spike. It is made as long as the clock needs.
-        let shortest = R::from(8) * R::EPSILON * bell.t;
-        let slow = am / shortest;
-        let bell = if slow < jm * R::HALF {
-            Self::within(slow, am, vm, boundary)
+        let resolved = Self::jerk_for(am, bell.t);
+        let bell = if resolved < R::HALF * jm {
+            Self::within(resolved, am, vm, boundary)
         } else {
             bell
         };
         bell.t.is_finite().then_some(bell)
+    }
+
+    /// The jerk that builds up the acceleration `am` in a time which the clock of a move of this duration resolves. A shorter jerk
+    /// part would show as a spike in the evaluated acceleration.
+    fn jerk_for(am: R, duration: R) -> R {
+        am / (R::from(8) * R::EPSILON * duration)
+    }
+
+    /// `jm`, or the jerk for the duration of the trapezoid, if `jm` is so high that the two moves hardly differ.
+    fn resolved_jerk(jm: R, am: R, vm: R, boundary: Boundary<R>) -> R {
+        let Boundary { p0, p1, v0, v1 } = boundary;
+        let tj = am / jm;
+        let blink = R::from(16) * R::EPSILON;
+        let is_blink = tj * am <= blink * (v0.abs() + v1.abs())
+            || tj * tj * am <= blink * blink * (p1 - p0).abs();
+        let trapezoid = if is_blink {
+            Trap::fastest(vm, am, -am, boundary)
+        } else {
+            None
+        };
+        match trapezoid {
+            Some(trap) if trap.t > R::ZERO => {
+                let resolved = Self::jerk_for(am, trap.t);
+                if resolved < jm { resolved } else { jm }
+            }
+            _ => jm,
+        }
+    }
+
+    /// There is nothing to do: no phase lasts.
+    fn nothing(boundary: Boundary<R>) -> Self {
+        let Boundary { p0, p1, v0, v1 } = boundary;
+        Self {
+            p0,
+            p1,
+            v0,
+            v1,
+            vm: v0,
+            ..Self::default()
+        }
     }
 
     fn within(jm: R, am: R, vm: R, boundary: Boundary<R>) -> Self {
