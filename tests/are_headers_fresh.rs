@@ -46,13 +46,18 @@ fn atraj_header() -> String {
         .map(Family::c_name)
         .map(|name| format!("#include \"a/{name}.h\""))
         .join("\n");
-    let functions = pass("atraj/sample", &config, ItemType::Functions);
+    let enumerations = pass("atraj/mod", &config, ItemType::Enums).replace(",\n};", "\n};");
+    let functions = ["bell", "trap", "poly", "sample"]
+        .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
+        .join("\n\n");
     format!(
         "{GENERATED}{about}
 #ifndef ATRAJ_H
 #define ATRAJ_H
 
 {includes}
+
+{enumerations}
 
 #if defined(__cplusplus)
 extern \"C\" {{
