@@ -98,7 +98,7 @@ uninstall: $(DIST)/lib/libatraj.a
 consumers:
 	tests/consumers.sh
 
-doc:
+doc: dist
 	$(CARGO) doc --no-deps --features capi
 	doxygen
 

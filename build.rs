@@ -19,11 +19,21 @@ fn main() {
     let poly3 = level("A_TRAJPOLY3", 3);
     let poly5 = level("A_TRAJPOLY5", 3);
     let poly7 = level("A_TRAJPOLY7", 4);
+    let version = package("VERSION");
+    let (major, minor, patch) = (
+        package("VERSION_MAJOR"),
+        package("VERSION_MINOR"),
+        package("VERSION_PATCH"),
+    );
     let config = format!(
         "\
 /* How the atraj archive beside these headers was built. Written by its build. */
 #ifndef ATRAJ_CONFIG_H
 #define ATRAJ_CONFIG_H
+#define ATRAJ_VERSION \"{version}\"
+#define ATRAJ_VERSION_MAJOR {major}
+#define ATRAJ_VERSION_MINOR {minor}
+#define ATRAJ_VERSION_PATCH {patch}
 #define ATRAJ_SIZE_FLOAT {size}
 #define ATRAJ_TRAJPOLY_COMPACT {compact}
 #define ATRAJ_TRAJPOLY3 {poly3}
@@ -45,6 +55,11 @@ fn unit_lacks_binary64() -> bool {
         && !["cortex-m7", "fp64"]
             .iter()
             .any(|unit| flags.contains(unit))
+}
+
+/// What `Cargo.toml` says of the package.
+fn package(field: &str) -> String {
+    env::var(format!("CARGO_PKG_{field}")).expect("cargo sets CARGO_PKG_*")
 }
 
 fn feature(name: &str) -> bool {

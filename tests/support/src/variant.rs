@@ -71,3 +71,31 @@ impl Variant {
         list.lines().map(str::to_owned).collect()
     }
 }
+
+/// Our headers with the configuration of a build that need not exist, in a directory of their own.
+pub fn headers(size_float: u8, compact: bool, levels: [u8; 3]) -> PathBuf {
+    let dist = DOUBLE.dist();
+    let [poly3, poly5, poly7] = levels;
+    let name = format!("{size_float}-{compact}-{poly3}{poly5}{poly7}");
+    let include = root().join("target/headers").join(name);
+    std::fs::create_dir_all(&include).unwrap();
+    run(Command::new("cp")
+        .arg("-R")
+        .arg(dist.join("include/."))
+        .arg(&include));
+    let config = include.join("a/atraj_config.h");
+    let mut text = std::fs::read_to_string(&config).unwrap();
+    for (field, built, wanted) in [
+        ("SIZE_FLOAT", 8, size_float),
+        ("TRAJPOLY_COMPACT", 0, u8::from(compact)),
+        ("TRAJPOLY3", 3, poly3),
+        ("TRAJPOLY5", 3, poly5),
+        ("TRAJPOLY7", 4, poly7),
+    ] {
+        let line = |value| format!("#define ATRAJ_{field} {value}\n");
+        assert!(text.contains(&line(built)), "{field} in {text}");
+        text = text.replace(&line(built), &line(wanted));
+    }
+    std::fs::write(config, text).unwrap();
+    include
+}
