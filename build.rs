@@ -27,18 +27,34 @@ fn main() {
     );
     let config = format!(
         "\
-/* How the atraj archive beside these headers was built. Written by its build. */
+/*!
+ @file atraj_config.h
+ @brief how the atraj archive beside these headers was built
+ @details Its build writes this file. The other headers include it and refuse a program that differs.
+*/
+
 #ifndef ATRAJ_CONFIG_H
 #define ATRAJ_CONFIG_H
+
+/*! @name version
+ @{{ */
+/*! version of the headers; `make identify FILE=program` tells the version of the library in a program */
 #define ATRAJ_VERSION \"{version}\"
 #define ATRAJ_VERSION_MAJOR {major}
 #define ATRAJ_VERSION_MINOR {minor}
 #define ATRAJ_VERSION_PATCH {patch}
+/*! @}} */
+
+/*! @name ABI
+ @{{ */
+/*! size of #a_float; 1 if the polynomial structs are compact, else 0; levels of the older polynomial structs */
 #define ATRAJ_SIZE_FLOAT {size}
 #define ATRAJ_TRAJPOLY_COMPACT {compact}
 #define ATRAJ_TRAJPOLY3 {poly3}
 #define ATRAJ_TRAJPOLY5 {poly5}
 #define ATRAJ_TRAJPOLY7 {poly7}
+/*! @}} */
+
 #endif /* ATRAJ_CONFIG_H */
 "
     );

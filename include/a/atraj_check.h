@@ -37,16 +37,19 @@ typedef char atraj_a_float_is_not_the_archives[sizeof(a_float) == ATRAJ_SIZE_FLO
 /*! @name levels of the older polynomial structs
  how many of the coefficient arrays p v a j a struct holds
  @{ */
+/*! level of #a_trajpoly3; the archive's unless it is defined */
 #if !defined(A_TRAJPOLY3)
 #define A_TRAJPOLY3 ATRAJ_TRAJPOLY3
 #elif A_TRAJPOLY3 + 0 != ATRAJ_TRAJPOLY3
 #error "A_TRAJPOLY3 differs from the archive beside this header: leave it undefined, or use the archive of make dist A_TRAJPOLY3=1..3."
 #endif
+/*! level of #a_trajpoly5; the archive's unless it is defined */
 #if !defined(A_TRAJPOLY5)
 #define A_TRAJPOLY5 ATRAJ_TRAJPOLY5
 #elif A_TRAJPOLY5 + 0 != ATRAJ_TRAJPOLY5
 #error "A_TRAJPOLY5 differs from the archive beside this header: leave it undefined, or use the archive of make dist A_TRAJPOLY5=1..3."
 #endif
+/*! level of #a_trajpoly7; the archive's unless it is defined */
 #if !defined(A_TRAJPOLY7)
 #define A_TRAJPOLY7 ATRAJ_TRAJPOLY7
 #elif A_TRAJPOLY7 + 0 != ATRAJ_TRAJPOLY7
