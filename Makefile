@@ -4,6 +4,7 @@
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
 #   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local);
 #                               `make uninstall` removes them
+#   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
 #                               data, pictures in target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
@@ -55,7 +56,7 @@ PROFILE := release
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 
-.PHONY: dist install uninstall demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist install uninstall identify demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # The archive holds one object. So a user's linker finds the documented symbols in it and no others.
 dist: $(filter %.json,$(CARGO_TARGET))
@@ -94,6 +95,12 @@ install: $(DIST)/lib/libatraj.a
 uninstall: $(DIST)/lib/libatraj.a
 	cd $(DIST) && find lib include ! -type d -exec rm -f "$(INSTALLED)/{}" \;
 	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
+
+# Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
+identify:
+	@test -r "$(FILE)" || { echo 'make identify needs FILE=…: a program, firmware, an archive or a shared library' >&2; exit 1; }
+	@readelf -p .atraj.note "$(FILE)" 2> /dev/null | sed -n 's/.*\] *\(atraj [0-9].*\)/\1/p' | grep . || \
+	    { echo "$(FILE) holds no atraj: it was not linked with libatraj.a, or its notes were removed." >&2; exit 1; }
 
 consumers:
 	tests/consumers.sh

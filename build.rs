@@ -58,8 +58,29 @@ fn main() {
 #endif /* ATRAJ_CONFIG_H */
 "
     );
+
+    let real = if size == 4 { "float" } else { "double" };
+    let polynomials = if compact == 1 {
+        "compact polynomials".into()
+    } else {
+        format!("polynomial levels {poly3} {poly5} {poly7}")
+    };
+    let target = env::var("TARGET").expect("cargo sets TARGET");
+    println!(
+        "cargo::rustc-env=ATRAJ_IDENTITY=atraj {version}, {real}, {polynomials}, {target}, cpu {}",
+        cpu()
+    );
+
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     fs::write(Path::new(&out).join("atraj_config.h"), config).expect("OUT_DIR is writable");
+}
+
+/// What the compiler is told to compile for.
+fn cpu() -> String {
+    let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    let chosen = flags.rsplit_once("target-cpu=").map(|(_, rest)| rest);
+    let name = chosen.and_then(|rest| rest.split('\x1f').next());
+    name.unwrap_or("default").to_owned()
 }
 
 /// A Cortex-M whose floating-point unit computes in binary32 only, as far as the compiler is told.

@@ -20,6 +20,8 @@ pub mod atraj;
 pub mod claraty;
 #[cfg(not(feature = "poly-compact"))]
 mod firmware;
+#[cfg(all(atraj_archive, any(target_os = "linux", target_os = "none")))]
+mod identity;
 #[cfg(atraj_archive)]
 mod panic;
 pub mod trajbell;
