@@ -25,6 +25,7 @@
 #   REAL=float             a_float is float instead of double
 #   POLY=compact           polynomial structs of liba since 2025-03
 #   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
+#   SYMBOL_PREFIX=x_       the functions are called x_a_trajbell_gen, …, in the headers too: to stand beside liba in one program
 
 CARGO ?= cargo
 CC ?= cc
@@ -40,11 +41,15 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
+ifneq ($(shell printf %s '$(SYMBOL_PREFIX)' | sed '/^[A-Za-z_][A-Za-z0-9_]*$$/d'),)
+$(error SYMBOL_PREFIX=$(SYMBOL_PREFIX) does not exist: no C name begins like this)
+endif
 FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
-VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS))
+VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS)$(SYMBOL_PREFIX:%=-prefix-%))
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
+OBJECT := $(BUILD)/$(if $(SYMBOL_PREFIX),prefixed/)atraj.o
 INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
@@ -70,13 +75,23 @@ dist: $(filter %.json,$(CARGO_TARGET))
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
 endif
-	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
+ifdef SYMBOL_PREFIX
+	mkdir -p $(dir $(OBJECT))
+	$(CROSS)nm --defined-only --extern-only --format=posix $(BUILD)/atraj.o | \
+	    awk '{ print $$1, "$(SYMBOL_PREFIX)" $$1 }' > $(BUILD)/names
+	$(CROSS)objcopy --redefine-syms=$(BUILD)/names $(BUILD)/atraj.o $(OBJECT)
+endif
+	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(OBJECT)
 ifndef TARGET
-	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
+	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(OBJECT) -lm
 	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
 	ln -s $(SONAME) $(DIST)/lib/libatraj.so
 endif
 	cp -R include/. $(DIST)/include
+ifdef SYMBOL_PREFIX
+	sed 's|\(.*\) \(.*\)|s/\\<\1\\>/\2/g|' $(BUILD)/names > $(BUILD)/names.sed
+	find $(DIST)/include -type f -exec sed -i -f $(BUILD)/names.sed {} +
+endif
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
 	    $(DIST)/include/a/
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc

@@ -40,7 +40,17 @@ pub const LOW_LEVELS: Variant = Variant {
     choices: &["A_TRAJPOLY3=1", "A_TRAJPOLY5=2", "A_TRAJPOLY7=3"],
     directory: "dist-poly3-level1-poly5-level2-poly7-level3",
 };
-/// Every build that is tested.
+/// Functions under other names, to stand beside liba in one program.
+pub const PREFIXED: Variant = Variant {
+    choices: &["SYMBOL_PREFIX=x_"],
+    directory: "dist-prefix-x_",
+};
+/// Functions under other names, with `float`.
+pub const FLOAT_PREFIXED: Variant = Variant {
+    choices: &["REAL=float", "SYMBOL_PREFIX=x_"],
+    directory: "dist-float-prefix-x_",
+};
+/// Every build that has liba's names, as tested.
 pub const VARIANTS: [&Variant; 5] = [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &LOW_LEVELS];
 
 impl Variant {
@@ -68,7 +78,10 @@ impl Variant {
             "tests/symbols.txt"
         };
         let list = std::fs::read_to_string(root().join(file)).unwrap();
-        list.lines().map(str::to_owned).collect()
+        let mut choices = self.choices.iter();
+        let prefix = choices.find_map(|choice| choice.strip_prefix("SYMBOL_PREFIX="));
+        let prefix = prefix.unwrap_or_default();
+        list.lines().map(|name| format!("{prefix}{name}")).collect()
     }
 }
 
