@@ -114,6 +114,7 @@ uninstall: $(DIST)/lib/libatraj.a
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:
 	@test -r "$(FILE)" || { echo 'make identify needs FILE=…: a program, firmware, an archive or a shared library' >&2; exit 1; }
+	@command -v readelf > /dev/null || { echo 'make identify needs readelf: install binutils' >&2; exit 1; }
 	@readelf -p .atraj.note "$(FILE)" 2> /dev/null | sed -n 's/.*\] *\(atraj [0-9].*\)/\1/p' | grep . || \
 	    { echo "$(FILE) holds no atraj: it was not linked with libatraj.a, or its notes were removed." >&2; exit 1; }
 
