@@ -88,6 +88,7 @@ impl<R: Real> Bell<R> {
         }
     }
 
+    /// The fastest move; the jerk is finite.
     fn within(jm: R, am: R, vm: R, boundary: Boundary<R>) -> Self {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let [h, forward_v0, forward_v1] = R::forward(p1 - p0, v0, v1);
@@ -112,17 +113,13 @@ impl<R: Real> Bell<R> {
             (border, h, forward_v0)
         };
 
-        let (mut ramps, cruise_from) = border.by_way_of((vm - from) / jm);
-        let mut cruise = R::ZERO;
-        let peak;
-        if h >= cruise_from {
-            cruise = (h - cruise_from) / (vm / jm);
-            peak = vm;
+        let (by_way_of_vm, cruise_from) = border.by_way_of((vm - from) / jm);
+        let ([up, down], cruise, peak) = if h >= cruise_from {
+            (by_way_of_vm, (h - cruise_from) / (vm / jm), vm)
         } else {
-            ramps = border.first_over(h);
-            peak = from + jm * ramps[0].tj * (ramps[0].t - ramps[0].tj);
-        }
-        let [up, down] = ramps;
+            let [up, down] = border.first_over(h);
+            ([up, down], R::ZERO, from + jm * up.tj * (up.t - up.tj))
+        };
         Self {
             t: up.t + cruise + down.t,
             tv: cruise,

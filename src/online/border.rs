@@ -7,6 +7,9 @@
 //! The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
 //! the upper border of the mirrored axis.
 //!
+//! The acceleration is 0 at both ends. An end with an acceleration becomes such an end if the acceleration is undone: slid along the
+//! parabola of the jerk to where it is 0. The formulas hold for these ends.
+//!
 //! All quantities here are divided by the jerk, which leaves powers of time: an acceleration is in s, a velocity in s^2, a
 //! displacement in s^3. So a jerk part lasts as long as the acceleration that it adds is large.
 
@@ -46,11 +49,6 @@ impl<R: Real> Ramp<R> {
                 t: limit + dv / limit,
             }
         }
-    }
-
-    /// A ramp that reaches no limit.
-    fn without_hold(tj: R) -> Self {
-        Self { tj, t: tj + tj }
     }
 }
 
@@ -95,34 +93,32 @@ impl<R: Real> Border<R> {
         if beyond >= hold.displacement(hold.other).0 {
             return self.both_holds(h);
         }
+        // `u` where the hold begins. There is no such place if a limit is infinite, or if the direct ramp has a hold too.
         let begins = hold.begins();
-        let whole = sum < R::INFINITY;
-        if whole && !(begins > R::ZERO && h < self.no_hold(hold.limit + begins).0) {
-            let reached = root(lower(hold.bound(beyond), hold.other), begins, |w| {
-                let (displacement, slope) = hold.displacement(w);
-                (displacement - beyond, slope)
-            });
-            let held = Ramp {
-                tj: hold.limit,
-                t: hold.limit + (reached * reached + hold.dv) / hold.limit,
-            };
-            let other = Ramp::without_hold(reached);
+        let u = hold.limit + begins;
+        if sum < R::INFINITY && !(begins > R::ZERO && h < self.no_hold(u).0) {
+            let [held, other] = hold.ramps(beyond);
             return if up_first {
                 [held, other]
             } else {
                 [other, held]
             };
         }
-        let u = root(
-            lower(self.no_hold_bound(h), hold.limit + begins),
-            self.dv.abs().sqrt(),
-            |u| {
-                let (displacement, slope) = self.no_hold(u);
-                (displacement - h, slope)
-            },
-        );
-        let difference = if u > R::ZERO { self.dv / u } else { R::ZERO };
-        [u + difference, u - difference].map(|twice| Ramp::without_hold(R::HALF * positive(twice)))
+        self.without_hold(h, u)
+    }
+
+    /// The ramps over `h` if none of them holds. At most `most` is the acceleration's fall in the middle.
+    fn without_hold(&self, h: R, most: R) -> [Ramp<R>; 2] {
+        let bound = lower(self.no_hold_bound(h), most);
+        let u = root(bound, self.dv.abs().sqrt(), |u| {
+            let (displacement, slope) = self.no_hold(u);
+            (displacement - h, slope)
+        });
+        let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
+        [u + ratio, u - ratio].map(|twice| {
+            let tj = R::HALF * positive(twice);
+            Ramp { tj, t: tj + tj }
+        })
     }
 
     /// Mean of the velocities at both ends.
@@ -207,6 +203,20 @@ impl<R: Real> Hold<R> {
     /// The acceleration that the other ramp reaches where the hold begins; 0 if the direct ramp has a hold too.
     fn begins(&self) -> R {
         positive(self.limit * self.limit - self.dv).sqrt()
+    }
+
+    /// The ramp that holds and the other one, over a displacement beyond the least one.
+    fn ramps(&self, beyond: R) -> [Ramp<R>; 2] {
+        let bound = lower(self.bound(beyond), self.other);
+        let w = root(bound, self.begins(), |w| {
+            let (displacement, slope) = self.displacement(w);
+            (displacement - beyond, slope)
+        });
+        let held = Ramp {
+            tj: self.limit,
+            t: self.limit + (w * w + self.dv) / self.limit,
+        };
+        [held, Ramp { tj: w, t: w + w }]
     }
 
     /// The displacement where the other ramp reaches no acceleration.
