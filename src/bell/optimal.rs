@@ -107,17 +107,14 @@ impl<R: Real> Bell<R> {
         } else {
             h < direct
         };
-        let (border, h, from) = if dips {
-            (border.mirrored(), -h, -forward_v0)
-        } else {
-            (border, h, forward_v0)
-        };
+        let border = if dips { border.mirrored() } else { border };
+        let [h, direct, from] = [h, direct, forward_v0].map(|x| x.negate_if(dips));
 
         let (by_way_of_vm, cruise_from) = border.by_way_of((vm - from) / jm);
         let ([up, down], cruise, peak) = if h >= cruise_from {
             (by_way_of_vm, (h - cruise_from) / (vm / jm), vm)
         } else {
-            let [up, down] = border.first_over(h);
+            let [up, down] = border.first_over(h, direct);
             ([up, down], R::ZERO, from + jm * up.tj * (up.t - up.tj))
         };
         Self {

@@ -81,9 +81,9 @@ impl<R: Real> Border<R> {
         ([up, down], self.v0 * (up.t + down.t) + change)
     }
 
-    /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the direct one. The
+    /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the `direct` one. The
     /// peak velocity has no limit.
-    pub fn first_over(&self, h: R) -> [Ramp<R>; 2] {
+    pub fn first_over(&self, h: R, direct: R) -> [Ramp<R>; 2] {
         // As the duration grows, one ramp holds its limit first, and later the other one too.
         let (rise, fall) = (self.rise, self.fall);
         let sum = rise + fall;
@@ -93,10 +93,12 @@ impl<R: Real> Border<R> {
         if beyond >= hold.displacement(hold.other).0 {
             return self.both_holds(h);
         }
-        // `u` where the hold begins. There is no such place if a limit is infinite, or if the direct ramp has a hold too.
+        // Where the hold begins. There is no such place if a limit is infinite, or if the direct ramp has a hold too.
         let begins = hold.begins();
-        let u = hold.limit + begins;
-        if sum < R::INFINITY && !(begins > R::ZERO && h < self.no_hold(u).0) {
+        let apart = self.dv.abs().sqrt();
+        let y = hold.limit + begins - apart;
+        let beyond_direct = positive(h - direct);
+        if sum < R::INFINITY && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0) {
             let [held, other] = hold.ramps(beyond);
             return if up_first {
                 [held, other]
@@ -104,16 +106,18 @@ impl<R: Real> Border<R> {
                 [other, held]
             };
         }
-        self.without_hold(h, u)
+        self.without_hold(beyond_direct, apart, y)
     }
 
-    /// The ramps over `h` if none of them holds. At most `most` is the acceleration's fall in the middle.
-    fn without_hold(&self, h: R, most: R) -> [Ramp<R>; 2] {
-        let bound = lower(self.no_hold_bound(h), most);
-        let u = root(bound, self.dv.abs().sqrt(), |u| {
-            let (displacement, slope) = self.no_hold(u);
-            (displacement - h, slope)
+    /// The ramps over a displacement beyond the direct one if none of them holds. `y`, by which the acceleration falls more than in
+    /// the direct ramp, is at most `most`.
+    fn without_hold(&self, beyond: R, apart: R, most: R) -> [Ramp<R>; 2] {
+        let bound = lower(self.no_hold_bound(beyond, apart), most);
+        let y = root(bound, R::ZERO, |y| {
+            let (displacement, slope) = self.no_hold(apart, y);
+            (displacement - beyond, slope)
         });
+        let u = apart + y;
         let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
         [u + ratio, u - ratio].map(|twice| {
             let tj = R::HALF * positive(twice);
@@ -126,31 +130,47 @@ impl<R: Real> Border<R> {
         self.v0 + R::HALF * self.dv
     }
 
-    /// Without a hold: the displacement, and its derivative, where the acceleration falls by `u` in the middle. From the direct ramp
-    /// on, where `u = sqrt(|dv|)`, the displacement is convex.
-    fn no_hold(&self, u: R) -> (R, R) {
-        let quarter = R::HALF * R::HALF;
-        let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
-        let (u2, ratio2) = (u * u, ratio * ratio);
-        let twice_mean = R::from(2) * self.mean();
+    /// Without a hold: the displacement beyond the direct one, and its derivative. In the middle of the motion the acceleration falls
+    /// by `u = apart + y`; in the direct ramp it falls by `apart = sqrt(|dv|)`. The displacement is convex.
+    fn no_hold(&self, apart: R, y: R) -> (R, R) {
+        let quarter_y = R::HALF * R::HALF * y;
+        let ratio = if apart > R::ZERO {
+            apart / (apart + y)
+        } else {
+            R::ZERO
+        };
+        let slope = self.direct_slope();
+        let cubic = y + apart * (R::from(3) - ratio);
+        let its_slope = R::from(3) * y + apart * (R::from(6) - ratio * (R::ONE + ratio));
         (
-            u * (twice_mean + quarter * (u2 - ratio2)),
-            twice_mean + quarter * (R::from(3) * u2 + ratio2),
+            y * (slope + quarter_y * cubic),
+            slope + quarter_y * its_slope,
         )
     }
 
-    /// Not below the `u` of the displacement `h`, and above it by a small factor.
-    fn no_hold_bound(&self, h: R) -> R {
-        let apart = self.dv.abs().sqrt();
-        let cubic = (R::from(4) * positive(h)).cube_root_above() + apart;
-        let eight_means = R::from(8) * self.mean();
-        if eight_means <= R::ZERO {
-            return cubic + (-eight_means).sqrt();
+    /// The derivative of the displacement in the direct ramp: twice the higher velocity of both ends.
+    fn direct_slope(&self) -> R {
+        R::from(2) * (self.v0 + positive(self.dv))
+    }
+
+    /// Not below the `y` of a displacement beyond the direct one, and above it by a small factor: the displacement is not below
+    /// `y (s + apart y/2 + y^2/4)`, where `s` is its slope in the direct ramp.
+    fn no_hold_bound(&self, beyond: R, apart: R) -> R {
+        let slope = self.direct_slope();
+        if slope >= R::ZERO {
+            let cubic = (R::from(4) * beyond).cube_root_above();
+            let quadratic = ((beyond + beyond) / apart).sqrt();
+            return lower(beyond / slope, lower(quadratic, cubic));
         }
-        // Without the cube the displacement is a quadratic over u.
-        let half = (h + h) / eight_means;
-        let linear = half + (half * half + self.dv / eight_means * self.dv).sqrt();
-        lower(cubic, linear)
+        let cubic = larger(
+            (R::from(8) * beyond).cube_root_above(),
+            (R::from(8) * -slope).sqrt(),
+        );
+        let quadratic = larger(
+            (R::from(4) * beyond / apart).sqrt(),
+            R::from(4) * -slope / apart,
+        );
+        lower(quadratic, cubic)
     }
 
     /// With both holds the displacement is a quadratic in the duration of the first ramp.
@@ -271,8 +291,8 @@ fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
     if x > least { x } else { least }
 }
 
-/// More rounds than any root takes.
-const MOST_ROUNDS: u32 = 40;
+/// More rounds than any root takes, as `docs/planner.md` shows.
+const MOST_ROUNDS: u32 = 16;
 
 /// The larger root of `x^2 + 2 p x + q`.
 pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
@@ -285,6 +305,12 @@ pub(crate) fn positive<R: Real>(x: R) -> R {
     if x > R::ZERO { x } else { R::ZERO }
 }
 
+/// The larger one; `y` if `x` is NaN.
+fn larger<R: Real>(x: R, y: R) -> R {
+    if x > y { x } else { y }
+}
+
+/// The lower one; `y` if `x` is NaN.
 fn lower<R: Real>(x: R, y: R) -> R {
     if x < y { x } else { y }
 }
