@@ -9,7 +9,7 @@
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
-#   make doc                    writes the references for C and for Rust, in target/doc
+#   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs everything that proves the library
 #   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
 #   make bench                  measures times and instructions beside the original's: docs/performance.md
@@ -64,7 +64,7 @@ dist: $(filter %.json,$(CARGO_TARGET))
 	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
 	    --message-format=json-render-diagnostics -- \
 	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -rf $(DIST)/lib $(DIST)/include
+	rm -rf $(DIST)/lib $(DIST)/include $(DIST)/share
 	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
@@ -81,19 +81,21 @@ endif
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
 	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
+	mkdir -p $(DIST)/share/doc/atraj
+	cp LICENSE-* $(DIST)/share/doc/atraj/
 
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
 $(DIST)/lib/libatraj.a:
 	$(MAKE) dist
 
 install: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include -type d -exec install -d "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share -type d -exec install -d "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
 
 uninstall: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include ! -type d -exec rm -f "$(INSTALLED)/{}" \;
-	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share ! -type d -exec rm -f "$(INSTALLED)/{}" \;
+	cd $(DIST) && find include/* lib/cmake/* share/doc/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
 
 consumers:
 	tests/consumers.sh
@@ -101,6 +103,7 @@ consumers:
 doc:
 	$(CARGO) doc --no-deps --features capi
 	doxygen
+	cp docs/reference/index.html target/doc/
 
 DEMO := target/demo
 
