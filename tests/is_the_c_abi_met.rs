@@ -349,47 +349,6 @@ fn headers_refuse_what_the_archive_is_not() {
     assert!(!accepts("cc", "c", &source, &["-DA_SIZE_FLOAT=2"]));
 }
 
-/// The blocks of the README in this language, each as a whole program. `drive` takes the setpoints.
-fn readme_programs(fence: &str) -> Vec<String> {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let opening = format!("```{fence}\n");
-    let blocks = readme.split(&opening).skip(1);
-    let programs = blocks.map(|block| {
-        let (block, _) = block.split_once("```").unwrap();
-        let (include, body) = block.split_once('\n').unwrap();
-        format!(
-            "{include}\nstatic void drive(double p, ...) {{ (void)p; }}\nint main() {{\n{body}}}\n"
-        )
-    });
-    programs.collect()
-}
-
-#[test]
-fn readme_examples_compile() {
-    let dist = DOUBLE.dist();
-    fs::create_dir_all(dist.join("tests")).unwrap();
-    for (fence, compiler, blocks) in [("c", "cc", 1), ("cpp", "c++", 2)] {
-        let programs = readme_programs(fence);
-        assert_eq!(programs.len(), blocks, "{fence} blocks in the README");
-        if !has_tool(compiler) {
-            continue;
-        }
-        for (number, text) in programs.iter().enumerate() {
-            let source = dist.join("tests").join(format!("readme{number}.{fence}"));
-            fs::write(&source, text).unwrap();
-            let program = source.with_extension(format!("{fence}.out"));
-            let mut command = Command::new(compiler);
-            command.args(["-Wall", "-Werror"]);
-            for include in ["include", "include/claraty"] {
-                command.arg("-I").arg(dist.join(include));
-            }
-            command.arg(&source).arg(dist.join("lib/libatraj.a"));
-            run(command.args(["-lm", "-o"]).arg(&program));
-            run(&mut Command::new(&program));
-        }
-    }
-}
-
 #[test]
 fn a_level_that_does_not_exist_fails_the_build_with_a_sentence() {
     for choice in [
