@@ -2,8 +2,8 @@
 /*!
  @file atraj.h
  @brief whole moves and whole states in one call
- @details What liba does not have, on the structs that it has. Every value has the bits of the single functions. An array
- that is NULL is left out; the others may not overlap each other or the trajectory.
+ @details These functions take liba's structs; liba has no such functions. Every value has the bits that the single functions
+ give. A NULL array gets nothing. The other arrays must overlap neither each other nor the trajectory.
 */
 
 #ifndef ATRAJ_H
@@ -22,16 +22,16 @@ extern "C" {
 /**
  * @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
  *
- * Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
  * @param ctx points to a planned instance of bell-shaped velocity trajectory
  * @param x0 time of sample 0 since the start, s
- * @param dt from one sample to the next, s; may be 0 or negative
+ * @param dt time from one sample to the next, s; it may be 0 or negative
  * @param n number of samples
  * @param pos position, unit: NULL or an array of `n`
  * @param vel velocity, unit/s: NULL or an array of `n`
  * @param acc acceleration, unit/s^2: NULL or an array of `n`
  * @param jer jerk, unit/s^3: NULL or an array of `n`
- * @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
  */
 A_EXTERN
 size_t atraj_bell_sample(const a_trajbell *ctx,
@@ -44,15 +44,15 @@ size_t atraj_bell_sample(const a_trajbell *ctx,
                          a_float *jer);
 
 /**
- * @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time, found together.
+ * @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
  *
- * They have the bits of the single functions.
- * @param ctx points to a planned instance of bell-shaped velocity trajectory; all are NaN if it is NULL
+ * Each quantity has the bits that its single function gives.
+ * @param ctx points to a planned instance of bell-shaped velocity trajectory; if it is NULL, all results are NaN
  * @param x time since the start, s
- * @param pos position, unit: NULL or where to write it
- * @param vel velocity, unit/s: NULL or where to write it
- * @param acc acceleration, unit/s^2: NULL or where to write it
- * @param jer jerk, unit/s^3: NULL or where to write it
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
+ * @param jer jerk, unit/s^3: NULL or the place for the result
  */
 A_EXTERN
 void atraj_bell_state(const a_trajbell *ctx,
@@ -65,15 +65,15 @@ void atraj_bell_state(const a_trajbell *ctx,
 /**
  * @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations at evenly spaced times.
  *
- * Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
  * @param ctx points to a planned instance of trapezoidal velocity trajectory
  * @param x0 time of sample 0 since the start, s
- * @param dt from one sample to the next, s; may be 0 or negative
+ * @param dt time from one sample to the next, s; it may be 0 or negative
  * @param n number of samples
  * @param pos position, unit: NULL or an array of `n`
  * @param vel velocity, unit/s: NULL or an array of `n`
  * @param acc acceleration, unit/s^2: NULL or an array of `n`
- * @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
  */
 A_EXTERN
 size_t atraj_trap_sample(const a_trajtrap *ctx,
@@ -85,31 +85,31 @@ size_t atraj_trap_sample(const a_trajtrap *ctx,
                          a_float *acc);
 
 /**
- * @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time, found together.
+ * @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time.
  *
- * They have the bits of the single functions.
- * @param ctx points to a planned instance of trapezoidal velocity trajectory; all are NaN if it is NULL
+ * Each quantity has the bits that its single function gives.
+ * @param ctx points to a planned instance of trapezoidal velocity trajectory; if it is NULL, all results are NaN
  * @param x time since the start, s
- * @param pos position, unit: NULL or where to write it
- * @param vel velocity, unit/s: NULL or where to write it
- * @param acc acceleration, unit/s^2: NULL or where to write it
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_trap_state(const a_trajtrap *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
 
 /**
  * @brief Sample a cubic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
  *
- * Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
  *
  * Derivatives above the struct's level are computed from the position coefficients.
  * @param ctx points to a planned instance of cubic polynomial trajectory
  * @param x0 time of sample 0 since the start, s
- * @param dt from one sample to the next, s; may be 0 or negative
+ * @param dt time from one sample to the next, s; it may be 0 or negative
  * @param n number of samples
  * @param pos position, unit: NULL or an array of `n`
  * @param vel velocity, unit/s: NULL or an array of `n`
  * @param acc acceleration, unit/s^2: NULL or an array of `n`
- * @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
  */
 A_EXTERN
 size_t atraj_poly3_sample(const a_trajpoly3 *ctx,
@@ -121,33 +121,33 @@ size_t atraj_poly3_sample(const a_trajpoly3 *ctx,
                           a_float *acc);
 
 /**
- * @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time, found together.
+ * @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time.
  *
- * They have the bits of the single functions.
+ * Each quantity has the bits that its single function gives.
  *
  * Derivatives above the struct's level are computed from the position coefficients.
- * @param ctx points to a planned instance of cubic polynomial trajectory; all are NaN if it is NULL
+ * @param ctx points to a planned instance of cubic polynomial trajectory; if it is NULL, all results are NaN
  * @param x time since the start, s
- * @param pos position, unit: NULL or where to write it
- * @param vel velocity, unit/s: NULL or where to write it
- * @param acc acceleration, unit/s^2: NULL or where to write it
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_poly3_state(const a_trajpoly3 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
 
 /**
  * @brief Sample a quintic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
  *
- * Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
  *
  * Derivatives above the struct's level are computed from the position coefficients.
  * @param ctx points to a planned instance of quintic polynomial trajectory
  * @param x0 time of sample 0 since the start, s
- * @param dt from one sample to the next, s; may be 0 or negative
+ * @param dt time from one sample to the next, s; it may be 0 or negative
  * @param n number of samples
  * @param pos position, unit: NULL or an array of `n`
  * @param vel velocity, unit/s: NULL or an array of `n`
  * @param acc acceleration, unit/s^2: NULL or an array of `n`
- * @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
  */
 A_EXTERN
 size_t atraj_poly5_sample(const a_trajpoly5 *ctx,
@@ -159,34 +159,34 @@ size_t atraj_poly5_sample(const a_trajpoly5 *ctx,
                           a_float *acc);
 
 /**
- * @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time, found together.
+ * @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time.
  *
- * They have the bits of the single functions.
+ * Each quantity has the bits that its single function gives.
  *
  * Derivatives above the struct's level are computed from the position coefficients.
- * @param ctx points to a planned instance of quintic polynomial trajectory; all are NaN if it is NULL
+ * @param ctx points to a planned instance of quintic polynomial trajectory; if it is NULL, all results are NaN
  * @param x time since the start, s
- * @param pos position, unit: NULL or where to write it
- * @param vel velocity, unit/s: NULL or where to write it
- * @param acc acceleration, unit/s^2: NULL or where to write it
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_poly5_state(const a_trajpoly5 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
 
 /**
  * @brief Sample a septic polynomial trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
  *
- * Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
  *
  * Derivatives above the struct's level are computed from the position coefficients.
  * @param ctx points to a planned instance of septic polynomial trajectory
  * @param x0 time of sample 0 since the start, s
- * @param dt from one sample to the next, s; may be 0 or negative
+ * @param dt time from one sample to the next, s; it may be 0 or negative
  * @param n number of samples
  * @param pos position, unit: NULL or an array of `n`
  * @param vel velocity, unit/s: NULL or an array of `n`
  * @param acc acceleration, unit/s^2: NULL or an array of `n`
  * @param jer jerk, unit/s^3: NULL or an array of `n`
- * @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
  */
 A_EXTERN
 size_t atraj_poly7_sample(const a_trajpoly7 *ctx,
@@ -199,17 +199,17 @@ size_t atraj_poly7_sample(const a_trajpoly7 *ctx,
                           a_float *jer);
 
 /**
- * @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time, found together.
+ * @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time.
  *
- * They have the bits of the single functions.
+ * Each quantity has the bits that its single function gives.
  *
  * Derivatives above the struct's level are computed from the position coefficients.
- * @param ctx points to a planned instance of septic polynomial trajectory; all are NaN if it is NULL
+ * @param ctx points to a planned instance of septic polynomial trajectory; if it is NULL, all results are NaN
  * @param x time since the start, s
- * @param pos position, unit: NULL or where to write it
- * @param vel velocity, unit/s: NULL or where to write it
- * @param acc acceleration, unit/s^2: NULL or where to write it
- * @param jer jerk, unit/s^3: NULL or where to write it
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
+ * @param jer jerk, unit/s^3: NULL or the place for the result
  */
 A_EXTERN
 void atraj_poly7_state(const a_trajpoly7 *ctx,
