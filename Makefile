@@ -10,13 +10,13 @@
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
-#   make check                  runs everything that proves the library
+#   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
 #   make bench                  measures times and instructions beside the original's: docs/performance.md
 #   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                               `make instructions-update` rewrites tests/instructions.txt
 #   make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family
-#   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian
+#   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian; needs root
 #   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
 #   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
 #
