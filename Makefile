@@ -4,6 +4,7 @@
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
 #   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local);
 #                               `make uninstall` removes them
+#   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
 #                               data, pictures in target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
@@ -24,6 +25,7 @@
 #   REAL=float             a_float is float instead of double
 #   POLY=compact           polynomial structs of liba since 2025-03
 #   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
+#   SYMBOL_PREFIX=x_       the functions are called x_a_trajbell_gen, …, in the headers too: to stand beside liba in one program
 
 CARGO ?= cargo
 CC ?= cc
@@ -39,11 +41,15 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
+ifneq ($(shell printf %s '$(SYMBOL_PREFIX)' | sed '/^[A-Za-z_][A-Za-z0-9_]*$$/d'),)
+$(error SYMBOL_PREFIX=$(SYMBOL_PREFIX) does not exist: no C name begins like this)
+endif
 FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
-VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS))
+VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS)$(SYMBOL_PREFIX:%=-prefix-%))
 DIST := target/dist$(VARIANT)
 BUILD := target/build$(VARIANT)
+OBJECT := $(BUILD)/$(if $(SYMBOL_PREFIX),prefixed/)atraj.o
 INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
@@ -55,7 +61,7 @@ PROFILE := release
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 
-.PHONY: dist install uninstall demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist install uninstall identify demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # The archive holds one object. So a user's linker finds the documented symbols in it and no others.
 dist: $(filter %.json,$(CARGO_TARGET))
@@ -69,13 +75,23 @@ dist: $(filter %.json,$(CARGO_TARGET))
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
 endif
-	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
+ifdef SYMBOL_PREFIX
+	mkdir -p $(dir $(OBJECT))
+	$(CROSS)nm --defined-only --extern-only --format=posix $(BUILD)/atraj.o | \
+	    awk '{ print $$1, "$(SYMBOL_PREFIX)" $$1 }' > $(BUILD)/names
+	$(CROSS)objcopy --redefine-syms=$(BUILD)/names $(BUILD)/atraj.o $(OBJECT)
+endif
+	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(OBJECT)
 ifndef TARGET
-	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
+	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(OBJECT) -lm
 	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
 	ln -s $(SONAME) $(DIST)/lib/libatraj.so
 endif
 	cp -R include/. $(DIST)/include
+ifdef SYMBOL_PREFIX
+	sed 's|\(.*\) \(.*\)|s/\\<\1\\>/\2/g|' $(BUILD)/names > $(BUILD)/names.sed
+	find $(DIST)/include -type f -exec sed -i -f $(BUILD)/names.sed {} +
+endif
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
 	    $(DIST)/include/a/
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
@@ -97,10 +113,17 @@ uninstall: $(DIST)/lib/libatraj.a
 	cd $(DIST) && find lib include share ! -type d -exec rm -f "$(INSTALLED)/{}" \;
 	cd $(DIST) && find include/* lib/cmake/* share/doc/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
 
+# Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
+identify:
+	@test -r "$(FILE)" || { echo 'make identify needs FILE=…: a program, firmware, an archive or a shared library' >&2; exit 1; }
+	@command -v readelf > /dev/null || { echo 'make identify needs readelf: install binutils' >&2; exit 1; }
+	@readelf -p .atraj.note "$(FILE)" 2> /dev/null | sed -n 's/.*\] *\(atraj [0-9].*\)/\1/p' | grep . || \
+	    { echo "$(FILE) holds no atraj: it was not linked with libatraj.a, or its notes were removed." >&2; exit 1; }
+
 consumers:
 	tests/consumers.sh
 
-doc:
+doc: dist
 	$(CARGO) doc --no-deps --features capi
 	doxygen
 	cp docs/reference/index.html target/doc/

@@ -19,21 +19,68 @@ fn main() {
     let poly3 = level("A_TRAJPOLY3", 3);
     let poly5 = level("A_TRAJPOLY5", 3);
     let poly7 = level("A_TRAJPOLY7", 4);
+    let version = package("VERSION");
+    let (major, minor, patch) = (
+        package("VERSION_MAJOR"),
+        package("VERSION_MINOR"),
+        package("VERSION_PATCH"),
+    );
     let config = format!(
         "\
-/* How the atraj archive beside these headers was built. Written by its build. */
+/*!
+ @file atraj_config.h
+ @brief how the atraj archive beside these headers was built
+ @details Its build writes this file. The other headers include it and refuse a program that differs.
+*/
+
 #ifndef ATRAJ_CONFIG_H
 #define ATRAJ_CONFIG_H
+
+/*! @name version
+ @{{ */
+/*! version of the headers; `make identify FILE=program` tells the version of the library in a program */
+#define ATRAJ_VERSION \"{version}\"
+#define ATRAJ_VERSION_MAJOR {major}
+#define ATRAJ_VERSION_MINOR {minor}
+#define ATRAJ_VERSION_PATCH {patch}
+/*! @}} */
+
+/*! @name ABI
+ @{{ */
+/*! size of #a_float; 1 if the polynomial structs are compact, else 0; levels of the older polynomial structs */
 #define ATRAJ_SIZE_FLOAT {size}
 #define ATRAJ_TRAJPOLY_COMPACT {compact}
 #define ATRAJ_TRAJPOLY3 {poly3}
 #define ATRAJ_TRAJPOLY5 {poly5}
 #define ATRAJ_TRAJPOLY7 {poly7}
+/*! @}} */
+
 #endif /* ATRAJ_CONFIG_H */
 "
     );
+
+    let real = if size == 4 { "float" } else { "double" };
+    let polynomials = if compact == 1 {
+        "compact polynomials".into()
+    } else {
+        format!("polynomial levels {poly3} {poly5} {poly7}")
+    };
+    let target = env::var("TARGET").expect("cargo sets TARGET");
+    println!(
+        "cargo::rustc-env=ATRAJ_IDENTITY=atraj {version}, {real}, {polynomials}, {target}, cpu {}",
+        cpu()
+    );
+
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     fs::write(Path::new(&out).join("atraj_config.h"), config).expect("OUT_DIR is writable");
+}
+
+/// What the compiler is told to compile for.
+fn cpu() -> String {
+    let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    let chosen = flags.rsplit_once("target-cpu=").map(|(_, rest)| rest);
+    let name = chosen.and_then(|rest| rest.split('\x1f').next());
+    name.unwrap_or("default").to_owned()
 }
 
 /// A Cortex-M whose floating-point unit computes in binary32 only, as far as the compiler is told.
@@ -45,6 +92,11 @@ fn unit_lacks_binary64() -> bool {
         && !["cortex-m7", "fp64"]
             .iter()
             .any(|unit| flags.contains(unit))
+}
+
+/// What `Cargo.toml` says of the package.
+fn package(field: &str) -> String {
+    env::var(format!("CARGO_PKG_{field}")).expect("cargo sets CARGO_PKG_*")
 }
 
 fn feature(name: &str) -> bool {

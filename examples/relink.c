@@ -6,6 +6,8 @@
      cc examples/relink.c -la -lm -o relink
  With atraj; the archive stands before liba, because the linker takes a function from the first archive that has it:
      cc -Itarget/dist/include examples/relink.c target/dist/lib/libatraj.a -la -lm -o relink
+ Whether the relink took:
+     make identify FILE=relink
  This program uses nothing else of liba, so it needs no -la. Keep liba's headers or take ours: the ABI is the same.
 */
 #include "a/trajbell.h"

@@ -9,6 +9,8 @@
 #ifndef ATRAJ_H
 #define ATRAJ_H
 
+#include "a/a.h"
+#include "a/atraj_check.h"
 #include "a/trajbell.h"
 #include "a/trajtrap.h"
 #include "a/trajpoly3.h"

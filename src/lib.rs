@@ -61,6 +61,9 @@
 //! | `capi` | the C functions and structs, module `capi` |
 //! | `float` | makes the C ABI's real type `float` |
 //! | `poly-compact` | gives the C ABI the polynomial structs of liba since 2025-03 |
+//!
+//! By design, `capi` clashes with the crate `liba` in one program, because both define the same C functions: leave `capi` out
+//! there, or link the archive of `make dist SYMBOL_PREFIX=x_`.
 #![no_std]
 #![cfg_attr(atraj_unstable_core, feature(core_float_math))]
 #![deny(unsafe_code)]

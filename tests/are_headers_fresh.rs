@@ -52,6 +52,8 @@ fn atraj_header() -> String {
 #ifndef ATRAJ_H
 #define ATRAJ_H
 
+#include \"a/a.h\"
+#include \"a/atraj_check.h\"
 {includes}
 
 #if defined(__cplusplus)
@@ -72,8 +74,7 @@ extern \"C\" {{
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());
     let about = config(name).header.unwrap_or_default();
-    let levels = levels(name);
-    let declarations = if levels.is_empty() {
+    let declarations = if !name.starts_with("trajpoly") {
         declarations(name, name)
     } else {
         format!(
@@ -96,7 +97,8 @@ fn liba_header(name: &str) -> String {
 #define {guard}
 
 #include \"a.h\"
-{levels}
+#include \"atraj_check.h\"
+
 typedef struct a_{name} a_{name};
 
 {declarations}
@@ -128,38 +130,6 @@ typedef struct a_{name} {name};
 #endif /* __cplusplus */
 
 {structs}"
-    )
-}
-
-/// What a polynomial header says of the arrays in its struct. Other headers say nothing.
-fn levels(name: &str) -> String {
-    let highest = match name {
-        "trajpoly3" | "trajpoly5" => 3,
-        "trajpoly7" => 4,
-        _ => return String::new(),
-    };
-    let level = format!("A_{}", name.to_uppercase());
-    let built = format!("ATRAJ_{}", name.to_uppercase());
-    format!(
-        "
-/*! How many of the coefficient arrays p v a j the struct holds: 1 .. {highest}. It must be what the archive was built with. */
-#if !defined({level})
-#if defined({built})
-#define {level} {built}
-#else
-#define {level} {highest}
-#endif
-#endif
-#if ({level} + 0 < 1) || ({level} + 0 > {highest})
-#error \"{level} does not exist at this level: define it as 1 .. {highest} or leave it undefined.\"
-#endif
-#if defined(A_TRAJPOLY_COMPACT) && ({level} + 0 != {highest})
-#error \"The structs of A_TRAJPOLY_COMPACT have no levels: leave {level} undefined.\"
-#endif
-#if defined({built}) && ({level} + 0 != {built})
-#error \"{level} differs from the archive beside this header: rebuild it with {level}=... make dist, or leave it undefined.\"
-#endif
-"
     )
 }
 

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::process::Command;
 use support::tools::lines;
-use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, Variant};
+use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, PREFIXED, Variant};
 
 /// Names that `nm` prints with these flags, sorted.
 fn names(flags: &[&str], file: &Path) -> Vec<String> {
@@ -34,7 +34,7 @@ fn needed(variant: &Variant) -> &'static [&'static str] {
 
 #[test]
 fn in_the_archive() {
-    for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT] {
+    for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &PREFIXED] {
         let archive = variant.dist().join("lib/libatraj.a");
         let members = lines(Command::new("ar").arg("t").arg(&archive));
         assert_eq!(members, ["atraj.o"], "members of the archive");
@@ -61,7 +61,7 @@ fn in_the_archive() {
 
 #[test]
 fn in_the_shared_library() {
-    for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT] {
+    for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &PREFIXED] {
         let library = variant.dist().join("lib/libatraj.so");
         assert_eq!(
             names(&["--dynamic", "--defined-only", "--extern-only"], &library),

@@ -4,6 +4,7 @@
 #   - needs only symbols that every C toolchain has,
 #   - cannot panic,
 #   - has no unwind tables,
+#   - has a note that is not loaded, so it takes no flash,
 #   - needs the memory functions only in CLARAty and atraj.h, which copy enough at once. liba's functions must not need them.
 set -eu
 archive=$1 api=$2
@@ -22,4 +23,5 @@ readelf -Wr "$archive" | awk -v memory=" $memory" '/^Relocation section/ { place
     $0 ~ memory && place !~ /claraty|sampl(e|ing)|\.atraj_|capi5atraj/ { print; found = 1 } END { exit found }' || fail "memory functions in what liba has too"
 ! echo "$symbols" | grep panic || fail "can panic"
 ! readelf -WS "$archive" | grep -E 'ARM\.ex|eh_frame' || fail "unwind tables"
+readelf -WS "$archive" | grep -qE '\.atraj\.note +NOTE +([0-9a-f]+ +){4} [0-9]+ ' || fail "no note, or a loaded one"
 echo "$archive: $(wc -l < "$api") functions; needs $(echo "$symbols" | awk '$2 == "U" { print $3 }' | paste -sd ' ')"

@@ -2,8 +2,8 @@
  @file a.h
  @brief the prelude of the trajectory headers
  @details The part of liba's prelude that sources written against its trajectory headers lean on: the real type, the
- fixed-width names and a few macros. `A_SIZE_FLOAT` (or `A_SIZE_REAL`) selects the real type: 4 for float, 8 for
- double, which is the default. It must be what the archive was built with.
+ fixed-width names and a few macros. The real type is the archive's. A program may define `A_SIZE_FLOAT` (or `A_SIZE_REAL`)
+ as 4 for float or as 8 for double; another type than the archive's is refused.
 */
 
 #ifndef LIBA_A_H
@@ -14,12 +14,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* An installed archive tells here how it was built. */
-#if defined(__has_include)
-#if __has_include("atraj_config.h")
+/* How the archive was built: make dist writes this header. */
 #include "atraj_config.h"
-#endif
-#endif
 
 /* compiler */
 
@@ -126,14 +122,12 @@ typedef double a_f64;
 #define A_FLOAT_EXTEND 0x10
 /*! @} */
 
-/*! size of #a_float in bytes: define it as 4 or 8, or leave it to the archive beside this header; without one it is 8 */
+/*! size of #a_float in bytes, 4 or 8; the archive's unless it is defined */
 #if !defined(A_SIZE_FLOAT)
 #if defined(A_SIZE_REAL)
 #define A_SIZE_FLOAT A_SIZE_REAL
-#elif defined(ATRAJ_SIZE_FLOAT)
-#define A_SIZE_FLOAT ATRAJ_SIZE_FLOAT
 #else
-#define A_SIZE_FLOAT 8
+#define A_SIZE_FLOAT ATRAJ_SIZE_FLOAT
 #endif
 #endif
 /*! the name of #A_SIZE_FLOAT in liba since 2025 */
@@ -202,12 +196,6 @@ typedef double a_f64;
 #endif
 /*! @} */
 
-#if defined(ATRAJ_SIZE_FLOAT)
-#if (A_SIZE_FLOAT + 0 == 4) != (ATRAJ_SIZE_FLOAT == 4)
-#error "A_SIZE_FLOAT differs from the archive beside this header: use the other archive (make dist REAL=float) or leave it undefined."
-#endif
-#endif
-
 /*! real number of this build: float or double */
 typedef A_FLOAT a_float;
 /*! the name of `a_float` in liba since 2025 */
@@ -236,13 +224,6 @@ typedef a_float a_real;
 #define A_REAL_MAX_10_EXP A_FLOAT_MAX_10_EXP
 /*! @} */
 
-/* Which generation of the polynomial structs: with A_TRAJPOLY_COMPACT one coefficient array, as liba since 2025-03. */
-#if defined(ATRAJ_TRAJPOLY_COMPACT)
-#if ATRAJ_TRAJPOLY_COMPACT && !defined(A_TRAJPOLY_COMPACT)
-#define A_TRAJPOLY_COMPACT
-#elif !ATRAJ_TRAJPOLY_COMPACT && defined(A_TRAJPOLY_COMPACT)
-#error "The archive beside this header has no compact polynomials: use the other archive (make dist POLY=compact) or leave A_TRAJPOLY_COMPACT undefined."
-#endif
-#endif
+#include "atraj_check.h"
 
 #endif /* LIBA_A_H */

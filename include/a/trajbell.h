@@ -10,6 +10,7 @@
 #define LIBA_TRAJBELL_H
 
 #include "a.h"
+#include "atraj_check.h"
 
 typedef struct a_trajbell a_trajbell;
 

@@ -11,24 +11,7 @@
 #define LIBA_TRAJPOLY3_H
 
 #include "a.h"
-
-/*! How many of the coefficient arrays p v a j the struct holds: 1 .. 3. It must be what the archive was built with. */
-#if !defined(A_TRAJPOLY3)
-#if defined(ATRAJ_TRAJPOLY3)
-#define A_TRAJPOLY3 ATRAJ_TRAJPOLY3
-#else
-#define A_TRAJPOLY3 3
-#endif
-#endif
-#if (A_TRAJPOLY3 + 0 < 1) || (A_TRAJPOLY3 + 0 > 3)
-#error "A_TRAJPOLY3 does not exist at this level: define it as 1 .. 3 or leave it undefined."
-#endif
-#if defined(A_TRAJPOLY_COMPACT) && (A_TRAJPOLY3 + 0 != 3)
-#error "The structs of A_TRAJPOLY_COMPACT have no levels: leave A_TRAJPOLY3 undefined."
-#endif
-#if defined(ATRAJ_TRAJPOLY3) && (A_TRAJPOLY3 + 0 != ATRAJ_TRAJPOLY3)
-#error "A_TRAJPOLY3 differs from the archive beside this header: rebuild it with A_TRAJPOLY3=... make dist, or leave it undefined."
-#endif
+#include "atraj_check.h"
 
 typedef struct a_trajpoly3 a_trajpoly3;
 

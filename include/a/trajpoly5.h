@@ -11,24 +11,7 @@
 #define LIBA_TRAJPOLY5_H
 
 #include "a.h"
-
-/*! How many of the coefficient arrays p v a j the struct holds: 1 .. 3. It must be what the archive was built with. */
-#if !defined(A_TRAJPOLY5)
-#if defined(ATRAJ_TRAJPOLY5)
-#define A_TRAJPOLY5 ATRAJ_TRAJPOLY5
-#else
-#define A_TRAJPOLY5 3
-#endif
-#endif
-#if (A_TRAJPOLY5 + 0 < 1) || (A_TRAJPOLY5 + 0 > 3)
-#error "A_TRAJPOLY5 does not exist at this level: define it as 1 .. 3 or leave it undefined."
-#endif
-#if defined(A_TRAJPOLY_COMPACT) && (A_TRAJPOLY5 + 0 != 3)
-#error "The structs of A_TRAJPOLY_COMPACT have no levels: leave A_TRAJPOLY5 undefined."
-#endif
-#if defined(ATRAJ_TRAJPOLY5) && (A_TRAJPOLY5 + 0 != ATRAJ_TRAJPOLY5)
-#error "A_TRAJPOLY5 differs from the archive beside this header: rebuild it with A_TRAJPOLY5=... make dist, or leave it undefined."
-#endif
+#include "atraj_check.h"
 
 typedef struct a_trajpoly5 a_trajpoly5;
 

@@ -11,24 +11,7 @@
 #define LIBA_TRAJPOLY7_H
 
 #include "a.h"
-
-/*! How many of the coefficient arrays p v a j the struct holds: 1 .. 4. It must be what the archive was built with. */
-#if !defined(A_TRAJPOLY7)
-#if defined(ATRAJ_TRAJPOLY7)
-#define A_TRAJPOLY7 ATRAJ_TRAJPOLY7
-#else
-#define A_TRAJPOLY7 4
-#endif
-#endif
-#if (A_TRAJPOLY7 + 0 < 1) || (A_TRAJPOLY7 + 0 > 4)
-#error "A_TRAJPOLY7 does not exist at this level: define it as 1 .. 4 or leave it undefined."
-#endif
-#if defined(A_TRAJPOLY_COMPACT) && (A_TRAJPOLY7 + 0 != 4)
-#error "The structs of A_TRAJPOLY_COMPACT have no levels: leave A_TRAJPOLY7 undefined."
-#endif
-#if defined(ATRAJ_TRAJPOLY7) && (A_TRAJPOLY7 + 0 != ATRAJ_TRAJPOLY7)
-#error "A_TRAJPOLY7 differs from the archive beside this header: rebuild it with A_TRAJPOLY7=... make dist, or leave it undefined."
-#endif
+#include "atraj_check.h"
 
 typedef struct a_trajpoly7 a_trajpoly7;
 

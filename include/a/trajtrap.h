@@ -10,6 +10,7 @@
 #define LIBA_TRAJTRAP_H
 
 #include "a.h"
+#include "atraj_check.h"
 
 typedef struct a_trajtrap a_trajtrap;
 

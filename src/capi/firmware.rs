@@ -1,11 +1,12 @@
-//! Polynomials for small flash: one copy of each algorithm serves the functions of all degrees.
+//! The polynomials of the structs with levels: on a host a loop for each degree, on small flash one copy for all degrees.
 //!
-//! On a microcontroller a loop costs more than the work that it repeats. Where a unit or its call takes few instructions, all
-//! steps are therefore written out once, from the highest degree down, and each degree enters at its own step.
+//! On a microcontroller a loop costs more than the work that it repeats. Where a unit or a call computes, all steps are therefore
+//! written out once, from the highest degree down, and each degree enters at its own step.
+#![allow(dead_code, reason = "low levels have no derivatives")]
 
-use super::{Number, a_float};
+use super::{Number, a_float, nan};
+use crate::poly::Poly;
 use crate::real::{Operations, processor};
-#[cfg(any(trajpoly3_v, trajpoly5_v, trajpoly7_v))]
 use core::slice;
 
 /// Which of a struct's reals are the coefficients of a polynomial: the first of them and the degree, packed into what one short
@@ -35,8 +36,16 @@ impl Place {
 /// # Safety
 /// `ctx` is NULL or points to a struct that holds these coefficients.
 pub unsafe fn evaluate<const N: usize>(ctx: *const Number, offset: usize, x: a_float) -> a_float {
-    // SAFETY: the contract of this function is the contract of that one.
-    unsafe { evaluate_at(ctx, Place::new(offset, N), x) }
+    if processor::IS_BARE_METAL {
+        // SAFETY: the contract of this function is the contract of that one.
+        return unsafe { evaluate_at(ctx, Place::new(offset, N), x) };
+    }
+    if ctx.is_null() {
+        return nan();
+    }
+    // SAFETY: not NULL, so the coefficients are there by the contract of this function.
+    let c = unsafe { *ctx.byte_add(offset).cast::<[Number; N]>() };
+    Poly { c }.position(x.into()).into()
 }
 
 /// # Safety
@@ -99,16 +108,26 @@ fn horner(c: &[Number], x: Number) -> Number {
 ///
 /// # Safety
 /// `ctx` is NULL or points to a struct that holds both arrays.
-#[cfg(any(trajpoly3_v, trajpoly5_v, trajpoly7_v))]
 pub unsafe fn differentiate<const N: usize, const M: usize>(ctx: *mut Number, offset: usize) {
-    const { assert!(M + 1 == N, "a derivative has one coefficient fewer") };
-    // SAFETY: the contract of this function is the contract of that one.
-    unsafe { differentiate_at(ctx, Place::new(offset, N)) };
+    if processor::IS_BARE_METAL {
+        // SAFETY: the contract of this function is the contract of that one.
+        return unsafe { differentiate_at(ctx, Place::new(offset, N)) };
+    }
+    if ctx.is_null() {
+        return;
+    }
+    // SAFETY: not NULL, so both arrays are there by the contract of this function, and they do not overlap.
+    unsafe {
+        let coefficients = ctx.byte_add(offset).cast::<[Number; N]>();
+        derive(
+            &*coefficients,
+            &mut *coefficients.add(1).cast::<[Number; M]>(),
+        );
+    }
 }
 
 /// # Safety
 /// `ctx` is NULL or points to a struct that holds these coefficients and, behind them, the coefficients of the derivative.
-#[cfg(any(trajpoly3_v, trajpoly5_v, trajpoly7_v))]
 #[inline(never)]
 unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
     if ctx.is_null() {
@@ -124,14 +143,22 @@ unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
             slice::from_raw_parts_mut(derivative, count - 1),
         )
     };
-    derive(coefficients, derivative);
+    write_terms(coefficients, derivative);
 }
 
-/// Writes the coefficients of the derivative of a polynomial with up to eight coefficients. Where their number is known, the steps
-/// of this number are left.
-#[cfg(any(trajpoly3_v, trajpoly5_v, trajpoly7_v))]
+/// Writes the coefficients of the derivative.
+pub fn derive<const N: usize, const M: usize>(c: &[Number; N], derivative: &mut [Number; M]) {
+    if processor::IS_BARE_METAL {
+        write_terms(c, derivative);
+    } else {
+        *derivative = Poly { c: *c }.derivative().c;
+    }
+}
+
+/// Writes the coefficients of the derivative of a polynomial with up to eight coefficients. Where their number is known, only the
+/// steps of this number are left.
 #[inline(always)]
-pub fn derive(coefficients: &[Number], derivative: &mut [Number]) {
+fn write_terms(coefficients: &[Number], derivative: &mut [Number]) {
     let mut term = |power: u8| {
         let k = usize::from(power);
         if let (Some(&c), Some(d)) = (coefficients.get(k), derivative.get_mut(k - 1)) {

@@ -11,6 +11,8 @@
 //! - **NaN and infinities** in arguments and fields go through the arithmetic as in the original; `claraty_trapezoid`
 //!   refuses them.
 //! - **No** function panics, allocates, keeps state or loops without bound; all are reentrant.
+//!
+//! By design, this module clashes with the crate `liba` in one program, because both define the same C functions.
 #![allow(non_camel_case_types)] // C names
 #![allow(clippy::missing_safety_doc)] // the contract above is the safety section of every function
 #![allow(clippy::too_many_arguments)] // the signatures are the original's
@@ -18,8 +20,10 @@
 
 pub mod atraj;
 pub mod claraty;
-#[cfg(all(target_os = "none", not(feature = "poly-compact")))]
+#[cfg(not(feature = "poly-compact"))]
 mod firmware;
+#[cfg(all(atraj_archive, any(target_os = "linux", target_os = "none")))]
+mod identity;
 #[cfg(atraj_archive)]
 mod panic;
 pub mod trajbell;

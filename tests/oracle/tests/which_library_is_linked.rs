@@ -68,6 +68,37 @@ fn the_first_on_the_line_has_the_trajectories_and_nothing_else_is_replaced() {
     }
 }
 
+#[test]
+fn make_identify_shows_that_a_relink_took() {
+    let theirs = directory("relinking-theirs");
+    build(&theirs, &[], &[]);
+    let theirs = theirs.join("liba.a");
+    let ours = DOUBLE.dist().join("lib/libatraj.a");
+    let identify = |line: &[&Path]| {
+        let directory = directory("relinked");
+        let mut relink = Command::new("cc");
+        relink.args(["-O2", "-I"]).arg(include());
+        relink.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/mixed.c"));
+        relink.args(line).arg("-lm").arg("-o");
+        run(relink.arg(directory.join("program")));
+        let mut make = Command::new("make");
+        make.current_dir(root()).args(["-s", "identify"]);
+        let program = directory.join("program");
+        make.arg(format!("FILE={}", program.display()));
+        let Output { stdout, stderr, .. } = make.output().unwrap();
+        [stdout, stderr].map(|text| String::from_utf8(text).unwrap())
+    };
+    let [told, _] = identify(&[&ours, &theirs]);
+    println!("relinked: {told}");
+    assert!(told.starts_with("atraj ") && told.contains(", double, "));
+    // Behind the original the archive is not asked for anything.
+    for line in [&[&*theirs][..], &[&*theirs, &*ours]] {
+        let [told, error] = identify(line);
+        assert_eq!(told, "", "{line:?}");
+        assert!(error.contains("program holds no atraj: "), "{error}");
+    }
+}
+
 /// The original's shared library, with no functions but ours and with types for `abidiff`.
 fn with_types(name: &str, flags: &[&str]) -> PathBuf {
     let directory = directory(name);

@@ -40,7 +40,17 @@ pub const LOW_LEVELS: Variant = Variant {
     choices: &["A_TRAJPOLY3=1", "A_TRAJPOLY5=2", "A_TRAJPOLY7=3"],
     directory: "dist-poly3-level1-poly5-level2-poly7-level3",
 };
-/// Every build that is tested.
+/// Functions under other names, to stand beside liba in one program.
+pub const PREFIXED: Variant = Variant {
+    choices: &["SYMBOL_PREFIX=x_"],
+    directory: "dist-prefix-x_",
+};
+/// Functions under other names, with `float`.
+pub const FLOAT_PREFIXED: Variant = Variant {
+    choices: &["REAL=float", "SYMBOL_PREFIX=x_"],
+    directory: "dist-float-prefix-x_",
+};
+/// Every build that has liba's names, as tested.
 pub const VARIANTS: [&Variant; 5] = [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &LOW_LEVELS];
 
 impl Variant {
@@ -68,6 +78,37 @@ impl Variant {
             "tests/symbols.txt"
         };
         let list = std::fs::read_to_string(root().join(file)).unwrap();
-        list.lines().map(str::to_owned).collect()
+        let mut choices = self.choices.iter();
+        let prefix = choices.find_map(|choice| choice.strip_prefix("SYMBOL_PREFIX="));
+        let prefix = prefix.unwrap_or_default();
+        list.lines().map(|name| format!("{prefix}{name}")).collect()
     }
+}
+
+/// Our headers with the configuration of a build that need not exist, in a directory of their own.
+pub fn headers(size_float: u8, compact: bool, levels: [u8; 3]) -> PathBuf {
+    let dist = DOUBLE.dist();
+    let [poly3, poly5, poly7] = levels;
+    let name = format!("{size_float}-{compact}-{poly3}{poly5}{poly7}");
+    let include = root().join("target/headers").join(name);
+    std::fs::create_dir_all(&include).unwrap();
+    run(Command::new("cp")
+        .arg("-R")
+        .arg(dist.join("include/."))
+        .arg(&include));
+    let config = include.join("a/atraj_config.h");
+    let mut text = std::fs::read_to_string(&config).unwrap();
+    for (field, built, wanted) in [
+        ("SIZE_FLOAT", 8, size_float),
+        ("TRAJPOLY_COMPACT", 0, u8::from(compact)),
+        ("TRAJPOLY3", 3, poly3),
+        ("TRAJPOLY5", 3, poly5),
+        ("TRAJPOLY7", 4, poly7),
+    ] {
+        let line = |value| format!("#define ATRAJ_{field} {value}\n");
+        assert!(text.contains(&line(built)), "{field} in {text}");
+        text = text.replace(&line(built), &line(wanted));
+    }
+    std::fs::write(config, text).unwrap();
+    include
 }

@@ -57,7 +57,7 @@ pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_floa
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     let poly = unsafe { ctx.cast::<Poly3<Number>>().as_ref() };
     // SAFETY: `c0` is NULL or has room for 4 by the contract of this module.
-    unsafe { copy_out::<4>(poly.map(|poly| *poly), c0) };
+    unsafe { copy_out::<4>(poly.copied(), c0) };
 }
 
 /// @brief Copy the coefficients of velocity out.

@@ -61,7 +61,7 @@ pub unsafe extern "C" fn a_trajpoly5_c0(ctx: *const a_trajpoly5, c0: *mut a_floa
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     let poly = unsafe { ctx.cast::<Poly5<Number>>().as_ref() };
     // SAFETY: `c0` is NULL or has room for 6 by the contract of this module.
-    unsafe { copy_out::<6>(poly.map(|poly| *poly), c0) };
+    unsafe { copy_out::<6>(poly.copied(), c0) };
 }
 
 /// @brief Copy the coefficients of velocity out.

@@ -1,8 +1,8 @@
 //! `a/trajpoly3.h`: the cubic polynomial in the struct of liba 0.1.15, which stores its derivatives up to a level.
 
-use super::evaluate;
+use crate::capi::firmware::evaluate;
 #[cfg(trajpoly3_v)]
-use super::{derive, differentiate};
+use crate::capi::firmware::{derive, differentiate};
 use crate::capi::{Number, a_float, boundary};
 use crate::poly::{Poly, Poly3};
 use crate::real::Operations;
@@ -114,15 +114,13 @@ unsafe fn plan(
         return;
     };
     position.plan(ts.into(), boundary(p0, p1, v0, v1));
-    // SAFETY: not NULL, so valid by the contract of this function; `position` is not used any more.
-    let poly = unsafe { &mut *ctx };
     if all {
         #[cfg(trajpoly3_v)]
-        {
+        // SAFETY: not NULL, so valid by the contract of this function; `position` is not used any more.
+        unsafe {
+            let poly = &mut *ctx;
             derive(&poly.p, &mut poly.v);
-        }
-        #[cfg(trajpoly3_a)]
-        {
+            #[cfg(trajpoly3_a)]
             derive(&poly.v, &mut poly.a);
         }
     }

@@ -1,8 +1,8 @@
 //! `a/trajpoly7.h`: the septic polynomial in the struct of liba 0.1.15, which stores its derivatives up to a level.
 
 #[cfg(trajpoly7_v)]
-use super::differentiate;
-use super::evaluate;
+use crate::capi::firmware::differentiate;
+use crate::capi::firmware::evaluate;
 use crate::capi::{Number, a_float, boundary};
 use crate::poly::{Poly, Poly7};
 use core::mem::offset_of;
