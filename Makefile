@@ -10,14 +10,14 @@
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
-#   make doc                    writes the references for C and for Rust, in target/doc
-#   make check                  runs everything that proves the library
+#   make doc                    writes the references for C and for Rust: target/doc/index.html
+#   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
 #   make bench                  measures times and instructions beside the original's: docs/performance.md
 #   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                               `make instructions-update` rewrites tests/instructions.txt
 #   make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family
-#   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian
+#   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian; needs root
 #   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
 #   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
 #
@@ -70,7 +70,7 @@ dist: $(filter %.json,$(CARGO_TARGET))
 	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
 	    --message-format=json-render-diagnostics -- \
 	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -rf $(DIST)/lib $(DIST)/include
+	rm -rf $(DIST)/lib $(DIST)/include $(DIST)/share
 	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
@@ -97,19 +97,21 @@ endif
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
 	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
 	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
+	mkdir -p $(DIST)/share/doc/atraj
+	cp LICENSE-* $(DIST)/share/doc/atraj/
 
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
 $(DIST)/lib/libatraj.a:
 	$(MAKE) dist
 
 install: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include -type d -exec install -d "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share -type d -exec install -d "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
 
 uninstall: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include ! -type d -exec rm -f "$(INSTALLED)/{}" \;
-	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
+	cd $(DIST) && find lib include share ! -type d -exec rm -f "$(INSTALLED)/{}" \;
+	cd $(DIST) && find include/* lib/cmake/* share/doc/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:
@@ -124,6 +126,7 @@ consumers:
 doc: dist
 	$(CARGO) doc --no-deps --features capi
 	doxygen
+	cp docs/reference/index.html target/doc/
 
 DEMO := target/demo
 

@@ -10,6 +10,7 @@
 //! Other lines are ignored.
 
 use plotters::coord::Shift;
+use plotters::data::float::FloatPrettyPrinter;
 use plotters::prelude::*;
 use std::collections::HashSet;
 use std::error::Error;
@@ -206,7 +207,8 @@ impl Move {
             )
             .build_cartesian_2d(times, values.clone())?;
 
-        for (phase, name) in &self.phases {
+        let phases = self.painted_phases();
+        for (phase, name) in &phases {
             let corners = [(phase.start, values.start), (phase.end, values.end)];
             chart.draw_series([Rectangle::new(corners, shade(name).filled())])?;
         }
@@ -220,10 +222,11 @@ impl Move {
             .axis_desc_style(("sans-serif", TEXT).into_font().color(&INK))
             .set_all_tick_mark_size(GAP)
             .y_labels(5)
+            .y_label_formatter(&|value| label(*value, &values))
             .x_desc("time [s]")
             .y_desc(format!("{name} [{unit}]"))
             .draw()?;
-        for (phase, _) in &self.phases {
+        for (phase, _) in &phases {
             let border = vec![(phase.end, values.start), (phase.end, values.end)];
             chart.draw_series([PathElement::new(border, INK.mix(0.35).stroke_width(BORDER))])?;
         }
@@ -233,7 +236,8 @@ impl Move {
 
     fn draw_legend(&self, area: &Area, quantities: usize) -> Drawn {
         let text = ("sans-serif", LABEL).into_text_style(area).color(&INK);
-        let names = self.phase_names();
+        let phases = self.painted_phases();
+        let names = names(&phases);
         let step = (WIDTH - LEFT - RIGHT) as usize / (quantities + names.len());
         let swatch = |place: usize| {
             let x = (LEFT as usize + place * step) as i32;
@@ -263,15 +267,78 @@ impl Move {
         Ok(())
     }
 
-    fn phase_names(&self) -> Vec<&str> {
-        let mut names: Vec<&str> = Vec::new();
-        for (_, name) in &self.phases {
-            if !names.contains(&name.as_str()) {
-                names.push(name);
+    /// The phases to paint. A plan calls its first phase "accelerate", also if the axis brakes there before it turns round.
+    /// A picture cuts such a phase where the axis turns round, and names each piece for what the axis does.
+    fn painted_phases(&self) -> Vec<(Range<f64>, &str)> {
+        let mut painted = Vec::new();
+        for (phase, name) in &self.phases {
+            if !["accelerate", "decelerate"].contains(&name.as_str()) {
+                painted.push((phase.clone(), name.as_str()));
+                continue;
+            }
+            let mut start = phase.start;
+            for end in self.reversal(phase).into_iter().chain([phase.end]) {
+                let gained = self.speed(end) - self.speed(start);
+                let name = if gained > 0.0 {
+                    "accelerate"
+                } else if gained < 0.0 {
+                    "decelerate"
+                } else {
+                    name
+                };
+                painted.push((start..end, name));
+                start = end;
             }
         }
-        names
+        painted
     }
+
+    /// When the axis turns round in `phase`.
+    fn reversal(&self, phase: &Range<f64>) -> Option<f64> {
+        let within =
+            |point: &&Vec<f64>| (phase.start..=phase.end).contains(&point[0]) && point.len() > 2;
+        let points: Vec<_> = self.points.iter().filter(within).collect();
+        let turn = points.windows(2).find(|pair| pair[0][2] * pair[1][2] < 0.0);
+        let rest = points
+            .windows(3)
+            .find(|three| three[1][2] == 0.0 && three[0][2] * three[2][2] < 0.0);
+        turn.map(|pair| pair[1][0])
+            .or(rest.map(|three| three[1][0]))
+    }
+
+    /// The speed at the setpoint that is nearest to `time`.
+    fn speed(&self, time: f64) -> f64 {
+        let distance = |point: &Vec<f64>| (point[0] - time).abs();
+        let nearest = self
+            .points
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        nearest
+            .and_then(|point| point.get(2))
+            .map_or(0.0, |v| v.abs())
+    }
+}
+
+/// Each name once, in the order of the phases.
+fn names<'a>(phases: &[(Range<f64>, &'a str)]) -> Vec<&'a str> {
+    let mut names = Vec::new();
+    for (_, name) in phases {
+        if !names.contains(name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// The text beside a tick. A tick at zero may be off by a rounding or carry a sign; its text is "0.0".
+fn label(value: f64, axis: &Range<f64>) -> String {
+    let negligible = value.abs() < 1e-6 * (axis.end - axis.start);
+    let printer = FloatPrettyPrinter {
+        allow_scientific: false,
+        min_decimal: 1,
+        max_decimal: 5,
+    };
+    printer.print(if negligible { 0.0 } else { value })
 }
 
 fn shade(phase: &str) -> RGBColor {

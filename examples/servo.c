@@ -8,7 +8,8 @@
      trap  vm ac de p0 p1 v0 v1          plan a trapezoid
      poly7 ts p0 p1 v0 v1 a0 a1 j0 j1    plan a septic polynomial
      at x                                print one setpoint of the last plan, x seconds after its start
-     every dt                            print its setpoints from start to end, dt seconds apart
+     every dt                            print its setpoints from start to end, dt seconds apart, and one on each side of
+                                         every border of a phase, where the jerk or the acceleration jumps
  The answer has these lines. Numbers have so many digits that reading them gives the same bits.
      move TITLE
      plan ...                            the planner's result and struct, in the order of the struct
@@ -24,10 +25,14 @@
 #include <string.h>
 
 #define MAX_SETPOINTS 1e6
+#define MAX_PHASES 7
+#define BESIDE 1e-9 /* how far a setpoint is from a border, in durations of the move */
 
 struct axis {
     enum { IDLE, BELL, TRAP, POLY7 } profile;
     a_float t; /* duration, s */
+    a_float border[MAX_PHASES]; /* the ends of the phases, s */
+    a_size borders;
     union {
         a_trajbell bell;
         a_trajtrap trap;
@@ -41,9 +46,11 @@ static void print(char const *what, a_float const *value, a_size count)
     for (a_size i = 0; i != count; ++i) { printf(" %.17g", (double)value[i]); }
 }
 
-static void print_phase(a_float from, a_float to, char const *name)
+static void print_phase(struct axis *axis, a_float from, a_float to, char const *name)
 {
-    if (from < to) { printf("phase %.17g %.17g %s\n", (double)from, (double)to, name); }
+    if (!(from < to)) { return; }
+    axis->border[axis->borders++] = to;
+    printf("phase %.17g %.17g %s\n", (double)from, (double)to, name);
 }
 
 static void plan_bell(struct axis *axis, a_float const *n)
@@ -54,13 +61,13 @@ static void plan_bell(struct axis *axis, a_float const *n)
                             b->v0, b->v1, b->vm, b->jm, b->am, b->dm};
     print("plan", plan, A_LEN(plan));
     putchar('\n');
-    print_phase(0, b->taj, "accelerate");
-    print_phase(b->taj, b->ta - b->taj, "accelerate");
-    print_phase(b->ta - b->taj, b->ta, "accelerate");
-    print_phase(b->ta, b->t - b->td, "cruise");
-    print_phase(b->t - b->td, b->t - b->td + b->tdj, "decelerate");
-    print_phase(b->t - b->td + b->tdj, b->t - b->tdj, "decelerate");
-    print_phase(b->t - b->tdj, b->t, "decelerate");
+    print_phase(axis, 0, b->taj, "accelerate");
+    print_phase(axis, b->taj, b->ta - b->taj, "accelerate");
+    print_phase(axis, b->ta - b->taj, b->ta, "accelerate");
+    print_phase(axis, b->ta, b->t - b->td, "cruise");
+    print_phase(axis, b->t - b->td, b->t - b->td + b->tdj, "decelerate");
+    print_phase(axis, b->t - b->td + b->tdj, b->t - b->tdj, "decelerate");
+    print_phase(axis, b->t - b->tdj, b->t, "decelerate");
 }
 
 static void plan_trap(struct axis *axis, a_float const *n)
@@ -71,9 +78,9 @@ static void plan_trap(struct axis *axis, a_float const *n)
                             c->pa, c->pd, c->ac, c->de};
     print("plan", plan, A_LEN(plan));
     putchar('\n');
-    print_phase(0, c->ta, "accelerate");
-    print_phase(c->ta, c->td, "cruise");
-    print_phase(c->td, c->t, "decelerate");
+    print_phase(axis, 0, c->ta, "accelerate");
+    print_phase(axis, c->ta, c->td, "cruise");
+    print_phase(axis, c->td, c->t, "decelerate");
 }
 
 static void plan_poly7(struct axis *axis, a_float const *n)
@@ -86,7 +93,7 @@ static void plan_poly7(struct axis *axis, a_float const *n)
     print("", c->a, A_LEN(c->a));
     print("", c->j, A_LEN(c->j));
     putchar('\n');
-    print_phase(0, axis->t, "polynomial");
+    print_phase(axis, 0, axis->t, "polynomial");
 }
 
 static void print_setpoint(struct axis const *axis, a_float x)
@@ -122,7 +129,22 @@ static void print_setpoint(struct axis const *axis, a_float x)
 static int print_setpoints(struct axis const *axis, a_float dt)
 {
     if (!(dt > 0 && axis->t > 0 && axis->t / dt < MAX_SETPOINTS)) { return 0; }
-    for (long i = 0; (a_float)i * dt < axis->t; ++i) { print_setpoint(axis, (a_float)i * dt); }
+    a_float const beside = axis->t * (a_float)BESIDE;
+    a_float last = -1;
+    a_size next = 0;
+    for (long i = 0; (a_float)i * dt < axis->t - beside; ++i) {
+        a_float const x = (a_float)i * dt;
+        for (; next != axis->borders && axis->border[next] - beside <= x; ++next) {
+            print_setpoint(axis, axis->border[next] - beside);
+            print_setpoint(axis, last = axis->border[next] + beside);
+        }
+        if (last < x) { print_setpoint(axis, x); }
+    }
+    for (; next + 1 < axis->borders; ++next) {
+        print_setpoint(axis, axis->border[next] - beside);
+        print_setpoint(axis, axis->border[next] + beside);
+    }
+    print_setpoint(axis, axis->t - beside);
     print_setpoint(axis, axis->t);
     return 1;
 }

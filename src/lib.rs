@@ -1,7 +1,7 @@
 //! Motion profiles for one axis, with the bits of the C library liba.
 //!
-//! A motion profile says where an axis shall be at every instant of a move, so that a drive can follow without being
-//! asked for more than it can do. Plan once, then read off the set-point in every control cycle:
+//! A motion profile gives the setpoint of an axis for every instant of a move, within limits that the drive can keep. Plan a
+//! move once. Then evaluate it in every control cycle:
 //!
 //! ```
 //! use atraj::{Bell, Boundary};
@@ -17,43 +17,43 @@
 //! assert_eq!(axis.position(x), 10.0);
 //! ```
 //!
-//! Positions, velocities, accelerations and jerks are in any consistent unit (m, m/s, m/s², m/s³; rad, …), times in
-//! seconds from the start of the move. `f64` and `f32` are supported; every operation is rounded once, in the order of
-//! the original, so that results equal the C library's to the last bit. Nothing here allocates, panics or keeps state.
+//! Use any consistent unit of length or angle (m, m/s, m/s², m/s³; rad, …). Times are in seconds from the start of the move. The
+//! profiles compute in `f64` or `f32`. Every operation rounds once, in the order of the original, so the results equal the C
+//! library's to the last bit. Nothing here allocates, panics or keeps state.
 //!
 //! # Which profile
 //!
 //! | profile | what it limits | use it when |
 //! |---|---|---|
-//! | [`Bell`] | jerk, acceleration, velocity | the load must not be shaken: double-S, seven phases |
-//! | [`Trap`] | acceleration, velocity | the shortest move counts and the mechanics take the jerk |
-//! | [`Poly3`], [`Poly5`], [`Poly7`] | nothing; the duration is given | the ends of a move are prescribed up to velocity, acceleration or jerk |
-//! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the motion must stop at once |
+//! | [`Bell`] | jerk, acceleration, velocity | a load must not shake: double-S, seven phases |
+//! | [`Trap`] | acceleration, velocity | the shortest move counts, and the mechanics bear the jerk |
+//! | [`Poly3`], [`Poly5`], [`Poly7`] | nothing: the duration is given | a move must take a given time, with given derivatives at its ends |
+//! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!
 //! ## Double-S: [`Bell`]
 //!
-//! Acceleration rises and falls in ramps of constant jerk, so nothing jumps but the jerk. The gentlest of the limited
-//! profiles, and the choice for anything that can swing, spill or resonate.
+//! Acceleration rises and falls in ramps of constant jerk, so only the jerk jumps. The double-S is the gentlest of the limited
+//! profiles. Choose it for a load that can swing, spill or resonate.
 //!
 #![doc = include_str!("../docs/img/double-s-with-cruise.svg")]
 //!
 //! ## Trapezoid: [`Trap`]
 //!
-//! Full acceleration, cruise, full deceleration. No profile within the same velocity and acceleration is faster, but the
-//! acceleration jumps at every border.
+//! The axis accelerates fully, cruises and decelerates fully. No profile within the same limits of velocity and acceleration is
+//! faster, but the acceleration jumps at every border of a phase.
 //!
 #![doc = include_str!("../docs/img/trapezoid-with-cruise.svg")]
 //!
 //! ## Polynomials: [`Poly3`], [`Poly5`], [`Poly7`]
 //!
-//! The move takes exactly the time that is asked for, which keeps several axes in step. A cubic meets position and
-//! velocity at both ends, a quintic also acceleration, a septic also jerk. What happens between the ends is not limited.
+//! The move takes exactly the given time, so several axes stay in step. A cubic meets position and velocity at both ends. A quintic
+//! also meets acceleration, and a septic also jerk. Nothing limits the motion between the ends.
 //!
 #![doc = include_str!("../docs/img/septic-polynomial.svg")]
 //!
 //! # Features
 //!
-//! The core needs none; `std` alone is on by default. The crate is `no_std` with every one of them.
+//! The core needs no feature; `std` alone is on by default. The crate is `no_std` with every feature.
 //!
 //! | feature | adds |
 //! |---|---|

@@ -49,7 +49,8 @@ staged_install() {
 complete() {
     cd "$prefix"
     for file in lib/libatraj.a lib/pkgconfig/atraj.pc lib/cmake/atraj/atraj-config.cmake \
-        lib/cmake/atraj/atraj-config-version.cmake include/a/atraj_config.h $(cd "$root" && find include -type f); do
+        lib/cmake/atraj/atraj-config-version.cmake include/a/atraj_config.h $(cd "$root" && find include -type f) \
+        share/doc/atraj/LICENSE-MIT share/doc/atraj/LICENSE-APACHE; do
         test -f "$file"
     done
     test "$(readlink lib/libatraj.so)" = libatraj.so.0
@@ -217,8 +218,8 @@ cargo_package() {
     test -z "$(grep warning said | grep -vE 'ignoring (test|example|benchmark) .* is not included in the published package')"
     test "$(wc -c < "target/package/atraj-$version.crate")" -lt 500000
     tar tzf "target/package/atraj-$version.crate" | sed "s|^atraj-$version/||" > files
-    grep -x src/lib.rs files
-    test -z "$(grep -vE '^(src|include|examples|docs/img)/|^(build\.rs|[A-Z]+\.md|LICENSE-[A-Z]+.*|Cargo\..*|\.cargo_vcs_info\.json)$' files)"
+    for file in src/lib.rs LICENSE-MIT LICENSE-APACHE; do grep -x $file files; done
+    test -z "$(grep -vE '^(src|include|examples|docs)/|^(build\.rs|[A-Z]+\.md|LICENSE-[A-Z]+.*|Cargo\..*|\.cargo_vcs_info\.json)$' files)"
 }
 
 cargo_c() {

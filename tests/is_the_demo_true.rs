@@ -155,6 +155,85 @@ fn pictures_in_the_documentation_are_fresh() {
 }
 
 #[test]
+fn no_label_is_minus_zero() {
+    // From -0.1 to 0.2, so a tick lies at zero.
+    let drawn = draw("zero", "move zero\nat 0 -0.1 -1\nat 1 0.2 2\n");
+    for svg in demo_pictures().into_iter().chain([drawn]) {
+        let labels = svg.lines().filter(|line| !line.starts_with('<'));
+        let zeros: Vec<_> = labels.filter(|text| text.parse() == Ok(0.0)).collect();
+        assert!(!zeros.is_empty());
+        assert!(zeros.iter().all(|text| !text.starts_with('-')), "{zeros:?}");
+    }
+}
+
+#[test]
+fn jerk_steps_are_vertical() {
+    let double_s = fs::read_to_string(demo_dir().join("double-s-with-cruise.svg")).unwrap();
+    let jerk = double_s.lines().find(|line| {
+        line.starts_with("<polyline") && line.contains("#8C2882") && line.len() > 1000
+    });
+    let (_, points) = jerk.unwrap().split_once("points=\"").unwrap();
+    let (points, _) = points.split_once('"').unwrap();
+    let points: Vec<(i32, i32)> = points
+        .split_whitespace()
+        .map(|point| {
+            let (x, y) = point.split_once(',').unwrap();
+            (x.parse().unwrap(), y.parse().unwrap())
+        })
+        .collect();
+    let steps: Vec<_> = points.windows(2).filter(|p| p[0].1 != p[1].1).collect();
+    // Seven phases have six borders between them.
+    assert_eq!(steps.len(), 6, "{steps:?}");
+    assert!(steps.iter().all(|p| p[0].0 == p[1].0), "{steps:?}");
+}
+
+#[test]
+fn braking_before_a_reversal_is_not_painted_as_acceleration() {
+    let reversal = "move back\nphase 0 2 accelerate\nat 0 0 1 -1\nat 1 0.5 0 -1\nat 2 0 -1 -1\n";
+    let svg = draw("back", reversal);
+    let painted = |color| -> Vec<(i32, i32)> {
+        let rectangles = svg
+            .lines()
+            .filter(|line| line.starts_with("<rect") && line.contains(color));
+        let number = |line: &str, name: &str| -> i32 {
+            let (_, rest) = line.split_once(&format!(" {name}=\"")).unwrap();
+            rest.split_once('"').unwrap().0.parse().unwrap()
+        };
+        rectangles
+            .map(|line| (number(line, "x"), number(line, "x") + number(line, "width")))
+            .collect()
+    };
+    // Three panels and the legend.
+    let (brakes, speeds_up) = (painted("#FCE6DE"), painted("#DEF0E2"));
+    assert_eq!((brakes.len(), speeds_up.len()), (4, 4), "{svg}");
+    for (before, after) in brakes.iter().zip(&speeds_up).take(3) {
+        assert!(before.0 < before.1 && before.1 <= after.0 && after.0 < after.1);
+    }
+}
+
+fn demo_pictures() -> Vec<String> {
+    let pictures = DEMO.lines().filter(|line| line.ends_with(".svg"));
+    pictures
+        .map(|picture| fs::read_to_string(root().join(picture)).unwrap())
+        .collect()
+}
+
+/// The picture of the one move in `setpoints`, whose title is `name`.
+fn draw(name: &str, setpoints: &str) -> String {
+    let directory = demo_dir().join("drawn");
+    fs::create_dir_all(&directory).unwrap();
+    let input = directory.join(format!("{name}.txt"));
+    fs::write(&input, setpoints).unwrap();
+    let output = example("plot")
+        .arg(&directory)
+        .stdin(fs::File::open(input).unwrap())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", printed(&output));
+    fs::read_to_string(directory.join(format!("{name}.svg"))).unwrap()
+}
+
+#[test]
 fn nothing_to_draw_fails() {
     for input in [
         "",

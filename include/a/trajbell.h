@@ -2,8 +2,8 @@
 /*!
  @file trajbell.h
  @brief bell-shaped (double-S) velocity trajectory
- @details Limited jerk, acceleration and velocity; Biagotti & Melchiorri, Trajectory Planning for Automatic Machines and
- Robots, section 3.4. Any consistent unit of length or angle; times in seconds from the start of the move.
+ @details Jerk, acceleration and velocity are limited: Biagotti & Melchiorri, Trajectory Planning for Automatic Machines and
+ Robots, section 3.4. Use any consistent unit of length or angle. Times are in seconds from the start of the move.
 */
 
 #ifndef LIBA_TRAJBELL_H
@@ -21,10 +21,12 @@ extern "C" {
 /**
  * @brief Plan a bell-shaped velocity trajectory.
  *
- * With room to cruise, `D = vm - v0` is reached with `taj = am/jm`, `ta = taj + D/am`, or, where `D*jm < am^2`, with
- * `taj = sqrt(D/jm)`, `ta = 2*taj`; the same backwards from `v1`; `tv = (p1-p0)/vm - ta/2*(1+v0/vm) - td/2*(1+v1/vm)`.
- * Without, the acceleration is halved down to the highest one whose ramps fit into the distance.
- * @param ctx points to an instance of bell-shaped velocity trajectory, which need not be initialised
+ * If there is room to cruise, the velocity rises by `D = vm - v0`. If `D*jm < am^2`, the rise has `taj = sqrt(D/jm)` and
+ * `ta = 2*taj`; otherwise it has `taj = am/jm` and `ta = taj + D/am`. The fall from `vm` to `v1` has the mirrored form. The cruise
+ * lasts `tv = (p1-p0)/vm - ta/2*(1+v0/vm) - td/2*(1+v1/vm)`.
+ *
+ * If there is no room to cruise, a search by halved steps finds the highest acceleration whose ramps fit into the distance.
+ * @param ctx points to an instance of bell-shaped velocity trajectory; the instance may be uninitialised
  * @param jm maximum jerk, unit/s^3; its sign is ignored
  * @param am maximum acceleration, unit/s^2; its sign is ignored
  * @param vm maximum velocity, unit/s; its sign is ignored
@@ -87,8 +89,8 @@ typedef struct a_trajbell trajbell;
 /**
  * @brief Bell-shaped (double-S) velocity trajectory.
  *
- * Jerk, acceleration and velocity are limited. For a move towards smaller positions (`p0 > p1`) the velocities,
- * accelerations and jerks stored here are those of the mirrored axis; `v0` and `v1` are always the caller's.
+ * Jerk, acceleration and velocity are limited. A move towards smaller positions (`p0 > p1`) is planned on the mirrored axis, and
+ * `vm`, `jm`, `am` and `dm` belong to the mirrored axis. `v0` and `v1` belong to the caller's axis in every move.
  */
 struct a_trajbell {
     /**
@@ -96,23 +98,23 @@ struct a_trajbell {
      */
     a_float t;
     /**
-     * constant velocity phase, s
+     * duration of the phase of constant velocity, s
      */
     a_float tv;
     /**
-     * acceleration phase, s
+     * duration of the acceleration phase, s
      */
     a_float ta;
     /**
-     * deceleration phase, s
+     * duration of the deceleration phase, s
      */
     a_float td;
     /**
-     * time-interval in which the jerk is constant (j max or j min) during the acceleration phase, s
+     * duration of each of the two intervals of constant jerk in the acceleration phase, s
      */
     a_float taj;
     /**
-     * time-interval in which the jerk is constant (j max or j min) during the deceleration phase, s
+     * duration of each of the two intervals of constant jerk in the deceleration phase, s
      */
     a_float tdj;
     /**
@@ -132,7 +134,7 @@ struct a_trajbell {
      */
     a_float v1;
     /**
-     * highest velocity reached
+     * highest velocity that the move reaches
      */
     a_float vm;
     /**
@@ -140,11 +142,11 @@ struct a_trajbell {
      */
     a_float jm;
     /**
-     * highest acceleration reached
+     * highest acceleration that the move reaches
      */
     a_float am;
     /**
-     * highest deceleration reached, negative
+     * highest deceleration that the move reaches, negative
      */
     a_float dm;
 #if defined(__cplusplus)

@@ -2,9 +2,9 @@
 /*!
  @file trajpoly3.h
  @brief cubic polynomial trajectory
- @details Prescribed position and velocity at both ends of a move of prescribed duration; Biagotti & Melchiorri,
- Trajectory Planning for Automatic Machines and Robots, section 2.1. Any consistent unit of length or angle; times in
- seconds from the start of the move.
+ @details The caller prescribes the duration of the move and, at both ends, position and velocity:
+ Biagotti & Melchiorri, Trajectory Planning for Automatic Machines and Robots, section 2.1. Use any consistent unit of length or
+ angle. Times are in seconds from the start of the move.
 */
 
 #ifndef LIBA_TRAJPOLY3_H

@@ -2,8 +2,8 @@
 /*!
  @file trajtrap.h
  @brief trapezoidal velocity trajectory
- @details Limited acceleration and velocity; Biagotti & Melchiorri, Trajectory Planning for Automatic Machines and
- Robots, section 3.2. Any consistent unit of length or angle; times in seconds from the start of the move.
+ @details Acceleration and velocity are limited: Biagotti & Melchiorri, Trajectory Planning for Automatic Machines and
+ Robots, section 3.2. Use any consistent unit of length or angle. Times are in seconds from the start of the move.
 */
 
 #ifndef LIBA_TRAJTRAP_H
@@ -21,13 +21,13 @@ extern "C" {
 /**
  * @brief Plan a trapezoidal velocity trajectory.
  *
- * With `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`, the squared velocity at which both slopes meet, the move
- * cruises at `vm` if `c > vm^2`, else it peaks at `sqrt(c)`, or only speeds up or slows down if the distance is too
- * short to reach `v1`; then `v1` is what is reached.
- * @param ctx points to an instance of trapezoidal velocity trajectory, which need not be initialised
+ * Both slopes meet at the squared velocity `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`. If `c > vm^2`, the move cruises
+ * at `vm`. Otherwise it peaks at `sqrt(c)`. If the distance is too short to reach `v1`, the move only speeds up or only slows down,
+ * and the struct's `v1` is the velocity at its end.
+ * @param ctx points to an instance of trapezoidal velocity trajectory; the instance may be uninitialised
  * @param vm maximum velocity, unit/s; its sign is ignored
- * @param ac acceleration before constant velocity, unit/s^2, signed
- * @param de acceleration after constant velocity, unit/s^2, signed, other than `ac`
+ * @param ac acceleration before constant velocity, unit/s^2, with its sign
+ * @param de acceleration after constant velocity, unit/s^2, with its sign; it must differ from `ac`
  * @param p0 initial position, unit
  * @param p1 final position, unit
  * @param v0 initial velocity, unit/s, limited to -vm .. vm
@@ -79,8 +79,8 @@ typedef struct a_trajtrap trajtrap;
 /**
  * @brief Trapezoidal velocity trajectory.
  *
- * Acceleration and velocity are limited. All values are signed: a deceleration is negative for a forward move, and
- * both rates change sign for a backward one.
+ * Acceleration and velocity are limited. All values are signed. In a forward move the deceleration is negative; in a backward move
+ * the acceleration is negative.
  */
 struct a_trajtrap {
     /**
@@ -100,11 +100,11 @@ struct a_trajtrap {
      */
     a_float v0;
     /**
-     * final velocity, as far as it can be reached
+     * final velocity that the move reaches
      */
     a_float v1;
     /**
-     * constant velocity, or the highest reached
+     * constant velocity; without a cruise, the highest velocity that the move reaches
      */
     a_float vc;
     /**

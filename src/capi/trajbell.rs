@@ -5,21 +5,21 @@ use crate::bell::Bell;
 
 /// @brief Bell-shaped (double-S) velocity trajectory.
 ///
-/// Jerk, acceleration and velocity are limited. For a move towards smaller positions (`p0 > p1`) the velocities,
-/// accelerations and jerks stored here are those of the mirrored axis; `v0` and `v1` are always the caller's.
+/// Jerk, acceleration and velocity are limited. A move towards smaller positions (`p0 > p1`) is planned on the mirrored axis, and
+/// `vm`, `jm`, `am` and `dm` belong to the mirrored axis. `v0` and `v1` belong to the caller's axis in every move.
 #[repr(C)]
 pub struct a_trajbell {
     /// total duration, s
     pub t: a_float,
-    /// constant velocity phase, s
+    /// duration of the phase of constant velocity, s
     pub tv: a_float,
-    /// acceleration phase, s
+    /// duration of the acceleration phase, s
     pub ta: a_float,
-    /// deceleration phase, s
+    /// duration of the deceleration phase, s
     pub td: a_float,
-    /// time-interval in which the jerk is constant (j max or j min) during the acceleration phase, s
+    /// duration of each of the two intervals of constant jerk in the acceleration phase, s
     pub taj: a_float,
-    /// time-interval in which the jerk is constant (j max or j min) during the deceleration phase, s
+    /// duration of each of the two intervals of constant jerk in the deceleration phase, s
     pub tdj: a_float,
     /// initial position
     pub p0: a_float,
@@ -29,23 +29,25 @@ pub struct a_trajbell {
     pub v0: a_float,
     /// final velocity
     pub v1: a_float,
-    /// highest velocity reached
+    /// highest velocity that the move reaches
     pub vm: a_float,
     /// jerk
     pub jm: a_float,
-    /// highest acceleration reached
+    /// highest acceleration that the move reaches
     pub am: a_float,
-    /// highest deceleration reached, negative
+    /// highest deceleration that the move reaches, negative
     pub dm: a_float,
 }
 assert_same_layout!(a_trajbell, Bell<Number>, t tv ta td taj tdj p0 p1 v0 v1 vm jm am dm);
 
 /// @brief Plan a bell-shaped velocity trajectory.
 ///
-/// With room to cruise, `D = vm - v0` is reached with `taj = am/jm`, `ta = taj + D/am`, or, where `D*jm < am^2`, with
-/// `taj = sqrt(D/jm)`, `ta = 2*taj`; the same backwards from `v1`; `tv = (p1-p0)/vm - ta/2*(1+v0/vm) - td/2*(1+v1/vm)`.
-/// Without, the acceleration is halved down to the highest one whose ramps fit into the distance.
-/// @param ctx points to an instance of bell-shaped velocity trajectory, which need not be initialised
+/// If there is room to cruise, the velocity rises by `D = vm - v0`. If `D*jm < am^2`, the rise has `taj = sqrt(D/jm)` and
+/// `ta = 2*taj`; otherwise it has `taj = am/jm` and `ta = taj + D/am`. The fall from `vm` to `v1` has the mirrored form. The cruise
+/// lasts `tv = (p1-p0)/vm - ta/2*(1+v0/vm) - td/2*(1+v1/vm)`.
+///
+/// If there is no room to cruise, a search by halved steps finds the highest acceleration whose ramps fit into the distance.
+/// @param ctx points to an instance of bell-shaped velocity trajectory; the instance may be uninitialised
 /// @param jm maximum jerk, unit/s^3; its sign is ignored
 /// @param am maximum acceleration, unit/s^2; its sign is ignored
 /// @param vm maximum velocity, unit/s; its sign is ignored

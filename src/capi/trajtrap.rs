@@ -5,8 +5,8 @@ use crate::trap::Trap;
 
 /// @brief Trapezoidal velocity trajectory.
 ///
-/// Acceleration and velocity are limited. All values are signed: a deceleration is negative for a forward move, and
-/// both rates change sign for a backward one.
+/// Acceleration and velocity are limited. All values are signed. In a forward move the deceleration is negative; in a backward move
+/// the acceleration is negative.
 #[repr(C)]
 pub struct a_trajtrap {
     /// total duration, s
@@ -17,9 +17,9 @@ pub struct a_trajtrap {
     pub p1: a_float,
     /// initial velocity
     pub v0: a_float,
-    /// final velocity, as far as it can be reached
+    /// final velocity that the move reaches
     pub v1: a_float,
-    /// constant velocity, or the highest reached
+    /// constant velocity; without a cruise, the highest velocity that the move reaches
     pub vc: a_float,
     /// time before constant velocity, s
     pub ta: a_float,
@@ -38,13 +38,13 @@ assert_same_layout!(a_trajtrap, Trap<Number>, t p0 p1 v0 v1 vc ta td pa pd ac de
 
 /// @brief Plan a trapezoidal velocity trajectory.
 ///
-/// With `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`, the squared velocity at which both slopes meet, the move
-/// cruises at `vm` if `c > vm^2`, else it peaks at `sqrt(c)`, or only speeds up or slows down if the distance is too
-/// short to reach `v1`; then `v1` is what is reached.
-/// @param ctx points to an instance of trapezoidal velocity trajectory, which need not be initialised
+/// Both slopes meet at the squared velocity `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`. If `c > vm^2`, the move cruises
+/// at `vm`. Otherwise it peaks at `sqrt(c)`. If the distance is too short to reach `v1`, the move only speeds up or only slows down,
+/// and the struct's `v1` is the velocity at its end.
+/// @param ctx points to an instance of trapezoidal velocity trajectory; the instance may be uninitialised
 /// @param vm maximum velocity, unit/s; its sign is ignored
-/// @param ac acceleration before constant velocity, unit/s^2, signed
-/// @param de acceleration after constant velocity, unit/s^2, signed, other than `ac`
+/// @param ac acceleration before constant velocity, unit/s^2, with its sign
+/// @param de acceleration after constant velocity, unit/s^2, with its sign; it must differ from `ac`
 /// @param p0 initial position, unit
 /// @param p1 final position, unit
 /// @param v0 initial velocity, unit/s, limited to -vm .. vm

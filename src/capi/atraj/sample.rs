@@ -1,4 +1,4 @@
-//! `atraj.h`: a move at many times, or all its quantities at one time, in one call.
+//! `atraj.h`: one call evaluates a move at many times, or all quantities of a move at one time.
 
 use crate::bell::Bell;
 use crate::capi::trajbell::a_trajbell;
@@ -12,16 +12,16 @@ use crate::trap::Trap;
 
 /// @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
 ///
-/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
 /// @param ctx points to a planned instance of bell-shaped velocity trajectory
 /// @param x0 time of sample 0 since the start, s
-/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param dt time from one sample to the next, s; it may be 0 or negative
 /// @param n number of samples
 /// @param pos position, unit: NULL or an array of `n`
 /// @param vel velocity, unit/s: NULL or an array of `n`
 /// @param acc acceleration, unit/s^2: NULL or an array of `n`
 /// @param jer jerk, unit/s^3: NULL or an array of `n`
-/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+/// @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_bell_sample(
     ctx: *const a_trajbell,
@@ -38,21 +38,21 @@ pub unsafe extern "C" fn atraj_bell_sample(
     let Some(bell) = (unsafe { ctx.cast::<Bell<Number>>().as_ref() }) else {
         return 0;
     };
-    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    // SAFETY: each output is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc, jer].map(|output| unsafe { array::<Number>(output.cast(), n) });
     bell.sample_into(x0.into(), dt.into(), outputs);
     n
 }
 
-/// @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time, found together.
+/// @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
 ///
-/// They have the bits of the single functions.
-/// @param ctx points to a planned instance of bell-shaped velocity trajectory; all are NaN if it is NULL
+/// Each quantity has the bits that its single function gives.
+/// @param ctx points to a planned instance of bell-shaped velocity trajectory; if it is NULL, all results are NaN
 /// @param x time since the start, s
-/// @param pos position, unit: NULL or where to write it
-/// @param vel velocity, unit/s: NULL or where to write it
-/// @param acc acceleration, unit/s^2: NULL or where to write it
-/// @param jer jerk, unit/s^3: NULL or where to write it
+/// @param pos position, unit: NULL or the place for the result
+/// @param vel velocity, unit/s: NULL or the place for the result
+/// @param acc acceleration, unit/s^2: NULL or the place for the result
+/// @param jer jerk, unit/s^3: NULL or the place for the result
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_bell_state(
     ctx: *const a_trajbell,
@@ -67,21 +67,21 @@ pub unsafe extern "C" fn atraj_bell_state(
         Some(bell) => bell.state(x.into()).map(Into::into),
         None => [a_float::NAN; 4],
     };
-    // SAFETY: each is NULL or writable by the contract of this module.
+    // SAFETY: each output is NULL or writable by the contract of this module.
     unsafe { write([pos, vel, acc, jer], state) };
 }
 
 /// @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations at evenly spaced times.
 ///
-/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
 /// @param ctx points to a planned instance of trapezoidal velocity trajectory
 /// @param x0 time of sample 0 since the start, s
-/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param dt time from one sample to the next, s; it may be 0 or negative
 /// @param n number of samples
 /// @param pos position, unit: NULL or an array of `n`
 /// @param vel velocity, unit/s: NULL or an array of `n`
 /// @param acc acceleration, unit/s^2: NULL or an array of `n`
-/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+/// @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_trap_sample(
     ctx: *const a_trajtrap,
@@ -97,20 +97,20 @@ pub unsafe extern "C" fn atraj_trap_sample(
     let Some(trap) = (unsafe { ctx.cast::<Trap<Number>>().as_ref() }) else {
         return 0;
     };
-    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    // SAFETY: each output is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc].map(|output| unsafe { array::<Number>(output.cast(), n) });
     trap.sample_into(x0.into(), dt.into(), outputs);
     n
 }
 
-/// @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time, found together.
+/// @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time.
 ///
-/// They have the bits of the single functions.
-/// @param ctx points to a planned instance of trapezoidal velocity trajectory; all are NaN if it is NULL
+/// Each quantity has the bits that its single function gives.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory; if it is NULL, all results are NaN
 /// @param x time since the start, s
-/// @param pos position, unit: NULL or where to write it
-/// @param vel velocity, unit/s: NULL or where to write it
-/// @param acc acceleration, unit/s^2: NULL or where to write it
+/// @param pos position, unit: NULL or the place for the result
+/// @param vel velocity, unit/s: NULL or the place for the result
+/// @param acc acceleration, unit/s^2: NULL or the place for the result
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_trap_state(
     ctx: *const a_trajtrap,
@@ -124,23 +124,23 @@ pub unsafe extern "C" fn atraj_trap_state(
         Some(trap) => trap.state(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
-    // SAFETY: each is NULL or writable by the contract of this module.
+    // SAFETY: each output is NULL or writable by the contract of this module.
     unsafe { write([pos, vel, acc], state) };
 }
 
 /// @brief Sample a cubic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
 ///
-/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
 ///
 /// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of cubic polynomial trajectory
 /// @param x0 time of sample 0 since the start, s
-/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param dt time from one sample to the next, s; it may be 0 or negative
 /// @param n number of samples
 /// @param pos position, unit: NULL or an array of `n`
 /// @param vel velocity, unit/s: NULL or an array of `n`
 /// @param acc acceleration, unit/s^2: NULL or an array of `n`
-/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+/// @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly3_sample(
     ctx: *const a_trajpoly3,
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn atraj_poly3_sample(
     let Some(poly) = (unsafe { ctx.as_ref() }) else {
         return 0;
     };
-    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    // SAFETY: each output is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc].map(|output| unsafe { array(output.cast(), n) });
     let state = poly.state();
     Sweep {
@@ -167,16 +167,16 @@ pub unsafe extern "C" fn atraj_poly3_sample(
     n
 }
 
-/// @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time, found together.
+/// @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time.
 ///
-/// They have the bits of the single functions.
+/// Each quantity has the bits that its single function gives.
 ///
 /// Derivatives above the struct's level are computed from the position coefficients.
-/// @param ctx points to a planned instance of cubic polynomial trajectory; all are NaN if it is NULL
+/// @param ctx points to a planned instance of cubic polynomial trajectory; if it is NULL, all results are NaN
 /// @param x time since the start, s
-/// @param pos position, unit: NULL or where to write it
-/// @param vel velocity, unit/s: NULL or where to write it
-/// @param acc acceleration, unit/s^2: NULL or where to write it
+/// @param pos position, unit: NULL or the place for the result
+/// @param vel velocity, unit/s: NULL or the place for the result
+/// @param acc acceleration, unit/s^2: NULL or the place for the result
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly3_state(
     ctx: *const a_trajpoly3,
@@ -190,23 +190,23 @@ pub unsafe extern "C" fn atraj_poly3_state(
         Some(poly) => poly.state()(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
-    // SAFETY: each is NULL or writable by the contract of this module.
+    // SAFETY: each output is NULL or writable by the contract of this module.
     unsafe { write([pos, vel, acc], state) };
 }
 
 /// @brief Sample a quintic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
 ///
-/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
 ///
 /// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of quintic polynomial trajectory
 /// @param x0 time of sample 0 since the start, s
-/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param dt time from one sample to the next, s; it may be 0 or negative
 /// @param n number of samples
 /// @param pos position, unit: NULL or an array of `n`
 /// @param vel velocity, unit/s: NULL or an array of `n`
 /// @param acc acceleration, unit/s^2: NULL or an array of `n`
-/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+/// @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly5_sample(
     ctx: *const a_trajpoly5,
@@ -222,7 +222,7 @@ pub unsafe extern "C" fn atraj_poly5_sample(
     let Some(poly) = (unsafe { ctx.as_ref() }) else {
         return 0;
     };
-    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    // SAFETY: each output is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc].map(|output| unsafe { array(output.cast(), n) });
     let state = poly.state();
     Sweep {
@@ -233,16 +233,16 @@ pub unsafe extern "C" fn atraj_poly5_sample(
     n
 }
 
-/// @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time, found together.
+/// @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time.
 ///
-/// They have the bits of the single functions.
+/// Each quantity has the bits that its single function gives.
 ///
 /// Derivatives above the struct's level are computed from the position coefficients.
-/// @param ctx points to a planned instance of quintic polynomial trajectory; all are NaN if it is NULL
+/// @param ctx points to a planned instance of quintic polynomial trajectory; if it is NULL, all results are NaN
 /// @param x time since the start, s
-/// @param pos position, unit: NULL or where to write it
-/// @param vel velocity, unit/s: NULL or where to write it
-/// @param acc acceleration, unit/s^2: NULL or where to write it
+/// @param pos position, unit: NULL or the place for the result
+/// @param vel velocity, unit/s: NULL or the place for the result
+/// @param acc acceleration, unit/s^2: NULL or the place for the result
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly5_state(
     ctx: *const a_trajpoly5,
@@ -256,24 +256,24 @@ pub unsafe extern "C" fn atraj_poly5_state(
         Some(poly) => poly.state()(x.into()).map(Into::into),
         None => [a_float::NAN; 3],
     };
-    // SAFETY: each is NULL or writable by the contract of this module.
+    // SAFETY: each output is NULL or writable by the contract of this module.
     unsafe { write([pos, vel, acc], state) };
 }
 
 /// @brief Sample a septic polynomial trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
 ///
-/// Sample `k` is taken at `x0 + k*dt` and has the bits of the single functions at that time.
+/// Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
 ///
 /// Derivatives above the struct's level are computed from the position coefficients.
 /// @param ctx points to a planned instance of septic polynomial trajectory
 /// @param x0 time of sample 0 since the start, s
-/// @param dt from one sample to the next, s; may be 0 or negative
+/// @param dt time from one sample to the next, s; it may be 0 or negative
 /// @param n number of samples
 /// @param pos position, unit: NULL or an array of `n`
 /// @param vel velocity, unit/s: NULL or an array of `n`
 /// @param acc acceleration, unit/s^2: NULL or an array of `n`
 /// @param jer jerk, unit/s^3: NULL or an array of `n`
-/// @return number of samples written: `n`, at most 2147483647; 0 if `ctx` is NULL
+/// @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly7_sample(
     ctx: *const a_trajpoly7,
@@ -290,7 +290,7 @@ pub unsafe extern "C" fn atraj_poly7_sample(
     let Some(poly) = (unsafe { ctx.as_ref() }) else {
         return 0;
     };
-    // SAFETY: each is NULL or has room for `n` values by the contract of this module.
+    // SAFETY: each output is NULL or has room for `n` values by the contract of this module.
     let outputs = [pos, vel, acc, jer].map(|output| unsafe { array(output.cast(), n) });
     let state = poly.state();
     Sweep {
@@ -301,17 +301,17 @@ pub unsafe extern "C" fn atraj_poly7_sample(
     n
 }
 
-/// @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time, found together.
+/// @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time.
 ///
-/// They have the bits of the single functions.
+/// Each quantity has the bits that its single function gives.
 ///
 /// Derivatives above the struct's level are computed from the position coefficients.
-/// @param ctx points to a planned instance of septic polynomial trajectory; all are NaN if it is NULL
+/// @param ctx points to a planned instance of septic polynomial trajectory; if it is NULL, all results are NaN
 /// @param x time since the start, s
-/// @param pos position, unit: NULL or where to write it
-/// @param vel velocity, unit/s: NULL or where to write it
-/// @param acc acceleration, unit/s^2: NULL or where to write it
-/// @param jer jerk, unit/s^3: NULL or where to write it
+/// @param pos position, unit: NULL or the place for the result
+/// @param vel velocity, unit/s: NULL or the place for the result
+/// @param acc acceleration, unit/s^2: NULL or the place for the result
+/// @param jer jerk, unit/s^3: NULL or the place for the result
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly7_state(
     ctx: *const a_trajpoly7,
@@ -326,14 +326,14 @@ pub unsafe extern "C" fn atraj_poly7_state(
         Some(poly) => poly.state()(x.into()).map(Into::into),
         None => [a_float::NAN; 4],
     };
-    // SAFETY: each is NULL or writable by the contract of this module.
+    // SAFETY: each output is NULL or writable by the contract of this module.
     unsafe { write([pos, vel, acc, jer], state) };
 }
 
-/// The `n` values at `output`, none if it is NULL.
+/// The `n` values at `output`. A NULL output has no values.
 ///
 /// # Safety
-/// `output` is NULL or has room for `n` values that nobody else uses.
+/// `output` is NULL, or has room for `n` values that nobody else uses.
 unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
     if output.is_null() {
         return &mut [];
@@ -342,7 +342,7 @@ unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
     unsafe { core::slice::from_raw_parts_mut(output, n) }
 }
 
-/// Writes each value where its output points to, unless that is NULL.
+/// Writes each value to its output. A NULL output gets nothing.
 ///
 /// # Safety
 /// Each output is NULL or writable.

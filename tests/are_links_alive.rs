@@ -1,0 +1,126 @@
+//! Does every link in the documents lead somewhere, in the repository and in the packaged crate?
+
+use std::collections::HashSet;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+use std::process::Command;
+use support::repository::root;
+use support::tools::lines;
+
+/// A link of a document that is no address: the file it names and the heading in it.
+struct Link {
+    document: PathBuf,
+    file: PathBuf,
+    heading: String,
+}
+
+/// The documents: in the root and in `docs`.
+fn documents() -> Vec<PathBuf> {
+    let mut documents = Vec::new();
+    for directory in ["", "docs"] {
+        for entry in fs::read_dir(root().join(directory)).unwrap() {
+            let path = Path::new(directory).join(entry.unwrap().file_name());
+            if path.extension().is_some_and(|e| e == "md") {
+                documents.push(path);
+            }
+        }
+    }
+    assert!(documents.len() > 5);
+    documents
+}
+
+fn links(document: &Path) -> Vec<Link> {
+    let text = fs::read_to_string(root().join(document)).unwrap();
+    let prose: String = text.split("```").step_by(2).collect();
+    let targets = prose
+        .split("](")
+        .skip(1)
+        .map(|rest| rest.split(')').next().unwrap());
+    targets
+        .filter(|target| !target.contains("://") && !target.starts_with("mailto:"))
+        .map(|target| {
+            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let file = if file.is_empty() {
+                document.to_owned()
+            } else {
+                plain(&document.parent().unwrap().join(file))
+            };
+            Link {
+                document: document.to_owned(),
+                file,
+                heading: heading.to_owned(),
+            }
+        })
+        .collect()
+}
+
+/// The path without `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::ParentDir => {
+                assert!(plain.pop(), "{} leaves the repository", path.display())
+            }
+            other => plain.push(other),
+        }
+    }
+    plain
+}
+
+/// The names under which a page can be entered: its headings in small letters, without punctuation, with hyphens.
+fn headings(file: &Path) -> HashSet<String> {
+    let text = fs::read_to_string(root().join(file)).unwrap();
+    let prose: String = text.split("```").step_by(2).collect();
+    let headings = prose.lines().filter(|line| line.starts_with('#'));
+    headings
+        .map(|line| {
+            let title = line.trim_start_matches('#').trim().to_lowercase();
+            title
+                .chars()
+                .filter(|c| c.is_alphanumeric() || " -_".contains(*c))
+                .map(|c| if c == ' ' { '-' } else { c })
+                .collect()
+        })
+        .collect()
+}
+
+#[test]
+fn in_the_repository() {
+    let mut checked = 0;
+    for link in documents().iter().flat_map(|document| links(document)) {
+        let (document, file) = (link.document.display(), link.file.display());
+        assert!(root().join(&link.file).exists(), "{document}: no {file}");
+        assert!(
+            link.heading.is_empty() || headings(&link.file).contains(&link.heading),
+            "{document}: no heading {} in {file}",
+            link.heading
+        );
+        checked += 1;
+    }
+    assert!(checked > 5);
+}
+
+#[test]
+fn in_the_package() {
+    let packaged: HashSet<PathBuf> = lines(
+        Command::new(env!("CARGO"))
+            .args(["package", "--list", "--allow-dirty"])
+            .current_dir(root()),
+    )
+    .iter()
+    .map(PathBuf::from)
+    .collect();
+    let readme = Path::new("README.md");
+    assert!(packaged.contains(readme) && !links(readme).is_empty());
+    for document in documents().iter().filter(|path| packaged.contains(*path)) {
+        for link in links(document) {
+            assert!(
+                packaged.contains(&link.file),
+                "{}: {} is not in the package",
+                document.display(),
+                link.file.display()
+            );
+        }
+    }
+}
