@@ -273,8 +273,8 @@ impl Profile {
         }
     }
 
-    /// No room to accelerate: brake at both rates, the acceleration's first, and switch at the velocity that lands on the
-    /// target. False if neither rate stops before it.
+    /// Brakes without room to accelerate: at the acceleration first, then at the deceleration. The rates switch at the velocity
+    /// that lands on the target. The result is false if neither rate stops the axis before the target.
     fn brake(&mut self, direction: f64, limits: Limits) -> bool {
         let Limits {
             acceleration: a,
@@ -286,7 +286,8 @@ impl Profile {
         let distance = direction * (self.final_position - self.start.position);
         let beyond_a = distance - 0.5 * energy / a;
         let beyond_d = distance - 0.5 * energy / d;
-        if !(beyond_a >= 0.0 || beyond_d >= 0.0) {
+        let tie = self.rounding();
+        if !(beyond_a >= -tie || beyond_d >= -tie) {
             return false;
         }
         let (mut t1, mut switch) = (0.0, speed);
@@ -309,6 +310,13 @@ impl Profile {
         self.deceleration = -direction * d;
         self.peak_at(t1, direction * switch, limits);
         true
+    }
+
+    /// How far a target may lie short of the stopping distance and still be taken for a target at that distance. A caller who
+    /// computes `p + v*v/(2*d)` rounds to the nearest number, which often lies short. The motion then ends where braking ends,
+    /// this far from the target at most.
+    fn rounding(&self) -> f64 {
+        8.0 * f64::EPSILON * (self.start.position.abs() + self.final_position.abs())
     }
 
     /// Too fast to stop before the target, or moving away from it: through zero and back, `direction` being the way back.
