@@ -482,7 +482,7 @@ fn run_script(tally: &mut Tally, random: &mut Random) {
             request = Anywhere;
         }
         target = next_target(request, start, target, random);
-        axis.set(target.into(), now);
+        axis.set(target.into(), now).unwrap();
         let order = match request {
             Stop => Order::stop(start, target),
             _ => Order { start, target },
@@ -622,14 +622,14 @@ fn time_to_the_stopping_distance(v0: f64, limits: Target) -> f64 {
 #[test]
 fn the_target_at_the_stopping_distance_that_took_four_seconds_takes_one() {
     let start = State {
-        position: 1.7401345786752329,
+        position: 1.740_134_578_675_233,
         velocity: 1.588438561289802,
         acceleration: 0.0,
     };
     let target = Target {
-        position: 2.5012871869159459,
+        position: 2.501_287_186_915_946,
         velocity: 3.2455207008149105,
-        acceleration: 0.72498331276000627,
+        acceleration: 0.724_983_312_760_006_3,
         deceleration: 1.6574449300149272,
     };
     let mut profile = Profile::default();
