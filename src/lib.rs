@@ -60,7 +60,7 @@
 //! | `std` | the clock of the system for the C handle of CLARAty's trapezoid |
 //! | `capi` | the C functions and structs, module `capi` |
 //! | `float` | makes the C ABI's real type `float` |
-//! | `poly-compact` | gives the C ABI the polynomial structs of liba since 2025-03 |
+//! | `poly-compact` | gives the C ABI the polynomial structs of liba since 2025-03, and its [`Saturation::Numbers`] |
 #![no_std]
 #![cfg_attr(atraj_unstable_core, feature(core_float_math))]
 #![deny(unsafe_code)]
@@ -79,7 +79,7 @@ mod trap;
 pub use bell::Bell;
 pub use poly::{Poly, Poly3, Poly5, Poly7};
 pub use real::Real;
-pub use state::{Boundary, State};
+pub use state::{Boundary, Saturation, State};
 pub use trap::Trap;
 
 #[cfg(doctest)]
