@@ -111,25 +111,21 @@ pub enum Route<'w> {
 }
 
 impl Route<'_> {
+    /// Refuses a number larger than [`LARGEST`], or NaN.
     pub(super) fn check_range(&self) -> Result<(), OutOfRange> {
-        let small = |values: &[f64]| values.iter().all(|x| x.abs() <= LARGEST);
-        let in_range = match self {
-            Self::Target(t) => small(&[t.position, t.velocity, t.acceleration, t.deceleration]),
-            Self::Waypoints(Waypoints { positions, limits }) => {
-                small(positions)
-                    && match *limits {
-                        LegLimits::Each {
-                            velocities,
-                            accelerations,
-                        } => small(velocities) && small(accelerations),
-                        LegLimits::Same {
-                            velocity,
-                            acceleration,
-                        } => small(&[velocity, acceleration]),
-                    }
-            }
+        let is_in_range = |target: Target| {
+            let Target {
+                position,
+                velocity,
+                acceleration,
+                deceleration,
+            } = target;
+            [position, velocity, acceleration, deceleration]
+                .iter()
+                .all(|number| number.abs() <= LARGEST)
         };
-        in_range.then_some(()).ok_or(OutOfRange)
+        let mut targets = (0..usize::MAX).map_while(|leg| self.target(leg));
+        targets.all(is_in_range).then_some(()).ok_or(OutOfRange)
     }
 
     /// The target of a leg. The first leg is leg 0; after the last leg the result is `None`.
