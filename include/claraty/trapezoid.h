@@ -24,7 +24,7 @@ typedef enum claraty_mode {
      */
     CLARATY_CORRECTED = 0,
     /**
-     * the motion of CLARAty's published listing, bit for bit
+     * the motion of CLARAty's published listing, bit for bit, infinite and NaN setpoints included
      */
     CLARATY_LISTING = 1
 } claraty_mode;

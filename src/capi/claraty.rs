@@ -15,7 +15,7 @@ pub type claraty_clock = Option<unsafe extern "C" fn(user: *mut c_void) -> f64>;
 pub enum claraty_mode {
     /// from any position and velocity to rest at the target, without a jump, without a needless overshoot
     CLARATY_CORRECTED = 0,
-    /// the motion of CLARAty's published listing, bit for bit
+    /// the motion of CLARAty's published listing, bit for bit, infinite and NaN setpoints included
     CLARATY_LISTING = 1,
 }
 
