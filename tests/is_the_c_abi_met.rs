@@ -329,6 +329,58 @@ fn headers_compile_clean_in_every_configuration() {
 }
 
 #[test]
+fn headers_are_strict_c90() {
+    let include = root().join("include");
+    for compiler in compilers(Language::C) {
+        let flags = ["-std=c90", "-pedantic-errors"];
+        assert!(accepts(compiler, "c", &include, &flags), "{compiler}");
+    }
+}
+
+/// A user of the class in C++. The templates are compiled with a vector.
+const CLASS_USER: &str = "#include <claraty/trapezoidal_trajectory.h>
+#include <vector>
+double use(std::vector<double> &p);
+double use(std::vector<double> &p)
+{
+    claraty::Trapezoidal_Trajectory x, y(x);
+    x.set(p, p, p);
+    x.set(p, 1.0, 1.0);
+    x = y;
+    std::cerr << x;
+    return x.get_position();
+}
+";
+
+#[test]
+fn the_class_compiles_under_the_warnings_of_careful_users() {
+    // The layout has padding, a class of one header has its table in every file, and C++98 has no later features.
+    const CLANG: [&str; 5] = [
+        "-Weverything",
+        "-Wno-padded",
+        "-Wno-weak-vtables",
+        "-Wno-c++98-compat",
+        "-Wno-c++98-compat-pedantic",
+    ];
+    let source = root().join("target/class_user.cpp");
+    fs::write(&source, CLASS_USER).unwrap();
+    for compiler in compilers(Language::Cpp) {
+        let warnings: &[&str] = if compiler.starts_with("clang") {
+            &CLANG
+        } else {
+            &["-Weffc++"]
+        };
+        for standard in CPP {
+            let mut command = Command::new(compiler);
+            command.args(STRICT).args(warnings).arg("-fsyntax-only");
+            command.arg(format!("-std={standard}"));
+            command.arg("-I").arg(root().join("include"));
+            run(command.arg(&source));
+        }
+    }
+}
+
+#[test]
 fn headers_refuse_what_the_archive_is_not() {
     let refused: [(&Variant, &[&str]); 10] = [
         (&DOUBLE, &["-DA_SIZE_FLOAT=4"]),

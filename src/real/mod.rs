@@ -113,7 +113,7 @@ pub trait Operations:
         }
     }
 
-    /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`.
+    /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`, and so does a zero if `most` is zero.
     fn limit(self, most: Self) -> Self {
         if self.abs() < most {
             keep_branch_on_bare_metal();
@@ -122,6 +122,17 @@ pub trait Operations:
             most
         } else {
             -most
+        }
+    }
+
+    /// `self` limited to `-most … most`; `most` is not below zero. NaN stays NaN, and a zero keeps its sign.
+    fn limit_numbers(self, most: Self) -> Self {
+        if self < -most {
+            -most
+        } else if self > most {
+            most
+        } else {
+            self
         }
     }
 
