@@ -2,13 +2,14 @@
 #
 #   make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
-#   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local);
-#                               `make uninstall` removes them
+#   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
+#                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
 #                               data, pictures in target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
+#   make builds                 builds and installs in the ways that once gave the wrong library
 #   make doc                    writes the references for C and for Rust, in target/doc
 #   make check                  runs everything that proves the library
 #   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
@@ -20,7 +21,10 @@
 #   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
 #   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
 #
-# Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …):
+# CPU=<name> compiles for one processor (CPU=cortex-m7, CPU=x86-64-v3), in target/dist-…-<name>.
+#
+# Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …) and a library name
+# of its own (libatraj-float, libatraj-compact, …), so one PREFIX can hold them all:
 #   REAL=float             a_float is float instead of double
 #   POLY=compact           polynomial structs of liba since 2025-03
 #   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
@@ -29,9 +33,15 @@ CARGO ?= cargo
 CC ?= cc
 CXX ?= c++
 PREFIX ?= /usr/local
+LIBDIR ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+# packaging/install.sh reads these names from the environment, because make splits a name with a blank.
+export DESTDIR PREFIX LIBDIR INCLUDEDIR
+
+.DEFAULT_GOAL := dist
+.DELETE_ON_ERROR:
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
-SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
 
 ifneq ($(filter-out double float,$(REAL)),)
 $(error REAL=$(REAL) does not exist: it is double or float)
@@ -39,64 +49,85 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
+ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
+$(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS or leave CPU out)
+endif
 FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
-LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
-VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS))
+# The highest levels are the default.
+LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
+# Only builds of the same ABI have the same name.
+ABI := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS))
+NAME := atraj$(ABI)
+SONAME := lib$(NAME).so.$(firstword $(subst ., ,$(VERSION)))
+PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
+VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
-BUILD := target/build$(VARIANT)
-INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
 include packaging/bare-metal.mk
 else
-CARGO_DIR := $(BUILD)
+HOST = $(shell rustc -vV | sed -n 's/^host: //p')
+CARGO_DIR := target/build$(VARIANT)
+# With --target, cargo compiles build.rs without RUSTFLAGS, so build.rs runs here whatever CPU is.
+CARGO_TARGET = --target $(HOST)
 PROFILE := release
 # Aligned functions are equally fast wherever a linker puts them.
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
+MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist install uninstall demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked install uninstall demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
-# The archive holds one object. So a user's linker finds the documented symbols in it and no others.
-dist: $(filter %.json,$(CARGO_TARGET))
-	mkdir -p $(BUILD)
-	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
-	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
-	    --message-format=json-render-diagnostics -- \
-	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -rf $(DIST)/lib $(DIST)/include
-	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
+# Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
+dist:
+	@mkdir -p $(CARGO_DIR)
+	@flock $(CARGO_DIR)/lock $(MAKE) --no-print-directory dist-locked
+
+NEW := $(CARGO_DIR)/dist
+OBJECT := $(CARGO_DIR)/atraj.o
+FILL = sed 's/@VERSION@/$(VERSION)/g; s/@NAME@/$(NAME)/g; s/@MACHINE@/$(MACHINE)$(CPU:%= %)/g'
+
+# The archive holds one object. So a user's linker finds the documented symbols in it and no others. The recipe builds aside
+# and renames last, so a failed build leaves the old directory.
+dist-locked: $(filter %.json,$(CARGO_TARGET))
+ifdef CPU
+	@rustc --print target-cpus --target $(MACHINE) | awk '{ print $$1 }' | grep -qxF -e '$(CPU)' || { \
+	    echo 'CPU=$(CPU) does not exist: `rustc --print target-cpus --target $(MACHINE)` lists the names.' >&2; exit 1; }
+endif
+	rm -rf $(NEW) $(CARGO_DIR)/old
+	mkdir -p $(NEW)/lib/pkgconfig $(NEW)/lib/cmake/$(NAME) $(NEW)/include
+	$(if $(CPU),RUSTFLAGS="$$RUSTFLAGS -C target-cpu=$(CPU)") CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet \
+	    --profile $(PROFILE) $(CARGO_TARGET) --lib --crate-type staticlib --no-default-features --features "$(FEATURES)" \
+	    --message-format=json-render-diagnostics -- $(RUSTC_FLAGS) --cfg atraj_archive > $(CARGO_DIR)/messages.json
+	AR=$(CROSS)ar NM=$(CROSS)nm packaging/object.sh $(CARGO_DIR)/messages.json $(OBJECT)
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
 endif
-	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(BUILD)/atraj.o
+	$(CROSS)ar crsD $(NEW)/lib/lib$(NAME).a $(OBJECT)
 ifndef TARGET
-	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(BUILD)/atraj.o -lm
-	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
-	ln -s $(SONAME) $(DIST)/lib/libatraj.so
+	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(NEW)/lib/lib$(NAME).so.$(VERSION) $(OBJECT) -lm
+	ln -s lib$(NAME).so.$(VERSION) $(NEW)/lib/$(SONAME)
+	ln -s $(SONAME) $(NEW)/lib/lib$(NAME).so
 endif
-	cp -R include/. $(DIST)/include
-	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
-	    $(DIST)/include/a/
-	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
-	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
-	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
+	cp -R include/. $(NEW)/include
+	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(CARGO_DIR)/messages.json)/atraj_config.h" \
+	    $(NEW)/include/a/
+	$(FILL) packaging/atraj.pc > $(NEW)/lib/pkgconfig/$(NAME).pc
+	$(FILL) packaging/atraj-config.cmake > $(NEW)/lib/cmake/$(NAME)/$(NAME)-config.cmake
+	$(FILL) packaging/atraj-config-version.cmake > $(NEW)/lib/cmake/$(NAME)/$(NAME)-config-version.cmake
+	if test -e $(DIST); then mv $(DIST) $(CARGO_DIR)/old; fi
+	mv $(NEW) $(DIST)
+	rm -rf $(CARGO_DIR)/old
 
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
-$(DIST)/lib/libatraj.a:
+$(DIST)/lib/lib$(NAME).a:
 	$(MAKE) dist
 
-install: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include -type d -exec install -d "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
+install uninstall: $(DIST)/lib/lib$(NAME).a
+	packaging/install.sh $@ $(DIST) $(NAME)
 
-uninstall: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include ! -type d -exec rm -f "$(INSTALLED)/{}" \;
-	cd $(DIST) && find include/* lib/cmake/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
-
-consumers:
-	tests/consumers.sh
+consumers builds:
+	tests/$@.sh
 
 doc:
 	$(CARGO) doc --no-deps --features capi

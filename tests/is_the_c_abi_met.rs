@@ -29,7 +29,7 @@ fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> Pat
         command.args(STRICT).arg("-O2").args(flags);
         command.arg("-I").arg(dist.join("include"));
         command.arg(root().join("c_tests").join(source));
-        command.arg(dist.join("lib/libatraj.a")).arg("-lm");
+        command.arg(variant.archive()).arg("-lm");
         run(command.arg("-o").arg(&program));
         built.insert(program.clone());
     }

@@ -151,7 +151,7 @@ fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) 
         .arg(include);
     compile
         .arg(source)
-        .arg(variant.dist().join("lib/libatraj.a"));
+        .arg(variant.archive());
     run(compile.arg("-lm").arg("-o").arg(&program));
     lines(Command::new(program).arg(golden::directory()))
 }
