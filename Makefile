@@ -49,6 +49,10 @@ endif
 ifneq ($(filter-out compact,$(POLY)),)
 $(error POLY=$(POLY) does not exist: it is compact or left out)
 endif
+# Some systems export a CPU of their own to every program.
+ifeq ($(origin CPU),environment)
+override CPU :=
+endif
 ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
 $(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS or leave CPU out)
 endif
@@ -89,7 +93,7 @@ FILL = sed 's/@VERSION@/$(VERSION)/g; s/@NAME@/$(NAME)/g; s/@MACHINE@/$(MACHINE)
 
 # The archive holds one object. So a user's linker finds the documented symbols in it and no others. The recipe builds aside
 # and renames last, so a failed build leaves the old directory.
-dist-locked: $(filter %.json,$(CARGO_TARGET))
+dist-locked: $(TARGET_JSON)
 ifdef CPU
 	@rustc --print target-cpus --target $(MACHINE) | awk '{ print $$1 }' | grep -qxF -e '$(CPU)' || { \
 	    echo 'CPU=$(CPU) does not exist: `rustc --print target-cpus --target $(MACHINE)` lists the names.' >&2; exit 1; }
@@ -138,7 +142,7 @@ DEMO := target/demo
 # Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Then does the
 # steps of a CLARAty user, with a controller.
 demo: dist
-	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
+	$(if $(VARIANT),$(error make demo shows the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(DEMO)
 	mkdir -p $(DEMO)
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
@@ -170,7 +174,7 @@ for language in c cpp rs; do diff -u examples/expected/$1.txt $(EXAMPLES_OUT)/$1
 endef
 
 examples: dist
-	$(if $(VARIANT),$(error make examples runs on the default build: leave REAL, POLY and the levels out))
+	$(if $(VARIANT),$(error make examples runs on the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(EXAMPLES_OUT)
 	mkdir -p $(EXAMPLES_OUT)
 	$(foreach name,$(EXAMPLES),$(call example,$(name)))

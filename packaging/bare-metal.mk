@@ -13,14 +13,16 @@ ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/
 CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
     $(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian))
 RUSTC_FLAGS += --cfg atraj_unstable_core
-CARGO_TARGET := --target $(CARGO_DIR)/$(TARGET).json -Z json-target-spec -Z build-std=core
+TARGET_JSON := $(CARGO_DIR)/$(TARGET).json
+CARGO_TARGET := --target $(TARGET_JSON) -Z json-target-spec -Z build-std=core
 endif
 
 # Written anew each time, because another Rust may have other facts. Cargo compares the text, not the date.
 $(CARGO_DIR)/$(TARGET).json: FORCE
 	@mkdir -p $(CARGO_DIR)
 	@RUSTC_BOOTSTRAP=1 /usr/bin/rustc -Z unstable-options --print target-spec-json --target $(TARGET) > $@.rustc
-	@sed 's/"frame-pointer": "always"/"frame-pointer": "may-omit"/' $@.rustc > $@
+	@sed 's/"frame-pointer": "always"/"frame-pointer": "may-omit"/' $@.rustc > $@.new
+	@mv $@.new $@
 FORCE:
 
 ifneq ($(filter thumb%,$(TARGET)),)

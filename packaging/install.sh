@@ -13,9 +13,9 @@ esac
 # place FILE: where this file of DIST is installed
 place() {
     case $1 in
-    lib/*) echo "$DESTDIR$LIBDIR/${1#lib/}" ;;
-    include/*) echo "$DESTDIR$headers/${1#include/}" ;;
-    *) echo "$DESTDIR$PREFIX/$1" ;;
+    lib/*) printf '%s\n' "$DESTDIR$LIBDIR/${1#lib/}" ;;
+    include/*) printf '%s\n' "$DESTDIR$headers/${1#include/}" ;;
+    *) printf '%s\n' "$DESTDIR$PREFIX/$1" ;;
     esac
 }
 

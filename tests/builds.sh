@@ -81,6 +81,12 @@ wrong_cpu() {
     test ! -e "$copy/target/dist-pentium9"
 }
 
+cpu_of_the_system() {
+    rm -rf "$copy/target/dist"
+    CPU=x86_64 make -s -C "$copy" dist
+    test -s "$archive"
+}
+
 # --- a profile from the environment
 
 # overridden SENTENCE VARIABLE=VALUE…
@@ -220,6 +226,7 @@ row "the object is deleted" without_object
 row "CPU on the host" cpu_on_the_host
 row "RUSTFLAGS beside CPU" own_flags_beside_cpu
 row "a CPU that does not exist, or that Rust would not see" wrong_cpu
+row "a CPU in the environment is not ours" cpu_of_the_system
 have arm-none-eabi-gcc && row "CPU on bare metal; RUSTFLAGS, then none" cpu_on_bare_metal
 row "opt-level 0 by environment" overridden "needs Rust's runtime" CARGO_PROFILE_RELEASE_OPT_LEVEL=0
 row "many objects by environment" overridden 'several objects' \
