@@ -34,8 +34,8 @@ machine() {
 pc=lib/pkgconfig/$name.pc
 installed=$(place "$pc")
 if test -e "$installed" && test "$(machine "$installed")" != "$(machine "$dist/$pc")"; then
-    echo "There is a $name for $(machine "$installed"), not for $(machine "$dist/$pc"), in $DESTDIR$LIBDIR:" \
-        "take another PREFIX or uninstall it." >&2
+    echo "$DESTDIR$LIBDIR holds $name for $(machine "$installed"), this one is for $(machine "$dist/$pc"):" \
+        "take another PREFIX, or uninstall the installed one by its own TARGET and CPU." >&2
     exit 1
 fi
 

@@ -84,13 +84,15 @@ not_found() {
 }
 
 refuses_processor() {
-    for processor in aarch64 cortex-m4; do
+    for processor in riscv64 cortex-m4; do
         not_found -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_SYSTEM_PROCESSOR=$processor
-        grep "$version (for x86_64-" said
+        grep "$version (for $(uname -m)-" said
     done
     not_found -DSIZEOF_VOID_P=4
-    grep "$version (for x86_64-" said
-    found -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=AMD64
+    grep "$version (for $(uname -m)-" said
+    for processor in "$(uname -m)" some-board; do
+        found -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR="$processor"
+    done
 }
 
 refuses_version() {
