@@ -74,6 +74,13 @@ impl Variant {
         self.dist().join(format!("lib/lib{}.so", self.name()))
     }
 
+    /// A folder for what tests make of this build. `make dist` replaces its own.
+    pub fn scratch(&self) -> PathBuf {
+        let folder = root().join("target/tests").join(self.directory);
+        std::fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
     /// The symbols that the archive documents, from `tests/symbols*.txt`.
     pub fn symbols(&self) -> Vec<String> {
         let compact = self.choices.contains(&"POLY=compact");
