@@ -87,11 +87,16 @@ fn cpu() -> String {
 fn unit_lacks_binary64() -> bool {
     let target = env::var("TARGET").expect("cargo sets TARGET");
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    // Of several, the compiler takes the last.
+    let cpu = flags
+        .split('\x1f')
+        .filter_map(|flag| flag.trim_start_matches("-C").strip_prefix("target-cpu="))
+        .next_back()
+        .unwrap_or_default();
     target.starts_with("thumb")
         && target.ends_with("eabihf")
-        && !["cortex-m7", "fp64"]
-            .iter()
-            .any(|unit| flags.contains(unit))
+        && !["cortex-m7", "cortex-m52", "cortex-m55", "cortex-m85"].contains(&cpu)
+        && !flags.contains("+fp64")
 }
 
 /// What `Cargo.toml` says of the package.

@@ -21,17 +21,16 @@ const CPP: [&str; 4] = ["c++98", "c++11", "c++17", "c++20"];
 fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> PathBuf {
     static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     let dist = variant.dist();
-    let programs = dist.join("tests");
+    let programs = variant.scratch();
     let options = flags.concat().replace('/', "-");
     let program = programs.join(format!("{source}-{compiler}{options}"));
     let mut built = BUILT.lock().unwrap();
     if !built.contains(&program) {
-        fs::create_dir_all(programs).unwrap();
         let mut command = Command::new(compiler);
         command.args(STRICT).arg("-O2").args(flags);
         command.arg("-I").arg(dist.join("include"));
         command.arg(root().join("c_tests").join(source));
-        command.arg(dist.join("lib/libatraj.a")).arg("-lm");
+        command.arg(variant.archive()).arg("-lm");
         run(command.arg("-o").arg(&program));
         built.insert(program.clone());
     }
@@ -85,7 +84,7 @@ fn exists(variant: &Variant, symbol: &str) -> bool {
 #[test]
 fn a_wrong_golden_bit_is_found() {
     let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
-    let copy = DOUBLE.dist().join("tests/golden");
+    let copy = DOUBLE.scratch().join("golden");
     copy_golden(&copy);
     let table = copy.join("bell_eval_f64.csv");
     let csv = fs::read_to_string(&table).unwrap();
@@ -109,7 +108,7 @@ fn a_wrong_golden_bit_is_found() {
 #[test]
 fn a_missing_or_empty_golden_file_is_found() {
     let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
-    let copy = DOUBLE.dist().join("tests/golden-incomplete");
+    let copy = DOUBLE.scratch().join("golden-incomplete");
     copy_golden(&copy);
     let table = copy.join("poly7_eval_f64.csv");
     fs::write(&table, "case,x,pos,vel,acc,jer\n").unwrap();
@@ -217,7 +216,7 @@ fn claraty_from_cpp_by_the_name_of_the_original_header() {
 #[test]
 fn a_wrong_golden_bit_of_claraty_is_found() {
     let program = build(&DOUBLE, "cc", &["-std=c99"], "claraty.c");
-    let copy = DOUBLE.dist().join("tests/golden-claraty");
+    let copy = DOUBLE.scratch().join("golden-claraty");
     copy_golden(&copy);
     let table = copy.join("claraty_listing_f64.csv");
     let csv = fs::read_to_string(&table).unwrap();
