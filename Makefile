@@ -2,14 +2,15 @@
 #
 #   make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
-#   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local);
-#                               `make uninstall` removes them
+#   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
+#                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
 #   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
 #                               data, pictures in target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
+#   make builds                 builds and installs in the ways that once gave the wrong library
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
@@ -21,7 +22,10 @@
 #   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
 #   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
 #
-# Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …):
+# CPU=<name> compiles for one processor (CPU=cortex-m7, CPU=x86-64-v3), in target/dist-…-<name>.
+#
+# Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …) and a library name
+# of its own (libatraj-float, libatraj-compact, …), so one PREFIX can hold them all:
 #   REAL=float             a_float is float instead of double
 #   POLY=compact           polynomial structs of liba since 2025-03
 #   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
@@ -31,9 +35,15 @@ CARGO ?= cargo
 CC ?= cc
 CXX ?= c++
 PREFIX ?= /usr/local
+LIBDIR ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+# packaging/install.sh reads these names from the environment, because make splits a name with a blank.
+export DESTDIR PREFIX LIBDIR INCLUDEDIR
+
+.DEFAULT_GOAL := dist
+.DELETE_ON_ERROR:
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
-SONAME := libatraj.so.$(firstword $(subst ., ,$(VERSION)))
 
 ifneq ($(filter-out double float,$(REAL)),)
 $(error REAL=$(REAL) does not exist: it is double or float)
@@ -44,74 +54,94 @@ endif
 ifneq ($(shell printf %s '$(SYMBOL_PREFIX)' | sed '/^[A-Za-z_][A-Za-z0-9_]*$$/d'),)
 $(error SYMBOL_PREFIX=$(SYMBOL_PREFIX) does not exist: no C name begins like this)
 endif
+# Some systems export a CPU of their own to every program.
+ifeq ($(origin CPU),environment)
+override CPU :=
+endif
+ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
+$(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS or leave CPU out)
+endif
 FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
-LEVELS := $(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%))
-VARIANT := $(subst $() ,,$(patsubst %,-%,$(TARGET) $(filter float,$(REAL)) $(POLY))$(LEVELS)$(SYMBOL_PREFIX:%=-prefix-%))
+# The highest levels are the default.
+LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
+# Only builds of the same ABI have the same name.
+ABI := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS)$(SYMBOL_PREFIX:%=-prefix-%))
+NAME := atraj$(ABI)
+SONAME := lib$(NAME).so.$(firstword $(subst ., ,$(VERSION)))
+PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
+VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
-BUILD := target/build$(VARIANT)
-OBJECT := $(BUILD)/$(if $(SYMBOL_PREFIX),prefixed/)atraj.o
-INSTALLED := $(abspath $(DESTDIR)$(PREFIX))
 
 ifdef TARGET
 include packaging/bare-metal.mk
 else
-CARGO_DIR := $(BUILD)
+HOST = $(shell rustc -vV | sed -n 's/^host: //p')
+CARGO_DIR := target/build$(VARIANT)
+# With --target, cargo compiles build.rs without RUSTFLAGS, so build.rs runs here whatever CPU is.
+CARGO_TARGET = --target $(HOST)
 PROFILE := release
 # Aligned functions are equally fast wherever a linker puts them.
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
+MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist install uninstall identify demo examples consumers doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
-# The archive holds one object. So a user's linker finds the documented symbols in it and no others.
-dist: $(filter %.json,$(CARGO_TARGET))
-	mkdir -p $(BUILD)
-	CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet --profile $(PROFILE) $(CARGO_TARGET) --lib \
-	    --crate-type staticlib --no-default-features --features "$(FEATURES)" \
-	    --message-format=json-render-diagnostics -- \
-	    $(RUSTC_FLAGS) --cfg atraj_archive --emit=obj=$(BUILD)/atraj.o > $(BUILD)/messages.json
-	rm -rf $(DIST)/lib $(DIST)/include $(DIST)/share
-	mkdir -p $(DIST)/lib/pkgconfig $(DIST)/lib/cmake/atraj $(DIST)/include
+# Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
+dist:
+	@mkdir -p $(CARGO_DIR)
+	@flock $(CARGO_DIR)/lock $(MAKE) --no-print-directory dist-locked
+
+NEW := $(CARGO_DIR)/dist
+OBJECT := $(CARGO_DIR)/atraj.o
+NAMES := $(CARGO_DIR)/names
+FILL = sed 's/@VERSION@/$(VERSION)/g; s/@NAME@/$(NAME)/g; s/@MACHINE@/$(MACHINE)$(CPU:%= %)/g'
+
+# The archive holds one object. So a user's linker finds the documented symbols in it and no others. The recipe builds aside
+# and renames last, so a failed build leaves the old directory.
+dist-locked: $(TARGET_JSON)
+ifdef CPU
+	@rustc --print target-cpus --target $(MACHINE) | awk '{ print $$1 }' | grep -qxF -e '$(CPU)' || { \
+	    echo 'CPU=$(CPU) does not exist: `rustc --print target-cpus --target $(MACHINE)` lists the names.' >&2; exit 1; }
+endif
+	rm -rf $(NEW) $(CARGO_DIR)/old
+	mkdir -p $(NEW)/lib/pkgconfig $(NEW)/lib/cmake/$(NAME) $(NEW)/include $(NEW)/share/doc/$(NAME)
+	$(if $(CPU),RUSTFLAGS="$$RUSTFLAGS -C target-cpu=$(CPU)") CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet \
+	    --profile $(PROFILE) $(CARGO_TARGET) --lib --crate-type staticlib --no-default-features --features "$(FEATURES)" \
+	    --message-format=json-render-diagnostics -- $(RUSTC_FLAGS) --cfg atraj_archive > $(CARGO_DIR)/messages.json
+	AR=$(CROSS)ar NM=$(CROSS)nm packaging/object.sh $(CARGO_DIR)/messages.json $(OBJECT)
 ifdef TARGET
 	$(DROP_UNWIND_TABLES)
 endif
+	cp -R include/. $(NEW)/include
 ifdef SYMBOL_PREFIX
-	mkdir -p $(dir $(OBJECT))
-	$(CROSS)nm --defined-only --extern-only --format=posix $(BUILD)/atraj.o | \
-	    awk '{ print $$1, "$(SYMBOL_PREFIX)" $$1 }' > $(BUILD)/names
-	$(CROSS)objcopy --redefine-syms=$(BUILD)/names $(BUILD)/atraj.o $(OBJECT)
+	$(CROSS)nm --defined-only --extern-only --format=posix $(OBJECT) | awk '{ print $$1, "$(SYMBOL_PREFIX)" $$1 }' > $(NAMES)
+	$(CROSS)objcopy --redefine-syms=$(NAMES) $(OBJECT)
+	sed 's|\(.*\) \(.*\)|s/\\<\1\\>/\2/g|' $(NAMES) > $(NAMES).sed
+	find $(NEW)/include -type f -exec sed -i -f $(NAMES).sed {} +
 endif
-	$(CROSS)ar crsD $(DIST)/lib/libatraj.a $(OBJECT)
+	$(CROSS)ar crsD $(NEW)/lib/lib$(NAME).a $(OBJECT)
 ifndef TARGET
-	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(DIST)/lib/libatraj.so.$(VERSION) $(OBJECT) -lm
-	ln -s libatraj.so.$(VERSION) $(DIST)/lib/$(SONAME)
-	ln -s $(SONAME) $(DIST)/lib/libatraj.so
+	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(NEW)/lib/lib$(NAME).so.$(VERSION) $(OBJECT) -lm
+	ln -s lib$(NAME).so.$(VERSION) $(NEW)/lib/$(SONAME)
+	ln -s $(SONAME) $(NEW)/lib/lib$(NAME).so
 endif
-	cp -R include/. $(DIST)/include
-ifdef SYMBOL_PREFIX
-	sed 's|\(.*\) \(.*\)|s/\\<\1\\>/\2/g|' $(BUILD)/names > $(BUILD)/names.sed
-	find $(DIST)/include -type f -exec sed -i -f $(BUILD)/names.sed {} +
-endif
-	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(BUILD)/messages.json)/atraj_config.h" \
-	    $(DIST)/include/a/
-	sed 's/@VERSION@/$(VERSION)/' packaging/atraj.pc > $(DIST)/lib/pkgconfig/atraj.pc
-	sed 's/@VERSION@/$(VERSION)/' packaging/atraj-config-version.cmake > $(DIST)/lib/cmake/atraj/atraj-config-version.cmake
-	cp packaging/atraj-config.cmake $(DIST)/lib/cmake/atraj/
-	mkdir -p $(DIST)/share/doc/atraj
-	cp LICENSE-* $(DIST)/share/doc/atraj/
+	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(CARGO_DIR)/messages.json)/atraj_config.h" \
+	    $(NEW)/include/a/
+	$(FILL) packaging/atraj.pc > $(NEW)/lib/pkgconfig/$(NAME).pc
+	$(FILL) packaging/atraj-config.cmake > $(NEW)/lib/cmake/$(NAME)/$(NAME)-config.cmake
+	$(FILL) packaging/atraj-config-version.cmake > $(NEW)/lib/cmake/$(NAME)/$(NAME)-config-version.cmake
+	cp LICENSE-* $(NEW)/share/doc/$(NAME)/
+	if test -e $(DIST); then mv $(DIST) $(CARGO_DIR)/old; fi
+	mv $(NEW) $(DIST)
+	rm -rf $(CARGO_DIR)/old
 
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
-$(DIST)/lib/libatraj.a:
+$(DIST)/lib/lib$(NAME).a:
 	$(MAKE) dist
 
-install: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include share -type d -exec install -d "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include share -type f -exec install -m 644 {} "$(INSTALLED)/{}" \;
-	cd $(DIST) && find lib include share -type l -exec cp -P --remove-destination {} "$(INSTALLED)/{}" \;
-
-uninstall: $(DIST)/lib/libatraj.a
-	cd $(DIST) && find lib include share ! -type d -exec rm -f "$(INSTALLED)/{}" \;
-	cd $(DIST) && find include/* lib/cmake/* share/doc/* -depth -type d -exec rmdir --ignore-fail-on-non-empty "$(INSTALLED)/{}" \;
+install uninstall: $(DIST)/lib/lib$(NAME).a
+	packaging/install.sh $@ $(DIST) $(NAME)
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:
@@ -120,8 +150,8 @@ identify:
 	@readelf -p .atraj.note "$(FILE)" 2> /dev/null | sed -n 's/.*\] *\(atraj [0-9].*\)/\1/p' | grep . || \
 	    { echo "$(FILE) holds no atraj: it was not linked with libatraj.a, or its notes were removed." >&2; exit 1; }
 
-consumers:
-	tests/consumers.sh
+consumers builds:
+	tests/$@.sh
 
 doc: dist
 	$(CARGO) doc --no-deps --features capi
@@ -133,7 +163,7 @@ DEMO := target/demo
 # Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Then does the
 # steps of a CLARAty user, with a controller.
 demo: dist
-	$(if $(VARIANT),$(error make demo shows the default build: leave REAL, POLY and the levels out))
+	$(if $(VARIANT),$(error make demo shows the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(DEMO)
 	mkdir -p $(DEMO)
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
@@ -165,7 +195,7 @@ for language in c cpp rs; do diff -u examples/expected/$1.txt $(EXAMPLES_OUT)/$1
 endef
 
 examples: dist
-	$(if $(VARIANT),$(error make examples runs on the default build: leave REAL, POLY and the levels out))
+	$(if $(VARIANT),$(error make examples runs on the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(EXAMPLES_OUT)
 	mkdir -p $(EXAMPLES_OUT)
 	$(foreach name,$(EXAMPLES),$(call example,$(name)))

@@ -75,23 +75,26 @@ fn main() {
     fs::write(Path::new(&out).join("atraj_config.h"), config).expect("OUT_DIR is writable");
 }
 
-/// What the compiler is told to compile for.
+/// The processor that the compiler is told to compile for.
 fn cpu() -> String {
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
-    let chosen = flags.rsplit_once("target-cpu=").map(|(_, rest)| rest);
-    let name = chosen.and_then(|rest| rest.split('\x1f').next());
-    name.unwrap_or("default").to_owned()
+    // Of several choices, the compiler takes the last.
+    let chosen = flags
+        .split('\x1f')
+        .filter_map(|flag| flag.trim_start_matches("-C").strip_prefix("target-cpu="))
+        .next_back();
+    chosen.unwrap_or("default").to_owned()
 }
 
 /// A Cortex-M whose floating-point unit computes in binary32 only, as far as the compiler is told.
 fn unit_lacks_binary64() -> bool {
     let target = env::var("TARGET").expect("cargo sets TARGET");
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    let computes_in_binary64 = ["cortex-m7", "cortex-m52", "cortex-m55", "cortex-m85"];
     target.starts_with("thumb")
         && target.ends_with("eabihf")
-        && !["cortex-m7", "fp64"]
-            .iter()
-            .any(|unit| flags.contains(unit))
+        && !computes_in_binary64.contains(&cpu().as_str())
+        && !flags.contains("+fp64")
 }
 
 /// What `Cargo.toml` says of the package.

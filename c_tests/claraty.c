@@ -131,6 +131,22 @@ static void refusals(void)
     PROMISE(claraty_trapezoid_set_uniform_waypoints(&x, good, 0, 1, 1) == CLARATY_ERR_WAYPOINTS);
     PROMISE(claraty_trapezoid_set_mode(&x, 2) == CLARATY_ERR_MODE);
     PROMISE(claraty_trapezoid_set_mode(&x, -1) == CLARATY_ERR_MODE);
+    PROMISE(claraty_trapezoid_set(&x, 1e300, 1e150, 1e-20, 1e-20) == CLARATY_ERR_RANGE);
+    for (i = 0; i < 2; ++i)
+    {
+        const double large = i ? -1.001e60 : 1e300;
+        const double wrong[2] = {1, large};
+        PROMISE(claraty_trapezoid_set(&x, large, 1, 1, 1) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set(&x, 1, large, 1, 1) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set(&x, 1, 1, large, 1) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set(&x, 1, 1, 1, large) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set_waypoints(&x, wrong, good, good, 2) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set_waypoints(&x, good, wrong, good, 2) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set_waypoints(&x, good, good, wrong, 2) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set_uniform_waypoints(&x, wrong, 2, 1, 1) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set_uniform_waypoints(&x, good, 2, large, 1) == CLARATY_ERR_RANGE);
+        PROMISE(claraty_trapezoid_set_uniform_waypoints(&x, good, 2, 1, large) == CLARATY_ERR_RANGE);
+    }
     PROMISE(alike(x, before));
 
     claraty_trapezoid_set_clock(&x, no_number, NULL);
@@ -139,6 +155,45 @@ static void refusals(void)
     PROMISE(claraty_trapezoid_set(&x, 1, 1, 1, 1) == CLARATY_ERR_NOT_FINITE);
     PROMISE(claraty_trapezoid_get_setpoint(&x, NULL, NULL, NULL) == CLARATY_ERR_NOT_FINITE);
     PROMISE(isnan(claraty_trapezoid_get_position(&x)));
+}
+
+/* One reading of the clock that is no number, or a huge advance, must not outlast the next start. */
+static void recoveries(void)
+{
+    double now = 5;
+    axis x = manual();
+    claraty_trapezoid_set_clock(&x, clock_of, &now);
+    PROMISE(claraty_trapezoid_set(&x, 10, 2, 2, 2) == CLARATY_OK && claraty_trapezoid_start(&x) == 0);
+    now = NAN;
+    claraty_trapezoid_reset(&x);
+    now = 7;
+    PROMISE(!claraty_trapezoid_is_started(&x) && claraty_trapezoid_elapsed(&x) == 2);
+    PROMISE(claraty_trapezoid_start(&x) == 0 && claraty_trapezoid_elapsed(&x) == 0);
+    claraty_trapezoid_advance_timer_by(&x, 1e308);
+    claraty_trapezoid_advance_timer_by(&x, 1e308);
+    PROMISE(claraty_trapezoid_get_position(&x) == 10 && claraty_trapezoid_start(&x) == 0);
+    claraty_trapezoid_advance_timer_by(&x, 1e17);
+    PROMISE(claraty_trapezoid_get_position(&x) == 10 && claraty_trapezoid_start(&x) == 0);
+    now += 1;
+    PROMISE(claraty_trapezoid_elapsed(&x) == 1 && claraty_trapezoid_get_position(&x) == 1);
+    now = NAN;
+    claraty_trapezoid_set_clock(&x, NULL, NULL);
+    PROMISE(!claraty_trapezoid_is_started(&x) && claraty_trapezoid_start(&x) == 0);
+    claraty_trapezoid_advance_timer_by(&x, 1);
+    PROMISE(claraty_trapezoid_elapsed(&x) == 1 && claraty_trapezoid_get_position(&x) == 1);
+}
+
+/* A mode counts from the next start or stop. */
+static void modes(void)
+{
+    axis x = manual();
+    PROMISE(claraty_trapezoid_set(&x, 10, 2, 2, 2) == CLARATY_OK && claraty_trapezoid_start(&x) == 0);
+    PROMISE(claraty_trapezoid_set_mode(&x, CLARATY_LISTING) == CLARATY_OK);
+    PROMISE(claraty_trapezoid_get_position_at(&x, 1000) == 10 && claraty_trapezoid_is_started(&x));
+    PROMISE(claraty_trapezoid_get_setpoint_at(&x, NAN, NULL, NULL, NULL) == CLARATY_ERR_NOT_FINITE);
+    PROMISE(claraty_trapezoid_start(&x) == 0 && claraty_trapezoid_set_mode(&x, CLARATY_CORRECTED) == CLARATY_OK);
+    PROMISE(claraty_trapezoid_get_setpoint_at(&x, NAN, NULL, NULL, NULL) == CLARATY_OK);
+    PROMISE(!claraty_trapezoid_is_started(&x));
 }
 
 static void getters(void)
@@ -262,6 +317,8 @@ int main(int argc, char **argv)
     same &= replay_listing(argv[1], "listing-advanced", 1);
     null_pointers();
     refusals();
+    recoveries();
+    modes();
     getters();
     many_axes();
     waypoints();

@@ -162,6 +162,7 @@ void too_small(axis &x)
     x.start();
 }
 void not_finite(axis &x) { x.set(std::sqrt(-1.0), 1, 1); }
+void too_large(axis &x) { x.set(1e300, 1e150, 1e-20); }
 void different_sizes(axis &x)
 {
     std::vector<double> p(2, 1.0), v(3, 1.0);
@@ -179,6 +180,7 @@ void warnings()
     PROMISE(told(nothing_to_tell) == "");
     PROMISE(told(too_small) == line("start: acceleration too small, raised") + line("start: maximum velocity too small, raised"));
     PROMISE(told(not_finite) == line("set: refused, not a finite number"));
+    PROMISE(told(too_large) == line("set: refused, a number larger than 1e60"));
     PROMISE(told(different_sizes) == line("set: refused, vectors empty or of different size"));
     PROMISE(told(strided) == line("set: refused, elements not side by side"));
 }

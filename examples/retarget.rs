@@ -21,13 +21,14 @@ fn main() {
     let mut axis = Trajectory::default();
     let (mut point, mut change, mut tick) = (State::default(), 0.0, 0);
     let mut now = 0.0; // the caller reads the clock, and tells every method the time
-    axis.set(far.into(), now);
+    axis.set(far.into(), now).expect("numbers in range");
     axis.start(now);
     while axis.is_started() {
         let before = point.velocity;
         if tick == 2000 {
             let position = 1.0;
-            axis.set(Target { position, ..far }.into(), now);
+            axis.set(Target { position, ..far }.into(), now)
+                .expect("numbers in range");
             axis.start(now);
         }
         point = axis.setpoint(now);

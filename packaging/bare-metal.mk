@@ -5,7 +5,7 @@ PROFILE := firmware
 RUSTC_FLAGS := -C force-unwind-tables=no
 CARGO_TARGET := --target $(TARGET)
 # Both real types share this directory: Debian's Rust compiles `core` into it, and compiling `core` takes longest.
-CARGO_DIR := target/build-$(TARGET)
+CARGO_DIR := target/build-$(TARGET)$(CPU:%=-%)
 
 # rustup's target is used if it is installed, else Debian's Rust (1.96) with the source of `core`. Debian's Rust can also
 # leave out the frame pointer. Rust's Thumb targets set one up in every function, for 6 bytes and 3 instructions.
@@ -13,18 +13,22 @@ ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/
 CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
     $(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian))
 RUSTC_FLAGS += --cfg atraj_unstable_core
-CARGO_TARGET := --target $(CARGO_DIR)/$(TARGET).json -Z json-target-spec -Z build-std=core
+TARGET_JSON := $(CARGO_DIR)/$(TARGET).json
+CARGO_TARGET := --target $(TARGET_JSON) -Z json-target-spec -Z build-std=core
 endif
 
-$(CARGO_DIR)/$(TARGET).json:
-	mkdir -p $(CARGO_DIR)
-	RUSTC_BOOTSTRAP=1 /usr/bin/rustc -Z unstable-options --print target-spec-json --target $(TARGET) | \
-	    sed 's/"frame-pointer": "always"/"frame-pointer": "may-omit"/' > $@
+# Written anew each time, because another Rust may have other facts. Cargo compares the text, not the date.
+$(CARGO_DIR)/$(TARGET).json: FORCE
+	@mkdir -p $(CARGO_DIR)
+	@RUSTC_BOOTSTRAP=1 /usr/bin/rustc -Z unstable-options --print target-spec-json --target $(TARGET) > $@.rustc
+	@sed 's/"frame-pointer": "always"/"frame-pointer": "may-omit"/' $@.rustc > $@.new
+	@mv $@.new $@
+FORCE:
 
 ifneq ($(filter thumb%,$(TARGET)),)
 CROSS := arm-none-eabi-
 # Nothing unwinds through this archive, and an unwind entry costs 8 bytes per function.
-DROP_UNWIND_TABLES = $(CROSS)objcopy -R '.ARM.exidx*' -R '.rel.ARM.exidx*' $(BUILD)/atraj.o
+DROP_UNWIND_TABLES = $(CROSS)objcopy -R '.ARM.exidx*' -R '.rel.ARM.exidx*' $(OBJECT)
 else ifneq ($(filter riscv%,$(TARGET)),)
 CROSS := riscv64-unknown-elf-
 endif

@@ -60,7 +60,7 @@
 //! | `std` | the clock of the system for the C handle of CLARAty's trapezoid |
 //! | `capi` | the C functions and structs, module `capi` |
 //! | `float` | makes the C ABI's real type `float` |
-//! | `poly-compact` | gives the C ABI the polynomial structs of liba since 2025-03 |
+//! | `poly-compact` | gives the C ABI the polynomial structs of liba since 2025-03, and its [`Saturation::Numbers`] |
 //!
 //! By design, `capi` clashes with the crate `liba` in one program, because both define the same C functions: leave `capi` out
 //! there, or link the archive of `make dist SYMBOL_PREFIX=x_`.
@@ -85,7 +85,7 @@ pub use bell::Bell;
 pub use check::{Extremes, Findings};
 pub use poly::{Poly, Poly3, Poly5, Poly7};
 pub use real::Real;
-pub use state::{Boundary, State};
+pub use state::{Boundary, Saturation, State};
 pub use trap::Trap;
 
 #[cfg(doctest)]

@@ -13,6 +13,16 @@ pub struct State<R> {
     pub acceleration: R,
 }
 
+/// How a plan limits the velocities at both ends. The generations of liba differ for a NaN, and for a zero if the limit is 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Saturation {
+    /// liba up to 0.1.15: a NaN becomes the negative limit, and so does a zero if the limit is 0.
+    #[default]
+    Everything,
+    /// liba since 2025: a NaN stays NaN, and a zero keeps its sign.
+    Numbers,
+}
+
 /// Where a move starts and ends: position and velocity at both ends.
 ///
 /// ```
@@ -45,10 +55,14 @@ impl<R: Real> Boundary<R> {
     }
 
     /// The move with both velocities limited to `-vm … vm`.
-    pub(crate) fn limit_velocities(self, vm: R) -> Self {
+    pub(crate) fn limit_velocities(self, vm: R, saturation: Saturation) -> Self {
+        let limit = match saturation {
+            Saturation::Everything => R::limit,
+            Saturation::Numbers => R::limit_numbers,
+        };
         Self {
-            v0: self.v0.limit(vm),
-            v1: self.v1.limit(vm),
+            v0: limit(self.v0, vm),
+            v1: limit(self.v1, vm),
             ..self
         }
     }

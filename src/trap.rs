@@ -5,7 +5,7 @@ use crate::check::{Extremes, Findings};
 use crate::online::border::{larger_root, positive};
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
-use crate::state::{Boundary, State};
+use crate::state::{Boundary, Saturation, State};
 
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
 /// each other.
@@ -91,11 +91,23 @@ impl<R: Real> Trap<R> {
     /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
     pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
+        self.plan_saturated(velocity, ac, de, boundary, Saturation::Everything)
+    }
+
+    /// [`Trap::plan`] with the saturation of either generation of liba.
+    pub fn plan_saturated(
+        &mut self,
+        velocity: R,
+        ac: R,
+        de: R,
+        boundary: Boundary<R>,
+        saturation: Saturation,
+    ) -> Option<R> {
         if ac == de {
             return None;
         }
         let vm = velocity.magnitude();
-        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, saturation);
         (self.p0, self.p1, self.v0, self.v1) = (p0, p1, v0, v1);
         let h = p1 - p0;
         let two_h = R::from(2) * h;
@@ -171,7 +183,7 @@ impl<R: Real> Trap<R> {
     pub fn fastest(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
         let vm = velocity.magnitude();
         let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
-        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm);
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, Saturation::Numbers);
         let limits = vm > R::ZERO && rise > R::ZERO && fall > R::ZERO;
         if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {
             return None;

@@ -27,8 +27,12 @@ fn claraty_header_is_fresh() {
         .generate()
         .unwrap()
         .write(&mut fresh);
-    // C++98 has no comma at the end of an enumeration.
+    // C++98 has no comma at the end of an enumeration, and C90 has no `//` comment.
     let fresh = String::from_utf8(fresh).unwrap().replace(",\n} ", "\n} ");
+    let fresh = fresh
+        .replace("}  // extern \"C\"", "} /* extern \"C\" */")
+        .replace("#endif  // __cplusplus", "#endif /* __cplusplus */")
+        .replace("#endif // __cplusplus", "#endif /* __cplusplus */");
     let fresh = fresh.trim().replace("*/\n\n\n", "*/\n\n");
     let fresh = format!("{GENERATED}\n{fresh}\n");
     check_fresh("include/claraty/trapezoid.h", &fresh);

@@ -37,7 +37,7 @@ impl Row {
     /// Does the operation.
     fn run(&self, axis: &mut Trajectory) -> Outcome {
         match self.cells[1].as_str() {
-            "set" => axis.set(self.target().into(), NOW),
+            "set" => axis.set(self.target().into(), NOW).unwrap(),
             "start" => return Outcome::Warnings(axis.start(NOW)),
             "stop" => return Outcome::Warnings(axis.stop(NOW)),
             "reset" => axis.reset(NOW),

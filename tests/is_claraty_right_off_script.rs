@@ -1,7 +1,9 @@
 //! Is CLARAty's trapezoid right where no golden script looks: at ends, timers, ties, waypoints and clocks?
 
 use atraj::State;
-use atraj::claraty::{EPS, Kind, Mode, Profile, Target, Trajectory, Warnings, Waypoints};
+use atraj::claraty::{
+    EPS, Kind, LARGEST, Mode, OutOfRange, Profile, Target, Trajectory, Warnings, Waypoints,
+};
 use support::Random;
 use support::real::just_after;
 
@@ -39,7 +41,7 @@ fn corrected(start: State<f64>, target: Target) -> (Profile, Warnings) {
 
 fn started(mode: Mode, target: Target) -> Trajectory<'static> {
     let mut axis = Trajectory::new(mode, 0.0);
-    axis.set(target.into(), 0.0);
+    axis.set(target.into(), 0.0).unwrap();
     assert_eq!(axis.start(0.0), Warnings::default());
     axis
 }
@@ -65,7 +67,7 @@ fn a_start_after_an_end_that_nobody_read_is_fresh_only_when_corrected() {
     for (mode, position) in [(Mode::Corrected, 0.0), (Mode::Listing, 10.0)] {
         let mut axis = started(mode, to(10.0));
         assert!(axis.is_started());
-        axis.set(to(20.0).into(), 100.0);
+        axis.set(to(20.0).into(), 100.0).unwrap();
         axis.start(100.0);
         assert_eq!(axis.setpoint(100.0).position, position, "{mode:?}");
     }
@@ -127,7 +129,7 @@ fn before_the_start_is_the_start_when_corrected_and_zero_in_the_listing() {
         (Mode::Listing, State::default()),
     ] {
         let mut axis = started(mode, to(10.0));
-        axis.set(to(20.0).into(), 1.0);
+        axis.set(to(20.0).into(), 1.0).unwrap();
         axis.start(1.0);
         assert_eq!(axis.setpoint_at(-1.0), before);
         assert!(axis.is_started());
@@ -244,7 +246,7 @@ fn an_empty_move_stands_still() {
 fn a_copy_of_a_running_trajectory_runs_on_its_own() {
     let mut axis = started(Mode::Corrected, to(10.0));
     let mut copy = axis;
-    axis.set(to(-10.0).into(), 1.0);
+    axis.set(to(-10.0).into(), 1.0).unwrap();
     axis.start(1.0);
     let mut alone = started(Mode::Corrected, to(10.0));
     for step in 0..80 {
@@ -312,7 +314,7 @@ fn waypoints_are_the_sum_of_single_moves_at_any_time() {
             let from = retarget.map_or(State::default(), |_| {
                 state(present.position, present.velocity)
             });
-            axis.set(waypoints().into(), now);
+            axis.set(waypoints().into(), now).unwrap();
             assert_eq!(axis.setpoint(now), present, "set moves nothing");
             assert_eq!(axis.start(now), Warnings::default());
 
@@ -340,7 +342,7 @@ fn waypoints_are_the_sum_of_single_moves_at_any_time() {
 #[test]
 fn a_motion_along_waypoints_ends_once() {
     let mut axis = Trajectory::new(Mode::Corrected, 0.0);
-    axis.set(waypoints().into(), 0.0);
+    axis.set(waypoints().into(), 0.0).unwrap();
     axis.start(0.0);
     let duration = axis.duration();
     for step in 0..=1000 {
@@ -354,7 +356,7 @@ fn a_motion_along_waypoints_ends_once() {
 #[test]
 fn a_stop_among_waypoints_brakes_at_the_rate_of_the_leg() {
     let mut axis = Trajectory::new(Mode::Corrected, 0.0);
-    axis.set(waypoints().into(), 0.0);
+    axis.set(waypoints().into(), 0.0).unwrap();
     axis.start(0.0);
     let (begins, profile) = single_moves(State::default())[3];
     let now = begins + 0.4 * profile.tf;
@@ -375,11 +377,11 @@ fn a_set_lets_go_of_the_waypoints_and_ends_at_the_next_one() {
     let (begins, profile) = single_moves(State::default())[1];
     let now = begins + 0.5 * profile.tf;
     let mut axis = Trajectory::default();
-    axis.set(waypoints().into(), 0.0);
+    axis.set(waypoints().into(), 0.0).unwrap();
     axis.start(0.0);
     let before = axis.setpoint(now);
     axis.setpoint_at(0.0); // The outcome must not depend on the last look.
-    axis.set(to(0.0).into(), now);
+    axis.set(to(0.0).into(), now).unwrap();
     assert_eq!(axis.setpoint(now), before);
     assert_eq!(axis.duration(), begins + profile.tf);
     assert_eq!(axis.setpoint_at(1000.0), at_rest(POSITIONS[1]));
@@ -395,13 +397,16 @@ fn one_limit_for_all_waypoints() {
     each.set(
         Waypoints::new(&POSITIONS, &same, &same).unwrap().into(),
         0.0,
-    );
+    )
+    .unwrap();
     each.start(0.0);
     let mut uniform = Trajectory::default();
-    uniform.set(
-        Waypoints::uniform(&POSITIONS, 3.0, 3.0).unwrap().into(),
-        0.0,
-    );
+    uniform
+        .set(
+            Waypoints::uniform(&POSITIONS, 3.0, 3.0).unwrap().into(),
+            0.0,
+        )
+        .unwrap();
     uniform.start(0.0);
     assert_eq!(each.duration(), uniform.duration());
     for step in 0..1000 {
@@ -416,4 +421,194 @@ fn waypoints_need_a_limit_each() {
     assert!(Waypoints::new(&POSITIONS, &VELOCITIES, &ACCELERATIONS[1..]).is_none());
     assert!(Waypoints::new(&[], &[], &[]).is_none());
     assert!(Waypoints::uniform(&[], 1.0, 1.0).is_none());
+}
+
+#[test]
+fn a_listing_that_ends_at_no_number_is_over_at_its_first_instant() {
+    let mut listing = Profile::default();
+    listing.plan_listing(state(1.0, f64::NAN), to(10.0));
+    assert!(
+        [listing.t1, listing.t2, listing.tf]
+            .iter()
+            .all(|t| t.is_nan())
+    );
+    assert!(listing.is_over(0.0) && listing.is_over(1.0) && !listing.is_over(-1.0));
+    assert_eq!(listing.setpoint(0.0), at_rest(10.0));
+}
+
+/// Whatever the limits say, a corrected setpoint is a number.
+#[test]
+fn a_set_refuses_what_would_overflow_and_changes_nothing() {
+    let mut axis = started(Mode::Corrected, to(10.0));
+    let overflowing = Target {
+        position: 1e300,
+        velocity: 1e150,
+        acceleration: 1e-20,
+        deceleration: 1e-20,
+    };
+    assert_eq!(axis.set(overflowing.into(), 1.0), Err(OutOfRange));
+    for wrong in [1.001 * LARGEST, f64::MAX, f64::INFINITY, f64::NAN] {
+        for wrong in [wrong, -wrong] {
+            let all = to(1.0);
+            for target in [
+                Target {
+                    position: wrong,
+                    ..all
+                },
+                Target {
+                    velocity: wrong,
+                    ..all
+                },
+                Target {
+                    acceleration: wrong,
+                    ..all
+                },
+                Target {
+                    deceleration: wrong,
+                    ..all
+                },
+            ] {
+                assert_eq!(axis.set(target.into(), 1.0), Err(OutOfRange), "{target:?}");
+            }
+            let (good, bad): (&[f64], &[f64]) = (&[1.0, 2.0], vec![1.0, wrong].leak());
+            for waypoints in [
+                Waypoints::new(bad, good, good),
+                Waypoints::new(good, bad, good),
+                Waypoints::new(good, good, bad),
+                Waypoints::uniform(bad, 1.0, 1.0),
+                Waypoints::uniform(good, wrong, 1.0),
+                Waypoints::uniform(good, 1.0, wrong),
+            ] {
+                let waypoints = waypoints.unwrap();
+                assert_eq!(axis.set(waypoints.into(), 1.0), Err(OutOfRange));
+            }
+        }
+    }
+    let mut alone = started(Mode::Corrected, to(10.0));
+    for axis in [&mut axis, &mut alone] {
+        axis.start(2.0);
+    }
+    assert_eq!(axis.profile(), alone.profile());
+    let largest = Target {
+        position: -LARGEST,
+        velocity: LARGEST,
+        acceleration: LARGEST,
+        deceleration: LARGEST,
+    };
+    assert_eq!(axis.set(largest.into(), 3.0), Ok(()));
+}
+
+#[test]
+fn a_corrected_setpoint_is_finite_up_to_the_largest_numbers() {
+    let mut random = Random(11);
+    let mut farthest = 0.0f64;
+    for _ in 0..100_000 {
+        let mut axis = Trajectory::new(Mode::Corrected, 0.0);
+        let mut now = 0.0;
+        for _ in 0..6 {
+            let mut number = || match random.bits() % 4 {
+                0 => LARGEST,
+                1 => 0.0,
+                2 => random.magnitude(-80.0, 60.0),
+                _ => random.magnitude(-3.0, 3.0),
+            };
+            let mut target = Target {
+                position: number(),
+                velocity: number(),
+                acceleration: number(),
+                deceleration: number(),
+            };
+            target.position *= random.sign();
+            axis.set(target.into(), now).unwrap();
+            if random.one_in(8) {
+                axis.stop(now);
+            } else {
+                axis.start(now);
+            }
+            let Profile { t1, t2, tf, .. } = *axis.profile();
+            let at = random.between(0.0, 1.0) * axis.duration();
+            for t in [
+                0.0,
+                t1,
+                just_after(t1),
+                0.5 * t1,
+                t2,
+                just_after(t2),
+                tf,
+                at,
+            ] {
+                let setpoint = axis.setpoint_at(t);
+                let State {
+                    position,
+                    velocity,
+                    acceleration,
+                } = setpoint;
+                for value in [position, velocity, acceleration] {
+                    assert!(
+                        value.is_finite(),
+                        "{setpoint:?} at {t}: {:?}",
+                        axis.profile()
+                    );
+                }
+                farthest = farthest.max(position.abs());
+            }
+            now += at;
+        }
+    }
+    assert!(farthest > 1e100, "{farthest}");
+}
+
+#[test]
+fn a_reset_on_a_clock_without_a_number_forgets_the_motion_and_spares_the_timer() {
+    for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let mut axis = started(Mode::Corrected, to(10.0));
+        axis.reset(broken);
+        assert!(!axis.is_started());
+        assert_eq!(axis.elapsed(1.5), 1.5);
+        axis.start(2.0);
+        assert_eq!(axis.setpoint(3.0).position, 1.0);
+    }
+}
+
+#[test]
+fn a_change_to_or_from_a_clock_without_a_number_is_a_reset() {
+    for (now, instead) in [(1.0, f64::NAN), (f64::NAN, 1000.0)] {
+        let mut axis = started(Mode::Corrected, to(10.0));
+        axis.change_clock(now, instead);
+        assert!(!axis.is_started());
+        assert!(axis.elapsed(1000.5).is_finite());
+        axis.start(1001.0);
+        assert_eq!(axis.setpoint(1002.0).position, 1.0);
+    }
+}
+
+#[test]
+fn a_huge_advance_of_the_timer_lasts_until_the_next_start() {
+    for advances in [[1e308, 1e308], [1e17, 0.0], [-1e17, 0.0]] {
+        let mut axis = started(Mode::Corrected, to(10.0));
+        for seconds in advances {
+            axis.advance_timer_by(seconds);
+            assert!(axis.elapsed(0.0).is_finite(), "{seconds}");
+        }
+        axis.reset(0.5);
+        axis.start(0.5);
+        assert_eq!(axis.elapsed(1.5), 1.0);
+        assert_eq!(axis.setpoint(1.5).position, 1.0);
+        axis.advance_timer_by(0.25);
+        assert_eq!(axis.elapsed(1.5), 1.25);
+    }
+}
+
+#[test]
+fn a_mode_counts_from_the_next_start_or_stop() {
+    let mut axis = started(Mode::Corrected, to(10.0));
+    axis.set_mode(Mode::Listing);
+    assert_eq!(axis.setpoint_at(100.0), at_rest(10.0));
+    assert!(axis.is_started(), "a look changes a corrected motion");
+    axis.start(1.0);
+    assert_eq!(axis.setpoint_at(-1.0), State::default());
+    axis.set_mode(Mode::Corrected);
+    assert_eq!(axis.setpoint_at(-1.0), State::default());
+    assert_eq!(axis.setpoint_at(100.0), at_rest(10.0));
+    assert!(!axis.is_started(), "a look beyond the end of a listing");
 }

@@ -1,6 +1,6 @@
-//! Does the Rust API give the bits of the original C library on every golden row?
+//! Does the Rust API give the bits of both generations of the original C library on every golden row?
 
-use support::{Comparison, Family, Ours, Real, golden, test_each_family};
+use support::{Comparison, Family, Ours, OursNewest, Real, golden, test_each_family};
 
 fn meets_golden_data<R: Real>(family: Family) {
     let mut comparison = Comparison::default();
@@ -9,6 +9,33 @@ fn meets_golden_data<R: Real>(family: Family) {
 }
 
 test_each_family!(meets_golden_data);
+
+fn meets_newest_golden_data<R: Real>() {
+    for family in [Family::Bell, Family::Trap] {
+        let moves = golden::newest_moves::<R>(family);
+        let mut comparison = Comparison::default();
+        golden::compare_plans(&mut comparison, &OursNewest, family, &moves);
+        comparison.finish(&format!("newest {} {}", family.name(), R::NAME));
+
+        let mut older = Comparison::default();
+        golden::compare_plans(&mut older, &Ours, family, &moves);
+        let (name, differing) = (family.name(), older.differences.len());
+        assert!(
+            differing > 100,
+            "{name}: the generations hardly differ, in {differing} values"
+        );
+    }
+}
+
+#[test]
+fn newest_f64() {
+    meets_newest_golden_data::<f64>();
+}
+
+#[test]
+fn newest_f32() {
+    meets_newest_golden_data::<f32>();
+}
 
 #[test]
 #[should_panic(expected = "no_such_table_f64.csv")]

@@ -21,17 +21,16 @@ const CPP: [&str; 4] = ["c++98", "c++11", "c++17", "c++20"];
 fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> PathBuf {
     static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     let dist = variant.dist();
-    let programs = dist.join("tests");
+    let programs = variant.scratch();
     let options = flags.concat().replace('/', "-");
     let program = programs.join(format!("{source}-{compiler}{options}"));
     let mut built = BUILT.lock().unwrap();
     if !built.contains(&program) {
-        fs::create_dir_all(programs).unwrap();
         let mut command = Command::new(compiler);
         command.args(STRICT).arg("-O2").args(flags);
         command.arg("-I").arg(dist.join("include"));
         command.arg(root().join("c_tests").join(source));
-        command.arg(dist.join("lib/libatraj.a")).arg("-lm");
+        command.arg(variant.archive()).arg("-lm");
         run(command.arg("-o").arg(&program));
         built.insert(program.clone());
     }
@@ -91,7 +90,7 @@ fn exists(variant: &Variant, symbol: &str) -> bool {
 #[test]
 fn a_wrong_golden_bit_is_found() {
     let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
-    let copy = DOUBLE.dist().join("tests/golden");
+    let copy = DOUBLE.scratch().join("golden");
     copy_golden(&copy);
     let table = copy.join("bell_eval_f64.csv");
     let csv = fs::read_to_string(&table).unwrap();
@@ -115,7 +114,7 @@ fn a_wrong_golden_bit_is_found() {
 #[test]
 fn a_missing_or_empty_golden_file_is_found() {
     let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
-    let copy = DOUBLE.dist().join("tests/golden-incomplete");
+    let copy = DOUBLE.scratch().join("golden-incomplete");
     copy_golden(&copy);
     let table = copy.join("poly7_eval_f64.csv");
     fs::write(&table, "case,x,pos,vel,acc,jer\n").unwrap();
@@ -223,7 +222,7 @@ fn claraty_from_cpp_by_the_name_of_the_original_header() {
 #[test]
 fn a_wrong_golden_bit_of_claraty_is_found() {
     let program = build(&DOUBLE, "cc", &["-std=c99"], "claraty.c");
-    let copy = DOUBLE.dist().join("tests/golden-claraty");
+    let copy = DOUBLE.scratch().join("golden-claraty");
     copy_golden(&copy);
     let table = copy.join("claraty_listing_f64.csv");
     let csv = fs::read_to_string(&table).unwrap();
@@ -330,6 +329,58 @@ fn headers_compile_clean_in_every_configuration() {
                     );
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn headers_are_strict_c90() {
+    let include = root().join("include");
+    for compiler in compilers(Language::C) {
+        let flags = ["-std=c90", "-pedantic-errors"];
+        assert!(accepts(compiler, "c", &include, &flags), "{compiler}");
+    }
+}
+
+/// A user of the class in C++. The templates are compiled with a vector.
+const CLASS_USER: &str = "#include <claraty/trapezoidal_trajectory.h>
+#include <vector>
+double use(std::vector<double> &p);
+double use(std::vector<double> &p)
+{
+    claraty::Trapezoidal_Trajectory x, y(x);
+    x.set(p, p, p);
+    x.set(p, 1.0, 1.0);
+    x = y;
+    std::cerr << x;
+    return x.get_position();
+}
+";
+
+#[test]
+fn the_class_compiles_under_the_warnings_of_careful_users() {
+    // The layout has padding, a class of one header has its table in every file, and C++98 has no later features.
+    const CLANG: [&str; 5] = [
+        "-Weverything",
+        "-Wno-padded",
+        "-Wno-weak-vtables",
+        "-Wno-c++98-compat",
+        "-Wno-c++98-compat-pedantic",
+    ];
+    let source = root().join("target/class_user.cpp");
+    fs::write(&source, CLASS_USER).unwrap();
+    for compiler in compilers(Language::Cpp) {
+        let warnings: &[&str] = if compiler.starts_with("clang") {
+            &CLANG
+        } else {
+            &["-Weffc++"]
+        };
+        for standard in CPP {
+            let mut command = Command::new(compiler);
+            command.args(STRICT).args(warnings).arg("-fsyntax-only");
+            command.arg(format!("-std={standard}"));
+            command.arg("-I").arg(root().join("include"));
+            run(command.arg(&source));
         }
     }
 }

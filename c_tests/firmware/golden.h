@@ -15,6 +15,11 @@ typedef uint64_t bits;
 typedef union { bits bits; a_float value; } real;
 _Static_assert(sizeof(real) == sizeof(a_float), "a bit pattern is as wide as the number");
 
+/* A row of CLARAty's listing: the operation, what it must give besides binary64 numbers, and the line in the golden file. */
+enum { OP_init, OP_set, OP_start, OP_stop, OP_reset, OP_advance, OP_get, OP_get_at };
+#define ROW(operation, started, type, warnings, line) \
+    ((uint64_t)(line) << 32 | (uint64_t)(warnings) << 24 | (type) << 16 | (started) << 8 | OP_##operation)
+
 #include "golden_rows.h"
 #define ROWS(table) (sizeof(table) / sizeof *(table))
 

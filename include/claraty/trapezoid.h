@@ -3,10 +3,10 @@
 /*!
  @file trapezoid.h
  @brief CLARAty's trapezoid: a target, start and stop at any time, a setpoint whenever the controller asks
- @details Any consistent unit of length or angle; times in seconds; positions and velocities signed, limits by magnitude.
- The handle is the caller's; nothing is allocated. A handle may be used by one thread at a time. A function refuses an
- argument that is not finite and leaves the handle as it was; on a NULL handle it returns CLARATY_ERR_NULL or NaN or
- does nothing.
+ @details Length or angle is in any consistent unit, time in seconds. Positions and velocities have a sign; the sign of
+ a limit is ignored. The caller owns the handle; nothing is allocated. One thread at a time may use a handle. A function
+ refuses an argument that is not finite or is larger than 1e60, and leaves the handle as it was. On a NULL handle a
+ function returns CLARATY_ERR_NULL or NaN, or does nothing. Setpoints of a corrected motion are always finite.
 */
 
 #ifndef CLARATY_TRAPEZOID_H
@@ -16,15 +16,15 @@
 #include <stdint.h>
 
 /**
- * Which motion a handle plans.
+ * The motion that a handle plans.
  */
 typedef enum claraty_mode {
     /**
-     * from any position and velocity to rest at the target, without a jump and without a needless overshoot
+     * from any position and velocity to rest at the target, without a jump, without a needless overshoot
      */
     CLARATY_CORRECTED = 0,
     /**
-     * what CLARAty's published listing computes, bit for bit
+     * the motion of CLARAty's published listing, bit for bit, infinite and NaN setpoints included
      */
     CLARATY_LISTING = 1
 } claraty_mode;
@@ -34,7 +34,7 @@ typedef enum claraty_mode {
  */
 typedef enum claraty_type {
     /**
-     * no phase at the maximum velocity
+     * does not cruise at the maximum velocity
      */
     CLARATY_TRIANGULAR = 0,
     /**
@@ -44,7 +44,7 @@ typedef enum claraty_type {
 } claraty_type;
 
 /**
- * Bits of what a plan had to put up with.
+ * What a plan changed or could not do, as bits.
  */
 typedef enum claraty_warning {
     /**
@@ -52,21 +52,21 @@ typedef enum claraty_warning {
      */
     CLARATY_WARN_ACCEL = 1,
     /**
-     * the deceleration was
+     * the deceleration was below 1e-10 and was raised to it
      */
     CLARATY_WARN_DECEL = 2,
     /**
-     * the maximum velocity was
+     * the maximum velocity was below 1e-10 and was raised to it
      */
     CLARATY_WARN_VELOCITY = 4,
     /**
-     * listing mode only: no instant to switch from acceleration to deceleration, the motion is wrong
+     * listing mode only: the listing found no instant to switch to deceleration, and the motion is wrong
      */
     CLARATY_WARN_SWITCH = 8
 } claraty_warning;
 
 /**
- * What a function returns that can fail.
+ * The result of a function that can fail.
  */
 typedef enum claraty_result {
     /**
@@ -78,37 +78,41 @@ typedef enum claraty_result {
      */
     CLARATY_ERR_NULL = -1,
     /**
-     * an argument or the clock is infinite or not a number
+     * an argument or the time on the clock is infinite or not a number
      */
     CLARATY_ERR_NOT_FINITE = -2,
     /**
-     * not one of `claraty_mode`
+     * the mode is not one of `claraty_mode`
      */
     CLARATY_ERR_MODE = -3,
     /**
-     * no waypoints, or more than an array can hold
+     * there are no waypoints, or more than an array can hold
      */
-    CLARATY_ERR_WAYPOINTS = -4
+    CLARATY_ERR_WAYPOINTS = -4,
+    /**
+     * a position, velocity or rate is larger than 1e60, and the motion could overflow
+     */
+    CLARATY_ERR_RANGE = -5
 } claraty_result;
 
 /**
- * One axis. The caller owns it: on the stack, static or on the heap; there is nothing to release. Without waypoints it
- * may be copied at any time, and the copy runs on its own; with waypoints the copy reads the same arrays.
+ * One axis. The caller owns the handle, on the stack, static or on the heap, and has nothing to release. The handle
+ * may be copied at any time, and the copy runs on its own. A copy reads the same arrays of waypoints.
  */
 typedef struct claraty_trapezoid {
     /**
-     * not for the caller
+     * private
      */
     uint64_t opaque[34];
 } claraty_trapezoid;
 
 /**
- * Monotonic seconds from any fixed origin. It must not use the handle that it is the clock of.
+ * A clock: monotonic seconds from any fixed origin. It must not use the handle that reads it.
  */
 typedef double (*claraty_clock)(void *user);
 
 /**
- * A planned motion: acceleration up to `t1`, cruise up to `t2`, deceleration up to `tf`. Times in seconds from its start.
+ * A planned motion: acceleration until `t1`, cruise until `t2`, deceleration until `tf`. Times count from its start.
  */
 typedef struct claraty_profile {
     /**
@@ -155,17 +159,17 @@ typedef struct claraty_profile {
 
 #ifdef __cplusplus
 extern "C" {
-#endif // __cplusplus
+#endif /* __cplusplus */
 
 /**
- * Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, `CLARATY_CORRECTED`, on the
- * monotonic clock of the system; where there is none, on the manual one.
- * @param h the handle
+ * Makes a handle out of storage: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`. The handle reads the
+ * monotonic clock of the system; on a target without a system it has the manual clock.
+ * @param h the handle, whose storage need not be initialised
  */
 void claraty_trapezoid_init(struct claraty_trapezoid *h);
 
 /**
- * Chooses what the following starts and stops plan.
+ * Chooses the mode of the following starts and stops. A motion under way keeps its mode.
  * @param h the handle
  * @param mode one of `claraty_mode`
  * @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_MODE`
@@ -173,23 +177,24 @@ void claraty_trapezoid_init(struct claraty_trapezoid *h);
 int claraty_trapezoid_set_mode(struct claraty_trapezoid *h, int mode);
 
 /**
- * Goes over to another clock; a motion under way goes on from where it is. With a NULL `clock` the clock is manual: it
- * stands still, and only `claraty_trapezoid_advance_timer_by` moves it.
+ * Gives the handle another clock. A motion under way goes on where it is; if the old or the new clock shows no
+ * finite number now, the motion is forgotten as by `claraty_trapezoid_reset`. The manual clock stands still: only
+ * `claraty_trapezoid_advance_timer_by` moves the timer.
  * @param h the handle
- * @param clock monotonic seconds; NULL for the manual clock, which stands still
- * @param user is given to `clock` with every call
+ * @param clock monotonic seconds; NULL for the manual clock
+ * @param user the argument of every call of `clock`
  */
 void claraty_trapezoid_set_clock(struct claraty_trapezoid *h, claraty_clock clock, void *user);
 
 /**
- * Stores where to go next; it moves nothing before `claraty_trapezoid_start`. Waypoints of an earlier set are let go: a
- * motion along them ends at rest at the one it is heading for.
+ * Stores where to go next. Nothing moves before `claraty_trapezoid_start`. A motion along waypoints lets go of them:
+ * it ends at rest at the waypoint ahead.
  * @param h the handle
  * @param final_position relative to the start of the trajectory, unit
  * @param max_velocity magnitude, unit/s
- * @param accel magnitude of the change from the present velocity to `max_velocity`, unit/s^2
- * @param decel magnitude of the final stop, unit/s^2
- * @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
+ * @param accel magnitude of the rate from the present velocity to the cruise velocity, unit/s^2
+ * @param decel magnitude of the rate of the final stop, unit/s^2
+ * @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_RANGE`
  */
 int claraty_trapezoid_set(struct claraty_trapezoid *h,
                           double final_position,
@@ -198,14 +203,15 @@ int claraty_trapezoid_set(struct claraty_trapezoid *h,
                           double decel);
 
 /**
- * Stores a way along `n` positions with rest at each; for the rest as `claraty_trapezoid_set`. In both modes the legs
- * are corrected motions; the first sets off from the present one. The arrays must stay as they are until the next set.
+ * Stores a way along `n` positions, with rest at each. Nothing moves before `claraty_trapezoid_start`. In both modes
+ * the legs are corrected motions, and the first leg begins at the present motion. The caller must not change the
+ * arrays until the next set.
  * @param h the handle
  * @param n number of waypoints
  * @param positions relative to the start of the trajectory, unit
  * @param velocities maximum velocity of the leg to each position, unit/s
  * @param accels acceleration and deceleration of the leg to each position, unit/s^2
- * @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_WAYPOINTS`
+ * @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE`, `CLARATY_ERR_WAYPOINTS` or `CLARATY_ERR_RANGE`
  */
 int claraty_trapezoid_set_waypoints(struct claraty_trapezoid *h,
                                     const double *positions,
@@ -214,13 +220,14 @@ int claraty_trapezoid_set_waypoints(struct claraty_trapezoid *h,
                                     size_t n);
 
 /**
- * `claraty_trapezoid_set_waypoints` with one velocity and one acceleration for all legs.
+ * Stores a way along `n` positions as `claraty_trapezoid_set_waypoints` does. All legs have one velocity and one
+ * acceleration.
  * @param h the handle
- * @param positions one for each waypoint, relative to the start of the trajectory, unit
+ * @param positions relative to the start of the trajectory, unit
  * @param n number of waypoints
- * @param max_velocity for every waypoint, unit/s
- * @param accel for every waypoint, unit/s^2
- * @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_WAYPOINTS`
+ * @param max_velocity maximum velocity of every leg, unit/s
+ * @param accel acceleration and deceleration of every leg, unit/s^2
+ * @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE`, `CLARATY_ERR_WAYPOINTS` or `CLARATY_ERR_RANGE`
  */
 int claraty_trapezoid_set_uniform_waypoints(struct claraty_trapezoid *h,
                                             const double *positions,
@@ -229,53 +236,57 @@ int claraty_trapezoid_set_uniform_waypoints(struct claraty_trapezoid *h,
                                             double accel);
 
 /**
- * Sets off, timer at 0: from the present motion, or from rest at 0 if there is none.
+ * Sets off with the timer at 0. The motion begins at the setpoint if a motion is under way, else at rest at 0.
  * @param h the handle
  * @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
  */
 int claraty_trapezoid_start(struct claraty_trapezoid *h);
 
 /**
- * Brakes the present motion to rest; sets the timer to 0 also if there is none.
+ * Brakes a motion under way. The timer is set to 0 also if no motion is under way.
  * @param h the handle
  * @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
  */
 int claraty_trapezoid_stop(struct claraty_trapezoid *h);
 
 /**
- * Forgets the present motion and sets the timer to 0. The axis is not braked; the last profile can still be read.
+ * Forgets the motion and sets the timer to 0. The axis does not brake, and the last profile stays readable. If the
+ * clock shows no finite number now, the timer goes on unchanged.
  * @param h the handle
  */
 void claraty_trapezoid_reset(struct claraty_trapezoid *h);
 
 /**
- * Whether a motion is under way: from the start until the setpoint has been read after the end.
+ * Whether a motion is under way: from the start until a setpoint after the end has been read.
  * @param h the handle
  * @return 1, 0 or `CLARATY_ERR_NULL`
  */
 int claraty_trapezoid_is_started(const struct claraty_trapezoid *h);
 
 /**
- * Adds to what the clock gives, whichever clock it is. A number that is not finite adds nothing.
+ * Adds to the time on the clock. A number that is not finite, and an advance that overflows, are ignored. The next
+ * start, stop or reset drops an advance of more than 1e6 s, because the clock would lose digits beside it.
  * @param h the handle
- * @param seconds to add, s; may be negative
+ * @param seconds time to add, s; may be negative
  */
 void claraty_trapezoid_advance_timer_by(struct claraty_trapezoid *h, double seconds);
 
 /**
+ * Reads the timer.
  * @param h the handle
  * @return time since the last start, stop or reset, s; NaN if `h` is NULL
  */
 double claraty_trapezoid_elapsed(const struct claraty_trapezoid *h);
 
 /**
+ * Reads the duration of the motion, over all legs.
  * @param h the handle
- * @return time from the start to rest, all legs together, s; 0 before the first start; NaN if `h` is NULL
+ * @return time from the start to rest, s; 0 before the first start; NaN if `h` is NULL
  */
 double claraty_trapezoid_duration(const struct claraty_trapezoid *h);
 
 /**
- * What the axis shall do now. Reading it after the end of the motion ends the motion.
+ * Reads the setpoint now. A reading after the end of the motion ends the motion.
  * @param h the handle
  * @param position NULL, or where to write the position, unit
  * @param velocity NULL, or where to write the velocity, unit/s
@@ -285,8 +296,9 @@ double claraty_trapezoid_duration(const struct claraty_trapezoid *h);
 int claraty_trapezoid_get_setpoint(struct claraty_trapezoid *h, double *position, double *velocity, double *accel);
 
 /**
- * The same at a time after the start, before or after now. In listing mode a look beyond the end ends the motion, and
- * before the start all is 0, as in the listing; a time that is not finite is looked up there too.
+ * Reads the setpoint at a time after the start. In a corrected motion a look changes nothing, and a time before the
+ * start gives the state at the start. A motion of the listing behaves as the listing: a look beyond the end ends it,
+ * a time before the start gives 0, and a time that is not finite is accepted.
  * @param h the handle
  * @param time since the start, s
  * @param position NULL, or where to write the position, unit
@@ -301,55 +313,61 @@ int claraty_trapezoid_get_setpoint_at(struct claraty_trapezoid *h,
                                       double *accel);
 
 /**
+ * Reads the position of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
  * @param h the handle
- * @return position now, unit; NaN where `claraty_trapezoid_get_setpoint` fails
+ * @return position, unit; NaN where `claraty_trapezoid_get_setpoint` fails
  */
 double claraty_trapezoid_get_position(struct claraty_trapezoid *h);
 
 /**
+ * Reads the velocity of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
  * @param h the handle
- * @return velocity now, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
+ * @return velocity, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
  */
 double claraty_trapezoid_get_velocity(struct claraty_trapezoid *h);
 
 /**
+ * Reads the acceleration of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
  * @param h the handle
- * @return acceleration now, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
+ * @return acceleration, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
  */
 double claraty_trapezoid_get_acceleration(struct claraty_trapezoid *h);
 
 /**
+ * Reads the position of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
  * @param h the handle
  * @param time since the start, s
- * @return position at a time after the start, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
+ * @return position, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
  */
 double claraty_trapezoid_get_position_at(struct claraty_trapezoid *h, double time);
 
 /**
+ * Reads the velocity of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
  * @param h the handle
  * @param time since the start, s
- * @return velocity at a time after the start, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
+ * @return velocity, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
  */
 double claraty_trapezoid_get_velocity_at(struct claraty_trapezoid *h, double time);
 
 /**
+ * Reads the acceleration of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
  * @param h the handle
  * @param time since the start, s
- * @return acceleration at a time after the start, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
+ * @return acceleration, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
  */
 double claraty_trapezoid_get_acceleration_at(struct claraty_trapezoid *h, double time);
 
 /**
- * The profile of the last start or stop, all 0 before; along waypoints that of the leg last looked at, with times from
- * the start of the leg.
+ * Reads the profile of the last start or stop; before the first start all of it is 0. Along waypoints it is the
+ * profile of the leg last looked at, and its times count from the start of this leg.
  * @param h the handle
- * @param out NULL, or where to write it
+ * @param out NULL, or where to write the profile
  * @return `CLARATY_OK` or `CLARATY_ERR_NULL`
  */
 int claraty_trapezoid_get_profile(const struct claraty_trapezoid *h, struct claraty_profile *out);
 
 #ifdef __cplusplus
-}  // extern "C"
-#endif  // __cplusplus
+} /* extern "C" */
+#endif /* __cplusplus */
 
 #endif  /* CLARATY_TRAPEZOID_H */

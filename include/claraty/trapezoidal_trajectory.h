@@ -1,11 +1,12 @@
 /*!
  @file trapezoidal_trajectory.h
  @brief CLARAty's classes `Trajectory` and `Trapezoidal_Trajectory` over the handle of trapezoid.h; C++98 and later
- @details The public members of the original under their names, plus `handle()` for what it did not have: the mode
- (`claraty_trapezoid_set_mode`; corrected motions unless asked for the listing's), the clock, the duration, the profile.
+ @details The classes have the public members of the original under their names. `handle()` gives access to what the
+ original did not have: the mode, the clock, the duration and the profile. Motions are corrected; for the motions of the
+ listing call `claraty_trapezoid_set_mode(axis.handle(), CLARATY_LISTING)`.
 
- Warnings and refused arguments are told on `std::cerr`, a line each. Define CLARATY_NO_WARNINGS for the whole program to
- leave that out, and the header `iostream` with it.
+ Each warning and each refused argument is a line on `std::cerr`. Define CLARATY_NO_WARNINGS for the whole program to
+ leave out these lines and the header `iostream`.
 */
 
 #ifndef CLARATY_TRAPEZOIDAL_TRAJECTORY_H
@@ -24,24 +25,29 @@ namespace claraty
 namespace detail
 {
 
-/* What a class calls its number of elements: `get_size()`, as CLARAty's Vector, or `size()`. */
+/* The number of elements of a vector is `get_size()`, as in CLARAty's Vector, or `size()`. */
 
 typedef char one[1];
 typedef char two[2];
+template <class T>
+T &any();
 template <std::size_t>
-struct well_formed;
+struct well_formed
+{
+    typedef int type;
+};
 
 template <class T>
-one &has_get_size(well_formed<sizeof(static_cast<T *>(0)->get_size())> *);
+one &has_get_size(typename well_formed<sizeof(any<T>().get_size())>::type);
 template <class T>
 two &has_get_size(...);
 
 template <class T>
-one &has_size(well_formed<sizeof(static_cast<T *>(0)->size())> *);
+one &has_size(typename well_formed<sizeof(any<T>().size())>::type);
 template <class T>
 two &has_size(...);
 
-/* Has a `result`, the one of a `set`, only for a vector: other types fall to the overloads for numbers. */
+/* Only a vector has a `result`, which is the result of `set`. Other types take the overloads of `set` for numbers. */
 template <class T, std::size_t GetSize = sizeof(has_get_size<T>(0)), std::size_t Size = sizeof(has_size<T>(0))>
 struct vector
 {
@@ -59,17 +65,19 @@ struct vector<T, sizeof(two), sizeof(one)>
     static std::size_t size(T &v) { return static_cast<std::size_t>(v.size()); }
 };
 
-/* The elements as an array; 0 if there are none or they do not lie side by side. */
+typedef const double *array;
+
+/* The elements as an array. It is a null pointer if there are no elements, or if they do not lie side by side. */
 template <class T>
-const double *elements(T &v)
+array elements(T &v)
 {
     const std::size_t n = vector<T>::size(v);
-    if (n == 0) { return 0; }
-    const double *const first = &v[0];
+    if (n == 0) { return array(); }
+    const array first = &v[0];
     for (std::size_t i = 1; i < n; ++i)
     {
-        const double *const element = &v[i];
-        if (element != first + i) { return 0; }
+        const array element = &v[i];
+        if (element != first + i) { return array(); }
     }
     return first;
 }
@@ -78,27 +86,36 @@ const double *elements(T &v)
 
 /*!
  @brief a trajectory of one axis
- @details Position, velocity and acceleration in any consistent unit, times in seconds, limits by magnitude. It may be
- copied at any time.
+ @details Length or angle is in any consistent unit, time in seconds. The sign of a limit is ignored. A trajectory may
+ be copied at any time.
 */
 class Trajectory
 {
 public:
     virtual ~Trajectory() {}
+    /*! the copy goes on with the motion on its own */
+    Trajectory(const Trajectory &other) : _handle(other._handle) {}
+    /*! this trajectory goes on with the motion of `other` on its own */
+    Trajectory &operator=(const Trajectory &other)
+    {
+        _handle = other._handle;
+        return *this;
+    }
 
-    /*! where to go next, deceleration as acceleration; it moves nothing before `start` */
+    /*! stores where to go next, deceleration equal to acceleration; nothing moves before `start` */
     virtual void set(double final_position, double max_velocity, double accel)
     {
         set(final_position, max_velocity, accel, accel);
     }
-    /*! where to go next */
+    /*! stores where to go next; nothing moves before `start` */
     virtual void set(double final_position, double max_velocity, double accel, double decel)
     {
         report("set", claraty_trapezoid_set(&_handle, final_position, max_velocity, accel, decel));
     }
     /*!
-     @brief waypoints with rest at each, their velocities and accelerations
-     @details The vectors, of `double` side by side, must stay as they are until the next `set`.
+     @brief stores waypoints, with rest at each, and the velocity and acceleration of each leg
+     @details The elements are of type `double` and lie side by side. The caller must not change the vectors until the
+     next `set`.
     */
     template <class Vector>
     typename detail::vector<Vector>::result set(Vector &final_position, Vector &max_velocity, Vector &accel)
@@ -112,7 +129,7 @@ public:
         report("set", claraty_trapezoid_set_waypoints(&_handle, detail::elements(final_position),
                                                       detail::elements(max_velocity), detail::elements(accel), n));
     }
-    /*! waypoints with rest at each, and one velocity and one acceleration for all */
+    /*! stores waypoints, with rest at each, and one velocity and one acceleration for all legs */
     template <class Vector>
     typename detail::vector<Vector>::result set(Vector &final_position, double max_velocity, double accel)
     {
@@ -121,15 +138,15 @@ public:
                                                               max_velocity, accel));
     }
 
-    /*! sets off from the present motion, or from rest at 0 */
+    /*! sets off from the setpoint if a motion is under way, else from rest at 0 */
     void start() { report("start", claraty_trapezoid_start(&_handle)); }
-    /*! brakes from here */
+    /*! brakes a motion under way */
     void stop() { report("stop", claraty_trapezoid_stop(&_handle)); }
-    /*! forgets the present motion and sets the timer to 0 */
+    /*! forgets the motion and sets the timer to 0; the axis does not brake */
     void reset() { claraty_trapezoid_reset(&_handle); }
-    /*! from the start until the setpoint has been read after the end */
+    /*! whether a motion is under way: from the start until a setpoint after the end has been read */
     bool is_started() const { return claraty_trapezoid_is_started(&_handle) > 0; }
-    /*! adds to what the clock gives */
+    /*! adds to the time on the clock */
     void advance_timer_by(double delta_time) { claraty_trapezoid_advance_timer_by(&_handle, delta_time); }
 
     /*! position now */
@@ -144,12 +161,12 @@ public:
     double get_acceleration() { return claraty_trapezoid_get_acceleration(&_handle); }
     /*! acceleration at a time after the start */
     double get_acceleration(double time) { return claraty_trapezoid_get_acceleration_at(&_handle, time); }
-    /*! all three now */
+    /*! position, velocity and acceleration now */
     void get_setpoint(double &position, double &velocity, double &accel)
     {
         report("get_setpoint", claraty_trapezoid_get_setpoint(&_handle, &position, &velocity, &accel));
     }
-    /*! all three at a time after the start */
+    /*! position, velocity and acceleration at a time after the start */
     void get_setpoint(double time, double &position, double &velocity, double &accel)
     {
         report("get_setpoint", claraty_trapezoid_get_setpoint_at(&_handle, time, &position, &velocity, &accel));
@@ -157,11 +174,11 @@ public:
 
     /*! for the functions of trapezoid.h */
     claraty_trapezoid *handle() { return &_handle; }
-    /*! for those that only read */
+    /*! for the functions of trapezoid.h that only read */
     const claraty_trapezoid *handle() const { return &_handle; }
 
 protected:
-    Trajectory() { claraty_trapezoid_init(&_handle); }
+    Trajectory() : _handle() { claraty_trapezoid_init(&_handle); }
 
 private:
     claraty_trapezoid _handle;
@@ -186,6 +203,7 @@ private:
         {
         case CLARATY_ERR_NOT_FINITE: return "refused, not a finite number";
         case CLARATY_ERR_WAYPOINTS: return "refused, vectors empty or of different size";
+        case CLARATY_ERR_RANGE: return "refused, a number larger than 1e60";
         default: return "refused, elements not side by side";
         }
     }

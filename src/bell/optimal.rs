@@ -3,7 +3,7 @@
 use super::Bell;
 use crate::online::border::Border;
 use crate::real::Real;
-use crate::state::Boundary;
+use crate::state::{Boundary, Saturation};
 use crate::trap::Trap;
 
 impl<R: Real> Bell<R> {
@@ -33,7 +33,7 @@ impl<R: Real> Bell<R> {
         if !(limits_are_positive && limits_an_acceleration && boundary.is_numbers()) {
             return None;
         }
-        let boundary = boundary.limit_velocities(vm);
+        let boundary = boundary.limit_velocities(vm, Saturation::Numbers);
         if boundary.p0 == boundary.p1 && boundary.v0 == boundary.v1 {
             return Some(Self::nothing(boundary));
         }

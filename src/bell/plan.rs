@@ -3,7 +3,7 @@
 use super::Bell;
 use super::search::Fit;
 use crate::real::Real;
-use crate::state::Boundary;
+use crate::state::{Boundary, Saturation};
 
 impl<R: Real> Bell<R> {
     /// [`Bell::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
@@ -15,12 +15,30 @@ impl<R: Real> Bell<R> {
         velocity: R,
         boundary: Boundary<R>,
     ) -> Option<R> {
+        self.plan_saturated(
+            jerk,
+            acceleration,
+            velocity,
+            boundary,
+            Saturation::Everything,
+        )
+    }
+
+    /// [`Bell::plan`] with the saturation of either generation of liba.
+    pub fn plan_saturated(
+        &mut self,
+        jerk: R,
+        acceleration: R,
+        velocity: R,
+        boundary: Boundary<R>,
+        saturation: Saturation,
+    ) -> Option<R> {
         let (jm, am, vm) = (
             jerk.magnitude(),
             acceleration.magnitude(),
             velocity.magnitude(),
         );
-        let boundary = boundary.limit_velocities(vm);
+        let boundary = boundary.limit_velocities(vm, saturation);
         (self.p0, self.p1) = (boundary.p0, boundary.p1);
         (self.v0, self.v1) = (boundary.v0, boundary.v1);
         (self.vm, self.jm) = (vm, jm);

@@ -1,57 +1,61 @@
 //! `claraty/trapezoid.h`: CLARAty's trapezoid as a handle.
 
-use crate::claraty::{EPS, Kind, Mode, Route, Target, Trajectory, Warnings, Waypoints};
+use crate::claraty::{
+    EPS, Kind, LARGEST, Mode, OutOfRange, Route, Target, Trajectory, Warnings, Waypoints,
+};
 use crate::state::State;
 use core::ffi::{c_int, c_void};
 use core::slice;
 
-/// Monotonic seconds from any fixed origin. It must not use the handle that it is the clock of.
+/// A clock: monotonic seconds from any fixed origin. It must not use the handle that reads it.
 pub type claraty_clock = Option<unsafe extern "C" fn(user: *mut c_void) -> f64>;
 
-/// Which motion a handle plans.
+/// The motion that a handle plans.
 #[repr(C)]
 pub enum claraty_mode {
-    /// from any position and velocity to rest at the target, without a jump and without a needless overshoot
+    /// from any position and velocity to rest at the target, without a jump, without a needless overshoot
     CLARATY_CORRECTED = 0,
-    /// what CLARAty's published listing computes, bit for bit
+    /// the motion of CLARAty's published listing, bit for bit, infinite and NaN setpoints included
     CLARATY_LISTING = 1,
 }
 
 /// Shape of the velocity over time.
 #[repr(C)]
 pub enum claraty_type {
-    /// no phase at the maximum velocity
+    /// does not cruise at the maximum velocity
     CLARATY_TRIANGULAR = 0,
     /// cruises at the maximum velocity
     CLARATY_TRAPEZOIDAL = 1,
 }
 
-/// Bits of what a plan had to put up with.
+/// What a plan changed or could not do, as bits.
 #[repr(C)]
 pub enum claraty_warning {
     /// the acceleration was below 1e-10 and was raised to it
     CLARATY_WARN_ACCEL = 1,
-    /// the deceleration was
+    /// the deceleration was below 1e-10 and was raised to it
     CLARATY_WARN_DECEL = 2,
-    /// the maximum velocity was
+    /// the maximum velocity was below 1e-10 and was raised to it
     CLARATY_WARN_VELOCITY = 4,
-    /// listing mode only: no instant to switch from acceleration to deceleration, the motion is wrong
+    /// listing mode only: the listing found no instant to switch to deceleration, and the motion is wrong
     CLARATY_WARN_SWITCH = 8,
 }
 
-/// What a function returns that can fail.
+/// The result of a function that can fail.
 #[repr(C)]
 pub enum claraty_result {
     /// done
     CLARATY_OK = 0,
     /// the handle or an array is NULL
     CLARATY_ERR_NULL = -1,
-    /// an argument or the clock is infinite or not a number
+    /// an argument or the time on the clock is infinite or not a number
     CLARATY_ERR_NOT_FINITE = -2,
-    /// not one of `claraty_mode`
+    /// the mode is not one of `claraty_mode`
     CLARATY_ERR_MODE = -3,
-    /// no waypoints, or more than an array can hold
+    /// there are no waypoints, or more than an array can hold
     CLARATY_ERR_WAYPOINTS = -4,
+    /// a position, velocity or rate is larger than 1e60, and the motion could overflow
+    CLARATY_ERR_RANGE = -5,
 }
 use claraty_result::*;
 
@@ -63,9 +67,10 @@ const _: () = assert!(
         && claraty_warning::CLARATY_WARN_VELOCITY as u8 == Warnings::VELOCITY.bits()
         && claraty_warning::CLARATY_WARN_SWITCH as u8 == Warnings::SWITCH.bits()
         && EPS == 1e-10
+        && LARGEST == 1e60
 );
 
-/// A planned motion: acceleration up to `t1`, cruise up to `t2`, deceleration up to `tf`. Times in seconds from its start.
+/// A planned motion: acceleration until `t1`, cruise until `t2`, deceleration until `tf`. Times count from its start.
 #[repr(C)]
 pub struct claraty_profile {
     /// end of the acceleration, s
@@ -90,15 +95,15 @@ pub struct claraty_profile {
     pub r#type: c_int,
 }
 
-/// One axis. The caller owns it: on the stack, static or on the heap; there is nothing to release. Without waypoints it
-/// may be copied at any time, and the copy runs on its own; with waypoints the copy reads the same arrays.
+/// One axis. The caller owns the handle, on the stack, static or on the heap, and has nothing to release. The handle
+/// may be copied at any time, and the copy runs on its own. A copy reads the same arrays of waypoints.
 #[repr(C)]
 pub struct claraty_trapezoid {
-    /// not for the caller
+    /// private
     pub opaque: [u64; 34],
 }
 
-/// What the caller's storage holds.
+/// The content of the caller's storage.
 struct Handle {
     trajectory: Trajectory<'static>,
     clock: claraty_clock,
@@ -112,23 +117,23 @@ const _: () = assert!(
 
 impl Handle {
     /// # Safety
-    /// `h` is NULL or points to an initialised handle that nobody else uses as long as the result lives.
+    /// `h` is NULL or points to an initialised handle. Nobody else uses the handle as long as the result lives.
     unsafe fn of<'a>(h: *mut claraty_trapezoid) -> Result<&'a mut Self, claraty_result> {
         // SAFETY: an initialised handle holds a `Handle`, which has room in it.
         unsafe { h.cast::<Self>().as_mut() }.ok_or(CLARATY_ERR_NULL)
     }
 
     /// # Safety
-    /// As for [`Handle::of`], but others may read.
+    /// `h` is NULL or points to an initialised handle. Nobody changes the handle as long as the result lives.
     unsafe fn of_const<'a>(h: *const claraty_trapezoid) -> Option<&'a Self> {
         // SAFETY: as in `of`.
         unsafe { h.cast::<Self>().as_ref() }
     }
 
-    /// What the clock shows; a handle without one has a clock that stands still.
+    /// Time on the clock, s. The manual clock stands still.
     fn now(&self) -> f64 {
         match self.clock {
-            // SAFETY: the caller gave the clock to be called with what came with it.
+            // SAFETY: the caller of `claraty_trapezoid_set_clock` gave the clock and its argument.
             Some(clock) => unsafe { clock(self.user) },
             None => 0.0,
         }
@@ -141,8 +146,8 @@ impl Handle {
 
     fn set(&mut self, route: Route<'static>) -> Result<(), claraty_result> {
         let now = self.finite_now()?;
-        self.trajectory.set(route, now);
-        Ok(())
+        let set = self.trajectory.set(route, now);
+        set.map_err(|OutOfRange| CLARATY_ERR_RANGE)
     }
 
     fn setpoint(&mut self) -> Result<State<f64>, claraty_result> {
@@ -150,9 +155,9 @@ impl Handle {
         Ok(self.trajectory.setpoint(now))
     }
 
-    /// The listing may plan a motion that ends at no number; what it makes of such a time is part of its behaviour.
+    /// The listing may plan a motion that ends at a NaN. A look at this time is part of the listing's behaviour.
     fn setpoint_at(&mut self, time: f64) -> Result<State<f64>, claraty_result> {
-        if self.trajectory.mode() == Mode::Corrected {
+        if self.trajectory.motion_mode() == Mode::Corrected {
             finite(time)?;
         }
         Ok(self.trajectory.setpoint_at(time))
@@ -181,9 +186,9 @@ fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
     }
 }
 
-/// Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, `CLARATY_CORRECTED`, on the
-/// monotonic clock of the system; where there is none, on the manual one.
-/// @param h the handle
+/// Makes a handle out of storage: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`. The handle reads the
+/// monotonic clock of the system; on a target without a system it has the manual clock.
+/// @param h the handle, whose storage need not be initialised
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_init(h: *mut claraty_trapezoid) {
     if h.is_null() {
@@ -199,7 +204,7 @@ pub unsafe extern "C" fn claraty_trapezoid_init(h: *mut claraty_trapezoid) {
     unsafe { h.cast::<Handle>().write(handle) };
 }
 
-/// Chooses what the following starts and stops plan.
+/// Chooses the mode of the following starts and stops. A motion under way keeps its mode.
 /// @param h the handle
 /// @param mode one of `claraty_mode`
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_MODE`
@@ -219,11 +224,12 @@ pub unsafe extern "C" fn claraty_trapezoid_set_mode(
     }))
 }
 
-/// Goes over to another clock; a motion under way goes on from where it is. With a NULL `clock` the clock is manual: it
-/// stands still, and only `claraty_trapezoid_advance_timer_by` moves it.
+/// Gives the handle another clock. A motion under way goes on where it is; if the old or the new clock shows no
+/// finite number now, the motion is forgotten as by `claraty_trapezoid_reset`. The manual clock stands still: only
+/// `claraty_trapezoid_advance_timer_by` moves the timer.
 /// @param h the handle
-/// @param clock monotonic seconds; NULL for the manual clock, which stands still
-/// @param user is given to `clock` with every call
+/// @param clock monotonic seconds; NULL for the manual clock
+/// @param user the argument of every call of `clock`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_clock(
     h: *mut claraty_trapezoid,
@@ -238,14 +244,14 @@ pub unsafe extern "C" fn claraty_trapezoid_set_clock(
     }
 }
 
-/// Stores where to go next; it moves nothing before `claraty_trapezoid_start`. Waypoints of an earlier set are let go: a
-/// motion along them ends at rest at the one it is heading for.
+/// Stores where to go next. Nothing moves before `claraty_trapezoid_start`. A motion along waypoints lets go of them:
+/// it ends at rest at the waypoint ahead.
 /// @param h the handle
 /// @param final_position relative to the start of the trajectory, unit
 /// @param max_velocity magnitude, unit/s
-/// @param accel magnitude of the change from the present velocity to `max_velocity`, unit/s^2
-/// @param decel magnitude of the final stop, unit/s^2
-/// @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
+/// @param accel magnitude of the rate from the present velocity to the cruise velocity, unit/s^2
+/// @param decel magnitude of the rate of the final stop, unit/s^2
+/// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_RANGE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set(
     h: *mut claraty_trapezoid,
@@ -267,14 +273,15 @@ pub unsafe extern "C" fn claraty_trapezoid_set(
     }))
 }
 
-/// Stores a way along `n` positions with rest at each; for the rest as `claraty_trapezoid_set`. In both modes the legs
-/// are corrected motions; the first sets off from the present one. The arrays must stay as they are until the next set.
+/// Stores a way along `n` positions, with rest at each. Nothing moves before `claraty_trapezoid_start`. In both modes
+/// the legs are corrected motions, and the first leg begins at the present motion. The caller must not change the
+/// arrays until the next set.
 /// @param h the handle
 /// @param n number of waypoints
 /// @param positions relative to the start of the trajectory, unit
 /// @param velocities maximum velocity of the leg to each position, unit/s
 /// @param accels acceleration and deceleration of the leg to each position, unit/s^2
-/// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_WAYPOINTS`
+/// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE`, `CLARATY_ERR_WAYPOINTS` or `CLARATY_ERR_RANGE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_waypoints(
     h: *mut claraty_trapezoid,
@@ -285,7 +292,7 @@ pub unsafe extern "C" fn claraty_trapezoid_set_waypoints(
 ) -> c_int {
     // SAFETY: by the contract of this module.
     code(unsafe { Handle::of(h) }.and_then(|handle| {
-        // SAFETY: each is NULL or holds `n` numbers that stay until the next set.
+        // SAFETY: each array is NULL or holds `n` numbers that stay until the next set.
         let [positions, velocities, accels] = unsafe {
             [
                 finite_array(positions, n)?,
@@ -299,13 +306,14 @@ pub unsafe extern "C" fn claraty_trapezoid_set_waypoints(
     }))
 }
 
-/// `claraty_trapezoid_set_waypoints` with one velocity and one acceleration for all legs.
+/// Stores a way along `n` positions as `claraty_trapezoid_set_waypoints` does. All legs have one velocity and one
+/// acceleration.
 /// @param h the handle
-/// @param positions one for each waypoint, relative to the start of the trajectory, unit
+/// @param positions relative to the start of the trajectory, unit
 /// @param n number of waypoints
-/// @param max_velocity for every waypoint, unit/s
-/// @param accel for every waypoint, unit/s^2
-/// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_WAYPOINTS`
+/// @param max_velocity maximum velocity of every leg, unit/s
+/// @param accel acceleration and deceleration of every leg, unit/s^2
+/// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE`, `CLARATY_ERR_WAYPOINTS` or `CLARATY_ERR_RANGE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
     h: *mut claraty_trapezoid,
@@ -316,7 +324,7 @@ pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
 ) -> c_int {
     // SAFETY: by the contract of this module.
     code(unsafe { Handle::of(h) }.and_then(|handle| {
-        // SAFETY: NULL or `n` numbers that stay until the next set.
+        // SAFETY: the array is NULL or holds `n` numbers that stay until the next set.
         let positions = unsafe { finite_array(positions, n)? };
         all_finite(&[max_velocity, accel])?;
         let waypoints =
@@ -334,13 +342,13 @@ unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], c
     if values.is_null() {
         return Err(CLARATY_ERR_NULL);
     }
-    // SAFETY: not NULL, and the size does not overflow; the rest is the caller's word.
+    // SAFETY: `values` is not NULL, and the size does not overflow; the caller promises `n` numbers.
     let values = unsafe { slice::from_raw_parts(values, n) };
     all_finite(values)?;
     Ok(values)
 }
 
-/// Sets off, timer at 0: from the present motion, or from rest at 0 if there is none.
+/// Sets off with the timer at 0. The motion begins at the setpoint if a motion is under way, else at rest at 0.
 /// @param h the handle
 /// @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
@@ -352,7 +360,7 @@ pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c
     }))
 }
 
-/// Brakes the present motion to rest; sets the timer to 0 also if there is none.
+/// Brakes a motion under way. The timer is set to 0 also if no motion is under way.
 /// @param h the handle
 /// @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
@@ -364,7 +372,8 @@ pub unsafe extern "C" fn claraty_trapezoid_stop(h: *mut claraty_trapezoid) -> c_
     }))
 }
 
-/// Forgets the present motion and sets the timer to 0. The axis is not braked; the last profile can still be read.
+/// Forgets the motion and sets the timer to 0. The axis does not brake, and the last profile stays readable. If the
+/// clock shows no finite number now, the timer goes on unchanged.
 /// @param h the handle
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_reset(h: *mut claraty_trapezoid) {
@@ -374,7 +383,7 @@ pub unsafe extern "C" fn claraty_trapezoid_reset(h: *mut claraty_trapezoid) {
     }
 }
 
-/// Whether a motion is under way: from the start until the setpoint has been read after the end.
+/// Whether a motion is under way: from the start until a setpoint after the end has been read.
 /// @param h the handle
 /// @return 1, 0 or `CLARATY_ERR_NULL`
 #[unsafe(no_mangle)]
@@ -386,9 +395,10 @@ pub unsafe extern "C" fn claraty_trapezoid_is_started(h: *const claraty_trapezoi
     }
 }
 
-/// Adds to what the clock gives, whichever clock it is. A number that is not finite adds nothing.
+/// Adds to the time on the clock. A number that is not finite, and an advance that overflows, are ignored. The next
+/// start, stop or reset drops an advance of more than 1e6 s, because the clock would lose digits beside it.
 /// @param h the handle
-/// @param seconds to add, s; may be negative
+/// @param seconds time to add, s; may be negative
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_advance_timer_by(
     h: *mut claraty_trapezoid,
@@ -400,6 +410,7 @@ pub unsafe extern "C" fn claraty_trapezoid_advance_timer_by(
     }
 }
 
+/// Reads the timer.
 /// @param h the handle
 /// @return time since the last start, stop or reset, s; NaN if `h` is NULL
 #[unsafe(no_mangle)]
@@ -409,15 +420,16 @@ pub unsafe extern "C" fn claraty_trapezoid_elapsed(h: *const claraty_trapezoid) 
         .map_or(f64::NAN, |handle| handle.trajectory.elapsed(handle.now()))
 }
 
+/// Reads the duration of the motion, over all legs.
 /// @param h the handle
-/// @return time from the start to rest, all legs together, s; 0 before the first start; NaN if `h` is NULL
+/// @return time from the start to rest, s; 0 before the first start; NaN if `h` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_duration(h: *const claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
     unsafe { Handle::of_const(h) }.map_or(f64::NAN, |handle| handle.trajectory.duration())
 }
 
-/// What the axis shall do now. Reading it after the end of the motion ends the motion.
+/// Reads the setpoint now. A reading after the end of the motion ends the motion.
 /// @param h the handle
 /// @param position NULL, or where to write the position, unit
 /// @param velocity NULL, or where to write the velocity, unit/s
@@ -436,8 +448,9 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint(
     code(setpoint.map(|setpoint| unsafe { write_setpoint(setpoint, position, velocity, accel) }))
 }
 
-/// The same at a time after the start, before or after now. In listing mode a look beyond the end ends the motion, and
-/// before the start all is 0, as in the listing; a time that is not finite is looked up there too.
+/// Reads the setpoint at a time after the start. In a corrected motion a look changes nothing, and a time before the
+/// start gives the state at the start. A motion of the listing behaves as the listing: a look beyond the end ends it,
+/// a time before the start gives 0, and a time that is not finite is accepted.
 /// @param h the handle
 /// @param time since the start, s
 /// @param position NULL, or where to write the position, unit
@@ -478,8 +491,9 @@ unsafe fn write_setpoint(
     }
 }
 
+/// Reads the position of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
 /// @param h the handle
-/// @return position now, unit; NaN where `claraty_trapezoid_get_setpoint` fails
+/// @return position, unit; NaN where `claraty_trapezoid_get_setpoint` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_position(h: *mut claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
@@ -487,8 +501,9 @@ pub unsafe extern "C" fn claraty_trapezoid_get_position(h: *mut claraty_trapezoi
     setpoint.map_or(f64::NAN, |setpoint| setpoint.position)
 }
 
+/// Reads the velocity of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
 /// @param h the handle
-/// @return velocity now, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
+/// @return velocity, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_velocity(h: *mut claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
@@ -496,8 +511,9 @@ pub unsafe extern "C" fn claraty_trapezoid_get_velocity(h: *mut claraty_trapezoi
     setpoint.map_or(f64::NAN, |setpoint| setpoint.velocity)
 }
 
+/// Reads the acceleration of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
 /// @param h the handle
-/// @return acceleration now, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
+/// @return acceleration, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_acceleration(h: *mut claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
@@ -505,9 +521,10 @@ pub unsafe extern "C" fn claraty_trapezoid_get_acceleration(h: *mut claraty_trap
     setpoint.map_or(f64::NAN, |setpoint| setpoint.acceleration)
 }
 
+/// Reads the position of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
 /// @param h the handle
 /// @param time since the start, s
-/// @return position at a time after the start, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
+/// @return position, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_position_at(
     h: *mut claraty_trapezoid,
@@ -518,9 +535,10 @@ pub unsafe extern "C" fn claraty_trapezoid_get_position_at(
     setpoint.map_or(f64::NAN, |setpoint| setpoint.position)
 }
 
+/// Reads the velocity of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
 /// @param h the handle
 /// @param time since the start, s
-/// @return velocity at a time after the start, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
+/// @return velocity, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_velocity_at(
     h: *mut claraty_trapezoid,
@@ -531,9 +549,10 @@ pub unsafe extern "C" fn claraty_trapezoid_get_velocity_at(
     setpoint.map_or(f64::NAN, |setpoint| setpoint.velocity)
 }
 
+/// Reads the acceleration of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
 /// @param h the handle
 /// @param time since the start, s
-/// @return acceleration at a time after the start, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
+/// @return acceleration, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_acceleration_at(
     h: *mut claraty_trapezoid,
@@ -544,10 +563,10 @@ pub unsafe extern "C" fn claraty_trapezoid_get_acceleration_at(
     setpoint.map_or(f64::NAN, |setpoint| setpoint.acceleration)
 }
 
-/// The profile of the last start or stop, all 0 before; along waypoints that of the leg last looked at, with times from
-/// the start of the leg.
+/// Reads the profile of the last start or stop; before the first start all of it is 0. Along waypoints it is the
+/// profile of the leg last looked at, and its times count from the start of this leg.
 /// @param h the handle
-/// @param out NULL, or where to write it
+/// @param out NULL, or where to write the profile
 /// @return `CLARATY_OK` or `CLARATY_ERR_NULL`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_profile(

@@ -30,7 +30,7 @@ pub mod trajbell;
 pub mod trajpoly;
 pub mod trajtrap;
 
-use crate::state::Boundary;
+use crate::state::{Boundary, Saturation};
 
 /// The real type of this build: `float` with the feature `float`, else `double`.
 #[cfg(feature = "float")]
@@ -45,6 +45,13 @@ type Number = f32;
 /// The type that the profiles compute in: the same bits.
 #[cfg(not(feature = "float"))]
 type Number = crate::real::Double;
+
+/// The saturation of the generation of liba that this build stands for.
+const SATURATION: Saturation = if cfg!(feature = "poly-compact") {
+    Saturation::Numbers
+} else {
+    Saturation::Everything
+};
 
 fn boundary(p0: a_float, p1: a_float, v0: a_float, v1: a_float) -> Boundary<Number> {
     Boundary {

@@ -1,6 +1,6 @@
 //! `a/trajbell.h`: the double-S profile.
 
-use super::{Number, a_float, assert_same_layout, boundary, nan};
+use super::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
 use crate::bell::Bell;
 
 /// @brief Bell-shaped (double-S) velocity trajectory.
@@ -72,7 +72,7 @@ pub unsafe extern "C" fn a_trajbell_gen(
         return 0.0;
     };
     let boundary = boundary(p0, p1, v0, v1);
-    bell.plan(jm.into(), am.into(), vm.into(), boundary)
+    bell.plan_saturated(jm.into(), am.into(), vm.into(), boundary, SATURATION)
         .map_or(0.0, Into::into)
 }
 

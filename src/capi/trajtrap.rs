@@ -1,6 +1,6 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
-use super::{Number, a_float, assert_same_layout, boundary, nan};
+use super::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
 use crate::trap::Trap;
 
 /// @brief Trapezoidal velocity trajectory.
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn a_trajtrap_gen(
         return 0.0;
     };
     let boundary = boundary(p0, p1, v0, v1);
-    trap.plan(vm.into(), ac.into(), de.into(), boundary)
+    trap.plan_saturated(vm.into(), ac.into(), de.into(), boundary, SATURATION)
         .map_or(0.0, Into::into)
 }
 

@@ -1,15 +1,16 @@
 //! CLARAty's trapezoid: a target, start and stop at any time, and a setpoint whenever the controller asks.
 //!
-//! Two ways to plan share one profile. [`Mode::Corrected`] keeps what CLARAty's class documents: from any position and
-//! velocity to the target, at rest there, without a jump and without a needless overshoot. [`Mode::Listing`] gives the
-//! published listing's numbers, bit for bit, with its wrong motions.
+//! Two modes share one profile. [`Mode::Corrected`] keeps the promise of CLARAty's class: a motion starts from any position and
+//! velocity, reaches the target at rest, does not jump and does not overshoot without need. [`Mode::Listing`] gives the numbers
+//! of the published listing, bit for bit, wrong motions included.
 //!
-//! Nothing here reads a clock: every method that needs the time takes it as `now`, in seconds from any fixed origin.
+//! Nothing here reads a clock. A method that needs the time takes it as `now`: a finite number of seconds from any fixed origin.
 //!
 //! ```
 //! use atraj::claraty::{Target, Trajectory};
 //! let mut axis = Trajectory::default();
-//! axis.set(Target { position: 10.0, velocity: 2.0, acceleration: 4.0, deceleration: 4.0 }.into(), 0.0);
+//! let target = Target { position: 10.0, velocity: 2.0, acceleration: 4.0, deceleration: 4.0 };
+//! axis.set(target.into(), 0.0).expect("numbers in range");
 //! axis.start(0.0);
 //! assert_eq!(axis.duration(), 5.5);
 //! let now = axis.setpoint(3.0);
@@ -25,5 +26,5 @@ mod trajectory;
 
 pub use clock::Timer;
 pub use profile::{EPS, Kind, Profile, Warnings};
-pub use route::{Route, Target, Waypoints};
+pub use route::{LARGEST, OutOfRange, Route, Target, Waypoints};
 pub use trajectory::{Mode, Trajectory};

@@ -1,5 +1,5 @@
-//! One motion from a position and a velocity to rest: the listing's profile, operation by operation, and the corrected
-//! one, which keeps the listing's operations wherever they give the right motion.
+//! One motion from a position and a velocity to rest. The listing's profile is written operation by operation. The corrected
+//! profile keeps the listing's operations wherever they give the right motion.
 
 use core::ops::{BitOr, BitOrAssign};
 
@@ -7,27 +7,27 @@ use super::Target;
 use crate::real::Operations;
 use crate::state::State;
 
-/// Limits below this are raised to it, and the listing takes a distance below it for no move. The listing leaves it
-/// undefined; the value is this project's choice.
+/// The smallest limit. A smaller limit is raised to it, and the listing does not move over a smaller distance. The listing leaves
+/// the constant undefined; the value is this project's choice.
 pub const EPS: f64 = 1e-10;
 
-/// Every motion ends at rest. Named because its sums decide the sign of a zero.
+/// Every motion ends at rest. The listing's sums with this zero decide the sign of other zeros.
 const FINAL_VELOCITY: f64 = 0.0;
 
-/// Rounding may lift a peak by this much above the velocity limit before it counts as exceeding it.
+/// A peak velocity exceeds its limit only beyond this factor. Rounding alone stays below it.
 const PEAK_ROUNDING: f64 = 1.0 + 1e-9;
 
 /// Shape of the velocity over time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kind {
-    /// No phase at the maximum velocity.
+    /// Does not cruise at the maximum velocity.
     #[default]
     Triangular = 0,
     /// Cruises at the maximum velocity.
     Trapezoidal = 1,
 }
 
-/// What a plan had to change or could not do, as a set.
+/// The set of what a plan changed or could not do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Warnings(u8);
 
@@ -38,7 +38,7 @@ impl Warnings {
     pub const DECELERATION: Self = Self(2);
     /// The maximum velocity was below [`EPS`] and was raised to it.
     pub const VELOCITY: Self = Self(4);
-    /// The listing found no instant to switch from acceleration to deceleration: its motion is wrong.
+    /// The listing found no instant to switch from acceleration to deceleration. Its motion is wrong.
     pub const SWITCH: Self = Self(8);
 
     /// The set as the sum of 1, 2, 4 and 8.
@@ -60,7 +60,7 @@ impl BitOrAssign for Warnings {
     }
 }
 
-/// Acceleration up to `t1`, cruise up to `t2`, deceleration up to `tf`. Times in seconds from the start of the motion.
+/// Acceleration until `t1`, cruise until `t2`, deceleration until `tf`. Times are in seconds from the start of the motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Profile {
     /// End of the acceleration phase, s.
@@ -84,11 +84,11 @@ pub struct Profile {
     /// Whether there is a cruise phase.
     pub kind: Kind,
     start: State<f64>,
-    /// Position at time 0 of the line that the cruise phase lies on.
+    /// Position at time 0 on the line of the cruise phase.
     cruise_origin: f64,
 }
 
-/// Magnitudes, none below [`EPS`].
+/// Magnitudes of at least [`EPS`].
 #[derive(Clone, Copy)]
 struct Limits {
     velocity: f64,
@@ -118,7 +118,7 @@ impl Limits {
 }
 
 impl Profile {
-    /// The published listing's motion. A move below [`EPS`] leaves `kind` as it was.
+    /// The published listing's motion. A move shorter than [`EPS`] leaves `kind` unchanged.
     pub fn plan_listing(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, mut warnings) = Limits::of(target);
         self.start = start;
@@ -144,7 +144,8 @@ impl Profile {
         warnings
     }
 
-    /// The right motion from `start` to rest at the target.
+    /// The right motion from `start` to rest at the target. Its setpoints are finite if no argument exceeds
+    /// [`LARGEST`](super::LARGEST).
     pub fn plan_corrected(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(target);
         self.clear_phases(start, target.position);
@@ -162,7 +163,7 @@ impl Profile {
         warnings
     }
 
-    /// The shortest way to rest at the target's deceleration; its position and velocity do not matter.
+    /// Brakes at the target's deceleration. The position and the velocity of the target are ignored.
     pub fn plan_stop(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, warnings) = Limits::of(Target {
             velocity: EPS,
@@ -179,8 +180,8 @@ impl Profile {
         warnings
     }
 
-    /// Position, velocity and acceleration at time `t`, s. Before the motion the start without acceleration; after it rest
-    /// at the final position.
+    /// Position, velocity and acceleration at time `t`, s. Before the motion it is the start without acceleration; after the motion
+    /// it is rest at the final position.
     pub fn setpoint(&self, t: f64) -> State<f64> {
         let State {
             position, velocity, ..
@@ -214,13 +215,13 @@ impl Profile {
         }
     }
 
-    /// Whether the motion has ended at time `t`. A NaN is after the end. The listing may plan a phase that ends at a NaN; such a
-    /// phase does not count.
+    /// Whether the motion has ended at time `t`. A NaN is after the end. The listing may plan a phase that ends at a NaN; the motion
+    /// skips such a phase.
     pub fn is_over(&self, t: f64) -> bool {
-        ![0.0, self.t1, self.t2, self.tf].iter().any(|&end| t <= end)
+        !(t < 0.0 || [self.t1, self.t2, self.tf].iter().any(|&end| t <= end))
     }
 
-    /// A motion without phases: it rests at `final_position` from the first instant.
+    /// Makes a motion without phases, at rest at `final_position` from the first instant.
     fn clear_phases(&mut self, start: State<f64>, final_position: f64) {
         self.start = start;
         self.final_position = final_position;
@@ -231,7 +232,8 @@ impl Profile {
         self.cruise_origin = start.position;
     }
 
-    /// Towards the target without turning: trapezoid, or triangle while the start velocity is below the limit.
+    /// Goes to the target without turning: a trapezoid, or a triangle if the start velocity is below the limit. The result is false
+    /// if no such motion exists.
     fn advance(&mut self, direction: f64, limits: Limits) -> bool {
         let cruise = self.plan_ramps(direction, limits);
         if cruise > 0.0 {
@@ -249,8 +251,8 @@ impl Profile {
         true
     }
 
-    /// The root of [`Self::switching_time`] cancels where there is hardly anything to accelerate for; the two branches then
-    /// miss each other at `t1`. The same peak from the room that is left has no such cancellation.
+    /// Joins the phases of a triangle. If the axis hardly accelerates, the root of [`Self::switching_time`] cancels, and the
+    /// phases miss each other at `t1`. The peak velocity from the remaining room has no cancellation.
     fn close_seam(&mut self, direction: f64, limits: Limits) {
         let Limits {
             acceleration: a,
@@ -273,8 +275,8 @@ impl Profile {
         }
     }
 
-    /// No room to accelerate: brake at both rates, the acceleration's first, and switch at the velocity that lands on the
-    /// target. False if neither rate stops before it.
+    /// Brakes without room to accelerate: at the acceleration first, then at the deceleration. The rates switch at the velocity
+    /// that lands on the target. The result is false if neither rate stops the axis before the target.
     fn brake(&mut self, direction: f64, limits: Limits) -> bool {
         let Limits {
             acceleration: a,
@@ -286,7 +288,8 @@ impl Profile {
         let distance = direction * (self.final_position - self.start.position);
         let beyond_a = distance - 0.5 * energy / a;
         let beyond_d = distance - 0.5 * energy / d;
-        if !(beyond_a >= 0.0 || beyond_d >= 0.0) {
+        let tie = self.rounding();
+        if !(beyond_a >= -tie || beyond_d >= -tie) {
             return false;
         }
         let (mut t1, mut switch) = (0.0, speed);
@@ -311,7 +314,15 @@ impl Profile {
         true
     }
 
-    /// Too fast to stop before the target, or moving away from it: through zero and back, `direction` being the way back.
+    /// How far a target may lie short of the stopping distance and still be taken for a target at that distance. A caller who
+    /// computes `p + v*v/(2*d)` rounds to the nearest number, which often lies short. The motion then ends where braking ends,
+    /// this far from the target at most.
+    fn rounding(&self) -> f64 {
+        8.0 * f64::EPSILON * (self.start.position.abs() + self.final_position.abs())
+    }
+
+    /// Stops beyond the target and comes back, towards `direction`. The axis is too fast to stop before the target, or moves away
+    /// from it.
     fn return_to_target(&mut self, direction: f64, limits: Limits) {
         let cruise = self.plan_ramps(direction, limits);
         let v0 = self.start.velocity;
@@ -332,8 +343,8 @@ impl Profile {
         }
     }
 
-    /// Signs the limits for a cruise towards `direction`, plans both ramps, and returns the time left between them, s: not
-    /// positive if they meet first.
+    /// Signs the limits for a cruise towards `direction` and plans both ramps. The result is the time between the ramps, s. It is
+    /// not positive if the ramps meet.
     fn plan_ramps(&mut self, direction: f64, limits: Limits) -> f64 {
         self.velocity = direction * limits.velocity;
         self.acceleration = sgn(self.velocity - self.start.velocity) * limits.acceleration;
@@ -345,7 +356,7 @@ impl Profile {
         (self.p_at_t2 - self.p_at_t1) / self.velocity
     }
 
-    /// Position where the acceleration phase reaches a velocity.
+    /// Position at which the acceleration phase reaches a velocity.
     fn position_at(&self, velocity: f64) -> f64 {
         let State {
             position: p0,
@@ -355,8 +366,8 @@ impl Profile {
         0.5 * (sq(velocity) - sq(v0)) / self.acceleration + p0
     }
 
-    /// When to switch from acceleration to deceleration without a cruise, s: of the two roots the positive one, provided the
-    /// other is negative.
+    /// Time at which a motion without cruise switches from acceleration to deceleration, s: the positive root, if the other root is
+    /// negative.
     fn switching_time(&self) -> Option<f64> {
         let (a, d) = (self.acceleration, self.deceleration);
         let State {
@@ -372,7 +383,7 @@ impl Profile {
         }
     }
 
-    /// A triangle that switches at `t1`; a peak above the limit and the start velocity is cut to the limit.
+    /// Makes a triangle that switches at `t1`. A peak above both the limit and the start velocity is cut to the limit.
     fn peak_at(&mut self, t1: f64, peak: f64, limits: Limits) {
         let v0 = self.start.velocity;
         let over_start = peak.abs() > v0.abs() * PEAK_ROUNDING;
@@ -415,7 +426,7 @@ fn sq(x: f64) -> f64 {
     x * x
 }
 
-/// Not `f64::min`: that is a library call where there is no hardware for it.
+/// `f64::min` would be a library call on a processor without a floating-point unit.
 fn lower(x: f64, y: f64) -> f64 {
     if x < y { x } else { y }
 }

@@ -1,28 +1,32 @@
-//! A trajectory in time: start, stop, reset, and the setpoint of whichever leg the time falls into.
+//! A trajectory in time: start, stop, reset, and the setpoint of the leg that the time falls into.
 
-use super::{Profile, Route, Target, Timer, Warnings};
+use super::{OutOfRange, Profile, Route, Target, Timer, Warnings};
 use crate::state::State;
 
-/// Which profile a trajectory follows.
+/// The profile that a trajectory follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// What CLARAty's class documents.
+    /// The motion that CLARAty's class documents.
     #[default]
     Corrected = 0,
-    /// What its published listing computes. Waypoints, which the listing leaves empty, follow corrected profiles.
+    /// The motion that CLARAty's published listing computes, infinite and NaN setpoints included. The listing leaves waypoints
+    /// empty; here their legs are corrected motions.
     Listing = 1,
 }
 
-/// The motion of one axis. `now` is always a reading of the same clock, in seconds.
+/// The motion of one axis. `now` is always a finite reading of the same clock, in seconds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Trajectory<'w> {
+    /// Of the following starts and stops.
     mode: Mode,
+    /// Of the motion in hand.
+    motion_mode: Mode,
     route: Route<'w>,
     timer: Timer,
     started: bool,
-    /// Where the motion began, to walk the route again when time goes back.
+    /// Where the motion began. The route is walked again from here when time goes back.
     departure: State<f64>,
-    /// Whether the motion follows `route`; else it is the one leg in hand.
+    /// Whether the motion follows `route`. If not, the motion is the leg in hand.
     on_route: bool,
     leg: usize,
     leg_start: f64,
@@ -31,40 +35,55 @@ pub struct Trajectory<'w> {
 }
 
 impl<'w> Trajectory<'w> {
-    /// Not started, at position 0, with the timer at zero.
+    /// The trajectory is not started, at position 0, with the timer at zero.
     pub fn new(mode: Mode, now: f64) -> Self {
         let mut trajectory = Self {
             mode,
+            motion_mode: mode,
             ..Self::default()
         };
         trajectory.timer.restart(now);
         trajectory
     }
 
-    /// The profile of the following starts and stops.
+    /// The mode of the following starts and stops.
     pub fn mode(&self) -> Mode {
         self.mode
     }
 
-    /// Chooses the profile of the following starts and stops.
-    pub fn set_mode(&mut self, mode: Mode) {
-        self.mode = mode;
+    /// The mode of the motion under way. If no motion is under way, it is the mode of the following starts and stops.
+    pub fn motion_mode(&self) -> Mode {
+        self.motion_mode
     }
 
-    /// Stores where to go next; it moves nothing before [`Self::start`]. A motion along waypoints lets go of them here: it
-    /// ends at rest at the waypoint it is heading for.
-    pub fn set(&mut self, route: Route<'w>, now: f64) {
+    /// Chooses the mode of the following starts and stops. A motion under way keeps its
+    /// mode.
+    pub fn set_mode(&mut self, mode: Mode) {
+        self.mode = mode;
+        if !self.started {
+            self.motion_mode = mode;
+        }
+    }
+
+    /// Stores where to go next. Nothing moves before [`Self::start`]. A motion along waypoints lets go of the waypoints: it ends at
+    /// rest at the waypoint ahead.
+    ///
+    /// A number beyond [`LARGEST`](super::LARGEST), infinite or NaN is refused, and the trajectory stays as it was.
+    pub fn set(&mut self, route: Route<'w>, now: f64) -> Result<(), OutOfRange> {
+        route.check_range()?;
         self.seek(self.elapsed(now));
         self.duration = self.leg_start + self.profile.tf;
         self.on_route = false;
         self.leg = 0;
         self.route = route;
+        Ok(())
     }
 
-    /// Sets off, timer at zero: from the setpoint if a motion is under way, else from rest at 0.
+    /// Sets off with the timer at zero. The motion begins at the setpoint if a motion is under way, else at rest at 0.
     pub fn start(&mut self, now: f64) -> Warnings {
         self.departure = self.under_way(now).unwrap_or_default();
         self.timer.restart(now);
+        self.motion_mode = self.mode;
         self.started = true;
         self.on_route = true;
         let mut warnings = self.first_leg();
@@ -76,13 +95,14 @@ impl<'w> Trajectory<'w> {
         warnings
     }
 
-    /// Brakes a motion under way; sets the timer to zero either way.
+    /// Brakes a motion under way. The timer is set to zero also if no motion is under way.
     pub fn stop(&mut self, now: f64) -> Warnings {
         let under_way = self.under_way(now);
         self.timer.restart(now);
         let (Some(state), Some(limits)) = (under_way, self.route.target(self.leg)) else {
             return Warnings::default();
         };
+        self.motion_mode = self.mode;
         self.started = true;
         self.on_route = false;
         self.leg_start = 0.0;
@@ -101,13 +121,14 @@ impl<'w> Trajectory<'w> {
         warnings
     }
 
-    /// Forgets that a motion is under way and sets the timer to zero; the last profile stays readable.
+    /// Forgets the motion and sets the timer to zero. The last profile stays readable. If `now` is not finite, the timer goes on
+    /// unchanged.
     pub fn reset(&mut self, now: f64) {
         self.started = false;
         self.timer.restart(now);
     }
 
-    /// Whether a motion is under way. Stays true after its end until the setpoint has been read there.
+    /// Whether a motion is under way: from the start until a setpoint after the end has been read.
     pub fn is_started(&self) -> bool {
         self.started
     }
@@ -117,33 +138,34 @@ impl<'w> Trajectory<'w> {
         self.timer.elapsed(now)
     }
 
-    /// Moves the timer forward (or back) against its clock.
+    /// Adds `seconds` to what the clock shows. An advance that overflows is ignored. The next start, stop or reset drops an advance
+    /// of more than 10<sup>6</sup> s, because the clock would lose digits beside it.
     pub fn advance_timer_by(&mut self, seconds: f64) {
         self.timer.advance_by(seconds);
     }
 
-    /// Goes over to a clock that shows `instead` at the moment the present one shows `now`. A motion under way goes on
-    /// from where it is; otherwise the timer starts from zero.
+    /// Another clock, which shows `instead`, replaces the clock that shows `now`. A motion under way goes on where it is. If no
+    /// motion is under way, or if a reading is not finite, the change is a [`Self::reset`].
     pub fn change_clock(&mut self, now: f64, instead: f64) {
-        if self.started {
+        if self.started && self.elapsed(now).is_finite() && instead.is_finite() {
             self.timer.change_clock(now, instead);
         } else {
-            self.timer.restart(instead);
+            self.reset(instead);
         }
     }
 
-    /// Time from start to rest, all legs together, s; 0 before the first start.
+    /// Time from the start to rest, over all legs, s. It is 0 before the first start.
     pub fn duration(&self) -> f64 {
         self.duration
     }
 
-    /// The profile of the last start or stop; along waypoints that of the leg last looked at, its times counted from the
-    /// start of the leg.
+    /// The profile of the last start or stop. Along waypoints it is the profile of the leg last looked at, and its times count from
+    /// the start of this leg.
     pub fn profile(&self) -> &Profile {
         &self.profile
     }
 
-    /// The setpoint now. Reading it after the end of the motion ends the motion.
+    /// The setpoint now. A reading after the end of the motion ends the motion.
     pub fn setpoint(&mut self, now: f64) -> State<f64> {
         let t = self.elapsed(now);
         let setpoint = self.look(t);
@@ -151,11 +173,11 @@ impl<'w> Trajectory<'w> {
         setpoint
     }
 
-    /// The setpoint at time `t` after the start, s. In listing mode a look beyond the end ends the motion, as the listing
-    /// has it; else a look changes nothing.
+    /// The setpoint at time `t` after the start, s. In a corrected motion a look changes nothing. In a motion of the listing a look
+    /// beyond the end ends the motion, as in the listing.
     pub fn setpoint_at(&mut self, t: f64) -> State<f64> {
         let setpoint = self.look(t);
-        if self.mode == Mode::Listing {
+        if self.motion_mode == Mode::Listing {
             self.end_at(t);
         }
         setpoint
@@ -166,11 +188,11 @@ impl<'w> Trajectory<'w> {
         let was_started = self.started;
         let setpoint = self.setpoint(now);
         let under_way = match self.mode {
-            // Sic: the listing carries on from a motion that is over if nobody has looked since.
+            // Sic: the listing carries on from the end of a motion if nobody has read a setpoint since.
             Mode::Listing => was_started,
             Mode::Corrected => self.started,
         };
-        // The acceleration of a trapezoid may jump, so the motion does not carry it on.
+        // The acceleration of a trapezoid may jump, so the next motion does not continue it.
         under_way.then_some(State {
             acceleration: 0.0,
             ..setpoint
@@ -178,7 +200,7 @@ impl<'w> Trajectory<'w> {
     }
 
     fn look(&mut self, t: f64) -> State<f64> {
-        if self.mode == Mode::Listing && t < 0.0 {
+        if self.motion_mode == Mode::Listing && t < 0.0 {
             return State::default();
         }
         self.seek(t);
@@ -195,7 +217,7 @@ impl<'w> Trajectory<'w> {
         self.profile.is_over(t - self.leg_start)
     }
 
-    /// Takes the leg in hand that `t` falls into.
+    /// Takes the leg in hand into which `t` falls.
     fn seek(&mut self, t: f64) {
         if !self.on_route {
             return;
@@ -209,7 +231,7 @@ impl<'w> Trajectory<'w> {
     fn first_leg(&mut self) -> Warnings {
         self.leg = 0;
         self.leg_start = 0.0;
-        match (&self.route, self.mode) {
+        match (&self.route, self.motion_mode) {
             (&Route::Target(target), Mode::Listing) => {
                 self.profile.plan_listing(self.departure, target)
             }
@@ -220,7 +242,7 @@ impl<'w> Trajectory<'w> {
         }
     }
 
-    /// From rest at the end of the leg in hand; `None` after the last leg.
+    /// Takes the next leg in hand, from rest at the end of the present leg. The result is `None` after the last leg.
     fn next_leg(&mut self) -> Option<Warnings> {
         let target = self.route.target(self.leg + 1)?;
         let rest = State {

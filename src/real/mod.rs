@@ -117,7 +117,7 @@ pub trait Operations:
         }
     }
 
-    /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`.
+    /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`, and so does a zero if `most` is zero.
     fn limit(self, most: Self) -> Self {
         if self.abs() < most {
             keep_branch_on_bare_metal();
@@ -126,6 +126,17 @@ pub trait Operations:
             most
         } else {
             -most
+        }
+    }
+
+    /// `self` limited to `-most … most`; `most` is not below zero. NaN stays NaN, and a zero keeps its sign.
+    fn limit_numbers(self, most: Self) -> Self {
+        if self < -most {
+            -most
+        } else if self > most {
+            most
+        } else {
+            self
         }
     }
 

@@ -1,6 +1,6 @@
 //! Many random moves, in portions that belong to a seed.
 
-use crate::comparison::Report;
+use crate::comparison::{Case, Report};
 use crate::moves::Moves;
 use support::{Implementation, Real};
 
@@ -13,8 +13,18 @@ pub fn run_seed<R: Real>(
     original: &impl Implementation<R>,
     seed: u64,
 ) -> Report {
+    run_seed_of(ours, original, seed, |_| true)
+}
+
+/// The moves of one seed that are `wanted`, through both.
+pub fn run_seed_of<R: Real>(
+    ours: &impl Implementation<R>,
+    original: &impl Implementation<R>,
+    seed: u64,
+    wanted: impl Fn(&Case<R>) -> bool,
+) -> Report {
     let mut report = Report::default();
-    for case in Moves::<R>::new(seed) {
+    for case in Moves::<R>::new(seed).filter(wanted) {
         report.compare(ours, original, &case);
         if report.calls >= CALLS_PER_SEED {
             break;

@@ -150,9 +150,7 @@ fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) 
         .args(&compiler[1..])
         .args(["-Wall", "-Wextra", "-Werror", "-I"])
         .arg(include);
-    compile
-        .arg(source)
-        .arg(variant.dist().join("lib/libatraj.a"));
+    compile.arg(source).arg(variant.archive());
     run(compile.arg("-lm").arg("-o").arg(&program));
     lines(Command::new(program).arg(golden::directory()))
 }

@@ -62,7 +62,7 @@ fn the_originals_own_programs_print_the_same() {
                 cpp,
                 size,
                 &dist.join("include"),
-                &dist.join("lib/libatraj.a"),
+                &variant.archive(),
             )
         };
         let theirs =

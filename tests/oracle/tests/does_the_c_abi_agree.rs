@@ -5,19 +5,33 @@ use oracle::abi::{OURS, Original};
 use oracle::comparison::{Case, Report};
 use oracle::moves::Moves;
 use oracle::together::Together;
-use oracle::volume::run_seed;
+use oracle::volume::run_seed_of;
 use support::Implementation;
+
+/// Whether this build saturates the velocities of the case as the original, liba 0.1.15, does. The compact build does so except for
+/// a NaN, and for a zero within a limit of 0; the golden data of the newest liba has such moves.
+fn is_saturated_alike(case: &Case<a_float>) -> bool {
+    let argument = |name| {
+        let index = case.family.arguments().iter().position(|n| *n == name);
+        index.map_or(1.0, |index| case.arguments[index])
+    };
+    let [vm, v0, v1] = ["vm", "v0", "v1"].map(argument);
+    let is_special =
+        [vm, v0, v1].iter().any(|v| v.is_nan()) || vm == 0.0 && (v0 == 0.0 || v1 == 0.0);
+    !(cfg!(feature = "poly-compact") && case.planned && is_special) || is_polynomial(case)
+}
 
 #[test]
 fn ours_is_the_original() {
-    let report = run_seed::<a_float>(&OURS, &a_float::ORIGINAL, 1_000_000);
+    let report = run_seed_of::<a_float>(&OURS, &a_float::ORIGINAL, 1_000_000, is_saturated_alike);
     println!("{}: {report}", std::any::type_name::<a_float>());
     report.assert_same();
 }
 
 #[test]
 fn ours_together_is_the_original() {
-    run_seed::<a_float>(&Together, &a_float::ORIGINAL, 4_000_000).assert_same();
+    run_seed_of::<a_float>(&Together, &a_float::ORIGINAL, 4_000_000, is_saturated_alike)
+        .assert_same();
 }
 
 fn is_polynomial(case: &Case<a_float>) -> bool {

@@ -33,10 +33,19 @@ pub struct Evaluation<R> {
 
 /// All golden moves of a family, each at the index that is its number.
 pub fn moves<R: Real>(family: Family) -> Vec<Move<R>> {
+    moves_of(family, family.name())
+}
+
+/// The golden moves of a bell or a trapezoid that liba planned on 2026-06-25. Its generation has [`atraj::Saturation::Numbers`].
+pub fn newest_moves<R: Real>(family: Family) -> Vec<Move<R>> {
+    moves_of(family, &format!("newest_{}", family.name()))
+}
+
+fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
     let arguments = family.arguments().len();
     let returned = usize::from(family.returns_duration());
     let numbers = arguments + returned + family.fields().len();
-    let table = format!("{}_gen", family.name());
+    let table = format!("{table}_gen");
     let to_move = |(index, row): (usize, Row<R>)| {
         assert_eq!(row.case, index, "{}: case", row.place);
         Move {
@@ -79,6 +88,18 @@ pub fn compare<R: Real>(
         for ((quantity, got), want) in family.quantities().iter().zip(got).zip(golden.values) {
             comparison.check(&golden.place, quantity.name, got, want);
         }
+    }
+}
+
+/// Compares the plan of each of these golden moves.
+pub fn compare_plans<R: Real>(
+    comparison: &mut Comparison,
+    implementation: &impl Implementation<R>,
+    family: Family,
+    moves: &[Move<R>],
+) {
+    for golden in moves {
+        compare_plan(comparison, implementation, family, golden);
     }
 }
 

@@ -17,6 +17,6 @@ pub mod variant;
 pub use comparison::Comparison;
 pub use family::Family;
 pub use implementation::Implementation;
-pub use ours::Ours;
+pub use ours::{Ours, OursNewest};
 pub use random::Random;
 pub use real::Real;

@@ -4,11 +4,41 @@ use crate::family::Family;
 use crate::implementation::Implementation;
 use crate::profiles::{Profile, bell, bell_fields, poly3, poly5, poly7, trap, trap_fields};
 use crate::real::Real;
-use atraj::{Boundary, Poly};
+use atraj::{Boundary, Poly, Saturation};
 
 /// atraj's plain structs and methods, without the C ABI. Its polynomials hold nothing but the coefficients of position, so
 /// an evaluation does not read the other fields of a polynomial.
 pub struct Ours;
+
+/// The plans of liba since 2025: those of [`Ours`] with another saturation.
+pub struct OursNewest;
+
+impl<R: Real> Implementation<R> for OursNewest {
+    fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
+        let planned = match (family, arguments) {
+            (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
+                let mut bell = bell(fields);
+                let boundary = Boundary { p0, p1, v0, v1 };
+                let planned = bell.plan_saturated(jm, am, vm, boundary, Saturation::Numbers);
+                fields.copy_from_slice(&bell_fields(&bell));
+                planned
+            }
+            (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
+                let mut trap = trap(fields);
+                let boundary = Boundary { p0, p1, v0, v1 };
+                let planned = trap.plan_saturated(vm, ac, de, boundary, Saturation::Numbers);
+                fields.copy_from_slice(&trap_fields(&trap));
+                planned
+            }
+            _ => return Ours.plan(family, arguments, fields),
+        };
+        planned.unwrap_or(R::of(0.0))
+    }
+
+    fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
+        Ours.evaluate(family, fields, x)
+    }
+}
 
 impl<R: Real> Implementation<R> for Ours {
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {

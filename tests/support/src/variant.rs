@@ -69,6 +69,28 @@ impl Variant {
         root().join("target").join(self.directory)
     }
 
+    /// The name of its library, of its pkg-config file and of its CMake package.
+    pub fn name(&self) -> String {
+        self.directory.replacen("dist", "atraj", 1)
+    }
+
+    /// Its archive. Builds it if need be.
+    pub fn archive(&self) -> PathBuf {
+        self.dist().join(format!("lib/lib{}.a", self.name()))
+    }
+
+    /// Its shared library. Builds it if need be.
+    pub fn shared_library(&self) -> PathBuf {
+        self.dist().join(format!("lib/lib{}.so", self.name()))
+    }
+
+    /// A folder for what tests make of this build. `make dist` replaces its own.
+    pub fn scratch(&self) -> PathBuf {
+        let folder = root().join("target/tests").join(self.directory);
+        std::fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
     /// The symbols that the archive documents, from `tests/symbols*.txt`.
     pub fn symbols(&self) -> Vec<String> {
         let compact = self.choices.contains(&"POLY=compact");

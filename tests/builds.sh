@@ -1,0 +1,249 @@
+#!/bin/sh
+# Builds and installs in the ways that once gave the wrong library, in a copy of the sources.
+set -eu
+. "$(dirname "$0")/rows.sh"
+copy=$work/atraj
+mkdir "$copy"
+tar -C "$root" --exclude=./target --exclude=./.git --exclude=target -cf - . | tar -C "$copy" -xf -
+archive=$copy/target/dist/lib/libatraj.a
+# A processor of this machine's architecture, newer than the default.
+case $(uname -m) in
+aarch64) cpu=neoverse-n1 ;;
+*) cpu=x86-64-v3 ;;
+esac
+
+dist() {
+    make -s -C "$copy" dist "$@"
+}
+
+# refused SENTENCE COMMAND: the command must fail and print the sentence.
+refused() {
+    sentence=$1
+    shift
+    if "$@" > said 2>&1; then
+        echo "not refused: $*"
+        exit 1
+    fi
+    cat said
+    grep -q -e "$sentence" said
+}
+
+# --- the object belongs to the present flags
+
+# flags_in_turn VARIABLE=VALUE…: the plain archive, another, and the plain archive again
+flags_in_turn() {
+    dist
+    cp "$archive" plain.a
+    env "$@" make -s -C "$copy" dist
+    test -z "$(cmp -s "$archive" plain.a && echo "$* changes nothing")"
+    dist
+    cmp "$archive" plain.a
+}
+
+without_object() {
+    dist
+    rm -rf "$copy"/target/build/atraj.o "$copy"/target/dist
+    dist
+    test -s "$archive"
+}
+
+cpu_on_the_host() {
+    dist
+    cp "$archive" plain.a
+    dist CPU=$cpu
+    cmp "$archive" plain.a
+    RUSTFLAGS="-C target-cpu=$cpu" make -s -C "$copy" dist
+    cmp "$archive" "$copy/target/dist-$cpu/lib/libatraj.a"
+    dist
+}
+
+own_flags_beside_cpu() {
+    dist CPU=$cpu
+    cp "$copy/target/dist-$cpu/lib/libatraj.a" without.a
+    RUSTFLAGS='-C no-vectorize-slp -C no-vectorize-loops' make -s -C "$copy" dist CPU=$cpu
+    test -z "$(cmp -s "$copy/target/dist-$cpu/lib/libatraj.a" without.a && echo 'RUSTFLAGS ignored')"
+}
+
+cpu_on_bare_metal() {
+    m4=$copy/target/dist-thumbv7em-none-eabihf/lib/libatraj.a
+    m7=$copy/target/dist-thumbv7em-none-eabihf-cortex-m7/lib/libatraj.a
+    dist TARGET=thumbv7em-none-eabihf
+    cp "$m4" plain.a
+    RUSTFLAGS='-C target-cpu=cortex-m7' make -s -C "$copy" dist TARGET=thumbv7em-none-eabihf
+    arm-none-eabi-objdump -d "$m4" | grep -q '\.f64'
+    dist TARGET=thumbv7em-none-eabihf
+    cmp "$m4" plain.a
+    dist TARGET=thumbv7em-none-eabihf CPU=cortex-m7
+    arm-none-eabi-objdump -d "$m7" | grep -q '\.f64'
+    arm-none-eabi-nm -u "$m7" > needed
+    test -z "$(grep __aeabi_d needed)"
+    cmp "$m4" plain.a
+}
+
+wrong_cpu() {
+    refused 'CPU=pentium9 does not exist' dist CPU=pentium9
+    refused 'hides CPU' env CARGO_ENCODED_RUSTFLAGS=-Cdebuginfo=0 make -C "$copy" dist CPU=$cpu
+    test ! -e "$copy/target/dist-pentium9"
+}
+
+cpu_of_the_system() {
+    rm -rf "$copy/target/dist"
+    CPU=x86_64 make -s -C "$copy" dist
+    test -s "$archive"
+}
+
+# --- a profile from the environment
+
+# overridden SENTENCE VARIABLE=VALUE…
+overridden() {
+    dist
+    cp "$archive" plain.a
+    sentence=$1
+    shift
+    refused "$sentence" env "$@" make -C "$copy" dist
+    cmp "$archive" plain.a
+    dist
+}
+
+# --- a build that fails, and two at once
+
+failed_build() {
+    rm -rf "$copy/target/dist"
+    refused nonexistent dist CC=/nonexistent
+    test ! -e "$copy/target/dist"
+    refused nonexistent make -C "$copy" install CC=/nonexistent DESTDIR="$PWD/stage"
+    test ! -e stage
+    dist
+    touch "$copy/target/dist/mark"
+    refused nonexistent dist CC=/nonexistent
+    test -e "$copy/target/dist/mark"
+    make -C "$copy" install DESTDIR="$PWD/stage"
+    test -e stage/usr/local/include/a/trajbell.h
+}
+
+two_at_once() {
+    for turn in 1 2 3; do
+        dist > one 2>&1 &
+        one=$!
+        dist > two 2>&1 &
+        wait $one
+        wait $!
+        test -s "$archive"
+        test ! -e "$copy/target/dist/dist"
+    done
+}
+
+# Cargo has one file for the libraries of both real types.
+two_reals_at_once() {
+    dist
+    dist REAL=float
+    for real in '' -float; do
+        cp "$copy/target/dist$real/lib/libatraj$real.a" .
+    done
+    dist &
+    dist REAL=float
+    wait $!
+    for real in '' -float; do
+        cmp "$copy/target/dist$real/lib/libatraj$real.a" "libatraj$real.a"
+    done
+}
+
+# --- installation
+
+# install_to FOLDER ARGUMENTS…
+install_to() {
+    to=$1
+    shift
+    make -s -C "$copy" dist "$@"
+    make -s -C "$copy" install DESTDIR="$to" "$@"
+}
+
+blank_in_destdir() {
+    install_to "$PWD/with blank"
+    test "$(find . -name libatraj.a)" = './with blank/usr/local/lib/libatraj.a'
+    test "$(ls)" = 'with blank'
+    make -C "$copy" uninstall DESTDIR="$PWD/with blank"
+    test -z "$(find 'with blank' -mindepth 1)"
+}
+
+other_folders() {
+    install_to "$PWD/stage" PREFIX=/usr LIBDIR=/usr/lib/some-arch INCLUDEDIR=/usr/include/some-arch REAL=float
+    test "$(find stage -name '*.a')" = stage/usr/lib/some-arch/libatraj-float.a
+    test "$(find stage -name trajbell.h)" = stage/usr/include/some-arch/atraj-float/a/trajbell.h
+    set -- $(PKG_CONFIG_PATH=stage/usr/lib/some-arch/pkgconfig pkg-config --cflags --libs atraj-float)
+    "${CC:-cc}" "$root/tests/consumers/move.c" -o move "$@" -lm
+    cmake -S "$root/tests/consumers" -B . -DSOURCE=move.c -DPACKAGE=atraj-float -DLIBRARY=atraj-float::static \
+        -Datraj-float_DIR="$PWD/stage/usr/lib/some-arch/cmake/atraj-float"
+    cmake --build .
+}
+
+no_folder_left() {
+    mkdir -p stage/usr/include/a
+    touch stage/usr/include/a/list.h
+    install_to "$PWD/stage" PREFIX=/usr
+    install_to "$PWD/stage" PREFIX=/usr REAL=float
+    make -C "$copy" uninstall DESTDIR="$PWD/stage" PREFIX=/usr
+    test -f stage/usr/include/atraj-float/a/trajbell.h
+    test -f stage/usr/lib/libatraj-float.so
+    test -z "$(find stage -type d -empty)"
+    make -C "$copy" uninstall DESTDIR="$PWD/stage" PREFIX=/usr REAL=float
+    test "$(find stage)" = 'stage
+stage/usr
+stage/usr/include
+stage/usr/include/a
+stage/usr/include/a/list.h'
+    install_to '' PREFIX="$PWD/new/prefix"
+    make -C "$copy" uninstall PREFIX="$PWD/new/prefix"
+    test ! -e new
+}
+
+# another_machine BUILD-CHOICE: its files have the names of the files that are there
+another_machine() {
+    install_to "$PWD/stage"
+    find stage -type f -exec md5sum {} + > before
+    refused 'take another PREFIX' install_to "$PWD/stage" "$@"
+    refused 'take another PREFIX' make -C "$copy" uninstall DESTDIR="$PWD/stage" "$@"
+    find stage -type f -exec md5sum {} + | diff before -
+    install_to "$PWD/stage"
+}
+
+# Every ABI has its own library, soname, pkg-config and CMake names.
+names_of_an_abi() {
+    set -- '' '' '-float' 'REAL=float' '-compact' 'POLY=compact' '-float-compact' 'REAL=float POLY=compact' \
+        '-poly3-level1-poly7-level2' 'A_TRAJPOLY3=1 A_TRAJPOLY5=3 A_TRAJPOLY7=2'
+    while test $# != 0; do
+        install_to "$PWD/stage" PREFIX=/usr $2
+        readelf -dW "stage/usr/lib/libatraj$1.so" | grep "SONAME.*\[libatraj$1\.so\.0\]"
+        test "$(PKG_CONFIG_PATH=stage/usr/lib/pkgconfig pkg-config --modversion "atraj$1")" = "$version"
+        test -f "stage/usr/lib/cmake/atraj$1/atraj$1-config.cmake"
+        test -f "stage/usr/lib/cmake/atraj$1/atraj$1-config-version.cmake"
+        shift 2
+    done
+    test "$(find stage -name '*.a' | wc -l)" = 5
+}
+
+row "RUSTFLAGS, then none" flags_in_turn RUSTFLAGS="-C target-cpu=$cpu"
+row "an optimisation by environment, then none" flags_in_turn CARGO_PROFILE_RELEASE_OPT_LEVEL=s
+if have /usr/bin/rustc && test "$(rustc --version)" != "$(/usr/bin/rustc --version)"; then
+    row "another compiler, then the first" flags_in_turn RUSTC=/usr/bin/rustc
+fi
+row "the object is deleted" without_object
+row "CPU on the host" cpu_on_the_host
+row "RUSTFLAGS beside CPU" own_flags_beside_cpu
+row "a CPU that does not exist, or that Rust would not see" wrong_cpu
+row "a CPU in the environment is not ours" cpu_of_the_system
+have arm-none-eabi-gcc && row "CPU on bare metal; RUSTFLAGS, then none" cpu_on_bare_metal
+row "opt-level 0 by environment" overridden "needs Rust's runtime" CARGO_PROFILE_RELEASE_OPT_LEVEL=0
+row "many objects by environment" overridden 'several objects' \
+    CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16
+row "a build that fails" failed_build
+row "two builds of one variant at once" two_at_once
+row "two real types at once" two_reals_at_once
+row "a blank in DESTDIR" blank_in_destdir
+have pkg-config && have cmake && row "LIBDIR and INCLUDEDIR" other_folders
+row "make uninstall leaves no folder" no_folder_left
+row "another processor over an installation" another_machine CPU=$cpu
+have arm-none-eabi-gcc && row "Arm over an installation" another_machine TARGET=thumbv7em-none-eabihf
+have readelf && have pkg-config && row "names of every ABI" names_of_an_abi
+
+finish

@@ -1,0 +1,42 @@
+# Sourced by the shell tests. A row is one question; its answer is one line.
+#
+# A missing tool is printed. In CI it is a failure.
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0 skipped=0
+unset MAKEFLAGS MAKELEVEL REAL POLY A_TRAJPOLY3 A_TRAJPOLY5 A_TRAJPOLY7 TARGET CPU DESTDIR PREFIX LIBDIR INCLUDEDIR \
+    LD_LIBRARY_PATH RUSTFLAGS
+
+# row TITLE COMMAND: runs the command in an empty folder. In the background, because under `if` a shell lets failing steps
+# pass.
+row() {
+    title=$1
+    shift
+    folder=$work/rows/$((passed + failed))
+    mkdir -p "$folder"
+    (cd "$folder" && "$@") > "$work/log" 2>&1 &
+    if wait $!; then
+        passed=$((passed + 1))
+        echo "passed   $title"
+    else
+        failed=$((failed + 1))
+        echo "FAILED   $title"
+        sed 's/^/         /' "$work/log"
+    fi
+}
+
+have() {
+    command -v "$1" > /dev/null && return
+    skipped=$((skipped + 1))
+    echo "SKIPPED  what needs $1: install it"
+    return 1
+}
+
+finish() {
+    echo "$passed passed, $failed failed, $skipped skipped"
+    test $failed = 0
+    test $skipped = 0 || test -z "${CI:-}"
+}
