@@ -106,6 +106,7 @@ fn include<R: Real>(lowest: &mut R, highest: &mut R, x: R) {
     }
 }
 
-fn larger<R: Real>(x: R, y: R) -> R {
+/// The larger one.
+pub(crate) fn larger<R: Real>(x: R, y: R) -> R {
     if x > y { x } else { y }
 }

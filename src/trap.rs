@@ -1,7 +1,7 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
-use crate::check::{Extremes, Findings};
+use crate::check::{Extremes, Findings, larger};
 use crate::online::border::{larger_root, positive};
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
@@ -254,7 +254,9 @@ impl<R: Real> Trap<R> {
         }
         let reached = self.extremes();
         let few = R::DOUBT; // 64 roundings
-        let of_velocity = few * (reached.speed() + reached.acceleration() * t);
+        // The clock may pass a short ramp in no time, so the ramp counts though it is not among the extremes.
+        let steepest = larger(self.ac.abs(), self.de.abs());
+        let of_velocity = few * (reached.speed() + steepest * t);
         let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
         let State {
             acceleration: lowest,
