@@ -414,7 +414,9 @@ fn meeting_ramps<R: Real>(h: R, v: R, dv: R, first: R, second: R) -> [R; 2] {
     let offset = dv / second;
     let beyond = h + offset * (v + R::HALF * dv);
     let t = larger_root(v / first, -(beyond + beyond) / (first * (R::ONE + ratio)));
-    [positive(t), positive(ratio * t - offset)]
+    // Where the first ramp is the direct one, the root may come out shorter than the ramp by rounding.
+    let t = larger(t, positive(dv / first));
+    [t, positive(ratio * t - offset)]
 }
 
 /// The root of a squared velocity; `None` below 0.

@@ -10,6 +10,7 @@
 //! All quantities here are divided by the jerk, which leaves powers of time: an acceleration is in s, a velocity in s^2, a
 //! displacement in s^3. So a jerk part lasts as long as the acceleration that it adds is large.
 
+use crate::check::larger;
 use crate::real::Real;
 
 /// The ends and limits of the motions on the upper border. The acceleration is 0 at both ends.
@@ -167,8 +168,11 @@ impl<R: Real> Border<R> {
         let twice_a = rise * (R::ONE + ratio);
         let b = v0 * (R::ONE + ratio) + R::HALF * rise * (offset - rise) + ratio * change;
         let c = offset * (v0 + change) - h;
-        let up = larger_root(b / twice_a, (c + c) / twice_a);
-        let [up, down] = [up, ratio * up + offset];
+        let root = larger_root(b / twice_a, (c + c) / twice_a);
+        // Where one ramp is hardly more than the direct one, the root may come out shorter than its jerk parts by rounding.
+        let least = larger(rise + rise, (fall + fall - offset) / ratio);
+        let up = larger(root, least);
+        let down = larger(ratio * up + offset, fall + fall);
         [Ramp { tj: rise, t: up }, Ramp { tj: fall, t: down }]
     }
 }
