@@ -389,17 +389,12 @@ pub struct Tallies {
     of: [[Tally; Kind::ALL.len()]; 2],
 }
 
-/// Problems that belong to a seed: half of them bells, half of them trapezoids.
+/// Problems that a seed stands for in long runs: half of them bells, half of them trapezoids.
 pub const PROBLEMS_PER_SEED: usize = 1_000_000;
 
 impl Tallies {
-    /// Judges the planner by all problems of a seed.
-    pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64) -> Self {
-        Self::of_problems(planner, seed, PROBLEMS_PER_SEED)
-    }
-
     /// Judges the planner by so many problems of a seed.
-    pub fn of_problems<R: Original>(planner: &impl Planner<R>, seed: u64, problems: usize) -> Self {
+    pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, problems: usize) -> Self {
         let mut tallies = Self::default();
         let mut random = Random::seeded(!seed);
         for problem in Problems::<R>::new(seed).take(problems) {
