@@ -13,7 +13,8 @@
 #   make builds                 builds and installs in the ways that once gave the wrong library
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
-#   make soak                   compares a thousand million calls per real type with the original; SOAK_SEED=n starts at seed n
+#   make soak                   compares a thousand million calls per real type with the original, and a thousand million
+#                               fastest plans with a referee; SOAK_SEED=n starts at seed n, SOAK=plans leaves the calls out
 #   make bench                  measures times and instructions beside the original's: docs/performance.md
 #   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                               `make instructions-update` rewrites tests/instructions.txt
@@ -207,10 +208,10 @@ ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
 SOAK_SEED ?= 0
 SOAK_SEEDS ?= 1000
 
-# A seed stands for a million calls per real type.
+# A seed stands for a million calls and a million plans per real type. SOAK is calls, plans or nothing for both.
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
-	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS)
+	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS) $(SOAK)
 
 # The benchmark is compiled with the archive's settings, or it would measure other code.
 BENCH := $(CARGO) run --quiet --profile bench $(ORACLE) --bin bench

@@ -79,15 +79,18 @@ impl<R: Real> Extremes<R> {
 
     /// The highest magnitude of the velocity.
     pub(crate) fn speed(&self) -> R {
-        larger(self.lowest.velocity.abs(), self.highest.velocity.abs())
+        self.lowest
+            .velocity
+            .abs()
+            .at_least(self.highest.velocity.abs())
     }
 
     /// The highest magnitude of the acceleration.
     pub(crate) fn acceleration(&self) -> R {
-        larger(
-            self.lowest.acceleration.abs(),
-            self.highest.acceleration.abs(),
-        )
+        self.lowest
+            .acceleration
+            .abs()
+            .at_least(self.highest.acceleration.abs())
     }
 
     /// Whether the positions leave those between `p0` and `p1` by more than `rounding`.
@@ -104,8 +107,4 @@ fn include<R: Real>(lowest: &mut R, highest: &mut R, x: R) {
     if x > *highest {
         *highest = x;
     }
-}
-
-fn larger<R: Real>(x: R, y: R) -> R {
-    if x > y { x } else { y }
 }

@@ -2,7 +2,7 @@
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
 use crate::check::{Extremes, Findings};
-use crate::online::border::{larger_root, positive};
+use crate::online::border::larger_root;
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
 use crate::state::{Boundary, Saturation, State};
@@ -207,7 +207,7 @@ impl<R: Real> Trap<R> {
             (rise, fall)
         };
         let mut up = (vm - v0_up) / first;
-        let mut down = positive(vm - v0_up - dv) / second;
+        let mut down = (vm - v0_up - dv).at_least(R::ZERO) / second;
         let by_way_of_vm = R::HALF * (v0_up + vm) * up + R::HALF * (v0_up + dv + vm) * down;
         let (cruise, peak) = if h >= by_way_of_vm {
             ((h - by_way_of_vm) / vm, vm)
@@ -266,7 +266,9 @@ impl<R: Real> Trap<R> {
         }
         let reached = self.extremes();
         let few = R::DOUBT; // 64 roundings
-        let of_velocity = few * (reached.speed() + reached.acceleration() * t);
+        // The clock may pass a short ramp in no time, so the ramp counts though it is not among the extremes.
+        let steepest = self.ac.abs().at_least(self.de.abs());
+        let of_velocity = few * (reached.speed() + steepest * t);
         let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
         let State {
             acceleration: lowest,
@@ -424,7 +426,9 @@ fn meeting_ramps<R: Real>(h: R, v: R, dv: R, first: R, second: R) -> [R; 2] {
     let offset = dv / second;
     let beyond = h + offset * (v + R::HALF * dv);
     let t = larger_root(v / first, -(beyond + beyond) / (first * (R::ONE + ratio)));
-    [positive(t), positive(ratio * t - offset)]
+    // Where the first ramp is the direct one, the root may come out shorter than the ramp by rounding.
+    let t = t.at_least((dv / first).at_least(R::ZERO));
+    [t, (ratio * t - offset).at_least(R::ZERO)]
 }
 
 /// The root of a squared velocity; `None` below 0.

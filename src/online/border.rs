@@ -76,7 +76,7 @@ impl<R: Real> Border<R> {
     /// The two ramps by way of the velocity `v0 + room`, and their displacement.
     pub fn by_way_of(&self, room: R) -> ([Ramp<R>; 2], R) {
         let up = Ramp::over(room, self.rise);
-        let down = Ramp::over(positive(room - self.dv), self.fall);
+        let down = Ramp::over((room - self.dv).at_least(R::ZERO), self.fall);
         let change = R::HALF * room * (up.t + down.t) + R::HALF * self.dv * down.t;
         ([up, down], self.v0 * (up.t + down.t) + change)
     }
@@ -97,7 +97,7 @@ impl<R: Real> Border<R> {
         let begins = hold.begins();
         let apart = self.dv.abs().sqrt();
         let y = hold.limit + begins - apart;
-        let beyond_direct = positive(h - direct);
+        let beyond_direct = (h - direct).at_least(R::ZERO);
         if sum < R::INFINITY && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0) {
             let [held, other] = hold.ramps(beyond);
             return if up_first {
@@ -112,7 +112,7 @@ impl<R: Real> Border<R> {
     /// The ramps over a displacement beyond the direct one if none of them holds. `y`, by which the acceleration falls more than in
     /// the direct ramp, is at most `most`.
     fn without_hold(&self, beyond: R, apart: R, most: R) -> [Ramp<R>; 2] {
-        let bound = lower(self.no_hold_bound(beyond, apart), most);
+        let bound = self.no_hold_bound(beyond, apart).at_most(most);
         let y = root(bound, R::ZERO, |y| {
             let (displacement, slope) = self.no_hold(apart, y);
             (displacement - beyond, slope)
@@ -120,7 +120,7 @@ impl<R: Real> Border<R> {
         let u = apart + y;
         let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
         [u + ratio, u - ratio].map(|twice| {
-            let tj = R::HALF * positive(twice);
+            let tj = R::HALF * twice.at_least(R::ZERO);
             Ramp { tj, t: tj + tj }
         })
     }
@@ -150,7 +150,7 @@ impl<R: Real> Border<R> {
 
     /// The derivative of the displacement in the direct ramp: twice the higher velocity of both ends.
     fn direct_slope(&self) -> R {
-        R::from(2) * (self.v0 + positive(self.dv))
+        R::from(2) * (self.v0 + self.dv.at_least(R::ZERO))
     }
 
     /// Not below the `y` of a displacement beyond the direct one, and above it by a small factor: the displacement is not below
@@ -160,17 +160,15 @@ impl<R: Real> Border<R> {
         if slope >= R::ZERO {
             let cubic = (R::from(4) * beyond).cube_root_above();
             let quadratic = ((beyond + beyond) / apart).sqrt();
-            return lower(beyond / slope, lower(quadratic, cubic));
+            return (beyond / slope).at_most(quadratic.at_most(cubic));
         }
-        let cubic = larger(
-            (R::from(8) * beyond).cube_root_above(),
-            (R::from(8) * -slope).sqrt(),
-        );
-        let quadratic = larger(
-            (R::from(4) * beyond / apart).sqrt(),
-            R::from(4) * -slope / apart,
-        );
-        lower(quadratic, cubic)
+        let cubic = (R::from(8) * beyond)
+            .cube_root_above()
+            .at_least((R::from(8) * -slope).sqrt());
+        let quadratic = (R::from(4) * beyond / apart)
+            .sqrt()
+            .at_least(R::from(4) * -slope / apart);
+        quadratic.at_most(cubic)
     }
 
     /// With both holds the displacement is a quadratic in the duration of the first ramp.
@@ -183,8 +181,11 @@ impl<R: Real> Border<R> {
         let twice_a = rise * (R::ONE + ratio);
         let b = v0 * (R::ONE + ratio) + R::HALF * rise * (offset - rise) + ratio * change;
         let c = offset * (v0 + change) - h;
-        let up = larger_root(b / twice_a, (c + c) / twice_a);
-        let [up, down] = [up, ratio * up + offset];
+        let root = larger_root(b / twice_a, (c + c) / twice_a);
+        // Where one ramp is hardly more than the direct one, the root may come out shorter than its jerk parts by rounding.
+        let least = (rise + rise).at_least((fall + fall - offset) / ratio);
+        let up = root.at_least(least);
+        let down = (ratio * up + offset).at_least(fall + fall);
         [Ramp { tj: rise, t: up }, Ramp { tj: fall, t: down }]
     }
 }
@@ -222,12 +223,12 @@ impl<R: Real> Hold<R> {
 
     /// The acceleration that the other ramp reaches where the hold begins; 0 if the direct ramp has a hold too.
     fn begins(&self) -> R {
-        positive(self.limit * self.limit - self.dv).sqrt()
+        (self.limit * self.limit - self.dv).at_least(R::ZERO).sqrt()
     }
 
     /// The ramp that holds and the other one, over a displacement beyond the least one.
     fn ramps(&self, beyond: R) -> [Ramp<R>; 2] {
-        let bound = lower(self.bound(beyond), self.other);
+        let bound = self.bound(beyond).at_most(self.other);
         let w = root(bound, self.begins(), |w| {
             let (displacement, slope) = self.displacement(w);
             (displacement - beyond, slope)
@@ -264,12 +265,12 @@ impl<R: Real> Hold<R> {
 
     /// Not below the `w` of a displacement beyond the least one, and above it by a small factor.
     fn bound(&self, beyond: R) -> R {
-        let against = positive(-(self.end + self.end));
-        let product =
-            against + (against * against + R::from(2) * self.limit * positive(beyond)).sqrt();
-        let bound = lower(product / self.limit, product.sqrt());
+        let against = (-(self.end + self.end)).at_least(R::ZERO);
+        let product = against
+            + (against * against + R::from(2) * self.limit * beyond.at_least(R::ZERO)).sqrt();
+        let bound = (product / self.limit).at_most(product.sqrt());
         if self.end > R::ZERO {
-            lower(bound, beyond / (self.end + self.end))
+            bound.at_most(beyond / (self.end + self.end))
         } else {
             bound
         }
@@ -288,7 +289,7 @@ fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
             break; // by rounding
         }
     }
-    if x > least { x } else { least }
+    x.at_least(least)
 }
 
 /// More rounds than any root takes, as `docs/planner.md` shows.
@@ -296,21 +297,6 @@ const MOST_ROUNDS: u32 = 16;
 
 /// The larger root of `x^2 + 2 p x + q`.
 pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
-    let d = positive(p * p - q).sqrt();
+    let d = (p * p - q).at_least(R::ZERO).sqrt();
     if p > R::ZERO { -q / (p + d) } else { d - p }
-}
-
-/// `x`, but 0 below 0 and for a NaN.
-pub(crate) fn positive<R: Real>(x: R) -> R {
-    if x > R::ZERO { x } else { R::ZERO }
-}
-
-/// The larger one; `y` if `x` is NaN.
-fn larger<R: Real>(x: R, y: R) -> R {
-    if x > y { x } else { y }
-}
-
-/// The lower one; `y` if `x` is NaN.
-fn lower<R: Real>(x: R, y: R) -> R {
-    if x < y { x } else { y }
 }

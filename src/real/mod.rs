@@ -140,6 +140,16 @@ pub trait Operations:
         }
     }
 
+    /// `self`, but not below `least`; `least` for a NaN.
+    fn at_least(self, least: Self) -> Self {
+        if self > least { self } else { least }
+    }
+
+    /// `self`, but not above `most`; `most` for a NaN.
+    fn at_most(self, most: Self) -> Self {
+        if self < most { self } else { most }
+    }
+
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.abs() < Self::INFINITY

@@ -1,5 +1,6 @@
-//! Faults planted into ours, each as small as a fault can be. They show whether the comparison sees a fault.
+//! Faults planted into ours, each as small as a fault can be. They show whether the comparison, or the judge, sees a fault.
 
+use crate::judge::{Fastest, Fields, Planner};
 use support::profiles::{bell, bell_fields, trap};
 use support::{Family, Implementation, Ours, Real};
 
@@ -65,5 +66,98 @@ impl<R: Real> Implementation<R> for Fault {
             _ => {}
         }
         [position, velocity, acceleration, jerk]
+    }
+}
+
+/// The planner of the fastest moves with one fault.
+#[derive(Clone, Copy, Debug)]
+pub enum PlanFault {
+    /// It refuses a move without displacement.
+    Refuses,
+    /// The ramps go to the wrong side.
+    WrongDirection,
+    /// A correct motion within limits that are a little too low.
+    Lengthened,
+    /// The duration alone is a little too short.
+    Shortened,
+    /// The acceleration is a little above its limit.
+    AboveTheLimit,
+    /// The move ends 100 roundings beside the target.
+    EndOff,
+    /// The move jumps 100 roundings on its way to the target.
+    Jump,
+    /// A move towards smaller positions takes a rounding longer.
+    Direction,
+}
+
+impl PlanFault {
+    /// Every fault.
+    pub const ALL: [Self; 8] = [
+        Self::Refuses,
+        Self::WrongDirection,
+        Self::Lengthened,
+        Self::Shortened,
+        Self::AboveTheLimit,
+        Self::EndOff,
+        Self::Jump,
+        Self::Direction,
+    ];
+
+    /// The arguments that the planner gets.
+    fn change_arguments<R: Real>(self, family: Family, arguments: &mut [R; 7]) {
+        let limits = match family {
+            Family::Bell => &mut arguments[1..2],
+            _ => &mut arguments[1..3],
+        };
+        match self {
+            // Durations grow by a few times what the judge tolerates.
+            Self::Lengthened => {
+                let less = R::of(1.0 - if size_of::<R>() == 8 { 4e-8 } else { 4e-4 });
+                arguments[..3].iter_mut().for_each(|x| *x = *x * less);
+            }
+            Self::AboveTheLimit => {
+                let more = R::of(1.0 + if size_of::<R>() == 8 { 1e-9 } else { 1e-5 });
+                limits.iter_mut().for_each(|x| *x = *x * more);
+            }
+            _ => {}
+        }
+    }
+
+    /// What becomes of a correct plan.
+    fn change_plan<R: Real>(self, family: Family, fields: &mut Fields<R>) {
+        // `first` is where a part of the move begins that is not measured from its end.
+        let (p0, p1, speed, directed, first) = match family {
+            Family::Bell => (6, 7, 10, 10..14, 6),
+            _ => (1, 2, 5, 10..12, 9),
+        };
+        let duration = fields[0];
+        let way = fields[p0].widen().abs() + fields[p1].widen().abs();
+        let scale = way + fields[speed].widen().abs() * duration.widen();
+        let off = R::of(100.0 * R::MACHINE_EPSILON.widen() * scale);
+        match self {
+            Self::WrongDirection => fields[directed].iter_mut().for_each(|x| *x = -*x),
+            Self::Shortened => {
+                let less = R::of(1.0 - if size_of::<R>() == 8 { 1e-8 } else { 1e-4 });
+                fields[0] = duration * less;
+            }
+            Self::EndOff => fields[p1] = fields[p1] + off,
+            Self::Jump => fields[first] = fields[first] + off,
+            Self::Direction if fields[p0] > fields[p1] => fields[0] = duration.neighbour(1),
+            _ => {}
+        }
+    }
+}
+
+impl<R: Real> Planner<R> for PlanFault {
+    fn plan(&self, family: Family, arguments: &[R; 7]) -> Option<Fields<R>> {
+        let mut changed = *arguments;
+        self.change_arguments(family, &mut changed);
+        let [_, _, _, p0, p1, ..] = changed;
+        if matches!(self, Self::Refuses) && p0 == p1 {
+            return None;
+        }
+        let mut fields = Fastest.plan(family, &changed)?;
+        self.change_plan(family, &mut fields);
+        Some(fields)
     }
 }

@@ -7,8 +7,11 @@ pub mod abi;
 pub mod bytes;
 pub mod comparison;
 pub mod faults;
+pub mod judge;
 pub mod moves;
+pub mod nasty;
 pub mod original;
+pub mod referee;
 pub mod together;
 pub mod volume;
 
