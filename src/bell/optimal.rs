@@ -37,21 +37,24 @@ impl<R: Real> Bell<R> {
         if boundary.p0 == boundary.p1 && boundary.v0 == boundary.v1 {
             return Some(Self::nothing(boundary));
         }
-        let jm = Self::resolved_jerk(jm, am, vm, boundary);
-        let bell = Self::within(jm, am, vm, boundary);
-        let resolved = Self::jerk_for(am, bell.t);
-        let bell = if resolved < R::HALF * jm {
-            Self::within(resolved, am, vm, boundary)
-        } else {
-            bell
-        };
+        let mut jm = Self::resolved_jerk(jm, am, vm, boundary);
+        let mut bell = Self::default();
+        // A second time if a jerk part is too short for the clock. One call of `within` keeps the struct in registers.
+        for _ in 0..2 {
+            bell = Self::within(jm, am, vm, boundary);
+            let part = Self::shortest_part(bell.t);
+            if am >= R::HALF * jm * part {
+                break;
+            }
+            jm = am / part;
+        }
         bell.t.is_finite().then_some(bell)
     }
 
-    /// The jerk that builds up the acceleration `am` in a time which the clock of a move of this duration resolves. A shorter jerk
-    /// part would show as a spike in the evaluated acceleration.
-    fn jerk_for(am: R, duration: R) -> R {
-        am / (R::from(8) * R::EPSILON * duration)
+    /// The shortest jerk part that the clock of a move of this duration resolves. A shorter one would show as a spike in the
+    /// evaluated acceleration.
+    fn shortest_part(duration: R) -> R {
+        R::from(8) * R::EPSILON * duration
     }
 
     /// `jm`, or the jerk for the duration of the trapezoid, if `jm` is so high that the two moves hardly differ.
@@ -68,7 +71,7 @@ impl<R: Real> Bell<R> {
         };
         match trapezoid {
             Some(trap) if trap.t > R::ZERO => {
-                let resolved = Self::jerk_for(am, trap.t);
+                let resolved = am / Self::shortest_part(trap.t);
                 if resolved < jm { resolved } else { jm }
             }
             _ => jm,
@@ -92,14 +95,16 @@ impl<R: Real> Bell<R> {
     fn within(jm: R, am: R, vm: R, boundary: Boundary<R>) -> Self {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let [h, forward_v0, forward_v1] = R::forward(p1 - p0, v0, v1);
+        // A product takes a fraction of the time of a quotient.
+        let per_jerk = R::ONE / jm;
         let border = Border {
-            v0: forward_v0 / jm,
-            dv: (forward_v1 - forward_v0) / jm,
-            rise: am / jm,
-            fall: am / jm,
+            v0: forward_v0 * per_jerk,
+            dv: (forward_v1 - forward_v0) * per_jerk,
+            rise: am * per_jerk,
+            fall: am * per_jerk,
         };
         // Where the direct ramp ends at the target up to rounding, it is the move; else the axis dips first if it would get too far.
-        let h = h / jm;
+        let h = h * per_jerk;
         let direct = border.direct();
         let tie = R::from(4) * R::EPSILON * (h.abs() + direct.abs());
         let dips = if (h - direct).abs() <= tie {
@@ -110,9 +115,9 @@ impl<R: Real> Bell<R> {
         let border = if dips { border.mirrored() } else { border };
         let [h, direct, from] = [h, direct, forward_v0].map(|x| x.negate_if(dips));
 
-        let (by_way_of_vm, cruise_from) = border.by_way_of((vm - from) / jm);
+        let (by_way_of_vm, cruise_from) = border.by_way_of((vm - from) * per_jerk);
         let ([up, down], cruise, peak) = if h >= cruise_from {
-            (by_way_of_vm, (h - cruise_from) / (vm / jm), vm)
+            (by_way_of_vm, (h - cruise_from) / (vm * per_jerk), vm)
         } else {
             let [up, down] = border.first_over(h, direct);
             ([up, down], R::ZERO, from + jm * up.tj * (up.t - up.tj))

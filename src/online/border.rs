@@ -257,9 +257,10 @@ impl<R: Real> Hold<R> {
     fn displacement(&self, w: R) -> (R, R) {
         let Self { limit, end, .. } = *self;
         let u = limit + w;
+        let ratio = w / limit;
         (
-            w / limit * (end * (u + limit) + R::HALF * u * u * w),
-            u / limit * (end + end + w * (u + w)),
+            ratio * (end * (u + limit) + R::HALF * u * u * w),
+            (R::ONE + ratio) * (end + end + w * (u + w)),
         )
     }
 
@@ -279,15 +280,25 @@ impl<R: Real> Hold<R> {
 
 /// The root of an increasing convex function, `(value, derivative)`, from `x` on downwards but not below `least`. `x` is not below
 /// the root.
+///
+/// Near the root a step is as large as the square of the step before, but for a factor. So two steps foretell the third one. If the
+/// third one would have no effect, it is not taken.
 fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
+    let mut before = R::ZERO;
     for _ in 0..MOST_ROUNDS {
         let (value, derivative) = f(x);
-        let next = x - value / derivative;
+        let step = value / derivative;
+        let next = x - step;
         if next < x {
             x = next;
         } else {
             break; // by rounding
         }
+        let shrinks = step / before;
+        if step * (shrinks * shrinks) < R::EPSILON * x {
+            break;
+        }
+        before = step;
     }
     x.at_least(least)
 }

@@ -141,8 +141,8 @@ impl Operations for Soft64 {
         f64::from(self).plain_sqrt().into()
     }
 
-    fn cube_root_above(self) -> Self {
-        f64::from(self).cube_root_above().into()
+    fn rough_cube_root(self) -> Self {
+        f64::from(self).rough_cube_root().into()
     }
 
     fn from_index(k: i32) -> Self {

@@ -1,5 +1,6 @@
 //! `bench`: a table of ours against the original at `-O2` and `-O3`, all through the C ABI, in one process.
 //! `bench WORD…`: the rows of the table that contain all these words.
+//! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!
@@ -7,6 +8,8 @@
 //! result is the median of the ratios within a round. Other work on the machine slows neighbouring turns alike, and a single
 //! lucky turn decides nothing. Each library has its own copy of the loop. If one call reached all libraries in turn, the
 //! processor would look up its target, which costs some functions a nanosecond and others nothing.
+
+mod fastest;
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
@@ -24,7 +27,8 @@ const ROUNDS: usize = 99;
 /// The fewest calls in one turn.
 const CALLS: usize = 4096;
 
-/// Calls that can go to three libraries: ours, the original at `-O2`, and the original at `-O3`.
+/// Calls that can go to three libraries: ours, the original at `-O2`, and the original at `-O3`. For a plan that never fails the
+/// third one is rsruckig.
 struct Row {
     function: String,
     case: String,
@@ -41,8 +45,9 @@ fn main() {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["instructions"] => print_instructions(),
+        ["fastest"] => fastest::print_table(),
         ["count", row, library] => {
-            let mut row = rows(WARM).swap_remove(row.parse().expect("a row"));
+            let mut row = warm_rows().swap_remove(row.parse().expect("a row"));
             let library = library.parse().expect("a library");
             counted(&mut || (row.run)(library));
         }
@@ -84,7 +89,7 @@ fn print_row(row: &mut Row, [ours, original]: &[String; 2]) {
 }
 
 fn print_instructions() {
-    for (index, row) in rows(WARM).iter().enumerate() {
+    for (index, row) in warm_rows().iter().enumerate() {
         let count = instructions(index, 0, row.calls);
         println!("{}, {}: {count:.1}", row.function, row.case);
     }
@@ -140,7 +145,14 @@ extern "Rust" fn counted(run: &mut dyn FnMut()) {
     run();
 }
 
-/// All rows, over `count` moves. The rows of samples use one move and come with the warm rows.
+/// The rows of both tables that callgrind can count: the row of this index is one of these.
+fn warm_rows() -> Vec<Row> {
+    let mut rows = rows(WARM);
+    rows.extend(fastest::races().into_iter().map(|race| race.row));
+    rows
+}
+
+/// All rows of the first table, over `count` moves. The rows of samples use one move and come with the warm rows.
 fn rows(count: usize) -> Vec<Row> {
     let place = if count == WARM { "warm" } else { "cold" };
     let mut random = Random(1);
@@ -254,7 +266,7 @@ fn gen7(
     let mut fields = vec![[0.0 as a_float; 14]; calls];
     let run = Box::new(move |library: usize| {
         let pass = [plan_all::<0>, plan_all::<1>, plan_all::<2>][library];
-        pass(of, &plans, &mut fields);
+        pass(of(LIBRARIES[library]), &plans, &mut fields);
     });
     Row {
         function: function.into(),
@@ -264,13 +276,14 @@ fn gen7(
     }
 }
 
+/// Each library has its own copy of this loop.
 #[inline(never)]
 fn plan_all<const LIBRARY: usize>(
-    of: fn(&Abi<a_float>) -> Gen7<a_float>,
+    plan: Gen7<a_float>,
     plans: &[[a_float; 7]],
     fields: &mut [[a_float; 14]],
 ) {
-    let plan = black_box(of(LIBRARIES[LIBRARY]));
+    let plan = black_box(plan);
     align_code();
     for (&[a, b, c, d, e, f, g], fields) in plans.iter().zip(fields) {
         // SAFETY: no struct has more than 14 reals.
