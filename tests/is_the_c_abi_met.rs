@@ -165,6 +165,32 @@ fn sampling_from_c() {
 }
 
 #[test]
+fn plans_that_never_fail_and_their_judge() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::C) {
+            let program = build(variant, compiler, &["-std=c99"], "fastest.c");
+            run(&mut Command::new(program));
+        }
+    }
+}
+
+/// The C functions that no golden row has, because the original has none of them.
+const FASTEST: [&str; 3] = ["_gen", "_check", "_extremes"];
+
+#[test]
+fn a_c_program_calls_every_plan_that_never_fails() {
+    let source = fs::read_to_string(root().join("c_tests/fastest.c")).unwrap();
+    for symbol in DOUBLE.symbols() {
+        let called = source.contains(&format!("{symbol}("));
+        assert!(called || !is_fastest(&symbol), "{symbol}");
+    }
+}
+
+fn is_fastest(symbol: &str) -> bool {
+    symbol.starts_with("atraj_") && FASTEST.iter().any(|end| symbol.ends_with(end))
+}
+
+#[test]
 fn cpp_methods_and_namespace() {
     for variant in VARIANTS {
         for compiler in compilers(Language::Cpp) {
@@ -258,7 +284,9 @@ fn no_sanitizer_finding() {
     for variant in [&DOUBLE, &FLOAT_COMPACT] {
         let golden = build(variant, "cc", &sanitize, "golden.c");
         replay_golden(&mut Command::new(golden));
-        run(&mut Command::new(build(variant, "cc", &sanitize, "abi.c")));
+        for source in ["abi.c", "fastest.c"] {
+            run(&mut Command::new(build(variant, "cc", &sanitize, source)));
+        }
         let sample = build(variant, "cc", &sanitize, "sample.c");
         run(&mut Command::new(sample));
         let claraty = build(variant, "cc", &sanitize, "claraty.c");
