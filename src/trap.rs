@@ -307,9 +307,7 @@ impl<R: Real> Trap<R> {
         if td > ta {
             reached.include_acceleration(R::ZERO);
         }
-        if t > td {
-            reached.include_acceleration(self.de);
-        }
+        reached.include_acceleration(self.acceleration(t));
         // Where the velocity passes through 0 the axis turns.
         for (x, from, to) in [(-v0 / self.ac, R::ZERO, ta), (td - vc / self.de, td, t)] {
             if x > from && x < to {

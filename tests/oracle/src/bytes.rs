@@ -1,12 +1,13 @@
 //! Cases as strings of bytes, which is what a fuzzer changes.
 //!
 //! The first byte is the real type: odd for `f32`. The arguments of the family's `gen` follow in little endian, and then a
-//! byte and a number for each time. Missing bytes are 0.
+//! byte and a number for each time. Missing bytes are 0. A problem for the planners of the fastest moves has no times.
 
 use crate::abi::Original;
 use crate::comparison::{Case, MOMENTS, Moment, Report};
+use crate::judge::{Duration, Fastest, Planner, Trial};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
-use support::{Family, Ours, Real};
+use support::{Family, Ours, Random, Real};
 
 /// Puts the case through ours and the original. Panics if they differ.
 pub fn compare(family: Family, bytes: &[u8]) {
@@ -21,6 +22,33 @@ fn compare_as<R: Original>(family: Family, bytes: &[u8]) {
     let mut report = Report::default();
     report.compare(&Ours, &R::ORIGINAL, &decode(family, bytes));
     report.assert_same();
+}
+
+/// Plans the move for the least time as a bell and as a trapezoid. Panics if numbers are refused, or if the motion is wrong.
+pub fn plan(bytes: &[u8]) {
+    match bytes.split_first() {
+        Some((real, case)) if real % 2 == 1 => plan_as::<f32>(case),
+        Some((_, case)) => plan_as::<f64>(case),
+        None => {}
+    }
+}
+
+fn plan_as<R: Original>(mut bytes: &[u8]) {
+    let arguments: [R; 7] = std::array::from_fn(|_| number(&mut bytes));
+    let mut random = Random::seeded(0);
+    for family in [Family::Bell, Family::Trap] {
+        // Any bits must not panic. Only moves whose powers of time the real type can hold must be planned.
+        let plan = Fastest.plan(family, &arguments);
+        let Some(trial) = Trial::of_any(family, &arguments) else {
+            continue;
+        };
+        let plan = plan.unwrap_or_else(|| panic!("{family:?} {arguments:?} is refused"));
+        let wrong = trial.wrong_motion(&plan, &mut random);
+        assert!(wrong.is_none(), "{family:?} {arguments:?}: {wrong:?}");
+        let duration = trial.duration(plan[0].widen());
+        let least = matches!(duration, Duration::Least(_));
+        assert!(least, "{family:?} {arguments:?}: {duration:?}");
+    }
 }
 
 fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {

@@ -88,6 +88,27 @@ impl<R: Original> Trial<R> {
         }
     }
 
+    /// A problem of any arguments. `None` if a planner may refuse it, or if its numbers are so large or small that a power of time
+    /// may overflow.
+    pub fn of_any(family: Family, arguments: &[R; 7]) -> Option<Self> {
+        let (_, most) = R::EXPONENTS;
+        let most = f64::from(most / 8).exp2();
+        let is_limit = |index: usize| index < 3;
+        let fits = arguments.iter().enumerate().all(|(index, x)| {
+            let x = x.widen().abs();
+            x <= most && x >= 1.0 / most || x == 0.0 && !is_limit(index)
+        });
+        let [_, y, z, ..] = arguments.map(R::widen);
+        let opposite = family == Family::Bell || (y > 0.0) != (z > 0.0);
+        (fits && opposite).then(|| {
+            Self::new(Problem {
+                kind: Kind::TinyAgainstLarge,
+                family,
+                arguments: *arguments,
+            })
+        })
+    }
+
     /// 64 roundings of the positions that the axis passes.
     fn position_doubt(&self) -> f64 {
         let [p0, p1, ..] = self.motion.ends;

@@ -1,6 +1,8 @@
-//! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family.
+//! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
+//! another.
 
 use oracle::bytes::encode;
+use oracle::nasty::{Kind, Problems};
 use std::io::Result;
 use std::path::{Path, PathBuf};
 use support::{Family, Real, golden};
@@ -10,6 +12,16 @@ fn main() -> Result<()> {
     for family in Family::ALL {
         write::<f64>(family, &directory.join(family.name()))?;
         write::<f32>(family, &directory.join(family.name()))?;
+    }
+    write_problems::<f64>(&directory.join("fastest"))?;
+    write_problems::<f32>(&directory.join("fastest"))
+}
+
+fn write_problems<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    for (case, problem) in Problems::<R>::new(0).take(4 * Kind::ALL.len()).enumerate() {
+        let file = directory.join(format!("nasty-{}-{case}", R::NAME));
+        std::fs::write(file, encode(&problem.arguments, &[]))?;
     }
     Ok(())
 }

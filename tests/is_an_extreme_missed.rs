@@ -1,0 +1,177 @@
+//! Does a move reach beyond its reported extremes, or are they reported without being reached?
+
+use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, State, Trap};
+use support::profiles::{bell_fields, trap_fields};
+use support::{Family, Random, Real};
+
+const MOVES: usize = 4_000;
+const SAMPLES: usize = 400;
+
+/// A random move, its duration, what it reaches, and how it is evaluated.
+struct Move<R> {
+    duration: R,
+    reached: Extremes<R>,
+    state: Box<dyn Fn(R) -> State<R>>,
+    /// The sums of what is added up to evaluate position, velocity and acceleration.
+    scales: [f64; 3],
+    /// Times at which something short may happen.
+    borders: Vec<R>,
+}
+
+/// A profile as a move.
+macro_rules! as_move {
+    ($profile:expr, $duration:expr, $reached:expr, $scales:expr, $borders:expr) => {{
+        let profile = $profile;
+        Move {
+            duration: $duration,
+            reached: $reached,
+            state: Box::new(move |x| State {
+                position: profile.position(x),
+                velocity: profile.velocity(x),
+                acceleration: profile.acceleration(x),
+            }),
+            scales: $scales,
+            borders: $borders,
+        }
+    }};
+}
+
+fn boundary<R: Real>(random: &mut Random) -> Boundary<R> {
+    let mut number = || R::of(random.sign() * random.magnitude(-2.0, 2.0));
+    Boundary {
+        p0: number(),
+        p1: number(),
+        v0: number(),
+        v1: number(),
+    }
+}
+
+fn polynomial<R: Real>(random: &mut Random) -> Move<R> {
+    let boundary = boundary(random);
+    let ts = R::of(random.magnitude(-1.0, 1.0));
+    let mut pair = || [(); 2].map(|()| R::of(random.sign() * random.magnitude(-2.0, 2.0)));
+    let (accelerations, jerks) = (pair(), pair());
+    match random.below(3) {
+        0 => {
+            let poly = Poly3::new(ts, boundary).expect("a duration");
+            as_move!(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+        }
+        1 => {
+            let poly = Poly5::new(ts, boundary, accelerations).expect("a duration");
+            as_move!(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+        }
+        _ => {
+            let poly = Poly7::new(ts, boundary, accelerations, jerks).expect("a duration");
+            as_move!(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+        }
+    }
+}
+
+/// The sum of the magnitudes of the terms of a polynomial and of its first two derivatives.
+fn terms<R: Real>(coefficients: &[R], ts: R) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for (power, c) in coefficients.iter().enumerate() {
+        let mut factor = 1.0;
+        for (order, sum) in sums.iter_mut().enumerate().take(power + 1) {
+            *sum += factor * c.widen().abs() * ts.widen().powi((power - order) as i32);
+            factor *= (power - order) as f64;
+        }
+    }
+    sums
+}
+
+fn fastest<R: Real>(random: &mut Random) -> Move<R> {
+    let boundary: Boundary<R> = boundary(random);
+    let Boundary { p0, p1, v0, v1 } = boundary;
+    let [x, y, z] = [(); 3].map(|()| R::of(random.magnitude(-1.0, 2.0)));
+    let scales = |duration: R, jerk: R, acceleration: R, velocity: R| {
+        let [t, j, a, v] = [duration, jerk, acceleration, velocity].map(R::widen);
+        let speed = v0.widen().abs().max(v1.widen().abs()).min(v);
+        let speed = f64::min(speed.max(a * t), v);
+        let way = p0.widen().abs() + p1.widen().abs();
+        [way + speed * t, speed + a * t, a + j * t]
+    };
+    if random.one_in(2) {
+        let bell = Bell::fastest(x, y, z, boundary).expect("numbers");
+        let scales = scales(bell.t, x, y, z);
+        let borders = Family::Bell.borders(&[], &bell_fields(&bell));
+        as_move!(bell, bell.t, bell.extremes(), scales, borders)
+    } else {
+        let trap = Trap::fastest(x, y, -z, boundary).expect("numbers");
+        let scales = scales(trap.t, R::of(0.0), if y > z { y } else { z }, x);
+        let borders = Family::Trap.borders(&[], &trap_fields(&trap));
+        as_move!(trap, trap.t, trap.extremes(), scales, borders)
+    }
+}
+
+/// Position, velocity and acceleration.
+fn values<R: Real>(state: &State<R>) -> [f64; 3] {
+    [state.position, state.velocity, state.acceleration].map(R::widen)
+}
+
+/// Samples the move densely. The result is how far samples lie beyond the reported extremes, in roundings of the scale. The extremes
+/// may lie beyond the samples by no more than what samples miss.
+fn worst<R: Real>(the_move: &Move<R>) -> f64 {
+    let lowest = values(&the_move.reached.lowest);
+    let highest = values(&the_move.reached.highest);
+    let even = (0..=SAMPLES).map(|k| R::of(k as f64 / SAMPLES as f64) * the_move.duration);
+    let borders = the_move.borders.iter();
+    let borders = borders.flat_map(|x| [x.neighbour(-1), *x, x.neighbour(1)]);
+    let start = R::of(0.0);
+    let within = |x: &R| *x >= start && *x <= the_move.duration;
+    let times: Vec<R> = even.chain(borders).filter(within).collect();
+    let mut worst = 0.0_f64;
+    for quantity in 0..3 {
+        let at = times
+            .iter()
+            .map(|&x| values(&(the_move.state)(x))[quantity]);
+        let (sampled_low, sampled_high) = at
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| {
+                (l.min(y), h.max(y))
+            });
+        let (low, high) = (lowest[quantity], highest[quantity]);
+        let rounding = R::MACHINE_EPSILON.widen() * the_move.scales[quantity];
+        let missed = 0.01 * (sampled_high - sampled_low) + 8.0 * rounding;
+        assert!(low >= sampled_low - missed, "{low:e} is not reached");
+        assert!(high <= sampled_high + missed, "{high:e} is not reached");
+        worst = worst.max((low - sampled_low) / rounding);
+        worst = worst.max((sampled_high - high) / rounding);
+    }
+    worst
+}
+
+fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>, roundings: f64) {
+    let mut random = Random::seeded(1);
+    let mut most = 0.0_f64;
+    for _ in 0..MOVES {
+        let the_move = of(&mut random);
+        if the_move.duration > R::of(0.0) {
+            most = most.max(worst(&the_move));
+        }
+    }
+    println!(
+        "{}: a sample lies {most:.1} roundings beyond an extreme",
+        R::NAME
+    );
+    assert!(most <= roundings, "{most}");
+}
+
+#[test]
+fn polynomials_f64() {
+    nothing_lies_beyond::<f64>(polynomial, 8.0);
+}
+
+#[test]
+fn polynomials_f32() {
+    nothing_lies_beyond::<f32>(polynomial, 8.0);
+}
+
+#[test]
+fn plans_f64() {
+    nothing_lies_beyond::<f64>(fastest, 8.0);
+}
+
+#[test]
+fn plans_f32() {
+    nothing_lies_beyond::<f32>(fastest, 8.0);
+}

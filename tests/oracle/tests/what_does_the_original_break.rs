@@ -1,0 +1,106 @@
+//! What do the judge of plans and the planner of the fastest moves say of the original's plans for moving ends?
+
+use atraj::{Bell, Boundary, Findings};
+use oracle::abi::Original;
+use support::profiles::bell;
+use support::{Family, Implementation, Random, Real};
+
+const MOVES: u64 = 1_000_000;
+
+/// Counts of moves.
+#[derive(Debug, Default)]
+struct Counts {
+    refused: u64,
+    too_steep: u64,
+    steepest: f64,
+    too_fast: u64,
+    jumps: u64,
+    longer: u64,
+    longest: f64,
+}
+
+/// A random move of an ordinary axis between velocities in any direction.
+fn arguments<R: Real>(random: &mut Random) -> [R; 7] {
+    let jm = random.between(1.0, 100.0);
+    let am = random.between(1.0, 20.0);
+    let vm = random.between(0.5, 10.0);
+    let p1 = random.between(-10.0, 10.0);
+    let [v0, v1] = [(); 2].map(|()| vm * random.between(-1.0, 1.0));
+    [jm, am, vm, 0.0, p1, v0, v1].map(R::of)
+}
+
+fn count<R: Original>() -> Counts {
+    let mut random = Random::seeded(7);
+    let mut counts = Counts::default();
+    for _ in 0..MOVES {
+        let arguments = arguments::<R>(&mut random);
+        let [jm, am, vm, p0, p1, v0, v1] = arguments;
+        let mut fields = [R::of(0.0); 14];
+        let fastest = Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).expect("numbers");
+        assert!(
+            fastest.check(jm, am, vm).expect("numbers").bits() & 15 == 0,
+            "{arguments:?}"
+        );
+        let planned = R::ORIGINAL.plan(Family::Bell, &arguments, &mut fields);
+        if planned == R::of(0.0) {
+            counts.refused += 1;
+            continue;
+        }
+        let plan = bell(&fields);
+        let Some(found) = plan.check(jm, am, vm) else {
+            counts.jumps += 1;
+            continue;
+        };
+        let has = |finding: Findings| u64::from(found.bits() & finding.bits() != 0);
+        counts.too_fast += has(Findings::EXCEEDS_VELOCITY);
+        counts.jumps += has(Findings::JUMPS);
+        if has(Findings::EXCEEDS_ACCELERATION) == 1 {
+            counts.too_steep += 1;
+            let reached = plan.extremes();
+            let highest = reached.highest.acceleration.widen();
+            let steep = highest.max(-reached.lowest.acceleration.widen()) / am.widen();
+            counts.steepest = counts.steepest.max(steep);
+        } else if found.bits() & 15 == 0 {
+            let factor = plan.t.widen() / fastest.t.widen();
+            counts.longer += u64::from(factor > 1.001);
+            counts.longest = counts.longest.max(factor);
+        }
+    }
+    let percent = |count: u64| count as f64 * 100.0 / MOVES as f64;
+    println!(
+        "{}: of {MOVES} moves with moving ends the original refuses {:.2} %, breaks the acceleration limit in {:.2} % (at most \
+         {:.0} times), the velocity limit in {:.2} %, jumps in {:.2} %, and takes longer than possible in {:.2} % (at most {:.1} times)",
+        R::NAME,
+        percent(counts.refused),
+        percent(counts.too_steep),
+        counts.steepest,
+        percent(counts.too_fast),
+        percent(counts.jumps),
+        percent(counts.longer),
+        counts.longest
+    );
+    counts
+}
+
+fn the_judge_sees_it<R: Original>() {
+    let counts = count::<R>();
+    assert!(counts.refused > MOVES / 100, "{counts:?}");
+    assert!(
+        counts.too_steep > MOVES / 100 && counts.steepest > 2.0,
+        "{counts:?}"
+    );
+    assert!(
+        counts.longer > MOVES / 100 && counts.longest > 2.0,
+        "{counts:?}"
+    );
+}
+
+#[test]
+fn f64() {
+    the_judge_sees_it::<f64>();
+}
+
+#[test]
+fn f32() {
+    the_judge_sees_it::<f32>();
+}
