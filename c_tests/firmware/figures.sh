@@ -1,7 +1,7 @@
 #!/bin/sh
 # figures.sh LIBRARY: prints "family size bytes" for each family of functions, "function size bytes" for each function, and
-# "image size bytes" for the whole library linked with the C toolchain's libraries. If the library plans moves that never fail, it
-# prints their flash too, "function fastest-flash bytes". CC is the compiler.
+# "image size bytes" for the whole library linked with the C toolchain's libraries. It prints
+# "function fastest-flash bytes" for each planner: the planner alone, linked in the same way. CC is the compiler.
 set -eu
 library=$1
 api=$(grep ^a_ ../../tests/symbols.txt) # the original has only these
@@ -23,7 +23,7 @@ for family in trajbell trajtrap trajpoly; do
     echo "$family size $(text)"
 done
 echo "image size $(needs "$api")"
-for function in atraj_bell_gen atraj_trap_gen; do
+for function in atraj_bell_gen atraj_trap_gen a_trajbell_gen a_trajtrap_gen; do
     if arm-none-eabi-nm "$library" | grep -q " T $function\$"; then
         echo "$function fastest-flash $(needs "$function")"
     fi
