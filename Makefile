@@ -6,7 +6,7 @@
 #                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
 #   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
-#                               data, pictures in target/demo
+#                               data, a table of the moves that the original fails, pictures in target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
@@ -161,8 +161,8 @@ doc: dist
 
 DEMO := target/demo
 
-# Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Then does the
-# steps of a CLARAty user, with a controller.
+# Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Counts the moves that
+# the original fails and the plans of atraj.h do not. Then does the steps of a CLARAty user, with a controller.
 demo: dist
 	$(if $(VARIANT),$(error make demo shows the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(DEMO)
@@ -170,6 +170,8 @@ demo: dist
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
 	$(CARGO) run --quiet --example parity $(DEMO)/servo
 	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
+	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/one_prefix examples/one_prefix.c $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/one_prefix $(DEMO)/setpoints.txt
 ifneq ($(shell command -v $(CXX)),)
 	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/controller >> $(DEMO)/setpoints.txt

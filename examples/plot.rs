@@ -5,6 +5,7 @@
 //! move TITLE                 a new picture; the text after ": " in the title becomes its second line
 //! phase FROM TO NAME         shaded by name, between border lines
 //! at x pos vel acc [jer]     a setpoint at time x
+//! beside NAME                the setpoints from here on are another plan of the move, drawn in grey
 //! ```
 //!
 //! Other lines are ignored.
@@ -81,6 +82,13 @@ struct Move {
     phases: Vec<(Range<f64>, String)>,
     /// Time, then the quantities.
     points: Vec<Vec<f64>>,
+    beside: Option<Beside>,
+}
+
+/// Another plan of a move.
+struct Beside {
+    name: String,
+    points: Vec<Vec<f64>>,
 }
 
 fn read_moves(text: &str) -> Result<Vec<Move>, Box<dyn Error>> {
@@ -99,9 +107,19 @@ fn read_moves(text: &str) -> Result<Vec<Move>, Box<dyn Error>> {
             "phase" => motion
                 .phases
                 .push(read_phase(rest).ok_or_else(|| line.to_owned())?),
-            "at" => motion
-                .points
-                .push(rest.split(' ').map(str::parse).collect::<Result<_, _>>()?),
+            "beside" => {
+                motion.beside = Some(Beside {
+                    name: rest.to_owned(),
+                    points: Vec::new(),
+                });
+            }
+            "at" => {
+                let points = match &mut motion.beside {
+                    Some(beside) => &mut beside.points,
+                    None => &mut motion.points,
+                };
+                points.push(rest.split(' ').map(str::parse).collect::<Result<_, _>>()?);
+            }
             _ => {}
         }
     }
@@ -131,16 +149,21 @@ impl Move {
         words.join("-") + ".svg"
     }
 
+    fn all_points(&self) -> impl Iterator<Item = &Vec<f64>> {
+        let beside = self.beside.iter().flat_map(|beside| &beside.points);
+        self.points.iter().chain(beside)
+    }
+
     /// How many of [`QUANTITIES`] every setpoint has.
     fn quantities(&self) -> Result<usize, Box<dyn Error>> {
         let quantities = self.points.first().map_or(0, |point| point.len() - 1);
         if !(1..=QUANTITIES.len()).contains(&quantities) {
             return Err("no setpoints to draw".into());
         }
-        if self.points.iter().any(|p| p.len() != 1 + quantities) {
+        if self.all_points().any(|p| p.len() != 1 + quantities) {
             return Err("setpoints of different length".into());
         }
-        if self.points.iter().flatten().any(|value| !value.is_finite()) {
+        if self.all_points().flatten().any(|value| !value.is_finite()) {
             return Err("a setpoint that is not finite".into());
         }
         Ok(quantities)
@@ -188,13 +211,12 @@ impl Move {
 
     fn draw_panel(&self, area: &Area, quantity: usize, time_axis: bool) -> Drawn {
         let (name, unit, color) = QUANTITIES[quantity];
-        let curve: Vec<_> = self
-            .points
-            .iter()
-            .map(|p| (p[0], p[quantity + 1]))
-            .collect();
-        let times = span(curve.iter().map(|point| point.0));
-        let values = with_margin(span(curve.iter().map(|point| point.1)));
+        let times = span(self.all_points().map(|point| point[0]));
+        let values = with_margin(span(self.all_points().map(|point| point[quantity + 1])));
+        let curve = |points: &[Vec<f64>], color: RGBColor| {
+            let line: Vec<_> = points.iter().map(|p| (p[0], p[quantity + 1])).collect();
+            PathElement::new(line, color.stroke_width(CURVE))
+        };
         let mut chart = ChartBuilder::on(area)
             .margin_top(GAP)
             .margin_bottom(GAP)
@@ -230,7 +252,10 @@ impl Move {
             let border = vec![(phase.end, values.start), (phase.end, values.end)];
             chart.draw_series([PathElement::new(border, INK.mix(0.35).stroke_width(BORDER))])?;
         }
-        chart.draw_series([PathElement::new(curve, color.stroke_width(CURVE))])?;
+        if let Some(beside) = &self.beside {
+            chart.draw_series([curve(&beside.points, FAINT)])?;
+        }
+        chart.draw_series([curve(&self.points, color)])?;
         Ok(())
     }
 
@@ -238,7 +263,14 @@ impl Move {
         let text = ("sans-serif", LABEL).into_text_style(area).color(&INK);
         let phases = self.painted_phases();
         let names = names(&phases);
-        let step = (WIDTH - LEFT - RIGHT) as usize / (quantities + names.len());
+        let curves = QUANTITIES[..quantities]
+            .iter()
+            .map(|&(name, _, color)| (name, color));
+        let beside = self.beside.as_ref();
+        let curves: Vec<_> = curves
+            .chain(beside.map(|beside| (beside.name.as_str(), FAINT)))
+            .collect();
+        let step = (WIDTH - LEFT - RIGHT) as usize / (curves.len() + names.len());
         let swatch = |place: usize| {
             let x = (LEFT as usize + place * step) as i32;
             [(x, LABEL as i32), (x + TEXT as i32, 2 * LABEL as i32)]
@@ -251,14 +283,14 @@ impl Move {
                 (right + (LABEL / 2) as i32, bottom - LABEL as i32),
             )
         };
-        for (place, (name, _, color)) in QUANTITIES[..quantities].iter().enumerate() {
+        for (place, (name, color)) in curves.iter().enumerate() {
             let [(left, top), (right, bottom)] = swatch(place);
             let middle = (top + bottom) / 2;
             let sample = [(left, middle), (right, middle)];
             area.draw(&PathElement::new(sample, color.stroke_width(CURVE)))?;
             label(swatch(place), name)?;
         }
-        for (place, name) in (quantities..).zip(names) {
+        for (place, name) in (curves.len()..).zip(names) {
             let border = INK.mix(0.35).stroke_width(BORDER);
             area.draw(&Rectangle::new(swatch(place), shade(name).filled()))?;
             area.draw(&Rectangle::new(swatch(place), border))?;

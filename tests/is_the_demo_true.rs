@@ -106,6 +106,45 @@ fn every_move_is_drawn() {
 }
 
 #[test]
+fn one_prefix_further_no_move_fails() {
+    for planner in ["atraj_bell_gen", "atraj_trap_gen"] {
+        assert_eq!(line(&DEMO, planner), ["0", "0", "0", "0"], "{planner}");
+    }
+    let of_liba = |planner: &str| -> Vec<u32> {
+        let (_, table) = DEMO.split_once("of 100000 moves").unwrap();
+        let counts = line(table, planner);
+        counts.iter().map(|count| count.parse().unwrap()).collect()
+    };
+    // The original has every fault that the table counts, but a trapezoid that exists is the fastest.
+    let [refused, broken, missed, longer] = of_liba("a_trajbell_gen")[..] else {
+        panic!("four counts")
+    };
+    assert!(refused > 1000 && broken > 100 && missed == 0 && longer > 1000);
+    let [refused, _, missed, longer] = of_liba("a_trajtrap_gen")[..] else {
+        panic!("four counts")
+    };
+    assert!(refused > 1000 && missed > 1000 && longer == 0);
+}
+
+#[test]
+fn the_original_breaks_the_limit_in_the_picture_and_ours_keeps_it() {
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let (_, motion) = setpoints.split_once("move Too near to stop").unwrap();
+    let (ours, original) = motion.split_once("beside a_trajbell_gen").unwrap();
+    let steepest = |setpoints: &str| {
+        setpoints
+            .lines()
+            .filter_map(|line| line.strip_prefix("at ")?.split(' ').nth(3))
+            .map(|acceleration| acceleration.parse::<f64>().unwrap().abs())
+            .fold(0.0, f64::max)
+    };
+    assert!(steepest(ours) <= 2.5, "{}", steepest(ours));
+    assert!(steepest(original) > 5.0, "{}", steepest(original));
+    let svg = fs::read_to_string(demo_dir().join("too-near-to-stop.svg")).unwrap();
+    assert!(svg.contains("a_trajbell_gen"));
+}
+
+#[test]
 fn the_controller_turns_back_holds_and_arrives() {
     if !has_tool("c++") {
         return;
@@ -241,6 +280,7 @@ fn nothing_to_draw_fails() {
         "at 0 1 2 3\n",
         "move bad\nat 0 inf 0 0\n",
         "move twice\nat 0 1 0 0\nmove twice\nat 0 1 0 0\n",
+        "move beside\nat 0 1 0 0\nbeside short\nat 0 1 0\n",
     ] {
         let file = demo_dir().join("nothing.txt");
         fs::write(&file, input).unwrap();

@@ -1,10 +1,12 @@
-/* Replays golden rows on the target. Every number must have the original's bits, or both must be NaN. */
+/* Replays golden rows on the target. Every number must have the original's bits, or both must be NaN. Plans that never fail must
+ * have the bits of the host's. */
 #include <stddef.h>
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "a/trajtrap.h"
+#include "atraj.h"
 #include "claraty/trapezoid.h"
 #include "golden.h"
 #include "semihost.h"
@@ -197,6 +199,24 @@ static void replay_claraty(void)
     }
 }
 
+static void replay_fastest(void)
+{
+    for (size_t i = 0; i != ROWS(fastest_bell); ++i) {
+        const real *r = fastest_bell[i];
+        a_trajbell ctx;
+        a_float t = atraj_bell_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
+        compare("atraj_bell_gen", r, 8, 1, &t);
+        compare("atraj_bell_gen", r, 9, 14, (const a_float *)&ctx);
+    }
+    for (size_t i = 0; i != ROWS(fastest_trap); ++i) {
+        const real *r = fastest_trap[i];
+        a_trajtrap ctx;
+        a_float t = atraj_trap_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
+        compare("atraj_trap_gen", r, 8, 1, &t);
+        compare("atraj_trap_gen", r, 9, 12, (const a_float *)&ctx);
+    }
+}
+
 #if defined(NEIGHBOUR)
 /* From another Rust library in the same image: how many of `count` doubles lie below their mean. */
 uint32_t neighbour_below_mean(const double *values, uint32_t count);
@@ -214,6 +234,7 @@ int main(void)
 {
     size_t left = replay_bell() + replay_trap() + replay_poly3() + replay_poly5() + replay_poly7();
     replay_claraty();
+    replay_fastest();
     semihost_print_unsigned(rows, 10);
     semihost_print(" comparisons, ");
     semihost_print_unsigned(compared, 10);

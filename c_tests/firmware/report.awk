@@ -23,6 +23,11 @@ function row(build, key, label, against,   ours, limit) {
     printf "| %s | %s | %s | %s | %.2f |\n", label, (ours + 0 > limit + 0 ? "**" ours "**" : ours),
         value(build, "original-Os", key), value(build, "original-O2", key), ours / limit
 }
+function fastest(build, library, name) {
+    printf "| `%s`%s | %s | %s | %s | %s |\n", name, (library == "ours" ? "" : ", C -O2"), value(build, library, name SUBSEP "fastest-flash"),
+        value(build, library, name SUBSEP "fastest-mean"), value(build, library, name SUBSEP "fastest-max"),
+        value(build, library, name SUBSEP "fastest-stack")
+}
 function head(title, first, against) {
     printf "\n### %s\n\n| %s | ours | C -Os | C -O2 | ours / C -%s |\n|---|---:|---:|---:|---:|\n", title, first, against
 }
@@ -44,9 +49,14 @@ END {
         head("Instructions", "call", "O2")
         for (k = 1; k <= key_count; ++k) {
             split(keys[k], part, SUBSEP)
-            if (part[2] !~ /size|stack|-case/) { row(build, keys[k], "`" part[1] "` " part[2], "O2") }
+            if (part[2] !~ /size|stack|-case|fastest/) { row(build, keys[k], "`" part[1] "` " part[2], "O2") }
         }
         printf "\nThe worst `bell_gen` is golden case %d.\n", value(build, "ours", "bell_gen" SUBSEP "worst-case")
+        printf "\n### Plans that never fail\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n"
+        fastest(build, "ours", "atraj_bell_gen")
+        fastest(build, "original-O2", "a_trajbell_gen")
+        fastest(build, "ours", "atraj_trap_gen")
+        fastest(build, "original-O2", "a_trajtrap_gen")
         printf "\n### Stack, bytes with everything called\n\n| function | ours | C -Os | C -O2 |\n|---|---:|---:|---:|\n"
         for (k = 1; k <= key_count; ++k) {
             split(keys[k], part, SUBSEP)

@@ -12,7 +12,7 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::rc::Rc;
 use std::time::Instant;
-use support::{Family, Random};
+use support::{Family, Random, Real};
 
 /// How often each plan is timed alone. The shortest time counts, so no other work on the machine does.
 const REPEATS: usize = 41;
@@ -199,8 +199,8 @@ impl Planner {
             let mut fields = [0.0; 14];
             // SAFETY: no struct has more than 14 reals.
             let duration = unsafe { ours(fields.as_mut_ptr(), a, b, c, d, e, f, g) };
-            let difference = self.plan(plan) - f64::from(duration);
-            let rounding = f64::from(a_float::EPSILON).sqrt() * f64::from(duration);
+            let difference = self.plan(plan) - duration.widen();
+            let rounding = a_float::EPSILON.widen().sqrt() * duration.widen();
             assert!(difference.abs() <= rounding, "{plan:?}: {difference:e}");
         }
     }
