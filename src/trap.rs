@@ -2,7 +2,7 @@
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
 use crate::check::{Extremes, Findings};
-use crate::online::border::larger_root;
+use crate::online::border::{direction, larger_root};
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
 use crate::state::{Boundary, Saturation, State};
@@ -191,10 +191,10 @@ impl<R: Real> Trap<R> {
         let (h, dv) = (p1 - p0, v1 - v0);
         // The ramp that leads from the start straight to the end. Where it ends at the target up to rounding, it is the move.
         let direct = (v0 + R::HALF * dv) * (dv.abs() / if dv < R::ZERO { fall } else { rise });
-        let tie = R::from(4) * R::EPSILON * (h.abs() + direct.abs());
-        let backward = h < R::ZERO;
+        let roundings = R::from(4) * (h.abs() + direct.abs()) + p0.abs() + p1.abs();
+        let tie = R::EPSILON * roundings;
         let down_first = if (h - direct).abs() <= tie {
-            (v1.negate_if(backward) < R::ZERO) != backward
+            direction([v1, v0, h]) < R::ZERO
         } else {
             h < direct
         };

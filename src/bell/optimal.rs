@@ -1,7 +1,7 @@
 //! The double-S that never fails: the fastest motion between two velocities within the limits.
 
 use super::Bell;
-use crate::online::border::Border;
+use crate::online::border::{Border, direction};
 use crate::real::Real;
 use crate::state::{Boundary, Saturation};
 use crate::trap::Trap;
@@ -106,9 +106,10 @@ impl<R: Real> Bell<R> {
         // Where the direct ramp ends at the target up to rounding, it is the move; else the axis dips first if it would get too far.
         let h = h * per_jerk;
         let direct = border.direct();
-        let tie = R::from(4) * R::EPSILON * (h.abs() + direct.abs());
+        let roundings = R::from(4) * (h.abs() + direct.abs()) + (p0.abs() + p1.abs()) * per_jerk;
+        let tie = R::EPSILON * roundings;
         let dips = if (h - direct).abs() <= tie {
-            forward_v1 < R::ZERO
+            direction([forward_v1, forward_v0, h]) < R::ZERO
         } else {
             h < direct
         };

@@ -314,6 +314,17 @@ pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
     if p > R::ZERO { -q / (p + d) } else { d - p }
 }
 
+/// The direction of a move that a direct ramp ends: of its final velocity, else of its first one, else of the displacement.
+pub(crate) fn direction<R: Real>([v1, v0, h]: [R; 3]) -> R {
+    if v1 != R::ZERO {
+        v1
+    } else if v0 != R::ZERO {
+        v0
+    } else {
+        h
+    }
+}
+
 #[cfg(test)]
 mod tests {
     extern crate std;
