@@ -180,6 +180,7 @@ impl<R: Real> Trap<R> {
     /// assert_eq!((trap.ac, trap.de), (-2.0, 4.0));
     /// assert_eq!((trap.position(trap.t), trap.velocity(trap.t)), (1.0, 0.0));
     /// ```
+    #[inline(always)] // saves a copy of the struct, and the double-S, which wants the duration alone, the rest of the plan
     pub fn fastest(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
         let vm = velocity.magnitude();
         let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };

@@ -4,6 +4,8 @@
 //! rsruckig plans one axis by its position interface, from the same ends and within the same limits. It computes in binary64 always.
 //! Its trapezoid has an infinite jerk.
 
+#![allow(clippy::useless_conversion)] // a_float may be f32
+
 use crate::{OPTIMISED, Row, WARM, bells, instructions, measure, median, plan_all, trap};
 use atraj::capi::a_float;
 use oracle::abi::{FASTEST, Gen7};
@@ -77,9 +79,7 @@ fn with_any_ends(random: &mut Random) -> Vec<a_float> {
         [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
     let p1 = random.between(-15.0, 15.0);
     let [v0, v1] = [(); 2].map(|()| random.between(-vm, vm));
-    [jm, am, vm, 0.0, p1, v0, v1]
-        .map(|x| x as a_float)
-        .to_vec()
+    [jm, am, vm, 0.0, p1, v0, v1].map(|x| x as a_float).to_vec()
 }
 
 fn race(family: Family, case: &str, plans: Vec<Vec<a_float>>) -> Race {
@@ -171,7 +171,6 @@ impl Planner {
     }
 
     /// The duration.
-    #[allow(clippy::useless_conversion)] // a_float may be f32
     fn plan(&mut self, plan: &[a_float; 7]) -> f64 {
         let [first, second, third, p0, p1, v0, v1] = plan.map(f64::from);
         let input = &mut self.input;
