@@ -393,7 +393,7 @@ mod tests {
 
     const PROBLEMS: u32 = 1_000_000;
 
-    /// `MOST_ROUNDS` is three times what any root takes.
+    /// `MOST_ROUNDS` is more than any root takes.
     #[test]
     fn a_root_takes_few_rounds() {
         let most = [
