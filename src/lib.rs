@@ -51,6 +51,12 @@
 //!
 #![doc = include_str!("../docs/img/septic-polynomial.svg")]
 //!
+//! # Plans that never fail
+//!
+//! [`Bell::new`] and [`Trap::new`] plan as liba does, and refuse what liba refuses. [`Bell::fastest`] and [`Trap::fastest`] plan the
+//! fastest move from any velocity to any other within the limits, and fill the same structs. They refuse only arguments that are no
+//! numbers, and limits of 0. `check` says what is wrong with a planned move, and `extremes` what it reaches.
+//!
 //! # Features
 //!
 //! The core needs no feature; `std` alone is on by default. The crate is `no_std` with every feature.

@@ -39,9 +39,7 @@ fn expected(variant: &Variant) -> String {
 
 /// Links a program that calls one function, with these flags.
 fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
-    let dist = DOUBLE.dist();
-    let tests = dist.join("tests");
-    fs::create_dir_all(&tests).unwrap();
+    let tests = DOUBLE.scratch();
     let source = tests.join("one.c");
     let text = "#include \"a/trajbell.h\"\n\
                 int main(void) { a_trajbell b; return a_trajbell_gen(&b, 30, 10, 5, 0, 10, 0, 0) > 0 ? 0 : 1; }\n";
@@ -51,7 +49,7 @@ fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
     cc.arg("-O2")
         .args(flags)
         .arg("-I")
-        .arg(dist.join("include"));
+        .arg(DOUBLE.dist().join("include"));
     cc.arg(source).arg(archive).arg("-lm");
     run(cc.arg("-o").arg(&program));
     program
@@ -60,8 +58,8 @@ fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
 #[test]
 fn the_library_itself() {
     for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &LOW_LEVELS] {
-        for file in ["lib/libatraj.a", "lib/libatraj.so"] {
-            let told = identity(&variant.dist().join(file));
+        for file in [variant.archive(), variant.shared_library()] {
+            let told = identity(&file);
             assert!(told.starts_with(&expected(variant)), "{told}");
             assert!(told.contains(std::env::consts::ARCH), "{told}");
         }
@@ -71,7 +69,7 @@ fn the_library_itself() {
 #[test]
 fn readelf_finds_the_note() {
     let mut readelf = Command::new("readelf");
-    let notes = lines(readelf.arg("-n").arg(DOUBLE.dist().join("lib/libatraj.a")));
+    let notes = lines(readelf.arg("-n").arg(DOUBLE.archive()));
     assert!(
         notes.iter().any(|l| l.trim().starts_with("atraj ")),
         "{notes:?}"
@@ -87,8 +85,8 @@ fn sizes(program: &Path) -> String {
 
 #[test]
 fn a_program_without_unused_sections_tells_it_at_no_cost() {
-    let archive = DOUBLE.dist().join("lib/libatraj.a");
-    let bare = DOUBLE.dist().join("tests/without-note.a");
+    let archive = DOUBLE.archive();
+    let bare = DOUBLE.scratch().join("without-note.a");
     fs::create_dir_all(bare.parent().unwrap()).unwrap();
     let mut objcopy = Command::new("objcopy");
     run(objcopy.args(["-R", ".atraj.note"]).arg(&archive).arg(&bare));

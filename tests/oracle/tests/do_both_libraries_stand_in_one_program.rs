@@ -15,7 +15,7 @@ fn compare(variant: &Variant, compiler: &str, liba: &Path, flags: &[&str]) -> Ou
     link.args(flags).arg("-I").arg(dist.join("include"));
     link.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/both.c"));
     link.arg(liba.join("liba.a"));
-    link.arg(dist.join("lib/libatraj.a"));
+    link.arg(variant.archive());
     run(link.arg("-lm").arg("-o").arg(&program));
     Command::new(program).output().unwrap()
 }

@@ -28,7 +28,7 @@ fn differences() -> HashMap<String, [u64; 2]> {
     compile.args(["-std=c99", "-O2", "-frounding-math", "-Wall", "-Wextra"]);
     compile.arg("-I").arg(include()).arg("-DA_SIZE_FLOAT=8");
     compile.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/rounding.c"));
-    compile.arg(DOUBLE.dist().join("lib/libatraj.a"));
+    compile.arg(DOUBLE.archive());
     run(compile.arg(&original).arg("-lm").arg("-o").arg(&program));
     lines(&mut Command::new(program))
         .iter()

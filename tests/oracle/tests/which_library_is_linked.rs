@@ -73,7 +73,7 @@ fn make_identify_shows_that_a_relink_took() {
     let theirs = directory("relinking-theirs");
     build(&theirs, &[], &[]);
     let theirs = theirs.join("liba.a");
-    let ours = DOUBLE.dist().join("lib/libatraj.a");
+    let ours = DOUBLE.archive();
     let identify = |line: &[&Path]| {
         let directory = directory("relinked");
         let mut relink = Command::new("cc");
