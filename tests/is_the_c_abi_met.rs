@@ -363,7 +363,7 @@ fn headers_compile_clean_in_every_configuration() {
 
 #[test]
 fn headers_are_strict_c90() {
-    let include = root().join("include");
+    let include = DOUBLE.dist().join("include");
     for compiler in compilers(Language::C) {
         let flags = ["-std=c90", "-pedantic-errors"];
         assert!(accepts(compiler, "c", &include, &flags), "{compiler}");
@@ -407,7 +407,7 @@ fn the_class_compiles_under_the_warnings_of_careful_users() {
             let mut command = Command::new(compiler);
             command.args(STRICT).args(warnings).arg("-fsyntax-only");
             command.arg(format!("-std={standard}"));
-            command.arg("-I").arg(root().join("include"));
+            command.arg("-I").arg(DOUBLE.dist().join("include"));
             run(command.arg(&source));
         }
     }
