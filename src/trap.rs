@@ -2,7 +2,7 @@
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
 use crate::check::{Extremes, Findings};
-use crate::online::border::{direction, larger_root};
+use crate::online::border::{dips, larger_root};
 use crate::real::Real;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
 use crate::state::{Boundary, Saturation, State};
@@ -190,15 +190,9 @@ impl<R: Real> Trap<R> {
             return None;
         }
         let (h, dv) = (p1 - p0, v1 - v0);
-        // The ramp that leads from the start straight to the end. Where it ends at the target up to rounding, it is the move.
+        // The ramp that leads from the start straight to the end.
         let direct = (v0 + R::HALF * dv) * (dv.abs() / if dv < R::ZERO { fall } else { rise });
-        let roundings = R::from(4) * (h.abs() + direct.abs()) + p0.abs() + p1.abs();
-        let tie = R::EPSILON * roundings;
-        let down_first = if (h - direct).abs() <= tie {
-            direction([v1, v0, h]) < R::ZERO
-        } else {
-            h < direct
-        };
+        let down_first = dips(h, direct, p0.abs() + p1.abs(), [v0, v1]);
 
         // In the axis in which the first ramp goes up.
         let [h, v0_up, dv] = [h, v0, dv].map(|x| x.negate_if(down_first));

@@ -1,7 +1,7 @@
 //! The double-S that never fails: the fastest motion between two velocities within the limits.
 
 use super::Bell;
-use crate::online::border::{Border, direction};
+use crate::online::border::{Border, dips};
 use crate::real::Real;
 use crate::state::{Boundary, Saturation};
 use crate::trap::Trap;
@@ -70,10 +70,7 @@ impl<R: Real> Bell<R> {
             None
         };
         match trapezoid {
-            Some(trap) if trap.t > R::ZERO => {
-                let resolved = am / Self::shortest_part(trap.t);
-                if resolved < jm { resolved } else { jm }
-            }
+            Some(trap) if trap.t > R::ZERO => (am / Self::shortest_part(trap.t)).at_most(jm),
             _ => jm,
         }
     }
@@ -103,16 +100,10 @@ impl<R: Real> Bell<R> {
             rise: am * per_jerk,
             fall: am * per_jerk,
         };
-        // Where the direct ramp ends at the target up to rounding, it is the move; else the axis dips first if it would get too far.
         let h = h * per_jerk;
         let direct = border.direct();
-        let roundings = R::from(4) * (h.abs() + direct.abs()) + (p0.abs() + p1.abs()) * per_jerk;
-        let tie = R::EPSILON * roundings;
-        let dips = if (h - direct).abs() <= tie {
-            direction([forward_v1, forward_v0, h]) < R::ZERO
-        } else {
-            h < direct
-        };
+        let positions = (p0.abs() + p1.abs()) * per_jerk;
+        let dips = dips(h, direct, positions, [forward_v0, forward_v1]);
         let border = if dips { border.mirrored() } else { border };
         let [h, direct, from] = [h, direct, forward_v0].map(|x| x.negate_if(dips));
 
