@@ -19,8 +19,10 @@ impl Findings {
     pub const JUMPS: Self = Self(8);
     /// The move leaves the positions between its ends.
     pub const OVERSHOOTS: Self = Self(16);
+    /// The move starts outside its limits, or is bound to leave them.
+    pub const STARTS_OUTSIDE: Self = Self(32);
 
-    /// The set as the sum of 1, 2, 4, 8 and 16; 0 for a clean move.
+    /// The set as the sum of 1, 2, 4, 8, 16 and 32; 0 for a clean move.
     pub const fn bits(self) -> u8 {
         self.0
     }

@@ -4,6 +4,7 @@ use crate::real::Real;
 
 /// Position, velocity and acceleration of an axis at one instant, all signed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct State<R> {
     /// Position.
     pub position: R,

@@ -1,9 +1,10 @@
 //! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
 //! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
 
+use crate::bell::border::dips;
 use crate::check::{Extremes, Findings};
-use crate::online::border::{dips, larger_root};
 use crate::real::Real;
+use crate::roots::larger_root;
 use crate::sampling::{Border, Profile, Run, Sweep, in_phase};
 use crate::state::{Boundary, Saturation, State};
 

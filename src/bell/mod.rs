@@ -8,6 +8,7 @@
 //! other field as it stands, and mirrors the result back. It relies on no sign of these fields: in a move that dips, that is,
 //! decelerates before it accelerates, `vm jm am dm` are those of the dip, with the opposite signs.
 
+pub(crate) mod border;
 mod check;
 mod motion;
 mod optimal;

@@ -1,7 +1,7 @@
 //! The double-S that never fails: the fastest motion between two velocities within the limits.
 
 use super::Bell;
-use crate::online::border::{Border, dips};
+use super::border::{Border, dips};
 use crate::real::Real;
 use crate::state::{Boundary, Saturation};
 use crate::trap::Trap;

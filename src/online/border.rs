@@ -4,52 +4,197 @@
 //! the limits keeps the limits and travels the mean. So the fastest motion over a displacement lies on the border of the first
 //! interval that holds the displacement. `docs/planner.md` has the theory.
 //!
-//! The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
-//! the upper border of the mirrored axis.
-//!
-//! The acceleration is 0 at both ends. An end with an acceleration becomes such an end if the acceleration is undone: slid along the
-//! parabola of the jerk to where it is 0. The formulas hold for these ends.
-//!
-//! All quantities here are divided by the jerk, which leaves powers of time: an acceleration is in s, a velocity in s^2, a
-//! displacement in s^3. So a jerk part lasts as long as the acceleration that it adds is large.
+//! On the upper border the acceleration rises, (holds), falls, (holds) and rises. If the highest velocity is reached, the axis cruises in
+//! the middle of the fall. The lower border is the upper border of the mirrored axis.
 
+use super::part::{Easing, Part};
 use crate::real::Real;
+use crate::roots::larger_root;
 
-/// The ends and limits of the motions on the upper border. The acceleration is 0 at both ends.
-#[derive(Clone, Copy)]
+/// The ends and the limits of the motions on the border.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Border<R> {
     /// Velocity at the start.
     pub v0: R,
-    /// Change of velocity from the start to the end: one difference, taken before the division.
+    /// Acceleration at the start.
+    pub a0: R,
+    /// Velocity at the end.
+    pub v1: R,
+    /// Acceleration at the end.
+    pub a1: R,
+    /// Change of velocity from the start to the end, formed once.
     pub dv: R,
+    /// Highest velocity.
+    pub vmax: R,
+    /// From the velocity at the start up to the highest one, formed once.
+    pub above: R,
+    /// Lowest velocity.
+    pub vmin: R,
+    /// From the lowest velocity up to the one at the start, formed once.
+    pub below: R,
     /// Highest acceleration.
     pub rise: R,
     /// Highest deceleration, positive.
     pub fall: R,
+    /// How long the acceleration takes to change.
+    pub pace: Pace<R>,
 }
 
-/// A ramp from one velocity to another, with the acceleration 0 at both ends.
-#[derive(Clone, Copy)]
+/// The times in which the acceleration changes by 1: the reciprocals of the jerks. 0 where there is no limit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace<R> {
+    /// For a rise.
+    pub up: R,
+    /// For a fall.
+    pub down: R,
+}
+
+/// A motion on the border.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Course<R> {
+    /// How far the acceleration rises at the start.
+    pub first: R,
+    /// The acceleration after the first rise.
+    pub peak: R,
+    /// How long it holds, s.
+    pub top: R,
+    /// How far the acceleration falls in the middle.
+    pub fall: R,
+    /// How long it pauses at 0, with the highest velocity, s.
+    pub cruise: R,
+    /// The acceleration after the fall.
+    pub trough: R,
+    /// How long it holds, s.
+    pub bottom: R,
+    /// How far the acceleration rises at the end.
+    pub last: R,
+}
+
+/// The fastest change of velocity by way of a higher acceleration: the acceleration rises, (holds) and falls.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Ramp<R> {
-    /// Duration of each jerk part, which is the acceleration reached.
-    pub tj: R,
-    /// Duration of the ramp.
-    pub t: R,
+    /// How far the acceleration rises.
+    pub out: R,
+    /// The highest acceleration.
+    pub peak: R,
+    /// How long it holds, s.
+    pub hold: R,
+    /// How far the acceleration falls.
+    pub back: R,
+}
+
+impl<R: Real> Pace<R> {
+    /// Seen from the other side.
+    fn mirrored(self) -> Self {
+        Self {
+            up: self.down,
+            down: self.up,
+        }
+    }
+
+    /// Seen from the other side if `mirror`.
+    pub fn seen(self, mirror: bool) -> Self {
+        if mirror { self.mirrored() } else { self }
+    }
+
+    /// Duration of a motion on the border, s.
+    pub fn duration(self, course: &Course<R>) -> R {
+        let Course {
+            first,
+            top,
+            fall,
+            cruise,
+            bottom,
+            last,
+            ..
+        } = *course;
+        self.up * (first + last) + self.down * fall + (top + cruise + bottom)
+    }
+
+    /// Mean of both times.
+    pub fn mean(self) -> R {
+        R::HALF * (self.up + self.down)
+    }
+
+    /// What a straight change of the acceleration adds to the velocity.
+    pub fn straight(self, from: R, to: R) -> R {
+        let time = if to > from { self.up } else { self.down };
+        R::HALF * (from + to) * (to - from).abs() * time
+    }
 }
 
 impl<R: Real> Ramp<R> {
-    /// The fastest ramp over the change of velocity `dv`, which is not below 0.
-    pub fn over(dv: R, limit: R) -> Self {
-        if dv < limit * limit {
-            let tj = dv.sqrt();
-            Self { tj, t: tj + tj }
+    /// From the acceleration `a0` up and down to `a1`, with a change of velocity `beyond` that of the straight change.
+    pub fn over(beyond: R, a0: R, a1: R, limit: R, pace: Pace<R>) -> Self {
+        let higher = a0.at_least(a1);
+        let most = (limit - higher).at_least(R::ZERO);
+        let mut excess = larger_root(higher, -(beyond / pace.mean()));
+        let (mut peak, mut hold) = (limit, R::ZERO);
+        if excess < most {
+            excess = excess.at_least(R::ZERO); // by rounding
+            peak = higher + excess;
         } else {
-            Self {
-                tj: limit,
-                t: limit + dv / limit,
-            }
+            excess = most;
+            hold = ((beyond - pace.mean() * most * (higher + limit)) / limit).at_least(R::ZERO);
+        }
+        Self {
+            out: higher - a0 + excess,
+            peak,
+            hold,
+            back: higher - a1 + excess,
         }
     }
+
+    /// The straight change.
+    fn straight(a0: R, a1: R) -> Self {
+        let peak = a0.at_least(a1);
+        Self {
+            out: peak - a0,
+            peak,
+            hold: R::ZERO,
+            back: peak - a1,
+        }
+    }
+
+    /// Duration and displacement of the ramp between two accelerations, which begins at the velocity `v`.
+    pub fn passed(&self, v: R, a0: R, a1: R, pace: Pace<R>) -> (R, R) {
+        let mut change = Change::default();
+        change.jerk(a0, self.peak, pace.up * self.out);
+        change.jerk(self.peak, self.peak, self.hold);
+        change.jerk(self.peak, a1, pace.down * self.back);
+        (change.duration, v * change.duration + change.displacement)
+    }
+}
+
+/// Changes since the start, beside those of a constant velocity.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Change<R> {
+    /// s
+    pub duration: R,
+    /// Of the velocity.
+    pub velocity: R,
+    /// Beside velocity times duration.
+    pub displacement: R,
+}
+
+impl<R: Real> Change<R> {
+    /// Lets the acceleration change from `from` to `to` in the time `t`.
+    pub fn jerk(&mut self, from: R, to: R, t: R) {
+        let half = R::HALF * t;
+        let third = (R::SIXTH + R::SIXTH) * t;
+        let sum = from + to;
+        self.displacement = self.displacement + t * self.velocity + half * (third * (from + sum));
+        self.velocity = self.velocity + half * sum;
+        self.duration = self.duration + t;
+    }
+}
+
+/// How the search in a part of the border ends.
+enum Search<R> {
+    /// The displacement is reached.
+    Reached(Course<R>),
+    /// It is not: the last motion of the part, and what its displacement lacks.
+    Lacking(Course<R>, R),
 }
 
 impl<R: Real> Border<R> {
@@ -57,359 +202,506 @@ impl<R: Real> Border<R> {
     pub fn mirrored(self) -> Self {
         Self {
             v0: -self.v0,
+            a0: -self.a0,
+            v1: -self.v1,
+            a1: -self.a1,
             dv: -self.dv,
+            vmax: -self.vmin,
+            above: self.below,
+            vmin: -self.vmax,
+            below: self.above,
             rise: self.fall,
             fall: self.rise,
+            pace: self.pace.mirrored(),
         }
     }
 
-    /// Displacement of the ramp that leads from the start straight to the end. Its duration allows no other displacement.
-    pub fn direct(&self) -> R {
-        let limit = if self.dv < R::ZERO {
-            self.fall
-        } else {
-            self.rise
-        };
-        self.mean() * Ramp::over(self.dv.abs(), limit).t
-    }
-
-    /// The two ramps by way of the velocity `v0 + room`, and their displacement.
-    pub fn by_way_of(&self, room: R) -> ([Ramp<R>; 2], R) {
-        let up = Ramp::over(room, self.rise);
-        let down = Ramp::over((room - self.dv).at_least(R::ZERO), self.fall);
-        let change = R::HALF * room * (up.t + down.t) + R::HALF * self.dv * down.t;
-        ([up, down], self.v0 * (up.t + down.t) + change)
-    }
-
-    /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the `direct` one. The
-    /// peak velocity has no limit.
-    pub fn first_over(&self, h: R, direct: R) -> [Ramp<R>; 2] {
-        // As the duration grows, one ramp holds its limit first, and later the other one too.
-        let (rise, fall) = (self.rise, self.fall);
-        let sum = rise + fall;
-        let up_first = (sum * sum + self.dv) * fall >= (sum * sum - self.dv) * rise;
-        let hold = Hold::of(self, up_first);
-        let beyond = h - hold.least();
-        if beyond >= hold.displacement(hold.other).0 {
-            return self.both_holds(h);
-        }
-        // Where the hold begins. There is no such place if a limit is infinite, or if the direct ramp has a hold too.
-        let begins = hold.begins();
-        let apart = self.dv.abs().sqrt();
-        let y = hold.limit + begins - apart;
-        let beyond_direct = (h - direct).at_least(R::ZERO);
-        if sum < R::INFINITY && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0) {
-            let [held, other] = hold.ramps(beyond);
-            return if up_first {
-                [held, other]
-            } else {
-                [other, held]
-            };
-        }
-        self.without_hold(beyond_direct, apart, y)
-    }
-
-    /// The ramps over a displacement beyond the direct one if none of them holds. `y`, by which the acceleration falls more than in
-    /// the direct ramp, is at most `most`.
-    fn without_hold(&self, beyond: R, apart: R, most: R) -> [Ramp<R>; 2] {
-        let bound = self.no_hold_bound(beyond, apart).at_most(most);
-        let y = root(bound, R::ZERO, |y| {
-            let (displacement, slope) = self.no_hold(apart, y);
-            (displacement - beyond, slope)
-        });
-        let u = apart + y;
-        let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
-        [u + ratio, u - ratio].map(|twice| {
-            let tj = R::HALF * twice.at_least(R::ZERO);
-            Ramp { tj, t: tj + tj }
-        })
-    }
-
-    /// Mean of the velocities at both ends.
-    fn mean(&self) -> R {
-        self.v0 + R::HALF * self.dv
-    }
-
-    /// Without a hold: the displacement beyond the direct one, and its derivative. In the middle of the motion the acceleration falls
-    /// by `u = apart + y`; in the direct ramp it falls by `apart = sqrt(|dv|)`. The displacement is convex.
-    fn no_hold(&self, apart: R, y: R) -> (R, R) {
-        let quarter_y = R::HALF * R::HALF * y;
-        let ratio = if apart > R::ZERO {
-            apart / (apart + y)
-        } else {
-            R::ZERO
-        };
-        let slope = self.direct_slope();
-        let cubic = y + apart * (R::from(3) - ratio);
-        let its_slope = R::from(3) * y + apart * (R::from(6) - ratio * (R::ONE + ratio));
-        (
-            y * (slope + quarter_y * cubic),
-            slope + quarter_y * its_slope,
-        )
-    }
-
-    /// The derivative of the displacement in the direct ramp: twice the higher velocity of both ends.
-    fn direct_slope(&self) -> R {
-        R::from(2) * (self.v0 + self.dv.at_least(R::ZERO))
-    }
-
-    /// Not below the `y` of a displacement beyond the direct one, and above it by a small factor: the displacement is not below
-    /// `y (s + apart y/2 + y^2/4)`, where `s` is its slope in the direct ramp.
-    fn no_hold_bound(&self, beyond: R, apart: R) -> R {
-        let slope = self.direct_slope();
-        if slope >= R::ZERO {
-            let cubic = (R::from(4) * beyond).cube_root_above();
-            let quadratic = ((beyond + beyond) / apart).sqrt();
-            return (beyond / slope).at_most(quadratic.at_most(cubic));
-        }
-        let cubic = (R::from(8) * beyond)
-            .cube_root_above()
-            .at_least((R::from(8) * -slope).sqrt());
-        let quadratic = (R::from(4) * beyond / apart)
-            .sqrt()
-            .at_least(R::from(4) * -slope / apart);
-        quadratic.at_most(cubic)
-    }
-
-    /// With both holds the displacement is a quadratic in the duration of the first ramp.
-    fn both_holds(&self, h: R) -> [Ramp<R>; 2] {
-        let Self { v0, dv, rise, fall } = *self;
-        // The second ramp lasts `ratio` times as long as the first, and `offset`.
-        let ratio = rise / fall;
-        let offset = ((fall - rise) * (fall + rise) - dv) / fall;
-        let change = R::HALF * (dv - rise * rise);
-        let twice_a = rise * (R::ONE + ratio);
-        let b = v0 * (R::ONE + ratio) + R::HALF * rise * (offset - rise) + ratio * change;
-        let c = offset * (v0 + change) - h;
-        let root = larger_root(b / twice_a, (c + c) / twice_a);
-        // Where one ramp is hardly more than the direct one, the root may come out shorter than its jerk parts by rounding.
-        let least = (rise + rise).at_least((fall + fall - offset) / ratio);
-        let up = root.at_least(least);
-        let down = (ratio * up + offset).at_least(fall + fall);
-        [Ramp { tj: rise, t: up }, Ramp { tj: fall, t: down }]
-    }
-}
-
-/// One ramp holds its limit, the other reaches less than its own. Reversed in time, the second ramp is the first.
-struct Hold<R> {
-    /// Limit of the ramp that holds.
-    limit: R,
-    /// Limit of the other ramp.
-    other: R,
-    /// Change of velocity from the end of the ramp that holds to the end of the other.
-    dv: R,
-    /// Velocity at the end of the other ramp.
-    end: R,
-    /// Mean of the velocities at both ends.
-    mean: R,
-}
-
-impl<R: Real> Hold<R> {
-    fn of(border: &Border<R>, up: bool) -> Self {
-        let &Border { v0, dv, rise, fall } = border;
-        let (limit, other, dv, end) = if up {
-            (rise, fall, dv, v0 + dv)
-        } else {
-            (fall, rise, -dv, v0)
-        };
+    /// The motions in the other order of time, which have the same displacements.
+    fn reversed(self) -> Self {
         Self {
-            limit,
-            other,
-            dv,
-            end,
-            mean: border.mean(),
+            v0: self.v1,
+            a0: -self.a1,
+            v1: self.v0,
+            a1: -self.a0,
+            dv: -self.dv,
+            above: self.above - self.dv,
+            below: self.below + self.dv,
+            rise: self.fall,
+            fall: self.rise,
+            ..self
         }
     }
 
-    /// The acceleration that the other ramp reaches where the hold begins; 0 if the direct ramp has a hold too.
-    fn begins(&self) -> R {
-        (self.limit * self.limit - self.dv).at_least(R::ZERO).sqrt()
+    /// How much the change of velocity exceeds the one of the straight change of the acceleration, and whether by more than roundings of
+    /// the velocities that the axis has beside those of both ends: those with the acceleration undone.
+    fn beyond_straight(&self) -> (R, bool) {
+        let Self { v0, a0, v1, a1, .. } = *self;
+        let beyond = self.dv - self.pace.straight(a0, a1);
+        let rounding = R::from(16) * R::EPSILON * (v0.abs() + v1.abs() + self.undone());
+        (beyond, beyond.abs() > rounding)
     }
 
-    /// The ramp that holds and the other one, over a displacement beyond the least one.
-    fn ramps(&self, beyond: R) -> [Ramp<R>; 2] {
-        let bound = self.bound(beyond).at_most(self.other);
-        let w = root(bound, self.begins(), |w| {
-            let (displacement, slope) = self.displacement(w);
-            (displacement - beyond, slope)
-        });
-        let held = Ramp {
-            tj: self.limit,
-            t: self.limit + (w * w + self.dv) / self.limit,
-        };
-        [held, Ramp { tj: w, t: w + w }]
+    /// The changes of velocity in which the accelerations at both ends are undone.
+    fn undone(&self) -> R {
+        self.pace.straight(self.a0, R::ZERO).abs() + self.pace.straight(R::ZERO, self.a1).abs()
     }
 
-    /// The displacement where the other ramp reaches no acceleration.
-    fn least(&self) -> R {
-        let Self {
-            limit,
-            dv,
-            end,
-            mean,
-            ..
-        } = *self;
-        limit * end + dv / limit * (mean - R::HALF * limit * limit)
+    /// The fastest change of velocity, and whether it rises; else it is a ramp of the mirrored axis. Its duration allows no other
+    /// displacement.
+    pub fn direct(&self) -> (Ramp<R>, bool) {
+        let (beyond, is_real) = self.beyond_straight();
+        self.direct_beyond(beyond, is_real)
     }
 
-    /// The displacement beyond the least one, and its derivative, where the other ramp reaches the acceleration `w`. Where the
-    /// displacement grows, it is convex.
-    fn displacement(&self, w: R) -> (R, R) {
-        let Self { limit, end, .. } = *self;
-        let u = limit + w;
-        let ratio = w / limit;
-        (
-            ratio * (end * (u + limit) + R::HALF * u * u * w),
-            (R::ONE + ratio) * (end + end + w * (u + w)),
-        )
-    }
-
-    /// Not below the `w` of a displacement beyond the least one, and above it by a small factor.
-    fn bound(&self, beyond: R) -> R {
-        let against = (-(self.end + self.end)).at_least(R::ZERO);
-        let product = against
-            + (against * against + R::from(2) * self.limit * beyond.at_least(R::ZERO)).sqrt();
-        let bound = (product / self.limit).at_most(product.sqrt());
-        if self.end > R::ZERO {
-            bound.at_most(beyond / (self.end + self.end))
+    fn direct_beyond(&self, beyond: R, is_real: bool) -> (Ramp<R>, bool) {
+        // Where both accelerations point against the ramp, the least ramp is a long one. None is made for a rounding.
+        let against = self.a0 * beyond < R::ZERO && self.a1 * beyond < R::ZERO;
+        if beyond == R::ZERO || against && !is_real {
+            self.straight()
         } else {
-            bound
+            self.ramp(beyond, beyond > R::ZERO)
         }
     }
-}
 
-/// The root of an increasing convex function, `(value, derivative)`, from `x` on downwards but not below `least`. `x` is not below
-/// the root.
-///
-/// Near the root a step is as large as the square of the step before, but for a factor. So two steps foretell the third one. If the
-/// third one would have no effect, it is not taken.
-fn root<R: Real>(mut x: R, least: R, f: impl Fn(R) -> (R, R)) -> R {
-    let mut before = R::ZERO;
-    for _round in 1..=MOST_ROUNDS {
-        #[cfg(test)]
-        tests::note(_round);
-        let (value, derivative) = f(x);
-        let step = value / derivative;
-        let next = x - step;
-        if next < x {
-            x = next;
+    /// The straight change of the acceleration.
+    fn straight(&self) -> (Ramp<R>, bool) {
+        (Ramp::straight(self.a0, self.a1), true)
+    }
+
+    /// The change of velocity by way of a higher acceleration if `rises`, else of a lower one.
+    fn ramp(&self, beyond: R, rises: bool) -> (Ramp<R>, bool) {
+        let [beyond, a0, a1] = [beyond, self.a0, self.a1].map(|x| x.negate_if(!rises));
+        let (limit, pace) = if rises {
+            (self.rise, self.pace)
         } else {
-            break; // by rounding
-        }
-        let shrinks = step / before;
-        if step * (shrinks * shrinks) < R::EPSILON * x {
-            break;
-        }
-        before = step;
-    }
-    x.at_least(least)
-}
-
-/// More rounds than any root takes, as `docs/planner.md` shows.
-const MOST_ROUNDS: u32 = 16;
-
-/// The larger root of `x^2 + 2 p x + q`.
-pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
-    let d = (p * p - q).at_least(R::ZERO).sqrt();
-    if p > R::ZERO { -q / (p + d) } else { d - p }
-}
-
-/// Whether the axis dips first, because the direct ramp gets farther than the displacement `h`.
-///
-/// Where the direct ramp ends at the target up to rounding, it is the move. Its direction is that of its final velocity `v1`, else of
-/// its first one, else of the displacement. `positions` is the sum of the magnitudes of both positions, in the unit of `h`.
-pub(crate) fn dips<R: Real>(h: R, direct: R, positions: R, [v0, v1]: [R; 2]) -> bool {
-    let tie = R::EPSILON * (R::from(4) * (h.abs() + direct.abs()) + positions);
-    let is_direct = (h - direct).abs() <= tie;
-    if !is_direct {
-        h < direct
-    } else if v1 != R::ZERO {
-        v1 < R::ZERO
-    } else if v0 != R::ZERO {
-        v0 < R::ZERO
-    } else {
-        h < R::ZERO
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    extern crate std;
-    use crate::bell::Bell;
-    use crate::real::Real;
-    use crate::state::Boundary;
-    use std::cell::Cell;
-    use std::fmt::LowerExp;
-    use std::println;
-    use support::Random;
-
-    std::thread_local! {
-        static MOST_SEEN: Cell<u32> = const { Cell::new(0) };
+            (self.fall, self.pace.mirrored())
+        };
+        (Ramp::over(beyond, a0, a1, limit, pace), rises)
     }
 
-    pub(super) fn note(round: u32) {
-        MOST_SEEN.set(MOST_SEEN.get().max(round));
+    /// Duration and displacement of a ramp.
+    pub fn passed(&self, (ramp, rises): (Ramp<R>, bool)) -> (R, R) {
+        let [v0, a0, a1] = [self.v0, self.a0, self.a1].map(|x| x.negate_if(!rises));
+        let (duration, displacement) = ramp.passed(v0, a0, a1, self.pace.seen(!rises));
+        (duration, displacement.negate_if(!rises))
     }
 
-    /// Limits of any size, and a displacement of any size or near the one of the direct ramp.
-    fn problem(random: &mut Random, decades: f64) -> ([f64; 3], Boundary<f64>) {
-        let [jm, am, vm, mut v0, mut v1] = [(); 5].map(|()| random.magnitude(-decades, decades));
-        v0 *= random.sign();
-        v1 *= random.pick(&[0.0, 0.0, 1.0, -1.0]);
-        if random.one_in(4) {
-            v1 = v0 * random.pick(&[1.0, -1.0, 1.0 + 1e-6]);
-        }
-        let am = if random.one_in(4) { f64::INFINITY } else { am };
-        let (v0, v1) = (v0.clamp(-vm, vm), v1.clamp(-vm, vm));
-        let dv = (v1 - v0).abs();
-        let duration = if dv * jm < am * am {
-            2.0 * (dv / jm).sqrt()
+    /// A ramp as a motion on the border.
+    pub fn course(&self, (ramp, rises): (Ramp<R>, bool)) -> Course<R> {
+        let Ramp {
+            out,
+            peak,
+            hold,
+            back,
+        } = ramp;
+        if rises {
+            Course {
+                first: out,
+                peak,
+                top: hold,
+                fall: back,
+                trough: self.a1,
+                ..Course::default()
+            }
         } else {
-            am / jm + dv / am
-        };
-        let direct = 0.5 * (v0 + v1) * duration;
-        let p1 = match random.below(4) {
-            0 => direct * (1.0 + random.sign() * random.magnitude(-16.0, 0.0)),
-            1 => direct * (1.0 + random.sign() * random.magnitude(-8.0, -6.0)),
-            2 => direct,
-            _ => random.sign() * random.magnitude(-decades, decades),
-        };
-        let p0 = 0.0;
-        ([jm, am, vm], Boundary { p0, p1, v0, v1 })
-    }
-
-    /// The most rounds of a root in these plans.
-    fn most_rounds<R: Real + LowerExp>(seed: u64, decades: f64, of: fn(f64) -> R) -> u32 {
-        let mut random = Random::seeded(seed);
-        let mut most = 0;
-        for _ in 0..PROBLEMS {
-            let (limits, Boundary { p0, p1, v0, v1 }) = problem(&mut random, decades);
-            let [jm, am, vm] = limits.map(of);
-            let [p0, p1, v0, v1] = [p0, p1, v0, v1].map(of);
-            MOST_SEEN.set(0);
-            assert!(Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).is_some());
-            if MOST_SEEN.get() > most {
-                most = MOST_SEEN.get();
-                println!(
-                    "{most} rounds: jm={jm:e} am={am:e} vm={vm:e} p0={p0:e} p1={p1:e} v0={v0:e} v1={v1:e}"
-                );
+            Course {
+                peak: self.a0,
+                fall: out,
+                trough: -peak,
+                bottom: hold,
+                last: back,
+                ..Course::default()
             }
         }
-        most
     }
 
-    const PROBLEMS: u32 = 1_000_000;
+    /// The fastest motion over the displacement `h`, and whether it is a motion on the border of the mirrored axis. `positions` is the
+    /// sum of the magnitudes of both positions.
+    pub fn fastest(&self, h: R, positions: R) -> (bool, Course<R>) {
+        let (beyond, is_real) = self.beyond_straight();
+        // What is left of a move may be a straight change of the acceleration, but for a rounding.
+        if !is_real {
+            let straight = self.straight();
+            let (lacks, tie) = self.lacking(straight, h, positions);
+            if lacks.abs() <= tie && tie.is_finite() {
+                return (false, self.course(straight));
+            }
+        }
+        let mut ramp = self.direct_beyond(beyond, is_real);
+        // One gap may follow the direct ramp.
+        for _ in 0..2 {
+            let (lacks, tie) = self.lacking(ramp, h, positions);
+            if lacks.abs() <= tie && tie.is_finite() {
+                break;
+            }
+            let mirror = lacks < R::ZERO;
+            let border = if mirror { self.mirrored() } else { *self };
+            let base = border.split_at_0(border.course((ramp.0, ramp.1 != mirror)));
+            match border.before_gap(base, lacks.abs(), tie) {
+                Some(Search::Reached(course)) => return (mirror, course),
+                Some(Search::Lacking(base, lacks)) => {
+                    return (mirror, border.turning(base, h.negate_if(mirror), lacks));
+                }
+                None => ramp = self.behind_gap(),
+            }
+        }
+        (false, self.course(ramp))
+    }
 
-    /// `MOST_ROUNDS` is more than any root takes.
-    #[test]
-    fn a_root_takes_few_rounds() {
-        let most = [
-            most_rounds(0, 1.0, |x| x),
-            most_rounds(1, 6.0, |x| x),
-            most_rounds(2, 1.0, |x| x as f32),
-            most_rounds(3, 3.0, |x| x as f32),
-        ];
-        println!("{most:?}");
-        assert!(most.iter().all(|most| (6..=12).contains(most)), "{most:?}");
+    /// What the displacement of a ramp lacks of `h`, and up to which rounding it is reached.
+    fn lacking(&self, ramp: (Ramp<R>, bool), h: R, positions: R) -> (R, R) {
+        let (duration, displacement) = self.passed(ramp);
+        (h - displacement, self.tie(duration, positions))
+    }
+
+    /// Up to which rounding a motion of this duration reaches its displacement. Its velocities have roundings in proportion to those of both
+    /// ends and to what the accelerations at the ends add. Between standstills any way is made: it costs no detour.
+    fn tie(&self, duration: R, positions: R) -> R {
+        let (a0, a1) = (self.a0.abs(), self.a1.abs());
+        let added = self.undone().at_most(a0.at_least(a1) * duration);
+        let speed = self.v0.abs().at_least(self.v1.abs()) + added;
+        if speed > R::ZERO {
+            R::from(32) * R::EPSILON * (positions + speed * duration)
+        } else {
+            R::ZERO
+        }
+    }
+
+    /// The first reachable motion behind the gap. It turns against both accelerations.
+    fn behind_gap(&self) -> (Ramp<R>, bool) {
+        self.ramp(self.beyond_straight().0, self.a0 < R::ZERO)
+    }
+
+    /// A straight rise through 0, or from or to 0, as two rises: the acceleration may pause at 0.
+    fn split_at_0(&self, course: Course<R>) -> Course<R> {
+        let is_straight = course.fall == R::ZERO && course.top + course.bottom == R::ZERO;
+        if is_straight && self.a0 <= R::ZERO && self.a1 >= R::ZERO {
+            Course {
+                first: -self.a0,
+                last: self.a1,
+                ..Course::default()
+            }
+        } else {
+            course
+        }
+    }
+
+    /// The part of the border in which the acceleration keeps its sign in the middle of the motion. `None` if a gap follows, that is,
+    /// durations in which the end cannot be reached.
+    fn before_gap(&self, base: Course<R>, lacks: R, tie: R) -> Option<Search<R>> {
+        if base.trough > R::ZERO {
+            self.easing(base, lacks, tie)
+        } else if base.peak < R::ZERO {
+            Some(match self.reversed().easing(base.reversed(), lacks, tie)? {
+                Search::Reached(course) => Search::Reached(course.reversed()),
+                Search::Lacking(course, lacks) => Search::Lacking(course.reversed(), lacks),
+            })
+        } else {
+            Some(Search::Lacking(base, lacks))
+        }
+    }
+
+    /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
+    fn easing(&self, mut base: Course<R>, mut lacks: R, tie: R) -> Option<Search<R>> {
+        loop {
+            let part = Part::of(self, &base, base.top > R::ZERO);
+            let (end, what) = part.end_of_easing(self.a0);
+            if let Some(x) = part.first_over(lacks, end, false) {
+                return Some(Search::Reached(part.course(x)));
+            }
+            lacks = lacks - part.displacement(end).0;
+            base = part.course(end);
+            match what {
+                Easing::HoldEnds => base.top = R::ZERO,
+                Easing::Vanishes => return Some(Search::Lacking(base, lacks)),
+                Easing::IsFollowedByGap => {
+                    base.last = base.last + base.first;
+                    base.trough = base.trough - base.first;
+                    (base.first, base.peak) = (R::ZERO, self.a0);
+                    return (lacks <= tie).then_some(Search::Reached(base));
+                }
+            }
+        }
+    }
+
+    /// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it
+    /// gets `lacks` farther than `base`.
+    fn turning(&self, mut base: Course<R>, h: R, mut lacks: R) -> Course<R> {
+        let (mut cruise, displacement) = self.by_way_of_vmax();
+        if h >= displacement {
+            cruise.cruise = (h - displacement) / self.vmax;
+            return cruise;
+        }
+        if !(base.top > R::ZERO || base.bottom > R::ZERO) {
+            let part = Part::of(self, &base, false);
+            let end = self.first_hold(&base) - base.fall;
+            if end > R::ZERO {
+                if let Some(x) = part.first_over(lacks, end, true) {
+                    return part.course(x);
+                }
+                lacks = lacks - part.displacement(end).0;
+                base = part.course(end);
+            }
+        }
+        let holds = base.top > R::ZERO || base.bottom > R::ZERO;
+        let nearer = self.rise - base.peak <= self.fall + base.trough;
+        if base.top > R::ZERO || !holds && nearer {
+            self.holding(base, lacks)
+        } else {
+            self.reversed().holding(base.reversed(), lacks).reversed()
+        }
+    }
+
+    /// The highest acceleration holds, and at last the lowest one too.
+    fn holding(&self, mut base: Course<R>, lacks: R) -> Course<R> {
+        base.peak = self.rise;
+        let part = Part::of(self, &base, true);
+        let end = (self.fall + base.trough).at_least(R::ZERO);
+        match part.first_over(lacks, end, true) {
+            Some(x) => part.course(x),
+            None => {
+                let lacks = lacks - part.displacement(end).0;
+                self.both_hold(part.course(end), lacks)
+            }
+        }
+    }
+
+    /// Both accelerations hold, and the displacement is a quadratic.
+    fn both_hold(&self, base: Course<R>, lacks: R) -> Course<R> {
+        let sum = self.rise + self.fall;
+        let curvature = self.rise * self.fall / sum;
+        let slope = self.slope(&base);
+        let longer = larger_root(slope / curvature, -(lacks + lacks) / curvature);
+        Course {
+            top: base.top + self.fall / sum * longer,
+            trough: -self.fall,
+            bottom: base.bottom + self.rise / sum * longer,
+            ..base
+        }
+    }
+
+    /// The fastest motion by way of the highest velocity, and its displacement.
+    fn by_way_of_vmax(&self) -> (Course<R>, R) {
+        let zero = R::ZERO;
+        let (a0, a1) = (self.a0, -self.a1);
+        let up = self.above - self.pace.straight(a0, zero);
+        let up = Ramp::over(up, a0, zero, self.rise, self.pace);
+        // In the other order of time.
+        let down = self.above - self.dv - self.pace.straight(a1, zero);
+        let down = Ramp::over(down, a1, zero, self.fall, self.pace);
+        let displacement =
+            up.passed(self.v0, a0, zero, self.pace).1 + down.passed(self.v1, a1, zero, self.pace).1;
+        let course = Course {
+            first: up.out,
+            peak: up.peak,
+            top: up.hold,
+            fall: up.back + down.back,
+            cruise: zero,
+            trough: -down.peak,
+            bottom: down.hold,
+            last: down.out,
+        };
+        (course, displacement)
+    }
+
+    /// How far the acceleration falls where a hold begins.
+    fn first_hold(&self, base: &Course<R>) -> R {
+        let Course { peak, trough, .. } = *base;
+        let above = (self.rise - peak) * (self.rise + peak);
+        let below = (self.fall + trough) * (self.fall - trough);
+        let top = self.rise + (trough * trough + above).sqrt();
+        top.at_most(self.fall + (peak * peak + below).sqrt())
+    }
+
+    /// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
+    pub fn next_duration(&self, mut t: R, h: R, positions: R) -> R {
+        // A displacement may become impossible once, and a gap may follow, on each side.
+        for _ in 0..4 {
+            let mirrored = self.mirrored();
+            let (Some(farthest), Some(nearest)) = (self.of_duration(t), mirrored.of_duration(t))
+            else {
+                t = self.passed(self.behind_gap()).0;
+                continue;
+            };
+            let tie = self.tie(t, positions);
+            let lacks = h - self.displacement(&farthest);
+            let exceeds = -h - mirrored.displacement(&nearest);
+            if !(lacks - exceeds).is_finite() {
+                return R::INFINITY;
+            }
+            let (border, h, base, lacks) = if lacks > tie {
+                (*self, h, farthest, lacks)
+            } else if exceeds > tie {
+                (mirrored, -h, nearest, exceeds)
+            } else {
+                return t;
+            };
+            t = match border.before_gap(base, lacks, tie) {
+                Some(Search::Reached(course)) => border.pace.duration(&course),
+                Some(Search::Lacking(base, lacks)) => {
+                    border.pace.duration(&border.turning(base, h, lacks))
+                }
+                None => self.passed(self.behind_gap()).0,
+            };
+        }
+        t
+    }
+
+    /// The motion of the duration `t` that gets farthest. `None` if the end cannot be reached in this duration, which is not below that of
+    /// the direct ramp.
+    pub fn of_duration(&self, t: R) -> Option<Course<R>> {
+        let (mut cruise, _) = self.by_way_of_vmax();
+        let without_cruise = self.pace.duration(&cruise);
+        let course = if t >= without_cruise {
+            cruise.cruise = t - without_cruise;
+            cruise
+        } else {
+            self.without_cruise(t)
+        };
+        let rounding = R::from(16) * R::EPSILON * (self.a0.abs() + self.a1.abs() + course.fall);
+        let is_motion = course.first >= -rounding && course.last >= -rounding;
+        is_motion.then_some(course)
+    }
+
+    /// The motion of the duration `t` that gets farthest, if it is too short to cruise.
+    fn without_cruise(&self, t: R) -> Course<R> {
+        let &Self {
+            a0,
+            a1,
+            dv,
+            rise,
+            fall: depth,
+            pace,
+            ..
+        } = self;
+        let (mean, half) = (pace.mean(), R::HALF);
+        // The duration without what a rise from `a0` to `a1` takes.
+        let rest = t + pace.up * (a0 - a1);
+        let fall = half * rest / mean;
+        let rises = fall - (a0 - a1);
+        let difference = (dv - half * t * (a0 + a1)) / (mean * fall);
+        let (first, last) = (half * (rises + difference), half * (rises - difference));
+        let (peak, trough) = (a0 + first, a1 - last);
+        if peak <= rise && trough >= -depth {
+            return Course {
+                first,
+                peak,
+                fall,
+                trough,
+                last,
+                ..Course::default()
+            };
+        }
+        let both = rise + depth;
+        let holds = rest - (mean + mean) * both;
+        let turned =
+            dv + half * pace.up * (a0 * a0 - a1 * a1) - mean * (rise * rise - depth * depth);
+        let (top, bottom) = (
+            (turned + depth * holds) / both,
+            (rise * holds - turned) / both,
+        );
+        let is_trapezoid = mean == R::ZERO;
+        if holds >= R::ZERO && (top >= R::ZERO && bottom >= R::ZERO || is_trapezoid) {
+            Course {
+                first: rise - a0,
+                peak: rise,
+                top: top.at_least(R::ZERO),
+                fall: both,
+                trough: -depth,
+                bottom: bottom.at_least(R::ZERO),
+                last: a1 + depth,
+                ..Course::default()
+            }
+        } else if if holds >= R::ZERO {
+            top >= R::ZERO
+        } else {
+            peak > rise
+        } {
+            self.top_alone(t)
+        } else {
+            self.reversed().top_alone(t).reversed()
+        }
+    }
+
+    /// The motion of the duration `t` in which the highest acceleration holds and the lowest one does not.
+    fn top_alone(&self, t: R) -> Course<R> {
+        let &Self {
+            a0,
+            a1,
+            dv,
+            rise,
+            pace,
+            ..
+        } = self;
+        let mean = pace.mean();
+        let beside = pace.up * (a0 - a1) * (rise - R::HALF * (a0 + a1));
+        let fall = ((rise * t - dv + beside) / mean).at_least(R::ZERO).sqrt();
+        let trough = rise - fall;
+        Course {
+            first: rise - a0,
+            peak: rise,
+            top: (t + pace.up * (a0 - a1) - (mean + mean) * fall).at_least(R::ZERO),
+            fall,
+            trough,
+            last: a1 - trough,
+            ..Course::default()
+        }
+    }
+
+    /// Displacement of a motion.
+    pub fn displacement(&self, course: &Course<R>) -> R {
+        let Course {
+            first,
+            peak,
+            top,
+            fall,
+            cruise,
+            trough,
+            bottom,
+            last,
+        } = *course;
+        let Pace { up, down } = self.pace;
+        let mut change = Change::default();
+        change.jerk(self.a0, peak, up * first);
+        change.jerk(peak, peak, top);
+        if cruise > R::ZERO {
+            change.jerk(peak, R::ZERO, down * peak);
+            change.jerk(R::ZERO, R::ZERO, cruise);
+            change.jerk(R::ZERO, trough, down * -trough);
+        } else {
+            change.jerk(peak, trough, down * fall);
+        }
+        change.jerk(trough, trough, bottom);
+        change.jerk(trough, self.a1, up * last);
+        self.v0 * change.duration + change.displacement
+    }
+
+    /// The derivative of the displacement on the border with respect to the duration.
+    pub fn slope(&self, course: &Course<R>) -> R {
+        let Course {
+            trough,
+            fall,
+            bottom,
+            last,
+            ..
+        } = *course;
+        let before_last = self.v1 - R::HALF * self.pace.up * last * (self.a1 + trough);
+        before_last - trough * (R::HALF * self.pace.down * fall + bottom)
+    }
+}
+
+impl<R: Real> Course<R> {
+    /// In the other order of time.
+    fn reversed(self) -> Self {
+        Self {
+            first: self.last,
+            peak: -self.trough,
+            top: self.bottom,
+            fall: self.fall,
+            cruise: self.cruise,
+            trough: -self.peak,
+            bottom: self.top,
+            last: self.first,
+        }
     }
 }

@@ -1,0 +1,597 @@
+//! Coming inside the limits, and the fastest motion from there on.
+
+use super::border::{Border, Change, Course, Pace, Ramp};
+use super::motion::{Leg, Pen};
+use super::{Error, Limits, Move};
+use crate::check::Findings;
+use crate::real::Real;
+use crate::state::State;
+
+impl<R: Real> Move<R> {
+    /// Plans the fastest motion to a state, from any state: a start outside the limits comes inside in the fastest way, and then the limits
+    /// are kept. The target may be behind, or nearer than the way to stop.
+    ///
+    /// Returns [`Findings::OVERSHOOTS`] and [`Findings::STARTS_OUTSIDE`], if they are so. [`Error::NotFinite`] if a state is not made of
+    /// numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the limits are not around 0; [`Error::Target`] if
+    /// the target is outside the limits, or the axis must have left them before, or will. On an error the move stays as it is.
+    ///
+    /// ```
+    /// use atraj::online::{Limits, Move, State};
+    /// let limits = Limits { vmax: 2.0, vmin: -1.0, amax: 4.0, amin: -8.0, jmax: 50.0, jmin: -100.0 };
+    /// let now = State { position: 0.0, velocity: 1.5, acceleration: 2.0 };
+    /// let mut axis = Move::default();
+    /// axis.plan(&limits, now, State::at(3.0)).expect("numbers");
+    /// assert_eq!((axis.position(axis.t), axis.velocity(axis.t)), (3.0, 0.0));
+    /// ```
+    pub fn plan(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        to: State<R>,
+    ) -> Result<Findings, Error> {
+        limits.check(from, to)?;
+        let task = Task::new(limits, from, to);
+        task.write(self, &task.fastest())?;
+        Ok(task.findings(self))
+    }
+
+    /// Plans the fastest motion to a velocity and an acceleration. The position is free. Findings and errors are those of [`Move::plan`].
+    pub fn reach(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        velocity: R,
+        acceleration: R,
+    ) -> Result<Findings, Error> {
+        let to = State {
+            velocity,
+            acceleration,
+            ..from
+        };
+        limits.check(from, to)?;
+        let mut task = Task::new(limits, from, to);
+        let direct = task.border.direct();
+        task.to.position = from.position + (task.inside() + task.border.passed(direct).1);
+        task.write(self, &(false, task.border.course(direct)))?;
+        Ok(task.findings(self))
+    }
+
+    /// Plans the fastest stop. The position is free. Findings and errors are those of [`Move::plan`].
+    pub fn stop(&mut self, limits: &Limits<R>, from: State<R>) -> Result<Findings, Error> {
+        self.reach(limits, from, R::ZERO, R::ZERO)
+    }
+
+    /// Plans the fastest motion to a target that moves on at its velocity. The motion ends beside the target, with its velocity, at the
+    /// position `target.position + t * target.velocity`. Findings and errors are those of [`Move::plan`]; [`Error::Target`] also if the
+    /// target accelerates, or if its velocity is on a limit.
+    ///
+    /// Seen from the target, the limits of the velocity are shifted and the target is at rest.
+    pub fn meet(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        target: State<R>,
+    ) -> Result<Findings, Error> {
+        limits.check(from, target)?;
+        let v = target.velocity;
+        let seen = Limits {
+            vmax: limits.vmax - v,
+            vmin: limits.vmin - v,
+            ..*limits
+        };
+        if seen.are_limits().is_err() || target.acceleration != R::ZERO {
+            return Err(Error::Target);
+        }
+        let seen_from = State {
+            position: from.position - target.position,
+            velocity: from.velocity - v,
+            ..from
+        };
+        let task = Task::new(&seen, seen_from, State::at(R::ZERO));
+        task.write(self, &task.fastest())?;
+        self.shift(from, target);
+        Ok(task.findings(self))
+    }
+}
+
+/// A motion on the border, and whether it belongs to the mirrored axis.
+pub(crate) type Motion<R> = (bool, Course<R>);
+
+/// What is to be planned for one axis.
+pub(crate) struct Task<'a, R> {
+    limits: &'a Limits<R>,
+    from: State<R>,
+    to: State<R>,
+    start: Start<R>,
+    /// The motions behind the way inside the limits.
+    pub border: Border<R>,
+}
+
+impl<'a, R: Real> Task<'a, R> {
+    /// From a state to a state within the limits.
+    pub fn new(limits: &'a Limits<R>, from: State<R>, to: State<R>) -> Self {
+        let pace = limits.pace();
+        let start = Start::inside(limits, pace, from);
+        let border = start.border(limits, pace, from, to);
+        Self {
+            limits,
+            from,
+            to,
+            start,
+            border,
+        }
+    }
+
+    /// Displacement on the way inside the limits.
+    fn inside(&self) -> R {
+        let Change {
+            duration,
+            displacement,
+            ..
+        } = self.start.change;
+        self.from.velocity * duration + displacement
+    }
+
+    /// Displacement behind the way inside the limits, and the rounding that both positions bring.
+    pub fn displacement(&self) -> (R, R) {
+        let (p0, p1) = (self.from.position, self.to.position);
+        ((p1 - p0) - self.inside(), p0.abs() + p1.abs())
+    }
+
+    /// The fastest motion.
+    pub fn fastest(&self) -> Motion<R> {
+        let (h, positions) = self.displacement();
+        self.border.fastest(h, positions)
+    }
+
+    /// Duration of a motion with the way inside the limits, s: the sum that [`Task::write`] writes.
+    pub fn duration(&self, (mirror, course): &Motion<R>) -> R {
+        let mut t = self.start.time + self.start.hold;
+        self.border
+            .each_leg(self.limits, *mirror, course, |leg| t = t + leg.duration);
+        t
+    }
+
+    /// The shortest possible duration from `duration` on, s.
+    pub fn next_duration(&self, duration: R) -> R {
+        let inside = self.start.change.duration;
+        let (h, positions) = self.displacement();
+        let next = self.border.next_duration(duration - inside, h, positions);
+        if next > duration - inside {
+            inside + next
+        } else {
+            duration
+        }
+    }
+
+    /// Writes a motion of this duration, which is possible: the mean of the motions that get farthest to either side, with the weights that
+    /// reach the target. `false` if it is not possible.
+    pub fn write_mean(&self, ctx: &mut Move<R>, duration: R) -> bool {
+        let (upper, lower) = (self.border, self.border.mirrored());
+        let t = duration - self.start.change.duration;
+        let (Some(farthest), Some(nearest)) = (upper.of_duration(t), lower.of_duration(t)) else {
+            return false;
+        };
+        let least = -lower.displacement(&nearest);
+        let share = (self.displacement().0 - least) / (upper.displacement(&farthest) - least);
+        let share = share.at_least(R::ZERO).at_most(R::ONE);
+        let mut walks = [Walk::new(t); 2];
+        let [one, other] = &mut walks;
+        upper.each_leg(self.limits, false, &farthest, |leg| one.add(leg));
+        upper.each_leg(self.limits, true, &nearest, |leg| other.add(leg));
+        one.count_from_end();
+        other.count_from_end();
+        let mut pen = self.pen(ctx);
+        let mut now = Instant::start(t);
+        // Each turn ends a leg of one motion, or of both.
+        for _ in 0..2 * LEGS {
+            let next = one.end().first(other.end());
+            let mean = |x: R, y: R| y + share * (x - y);
+            pen.write(Leg {
+                from: mean(one.acceleration(now), other.acceleration(now)),
+                jerk: mean(one.leg().jerk, other.leg().jerk),
+                duration: next.since(now),
+            });
+            one.pass(next);
+            other.pass(next);
+            now = next;
+        }
+        pen.end(self.to);
+        ctx.end_at(duration);
+        true
+    }
+
+    /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.
+    pub fn write(&self, ctx: &mut Move<R>, (mirror, course): &Motion<R>) -> Result<(), Error> {
+        let about = self.start.change.duration + self.border.pace.seen(*mirror).duration(course);
+        if !(about + self.inside().abs() + self.to.position.abs()).is_finite() {
+            return Err(Error::NotFinite);
+        }
+        let mut pen = self.pen(ctx);
+        self.border
+            .each_leg(self.limits, *mirror, course, |leg| pen.write(leg));
+        pen.end(self.to);
+        Ok(())
+    }
+
+    /// A pen that has written the way inside the limits.
+    pub fn pen<'b>(&self, ctx: &'b mut Move<R>) -> Pen<'b, R> {
+        let mut pen = Pen::new(ctx, self.from);
+        let (from, to) = (self.from.acceleration, self.start.acceleration);
+        let jerk = if to > from {
+            self.limits.jmax
+        } else {
+            self.limits.jmin
+        };
+        pen.write(Leg {
+            from,
+            jerk,
+            duration: self.start.time,
+        });
+        pen.write(Leg {
+            from: to,
+            jerk: R::ZERO,
+            duration: self.start.hold,
+        });
+        pen
+    }
+
+    /// What there is to know of a written move.
+    pub fn findings(&self, ctx: &Move<R>) -> Findings {
+        Findings::OVERSHOOTS.when(ctx.overshoots())
+            | Findings::STARTS_OUTSIDE.when(self.start.outside)
+    }
+}
+
+/// The most legs of a motion on the border.
+const LEGS: usize = 7;
+
+/// A time in a motion. It is counted from the nearer end, so that a short leg beside a long cruise keeps its digits.
+#[derive(Clone, Copy)]
+struct Instant<R> {
+    /// Since the start, s.
+    since_start: R,
+    /// Until the end, s.
+    until_end: R,
+}
+
+impl<R: Real> Instant<R> {
+    fn start(t: R) -> Self {
+        Self {
+            since_start: R::ZERO,
+            until_end: t,
+        }
+    }
+
+    fn is_late(self) -> bool {
+        self.until_end < self.since_start
+    }
+
+    fn first(self, other: Self) -> Self {
+        let later = if self.is_late() && other.is_late() {
+            self.until_end < other.until_end
+        } else {
+            self.since_start > other.since_start
+        };
+        if later { other } else { self }
+    }
+
+    /// Time from an earlier instant to this one.
+    fn since(self, earlier: Self) -> R {
+        if earlier.is_late() {
+            earlier.until_end - self.until_end
+        } else {
+            self.since_start - earlier.since_start
+        }
+    }
+}
+
+/// The legs of a motion, walked through in order of time.
+#[derive(Clone, Copy)]
+struct Walk<R> {
+    t: R,
+    legs: [Leg<R>; LEGS],
+    /// When each leg starts.
+    starts: [Instant<R>; LEGS],
+    count: usize,
+    current: usize,
+}
+
+impl<R: Real> Walk<R> {
+    /// Through a motion of the duration `t`.
+    fn new(t: R) -> Self {
+        let (from, jerk, duration) = (R::ZERO, R::ZERO, R::ZERO);
+        Self {
+            t,
+            legs: [Leg {
+                from,
+                jerk,
+                duration,
+            }; LEGS],
+            starts: [Instant::start(t); LEGS],
+            count: 0,
+            current: 0,
+        }
+    }
+
+    /// Adds a leg, if it has a duration.
+    fn add(&mut self, leg: Leg<R>) {
+        let last = self.count.wrapping_sub(1);
+        let since_start = match (self.starts.get(last), self.legs.get(last)) {
+            (Some(start), Some(before)) => start.since_start + before.duration,
+            _ => R::ZERO,
+        };
+        if leg.duration > R::ZERO {
+            if let (Some(place), Some(start)) = (
+                self.legs.get_mut(self.count),
+                self.starts.get_mut(self.count),
+            ) {
+                *place = leg;
+                start.since_start = since_start;
+                self.count += 1;
+            }
+        }
+    }
+
+    /// Finds when the legs start, seen from the end.
+    fn count_from_end(&mut self) {
+        let mut until_end = R::ZERO;
+        let legs = self.legs.iter().zip(&mut self.starts).take(self.count);
+        for (leg, start) in legs.rev() {
+            until_end = until_end + leg.duration;
+            start.until_end = until_end;
+            // One of both counts rules.
+            if start.is_late() {
+                start.since_start = self.t - until_end;
+            } else {
+                start.until_end = self.t - start.since_start;
+            }
+        }
+    }
+
+    fn leg(&self) -> Leg<R> {
+        let (from, jerk, duration) = (R::ZERO, R::ZERO, R::ZERO);
+        let leg = self.legs.get(self.current).copied();
+        leg.unwrap_or(Leg {
+            from,
+            jerk,
+            duration,
+        })
+    }
+
+    /// When the leg under way ends.
+    fn end(&self) -> Instant<R> {
+        let next = self.starts.get(self.current + 1);
+        let end = Instant {
+            since_start: self.t,
+            until_end: R::ZERO,
+        };
+        next.filter(|_| self.current + 1 < self.count)
+            .copied()
+            .unwrap_or(end)
+    }
+
+    fn acceleration(&self, now: Instant<R>) -> R {
+        let leg = self.leg();
+        let start = self.starts.get(self.current).copied();
+        let passed = now.since(start.unwrap_or(now));
+        leg.from + leg.jerk * passed
+    }
+
+    /// Goes on to the instant `next`.
+    fn pass(&mut self, next: Instant<R>) {
+        if self.current + 1 < self.count && self.end().since(next) <= R::ZERO {
+            self.current += 1;
+        }
+    }
+}
+
+/// The way inside the limits.
+struct Start<R> {
+    /// The acceleration at the end of the way.
+    acceleration: R,
+    /// How long the acceleration changes, s.
+    time: R,
+    /// How long it holds, s.
+    hold: R,
+    /// What the way changes.
+    change: Change<R>,
+    outside: bool,
+}
+
+impl<R: Real> Start<R> {
+    /// The fastest way to a state from which the limits can be kept: the ramp to the limit of the velocity, without its last part.
+    fn inside(limits: &Limits<R>, pace: Pace<R>, from: State<R>) -> Self {
+        let State {
+            velocity: v,
+            acceleration: a,
+            ..
+        } = from;
+        let &Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            ..
+        } = limits;
+        // The velocity after the acceleration is undone.
+        let undone = v + pace.straight(a, R::ZERO);
+        let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
+        // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
+        let (to, way, rises, hold) = if undone > vmax {
+            let ramp = Ramp::over(undone - vmax, (-a).at_most(-amin), R::ZERO, -amin, pace);
+            (-ramp.peak, ramp.out + below, below > R::ZERO, ramp.hold)
+        } else if undone < vmin {
+            let ramp = Ramp::over(vmin - undone, a.at_most(amax), R::ZERO, amax, pace);
+            (ramp.peak, ramp.out + above, above == R::ZERO, ramp.hold)
+        } else {
+            let limited = a.at_most(amax).at_least(amin);
+            (limited, above + below, below > R::ZERO, R::ZERO)
+        };
+        let time = way * if rises { pace.up } else { pace.down };
+        let mut change = Change::default();
+        change.jerk(a, to, time);
+        change.jerk(to, to, hold);
+        let few = R::from(16) * R::EPSILON;
+        let rounding = few * (v.abs() + (undone - v).abs());
+        let outside = undone.at_least(v) > vmax + rounding
+            || undone.at_most(v) < vmin - rounding
+            || above > few * amax
+            || -below < few * amin;
+        Self {
+            acceleration: to,
+            time,
+            hold,
+            change,
+            outside,
+        }
+    }
+
+    /// The motions on the border from here on.
+    fn border(&self, limits: &Limits<R>, pace: Pace<R>, from: State<R>, to: State<R>) -> Border<R> {
+        let change = self.change.velocity;
+        Border {
+            v0: from.velocity + change,
+            a0: self.acceleration,
+            v1: to.velocity,
+            a1: to.acceleration,
+            dv: (to.velocity - from.velocity) - change,
+            vmax: limits.vmax,
+            above: (limits.vmax - from.velocity) - change,
+            vmin: limits.vmin,
+            below: (from.velocity - limits.vmin) + change,
+            rise: limits.amax,
+            fall: -limits.amin,
+            pace,
+        }
+    }
+}
+
+impl<R: Real> Border<R> {
+    /// Visits the legs of a motion on the border, or of one on the border of the mirrored axis.
+    pub fn each_leg(
+        &self,
+        limits: &Limits<R>,
+        mirror: bool,
+        course: &Course<R>,
+        mut visit: impl FnMut(Leg<R>),
+    ) {
+        let Pace { up, down } = self.pace.seen(mirror);
+        let (rising, falling) = if mirror {
+            (limits.jmin, limits.jmax)
+        } else {
+            (limits.jmax, limits.jmin)
+        };
+        let Course {
+            first,
+            peak,
+            top,
+            fall,
+            cruise,
+            trough,
+            bottom,
+            last,
+        } = *course;
+        // A rise may come out below 0 by rounding. The sum of both stays, and with it the duration.
+        let rises = first + last;
+        let first = first.at_least(R::ZERO).at_most(rises);
+        let last = rises - first;
+        // The accelerations at the ends are exact.
+        let [peak, trough] = [peak, trough].map(|a| a.negate_if(mirror));
+        let peak = if first + top > R::ZERO { peak } else { self.a0 };
+        let trough = if last + bottom > R::ZERO {
+            trough
+        } else {
+            self.a1
+        };
+        // The fall pauses at 0 for the cruise.
+        let (pause, before, after) = if cruise > R::ZERO {
+            (R::ZERO, peak.abs(), trough.abs())
+        } else {
+            (trough, fall, R::ZERO)
+        };
+        let mut visit = |from, jerk, duration| {
+            visit(Leg {
+                from,
+                jerk,
+                duration,
+            })
+        };
+        visit(self.a0, rising, up * first);
+        visit(peak, R::ZERO, top);
+        visit(peak, falling, down * before);
+        visit(pause, R::ZERO, cruise);
+        visit(pause, falling, down * after);
+        visit(trough, R::ZERO, bottom);
+        visit(trough, rising, up * last);
+    }
+}
+
+impl<R: Real> Limits<R> {
+    fn pace(&self) -> Pace<R> {
+        Pace {
+            up: R::ONE / self.jmax,
+            down: -(R::ONE / self.jmin),
+        }
+    }
+
+    /// Whether a motion between these states can be planned.
+    pub(crate) fn check(&self, from: State<R>, to: State<R>) -> Result<(), Error> {
+        self.are_limits()?;
+        if !(from.is_finite() && to.is_finite()) {
+            Err(Error::NotFinite)
+        } else if !self.hold(to) {
+            Err(Error::Target)
+        } else {
+            Ok(())
+        }
+    }
+
+    fn are_limits(&self) -> Result<(), Error> {
+        let Self {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = *self;
+        let magnitudes = [vmax, -vmin, amax, -amin, jmax, -jmin];
+        let a_jerk_is_finite = jmax.at_most(-jmin) < R::INFINITY;
+        let accelerations_are_finite = amax.at_least(-amin) < R::INFINITY;
+        if magnitudes.iter().any(|x| x.partial_cmp(x).is_none()) {
+            Err(Error::NotFinite)
+        } else if magnitudes.iter().all(|&x| x > R::ZERO)
+            && (a_jerk_is_finite || accelerations_are_finite)
+        {
+            Ok(())
+        } else {
+            Err(Error::Limits)
+        }
+    }
+
+    /// Whether an axis can be in this state without having left the limits before, and without being bound to leave them.
+    fn hold(&self, state: State<R>) -> bool {
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = state;
+        let Pace { up, down } = self.pace();
+        let half_square = R::HALF * acceleration * acceleration;
+        let (above, below) = (half_square * down, half_square * up);
+        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + above + below);
+        acceleration <= self.amax
+            && acceleration >= self.amin
+            && velocity <= self.vmax
+            && velocity >= self.vmin
+            && velocity + above <= self.vmax + rounding
+            && velocity - below >= self.vmin - rounding
+    }
+}
+
+impl<R: Real> State<R> {
+    fn is_finite(self) -> bool {
+        self.position.is_finite() && self.velocity.is_finite() && self.acceleration.is_finite()
+    }
+}

@@ -1,0 +1,152 @@
+//! Roots of increasing functions and of quadratics.
+
+use crate::real::Real;
+
+/// More rounds than the root of a convex function takes, as `docs/planner.md` shows.
+const MOST_ROUNDS: u32 = 16;
+
+/// The root of an increasing convex function, `(value, derivative)`, from `x` on downwards but not below `least`. `x` is not below
+/// the root.
+///
+/// Near the root a step is as large as the square of the step before, but for a factor. So two steps foretell the third one. If the
+/// third one would have no effect, it is not taken.
+pub(crate) fn convex_root<R: Real>(least: R, mut x: R, f: impl Fn(R) -> (R, R)) -> R {
+    let mut before = R::ZERO;
+    for _round in 1..=MOST_ROUNDS {
+        #[cfg(test)]
+        tests::note(_round);
+        let (value, derivative) = f(x);
+        let step = value / derivative;
+        let next = x - step;
+        if next < x {
+            x = next;
+        } else {
+            break; // by rounding
+        }
+        let shrinks = step / before;
+        if step * (shrinks * shrinks) < R::EPSILON * x {
+            break;
+        }
+        before = step;
+    }
+    x.at_least(least)
+}
+
+/// Enough to halve a range until nothing is left of it.
+const MOST_HALVES: u32 = 64;
+
+/// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `high`. Where its step
+/// leaves the range that holds the root, the range is halved.
+pub(crate) fn root_between<R: Real>(mut low: R, mut high: R, f: impl Fn(R) -> (R, R)) -> R {
+    let mut x = high;
+    let mut before = R::ZERO;
+    for _ in 0..MOST_HALVES {
+        let (value, derivative) = f(x);
+        if value > R::ZERO {
+            high = x;
+        } else {
+            low = x;
+        }
+        let mut next = x - value / derivative;
+        if !(next >= low && next <= high) {
+            next = low + R::HALF * (high - low);
+        }
+        let step = (next - x).abs();
+        x = next;
+        // As above. A step of half a range foretells nothing, but is not small beside the step before.
+        let shrinks = step / before;
+        if step == R::ZERO || step * (shrinks * shrinks) < R::EPSILON * x {
+            break;
+        }
+        before = step;
+    }
+    x
+}
+
+/// The larger root of `x^2 + 2 p x + q`.
+pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
+    let d = (p * p - q).at_least(R::ZERO).sqrt();
+    if p > R::ZERO { -q / (p + d) } else { d - p }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use crate::bell::Bell;
+    use crate::real::Real;
+    use crate::state::Boundary;
+    use std::cell::Cell;
+    use std::fmt::LowerExp;
+    use std::println;
+    use support::Random;
+
+    std::thread_local! {
+        static MOST_SEEN: Cell<u32> = const { Cell::new(0) };
+    }
+
+    pub(super) fn note(round: u32) {
+        MOST_SEEN.set(MOST_SEEN.get().max(round));
+    }
+
+    /// Limits of any size, and a displacement of any size or near the one of the direct ramp.
+    fn problem(random: &mut Random, decades: f64) -> ([f64; 3], Boundary<f64>) {
+        let [jm, am, vm, mut v0, mut v1] = [(); 5].map(|()| random.magnitude(-decades, decades));
+        v0 *= random.sign();
+        v1 *= random.pick(&[0.0, 0.0, 1.0, -1.0]);
+        if random.one_in(4) {
+            v1 = v0 * random.pick(&[1.0, -1.0, 1.0 + 1e-6]);
+        }
+        let am = if random.one_in(4) { f64::INFINITY } else { am };
+        let (v0, v1) = (v0.clamp(-vm, vm), v1.clamp(-vm, vm));
+        let dv = (v1 - v0).abs();
+        let duration = if dv * jm < am * am {
+            2.0 * (dv / jm).sqrt()
+        } else {
+            am / jm + dv / am
+        };
+        let direct = 0.5 * (v0 + v1) * duration;
+        let p1 = match random.below(4) {
+            0 => direct * (1.0 + random.sign() * random.magnitude(-16.0, 0.0)),
+            1 => direct * (1.0 + random.sign() * random.magnitude(-8.0, -6.0)),
+            2 => direct,
+            _ => random.sign() * random.magnitude(-decades, decades),
+        };
+        let p0 = 0.0;
+        ([jm, am, vm], Boundary { p0, p1, v0, v1 })
+    }
+
+    /// The most rounds of a root in these plans.
+    fn most_rounds<R: Real + LowerExp>(seed: u64, decades: f64, of: fn(f64) -> R) -> u32 {
+        let mut random = Random::seeded(seed);
+        let mut most = 0;
+        for _ in 0..PROBLEMS {
+            let (limits, Boundary { p0, p1, v0, v1 }) = problem(&mut random, decades);
+            let [jm, am, vm] = limits.map(of);
+            let [p0, p1, v0, v1] = [p0, p1, v0, v1].map(of);
+            MOST_SEEN.set(0);
+            assert!(Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).is_some());
+            if MOST_SEEN.get() > most {
+                most = MOST_SEEN.get();
+                println!(
+                    "{most} rounds: jm={jm:e} am={am:e} vm={vm:e} p0={p0:e} p1={p1:e} v0={v0:e} v1={v1:e}"
+                );
+            }
+        }
+        most
+    }
+
+    const PROBLEMS: u32 = 1_000_000;
+
+    /// `MOST_ROUNDS` is more than any root takes.
+    #[test]
+    fn a_root_takes_few_rounds() {
+        let most = [
+            most_rounds(0, 1.0, |x| x),
+            most_rounds(1, 6.0, |x| x),
+            most_rounds(2, 1.0, |x| x as f32),
+            most_rounds(3, 3.0, |x| x as f32),
+        ];
+        println!("{most:?}");
+        assert!(most.iter().all(|most| (6..=12).contains(most)), "{most:?}");
+    }
+}
