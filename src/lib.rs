@@ -1,4 +1,4 @@
-//! Motion profiles for one axis, with the bits of the C library liba.
+//! Motion profiles with the bits of the C library liba, and the fastest moves from any state to any state.
 //!
 //! A motion profile gives the setpoint of an axis for every instant of a move, within limits that the drive can keep. Plan a
 //! move once. Then evaluate it in every control cycle:
@@ -28,6 +28,8 @@
 //! | [`Bell`] | jerk, acceleration, velocity | a load must not shake: double-S, seven phases |
 //! | [`Trap`] | acceleration, velocity | the shortest move counts, and the mechanics bear the jerk |
 //! | [`Poly3`], [`Poly5`], [`Poly7`] | nothing: the duration is given | a move must take a given time, with given derivatives at its ends |
+//! | [`online::Move`] | jerk, acceleration, velocity, each way | the axis is in motion, the target may change, or the limits differ each way |
+//! | [`axes::synchronise`], [`axes::line`] | the same for each axis | several axes arrive together, or on a straight line |
 //! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!
 //! ## Double-S: [`Bell`]
@@ -74,15 +76,17 @@
 #![cfg_attr(atraj_unstable_core, feature(core_float_math))]
 #![deny(unsafe_code)]
 
+pub mod axes;
 mod bell;
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
 pub mod capi;
 mod check;
 pub mod claraty;
-mod online;
+pub mod online;
 mod poly;
 mod real;
+mod roots;
 mod sampling;
 mod state;
 mod trap;
