@@ -18,46 +18,8 @@
 #include "a/trajpoly3.h"
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
-
-/**
- * Bits of what a check finds.
- */
-enum atraj_finding {
-    /**
-     * the jerk is above its limit
-     */
-    ATRAJ_EXCEEDS_JERK = 1,
-    /**
-     * the acceleration is above its limit
-     */
-    ATRAJ_EXCEEDS_ACCELERATION = 2,
-    /**
-     * the velocity is above its limit
-     */
-    ATRAJ_EXCEEDS_VELOCITY = 4,
-    /**
-     * position or velocity is not continuous, or not where the struct says
-     */
-    ATRAJ_JUMPS = 8,
-    /**
-     * the move leaves the positions between its ends
-     */
-    ATRAJ_OVERSHOOTS = 16
-};
-
-/**
- * What a function returns that cannot answer.
- */
-enum atraj_error {
-    /**
-     * the context is NULL
-     */
-    ATRAJ_ERR_NULL = -1,
-    /**
-     * a field is infinite or not a number, or a limit is not a number
-     */
-    ATRAJ_ERR_NOT_FINITE = -2
-};
+#include "atraj/codes.h"
+#include "atraj/move.h"
 
 #if defined(__cplusplus)
 extern "C" {

@@ -43,6 +43,16 @@ fn atraj_header_is_fresh() {
     check_fresh("include/atraj.h", &atraj_header());
 }
 
+#[test]
+fn move_header_is_fresh() {
+    check_fresh("include/atraj/move.h", &move_header());
+}
+
+#[test]
+fn codes_header_is_fresh() {
+    check_fresh("include/atraj/codes.h", &codes_header());
+}
+
 fn atraj_header() -> String {
     let config = config("atraj");
     let about = config.header.clone().unwrap_or_default();
@@ -50,7 +60,6 @@ fn atraj_header() -> String {
         .map(Family::c_name)
         .map(|name| format!("#include \"a/{name}.h\""))
         .join("\n");
-    let enumerations = pass("atraj/mod", &config, ItemType::Enums).replace(",\n};", "\n};");
     let functions = ["bell", "trap", "poly", "sample"]
         .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
         .join("\n\n");
@@ -62,10 +71,85 @@ fn atraj_header() -> String {
 #include \"a/a.h\"
 #include \"a/atraj_check.h\"
 {includes}
+#include \"atraj/codes.h\"
+#include \"atraj/move.h\"
+
+{}
+
+#endif /* ATRAJ_H */
+",
+        extern_c(&functions)
+    )
+}
+
+fn codes_header() -> String {
+    let config = config("codes");
+    let about = config.header.clone().unwrap_or_default();
+    let enumerations = pass("atraj/mod", &config, ItemType::Enums).replace(",\n};", "\n};");
+    format!(
+        "{GENERATED}{about}
+#ifndef ATRAJ_CODES_H
+#define ATRAJ_CODES_H
 
 {enumerations}
 
+#endif /* ATRAJ_CODES_H */
+"
+    )
+}
+
+fn move_header() -> String {
+    let config = config("move");
+    let about = config.header.clone().unwrap_or_default();
+    let names = ["limits", "state", "phase", "move"];
+    let forward = names.map(|name| format!("typedef struct atraj_{name} atraj_{name};"));
+    let short = names.map(|name| format!("typedef struct atraj_{name} {name};"));
+    let functions = ["move", "axes"]
+        .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
+        .join("\n\n");
+    // The methods of a move return states, so the move comes last.
+    let structs = [
+        &["atraj_move"][..],
+        &["atraj_limits", "atraj_state", "atraj_phase"],
+    ]
+    .map(|later| {
+        let mut config = config.clone();
+        config.export.exclude = later.iter().map(|&name| name.to_owned()).collect();
+        pass("atraj/move", &config, ItemType::Structs)
+    })
+    .join("\n\n");
+    format!(
+        "{GENERATED}{about}
+#ifndef ATRAJ_MOVE_H
+#define ATRAJ_MOVE_H
+
+#include \"a/a.h\"
+#include \"a/atraj_check.h\"
+#include \"atraj/codes.h\"
+
+{}
+
+{}
 #if defined(__cplusplus)
+namespace atraj
+{{
+{}
+}} /* namespace atraj */
+#endif /* __cplusplus */
+
+{structs}
+
+#endif /* ATRAJ_MOVE_H */
+",
+        forward.join("\n"),
+        extern_c(&functions),
+        short.join("\n"),
+    )
+}
+
+fn extern_c(functions: &str) -> String {
+    format!(
+        "#if defined(__cplusplus)
 extern \"C\" {{
 #endif /* __cplusplus */
 
@@ -73,10 +157,7 @@ extern \"C\" {{
 
 #if defined(__cplusplus)
 }} /* extern \"C\" */
-#endif /* __cplusplus */
-
-#endif /* ATRAJ_H */
-"
+#endif /* __cplusplus */"
     )
 }
 

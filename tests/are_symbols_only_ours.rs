@@ -1,4 +1,4 @@
-//! Does the library define the documented symbols and no other, and need nothing but the square root, the clock and
+//! Does the library define the documented symbols and no other, and need nothing but the square root, the clock, `memcpy` and
 //! `memset`?
 
 use std::path::Path;
@@ -22,13 +22,13 @@ fn names(flags: &[&str], file: &Path) -> Vec<String> {
     names
 }
 
-/// What the archive may need: the clock, roots, and `memset` for samples that are all 0. LLVM emits a bare root instruction
+/// What the archive may need: the clock, roots, `memcpy` for moves on a line, and `memset` for samples that are all 0. LLVM emits a bare root instruction
 /// only if the argument cannot be negative. Otherwise it also emits a call.
 fn needed(variant: &Variant) -> &'static [&'static str] {
     if variant.choices.contains(&"REAL=float") {
-        &["clock_gettime", "memset", "sqrt", "sqrtf"]
+        &["clock_gettime", "memcpy", "memset", "sqrt", "sqrtf"]
     } else {
-        &["clock_gettime", "memset", "sqrt"]
+        &["clock_gettime", "memcpy", "memset", "sqrt"]
     }
 }
 

@@ -1,7 +1,8 @@
 //! Does a program that was linked with the library of this soname still run with today's? `docs/compatibility.md` promises it.
 //!
-//! `tests/abi` holds the ABI of the first library with this soname, as `abidw` describes it. A new function is compatible. Any
-//! other change needs a new soname, and then `UPDATE_ABI=1 cargo test --test is_the_abi_kept` writes new descriptions.
+//! `tests/abi` holds the ABI of the first library with this soname, as `abidw` describes it. A new function is compatible, and
+//! `UPDATE_ABI=1 cargo test --test is_the_abi_kept` adds it to the descriptions before a release. Any other change needs a new
+//! soname and new descriptions.
 
 use std::fs;
 use std::path::{Path, PathBuf};

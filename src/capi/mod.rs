@@ -66,10 +66,13 @@ fn boundary(p0: a_float, p1: a_float, v0: a_float, v1: a_float) -> Boundary<Numb
 /// the same size: what makes a pointer to one a pointer to the other.
 macro_rules! assert_same_layout {
     ($c:ty, $core:ty, $($field:ident)*) => {
+        assert_same_layout!($c, $core, $($field = $field),*);
+    };
+    ($c:ty, $core:ty, $($field:ident = $name:ident),*) => {
         const _: () = {
             assert!(size_of::<$c>() == size_of::<$core>());
             assert!(align_of::<$c>() == align_of::<$core>());
-            $(assert!(core::mem::offset_of!($c, $field) == core::mem::offset_of!($core, $field));)*
+            $(assert!(core::mem::offset_of!($c, $field) == core::mem::offset_of!($core, $name));)*
         };
     };
 }

@@ -334,7 +334,7 @@ pub unsafe extern "C" fn atraj_poly7_state(
 ///
 /// # Safety
 /// `output` is NULL, or has room for `n` values that nobody else uses.
-unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
+pub(super) unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
     if output.is_null() {
         return &mut [];
     }
@@ -346,7 +346,7 @@ unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
 ///
 /// # Safety
 /// Each output is NULL or writable.
-unsafe fn write<const N: usize>(outputs: [*mut a_float; N], values: [a_float; N]) {
+pub(super) unsafe fn write<const N: usize>(outputs: [*mut a_float; N], values: [a_float; N]) {
     for (output, value) in outputs.into_iter().zip(values) {
         if !output.is_null() {
             // SAFETY: by the contract of this function.

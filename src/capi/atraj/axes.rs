@@ -1,0 +1,110 @@
+//! `atraj/move.h`: several axes that move together.
+
+use super::r#move::{atraj_limits, atraj_move, atraj_state, code};
+use super::{ATRAJ_ERR_NULL, sample::array};
+use crate::axes;
+use crate::capi::{Number, a_float};
+use crate::check::Findings;
+use crate::online::{Error, Limits, Move, State};
+use core::ffi::c_int;
+
+/// How several axes are planned.
+type Plan = fn(
+    &mut [Move<Number>],
+    &[Limits<Number>],
+    &[State<Number>],
+    &[State<Number>],
+    Number,
+    Number,
+) -> Result<Findings, Error>;
+
+/// @brief Plan several axes for the same duration: the shortest one that is possible for each.
+///
+/// The duration is at least `duration` and a multiple of `cycle`, but for rounding. An axis whose fastest move takes as long makes its
+/// fastest move. One axis is stretched, or ends on a tick of the clock.
+/// @param axes points to `n` moves, which need not be initialised; all are untouched on an error
+/// @param limits points to the limits of the `n` axes
+/// @param from points to the `n` states at the start
+/// @param to points to the `n` states at the end
+/// @param n number of axes
+/// @param duration least duration, s; 0: as short as can be
+/// @param cycle period of the clock, s; 0: any duration
+/// @return 0, or a sum of `ATRAJ_OVERSHOOTS` and `ATRAJ_STARTS_OUTSIDE`; else the `atraj_error` of an axis, `ATRAJ_ERR_DURATION` if
+/// `duration` or `cycle` is negative, infinite or not a number, or `ATRAJ_ERR_NULL` if a pointer is NULL or `n` is 0
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_moves_sync(
+    axes: *mut atraj_move,
+    limits: *const atraj_limits,
+    from: *const atraj_state,
+    to: *const atraj_state,
+    n: usize,
+    duration: a_float,
+    cycle: a_float,
+) -> c_int {
+    // SAFETY: the contract of this function is the contract of that one.
+    unsafe {
+        plan(
+            axes::synchronise,
+            axes,
+            limits,
+            from,
+            to,
+            n,
+            duration,
+            cycle,
+        )
+    }
+}
+
+/// @brief Plan several axes on the straight line from their start to their end: the fastest motion on it.
+///
+/// The axis with the longest way leads, within the tightest limits of all. The duration is at least `duration` and a multiple of `cycle`, but
+/// for rounding.
+/// @param axes points to `n` moves, which need not be initialised; all are untouched on an error
+/// @param limits points to the limits of the `n` axes
+/// @param from points to the `n` states at the start
+/// @param to points to the `n` states at the end
+/// @param n number of axes
+/// @param duration least duration, s; 0: as short as can be
+/// @param cycle period of the clock, s; 0: any duration
+/// @return as `atraj_moves_sync`; `ATRAJ_ERR_LINE` if the velocities and accelerations do not point along the line
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_moves_line(
+    axes: *mut atraj_move,
+    limits: *const atraj_limits,
+    from: *const atraj_state,
+    to: *const atraj_state,
+    n: usize,
+    duration: a_float,
+    cycle: a_float,
+) -> c_int {
+    // SAFETY: the contract of this function is the contract of that one.
+    unsafe { plan(axes::line, axes, limits, from, to, n, duration, cycle) }
+}
+
+/// # Safety
+/// Each pointer is NULL or points to `n` values.
+unsafe fn plan(
+    plan: Plan,
+    axes: *mut atraj_move,
+    limits: *const atraj_limits,
+    from: *const atraj_state,
+    to: *const atraj_state,
+    n: usize,
+    duration: a_float,
+    cycle: a_float,
+) -> c_int {
+    if axes.is_null() || limits.is_null() || from.is_null() || to.is_null() {
+        return ATRAJ_ERR_NULL as c_int;
+    }
+    // SAFETY: not NULL, so each points to `n` values by the contract of this function; the layouts are the same.
+    let (axes, limits, from, to) = unsafe {
+        (
+            array::<Move<Number>>(axes.cast(), n),
+            core::slice::from_raw_parts(limits.cast::<Limits<Number>>(), n),
+            core::slice::from_raw_parts(from.cast::<State<Number>>(), n),
+            core::slice::from_raw_parts(to.cast::<State<Number>>(), n),
+        )
+    };
+    code(plan(axes, limits, from, to, duration.into(), cycle.into()))
+}
