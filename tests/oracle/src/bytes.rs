@@ -1,11 +1,14 @@
 //! Cases as strings of bytes, which is what a fuzzer changes.
 //!
 //! The first byte is the real type: odd for `f32`. The arguments of the family's `gen` follow in little endian, and then a
-//! byte and a number for each time. Missing bytes are 0. A problem for the planners of the fastest moves has no times.
+//! byte and a number for each time. Missing bytes are 0. A problem for the planners of the fastest moves has no times. In a problem
+//! for `Move`, the first byte names the planner too, and the numbers are the limits, the start and the target.
 
 use crate::abi::Original;
 use crate::comparison::{Case, MOMENTS, Moment, Report};
 use crate::judge::{Duration, Fastest, Planner, Trial};
+use atraj::online::{Limits, Move};
+use atraj::{State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours, Random, Real};
 
@@ -48,6 +51,182 @@ fn plan_as<R: Original>(mut bytes: &[u8]) {
         let duration = trial.duration(plan[0].widen());
         let least = matches!(duration, Duration::Least(_));
         assert!(least, "{family:?} {arguments:?}: {duration:?}");
+    }
+}
+
+/// Plans a move from any state, and asks for all there is to know of it. Panics if a motion breaks the contract of `Move`, or goes
+/// farther than its velocity can, though its numbers are of ordinary size.
+pub fn move_from_any_state(bytes: &[u8]) {
+    match bytes.split_first() {
+        Some((kind, case)) if kind % 2 == 1 => move_as::<f32>(kind / 2, case),
+        Some((kind, case)) => move_as::<f64>(kind / 2, case),
+        None => {}
+    }
+}
+
+fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
+    let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
+    let limits = Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    };
+    let [from, to] = [(); 2].map(|()| State {
+        position: number(&mut bytes),
+        velocity: number(&mut bytes),
+        acceleration: number(&mut bytes),
+    });
+    let before = Move::default();
+    let mut planned = before;
+    let zero = R::of(0.0);
+    let result = match planner % 4 {
+        0 => planned.plan(&limits, from, to),
+        1 => planned.reach(&limits, from, to.velocity, to.acceleration),
+        2 => planned.stop(&limits, from),
+        _ => planned.meet(&limits, from, to),
+    };
+    let problem = format!("planner {} {limits:?} {from:?} {to:?}", planner % 4);
+    if result.is_err() {
+        assert!(planned == before, "{problem}: touched, {result:?}");
+        return;
+    }
+    assert!(
+        planned.t >= zero && planned.t < R::of(f64::INFINITY),
+        "{problem}: {planned:?}"
+    );
+    let phases = planned.phases as usize;
+    assert!(phases <= 15, "{problem}: {phases} phases");
+    let starts = planned.phase[..=phases].windows(2);
+    let in_order = starts.clone().all(|pair| pair[0].t <= pair[1].t);
+    let last = in_order && planned.phase[0].t == zero && planned.phase[phases].t == planned.t;
+    let lasts = planned.phase[..phases]
+        .iter()
+        .all(|phase| phase.duration >= zero);
+    assert!(last && lasts, "{problem}: {planned:?}");
+    // A move without duration is at its start at 0.
+    let end = planned.state_at(R::of(f64::INFINITY));
+    let (velocity, acceleration) = match planner % 4 {
+        2 => (zero, zero),
+        _ => (to.velocity, to.acceleration),
+    };
+    assert!(
+        end.velocity == velocity && end.acceleration == acceleration,
+        "{problem}: ends at {end:?}"
+    );
+    let there = match planner % 4 {
+        0 => to.position,
+        3 => to.position + to.velocity * planned.t,
+        _ => end.position,
+    };
+    assert!(end.position == there, "{problem}: ends at {end:?}");
+    // Nothing here may panic.
+    let reached = planned.extremes();
+    let [low, high] = [reached.lowest, reached.highest];
+    let speed = low.velocity.widen().abs().max(high.velocity.widen().abs());
+    let [p0, p1] = [from, end].map(|state| state.position.widen());
+    let rounding = 1e3 * R::MACHINE_EPSILON.widen() * (p0.abs() + p1.abs());
+    let jumps = (p1 - p0).abs() > 1.01 * speed * planned.t.widen() + rounding;
+    // Beyond this range a power of the time need not be a number.
+    let range = f64::from(R::EXPONENTS.1 / 8).exp2();
+    let is_ordinary = |x: R| {
+        let size = x.widen().abs();
+        size == 0.0 || size == f64::INFINITY || (range.recip()..range).contains(&size)
+    };
+    let of_states = [from, to].map(|state| [state.position, state.velocity, state.acceleration]);
+    let of_limits = [vmax, vmin, amax, amin, jmax, jmin];
+    let mut numbers = of_states.iter().flatten().chain(&of_limits);
+    let is_ordinary = numbers.all(|x| is_ordinary(*x));
+    assert!(
+        !(jumps && is_ordinary),
+        "{problem}: too far for {planned:?}"
+    );
+    let _ = planned.time_at(reached.highest.position);
+    let _ = planned.time_at(to.position);
+    let mut positions = [zero; 16];
+    planned.sample_into(
+        zero,
+        planned.t / R::of(15.0),
+        [&mut positions, &mut [], &mut [], &mut []],
+    );
+}
+
+/// Plans several axes together. Panics if an error writes an axis, or if axes arrive at different times or elsewhere.
+pub fn several_axes(bytes: &[u8]) {
+    match bytes.split_first() {
+        Some((kind, case)) if kind % 2 == 1 => axes_as::<f32>(kind / 2, case),
+        Some((kind, case)) => axes_as::<f64>(kind / 2, case),
+        None => {}
+    }
+}
+
+/// The kind names the planner and the number of axes. The duration, the cycle, and the limits, start and end of each axis follow.
+fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
+    let plan = if kind % 2 == 0 {
+        axes::synchronise::<R>
+    } else {
+        axes::line::<R>
+    };
+    let count = 1 + usize::from(kind / 2 % 3);
+    let [duration, cycle] = [(); 2].map(|()| number::<R>(&mut bytes));
+    let mut limits = Vec::new();
+    let mut ends = [Vec::new(), Vec::new()];
+    for _ in 0..count {
+        let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
+        limits.push(Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        });
+        for end in &mut ends {
+            end.push(State {
+                position: number(&mut bytes),
+                velocity: number(&mut bytes),
+                acceleration: number(&mut bytes),
+            });
+        }
+    }
+    let [from, to] = ends;
+    let zero = R::of(0.0);
+    let before = Move {
+        t: R::of(-1.0),
+        ..Move::default()
+    };
+    let mut moves = vec![before; count];
+    let result = plan(&mut moves, &limits, &from, &to, duration, cycle);
+    let problem = format!(
+        "planner {} {limits:?} {from:?} {to:?} {duration:?} {cycle:?}",
+        kind % 2
+    );
+    if result.is_err() {
+        let untouched = moves.iter().all(|axis| *axis == before);
+        assert!(untouched, "{problem}: touched, {result:?}");
+        return;
+    }
+    let t = moves[0].t;
+    assert!(t >= zero && t < R::of(f64::INFINITY), "{problem}: {t:?}");
+    for (axis, (from, to)) in moves.iter().zip(from.iter().zip(&to)) {
+        assert!(axis.t.low_bits() == t.low_bits(), "{problem}: {axis:?}");
+        let phases = axis.phases as usize;
+        assert!(phases <= 15, "{problem}: {phases} phases");
+        let in_order = axis.phase[..=phases]
+            .windows(2)
+            .all(|pair| pair[0].t <= pair[1].t && pair[0].duration >= zero);
+        assert!(in_order && axis.phase[phases].t == t, "{problem}: {axis:?}");
+        let end = axis.state_at(R::of(f64::INFINITY));
+        assert!(end == *to, "{problem}: ends at {end:?}");
+        let start = axis.state_at(R::of(-1.0));
+        assert!(
+            start == *from || t == zero,
+            "{problem}: starts at {start:?}"
+        );
+        // Nothing here may panic.
+        let _ = axis.time_at(axis.extremes().highest.position);
     }
 }
 

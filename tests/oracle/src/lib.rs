@@ -10,6 +10,7 @@ pub mod faults;
 pub mod judge;
 pub mod moves;
 pub mod nasty;
+pub mod online;
 pub mod original;
 pub mod referee;
 pub mod together;

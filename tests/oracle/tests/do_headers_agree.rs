@@ -179,7 +179,7 @@ fn programs_are_the_same_with_either_headers() {
         }
         for compiler in compilers(Language::Cpp) {
             for standard in ["-std=c++98", "-std=c++11", "-std=c++17", "-std=c++20"] {
-                both(&[compiler, standard], &methods);
+                both(&[compiler, standard, "-DLIBA_HEADERS"], &methods);
             }
         }
     }

@@ -1,11 +1,12 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
-//! another.
+//! another, random problems of `Move` in a third, and of several axes in a fourth.
 
+use atraj::online::Limits;
 use oracle::bytes::encode;
 use oracle::nasty::{Kind, Problems};
 use std::io::Result;
 use std::path::{Path, PathBuf};
-use support::{Family, Real, golden};
+use support::{Family, Random, Real, golden, online};
 
 fn main() -> Result<()> {
     let directory = PathBuf::from(std::env::args_os().nth(1).expect("a directory"));
@@ -14,7 +15,72 @@ fn main() -> Result<()> {
         write::<f32>(family, &directory.join(family.name()))?;
     }
     write_problems::<f64>(&directory.join("fastest"))?;
-    write_problems::<f32>(&directory.join("fastest"))
+    write_problems::<f32>(&directory.join("fastest"))?;
+    write_moves::<f64>(&directory.join("move"))?;
+    write_moves::<f32>(&directory.join("move"))?;
+    write_axes::<f64>(&directory.join("axes"))?;
+    write_axes::<f32>(&directory.join("axes"))
+}
+
+/// Problems of each planner of `Move`: the first byte holds its number above the real type.
+fn write_moves<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    let mut random = Random::seeded(0);
+    for case in 0..64 {
+        let limits = online::limits::<R>(&mut random);
+        let from = online::anywhere(&mut random, &limits);
+        let to = online::inside(&mut random, &limits);
+        let Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = limits;
+        let mut numbers = vec![vmax, vmin, amax, amin, jmax, jmin];
+        for state in [from, to] {
+            numbers.extend([state.position, state.velocity, state.acceleration]);
+        }
+        let mut bytes = encode(&numbers, &[]);
+        bytes[0] += 2 * (case % 4);
+        let file = directory.join(format!("random-{}-{case}", R::NAME));
+        std::fs::write(file, bytes)?;
+    }
+    Ok(())
+}
+
+/// Problems of each planner of one to three axes: the first byte holds both above the real type. At rest every line can be planned.
+fn write_axes<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    let mut random = Random::seeded(1);
+    for case in 0..48 {
+        let [planner, more] = [case % 2, case / 2 % 3];
+        let zero = R::of(0.0);
+        let mut numbers = vec![zero, R::of(random.pick(&[0.0, 0.001]))];
+        for _ in 0..=more {
+            let limits = online::limits::<R>(&mut random);
+            let from = online::anywhere(&mut random, &limits);
+            let to = online::inside(&mut random, &limits);
+            let Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            } = limits;
+            numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+            for state in [from, to] {
+                let of = |x: R| if planner == 1 { zero } else { x };
+                numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);
+            }
+        }
+        let mut bytes = encode(&numbers, &[]);
+        bytes[0] += 2 * (planner + 2 * more);
+        std::fs::write(directory.join(format!("random-{}-{case}", R::NAME)), bytes)?;
+    }
+    Ok(())
 }
 
 fn write_problems<R: Real>(directory: &Path) -> Result<()> {

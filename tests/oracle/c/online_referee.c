@@ -1,0 +1,709 @@
+/*
+ The least duration of a motion of one axis from any state to any state, by a search through the durations, and the states of a
+ planned motion, by integration of its phases. Both are slow, follow the definitions, and share nothing with the library: they
+ exist to judge it.
+
+ A mean of two motions within the limits keeps the limits and travels the mean. So the displacements of a duration form an
+ interval. The displacement on its upper border is a closed form. The lower border is the upper one of the mirrored axis. The least
+ duration is the first one whose interval holds the wanted displacement.
+
+ `long double` has a significand of 64 bits on x86 (x87), so its roundings are 2048 times finer than in `double`.
+*/
+#include <float.h>
+#include <math.h>
+
+#if LDBL_MANT_DIG < 64
+#error the referee needs a long double finer than double
+#endif
+
+typedef long double real;
+
+/* The axis, in the direction in which the upper border is asked for. */
+struct axis {
+    real up, down;                 /* time in which the acceleration rises, falls by 1: 0 if the jerk has no limit */
+    real rise, fall, vmax, vmin;   /* limits, each of them may be infinite; the fall is positive */
+    real h, v0, a0, v1, a1;        /* displacement and ends */
+    real dv;                       /* v1 - v0, formed once: a difference of large velocities may be small */
+};
+
+struct motion {
+    int shape;
+    real duration, displacement;
+    real velocity, variation;   /* at the end, sum of the magnitudes of all changes */
+    real changing;              /* how long the acceleration changes */
+    real lowest, highest;       /* velocity */
+    real trough, peak;          /* acceleration */
+    real backwards;             /* the most that a phase of negative duration changes of the velocity: 0 but for roundings */
+    real slope;                 /* of the displacement on the border with respect to the duration */
+};
+
+static real positive(real x) { return x > 0 ? x : 0; }
+static real larger(real x, real y) { return x > y ? x : y; }
+static real smaller(real x, real y) { return x < y ? x : y; }
+
+static void begin(struct motion *motion, real velocity)
+{
+    motion->shape = 0;
+    motion->duration = motion->displacement = motion->variation = motion->changing = motion->slope = 0;
+    motion->velocity = motion->lowest = motion->highest = velocity;
+    motion->trough = motion->peak = motion->backwards = 0;
+}
+
+static void include_velocity(struct motion *motion, real v)
+{
+    motion->lowest = smaller(motion->lowest, v);
+    motion->highest = larger(motion->highest, v);
+}
+
+static void include_acceleration(struct motion *motion, real a)
+{
+    motion->trough = smaller(motion->trough, a);
+    motion->peak = larger(motion->peak, a);
+}
+
+/*
+ Adds a phase in which the acceleration changes evenly. A negative duration continues the closed forms beyond their borders. The
+ velocity is the highest at the ends of the phase or where the acceleration is 0.
+*/
+static void add(struct motion *motion, real duration, real from, real to)
+{
+    const real v = motion->velocity;
+    if (duration == 0) { return; }
+    motion->displacement += duration * (v + duration * (from + from + to) / 6);
+    motion->velocity = v + duration * (from + to) / 2;
+    motion->duration += duration;
+    motion->variation += fabsl(duration) * (fabsl(from) + fabsl(to)) / 2;
+    if (from != to) { motion->changing += fabsl(duration); }
+    if ((from > 0) != (to > 0) && from != to)
+    {
+        include_velocity(motion, v + duration * from / (from - to) * from / 2);
+    }
+    include_velocity(motion, motion->velocity);
+    include_acceleration(motion, from);
+    include_acceleration(motion, to);
+    motion->backwards = larger(motion->backwards, -duration * (from == to ? fabsl(from) : fabsl(to - from)));
+}
+
+static real speed(const struct motion *motion) { return larger(motion->highest, -motion->lowest); }
+
+static struct axis mirrored(const struct axis *axis)
+{
+    struct axis other;
+    other.up = axis->down;
+    other.down = axis->up;
+    other.rise = axis->fall;
+    other.fall = axis->rise;
+    other.vmax = -axis->vmin;
+    other.vmin = -axis->vmax;
+    other.h = -axis->h;
+    other.v0 = -axis->v0;
+    other.a0 = -axis->a0;
+    other.v1 = -axis->v1;
+    other.a1 = -axis->a1;
+    other.dv = -axis->dv;
+    return other;
+}
+
+/*
+ A ramp between an acceleration and 0 on the side of the highest velocity: the acceleration `peak` that it reaches, and how long it
+ holds. `change` is the change of velocity, `a` the acceleration at the other end of the ramp.
+*/
+static real ramp_peak(const struct axis *axis, real change, real a, real limit, real *hold)
+{
+    const real mean = (axis->up + axis->down) / 2;
+    const real beyond = positive(change + axis->up * a * a / 2);
+    const real peak = mean > 0 ? sqrtl(beyond / mean) : INFINITY;
+    *hold = 0;
+    if (peak <= limit) { return larger(peak, positive(a)); }
+    *hold = positive((beyond - mean * limit * limit) / limit);
+    return larger(limit, a);
+}
+
+/* The motion that cruises at vmax for so long. */
+static struct motion by_way_of_vmax(const struct axis *axis, real cruise)
+{
+    struct motion motion;
+    real top, bottom;
+    const real peak = ramp_peak(axis, axis->vmax - axis->v0, axis->a0, axis->rise, &top);
+    const real trough = -ramp_peak(axis, axis->vmax - axis->v1, -axis->a1, axis->fall, &bottom);
+    begin(&motion, axis->v0);
+    add(&motion, axis->up * (peak - axis->a0), axis->a0, peak);
+    add(&motion, top, peak, peak);
+    add(&motion, axis->down * peak, peak, 0);
+    add(&motion, cruise, 0, 0);
+    add(&motion, -axis->down * trough, 0, trough);
+    add(&motion, bottom, trough, trough);
+    add(&motion, axis->up * (axis->a1 - trough), trough, axis->a1);
+    motion.shape = 5;
+    motion.slope = axis->vmax;
+    return motion;
+}
+
+/* How long the shortest motion that reaches vmax lasts. */
+static real cruise_begins(const struct axis *axis)
+{
+    return isinf(axis->vmax) ? INFINITY : by_way_of_vmax(axis, 0).duration;
+}
+
+enum { NO_HOLD, TOP, BOTTOM, BOTH };
+
+/*
+ The motion of this duration that gets farthest, if it does not cruise: the acceleration rises to `peak`, (holds), falls to
+ `trough`, (holds) and rises. Two equations determine it. The durations add up to the whole one, the changes of velocity to `dv`.
+*/
+static struct motion without_cruise(const struct axis *axis, real duration)
+{
+    const real rise = axis->rise, fall = axis->fall, a0 = axis->a0, a1 = axis->a1;
+    const real both = axis->up + axis->down;
+    /* What the phases last, and change, beside a rise from a0 to a1. */
+    const real time = duration - axis->up * (a1 - a0);
+    const real change = axis->dv - axis->up * (a1 - a0) * (a1 + a0) / 2;
+    real peak = INFINITY, trough = -INFINITY, top = 0, bottom = 0, u;
+    struct motion motion;
+    int shape = NO_HOLD;
+    if (both > 0)
+    {
+        const real mean = time > 0 ? change / time : a1;
+        peak = mean + time / both / 2;
+        trough = mean - time / both / 2;
+    }
+    if (peak > rise || trough < -fall)
+    {
+        const real rest = time - both * (rise + fall);
+        if (rest >= 0)
+        {
+            const real beyond = change - both / 2 * (rise - fall) * (rise + fall);
+            top = (beyond + fall * rest) / (rise + fall);
+            bottom = (rise * rest - beyond) / (rise + fall);
+            shape = top < 0 ? BOTTOM : bottom < 0 ? TOP : BOTH;
+        }
+        else { shape = peak > rise ? TOP : BOTTOM; }
+    }
+    if (shape == BOTH) { peak = rise, trough = -fall; }
+    else if (shape == TOP)
+    {
+        u = sqrtl(positive(2 / both * (rise * time - change)));
+        peak = rise, trough = rise - u;
+        top = time - both * u, bottom = 0;
+    }
+    else if (shape == BOTTOM)
+    {
+        u = sqrtl(positive(2 / both * (fall * time + change)));
+        peak = u - fall, trough = -fall;
+        bottom = time - both * u, top = 0;
+    }
+    begin(&motion, axis->v0);
+    add(&motion, axis->up * (peak - a0), a0, peak);
+    add(&motion, top, peak, peak);
+    add(&motion, axis->down * (peak - trough), peak, trough);
+    add(&motion, bottom, trough, trough);
+    add(&motion, axis->up * (a1 - trough), trough, a1);
+    motion.shape = shape;
+    /* By the maximum principle: the weight of the velocity is 0 in the middle of the fall. */
+    motion.slope = axis->v1 - axis->up * (a1 - trough) * (a1 + trough) / 2
+        - trough * (axis->down * (peak - trough) / 2 + bottom);
+    return motion;
+}
+
+/* The motion of this duration that gets farthest. */
+static struct motion border(const struct axis *axis, real duration, real cruise)
+{
+    return duration >= cruise ? by_way_of_vmax(axis, duration - cruise) : without_cruise(axis, duration);
+}
+
+/* The straight change from a0 to a1, by jerk alone. */
+struct straight {
+    real duration, change;
+};
+
+static struct straight straight(const struct axis *axis)
+{
+    const real time = axis->a1 > axis->a0 ? axis->up : axis->down;
+    struct straight line;
+    line.duration = fabsl(axis->a1 - axis->a0) * time;
+    line.change = line.duration * (axis->a0 + axis->a1) / 2;
+    return line;
+}
+
+/* The change of velocity by way of an acceleration that is `excess` above both ends, and there holds. */
+static struct motion excursion(const struct axis *axis, real excess, real hold)
+{
+    const real peak = larger(axis->a0, axis->a1) + excess;
+    struct motion motion;
+    begin(&motion, axis->v0);
+    add(&motion, axis->up * (peak - axis->a0), axis->a0, peak);
+    add(&motion, hold, peak, peak);
+    add(&motion, axis->down * (peak - axis->a1), peak, axis->a1);
+    return motion;
+}
+
+/*
+ An excursion by `e` above the larger acceleration `m` lasts `both e` longer than the straight change, and changes the velocity by
+ `both (m e + e^2/2)` more. This is the larger `e` for a change, cut at the limit.
+*/
+static struct motion upwards(const struct axis *axis)
+{
+    const real both = axis->up + axis->down, m = larger(axis->a0, axis->a1), most = positive(axis->rise - m);
+    const real beyond = axis->dv - straight(axis).change;
+    const real d = both > 0 ? m * m + 2 * beyond / both : INFINITY;
+    const real root = sqrtl(positive(d));
+    real excess, hold = 0;
+    if (beyond == 0) { excess = positive(-2 * m); }
+    else { excess = both > 0 ? m > 0 ? 2 * beyond / both / (m + root) : root - m : INFINITY; }
+    if (excess > most)
+    {
+        excess = most;
+        hold = positive((beyond - both * most * (m + most / 2)) / (m + most));
+    }
+    return excursion(axis, positive(excess), hold);
+}
+
+/* The durations in which the end can be reached: from T0 to T1, and from T2 on. Without a gap T1 is infinite. */
+struct pieces {
+    real t0, t1, t2;
+    struct motion at[3];
+};
+
+/* The same for a change of velocity that is not below the straight one. */
+static void pieces_upwards(const struct axis *axis, struct pieces *pieces)
+{
+    const real both = axis->up + axis->down;
+    const real beyond = axis->dv - straight(axis).change;
+    const real m = smaller(axis->a0, axis->a1);
+    const real r = both > 0 ? m * m - 2 * beyond / both : -1;
+    pieces->at[0] = upwards(axis);
+    pieces->t1 = INFINITY;
+    if (m > 0 && r >= 0)
+    {
+        /* A dip below both accelerations: in the mirrored axis an excursion above them. */
+        const struct axis other = mirrored(axis);
+        const real dip = 2 * beyond / both / (m + sqrtl(r));
+        pieces->at[1] = excursion(&other, dip, 0);
+        pieces->at[2] = upwards(&other);
+        pieces->t1 = larger(pieces->at[1].duration, pieces->at[0].duration);
+        pieces->t2 = pieces->at[2].duration;
+        pieces->at[1].displacement = -pieces->at[1].displacement;
+        pieces->at[2].displacement = -pieces->at[2].displacement;
+    }
+    pieces->t0 = pieces->at[0].duration;
+}
+
+static struct pieces pieces_of(const struct axis *axis)
+{
+    struct pieces pieces;
+    int i;
+    if (axis->dv >= straight(axis).change && !(axis->dv == straight(axis).change && axis->a0 < 0 && axis->a1 < 0))
+    {
+        pieces_upwards(axis, &pieces);
+    }
+    else
+    {
+        const struct axis other = mirrored(axis);
+        pieces_upwards(&other, &pieces);
+        for (i = 0; i < (isinf(pieces.t1) ? 1 : 3); ++i) { pieces.at[i].displacement = -pieces.at[i].displacement; }
+    }
+    return pieces;
+}
+
+/* A part of the upper border from the duration `from` on. */
+struct search {
+    const struct axis *axis;
+    real from, span, cruise;
+};
+
+static struct motion at(const struct search *search, real x)
+{
+    return border(search->axis, search->from + x, search->cruise);
+}
+
+enum { BITS = 46 };
+
+/* Where the displacement, which is below `h` at `low`, reaches it before `high`. */
+static struct motion crossing(const struct search *search, real low, real high)
+{
+    const real h = search->axis->h;
+    struct motion below = at(search, low), above = at(search, high);
+    int round;
+    for (round = 0; round < 4 * BITS && high - low > ldexpl(search->from + high, -BITS); ++round)
+    {
+        const real middle = low + (high - low) / 2;
+        const struct motion motion = at(search, middle);
+        if (motion.displacement >= h) { high = middle, above = motion; }
+        else { low = middle, below = motion; }
+    }
+    if (above.displacement > below.displacement)
+    {
+        const real part = (h - below.displacement) / (above.displacement - below.displacement);
+        return at(search, low + (high - low) * smaller(1, positive(part)));
+    }
+    return above;
+}
+
+/* Where the displacement, which rises at `low` and falls at `high`, is the highest. */
+static real highest(const struct search *search, real low, real high)
+{
+    int round;
+    for (round = 0; round < BITS; ++round)
+    {
+        const real middle = low + (high - low) / 2;
+        if (at(search, middle).slope > 0) { low = middle; }
+        else { high = middle; }
+    }
+    return low;
+}
+
+enum { FIRST_OCTAVE = -18, MOST_STEPS = 100000 };
+
+/*
+ The first motion on the part whose displacement is not below `h`; at the beginning it is below. Durations are tried `grid` times per
+ octave. Where the displacement stops to rise between two of them, its highest value is looked at. Returns 0 if there is no such
+ motion up to the end of the part.
+*/
+static int first(const struct search *search, int grid, struct motion *found)
+{
+    const real h = search->axis->h, ratio = powl(2, (real)1 / grid);
+    real low = 0, x = search->from > 0 ? ldexpl(search->from, FIRST_OCTAVE) : 1;
+    real slope;
+    int step;
+    if (!(search->span > 0)) { return 0; }
+    while (search->from == 0 && at(search, x).displacement >= h && x > LDBL_MIN * 1024) { x /= 256; }
+    slope = at(search, 0).slope;
+    for (step = 0; step < MOST_STEPS; ++step, x *= ratio)
+    {
+        const real high = smaller(x, search->span);
+        const struct motion motion = at(search, high);
+        if (motion.displacement >= h) { *found = crossing(search, low, high); return 1; }
+        if (slope > 0 && motion.slope <= 0)
+        {
+            const real top = highest(search, low, high);
+            if (at(search, top).displacement >= h) { *found = crossing(search, low, top); return 1; }
+        }
+        if (high == search->span) { return 0; }
+        low = high;
+        slope = motion.slope;
+    }
+    return 0;
+}
+
+/*
+ The fastest motion of a duration from `from` up to `to`; `base` has the duration `from`. The motion is seen from the other side if the
+ target is nearer than the end of `base`. Returns 0 if there is none.
+*/
+static int first_of_piece(const struct axis *axis, real from, real to, const struct motion *base, int grid, struct motion *found)
+{
+    const struct axis other = mirrored(axis);
+    const int mirror = axis->h < base->displacement;
+    struct search search;
+    search.axis = mirror ? &other : axis;
+    search.from = from;
+    search.cruise = cruise_begins(search.axis);
+    if (axis->h == base->displacement) { *found = *base; return 1; }
+    search.span = smaller(search.cruise, to) - from;
+    if (first(&search, grid, found)) { return 1; }
+    if (to < INFINITY) { return 0; }
+    *found = border(search.axis, larger(search.cruise, from), search.cruise);
+    {
+        const real rest = positive((search.axis->h - found->displacement) / search.axis->vmax);
+        *found = border(search.axis, larger(search.cruise, from) + rest, search.cruise);
+    }
+    return 1;
+}
+
+/* Seconds of the motion inside, and its changes of the state. */
+struct inside {
+    real duration, displacement, speed, variation, changing, acceleration;
+};
+
+/*
+ Brings the start of the axis to a state from which the limits can be kept: the acceleration within its limits, and undone it leaves
+ the velocity within its limits. The jerk and the acceleration are the highest. `high` and `low` tell whether the axis is bound to
+ leave, `undone` is the velocity after the acceleration is undone.
+*/
+static struct inside come_inside(struct axis *axis)
+{
+    const real a = axis->a0, both = axis->up + axis->down;
+    const real high = axis->v0 + (a > 0 ? axis->down : -axis->up) * a * a / 2 - axis->vmax;
+    struct motion motion;
+    struct inside inside;
+    begin(&motion, axis->v0);
+    if (high > 0)
+    {
+        /* Down to the acceleration -e at which rising to 0 ends at vmax. */
+        const real beyond = axis->v0 + axis->down * a * a / 2 - axis->vmax;
+        const real e = both > 0 ? sqrtl(2 * beyond / both) : INFINITY;
+        const real limited = smaller(e, axis->fall);
+        add(&motion, (-a < limited ? axis->down : axis->up) * fabsl(a + limited), a, -limited);
+        axis->a0 = -limited;
+        if (e > axis->fall)
+        {
+            const real over = motion.velocity - axis->up * limited * limited / 2 - axis->vmax;
+            add(&motion, positive(over / limited), -limited, -limited);
+        }
+    }
+    else if (a > axis->rise && axis->v0 + axis->down * a * a / 2 >= axis->vmin)
+    {
+        add(&motion, axis->down * (a - axis->rise), a, axis->rise);
+        axis->a0 = axis->rise;
+    }
+    inside.duration = motion.duration;
+    inside.displacement = motion.displacement;
+    inside.speed = speed(&motion);
+    inside.variation = motion.variation;
+    inside.changing = motion.changing;
+    inside.acceleration = larger(fabsl(a), larger(motion.peak, -motion.trough));
+    axis->dv -= motion.velocity - axis->v0;
+    axis->h -= motion.displacement;
+    axis->v0 = motion.velocity;
+    if (both == 0) { axis->a0 = 0; }
+    return inside;
+}
+
+/*
+ The axis of a problem, seen from a frame that moves at `frame`. The target is `beside[0]` further and `beside[1]` faster, and the start
+ is `beside[2]` faster.
+*/
+static struct axis axis_of(const double limits[6], const double start[3], const double target[3], const double beside[3], double frame)
+{
+    struct axis axis;
+    axis.vmax = (real)limits[0] - frame;
+    axis.vmin = (real)limits[1] - frame;
+    axis.rise = limits[2];
+    axis.fall = -(real)limits[3];
+    axis.up = 1 / (real)limits[4];
+    axis.down = -1 / (real)limits[5];
+    axis.h = ((real)target[0] - (real)start[0]) + beside[0];
+    axis.v0 = ((real)start[1] - frame) + beside[2];
+    axis.v1 = ((real)target[1] - frame) + beside[1];
+    axis.dv = ((real)target[1] - (real)start[1]) + ((real)beside[1] - beside[2]);
+    axis.a0 = start[2];
+    axis.a1 = target[2];
+    /* Without jerk limits accelerations do not count. */
+    if (axis.up + axis.down == 0) { axis.a0 = axis.a1 = 0; }
+    return axis;
+}
+
+static struct inside bring_inside(struct axis *axis)
+{
+    struct inside inside = come_inside(axis);
+    if (inside.duration == 0)
+    {
+        struct axis other = mirrored(axis);
+        inside = come_inside(&other);
+        inside.displacement = -inside.displacement;
+        *axis = mirrored(&other);
+    }
+    return inside;
+}
+
+enum {
+    DURATION, SPEED, VARIATION, CHANGING, INSIDE, T0, T1, T2, BESIDE_T0, BESIDE_T1, BESIDE_T2,
+    STRAIGHT, BESIDE_STRAIGHT, FASTER, WRONG, RESULTS
+};
+
+/*
+ What is wrong with the motion that was found: the largest relative error of its end and of its limits, and what phases of negative
+ duration change of the velocity. A closed form outside of its range has a large error.
+*/
+static real wrong(const struct axis *axis, const struct motion *found, int mirror)
+{
+    const struct axis other = mirrored(axis);
+    const struct axis *seen = mirror ? &other : axis;
+    const real v = larger(1e-4000L, speed(found) + found->variation);
+    const real a = larger(1e-4000L, larger(found->peak, -found->trough));
+    real most = fabsl(found->velocity - seen->v1) / v;
+    most = larger(most, fabsl(found->displacement - seen->h) / larger(1e-4000L, v * found->duration));
+    most = larger(most, (found->highest - larger(seen->vmax, seen->v0)) / v);
+    most = larger(most, (smaller(seen->vmin, seen->v0) - found->lowest) / v);
+    most = larger(most, larger(found->peak - seen->rise, -seen->fall - found->trough) / a);
+    return larger(most, found->backwards / v);
+}
+
+/*
+ The fastest motion. Results: its duration, its highest speed, the sum of the magnitudes of all its changes of velocity; its highest
+ acceleration times how long the acceleration changes; how long it comes inside; the durations T0, T1, T2 from the start on (T1 and T2
+ infinite without a gap), and how much further than the displacements there the target is; the duration of the straight change of the
+ acceleration, and how much further and faster than its end the target is.
+*/
+void online_referee_fastest(
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, int grid,
+    double results[RESULTS])
+{
+    struct axis axis = axis_of(limits, start, target, beside, frame);
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const int gap = !isinf(pieces.t1);
+    const struct motion *base = &pieces.at[0];
+    const struct straight line = straight(&axis);
+    struct motion found, ramp;
+    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, grid, &found))
+    {
+        base = &pieces.at[2];
+        first_of_piece(&axis, pieces.t2, INFINITY, base, grid, &found);
+    }
+    results[DURATION] = (double)(inside.duration + found.duration);
+    results[SPEED] = (double)(larger(inside.speed, speed(&found)) + fabsl(frame));
+    results[VARIATION] = (double)(inside.variation + found.variation);
+    results[CHANGING] = (double)(larger(inside.acceleration, larger(found.peak, -found.trough)) * (inside.changing + found.changing));
+    results[INSIDE] = (double)inside.duration;
+    results[T0] = (double)(inside.duration + pieces.t0);
+    results[T1] = gap ? (double)(inside.duration + pieces.t1) : INFINITY;
+    results[T2] = gap ? (double)(inside.duration + pieces.t2) : INFINITY;
+    begin(&ramp, axis.v0);
+    add(&ramp, line.duration, axis.a0, axis.a1);
+    results[STRAIGHT] = (double)(inside.duration + line.duration);
+    results[BESIDE_STRAIGHT] = (double)(axis.h - ramp.displacement);
+    results[FASTER] = (double)(axis.dv - line.change);
+    results[WRONG] = axis.h == base->displacement ? 0 : (double)wrong(&axis, &found, axis.h < base->displacement);
+    results[BESIDE_T0] = (double)(axis.h - pieces.at[0].displacement);
+    results[BESIDE_T1] = gap ? (double)(axis.h - pieces.at[1].displacement) : INFINITY;
+    results[BESIDE_T2] = gap ? (double)(axis.h - pieces.at[2].displacement) : INFINITY;
+}
+
+/*
+ How much further the target is than the displacements of this duration: negative if it is nearer, 0 if it is among them, infinite if the
+ duration is before the first possible one or in the gap. The target is `beside[0]` further and `beside[1]` faster, and the start is
+ `beside[2]` faster.
+*/
+double online_referee_possible(
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double duration)
+{
+    struct axis axis = axis_of(limits, start, target, beside, 0), other;
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const real rest = duration - inside.duration;
+    real lowest, highest;
+    if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return INFINITY; }
+    other = mirrored(&axis);
+    lowest = -border(&other, rest, cruise_begins(&other)).displacement;
+    highest = border(&axis, rest, cruise_begins(&axis)).displacement;
+    return (double)(axis.h > highest ? axis.h - highest : axis.h < lowest ? axis.h - lowest : 0);
+}
+
+/* The displacements from the start that can be reached in this duration: the lowest and the highest. Returns 0 if none can. */
+int online_referee_interval(
+    const double limits[6], const double start[3], const double target[3], double duration, double interval[2])
+{
+    const double beside[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, beside, 0), other;
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const real rest = duration - inside.duration;
+    if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return 0; }
+    other = mirrored(&axis);
+    interval[0] = (double)(inside.displacement - border(&other, rest, cruise_begins(&other)).displacement);
+    interval[1] = (double)(inside.displacement + border(&axis, rest, cruise_begins(&axis)).displacement);
+    return 1;
+}
+
+/*
+ The displacements from the start at which the border changes its shape: on the upper border, or on the lower one if `lower`. Returns
+ how many there are, at most 8. The last one is where the axis begins to cruise.
+*/
+int online_referee_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8])
+{
+    const double beside[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, beside, 0);
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const real sign = lower ? -1 : 1;
+    real low = pieces.t0, cruise, end;
+    int count = 0, shape, step;
+    if (lower) { axis = mirrored(&axis); }
+    cruise = cruise_begins(&axis);
+    if (!isinf(pieces.t1)) { low = pieces.t2; }
+    end = isinf(cruise) ? 2 * low + 1 : cruise;
+    shape = border(&axis, low, cruise).shape;
+    for (step = 1; step <= 64 && count < 8; ++step)
+    {
+        real high = step == 64 ? end : low + (end - low) / (65 - step);
+        const real next = high;
+        int round;
+        if (border(&axis, high, cruise).shape == shape) { low = next; continue; }
+        for (round = 0; round < 64; ++round)
+        {
+            const real middle = low + (high - low) / 2;
+            if (border(&axis, middle, cruise).shape == shape) { low = middle; }
+            else { high = middle; }
+        }
+        knees[count++] = (double)(inside.displacement * sign + border(&axis, high, cruise).displacement) * (double)sign;
+        shape = border(&axis, next, cruise).shape;
+        low = next;
+    }
+    return count;
+}
+
+/* Time, position, velocity and acceleration. */
+struct knot {
+    real t, p, v, a;
+};
+
+static void note(double knots[][4], int *count, const struct knot *knot)
+{
+    double *out = knots[(*count)++];
+    out[0] = (double)knot->t;
+    out[1] = (double)knot->p;
+    out[2] = (double)knot->v;
+    out[3] = (double)knot->a;
+}
+
+static struct knot later(const struct knot *knot, real jerk, real t)
+{
+    struct knot next;
+    next.t = knot->t + t;
+    next.p = knot->p + ((jerk * t / 6 + knot->a / 2) * t + knot->v) * t;
+    next.v = knot->v + (jerk * t / 2 + knot->a) * t;
+    next.a = knot->a + jerk * t;
+    return next;
+}
+
+/* Where in a phase the velocity or the acceleration is 0: up to three times in order. */
+static int turns(const struct knot *knot, real jerk, real duration, real out[3])
+{
+    const real d = knot->a * knot->a - 2 * knot->v * jerk;
+    const real sum = -(knot->a + copysignl(sqrtl(positive(d)), knot->a));
+    const real times[3] = {-knot->a / jerk, d >= 0 ? 2 * knot->v / sum : 0, d >= 0 ? sum / jerk : 0};
+    int i, k, count = 0;
+    for (i = 0; i < 3; ++i)
+    {
+        if (!(times[i] > 0 && times[i] < duration)) { continue; }
+        for (k = count++; k > 0 && out[k - 1] > times[i]; --k) { out[k] = out[k - 1]; }
+        out[k] = times[i];
+    }
+    return count;
+}
+
+/*
+ Integrates phases, each `duration, acceleration at its start, jerk`, from the start of a motion. Each phase begins with its own
+ acceleration: a rounding of the phase before would grow with the time.
+ Results: the state where each phase begins, as the phases before it leave the axis, and the state at the end; and the knots in order
+ of time: these states, once more with the acceleration of the phase, the highest and the lowest velocities, and where the axis turns.
+ Returns the number of knots.
+*/
+int online_referee_walk(
+    const double start[3], const double phases[][3], int count, double borders[][3], double knots[][4])
+{
+    struct knot knot = {0, start[0], start[1], start[2]};
+    int i, k, noted = 0;
+    for (i = 0; i <= count; ++i)
+    {
+        borders[i][0] = (double)knot.p;
+        borders[i][1] = (double)knot.v;
+        borders[i][2] = (double)knot.a;
+        note(knots, &noted, &knot);
+        knot.a = phases[i][1];
+        note(knots, &noted, &knot);
+        if (i < count)
+        {
+            const real duration = phases[i][0], jerk = phases[i][2];
+            real turn[3];
+            const int turned = turns(&knot, jerk, duration, turn);
+            for (k = 0; k < turned; ++k)
+            {
+                const struct knot turning = later(&knot, jerk, turn[k]);
+                note(knots, &noted, &turning);
+            }
+            knot = later(&knot, jerk, duration);
+        }
+    }
+    return noted;
+}

@@ -1,0 +1,161 @@
+//! Faults planted into the planner of several axes. They show whether the judge sees a fault.
+
+use super::judge::{Planner, Together};
+use super::problems::Set;
+use atraj::Findings;
+use atraj::online::{Error, Move, State};
+use support::Real;
+
+/// The planner with one fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// It refuses sets of many axes.
+    Refuses,
+    /// The last axis makes its fastest move.
+    Alone,
+    /// The duration is twice the least one.
+    Late,
+    /// The duration is a little longer than demanded, and no tick.
+    OffTheClock,
+    /// It plans for a little less than the demanded duration.
+    TooShort,
+    /// The first axis moves for as long, but the end of its last axis is a representable number beside the target.
+    EndOff,
+    /// A stretched axis stands still and then makes its fastest move.
+    Waits,
+    /// The limits of the last axis are a little wider.
+    WideLimits,
+    /// The last axis ends a representable number later.
+    OneLate,
+    /// It finds nothing.
+    Silent,
+    /// On the line, the last axis is a little beside.
+    BesideTheLine,
+}
+
+impl Fault {
+    /// Every fault.
+    pub const ALL: [Self; 11] = [
+        Self::Refuses,
+        Self::Alone,
+        Self::Late,
+        Self::OffTheClock,
+        Self::TooShort,
+        Self::EndOff,
+        Self::Waits,
+        Self::WideLimits,
+        Self::OneLate,
+        Self::Silent,
+        Self::BesideTheLine,
+    ];
+
+    /// The set that the planner plans instead.
+    fn changed<R: Real>(self, set: &Set<R>, least: R) -> Set<R> {
+        let mut changed = set.clone();
+        let little = |factor: f64| {
+            if size_of::<R>() == 8 {
+                1e-6 * factor
+            } else {
+                1e-3 * factor
+            }
+        };
+        match self {
+            Self::Late => changed.duration = R::of(2.0) * least,
+            Self::OffTheClock => {
+                changed.cycle = R::of(0.0);
+                changed.duration = least * R::of(1.0 + little(1.0));
+            }
+            Self::TooShort => changed.duration = set.duration * R::of(1.0 - little(1.0)),
+            Self::WideLimits => {
+                let limits = &mut changed.axes.last_mut().expect("an axis").limits;
+                let more = R::of(1.0 + little(1.0));
+                limits.vmax = limits.vmax * more;
+                limits.vmin = limits.vmin * more;
+                limits.jmax = limits.jmax * more;
+                limits.jmin = limits.jmin * more;
+            }
+            _ => {}
+        }
+        changed
+    }
+
+    /// What becomes of correct axes.
+    fn spoil<R: Real>(self, set: &Set<R>, axes: &mut [Move<R>]) {
+        let Some((axis, problem)) = axes.last_mut().zip(set.axes.last()) else {
+            return;
+        };
+        let count = axis.phases as usize;
+        match self {
+            Self::Alone => {
+                let _ = axis.plan(&problem.limits, problem.from, problem.to);
+            }
+            Self::EndOff => axis.phase[count].position = axis.phase[count].position.neighbour(1),
+            Self::OneLate => {
+                axis.t = axis.t.neighbour(1);
+                axis.phase[count].t = axis.t;
+            }
+            Self::Waits if problem.from == State::at(problem.from.position) => {
+                let mut fastest = Move::default();
+                let planned = fastest.plan(&problem.limits, problem.from, problem.to);
+                if planned.is_ok() && fastest.t < axis.t && fastest.phases < 15 {
+                    *axis = after(&fastest, axis.t - fastest.t, axis.t, problem.from);
+                }
+            }
+            Self::BesideTheLine => {
+                let little = R::of(1e4) * R::MACHINE_EPSILON;
+                for phase in &mut axis.phase[1..count.max(1)] {
+                    phase.position =
+                        phase.position + little * (phase.position + problem.limits.vmax * axis.t);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The move after a wait.
+fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
+    let mut later = *planned;
+    let count = planned.phases as usize;
+    for (k, phase) in planned.phase[..=count].iter().enumerate() {
+        later.phase[k + 1] = *phase;
+        later.phase[k + 1].t = wait + phase.t;
+    }
+    later.phase[0] = Default::default();
+    later.phase[0].duration = wait;
+    later.phase[0].position = from.position;
+    later.phase[count + 1].t = t;
+    (later.phases, later.t) = (planned.phases + 1, t);
+    later
+}
+
+impl Fault {
+    fn plan<R: Real>(
+        self,
+        set: &Set<R>,
+        axes: &mut [Move<R>],
+        plan: impl Fn(&Set<R>, &mut [Move<R>]) -> Result<Findings, Error>,
+    ) -> Result<Findings, Error> {
+        if self == Self::Refuses && set.axes.len() > 8 {
+            return Err(Error::Axes);
+        }
+        plan(set, axes)?;
+        let found = plan(&self.changed(set, axes[0].t), axes)?;
+        self.spoil(set, axes);
+        Ok(if self == Self::Silent {
+            Findings::default()
+        } else {
+            found
+        })
+    }
+}
+
+impl<R: Real> Planner<R> for Fault {
+    fn synchronise(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
+        self.plan(set, axes, |set, axes| Together.synchronise(set, axes))
+    }
+
+    fn line(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
+        self.plan(set, axes, |set, axes| Together.line(set, axes))
+    }
+}

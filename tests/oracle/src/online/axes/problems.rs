@@ -1,0 +1,268 @@
+//! Random sets of axes, in families. The same seed gives the same sets.
+
+use crate::online::problems::{Kind, Problem, Problems, Wish};
+use atraj::online::{Limits, Move, State};
+use support::{Random, Real};
+
+macro_rules! families {
+    ($($(#[$doc:meta])* $family:ident: $kinds:expr,)*) => {
+        /// What the axes of a set have in common.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Family {
+            $($(#[$doc])* $family,)*
+        }
+
+        impl Family {
+            /// Every family.
+            pub const ALL: [Self; [$(stringify!($family)),*].len()] = [$(Self::$family),*];
+
+            /// The kinds of its axes.
+            fn kinds(self) -> &'static [Kind] {
+                use Kind::*;
+                match self {
+                    $(Self::$family => &$kinds,)*
+                }
+            }
+        }
+    };
+}
+
+families! {
+    /// At rest at both ends.
+    AtRest: [Rest],
+    /// Velocities at both ends.
+    Moves: [Moving, Rest, EqualVelocities, OppositeVelocities, FullVelocity],
+    /// Accelerations at both ends.
+    AcceleratedEnds: [AcceleratedStart, Accelerated, FullAcceleration, Straight, TinyAcceleration],
+    /// Accelerated targets: some durations are impossible.
+    AcceleratedTargets: [AcceleratedTarget, Lens, Lens, BorderOfGap, RiseAndFall],
+    /// The limits depend on the direction.
+    Limited: [Asymmetric],
+    /// The starts are outside the limits.
+    Outside: [OutsideVelocity, OutsideAcceleration, BoundToLeave, FarOutside, ComingInside],
+    /// Some limits are infinite.
+    Unlimited: [InfiniteVelocity, InfiniteAcceleration, OneInfiniteJerk, InfiniteJerk],
+    /// One axis is at its target.
+    OneAtTarget: [Rest, Moving, Accelerated],
+    /// The rests of planned moves.
+    UnderWay: [Remainder, NextCycle],
+    /// Whatever is nasty for one axis.
+    Nasty: [NoDisplacement, DirectTie, BorderOfCruise, BorderOfShape, BorderOfHold, TargetOnTheBoundary, Tiny, Offset, NeverReached,
+            WeakLimits, HugeJerk, Lens, Rest, Moving],
+}
+
+/// Axes to move together.
+#[derive(Clone, Debug)]
+pub struct Set<R> {
+    /// What the axes have in common.
+    pub family: Family,
+    /// The axes.
+    pub axes: Vec<Problem<R>>,
+    /// The least duration, s.
+    pub duration: R,
+    /// The period of the clock, s; 0: none.
+    pub cycle: R,
+}
+
+/// The most axes of a set.
+pub const MOST_AXES: usize = 12;
+
+impl<R: Real> Set<R> {
+    /// The limits of the axes, their starts and their ends.
+    pub fn columns(&self) -> (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>) {
+        let axes = || self.axes.iter();
+        (
+            axes().map(|axis| axis.limits).collect(),
+            axes().map(|axis| axis.from).collect(),
+            axes().map(|axis| axis.to).collect(),
+        )
+    }
+
+    /// The set in words.
+    pub fn show(&self) -> String {
+        let axes = self.axes.iter().map(crate::online::judge::show);
+        let axes = axes.collect::<Vec<_>>().join("\n    ");
+        let Self {
+            family,
+            duration,
+            cycle,
+            ..
+        } = self;
+        format!(
+            "{} {family:?} duration {duration:?} cycle {cycle:?}\n    {axes}",
+            R::NAME
+        )
+    }
+}
+
+/// An endless sequence of sets. The families take turns.
+pub struct Sets<R> {
+    axes: Problems<R>,
+    random: Random,
+    turn: usize,
+    straight: bool,
+}
+
+impl<R: Real> Sets<R> {
+    /// The sequence that belongs to `seed`.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            axes: Problems::new(seed),
+            random: Random::seeded(seed ^ 0x5e75),
+            turn: 0,
+            straight: false,
+        }
+    }
+
+    /// The sequence of sets whose axes lie on straight lines.
+    pub fn on_lines(seed: u64) -> Self {
+        Self {
+            straight: true,
+            ..Self::new(seed)
+        }
+    }
+
+    fn set(&mut self, family: Family) -> Set<R> {
+        let count = 1 + self.random.below(MOST_AXES);
+        let axes = if self.straight {
+            self.line(family, count)
+        } else {
+            self.independent(family, count)
+        };
+        let fastest = axes.iter().map(fastest_duration).fold(0.0, f64::max);
+        let random = &mut self.random;
+        let duration = if random.one_in(2) {
+            0.0
+        } else {
+            fastest * random.magnitude(-0.5, 1.0)
+        };
+        let cycle = if random.one_in(2) {
+            0.0
+        } else {
+            let ticks = random.magnitude(-0.5, 4.0);
+            random.pick(&[0.001, fastest / ticks])
+        };
+        let [duration, cycle] = [duration, cycle].map(R::of);
+        Set {
+            family,
+            axes,
+            duration,
+            cycle,
+        }
+    }
+
+    fn independent(&mut self, family: Family, count: usize) -> Vec<Problem<R>> {
+        let mut axes: Vec<_> = (0..count).map(|_| self.axis(family)).collect();
+        if family == Family::OneAtTarget {
+            let axis = &mut axes[self.random.below(count)];
+            axis.from = axis.to;
+        }
+        axes
+    }
+
+    fn axis(&mut self, family: Family) -> Problem<R> {
+        let kind = self.random.pick(family.kinds());
+        self.axes.of_kind(kind)
+    }
+
+    /// Axes on a straight line, within limits that are as wide as those of the lead, or wider.
+    fn line(&mut self, family: Family, count: usize) -> Vec<Problem<R>> {
+        let mut lead = self.axis(family);
+        let zero = R::of(0.0);
+        if lead.to.position == lead.from.position {
+            (lead.from, lead.to) = (State::at(lead.from.position), State::at(lead.from.position));
+        }
+        let mut axes: Vec<_> = (1..count).map(|_| self.beside(&lead)).collect();
+        let place = self.random.below(count);
+        axes.insert(place, lead);
+        if lead.to.position == lead.from.position {
+            for axis in &mut axes {
+                (axis.from.velocity, axis.from.acceleration) = (zero, zero);
+                axis.to = axis.from;
+            }
+        }
+        axes
+    }
+
+    /// An axis whose way is a part of the lead's way.
+    fn beside(&mut self, lead: &Problem<R>) -> Problem<R> {
+        let random = &mut self.random;
+        let part = random.pick(&[0.0, 1.0, -1.0, 2.0, 2.0, 2.0, 2.0, 2.0]);
+        let part = if part == 2.0 {
+            random.sign() * random.magnitude(-3.0, 0.0)
+        } else {
+            part
+        };
+        let way = lead.to.position - lead.from.position;
+        let p0 = R::of(if random.one_in(2) {
+            0.0
+        } else {
+            random.between(-10.0, 10.0)
+        });
+        let mut p1 = p0 + R::of(part) * way;
+        if (p1 - p0).widen().abs() > way.widen().abs() {
+            p1 = p0;
+        }
+        let share = if way == R::of(0.0) {
+            way
+        } else {
+            (p1 - p0) / way
+        };
+        let state = |position, lead: State<R>| State {
+            position,
+            velocity: share * lead.velocity,
+            acceleration: share * lead.acceleration,
+        };
+        let (from, to) = (state(p0, lead.from), state(p1, lead.to));
+        let limits = wider(&lead.limits, share.widen(), random);
+        Problem {
+            limits,
+            from,
+            to,
+            ..*lead
+        }
+    }
+}
+
+/// Limits that an axis keeps if it moves `share` times as far as one that keeps these.
+fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits<R> {
+    let share = if share == 0.0 { 1.0 } else { share };
+    let mut pair = |high: R, low: R| {
+        let [one, other] = [high, low].map(|limit| {
+            let more = 1.001 * random.magnitude(0.0, 1.0) * share;
+            limit.widen() * more
+        });
+        [one.max(other), one.min(other)].map(R::of)
+    };
+    let [vmax, vmin] = pair(limits.vmax, limits.vmin);
+    let [amax, amin] = pair(limits.amax, limits.amin);
+    let [jmax, jmin] = pair(limits.jmax, limits.jmin);
+    Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    }
+}
+
+/// How long the axis takes alone, s; 0 if it is not planned.
+fn fastest_duration<R: Real>(axis: &Problem<R>) -> f64 {
+    debug_assert_eq!(axis.wish, Wish::Plan);
+    let mut planned = Move::default();
+    match planned.plan(&axis.limits, axis.from, axis.to) {
+        Ok(_) => planned.t.widen(),
+        Err(_) => 0.0,
+    }
+}
+
+impl<R: Real> Iterator for Sets<R> {
+    type Item = Set<R>;
+
+    fn next(&mut self) -> Option<Set<R>> {
+        let family = Family::ALL[self.turn % Family::ALL.len()];
+        self.turn += 1;
+        Some(self.set(family))
+    }
+}

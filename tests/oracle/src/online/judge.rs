@@ -1,0 +1,918 @@
+//! What is wrong with a move from any state to any state, and how often.
+
+use super::problems::{Kind, Problem, Problems, Wish};
+use super::referee::{Best, Grid, Knot, Motion, Walk};
+use super::ruckig::{Rival, Theirs};
+use atraj::Findings;
+use atraj::online::{Error, Limits, Move, State};
+use std::fmt::{Display, Formatter, Result as Written};
+use support::{Random, Real};
+
+/// A planned move and what the planner found.
+pub type Plan<R> = (Move<R>, Findings);
+
+/// Something that plans moves.
+pub trait Planner<R> {
+    /// The planned move.
+    fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error>;
+
+    /// Whether bad problems are made simple before they are shown, which takes long.
+    fn is_worth_simple_examples(&self) -> bool {
+        false
+    }
+}
+
+/// The planner under test.
+pub struct Fastest;
+
+impl<R: Real> Planner<R> for Fastest {
+    fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error> {
+        let &Problem {
+            wish,
+            ref limits,
+            from,
+            to,
+            ..
+        } = problem;
+        let mut planned = Move::default();
+        let findings = match wish {
+            Wish::Plan => planned.plan(limits, from, to),
+            Wish::Reach => planned.reach(limits, from, to.velocity, to.acceleration),
+            Wish::Stop => planned.stop(limits, from),
+            Wish::Meet => planned.meet(limits, from, to),
+        }?;
+        Ok((planned, findings))
+    }
+
+    fn is_worth_simple_examples(&self) -> bool {
+        true
+    }
+}
+
+/// What the judge says of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The least duration.
+    Good {
+        /// Its relative error.
+        error: f64,
+        /// Whether the axis turns and comes again, though a ramp ends within 4 roundings of the target.
+        detour: bool,
+    },
+    /// There is no plan.
+    Refused(Error),
+    /// The motion is wrong.
+    Wrong(&'static str),
+    /// The duration is this factor longer than the least one.
+    Longer(f64),
+    /// The duration is this factor shorter than the least one.
+    Shorter(f64),
+}
+
+impl Verdict {
+    /// Whether the faults are the same, and this one is not much smaller than the other.
+    fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Longer(mine), Self::Longer(theirs))
+            | (Self::Shorter(mine), Self::Shorter(theirs)) => mine - 1.0 > 0.1 * (theirs - 1.0),
+            (Self::Good { .. }, Self::Good { .. }) => true,
+            _ => self == other,
+        }
+    }
+}
+
+/// How far a duration may be off, besides what a few roundings of the target explain.
+pub fn tolerance<R: Real>() -> f64 {
+    if size_of::<R>() == 8 { 1e-9 } else { 1e-5 }
+}
+
+/// 64 roundings of 1.
+pub fn doubt<R: Real>() -> f64 {
+    64.0 * R::MACHINE_EPSILON.widen()
+}
+
+/// How large the numbers of a motion are. Its errors are measured in roundings of them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Scale {
+    /// Of its positions.
+    pub position: f64,
+    /// Of its velocities.
+    pub velocity: f64,
+    /// Of its accelerations.
+    pub acceleration: f64,
+}
+
+impl Scale {
+    /// The scale of a planned move.
+    pub fn of<R: Real>(limits: &Limits<R>, from: State<R>, planned: &Move<R>) -> Self {
+        Self::of_walk(limits, planned, &Walk::of(from, planned))
+    }
+
+    /// The sum of both.
+    pub fn and(self, more: &Self) -> Self {
+        Self {
+            position: self.position + more.position,
+            velocity: self.velocity + more.velocity,
+            acceleration: self.acceleration + more.acceleration,
+        }
+    }
+
+    fn of_walk<R: Real>(limits: &Limits<R>, planned: &Move<R>, walk: &Walk) -> Self {
+        let pace = 1.0 / limits.jmax.widen() - 1.0 / limits.jmin.widen();
+        let knots = walk.knots.iter();
+        let most = |k: usize| knots.clone().map(|knot| knot[k].abs()).fold(0.0, f64::max);
+        let t = planned.t.widen();
+        // The velocities with the acceleration undone at the start or at the end are the axis' own too.
+        let [first, last] =
+            [0, planned.phases as usize].map(|k| planned.phase[k].acceleration.widen());
+        let mut velocity = most(2) + 0.25 * pace * (first * first + last * last);
+        let mut most_jerk: f64 = 0.0;
+        for phase in &planned.phase[..planned.phases as usize] {
+            let [duration, a, jerk] =
+                [phase.duration, phase.acceleration, phase.jerk].map(R::widen);
+            // An acceleration that changes has an error in proportion to the highest one. An acceleration that holds is exact.
+            velocity += duration * if jerk == 0.0 { a.abs() } else { most(3) };
+            most_jerk = most_jerk.max(jerk.abs());
+        }
+        Self {
+            position: 2.0 * most(1) + velocity * t,
+            velocity,
+            acceleration: most(3) + most_jerk * t,
+        }
+    }
+}
+
+/// A problem with what the referee knows of it.
+pub struct Trial<R> {
+    problem: Problem<R>,
+    motion: Motion,
+    best: Best,
+}
+
+impl<R: Real> Trial<R> {
+    /// Asks the referee.
+    pub fn new(problem: Problem<R>) -> Self {
+        let Problem {
+            wish,
+            limits,
+            from,
+            to,
+            ..
+        } = problem;
+        let mut motion = Motion::of(&limits, from, to);
+        match wish {
+            Wish::Stop => motion.target = [0.0; 3],
+            Wish::Meet => motion.frame = motion.target[1],
+            Wish::Plan | Wish::Reach => {}
+        }
+        let best = motion.best();
+        Self {
+            problem,
+            motion,
+            best,
+        }
+    }
+
+    /// What the referee knows.
+    pub fn best(&self) -> Best {
+        self.best
+    }
+
+    /// The motion that the referee was asked for.
+    pub fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    /// Whether the end's position is wanted too.
+    fn has_position(&self) -> bool {
+        matches!(self.problem.wish, Wish::Plan | Wish::Meet)
+    }
+
+    /// The least duration.
+    pub fn least(&self, best: &Best) -> f64 {
+        if self.has_position() {
+            best.duration
+        } else {
+            best.direct
+        }
+    }
+
+    /// The positions and velocities that the fastest axis passes.
+    fn passed(&self) -> [f64; 2] {
+        let Best {
+            duration,
+            speed,
+            variation,
+            changing,
+            ..
+        } = self.best;
+        let velocity = speed + variation + changing;
+        let ends = self.motion.start[0].abs() + self.motion.target[0].abs();
+        [ends + velocity * duration, velocity]
+    }
+
+    /// The least duration, and the durations that are as good because the target is a few roundings away.
+    fn possible(&self, best: &Best, position: f64, velocity: f64) -> impl Iterator<Item = f64> {
+        let near = |beside: f64| !self.has_position() || beside.abs() <= position;
+        let direct = near(best.beside_direct);
+        let gap_begins = near(best.beside_begin) && best.gap_begins.is_finite();
+        let gap_ends = near(best.beside_end) && best.gap_ends.is_finite();
+        let straight = near(best.beside_straight) && best.faster.abs() <= velocity;
+        let others = [
+            (direct, best.direct),
+            (gap_begins && self.has_position(), best.gap_begins),
+            (gap_ends && self.has_position(), best.gap_ends),
+            (straight, best.straight),
+        ];
+        let others = others.into_iter().filter(|(is_near, _)| *is_near);
+        [self.least(best)]
+            .into_iter()
+            .chain(others.map(|(_, duration)| duration))
+    }
+
+    /// Whether the target, but for a few roundings of both ends, can be reached in this duration.
+    pub fn is_possible(&self, duration: f64) -> bool {
+        let tolerance = tolerance::<R>();
+        let [position, velocity] = self.roundings(duration);
+        let reached = |t: f64, beside| self.motion.lacks(t, beside).abs() <= position;
+        let times = [1.0, 1.0 + tolerance, 1.0 - tolerance].map(|factor| factor * duration);
+        times.iter().any(|&t| reached(t, [0.0; 3]))
+            || besides(position, velocity).any(|beside| times.iter().any(|&t| reached(t, beside)))
+            || matches!(self.duration(duration), Verdict::Good { .. })
+    }
+
+    /// Whether the target, and whatever is a few roundings beside it, can be reached in this duration.
+    pub fn is_surely_possible(&self, duration: f64) -> bool {
+        let [position, velocity] = self.roundings(duration);
+        self.motion.possible(duration)
+            && besides(position, velocity).all(|beside| self.motion.lacks(duration, beside) == 0.0)
+    }
+
+    /// 64 roundings of the positions and of the velocities of a motion that lasts as long, or more if the referee knows them no better.
+    fn roundings(&self, duration: f64) -> [f64; 2] {
+        let doubt = doubt::<R>().max(4.0 * self.best.wrong);
+        let [position, velocity] = self.passed();
+        let longer = (duration - self.best.duration).max(0.0);
+        [position + velocity * longer, velocity].map(|scale| scale * doubt)
+    }
+
+    /// Whether the axis turns and comes again, though a ramp ends within 4 roundings of the target.
+    pub fn is_detour(&self, duration: f64) -> bool {
+        let [p0, v0, _] = self.motion.start.map(f64::abs);
+        let [p1, v1, _] = self.motion.target.map(f64::abs);
+        let few = doubt::<R>() / 16.0;
+        let way = p0 + p1 + v0.max(v1) * self.best.direct;
+        let shortest = self.possible(&self.best, few * way, few * v0.max(v1));
+        duration > 1.1 * shortest.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Compares a duration with the referee's, and if they differ, with the referee's for ends a few roundings away.
+    pub fn duration(&self, duration: f64) -> Verdict {
+        self.duration_near(duration, 0.0)
+    }
+
+    /// The same, where the ends are not more accurate than this.
+    pub fn duration_near(&self, duration: f64, accuracy: f64) -> Verdict {
+        let tolerance = tolerance::<R>();
+        let error = |least: f64| {
+            if duration == least {
+                0.0
+            } else {
+                (duration / least - 1.0).abs()
+            }
+        };
+        let good = |least| Verdict::Good {
+            error: error(least),
+            detour: self.is_detour(duration),
+        };
+        let least = self.least(&self.best);
+        if error(least) <= tolerance {
+            return good(least);
+        }
+        // Where the referee's own motion misses the ends, it knows the ends no better.
+        let doubt = doubt::<R>().max(4.0 * self.best.wrong);
+        let near = |scale: f64| (scale * doubt).max(accuracy);
+        let [position, velocity] = self.passed().map(near);
+        let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
+        let coarse = (0..27).map(|index| (index, Grid::Coarse));
+        let fine = (0..3).map(|index| (index, Grid::Fine));
+        for (index, grid) in coarse.chain(fine) {
+            let best = self
+                .motion
+                .best_beside(beside(index, position, velocity), grid);
+            for least in self.possible(&best, position, velocity) {
+                if error(least) <= tolerance {
+                    return good(least);
+                }
+                (lowest, highest) = (lowest.min(least), highest.max(least));
+            }
+        }
+        if duration > highest * (1.0 + tolerance) {
+            Verdict::Longer(duration / highest)
+        } else if duration < lowest * (1.0 - tolerance) {
+            Verdict::Shorter(lowest / duration)
+        } else if duration.is_finite() {
+            good(duration)
+        } else {
+            Verdict::Wrong("the duration is not finite")
+        }
+    }
+
+    /// What is wrong with the motion, if something is.
+    pub fn wrong_motion(&self, plan: &Plan<R>, random: &mut Random) -> Option<&'static str> {
+        let (planned, findings) = plan;
+        let own = Scale::default();
+        self.wrong_states(planned, &own, random)
+            .or_else(|| self.wrong_findings(planned, *findings, &own))
+    }
+
+    /// What is wrong with the states of the motion, if something is. Its numbers may be larger than its own scale by `more`.
+    pub fn wrong_states(
+        &self,
+        planned: &Move<R>,
+        more: &Scale,
+        random: &mut Random,
+    ) -> Option<&'static str> {
+        wrong_phases(planned)
+            .or_else(|| self.wrong_ends(planned))
+            .or_else(|| {
+                let walk = Walk::of(self.problem.from, planned);
+                let scale = Scale::of_walk(&self.problem.limits, planned, &walk).and(more);
+                self.jumps(planned, &walk, &scale)
+                    .or_else(|| self.leaves_limits(planned, &walk, &scale))
+                    .or_else(|| wrong_evaluation(planned, &walk, &scale, random))
+            })
+    }
+
+    /// Whether the ends are not the wanted ones.
+    fn wrong_ends(&self, planned: &Move<R>) -> Option<&'static str> {
+        let Problem { wish, from, to, .. } = self.problem;
+        let zero = R::of(0.0);
+        let (v1, a1) = match wish {
+            Wish::Stop => (zero, zero),
+            _ => (to.velocity, to.acceleration),
+        };
+        let end = planned.state_at(planned.t);
+        if wish == Wish::Plan && end.position != to.position {
+            return Some("the end is not p1");
+        }
+        if end.velocity != v1 {
+            return Some("the final velocity is not v1");
+        }
+        if end.acceleration != a1 {
+            return Some("the final acceleration is not a1");
+        }
+        let start = planned.state_at(zero);
+        if planned.t > zero && (start.position, start.velocity) != (from.position, from.velocity) {
+            return Some("the start is not the given one");
+        }
+        None
+    }
+
+    /// Whether a phase begins elsewhere than where the phases before it lead.
+    fn jumps(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
+        let [.., jmax, jmin] = self.motion.limits;
+        let doubt = doubt::<R>();
+        let borders = planned.phase.iter().zip(&walk.borders);
+        for (phase, &[p, v, a]) in borders.take(planned.phases as usize + 1) {
+            if (phase.position.widen() - p).abs() > doubt * scale.position {
+                return Some("the position jumps");
+            }
+            if (phase.velocity.widen() - v).abs() > doubt * scale.velocity {
+                return Some("the velocity jumps");
+            }
+            let jump = phase.acceleration.widen() - a;
+            let may_jump = if jump > 0.0 { jmax } else { jmin }.is_infinite();
+            if !may_jump && jump.abs() > doubt * scale.acceleration {
+                return Some("the acceleration jumps");
+            }
+        }
+        let end = planned.state_at(planned.t).position.widen();
+        let Wish::Meet = self.problem.wish else {
+            return None;
+        };
+        let [p1, v1, _] = self.motion.target;
+        let met = p1 + v1 * planned.t.widen();
+        ((end - met).abs() > doubt * (scale.position + p1.abs())).then_some("the target is missed")
+    }
+
+    /// Whether the motion leaves its limits, or does not come inside.
+    fn leaves_limits(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
+        let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
+        let [_, v0, a0] = self.motion.start;
+        let above = Side {
+            sign: 1.0,
+            velocity: vmax,
+            acceleration: amax,
+            unavoidable: v0 - 0.5 * a0.max(0.0) * a0 / jmin,
+        };
+        let below = Side {
+            sign: -1.0,
+            velocity: -vmin,
+            acceleration: -amin,
+            unavoidable: -v0 + 0.5 * a0.min(0.0) * a0 / jmax,
+        };
+        let slack = 1.0 + doubt::<R>();
+        let jerks = planned.phase.iter().map(|phase| phase.jerk.widen());
+        above
+            .left(&walk.knots, scale, doubt::<R>())
+            .or_else(|| below.left(&walk.knots, scale, doubt::<R>()))
+            .or_else(|| {
+                let mut beyond = jerks.filter(|&jerk| jerk > jmax * slack || jerk < jmin * slack);
+                beyond.next().map(|_| "a jerk is beyond its limit")
+            })
+    }
+
+    /// What is wrong with the findings, if they are not those of the motion. Its numbers may be larger than its own scale by `more`.
+    pub fn wrong_findings(
+        &self,
+        planned: &Move<R>,
+        findings: Findings,
+        more: &Scale,
+    ) -> Option<&'static str> {
+        let walk = Walk::of(self.problem.from, planned);
+        let scale = Scale::of_walk(&self.problem.limits, planned, &walk).and(more);
+        let found = |finding: Findings| findings.bits() & finding.bits() != 0;
+        let both = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE;
+        if findings.bits() & !both.bits() != 0 {
+            return Some("a finding is none of a move");
+        }
+        let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
+        let [p0, v0, a0] = self.motion.start;
+        let doubt = doubt::<R>();
+        let undone = v0 - 0.5 * a0.abs() * a0 / if a0 > 0.0 { jmin } else { -jmax };
+        let beyond = (v0.max(undone) - vmax).max(vmin - v0.min(undone));
+        let slack = doubt * (v0.abs() + undone.abs());
+        let accelerated = a0 > amax || a0 < amin;
+        let outside = found(Findings::STARTS_OUTSIDE);
+        if outside && !accelerated && beyond < -slack {
+            return Some("it does not start outside");
+        }
+        if !outside && (accelerated || beyond > slack) {
+            return Some("it starts outside");
+        }
+        if self.problem.wish == Wish::Meet {
+            return None;
+        }
+        let p1 = planned.state_at(planned.t).position.widen();
+        let excess = walk
+            .knots
+            .iter()
+            .map(|&[_, p, ..]| (p - p0.max(p1)).max(p0.min(p1) - p));
+        let excess = excess.fold(0.0, f64::max);
+        let overshoots = found(Findings::OVERSHOOTS);
+        // An axis that starts against its way, or arrives from beyond, overshoots by as little as a rounding.
+        let [_, v1, a1] = self.motion.target;
+        let before = v1 - 0.5 * a1.abs() * a1 / if a1 > 0.0 { jmax } else { -jmin };
+        let way = p1 - p0;
+        let against = way == 0.0 || [v0, undone, v1, before].iter().any(|v| way * v < 0.0);
+        if overshoots && excess == 0.0 && !against {
+            return Some("it does not overshoot");
+        }
+        if !overshoots && excess > 4.0 * doubt * scale.position {
+            return Some("it overshoots");
+        }
+        None
+    }
+
+    /// Whether the mirrored move is not the mirrored one, or the move in other units takes another time.
+    fn wrong_relative(
+        &self,
+        planner: &impl Planner<R>,
+        planned: &Move<R>,
+        random: &mut Random,
+    ) -> Option<&'static str> {
+        let Ok((mirrored, _)) = planner.plan(&mirrored(&self.problem)) else {
+            return Some("the mirrored move is refused");
+        };
+        if mirrored.t != planned.t {
+            return Some("the mirrored move takes another time");
+        }
+        let [length, time] = [(); 2].map(|()| random.steps(3));
+        let Ok((scaled, _)) = planner.plan(&scaled(&self.problem, length, time)) else {
+            return Some("the move in other units is refused");
+        };
+        let expected = R::of(planned.t.widen() * f64::from(time).exp2());
+        (scaled.t != expected).then_some("the units change the time")
+    }
+
+    /// The verdict on what the planner makes of the problem.
+    pub fn judge(&self, planner: &impl Planner<R>, random: &mut Random) -> Verdict {
+        let plan = match planner.plan(&self.problem) {
+            Ok(plan) => plan,
+            Err(error) => return Verdict::Refused(error),
+        };
+        let wrong = self.wrong_motion(&plan, random);
+        let (planned, _) = plan;
+        if let Some(what) = wrong.or_else(|| self.wrong_relative(planner, &planned, random)) {
+            return Verdict::Wrong(what);
+        }
+        self.duration(planned.t.widen())
+    }
+}
+
+/// How much further and faster the target is, and how much faster the start, in the neighbour of this number of a problem.
+fn beside(index: usize, position: f64, velocity: f64) -> [f64; 3] {
+    let shift = |of: usize| [0.0, -1.0, 1.0][index / of % 3];
+    [
+        shift(1) * position,
+        shift(3) * velocity,
+        shift(9) * velocity,
+    ]
+}
+
+/// The same for all neighbours.
+fn besides(position: f64, velocity: f64) -> impl Iterator<Item = [f64; 3]> {
+    (0..27).map(move |index| beside(index, position, velocity))
+}
+
+/// Limits on one side.
+struct Side {
+    sign: f64,
+    velocity: f64,
+    acceleration: f64,
+    /// The velocity that the start makes unavoidable.
+    unavoidable: f64,
+}
+
+impl Side {
+    /// Whether the motion leaves the limits on this side. A start outside may come inside, but not go further out.
+    fn left(&self, knots: &[Knot], scale: &Scale, doubt: f64) -> Option<&'static str> {
+        let mut velocity = self.velocity.max(self.unavoidable);
+        let mut acceleration = self.acceleration.max(self.sign * knots[0][3]);
+        for &[_, _, v, a] in knots {
+            let (v, a) = (self.sign * v, self.sign * a);
+            if v > velocity + doubt * scale.velocity {
+                return Some("a velocity is beyond its limit");
+            }
+            if a > acceleration + doubt * scale.acceleration {
+                return Some("an acceleration is beyond its limit");
+            }
+            if a <= 0.0 {
+                velocity = velocity.min(v.max(self.velocity));
+            }
+            acceleration = acceleration.min(a.max(self.acceleration));
+        }
+        None
+    }
+}
+
+/// Whether the phases do not follow each other, or are none.
+fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
+    let count = planned.phases as usize;
+    if count > 15 {
+        return Some("there are too many phases");
+    }
+    let phases = &planned.phase[..=count];
+    let mut t = 0.0;
+    for phase in phases {
+        let numbers = [
+            phase.t,
+            phase.duration,
+            phase.position,
+            phase.velocity,
+            phase.acceleration,
+            phase.jerk,
+        ];
+        if !numbers.iter().all(|x| x.widen().is_finite()) {
+            return Some("a number of a phase is not finite");
+        }
+        let rounding = 8.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
+        if (phase.t.widen() - t).abs() > rounding || phase.duration.widen() < 0.0 {
+            return Some("a phase does not follow the one before it");
+        }
+        t = phase.t.widen() + phase.duration.widen();
+    }
+    let ordered = phases.windows(2).all(|pair| pair[0].t <= pair[1].t);
+    if !ordered {
+        return Some("the phases are not in order");
+    }
+    let end = &phases[count];
+    if end.t != planned.t || end.duration.widen() != 0.0 || end.jerk.widen() != 0.0 {
+        return Some("the last phase is not the end");
+    }
+    None
+}
+
+/// Whether the evaluation differs from the integrated motion somewhere.
+fn wrong_evaluation<R: Real>(
+    planned: &Move<R>,
+    walk: &Walk,
+    scale: &Scale,
+    random: &mut Random,
+) -> Option<&'static str> {
+    let phases = &planned.phase[..=planned.phases as usize];
+    let t = planned.t.widen();
+    let doubt = doubt::<R>();
+    // The rounding of the time.
+    let accelerations = phases.iter().map(|phase| phase.acceleration.widen().abs());
+    let velocity = doubt * (scale.velocity + accelerations.fold(0.0, f64::max) * t);
+    let acceleration = doubt * scale.acceleration;
+    let within = [(); 2].map(|()| R::of(random.unit()) * planned.t);
+    let near = phases
+        .iter()
+        .map(|phase| phase.t.neighbour(random.steps(2)));
+    let times: Vec<R> = near.chain(within).collect();
+    for x in times {
+        // Phase 0 is the start.
+        let under_way = phases.iter().rposition(|phase| phase.t <= x);
+        let index = under_way
+            .filter(|_| x > R::of(0.0) || t == 0.0)
+            .unwrap_or(0);
+        let phase = &phases[index];
+        let z = (x.widen() - phase.t.widen()).min(phase.duration.widen());
+        let [p, v, _] = walk.borders[index];
+        let [a, jerk] = [phase.acceleration, phase.jerk].map(R::widen);
+        let [position, speed, accelerated, jerked] = planned.state(x);
+        let expected = p + z * (v + z * (0.5 * a + z * jerk / 6.0));
+        if (position.widen() - expected).abs() > 2.0 * doubt * scale.position {
+            return Some("a position is not where the jerk leads");
+        }
+        if (speed.widen() - (v + z * (a + 0.5 * z * jerk))).abs() > 2.0 * velocity {
+            return Some("a velocity is not where the jerk leads");
+        }
+        if (accelerated.widen() - (a + z * jerk)).abs() > 2.0 * acceleration {
+            return Some("an acceleration is not where the jerk leads");
+        }
+        if jerked != phase.jerk {
+            return Some("the jerk is not that of the phase");
+        }
+        let same = position.same(planned.position(x))
+            && speed.same(planned.velocity(x))
+            && accelerated.same(planned.acceleration(x));
+        if !same {
+            return Some("single evaluations have other bits");
+        }
+    }
+    None
+}
+
+/// The problem seen from the other side.
+pub fn mirrored<R: Real>(problem: &Problem<R>) -> Problem<R> {
+    let negated = |state: State<R>| State {
+        position: -state.position,
+        velocity: -state.velocity,
+        acceleration: -state.acceleration,
+    };
+    let Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = problem.limits;
+    Problem {
+        limits: Limits {
+            vmax: -vmin,
+            vmin: -vmax,
+            amax: -amin,
+            amin: -amax,
+            jmax: -jmin,
+            jmin: -jmax,
+        },
+        from: negated(problem.from),
+        to: negated(problem.to),
+        ..*problem
+    }
+}
+
+/// The problem in units that are smaller by these powers of two.
+pub fn scaled<R: Real>(problem: &Problem<R>, length: i8, time: i8) -> Problem<R> {
+    let times = |x: R, power: i8| {
+        let factor = f64::from(length - power * time).exp2();
+        R::of(x.widen() * factor)
+    };
+    let state = |state: State<R>| State {
+        position: times(state.position, 0),
+        velocity: times(state.velocity, 1),
+        acceleration: times(state.acceleration, 2),
+    };
+    let Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = problem.limits;
+    Problem {
+        limits: Limits {
+            vmax: times(vmax, 1),
+            vmin: times(vmin, 1),
+            amax: times(amax, 2),
+            amin: times(amin, 2),
+            jmax: times(jmax, 3),
+            jmin: times(jmin, 3),
+        },
+        from: state(problem.from),
+        to: state(problem.to),
+        ..*problem
+    }
+}
+
+/// A problem in words.
+pub fn show<R: Real>(problem: &Problem<R>) -> String {
+    let Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = problem.limits;
+    let state = |state: State<R>| {
+        let State {
+            position,
+            velocity,
+            acceleration,
+        } = state;
+        [position, velocity, acceleration]
+            .map(|x| format!("{:?}", x))
+            .join(", ")
+    };
+    let limits = [vmax, vmin, amax, amin, jmax, jmin]
+        .map(|x| format!("{:?}", x))
+        .join(", ");
+    let (from, to) = (state(problem.from), state(problem.to));
+    format!(
+        "{:?} limits [{limits}] from [{from}] to [{to}]",
+        problem.wish
+    )
+}
+
+/// Counts of what was found in problems of one kind.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// Problems.
+    pub moves: u64,
+    /// Plans that are missing.
+    pub refused: u64,
+    /// Motions that are wrong.
+    pub wrong: u64,
+    /// Durations that are longer than the least one.
+    pub longer: u64,
+    /// Durations that are too short to be possible.
+    pub shorter: u64,
+    /// Good moves that turn and come again, though a ramp ends within 4 roundings of the target.
+    pub detours: u64,
+    /// The worst relative error of a duration.
+    pub worst: f64,
+    /// What rsruckig makes of the same problems.
+    pub theirs: Theirs,
+    /// The first bad problems in words.
+    pub examples: Vec<String>,
+}
+
+/// The bad problems of a kind that are shown.
+const EXAMPLES: usize = 3;
+
+impl Tally {
+    /// Problems that are not solved well.
+    pub fn bad(&self) -> u64 {
+        self.refused + self.wrong + self.longer + self.shorter
+    }
+
+    fn add(&mut self, other: Self) {
+        self.moves += other.moves;
+        self.refused += other.refused;
+        self.wrong += other.wrong;
+        self.longer += other.longer;
+        self.shorter += other.shorter;
+        self.detours += other.detours;
+        self.worst = self.worst.max(other.worst);
+        self.theirs.add(&other.theirs);
+        self.examples.extend(other.examples);
+        self.examples.truncate(EXAMPLES);
+    }
+
+    fn judge<R: Real>(&mut self, planner: &impl Planner<R>, trial: &Trial<R>, random: &mut Random) {
+        self.moves += 1;
+        let verdict = trial.judge(planner, random);
+        match verdict {
+            Verdict::Good { error, detour } => {
+                self.worst = self.worst.max(error);
+                self.detours += u64::from(detour);
+                return;
+            }
+            Verdict::Refused(_) => self.refused += 1,
+            Verdict::Wrong(_) => self.wrong += 1,
+            Verdict::Longer(factor) => {
+                self.longer += 1;
+                self.worst = self.worst.max(factor - 1.0);
+            }
+            Verdict::Shorter(factor) => {
+                self.shorter += 1;
+                self.worst = self.worst.max(factor - 1.0);
+            }
+        }
+        if self.examples.len() < EXAMPLES {
+            let is_like = |problem: &Problem<R>| {
+                let seen = Trial::new(*problem).judge(planner, &mut Random::seeded(0));
+                planner.is_worth_simple_examples() && seen.is_like(&verdict)
+            };
+            let simple = super::simplify::simplified(&trial.problem, is_like);
+            let best = Trial::new(simple);
+            let least = best.least(&best.best);
+            let kind = trial.problem.kind;
+            self.examples.push(format!(
+                "{} {kind:?} {}: {verdict:?}; the least duration is {least:e}",
+                R::NAME,
+                show(&simple)
+            ));
+        }
+    }
+}
+
+/// What was found, by kind.
+#[derive(Clone, Debug)]
+pub struct Tallies {
+    of: [Tally; Kind::ALL.len()],
+}
+
+impl Default for Tallies {
+    fn default() -> Self {
+        Self {
+            of: std::array::from_fn(|_| Tally::default()),
+        }
+    }
+}
+
+/// Problems that a seed stands for in long runs.
+pub const PROBLEMS_PER_SEED: usize = 250_000;
+
+impl Tallies {
+    /// Judges the planner by so many problems of a seed.
+    pub fn of_seed<R: Real>(planner: &impl Planner<R>, seed: u64, problems: usize) -> Self {
+        let mut tallies = Self::default();
+        let mut random = Random::seeded(!seed);
+        let mut rival = Rival::new();
+        for problem in Problems::<R>::new(seed).take(problems) {
+            let tally = &mut tallies.of[problem.kind as usize];
+            let trial = Trial::new(problem);
+            tally.judge(planner, &trial, &mut random);
+            tally.theirs.ask(&mut rival, &problem, &trial);
+        }
+        tallies
+    }
+
+    /// Adds what was found in other problems.
+    pub fn add(&mut self, other: Self) {
+        for (tally, other) in self.of.iter_mut().zip(other.of) {
+            tally.add(other);
+        }
+    }
+
+    /// The sum over all kinds.
+    pub fn total(&self) -> Tally {
+        let mut total = Tally::default();
+        for tally in &self.of {
+            total.add(tally.clone());
+        }
+        total
+    }
+
+    fn write(f: &mut Formatter<'_>, name: &str, tally: &Tally) -> Written {
+        let Tally {
+            moves,
+            refused,
+            wrong,
+            longer,
+            shorter,
+            detours,
+            worst,
+            theirs,
+            ..
+        } = tally;
+        writeln!(
+            f,
+            "{name:<20} {moves:>9} {refused:>7} {wrong:>7} {longer:>7} {shorter:>7} {detours:>7} {worst:>8.1e} | {theirs}"
+        )
+    }
+}
+
+impl Display for Tallies {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(
+            f,
+            "{:<20} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} | {}",
+            "kind",
+            "moves",
+            "refused",
+            "wrong",
+            "longer",
+            "shorter",
+            "detours",
+            "worst",
+            Theirs::HEADING
+        )?;
+        for (kind, tally) in Kind::ALL.iter().zip(&self.of) {
+            Self::write(f, &format!("{kind:?}"), tally)?;
+        }
+        Self::write(f, "total", &self.total())?;
+        for example in self.of.iter().flat_map(|tally| &tally.examples) {
+            writeln!(f, "{example}")?;
+        }
+        Ok(())
+    }
+}

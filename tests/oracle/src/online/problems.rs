@@ -1,0 +1,747 @@
+//! Nasty problems for the planner of moves from any state to any state, in kinds. The same seed gives the same problems.
+
+use super::referee::Motion;
+use atraj::online::{Limits, Move, State};
+use support::{Random, Real};
+
+/// What is asked of the planner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// The fastest motion to a state.
+    Plan,
+    /// The fastest motion to a velocity and an acceleration.
+    Reach,
+    /// The fastest stop.
+    Stop,
+    /// The fastest motion to a target that moves on.
+    Meet,
+}
+
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident,)*) => {
+        /// What is nasty about a problem.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Kind {
+            $($(#[$doc])* $kind,)*
+        }
+
+        impl Kind {
+            /// Every kind.
+            pub const ALL: [Self; [$(stringify!($kind)),*].len()] = [$(Self::$kind),*];
+        }
+    };
+}
+
+kinds! {
+    /// At rest at both ends.
+    Rest,
+    /// Velocities at both ends, in any direction.
+    Moving,
+    /// The start is accelerated.
+    AcceleratedStart,
+    /// The target is accelerated.
+    AcceleratedTarget,
+    /// Both ends are accelerated.
+    Accelerated,
+    /// The limits of velocity, acceleration and jerk depend on the direction.
+    Asymmetric,
+    /// The velocity is outside at the start.
+    OutsideVelocity,
+    /// The acceleration is outside at the start.
+    OutsideAcceleration,
+    /// The velocity is inside at the start, but the acceleration will bring it outside.
+    BoundToLeave,
+    /// The start is far outside.
+    FarOutside,
+    /// The start is outside, and its acceleration brings it inside.
+    ComingInside,
+    /// The velocity has no limit.
+    InfiniteVelocity,
+    /// The acceleration has no limit.
+    InfiniteAcceleration,
+    /// The jerk has no limit in one direction.
+    OneInfiniteJerk,
+    /// The jerk has no limit.
+    InfiniteJerk,
+    /// The jerk is huge.
+    HugeJerk,
+    /// Lengths and times of any size.
+    ExtremeScale,
+    /// The target is the start.
+    NoDisplacement,
+    /// The target is the end of the direct ramp, or a few representable numbers beside it.
+    DirectTie,
+    /// The displacement just lets the axis cruise, or just does not.
+    BorderOfCruise,
+    /// The displacement is where the motion gets another shape.
+    BorderOfShape,
+    /// The change of velocity just needs a hold, or just does not.
+    BorderOfHold,
+    /// The displacement is where the durations begin or end in which the target can not be reached.
+    BorderOfGap,
+    /// Both accelerations point the same way, and the velocities let the axis ease in between.
+    Lens,
+    /// The acceleration goes straight from one end to the other.
+    Straight,
+    /// A part of the border rises, falls and rises again.
+    RiseAndFall,
+    /// The velocities are at their limits.
+    FullVelocity,
+    /// The velocities are opposite.
+    OppositeVelocities,
+    /// The velocities are equal, or nearly so.
+    EqualVelocities,
+    /// The accelerations are equal, or nearly so.
+    EqualAccelerations,
+    /// The accelerations are at their limits.
+    FullAcceleration,
+    /// The accelerations are tiny.
+    TinyAcceleration,
+    /// The target is just what an axis can have reached, or what it can be in without being bound to leave.
+    TargetOnTheBoundary,
+    /// A tiny displacement between low velocities.
+    Tiny,
+    /// A position far from 0.
+    Offset,
+    /// Every number has a magnitude of its own.
+    TinyAgainstHuge,
+    /// The limits are never reached.
+    NeverReached,
+    /// Equal high velocities, a short way, weak limits.
+    WeakLimits,
+    /// The rest of a planned move, from one of its states.
+    Remainder,
+    /// The rest of a planned remainder, a short time later.
+    NextCycle,
+    /// A velocity and an acceleration are wanted, a position is not.
+    Reach,
+    /// A stop is wanted.
+    Stop,
+    /// The target moves on.
+    Meet,
+}
+
+/// A move to plan.
+#[derive(Clone, Copy, Debug)]
+pub struct Problem<R> {
+    /// What is nasty about it.
+    pub kind: Kind,
+    /// What is asked of the planner.
+    pub wish: Wish,
+    /// What the axis can do.
+    pub limits: Limits<R>,
+    /// The start.
+    pub from: State<R>,
+    /// The target. Its position does not count if a velocity is wanted.
+    pub to: State<R>,
+}
+
+impl<R: Real> Problem<R> {
+    /// The problem of these numbers: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
+    /// ends.
+    pub fn of(kind: Kind, wish: Wish, numbers: [R; 12]) -> Self {
+        let [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1] = numbers;
+        let state = |position, velocity, acceleration| State {
+            position,
+            velocity,
+            acceleration,
+        };
+        Self {
+            kind,
+            wish,
+            limits: Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            },
+            from: state(p0, v0, a0),
+            to: state(p1, v1, a1),
+        }
+    }
+}
+
+/// A problem before it is rounded: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
+/// ends.
+#[derive(Clone, Copy, Debug)]
+struct Draft {
+    vmax: f64,
+    vmin: f64,
+    amax: f64,
+    amin: f64,
+    jmax: f64,
+    jmin: f64,
+    p0: f64,
+    v0: f64,
+    a0: f64,
+    p1: f64,
+    v1: f64,
+    a1: f64,
+}
+
+/// An endless sequence of problems. The kinds take turns.
+pub struct Problems<R> {
+    random: Random,
+    turn: usize,
+    real: std::marker::PhantomData<R>,
+}
+
+impl<R: Real> Problems<R> {
+    /// The sequence that belongs to `seed`.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            random: Random::seeded(seed),
+            turn: 0,
+            real: std::marker::PhantomData,
+        }
+    }
+
+    /// Half as many decimal digits as the real type has, more or less.
+    fn wide() -> f64 {
+        if size_of::<R>() == 8 { 12.0 } else { 6.0 }
+    }
+
+    /// A problem of this kind.
+    pub fn of_kind(&mut self, kind: Kind) -> Problem<R> {
+        let wish = match kind {
+            Kind::Reach => Wish::Reach,
+            Kind::Stop => Wish::Stop,
+            Kind::Meet => Wish::Meet,
+            _ => Wish::Plan,
+        };
+        // A problem in which something is special is nasty in another way too.
+        let nasty = match kind {
+            Kind::Reach | Kind::Stop | Kind::Meet | Kind::Remainder | Kind::NextCycle => {
+                Kind::ALL[self.random.below(Kind::NeverReached as usize)]
+            }
+            _ => kind,
+        };
+        let mut draft = self.ordinary();
+        self.make_nasty(nasty, &mut draft);
+        let is_boundary = nasty == Kind::TargetOnTheBoundary;
+        draft.make_target_legal(is_boundary.then_some(self.random.one_in(2)));
+        match wish {
+            Wish::Stop => (draft.v1, draft.a1) = (0.0, 0.0),
+            Wish::Meet => {
+                draft.a1 = 0.0;
+                draft.v1 *= 0.9;
+            }
+            Wish::Plan | Wish::Reach => {}
+        }
+        let mut problem = Self::rounded(kind, wish, &draft);
+        self.aim(nasty, &mut problem);
+        match kind {
+            Kind::Remainder => self.advance(&mut problem, 1.0),
+            Kind::NextCycle => {
+                self.advance(&mut problem, 1.0);
+                let cycle = self.random.magnitude(-6.0, -1.0);
+                self.advance(&mut problem, cycle);
+            }
+            _ => {}
+        }
+        problem
+    }
+
+    fn ordinary(&mut self) -> Draft {
+        let random = &mut self.random;
+        let mut pair = |lo, hi, equal| {
+            let high = random.magnitude(lo, hi);
+            let low = if random.one_in(equal) {
+                high * random.magnitude(-1.0, 1.0)
+            } else {
+                high
+            };
+            (high, -low)
+        };
+        let (vmax, vmin) = pair(-2.0, 2.0, 3);
+        let (amax, amin) = pair(-2.0, 2.0, 3);
+        let (jmax, jmin) = pair(-2.0, 3.0, 4);
+        let p0 = if random.one_in(2) {
+            0.0
+        } else {
+            random.between(-10.0, 10.0)
+        };
+        let mut draft = Draft {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+            p0,
+            v0: random.between(vmin, vmax),
+            a0: random.between(amin, amax),
+            p1: p0 + random.sign() * random.magnitude(-3.0, 3.0),
+            v1: random.between(vmin, vmax),
+            a1: random.between(amin, amax),
+        };
+        for (x, of) in [
+            (&mut draft.v0, 4),
+            (&mut draft.v1, 3),
+            (&mut draft.a0, 2),
+            (&mut draft.a1, 2),
+        ] {
+            if random.one_in(of) {
+                *x = 0.0;
+            }
+        }
+        draft.make_start_legal();
+        draft
+    }
+
+    fn make_nasty(&mut self, kind: Kind, draft: &mut Draft) {
+        let wide = Self::wide();
+        let random = &mut self.random;
+        match kind {
+            Kind::Rest => draft.stop(),
+            Kind::Moving => (draft.a0, draft.a1) = (0.0, 0.0),
+            Kind::AcceleratedStart => draft.a1 = 0.0,
+            Kind::AcceleratedTarget => draft.a0 = 0.0,
+            Kind::Accelerated => {
+                draft.a0 = random.between(draft.amin, draft.amax);
+                draft.a1 = random.between(draft.amin, draft.amax);
+                draft.make_start_legal();
+            }
+            Kind::Asymmetric => {
+                for limit in draft.limits() {
+                    *limit *= random.magnitude(-1.0, 1.0);
+                }
+                draft.make_start_legal();
+            }
+            Kind::OutsideVelocity => {
+                let beyond = random.magnitude(-3.0, 0.5);
+                draft.v0 = draft.velocity_limit(random) * (1.0 + beyond);
+            }
+            Kind::OutsideAcceleration => {
+                let beyond = random.magnitude(-3.0, 0.5);
+                draft.a0 = draft.acceleration_limit(random) * (1.0 + beyond);
+            }
+            Kind::BoundToLeave => {
+                let (v, a, jerk) = if random.one_in(2) {
+                    (draft.vmax, draft.amax, -draft.jmin)
+                } else {
+                    (draft.vmin, draft.amin, draft.jmax)
+                };
+                draft.a0 = a * random.between(0.0, 1.0);
+                let sure = 0.5 * draft.a0 * draft.a0.abs() / jerk;
+                draft.v0 = v - sure * random.between(0.0, 1.0);
+            }
+            Kind::FarOutside => {
+                draft.v0 = random.sign() * draft.vmax * random.magnitude(0.0, wide / 3.0);
+                draft.a0 = random.sign() * draft.amax * random.magnitude(-1.0, wide / 3.0);
+            }
+            Kind::ComingInside => {
+                let side = random.sign();
+                let (v, a, jerk) = if side > 0.0 {
+                    (draft.vmax, draft.amin, draft.jmax)
+                } else {
+                    (draft.vmin, draft.amax, draft.jmin)
+                };
+                draft.a0 = a * random.between(0.0, 1.0);
+                let undone = 0.5 * draft.a0 * draft.a0 / jerk;
+                draft.v0 = v + undone * random.pick(&[0.0, 0.5, 1.0]);
+            }
+            Kind::InfiniteVelocity => {
+                let [vmax, vmin, ..] = draft.limits();
+                make_infinite([vmax, vmin], random);
+            }
+            Kind::InfiniteAcceleration => {
+                let [_, _, amax, amin, ..] = draft.limits();
+                make_infinite([amax, amin], random);
+            }
+            Kind::OneInfiniteJerk => {
+                let [_, _, _, _, jmax, jmin] = draft.limits();
+                let jerk = random.pick(&[0, 1]);
+                *[jmax, jmin][jerk] *= f64::INFINITY;
+            }
+            Kind::InfiniteJerk => {
+                draft.jmax = f64::INFINITY;
+                draft.jmin = f64::NEG_INFINITY;
+                if random.one_in(4) {
+                    draft.vmax = f64::INFINITY;
+                }
+            }
+            Kind::HugeJerk => {
+                draft.jmax = random.magnitude(3.0, wide);
+                draft.jmin = -random.magnitude(3.0, wide);
+            }
+            Kind::ExtremeScale => {
+                let length = random.magnitude(-wide, wide);
+                let time = if random.one_in(2) {
+                    random.magnitude(-wide / 3.0, wide / 3.0)
+                } else {
+                    1.0
+                };
+                draft.scale(length, time);
+            }
+            Kind::NoDisplacement => draft.p1 = draft.p0,
+            Kind::BorderOfHold => {
+                // The jerk alone changes the velocity by this much within the limit of the acceleration.
+                let both = 0.5 / draft.jmax - 0.5 / draft.jmin;
+                let (up, down) = (draft.amax * draft.amax, -draft.amin * draft.amin);
+                let reached = both * random.pick(&[up, down]);
+                draft.vmax = draft.vmax.max(1.5 * reached.abs());
+                draft.vmin = draft.vmin.min(-1.5 * reached.abs());
+                (draft.a0, draft.a1) = (0.0, 0.0);
+                (draft.v0, draft.v1) = if random.one_in(2) {
+                    (0.0, reached)
+                } else {
+                    (-reached, 0.0)
+                };
+            }
+            Kind::BorderOfGap | Kind::Lens => Self::open_lens(draft, random),
+            Kind::Straight => {
+                draft.a0 = random.between(draft.amin, draft.amax);
+                draft.a1 = random.between(draft.amin, draft.amax);
+                draft.make_start_legal();
+                draft.v1 = draft.v0 + draft.straight();
+            }
+            Kind::RiseAndFall => {
+                // A weak acceleration that keeps its sign, against low virtual velocities.
+                Self::open_lens(draft, random);
+                let weak = random.magnitude(-2.0, 0.0);
+                let sign = random.sign();
+                draft.v0 = sign * draft.vmax.min(-draft.vmin) * weak;
+                draft.v1 = draft.v0 + draft.straight() * random.between(0.5, 1.5);
+                draft.make_start_legal();
+                draft.p1 = draft.p0 + random.sign() * random.magnitude(-5.0, 1.0);
+            }
+            Kind::FullVelocity => {
+                draft.v0 = draft.velocity_limit(random);
+                draft.v1 = draft.velocity_limit(random);
+                (draft.a0, draft.a1) = (0.0, 0.0);
+            }
+            Kind::OppositeVelocities => draft.v1 = -draft.v0,
+            Kind::EqualVelocities => {
+                let nearly = random.pick(&[1.0, 1.0, 1.0 + 1e-6, 1.0 - 1e-6, 1.001]);
+                draft.v1 = draft.v0 * nearly;
+                if random.one_in(2) {
+                    (draft.a0, draft.a1) = (0.0, 0.0);
+                }
+            }
+            Kind::EqualAccelerations => {
+                draft.a0 = random.between(draft.amin, draft.amax);
+                draft.make_start_legal();
+                draft.a1 = draft.a0 * random.pick(&[1.0, 1.0, 1.0 + 1e-6, 0.999]);
+                if random.one_in(2) {
+                    draft.v1 = draft.v0;
+                }
+            }
+            Kind::FullAcceleration => {
+                draft.a0 = draft.acceleration_limit(random);
+                if random.one_in(2) {
+                    draft.a1 = draft.acceleration_limit(random);
+                }
+                if random.one_in(2) {
+                    draft.make_start_legal();
+                }
+            }
+            Kind::TinyAcceleration => {
+                draft.a1 = random.sign() * random.magnitude(-wide, -2.0);
+                if random.one_in(2) {
+                    draft.a0 = random.sign() * random.magnitude(-wide, -2.0);
+                }
+                draft.make_start_legal();
+            }
+            Kind::TargetOnTheBoundary => draft.a1 = random.between(draft.amin, draft.amax),
+            Kind::Tiny => {
+                let small = random.magnitude(-wide / 2.0, -1.0);
+                draft.p1 = draft.p0 + (draft.p1 - draft.p0) * small;
+                draft.v0 *= small;
+                draft.a0 *= small;
+                draft.v1 *= random.pick(&[0.0, small, 1.0]);
+                draft.a1 *= random.pick(&[0.0, small, 1.0]);
+            }
+            Kind::Offset => {
+                let offset = random.sign() * random.magnitude(5.0, 6.0);
+                draft.p0 += offset;
+                draft.p1 += offset;
+            }
+            Kind::TinyAgainstHuge => {
+                let mut own = || random.magnitude(-wide / 2.0, wide / 2.0);
+                for x in draft.all() {
+                    *x = own().copysign(*x);
+                }
+            }
+            Kind::NeverReached => {
+                let many = random.magnitude(2.0, wide / 2.0);
+                for limit in &mut draft.limits()[..4] {
+                    **limit *= many;
+                }
+            }
+            Kind::WeakLimits => {
+                draft.vmax = random.magnitude(1.0, 4.0);
+                draft.vmin = -draft.vmax;
+                draft.v0 = random.sign() * draft.vmax * random.between(0.5, 1.0);
+                draft.v1 = draft.v0;
+                (draft.a0, draft.a1) = (0.0, 0.0);
+                let [_, _, weak @ ..] = draft.limits();
+                for limit in weak {
+                    *limit = random.magnitude(-4.0, -1.0).copysign(*limit);
+                }
+                draft.p1 = draft.p0 + random.sign() * random.magnitude(-4.0, 1.0);
+            }
+            _ => {}
+        }
+    }
+
+    /// Both accelerations point the same way, and the change of velocity is near the straight one.
+    fn open_lens(draft: &mut Draft, random: &mut Random) {
+        let limit = draft.acceleration_limit(random);
+        draft.a0 = limit * random.between(0.0, 1.0);
+        draft.a1 = limit * random.between(0.0, 1.0);
+        if random.one_in(3) {
+            draft.a1 = draft.a0;
+        }
+        draft.make_start_legal();
+        let both = 0.5 / draft.jmax - 0.5 / draft.jmin;
+        let least = draft.a0.abs().min(draft.a1.abs());
+        // At 1 the gap is closed: the axis eases to no acceleration.
+        let part = random.pick(&[0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9, 1.0, 1.0 - 1e-9, 1.1]);
+        draft.v1 = draft.v0 + draft.straight() + part * both * least * least.copysign(limit);
+        let size = random.magnitude(-3.0, 1.0);
+        draft.p1 = draft.p0 + size * random.sign();
+    }
+
+    /// Rounds a draft. The target stays legal: it is moved by a rounding or two.
+    fn rounded(kind: Kind, wish: Wish, draft: &Draft) -> Problem<R> {
+        let mut problem = Problem::of(kind, wish, draft.numbers().map(R::of));
+        let limits = problem.limits;
+        let to = &mut problem.to;
+        let boundary = kind == Kind::TargetOnTheBoundary;
+        for _ in 0..64 {
+            let beyond = beyond_legal(&limits, *to);
+            let rounding = if boundary {
+                2.0 * R::MACHINE_EPSILON.widen() * limits.vmax.widen().min(-limits.vmin.widen())
+            } else {
+                0.0
+            };
+            if beyond <= rounding {
+                break;
+            }
+            // Towards the middle, where accelerations are legal.
+            to.velocity = R::of(to.velocity.widen() * 0.999);
+            to.acceleration = R::of(to.acceleration.widen() * 0.999);
+        }
+        if beyond_legal(&limits, *to) > R::MACHINE_EPSILON.widen() * to.velocity.widen().abs() {
+            (to.velocity, to.acceleration) = (R::of(0.0), R::of(0.0));
+        }
+        problem
+    }
+
+    /// Puts the target where the motion changes, or a few representable numbers beside.
+    fn aim(&mut self, kind: Kind, problem: &mut Problem<R>) {
+        let motion = Motion::of(&problem.limits, problem.from, problem.to);
+        let h = motion.target[0] - motion.start[0];
+        let random = &mut self.random;
+        let displacement = match kind {
+            Kind::DirectTie => h - motion.best().beside_direct,
+            Kind::BorderOfGap => {
+                let best = motion.best();
+                if best.gap_ends.is_infinite() {
+                    return;
+                }
+                h - random.pick(&[best.beside_begin, best.beside_end, best.beside_direct])
+            }
+            Kind::Lens if random.one_in(2) => {
+                // Somewhere among the displacements that can be reached before the gap.
+                let best = motion.best();
+                if best.gap_ends.is_infinite() {
+                    return;
+                }
+                let duration = random.between(best.direct, best.gap_begins);
+                let Some([lowest, highest]) = motion.interval(duration) else {
+                    return;
+                };
+                random.pick(&[lowest, highest, 0.5 * (lowest + highest)])
+            }
+            Kind::RiseAndFall if random.one_in(2) => {
+                let best = motion.best();
+                let duration = best.direct * (1.0 + random.magnitude(-6.0, 0.5));
+                let Some(interval) = motion.interval(duration) else {
+                    return;
+                };
+                random.pick(&interval)
+            }
+            Kind::BorderOfShape | Kind::BorderOfCruise => {
+                let knees = motion.knees(random.one_in(2));
+                match (kind, knees.last()) {
+                    (_, None) => return,
+                    (Kind::BorderOfCruise, Some(&knee)) => knee,
+                    _ => random.pick(&knees),
+                }
+            }
+            _ => return,
+        };
+        if !displacement.is_finite() {
+            return;
+        }
+        if random.one_in(2) {
+            problem.from.position = R::of(0.0);
+        }
+        let p1 = R::of(problem.from.position.widen() + displacement);
+        // The neighbours of 0 are too small to compute with.
+        let steps = if p1 == R::of(0.0) { 0 } else { random.steps(4) };
+        problem.to.position = p1.neighbour(steps);
+    }
+
+    /// Replaces the start by a state of the planned move, within this fraction of its duration.
+    fn advance(&mut self, problem: &mut Problem<R>, fraction: f64) {
+        let mut planned = Move::default();
+        let found = planned.plan(&problem.limits, problem.from, problem.to);
+        if found.is_err() {
+            return;
+        }
+        let x = R::of(planned.t.widen() * fraction * self.random.unit());
+        let from = planned.state_at(x);
+        let numbers = [from.position, from.velocity, from.acceleration];
+        if numbers.iter().all(|x| x.widen().is_finite()) {
+            problem.from = from;
+        }
+    }
+}
+
+/// Makes one limit infinite, or both.
+fn make_infinite(limits: [&mut f64; 2], random: &mut Random) {
+    let spared = random.pick(&[0, 1, 2]);
+    for (index, limit) in limits.into_iter().enumerate() {
+        if index != spared {
+            *limit *= f64::INFINITY;
+        }
+    }
+}
+
+/// How much faster a target is than one that can have been reached within the limits and can be left within them; not above 0 if it is
+/// legal.
+pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
+    let [vmax, vmin, amax, amin, jmax, jmin] = super::referee::widened(limits);
+    let [v, a] = [to.velocity, to.acceleration].map(R::widen);
+    let half_square = 0.5 * a * a;
+    let high = v - half_square / jmin - vmax;
+    let low = vmin - (v - half_square / jmax);
+    let beyond = high.max(low);
+    if a > amax || a < amin {
+        f64::INFINITY
+    } else {
+        beyond
+    }
+}
+
+impl Draft {
+    fn numbers(&self) -> [f64; 12] {
+        let &Self {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+            p0,
+            v0,
+            a0,
+            p1,
+            v1,
+            a1,
+        } = self;
+        [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
+    }
+
+    fn all(&mut self) -> [&mut f64; 12] {
+        let Self {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+            p0,
+            v0,
+            a0,
+            p1,
+            v1,
+            a1,
+        } = self;
+        [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
+    }
+
+    fn limits(&mut self) -> [&mut f64; 6] {
+        let [vmax, vmin, amax, amin, jmax, jmin, ..] = self.all();
+        [vmax, vmin, amax, amin, jmax, jmin]
+    }
+
+    fn stop(&mut self) {
+        (self.v0, self.a0, self.v1, self.a1) = (0.0, 0.0, 0.0, 0.0);
+    }
+
+    fn velocity_limit(&self, random: &mut Random) -> f64 {
+        random.pick(&[self.vmax, self.vmin])
+    }
+
+    fn acceleration_limit(&self, random: &mut Random) -> f64 {
+        random.pick(&[self.amax, self.amin])
+    }
+
+    /// The change of velocity by jerk alone.
+    fn straight(&self) -> f64 {
+        let jerk = if self.a1 > self.a0 {
+            self.jmax
+        } else {
+            self.jmin
+        };
+        0.5 * (self.a1 + self.a0) * (self.a1 - self.a0) / jerk
+    }
+
+    /// Changes the start so that the axis is inside and is not bound to leave.
+    fn make_start_legal(&mut self) {
+        self.a0 = self.a0.clamp(self.amin, self.amax);
+        let jerk = if self.a0 > 0.0 { self.jmin } else { self.jmax };
+        let most = 0.5 * (self.vmax - self.vmin) * jerk.abs();
+        self.a0 = self.a0.clamp(-most.sqrt(), most.sqrt());
+        let change = 0.5 * self.a0 * self.a0 / jerk;
+        let low = if change > 0.0 {
+            self.vmin + change
+        } else {
+            self.vmin
+        };
+        let high = if change < 0.0 {
+            self.vmax + change
+        } else {
+            self.vmax
+        };
+        self.v0 = self.v0.max(low).min(high);
+    }
+
+    /// Changes the target so that it can have been reached within the limits and can be left within them. A side puts it on the boundary.
+    fn make_target_legal(&mut self, side: Option<bool>) {
+        self.a1 = self.a1.clamp(self.amin, self.amax);
+        let times = 1.0 / self.jmax - 1.0 / self.jmin;
+        let most = ((self.vmax - self.vmin) / times).sqrt();
+        self.a1 = self.a1.clamp(-most, most);
+        let half_square = 0.5 * self.a1 * self.a1;
+        let low = self.vmin + half_square / self.jmax;
+        let high = self.vmax + half_square / self.jmin;
+        self.v1 = self.v1.max(low).min(high);
+        if let (Some(side), true) = (side, low.is_finite() && high.is_finite()) {
+            self.v1 = if side { high } else { low };
+        }
+    }
+
+    fn scale(&mut self, length: f64, time: f64) {
+        let powers = [1, 1, 2, 2, 3, 3, 0, 1, 2, 0, 1, 2];
+        for (x, power) in self.all().into_iter().zip(powers) {
+            *x *= length / time.powi(power);
+        }
+    }
+}
+
+impl<R: Real> Iterator for Problems<R> {
+    type Item = Problem<R>;
+
+    fn next(&mut self) -> Option<Problem<R>> {
+        let kind = Kind::ALL[self.turn % Kind::ALL.len()];
+        self.turn += 1;
+        Some(self.of_kind(kind))
+    }
+}

@@ -1,0 +1,234 @@
+//! The referee of the moves from any state to any state: `c/online_referee.c`.
+
+use atraj::online::{Limits, Move, State};
+use support::Real;
+
+/// A motion as the referee takes it, exact in binary64.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    /// Highest and lowest velocity, acceleration and jerk.
+    pub limits: [f64; 6],
+    /// Position, velocity and acceleration at the start.
+    pub start: [f64; 3],
+    /// Position, velocity and acceleration at the end.
+    pub target: [f64; 3],
+    /// Velocity of the frame in which the target has to be reached at the end's velocity.
+    pub frame: f64,
+}
+
+/// What the referee finds.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
+pub struct Best {
+    /// The least duration.
+    pub duration: f64,
+    /// The highest speed of the fastest motion.
+    pub speed: f64,
+    /// The sum of the magnitudes of all changes of its velocity.
+    pub variation: f64,
+    /// Its highest acceleration times how long the acceleration changes. A rounding of the acceleration changes the velocity by so many.
+    pub changing: f64,
+    /// How long the axis comes inside.
+    pub inside: f64,
+    /// The duration with the direct ramp. From here on the end can be reached.
+    pub direct: f64,
+    /// From here on the end can not be reached; infinite if there is no such gap.
+    pub gap_begins: f64,
+    /// From here on the end can be reached again.
+    pub gap_ends: f64,
+    /// How much further than the end of the direct ramp the target is.
+    pub beside_direct: f64,
+    /// How much further than the displacement where the gap begins.
+    pub beside_begin: f64,
+    /// How much further than the displacement where the gap ends.
+    pub beside_end: f64,
+    /// The duration in which the acceleration goes straight from one end to the other.
+    pub straight: f64,
+    /// How much further than the end of the straight change the target is.
+    pub beside_straight: f64,
+    /// How much faster than the end of the straight change the target is.
+    pub faster: f64,
+    /// The largest relative error of the motion that was found: of its end, of its limits, of its phases.
+    pub wrong: f64,
+}
+
+/// How often per octave of the duration the referee looks at the border.
+#[derive(Clone, Copy, Debug)]
+#[repr(i32)]
+pub enum Grid {
+    /// Enough for most problems.
+    Coarse = 2,
+    /// Enough where the displacement rises and falls at once.
+    Fine = 64,
+}
+
+/// Position, velocity and acceleration where the phases of a move meet, and at its end.
+pub type Borders = [[f64; 3]; 17];
+
+/// Time, position, velocity and acceleration.
+pub type Knot = [f64; 4];
+
+/// What the integrated phases of a move reach.
+pub struct Walk {
+    /// The states at the start of each phase, before the acceleration of the phase, and at the end.
+    pub borders: Borders,
+    /// In order of time: these states, once more with the acceleration of the phase, the highest and the lowest velocities, and where
+    /// the axis turns.
+    pub knots: Vec<Knot>,
+}
+
+unsafe extern "C" {
+    safe fn online_referee_fastest(
+        limits: &[f64; 6],
+        start: &[f64; 3],
+        target: &[f64; 3],
+        beside: &[f64; 3],
+        frame: f64,
+        grid: i32,
+        results: &mut Best,
+    );
+    safe fn online_referee_possible(
+        limits: &[f64; 6],
+        start: &[f64; 3],
+        target: &[f64; 3],
+        beside: &[f64; 3],
+        duration: f64,
+    ) -> f64;
+    safe fn online_referee_interval(
+        limits: &[f64; 6],
+        start: &[f64; 3],
+        target: &[f64; 3],
+        duration: f64,
+        interval: &mut [f64; 2],
+    ) -> i32;
+    safe fn online_referee_knees(
+        limits: &[f64; 6],
+        start: &[f64; 3],
+        target: &[f64; 3],
+        lower: i32,
+        knees: &mut [f64; 8],
+    ) -> i32;
+    safe fn online_referee_walk(
+        start: &[f64; 3],
+        phases: &[[f64; 3]; 17],
+        count: i32,
+        borders: &mut Borders,
+        knots: &mut [Knot; 96],
+    ) -> i32;
+}
+
+impl Motion {
+    /// The motion from a state to a state at rest in a frame.
+    pub fn of<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Self {
+        let state =
+            |state: State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
+        Self {
+            limits: widened(limits),
+            start: state(from),
+            target: state(to),
+            frame: 0.0,
+        }
+    }
+
+    /// The fastest motion.
+    pub fn best(&self) -> Best {
+        self.best_beside([0.0; 3], Grid::Coarse)
+    }
+
+    /// The fastest motion to a target that is so much further and so much faster, from a start that is so much faster.
+    pub fn best_beside(&self, beside: [f64; 3], grid: Grid) -> Best {
+        let mut best = Best::default();
+        let Self {
+            limits,
+            start,
+            target,
+            frame,
+        } = self;
+        online_referee_fastest(
+            limits,
+            start,
+            target,
+            &beside,
+            *frame,
+            grid as i32,
+            &mut best,
+        );
+        best
+    }
+
+    /// How much further the target is than the displacements of this duration: 0 if it is among them, infinite if the end cannot be reached
+    /// in this duration. The target is so much further and so much faster, and the start is so much faster.
+    pub fn lacks(&self, duration: f64, beside: [f64; 3]) -> f64 {
+        let Self {
+            limits,
+            start,
+            target,
+            ..
+        } = self;
+        online_referee_possible(limits, start, target, &beside, duration)
+    }
+
+    /// Whether the target can be reached in this duration.
+    pub fn possible(&self, duration: f64) -> bool {
+        self.lacks(duration, [0.0; 3]) == 0.0
+    }
+
+    /// The lowest and the highest displacement of this duration, if the end can be reached in it.
+    pub fn interval(&self, duration: f64) -> Option<[f64; 2]> {
+        let mut interval = [0.0; 2];
+        let Self {
+            limits,
+            start,
+            target,
+            ..
+        } = self;
+        let possible = online_referee_interval(limits, start, target, duration, &mut interval);
+        (possible != 0).then_some(interval)
+    }
+
+    /// The displacements at which the upper or the lower border changes its shape. The last one is where the axis begins to cruise.
+    pub fn knees(&self, lower: bool) -> Vec<f64> {
+        let mut knees = [0.0; 8];
+        let Self {
+            limits,
+            start,
+            target,
+            ..
+        } = self;
+        let count = online_referee_knees(limits, start, target, lower.into(), &mut knees);
+        knees[..count as usize].to_vec()
+    }
+}
+
+impl Walk {
+    /// Integrates the phases of a move from this state.
+    pub fn of<R: Real>(from: State<R>, planned: &Move<R>) -> Self {
+        let phases = planned
+            .phase
+            .map(|phase| [phase.duration, phase.acceleration, phase.jerk].map(R::widen));
+        let mut all = [[0.0; 3]; 17];
+        all[..16].copy_from_slice(&phases);
+        let start = [from.position, from.velocity, from.acceleration].map(R::widen);
+        let mut borders = [[0.0; 3]; 17];
+        let mut knots = [[0.0; 4]; 96];
+        let count = (planned.phases as i32).min(15);
+        let noted = online_referee_walk(&start, &all, count, &mut borders, &mut knots);
+        Self {
+            borders,
+            knots: knots[..noted as usize].to_vec(),
+        }
+    }
+}
+
+/// The limits in binary64: highest and lowest velocity, acceleration and jerk.
+pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
+    let &Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = limits;
+    [vmax, vmin, amax, amin, jmax, jmin].map(R::widen)
+}

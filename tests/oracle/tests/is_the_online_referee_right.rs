@@ -1,0 +1,152 @@
+//! Is the referee of the moves from any state to any state right? Its motions are possible, and no motion is faster: neither a random
+//! one nor one of rsruckig.
+
+use atraj::online::{Limits, Move, Phase, State};
+use oracle::online::judge::{Trial, Verdict, show};
+use oracle::online::problems::{Kind, Problem, Problems, Wish, beyond_legal};
+use oracle::online::referee::Walk;
+use oracle::online::ruckig::{Rival, Theirs};
+use support::Random;
+
+const MOTIONS: u32 = 100_000;
+const PROBLEMS: usize = 200_000;
+
+/// A motion of random jerks, each the highest, the lowest or none, within random limits. `None` if it leaves them.
+fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
+    let [vmax, vmin, amax, amin] = [1.0, -1.0, 1.0, -1.0].map(|x| x * random.magnitude(-1.0, 1.0));
+    let [jmax, jmin] = [1.0, -1.0].map(|x| x * random.magnitude(-0.5, 0.5));
+    let limits = Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    };
+    let within = random.between(amin, amax);
+    let from = State {
+        position: 0.0,
+        velocity: random.between(vmin, vmax),
+        acceleration: random.pick(&[0.0, amin, amax, within]),
+    };
+    let mut planned = Move::default();
+    let mut acceleration = from.acceleration;
+    planned.phases = 2 + random.below(6) as u32;
+    let mut sign = random.sign();
+    for phase in &mut planned.phase[..planned.phases as usize] {
+        let jerk = match random.below(4) {
+            0 => 0.0,
+            1 => random.between(jmin, jmax),
+            _ if sign > 0.0 => jmax,
+            _ => jmin,
+        };
+        sign = -sign;
+        let room = if jerk > 0.0 {
+            (amax - acceleration) / jerk
+        } else {
+            (amin - acceleration) / jerk
+        };
+        let limited = if jerk == 0.0 { 1.0 } else { room };
+        let part = random.unit();
+        let duration = limited * random.pick(&[1.0, part, part]);
+        *phase = Phase {
+            duration,
+            acceleration,
+            jerk,
+            ..Phase::default()
+        };
+        acceleration += jerk * duration;
+        planned.t += duration;
+    }
+    let end = planned.phases as usize;
+    planned.phase[end].acceleration = acceleration;
+    let walk = Walk::of(from, &planned);
+    let [position, velocity, acceleration] = walk.borders[end];
+    let to = State {
+        position,
+        velocity,
+        acceleration: acceleration.clamp(amin, amax),
+    };
+    let inside = walk
+        .knots
+        .iter()
+        .all(|&[_, _, v, _]| v <= vmax && v >= vmin);
+    let undone = from.velocity
+        - 0.5 * from.acceleration * from.acceleration.abs()
+            / if from.acceleration > 0.0 { jmin } else { -jmax };
+    let legal = beyond_legal(&limits, to) <= 0.0 && undone <= vmax && undone >= vmin;
+    let kind = Kind::Moving;
+    let wish = Wish::Plan;
+    let problem = Problem {
+        kind,
+        wish,
+        limits,
+        from,
+        to,
+    };
+    (inside && legal).then_some((problem, planned.t))
+}
+
+/// No random motion is faster than the fastest one, or gets farther than the border of its duration.
+#[test]
+fn no_random_motion_is_faster() {
+    let mut random = Random::seeded(7);
+    let (mut motions, mut fastest) = (0, 0);
+    while motions < MOTIONS {
+        let Some((problem, t)) = motion(&mut random) else {
+            continue;
+        };
+        motions += 1;
+        let trial = Trial::new(problem);
+        let best = trial.best();
+        let least = best.duration;
+        let is_slower = t >= least * (1.0 - 1e-9)
+            || !matches!(trial.duration_near(t, 1e-12), Verdict::Shorter(_));
+        assert!(
+            is_slower,
+            "{t:e} is faster than {best:?}: {}",
+            show(&problem)
+        );
+        fastest += u32::from(t <= least * (1.0 + 1e-6));
+        if let Some([lowest, highest]) = trial.motion().interval(t) {
+            let h = problem.to.position;
+            let slack = 1e-12 * (1.0 + t * t);
+            assert!(
+                h >= lowest - slack && h <= highest + slack,
+                "{h:e} is not in {lowest:e}..{highest:e} in {t:e} s: {}",
+                show(&problem)
+            );
+        }
+    }
+    println!("{motions} motions, {fastest} of them as fast as the fastest one");
+    assert!(fastest > motions / 100);
+}
+
+/// The referee's motions end where they should, keep the limits, and have no phase of negative duration.
+#[test]
+fn its_motions_are_possible() {
+    let mut worst: f64 = 0.0;
+    for problem in Problems::<f64>::new(5).take(PROBLEMS) {
+        let best = Trial::new(problem).best();
+        assert!(best.wrong < 1e-9, "{best:?}: {}", show(&problem));
+        worst = worst.max(best.wrong);
+    }
+    println!("{PROBLEMS} problems: the largest error is {worst:e}");
+}
+
+/// rsruckig is no faster.
+#[test]
+fn rsruckig_is_no_faster() {
+    let mut rival = Rival::new();
+    let mut theirs = Theirs::default();
+    for problem in Problems::<f64>::new(6).take(PROBLEMS) {
+        let before = theirs.shorter;
+        theirs.ask(&mut rival, &problem, &Trial::new(problem));
+        if theirs.shorter > before {
+            println!("rsruckig is faster: {}", show(&problem));
+        }
+    }
+    println!("{} {theirs}", Theirs::HEADING);
+    assert!(theirs.asked > PROBLEMS as u64 / 4);
+    assert_eq!(theirs.shorter, 0);
+}
