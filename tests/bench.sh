@@ -54,6 +54,26 @@ END
 $BENCH -- fastest
 printf '\n'
 $BENCH --features float -- fastest
+printf '\n## Moves from any state to any state\n\n'
+cat <<'END'
+`atraj_move_plan` beside rsruckig: 4,096 moves in each row, at rest, between velocities, then with an acceleration at the start, then at the
+end too. In the row "asymmetric" both velocities and both accelerations have limits of their own; in "outside" velocity and acceleration
+start 1.7 times as large, often beyond a limit. A ratio above 1 means that ours is faster, and "worst" is as above. The last columns count
+the moves that rsruckig fails, and the moves for which rsruckig's motion takes longer than ours. Ours fails none and takes longer in none;
+the benchmark stops if it does. rsruckig computes in binary64 in both tables.
+
+The second table evaluates moves between any velocities, and the same moves as a double-S: `atraj_move_pos` beside `a_trajbell_pos`,
+`atraj_move_state` beside `atraj_bell_state`, and so on. 512 moves share the time.
+
+The third table plans several axes that arrive together: `atraj_moves_sync` beside rsruckig with as many axes. 1,024 sets of axes share the
+time of a row, and the time is that of one set.
+
+binary64, then binary32.
+
+END
+$BENCH -- moves
+printf '\n'
+$BENCH --features float -- moves
 printf '\n## Sampling, compiled for the processor of this machine (`target-cpu=native`)\n\nbinary64, then binary32.\n\n'
 export RUSTFLAGS="$RUSTFLAGS -C target-cpu=native"
 $BENCH --target-dir target/bench-native -- samples

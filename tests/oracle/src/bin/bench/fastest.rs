@@ -23,7 +23,7 @@ const REPEATS: usize = 41;
 pub struct Race {
     pub row: Row,
     /// Lets the library of this number make the plan of this number.
-    one: Box<dyn FnMut(usize, usize)>,
+    pub one: Box<dyn FnMut(usize, usize)>,
 }
 
 pub fn print_table() {
@@ -33,9 +33,9 @@ pub fn print_table() {
     );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
     let all = races();
-    let first = crate::warm_rows().len() - all.len();
+    let first = crate::rows(WARM).len();
     for (index, mut race) in (first..).zip(all) {
-        let rounds = measure(&mut race.row);
+        let rounds = measure::<3>(&mut race.row);
         let [ns, o2, ruckig] =
             [0, 1, 2].map(|library| median(rounds.iter().map(|turns| turns[library])));
         let [o2_ratio, ruckig_ratio] =
@@ -74,7 +74,7 @@ pub fn races() -> Vec<Race> {
 }
 
 /// A double-S between any two velocities within the limit. The original refuses some.
-fn with_any_ends(random: &mut Random) -> Vec<a_float> {
+pub fn with_any_ends(random: &mut Random) -> Vec<a_float> {
     let [jm, am, vm] =
         [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
     let p1 = random.between(-15.0, 15.0);
@@ -125,7 +125,7 @@ fn race(family: Family, case: &str, plans: Vec<Vec<a_float>>) -> Race {
 impl Race {
     /// Nanoseconds of the longest of the plans. Passes over all plans time each one alone, so the processor cannot learn its
     /// branches.
-    fn worst(&mut self, library: usize) -> f64 {
+    pub fn worst(&mut self, library: usize) -> f64 {
         let mut shortest = vec![f64::INFINITY; self.row.calls];
         for _ in 0..REPEATS {
             for (plan, shortest) in shortest.iter_mut().enumerate() {

@@ -1,6 +1,8 @@
 //! `bench`: a table of ours against the original at `-O2` and `-O3`, all through the C ABI, in one process.
 //! `bench WORD…`: the rows of the table that contain all these words.
 //! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
+//! `bench moves`: tables of the moves from any state to any state, planned beside rsruckig and evaluated beside the double-S, and
+//! of several axes that arrive together.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!
@@ -9,7 +11,9 @@
 //! lucky turn decides nothing. Each library has its own copy of the loop. If one call reached all libraries in turn, the
 //! processor would look up its target, which costs some functions a nanosecond and others nothing.
 
+mod axes;
 mod fastest;
+mod moves;
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
@@ -28,7 +32,7 @@ const ROUNDS: usize = 99;
 const CALLS: usize = 4096;
 
 /// Calls that can go to three libraries: ours, the original at `-O2`, and the original at `-O3`. For a plan that never fails the
-/// third one is rsruckig.
+/// third one is rsruckig. A move from any state to any state has two: ours and what stands beside it.
 struct Row {
     function: String,
     case: String,
@@ -46,6 +50,7 @@ fn main() {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["instructions"] => print_instructions(),
         ["fastest"] => fastest::print_table(),
+        ["moves"] => moves::print_tables(),
         ["count", row, library] => {
             let mut row = warm_rows().swap_remove(row.parse().expect("a row"));
             let library = library.parse().expect("a library");
@@ -78,7 +83,7 @@ fn print_table(words: &[&str]) {
 }
 
 fn print_row(row: &mut Row, [ours, original]: &[String; 2]) {
-    let rounds = measure(row);
+    let rounds = measure::<3>(row);
     let [ns, o2, o3] = [0, 1, 2].map(|library| median(rounds.iter().map(|turns| turns[library])));
     let [o2_ratio, o3_ratio] =
         [1, 2].map(|library| median(rounds.iter().map(|turns| turns[library] / turns[0])));
@@ -96,12 +101,12 @@ fn print_instructions() {
 }
 
 /// Nanoseconds of a call to each library, round by round.
-fn measure(row: &mut Row) -> [[f64; 3]; ROUNDS] {
+fn measure<const LIBRARIES: usize>(row: &mut Row) -> [[f64; LIBRARIES]; ROUNDS] {
     let passes = CALLS.div_ceil(row.calls);
-    let mut rounds = [[0.0; 3]; ROUNDS];
+    let mut rounds = [[0.0; LIBRARIES]; ROUNDS];
     for (round, turns) in rounds.iter_mut().enumerate() {
-        for turn in 0..3 {
-            let library = (round + turn) % 3;
+        for turn in 0..LIBRARIES {
+            let library = (round + turn) % LIBRARIES;
             let start = Instant::now();
             for _ in 0..passes {
                 (row.run)(library);
@@ -145,10 +150,12 @@ extern "Rust" fn counted(run: &mut dyn FnMut()) {
     run();
 }
 
-/// The rows of both tables that callgrind can count: the row of this index is one of these.
+/// The rows of all tables that callgrind can count: the row of this index is one of these.
 fn warm_rows() -> Vec<Row> {
     let mut rows = rows(WARM);
     rows.extend(fastest::races().into_iter().map(|race| race.row));
+    rows.extend(moves::rows());
+    rows.extend(axes::rows());
     rows
 }
 
