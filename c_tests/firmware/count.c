@@ -29,7 +29,7 @@ typedef struct { uint32_t instructions, stack; } cost;
 __attribute__((naked)) static void stub(void) { __asm__("bx lr"); }
 
 static const uint32_t PAINT = 0xC5C5C5C5;
-enum { PAINTED_WORDS = 512 };
+enum { PAINTED_WORDS = 2048 };
 
 __attribute__((noinline)) static cost call(function *f, void *ctx, const a_float *a)
 {
@@ -131,27 +131,48 @@ static void worst_bell(void)
     print("bell_gen", "", "worst-stack", stack);
 }
 
+typedef struct { uint32_t calls, total, most, stack; } costs;
+
+static void add(costs *sum, cost c)
+{
+    ++sum->calls;
+    sum->total += c.instructions;
+    if (sum->most < c.instructions) { sum->most = c.instructions; }
+    if (sum->stack < c.stack) { sum->stack = c.stack; }
+}
+
+static void print_costs(const char *name, costs sum)
+{
+    print(name, "", "fastest-mean", (sum.total + sum.calls / 2) / sum.calls);
+    print(name, "", "fastest-max", sum.most);
+    print(name, "", "fastest-stack", sum.stack);
+}
+
 /* The plan of every move in a table of moves. */
 static void each(const char *name, void (*f)(void), const real *row, size_t rows, size_t columns)
 {
-    uint32_t total = 0, most = 0, stack = 0;
+    costs sum = {0};
     for (size_t i = 0; i != rows; ++i, row += columns) {
         a_float ctx[14], arguments[9] = {0};
         for (size_t k = 0; k != 7; ++k) { arguments[k] = row[k + 1].value; }
-        cost c = measure(f, ctx, arguments);
-        total += c.instructions;
-        if (most < c.instructions) { most = c.instructions; }
-        if (stack < c.stack) { stack = c.stack; }
+        add(&sum, measure(f, ctx, arguments));
     }
-    print(name, "", "fastest-mean", (total + rows / 2) / rows);
-    print(name, "", "fastest-max", most);
-    print(name, "", "fastest-stack", stack);
+    print_costs(name, sum);
 }
 #define EACH(name, table) each(#name, (void (*)(void))name, *table, ROWS(table), sizeof(*table) / sizeof(**table))
 
 /* The original lacks the plans that never fail. Its own plans of these moves stand beside them. */
 #pragma weak atraj_bell_gen
 #pragma weak atraj_trap_gen
+#pragma weak atraj_move_plan
+#pragma weak atraj_move_stop
+#pragma weak atraj_move_meet
+#pragma weak atraj_move_pos
+#pragma weak atraj_move_vel
+#pragma weak atraj_move_acc
+#pragma weak atraj_move_jer
+#pragma weak atraj_moves_sync
+#pragma weak atraj_moves_line
 
 static void fastest(void)
 {
@@ -161,6 +182,91 @@ static void fastest(void)
     }
     EACH(a_trajbell_gen, fastest_bell);
     EACH(a_trajtrap_gen, fastest_trap);
+}
+
+/* A planner of moves takes other arguments than `function`, so it is called through `pose`. atraj_move_stop ignores the last one. */
+typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *);
+static problem posed;
+static planner *posed_to;
+
+static void pose(void *ctx)
+{
+    posed_to(ctx, &posed.limits, &posed.from, &posed.to);
+}
+
+static cost measure_planner(void (*f)(void), atraj_move *m)
+{
+    a_float const none[9] = {0};
+    posed_to = (planner *)stub;
+    cost const way = measure((void (*)(void))pose, m, none);
+    posed_to = (planner *)f;
+    cost c = measure((void (*)(void))pose, m, none);
+    c.instructions -= way.instructions - 1; /* the return instruction belongs to the function */
+    c.stack -= way.stack;
+    return c;
+}
+
+/* 11 evaluations from the start of a move to its end. */
+static void evaluate(costs *sum, void (*f)(void), atraj_move *m)
+{
+    for (int i = 0; i <= 10; ++i) {
+        a_float const arguments[9] = {m->t * (a_float)i / 10};
+        add(sum, measure(f, m, arguments));
+    }
+}
+
+/* Each planner over the moves of the table that it plans, and evaluations of all these moves. */
+static void moves(void)
+{
+#define F(name) {#name, (void (*)(void))name, {0}}
+    struct { const char *name; void (*f)(void); costs sum; }
+        planners[] = {[PLAN] = F(atraj_move_plan), [STOP] = F(atraj_move_stop), [MEET] = F(atraj_move_meet)},
+        evaluations[] = {F(atraj_move_pos), F(atraj_move_vel), F(atraj_move_acc), F(atraj_move_jer)};
+#undef F
+    for (size_t i = 0; i != ROWS(fastest_move); ++i) {
+        atraj_move m;
+        m.phases = 0;
+        posed = problem_of(fastest_move[i]);
+        if (posed.function == REACH) { continue; } /* each stop calls it */
+        add(&planners[posed.function].sum, measure_planner(planners[posed.function].f, &m));
+        if (!m.phases) { continue; }
+        for (int k = 0; k != 4; ++k) { evaluate(&evaluations[k].sum, evaluations[k].f, &m); }
+    }
+    for (int k = PLAN; k <= MEET; ++k) {
+        if (k != REACH) { print_costs(planners[k].name, planners[k].sum); }
+    }
+    for (int k = 0; k != 4; ++k) { print_costs(evaluations[k].name, evaluations[k].sum); }
+}
+
+/* A planner of axes takes other arguments too. */
+static axes_problem posed_axes;
+typedef int axes_planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float);
+static axes_planner *axes_posed_to;
+
+static void pose_axes(void *ctx)
+{
+    axes_problem *q = &posed_axes;
+    axes_posed_to(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+}
+
+/* Both planners of axes over the sets of the table that they plan. */
+static void axes(void)
+{
+    static atraj_move planned[AXES];
+    a_float const none[9] = {0};
+    costs sums[2] = {{0}};
+    for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
+        posed_axes = axes_of(fastest_axes[i]);
+        axes_posed_to = (axes_planner *)stub;
+        cost const way = measure((void (*)(void))pose_axes, planned, none);
+        axes_posed_to = posed_axes.line ? atraj_moves_line : atraj_moves_sync;
+        cost c = measure((void (*)(void))pose_axes, planned, none);
+        c.instructions -= way.instructions - 1; /* the return instruction belongs to the function */
+        c.stack -= way.stack;
+        add(&sums[posed_axes.line], c);
+    }
+    print_costs("atraj_moves_sync", sums[0]);
+    print_costs("atraj_moves_line", sums[1]);
 }
 
 static void trap(void)
@@ -202,5 +308,7 @@ int main(void)
     trap();
     poly();
     fastest();
+    if (atraj_move_plan) { moves(); }
+    if (atraj_moves_sync) { axes(); }
     return 0;
 }

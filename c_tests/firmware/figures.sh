@@ -1,7 +1,8 @@
 #!/bin/sh
 # figures.sh LIBRARY: prints "family size bytes" for each family of functions, "function size bytes" for each function, and
 # "image size bytes" for the whole library linked with the C toolchain's libraries. It prints
-# "function fastest-flash bytes" for each planner: the planner alone, linked in the same way. CC is the compiler.
+# "function fastest-flash bytes" for each planner: the planner alone, linked in the same way, and for an evaluation of a move, and
+# "moves fastest-flash bytes" for planners and evaluations of moves together. CC is the compiler.
 set -eu
 library=$1
 api=$(grep ^a_ ../../tests/symbols.txt) # the original has only these
@@ -23,9 +24,16 @@ for family in trajbell trajtrap trajpoly; do
     echo "$family size $(text)"
 done
 echo "image size $(needs "$api")"
-for function in atraj_bell_gen atraj_trap_gen a_trajbell_gen a_trajtrap_gen; do
-    if arm-none-eabi-nm "$library" | grep -q " T $function\$"; then
-        echo "$function fastest-flash $(needs "$function")"
+# flash NAME FUNCTIONS: what they need, if the library has the first of them.
+flash() {
+    if arm-none-eabi-nm "$library" | grep -q " T ${2%%[[:space:]]*}\$"; then
+        echo "$1 fastest-flash $(needs "$2")"
     fi
+}
+evaluations='atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer'
+for function in atraj_bell_gen atraj_trap_gen a_trajbell_gen a_trajtrap_gen atraj_move_plan atraj_move_stop atraj_move_meet $evaluations \
+    atraj_moves_sync atraj_moves_line; do
+    flash $function $function
 done
+flash moves "atraj_move_plan atraj_move_reach atraj_move_stop $evaluations"
 arm-none-eabi-size -A "$library" | awk '$1 ~ /^\.text\../ { sub(/^\.text\.(a_traj)?/, "", $1); print $1, "size", $2 }'

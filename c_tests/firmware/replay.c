@@ -1,5 +1,5 @@
-/* Replays golden rows on the target. Every number must have the original's bits, or both must be NaN. Plans that never fail must
- * have the bits of the host's. */
+/* Replays golden rows on the target. Every number must have the original's bits, or both must be NaN. Plans that never fail, and
+ * moves from any state to any state, must have the bits of the host's. */
 #include <stddef.h>
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
@@ -217,6 +217,50 @@ static void replay_fastest(void)
     }
 }
 
+static size_t replay_moves(void)
+{
+    size_t phase = 0, evaluation = 0;
+    for (size_t i = 0; i != ROWS(fastest_move); ++i) {
+        const real *r = fastest_move[i];
+        problem const q = problem_of(r);
+        atraj_move m = {0};
+        a_float const result[] = {(a_float)solve(&q, &m), m.t, (a_float)m.phases};
+        atraj_state extremes[2];
+        atraj_move_extremes(&m, &extremes[0], &extremes[1]);
+        compare("move ", r, 14, 3, result);
+        compare("move ", r, 17, 6, (const a_float *)extremes);
+        const atraj_phase *replayed = m.phase;
+        EACH(e, fastest_phase, phase, r) { compare("phase of move ", e, 1, 6, (const a_float *)replayed++); }
+        EACH(e, fastest_eval, evaluation, r)
+        {
+            a_float x = e[1].value, p = atraj_move_pos(&m, x);
+            a_float y[] = {p, atraj_move_vel(&m, x), atraj_move_acc(&m, x), atraj_move_jer(&m, x), atraj_move_time_at(&m, p)};
+            compare("evaluation of move ", e, 2, 5, y);
+        }
+    }
+    return ROWS(fastest_phase) - phase + ROWS(fastest_eval) - evaluation;
+}
+
+static size_t replay_axes(void)
+{
+    static atraj_move axes[AXES]; /* the stack of the smallest board is small */
+    size_t phase = 0;
+    for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
+        const real *r = fastest_axes[i];
+        axes_problem const q = axes_of(r);
+        int const returned = solve_axes(&q, axes);
+        a_float const result[] = {(a_float)returned, axes->t};
+        compare("axes ", r, 40, 2, result);
+        unsigned axis = 0, replayed = 0;
+        EACH(e, fastest_stretched, phase, r)
+        {
+            if (replayed > axes[axis].phases && axis + 1 < AXES) { ++axis, replayed = 0; }
+            compare("phase of axes ", e, 1, 6, (const a_float *)&axes[axis].phase[replayed++]);
+        }
+    }
+    return ROWS(fastest_stretched) - phase;
+}
+
 #if defined(NEIGHBOUR)
 /* From another Rust library in the same image: how many of `count` doubles lie below their mean. */
 uint32_t neighbour_below_mean(const double *values, uint32_t count);
@@ -232,7 +276,7 @@ static int neighbour_works(void) { return 1; }
 
 int main(void)
 {
-    size_t left = replay_bell() + replay_trap() + replay_poly3() + replay_poly5() + replay_poly7();
+    size_t left = replay_bell() + replay_trap() + replay_poly3() + replay_poly5() + replay_poly7() + replay_moves() + replay_axes();
     replay_claraty();
     replay_fastest();
     semihost_print_unsigned(rows, 10);

@@ -57,6 +57,19 @@ END {
         fastest(build, "original-O2", "a_trajbell_gen")
         fastest(build, "ours", "atraj_trap_gen")
         fastest(build, "original-O2", "a_trajtrap_gen")
+        printf "\n### Moves from any state to any state\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n"
+        fastest(build, "ours", "atraj_move_plan")
+        fastest(build, "ours", "atraj_move_stop")
+        fastest(build, "ours", "atraj_move_meet")
+        fastest(build, "ours", "atraj_move_pos")
+        fastest(build, "ours", "atraj_move_vel")
+        fastest(build, "ours", "atraj_move_acc")
+        fastest(build, "ours", "atraj_move_jer")
+        printf "\n`atraj_move_plan`, `_reach`, `_stop`, `_pos`, `_vel`, `_acc` and `_jer` together take %d bytes of flash.\n",
+            value(build, "ours", "moves" SUBSEP "fastest-flash")
+        printf "\n### Three axes\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n"
+        fastest(build, "ours", "atraj_moves_sync")
+        fastest(build, "ours", "atraj_moves_line")
         printf "\n### Stack, bytes with everything called\n\n| function | ours | C -Os | C -O2 |\n|---|---:|---:|---:|\n"
         for (k = 1; k <= key_count; ++k) {
             split(keys[k], part, SUBSEP)
