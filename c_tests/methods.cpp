@@ -1,9 +1,13 @@
 // Tests the C++ side of the headers: methods in the structs, default arguments, const, the namespace.
+// With LIBA_HEADERS it calls only the methods that liba's own headers declare.
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "a/trajtrap.h"
+#if !defined(LIBA_HEADERS)
+#include "atraj/move.h"
+#endif
 #include <cstdio>
 #include <cstring>
 
@@ -96,6 +100,47 @@ void polynomials()
 #endif
 #endif
 }
+
+#if !defined(LIBA_HEADERS)
+// Each member does what its function does.
+void move()
+{
+    atraj::limits limits;
+    atraj_limits plain;
+    limits.init(30, 10, 5);
+    atraj_limits_init(&plain, 30, 10, 5);
+    PROMISE(same(limits, plain));
+
+    const atraj::state from = {1, 2, 3}, to = {10, -1, 2}, part = {2, 1, 0};
+    atraj::move method;
+    atraj_move function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.plan(limits, from, to) == atraj_move_plan(&function, &plain, &from, &to));
+    PROMISE(same(method, function) && method.t > 0);
+    PROMISE(method.reach(limits, from, -3, 2) == atraj_move_reach(&function, &plain, &from, -3, 2));
+    PROMISE(same(method, function) && method.vel(method.t) == -3 && method.acc(method.t) == 2);
+    PROMISE(method.reach(limits, from, -3) == atraj_move_reach(&function, &plain, &from, -3, 0));
+    PROMISE(same(method, function) && method.acc(method.t) == 0);
+    PROMISE(method.stop(limits, from) == atraj_move_stop(&function, &plain, &from));
+    PROMISE(same(method, function) && method.vel(method.t) == 0);
+    PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &plain, &from, &part));
+    PROMISE(same(method, function) && method.vel(method.t) == 1);
+    PROMISE(method.meet(limits, from, to) == ATRAJ_ERR_TARGET && same(method, function));
+
+    const atraj::move &planned = method;
+    const a_float x = planned.t / 4;
+    const atraj::state now = planned.state(x);
+    PROMISE(now.p == planned.pos(x) && now.v == planned.vel(x) && now.a == planned.acc(x));
+    PROMISE(planned.pos(x) == atraj_move_pos(&function, x) && planned.pos(x) > 0);
+    PROMISE(planned.vel(x) == atraj_move_vel(&function, x) && planned.acc(x) == atraj_move_acc(&function, x));
+    PROMISE(planned.jer(x) == atraj_move_jer(&function, x) && planned.jer(x) != 0);
+    PROMISE(planned.time_at(now.p) == atraj_move_time_at(&function, now.p) && planned.time_at(now.p) > 0);
+
+    const atraj::phase &first = planned.phase[0];
+    PROMISE(first.p == from.p && first.v == from.v && first.a == from.a && first.t == 0);
+}
+#endif
 } // namespace
 
 int main()
@@ -103,5 +148,8 @@ int main()
     bell();
     trap();
     polynomials();
+#if !defined(LIBA_HEADERS)
+    move();
+#endif
     return broken;
 }

@@ -202,4 +202,22 @@ static int polynomials(void)
            null_context(&septic) || sweeps(&septic, &poly7, 3);
 }
 
-int main(void) { return bell() || trap() || polynomials(); }
+TOGETHER4(move)
+SINGLE(atraj_move_pos)
+SINGLE(atraj_move_vel)
+SINGLE(atraj_move_acc)
+SINGLE(atraj_move_jer)
+
+static int move(void)
+{
+    static const struct family family = {
+        4, move_sample, move_state, {atraj_move_pos_, atraj_move_vel_, atraj_move_acc_, atraj_move_jer_}};
+    const atraj_state from = {0, 6, 3}, to = {-1, 1, -2};
+    atraj_limits limits;
+    atraj_move ctx;
+    atraj_limits_init(&limits, 30, 10, 5);
+    PROMISE(atraj_move_plan(&ctx, &limits, &from, &to) >= 0);
+    return null_context(&family) || sweeps(&family, &ctx, ctx.t);
+}
+
+int main(void) { return bell() || trap() || polynomials() || move(); }

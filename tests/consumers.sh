@@ -124,11 +124,12 @@ program() {
     diff "$work/$real.expected" printed
 }
 
-# --- the example of firmware, linked
+# --- the programs of the example of firmware, linked, and run in an emulator
+
+example=$root/examples/embedded
 
 # firmware TOOL
 firmware() {
-    example=$root/examples/embedded
     case $1 in
     cmake)
         cmake -S "$example" -B . -DCMAKE_TOOLCHAIN_FILE="$example/cortex-m4f.cmake" -DCMAKE_PREFIX_PATH="$prefix"
@@ -142,7 +143,28 @@ firmware() {
     arm-none-eabi-nm axis.elf > symbols
     grep ' T a_trajbell_gen$' symbols
     test -z "$(grep ' a_trajtrap_gen$' symbols)"
-    arm-none-eabi-readelf -A axis.elf | grep 'Tag_ABI_VFP_args: VFP registers'
+    arm-none-eabi-nm jog.elf > symbols
+    grep ' T atraj_move_plan$' symbols
+    test -z "$(grep ' a_trajbell_gen$' symbols)"
+    for program in axis jog; do arm-none-eabi-readelf -A $program.elf | grep 'Tag_ABI_VFP_args: VFP registers'; done
+}
+
+# The start-up code and the memory map come from picolibc. The result of `main` is the emulator's exit code.
+firmware_runs() {
+    cp "$example"/* .
+    map='--specs=picolibc.specs --crt0=semihost --oslib=semihost'
+    for symbol in __flash=0 __flash_size=4M __ram=0x20000000 __ram_size=4M; do map="$map -Wl,--defsym=$symbol"; done
+    make ATRAJ="$prefix" BOARD="$map"
+    for program in axis jog; do board $program; done
+    # Half the limit of the acceleration's step, so that a setpoint jumps.
+    sed -i 's/0\.03003/0.01502/' jog.c
+    make ATRAJ="$prefix" BOARD="$map"
+    if board jog; then return 1; fi
+}
+
+# board PROGRAM
+board() {
+    timeout 60 qemu-system-arm -M mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel "$1.elf" < /dev/null
 }
 
 # --- a binary that was linked with the original's shared library
@@ -270,6 +292,7 @@ if have arm-none-eabi-gcc; then
     row "make install, Cortex-M4F, float" staged_install TARGET=thumbv7em-none-eabihf REAL=float
     row "make, firmware, Cortex-M4F, float" firmware make
     have cmake && row "cmake, firmware, Cortex-M4F, float" firmware cmake
+    have qemu-system-arm && row "firmware in the emulator, Cortex-M4F, float" firmware_runs
 fi
 
 row "cargo, path, default features" rust_program true

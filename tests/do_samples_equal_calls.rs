@@ -1,9 +1,10 @@
 //! Do `state`, `states` and `sample_into` give the bits of single calls, whatever the times, lengths and outputs are?
 
+use atraj::online::{Move, Phase};
 use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
 use std::array;
-use support::profiles::{Profile, bell, poly3, poly5, poly7, trap};
-use support::{Comparison, Family, Random, Real, golden, test_each_family};
+use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
+use support::{Comparison, Family, Random, Real, golden, online, test_each_family};
 
 /// A sweep of `n` samples.
 #[derive(Clone, Copy)]
@@ -166,6 +167,33 @@ fn golden_moves<R: Real>(family: Family) {
 
 test_each_family!(golden_moves);
 
+/// Moves from any state to any state.
+fn moves<R: Real>() {
+    let mut random = Random::seeded(1);
+    let mut comparison = Comparison::default();
+    for number in 0..400 {
+        let (_, _, planned) = online::planned::<R>(&mut random);
+        let borders = move_borders(&planned);
+        check_profile(
+            &mut comparison,
+            &format!("move {number}"),
+            &planned,
+            &borders,
+        );
+    }
+    comparison.finish("moves");
+}
+
+#[test]
+fn moves_f32() {
+    moves::<f32>();
+}
+
+#[test]
+fn moves_f64() {
+    moves::<f64>();
+}
+
 /// Structs that no plan makes: borders in any order, NaN and infinite fields.
 fn any_fields<R: Real>() {
     let mut random = Random::seeded(1);
@@ -182,8 +210,28 @@ fn any_fields<R: Real>() {
         let of_trap = fields(Family::Trap);
         let borders = Family::Trap.borders(&[], &of_trap);
         check_profile(&mut comparison, &place, &trap(&of_trap), &borders);
+        let of_moves = any_move::<R>(&mut random);
+        check_profile(&mut comparison, &place, &of_moves, &move_borders(&of_moves));
     }
     comparison.finish("any fields");
+}
+
+/// Fields that no plan gives, but that the first phase starts at 0.
+fn any_move<R: Real>(random: &mut Random) -> Move<R> {
+    let mut planned = Move {
+        t: any_field(random),
+        phases: random.pick(&[0, 1, 2, 7, 15, 16, u32::MAX]),
+        phase: [(); 16].map(|()| Phase {
+            t: any_field(random),
+            duration: any_field(random),
+            position: any_field(random),
+            velocity: any_field(random),
+            acceleration: any_field(random),
+            jerk: any_field(random),
+        }),
+    };
+    planned.phase[0].t = R::of(0.0);
+    planned
 }
 
 /// A small positive number more often than another.

@@ -1,8 +1,9 @@
 //! Does a move reach beyond its reported extremes, or are they reported without being reached?
 
+use atraj::online::Phase;
 use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, State, Trap};
 use support::profiles::{bell_fields, trap_fields};
-use support::{Family, Random, Real};
+use support::{Family, Random, Real, online};
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
@@ -104,6 +105,42 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
     }
 }
 
+fn from_any_state<R: Real>(random: &mut Random) -> Move<R> {
+    let (_, _, planned) = online::planned::<R>(random);
+    let phases = &planned.phase[..=planned.phases as usize];
+    let of_phase = |phase: &Phase<R>| {
+        let Phase {
+            position,
+            velocity,
+            acceleration,
+            jerk,
+            ..
+        } = *phase;
+        let coefficients = [
+            position,
+            velocity,
+            R::of(0.5) * acceleration,
+            R::of(1.0 / 6.0) * jerk,
+        ];
+        terms(&coefficients, phase.duration)
+    };
+    // A phase starts where the phases before it, or behind it, add up to.
+    let added = |all: [f64; 3], sums: [f64; 3]| std::array::from_fn(|i| all[i] + sums[i]);
+    let [p, v, a] = phases.iter().map(of_phase).fold([0.0; 3], added);
+    // The rounding of a velocity lasts until the end.
+    let scales = [p + v * planned.t.widen(), v, a];
+    // Beside a long phase the others are short.
+    let parts = 0..=40;
+    let inside = |part: i32| {
+        let share = R::of(f64::from(part) / 40.0);
+        phases
+            .iter()
+            .map(move |phase| phase.t + share * phase.duration)
+    };
+    let borders = parts.flat_map(inside).collect();
+    as_move!(planned, planned.t, planned.extremes(), scales, borders)
+}
+
 /// Position, velocity and acceleration.
 fn values<R: Real>(state: &State<R>) -> [f64; 3] {
     [state.position, state.velocity, state.acceleration].map(R::widen)
@@ -174,4 +211,14 @@ fn plans_f64() {
 #[test]
 fn plans_f32() {
     nothing_lies_beyond::<f32>(fastest, 8.0);
+}
+
+#[test]
+fn from_any_state_f64() {
+    nothing_lies_beyond::<f64>(from_any_state, 8.0);
+}
+
+#[test]
+fn from_any_state_f32() {
+    nothing_lies_beyond::<f32>(from_any_state, 8.0);
 }

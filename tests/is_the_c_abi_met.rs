@@ -69,7 +69,17 @@ fn golden_rows_from_c() {
 /// Whether the original has the bits of this function: its own functions, and those of `atraj.h` that give their bits together.
 fn has_golden_rows(symbol: &str) -> bool {
     let together = symbol.ends_with("_sample") || symbol.ends_with("_state");
-    symbol.starts_with("a_") || symbol.starts_with("atraj_") && together
+    symbol.starts_with("a_") || symbol.starts_with("atraj_") && !is_of_moves(symbol) && together
+}
+
+/// Whether `atraj/move.h` declares this function, for one axis.
+fn is_of_moves(symbol: &str) -> bool {
+    symbol.starts_with("atraj_move_") || symbol.starts_with("atraj_limits_")
+}
+
+/// Whether `atraj/move.h` declares this function, for several axes.
+fn is_of_axes(symbol: &str) -> bool {
+    symbol.starts_with("atraj_moves_")
 }
 
 /// Whether the build has this function. It has none of a level above its own.
@@ -174,20 +184,59 @@ fn plans_that_never_fail_and_their_judge() {
     }
 }
 
+#[test]
+fn moves_from_any_state() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::C) {
+            let program = build(variant, compiler, &["-std=c99"], "move.c");
+            run(&mut Command::new(program));
+        }
+    }
+}
+
+#[test]
+fn moves_of_several_axes() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::C) {
+            let program = build(variant, compiler, &["-std=c99"], "axes.c");
+            run(&mut Command::new(program));
+        }
+    }
+}
+
 /// The C functions that no golden row has, because the original has none of them.
 const FASTEST: [&str; 3] = ["_gen", "_check", "_extremes"];
 
 #[test]
 fn a_c_program_calls_every_plan_that_never_fails() {
-    let source = fs::read_to_string(root().join("c_tests/fastest.c")).unwrap();
-    for symbol in DOUBLE.symbols() {
-        let called = source.contains(&format!("{symbol}("));
-        assert!(called || !is_fastest(&symbol), "{symbol}");
-    }
+    calls_each("fastest.c", is_fastest);
 }
 
 fn is_fastest(symbol: &str) -> bool {
-    symbol.starts_with("atraj_") && FASTEST.iter().any(|end| symbol.ends_with(end))
+    symbol.starts_with("atraj_")
+        && !is_of_moves(symbol)
+        && FASTEST.iter().any(|end| symbol.ends_with(end))
+}
+
+#[test]
+fn a_c_program_calls_every_function_of_moves() {
+    calls_each("move.c", is_of_moves);
+}
+
+#[test]
+fn a_c_program_calls_every_function_of_several_axes() {
+    calls_each("axes.c", is_of_axes);
+}
+
+/// Whether `c_tests/{source}` calls each of these functions.
+fn calls_each(source: &str, of: fn(&str) -> bool) {
+    let text = fs::read_to_string(root().join("c_tests").join(source)).unwrap();
+    let symbols = DOUBLE.symbols();
+    let mut expected = symbols.iter().filter(|symbol| of(symbol)).peekable();
+    assert!(expected.peek().is_some());
+    for symbol in expected {
+        assert!(text.contains(&format!("{symbol}(")), "{symbol}");
+    }
 }
 
 #[test]
@@ -267,11 +316,7 @@ fn a_wrong_golden_bit_of_claraty_is_found() {
 
 #[test]
 fn the_c_program_calls_every_claraty_function() {
-    let source = fs::read_to_string(root().join("c_tests/claraty.c")).unwrap();
-    for symbol in DOUBLE.symbols() {
-        let called = source.contains(&format!("{symbol}("));
-        assert!(called || !symbol.starts_with("claraty_"), "{symbol}");
-    }
+    calls_each("claraty.c", |symbol| symbol.starts_with("claraty_"));
 }
 
 #[test]
@@ -284,7 +329,7 @@ fn no_sanitizer_finding() {
     for variant in [&DOUBLE, &FLOAT_COMPACT] {
         let golden = build(variant, "cc", &sanitize, "golden.c");
         replay_golden(&mut Command::new(golden));
-        for source in ["abi.c", "fastest.c"] {
+        for source in ["abi.c", "fastest.c", "move.c", "axes.c"] {
             run(&mut Command::new(build(variant, "cc", &sanitize, source)));
         }
         let sample = build(variant, "cc", &sanitize, "sample.c");

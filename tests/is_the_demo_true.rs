@@ -79,12 +79,27 @@ fn missing_answers_fail() {
 #[test]
 fn every_move_is_drawn() {
     let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let setpoints = setpoints.replace("\npath ", "\nmove path ");
     let moves: Vec<_> = setpoints.split("move ").skip(1).collect();
     let pictures: Vec<_> = DEMO.lines().filter(|line| line.ends_with(".svg")).collect();
     assert!(!moves.is_empty());
     assert_eq!(pictures.len(), moves.len());
     for (motion, picture) in moves.iter().zip(pictures) {
         let svg = fs::read_to_string(root().join(picture)).unwrap();
+        for curve in motion
+            .lines()
+            .filter_map(|line| line.strip_prefix("curve "))
+        {
+            assert!(svg.contains(curve), "{picture}: {curve}");
+        }
+        if let Some(path) = motion.strip_prefix("path ") {
+            let title = path.split([':', '\n']).next().unwrap();
+            for label in [title, "x [m]", "y [m]"] {
+                assert!(svg.contains(label), "{picture}: {label}");
+            }
+            continue;
+        }
+        let (motion, _) = motion.split_once("\nbeside ").unwrap_or((motion, ""));
         let mut setpoints = motion.lines().filter(|line| line.starts_with("at "));
         let last = setpoints.next_back().unwrap();
         for (quantity, label) in [
@@ -145,17 +160,188 @@ fn the_original_breaks_the_limit_in_the_picture_and_ours_keeps_it() {
 }
 
 #[test]
+fn no_plan_in_motion_fails() {
+    let counts = |name: &str| -> Vec<u32> {
+        let row = DEMO.lines().find_map(|line| line.strip_prefix(name));
+        let row = row.unwrap_or_else(|| panic!("no {name} in:\n{}", *DEMO));
+        row.split_whitespace()
+            .map(|count| count.parse().unwrap())
+            .collect()
+    };
+    for (name, plans) in [
+        ("retargeted and stopped", 3),
+        ("following a sensor", 3001),
+        ("meeting a part", 2),
+    ] {
+        // Nothing refused, no jump, no limit exceeded, no start outside.
+        assert_eq!(counts(name)[..5], [plans, 0, 0, 0, 0], "{name}");
+    }
+    let random = counts("random");
+    assert_eq!(random[..4], [100_000, 0, 0, 0], "random");
+    assert!(random[4] > 1000 && random[5] > 1000, "{random:?}");
+}
+
+/// The setpoints of the move whose title begins so: time, position, velocity, acceleration and what else is given; and those beside.
+fn points(title: &str) -> [Vec<Vec<f64>>; 2] {
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let (_, motion) = setpoints.split_once(&format!("move {title}")).unwrap();
+    let motion = motion.split("\nmove ").next().unwrap();
+    let (motion, beside) = motion.split_once("\nbeside ").unwrap_or((motion, ""));
+    [motion, beside].map(|text| {
+        text.lines()
+            .filter_map(|line| line.strip_prefix("at "))
+            .map(|line| line.split(' ').map(|x| x.parse().unwrap()).collect())
+            .collect()
+    })
+}
+
+/// The setpoints are a period apart. Velocity, acceleration and jerk keep these limits, and each quantity is the slope of the one before.
+fn assert_smooth(points: &[Vec<f64>], period: f64, [v, a, j]: [f64; 3]) {
+    for pair in points.windows(2) {
+        let [before, now] = [&pair[0], &pair[1]];
+        let passed = now[0] - before[0];
+        assert!((passed - period).abs() < 1e-12, "{now:?}");
+        for (quantity, limit) in [(1, v), (2, a), (3, j)] {
+            let step = now[quantity] - before[quantity];
+            assert!(step.abs() <= limit * passed * (1.0 + 1e-9), "{now:?}");
+            if quantity < 3 {
+                let mean = 0.5 * (before[quantity + 1] + now[quantity + 1]);
+                // An acceleration that bends by the jerk makes the mean wrong by this much.
+                let bend = j * passed * passed;
+                assert!((step - mean * passed).abs() <= bend, "{now:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_retargeted_axis_turns_back_and_stops() {
+    let [points, first] = points("Retargeted and stopped");
+    assert_smooth(&points, 2e-3, [4.6, 9.0, 28.0]);
+    assert_eq!(first.last().unwrap()[1].round(), 10.0);
+    let farthest = points.iter().map(|point| point[1]).fold(0.0, f64::max);
+    let last = points.last().unwrap();
+    assert!(0.0 < last[1] && last[1] < farthest && farthest < 5.0);
+    assert_eq!(last[2..4], [0.0, 0.0], "{last:?}");
+}
+
+#[test]
+fn the_axis_follows_the_sensor() {
+    let [points, sensor] = points("Following a sensor");
+    assert_smooth(&points, 1e-3, [1.0, 10.0, 200.0]);
+    assert_eq!(points.len(), sensor.len());
+    let jumps = sensor
+        .windows(2)
+        .filter(|p| (p[1][1] - p[0][1]).abs() > 0.1);
+    assert_eq!(jumps.count(), 1);
+    // Half a second after the start and after the jump, the axis is near.
+    for (point, sensor) in points.iter().zip(&sensor) {
+        let settled = (0.5..1.5).contains(&point[0]) || point[0] > 2.0;
+        assert!(!settled || (point[1] - sensor[1]).abs() < 0.1, "{point:?}");
+    }
+}
+
+#[test]
+fn the_axis_meets_the_part_rides_and_goes_home() {
+    let [points, part] = points("Meeting a part on a conveyor");
+    assert_smooth(&points, 1e-3, [3.0, 5.0, 50.0]);
+    let beside = |point: &&Vec<f64>| {
+        let there = part[0][1] + part[0][2] * point[0];
+        (point[1] - there).abs() < 1e-9 && point[2] == part[0][2]
+    };
+    assert!(points.iter().filter(beside).count() > 500);
+    assert_eq!(points.last().unwrap()[1..4], [0.0, 0.0, 0.0]);
+}
+
+/// The curves of the move or of the path whose title begins so, each with its setpoints.
+fn curves(title: &str) -> Vec<Vec<Vec<f64>>> {
+    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
+    let (_, motion) = setpoints.split_once(title).unwrap();
+    let motion = motion.split("\nmove ").next().unwrap();
+    let motion = motion.split("\npath ").next().unwrap();
+    let curves = motion.split("\ncurve ").skip(1).map(|text| {
+        text.lines()
+            .filter_map(|line| line.strip_prefix("at "))
+            .map(|line| line.split(' ').map(|x| x.parse().unwrap()).collect())
+            .collect()
+    });
+    curves.collect()
+}
+
+#[test]
+fn the_axes_of_the_gantry_arrive_together() {
+    for title in ["Gantry synchronised", "Gantry on a straight line"] {
+        let axes = curves(title);
+        let (limits, target) = (
+            [[1.0, 4.0, 20.0], [0.8, 2.0, 10.0], [2.0, 8.0, 80.0]],
+            [0.8, 0.4, 0.3],
+        );
+        assert_eq!(axes.len(), 3, "{title}");
+        let end = axes[0].last().unwrap()[0];
+        for ((points, limits), target) in axes.iter().zip(limits).zip(target) {
+            assert_smooth(points, 2e-3, limits);
+            assert_eq!(points.last().unwrap()[..], [end, target, 0.0, 0.0]);
+            let before = &points[points.len() - 2];
+            assert!(before[1] != target, "{title}: an axis waits");
+        }
+        let row = DEMO.lines().filter(|line| line.starts_with("gantry, "));
+        assert_eq!(row.filter(|line| line.ends_with(" 0")).count(), 2);
+    }
+}
+
+#[test]
+fn only_the_straight_line_is_straight() {
+    let paths = curves("Gantry in the plane");
+    let off_line = |path: &[Vec<f64>]| {
+        let off = path.iter().map(|p| (p[1] - 0.5 * p[0]).abs());
+        off.fold(0.0, f64::max)
+    };
+    assert_eq!(paths.len(), 2);
+    for path in &paths {
+        assert!(path.len() > 100);
+        assert_eq!(path[0], [0.0, 0.0]);
+        assert_eq!(*path.last().unwrap(), [0.8, 0.4]);
+    }
+    assert!(off_line(&paths[0]) > 0.005, "{}", off_line(&paths[0]));
+    assert!(off_line(&paths[1]) < 1e-15, "{}", off_line(&paths[1]));
+}
+
+#[test]
+fn the_joints_of_the_arm_stop_together() {
+    let mut joints = curves("Arm over way points");
+    assert_eq!(joints.len(), 6);
+    let stops = |points: &[Vec<f64>]| -> Vec<f64> {
+        let borders = points.windows(2).filter(|pair| pair[0][0] == pair[1][0]);
+        borders
+            .map(|pair| {
+                assert_eq!(pair[0], pair[1], "a jump");
+                assert_eq!(pair[0][2..], [0.0, 0.0], "no stop");
+                pair[0][0]
+            })
+            .collect()
+    };
+    let first = stops(&joints[0]);
+    assert_eq!(first.len(), 3);
+    for (joint, points) in joints.iter_mut().enumerate() {
+        assert_eq!(stops(points), first, "joint {joint}");
+        points.dedup_by(|now, before| now[0] == before[0]);
+        let limits = if joint < 3 {
+            [2.0, 9.0, 70.0]
+        } else {
+            [4.0, 18.0, 160.0]
+        };
+        assert_smooth(points, 4e-3, limits);
+        let [start, end] = [&points[0], points.last().unwrap()];
+        assert_eq!(start[1..], end[1..], "joint {joint} is not home");
+    }
+}
+
+#[test]
 fn the_controller_turns_back_holds_and_arrives() {
     if !has_tool("c++") {
         return;
     }
-    let setpoints = fs::read_to_string(demo_dir().join("setpoints.txt")).unwrap();
-    let (_, motion) = setpoints.split_once("move Retarget and feed hold").unwrap();
-    let points: Vec<Vec<f64>> = motion
-        .lines()
-        .filter_map(|line| line.strip_prefix("at "))
-        .map(|line| line.split(' ').map(|x| x.parse().unwrap()).collect())
-        .collect();
+    let [points, _] = points("Retarget and feed hold");
     for pair in points.windows(2) {
         let [before, now] = [&pair[0], &pair[1]];
         let passed = now[0] - before[0];
@@ -280,7 +466,12 @@ fn nothing_to_draw_fails() {
         "at 0 1 2 3\n",
         "move bad\nat 0 inf 0 0\n",
         "move twice\nat 0 1 0 0\nmove twice\nat 0 1 0 0\n",
-        "move beside\nat 0 1 0 0\nbeside short\nat 0 1 0\n",
+        "move beside\nat 0 1 0 0\nbeside long\nat 0 1 0 0 0\n",
+        "move beside\nat 0 1 0 0\nbeside uneven\nat 0 1 0\nat 1 1\n",
+        "move beside\nat 0 1 0 0\nbeside nothing\n",
+        "move curves\ncurve none\n",
+        "move curves\ncurve short\nat 0 1\ncurve long\nat 0 1 0\n",
+        "path long\ncurve long\nat 0 1 2\n",
     ] {
         let file = demo_dir().join("nothing.txt");
         fs::write(&file, input).unwrap();

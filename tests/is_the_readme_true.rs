@@ -51,7 +51,7 @@ fn written(name: &str, text: &str) -> PathBuf {
 #[test]
 fn its_programs_run() {
     for (name, language, flags, count) in [
-        ("c", Language::C, "-std=c99", 1),
+        ("c", Language::C, "-std=c99", 2),
         ("cpp", Language::Cpp, "-std=c++98", 2),
     ] {
         let programs = blocks(name);

@@ -5,6 +5,7 @@ pub mod each_family;
 pub mod family;
 pub mod golden;
 pub mod implementation;
+pub mod online;
 pub mod ours;
 pub mod profiles;
 pub mod random;

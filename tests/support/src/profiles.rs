@@ -1,6 +1,7 @@
 //! The structs of the Rust API as arrays: their fields, and their functions with any number of quantities.
 
 use crate::real::Real;
+use atraj::online::Move;
 use atraj::{Bell, Poly3, Poly5, Poly7, Trap};
 
 macro_rules! named_fields {
@@ -88,3 +89,11 @@ profile!(Trap, 3, position velocity acceleration);
 profile!(Poly3, 4, position velocity acceleration jerk);
 profile!(Poly5, 4, position velocity acceleration jerk);
 profile!(Poly7, 4, position velocity acceleration jerk);
+profile!(Move, 4, position velocity acceleration jerk);
+
+/// The times at which the jerk of a move changes: the starts of its phases, and its end.
+pub fn move_borders<R: Real>(planned: &Move<R>) -> Vec<R> {
+    let count = (planned.phases as usize).min(planned.phase.len() - 1);
+    let starts = planned.phase[..=count].iter();
+    starts.map(|phase| phase.t).collect()
+}

@@ -1,0 +1,123 @@
+//! Does `time_at` give the first time at which a move is at a position, and nothing if it never is there?
+
+use atraj::State;
+use atraj::online::{Limits, Move};
+use support::{Random, Real, online};
+
+const MOVES: usize = 4_000;
+const SAMPLES: usize = 400;
+
+/// Times over the whole move, and over each of its phases, in order.
+fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
+    let phases = &planned.phase[..=planned.phases as usize];
+    let part = |x: R, duration: R, k: usize, of: usize| x + R::of(k as f64 / of as f64) * duration;
+    let whole = (0..=SAMPLES).map(|k| part(R::of(0.0), planned.t, k, SAMPLES));
+    let each = phases
+        .iter()
+        .flat_map(|phase| (0..=40).map(|k| part(phase.t, phase.duration, k, 40)));
+    let mut times: Vec<R> = whole.chain(each).collect();
+    times.retain(|x| *x <= planned.t);
+    times.sort_by(|x, y| x.partial_cmp(y).expect("no NaN"));
+    times
+}
+
+/// How wrong a position may be by rounding: the whole way, and what the rounding of a velocity adds up to.
+fn rounding<R: Real>(planned: &Move<R>) -> f64 {
+    let reached = planned.extremes();
+    let State {
+        position, velocity, ..
+    } = reached.highest;
+    let size = |x: R, y: R| x.widen().abs().max(y.widen().abs());
+    let way = size(position, reached.lowest.position)
+        + size(velocity, reached.lowest.velocity) * planned.t.widen();
+    16.0 * R::MACHINE_EPSILON.widen() * way
+}
+
+/// Asks for the positions of samples, for the extremes and for what lies beyond. The first sample at a position, or the first pair of
+/// samples with the position between them, says when the axis is there.
+fn check<R: Real>() {
+    let mut random = Random::seeded(1);
+    let (mut found, mut never) = (0, 0);
+    for number in 0..MOVES {
+        let (_, _, planned) = online::planned::<R>(&mut random);
+        let reached = planned.extremes();
+        let (low, high) = (reached.lowest.position, reached.highest.position);
+        let times = times(&planned);
+        let positions: Vec<R> = times.iter().map(|x| planned.position(*x)).collect();
+        let rounding = rounding(&planned);
+        let [start, end] = [R::of(0.0), planned.t].map(|x| planned.time_at(planned.position(x)));
+        assert_eq!(start, Some(R::of(0.0)), "the start of move {number}");
+        assert!(end.is_some(), "the end of move {number}");
+        for _ in 0..8 {
+            let wanted = match random.below(3) {
+                0 => positions[random.below(positions.len())],
+                1 => random.pick(&[low, high, positions[0], positions[positions.len() - 1]]),
+                _ => R::of(random.between(low.widen(), high.widen())),
+            };
+            let place = format!("move {number} at {wanted:e}: {planned:?}");
+            let Some(x) = planned.time_at(wanted) else {
+                // A position within the extremes is reached, but for rounding.
+                let depth = (wanted.widen() - low.widen()).min(high.widen() - wanted.widen());
+                assert!(depth <= rounding, "nothing found, {place}");
+                continue;
+            };
+            found += 1;
+            assert!(x >= R::of(0.0) && x <= planned.t, "{x:e}, {place}");
+            let error = (planned.position(x).widen() - wanted.widen()).abs();
+            assert!(error <= rounding, "{error:e} beside it at {x:e}, {place}");
+            // Before the first time the axis is on one side.
+            let before = times.iter().zip(&positions).take_while(|(t, _)| **t < x);
+            let sides: Vec<f64> = before
+                .map(|(_, p)| p.widen() - wanted.widen())
+                .filter(|side| side.abs() > rounding)
+                .collect();
+            let one_side = sides.iter().all(|side| side * sides[0] > 0.0);
+            assert!(one_side, "passed before {x:e}, {place}");
+        }
+        let beyond = R::of(rounding + 1e-3);
+        for wanted in [low - beyond, high + beyond, R::of(f64::NAN)] {
+            assert_eq!(planned.time_at(wanted), None, "move {number}");
+            never += 1;
+        }
+    }
+    println!("{}: {found} times found, {never} never", R::NAME);
+    assert!(found > MOVES * 7 && never == MOVES * 3);
+}
+
+#[test]
+fn in_random_moves_f64() {
+    check::<f64>();
+}
+
+#[test]
+fn in_random_moves_f32() {
+    check::<f32>();
+}
+
+/// The axis passes its target, turns and comes back.
+#[test]
+fn the_first_of_two() {
+    let from = State {
+        velocity: 4.0,
+        ..State::at(0.0)
+    };
+    let mut planned = Move::default();
+    let limits = Limits::symmetric(30.0, 10.0, 5.0);
+    planned
+        .plan(&limits, from, State::at(1.0))
+        .expect("numbers");
+    let x: f64 = planned.time_at(1.0).expect("the target");
+    assert!(x < 0.5 * planned.t && planned.velocity(x) > 0.0);
+    assert!((planned.position(x) - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn at_rest() {
+    let mut planned = Move::default();
+    let here = State::at(2.0);
+    planned
+        .plan(&Limits::symmetric(30.0, 10.0, 5.0), here, here)
+        .expect("numbers");
+    assert_eq!(planned.time_at(2.0), Some(0.0));
+    assert_eq!(planned.time_at(2.5), None);
+}
