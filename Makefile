@@ -6,7 +6,8 @@
 #                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
 #   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
-#                               data, a table of the moves that the original fails, pictures in target/demo
+#                               data, tables of the moves that the original fails and of plans in motion, pictures in
+#                               target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
@@ -14,7 +15,9 @@
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original, and a thousand million
-#                               fastest plans with a referee; SOAK_SEED=n starts at seed n, SOAK=plans leaves the calls out
+#                               fastest plans with a referee; SOAK_SEED=n starts at seed n, SOAK=plans leaves the
+#                               others out, so do SOAK=calls, SOAK=moves (from any state to any state), SOAK=replans and
+#                               SOAK=axes (several axes that move together)
 #   make bench                  measures times and instructions beside the original's: docs/performance.md
 #   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                               `make instructions-update` rewrites tests/instructions.txt
@@ -162,7 +165,7 @@ doc: dist
 DEMO := target/demo
 
 # Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Counts the moves that
-# the original fails and the plans of atraj.h do not. Then does the steps of a CLARAty user, with a controller.
+# the original fails and the plans of atraj.h do not. Plans an axis in motion, and several axes together. Then does the steps of a CLARAty user, with a controller.
 demo: dist
 	$(if $(VARIANT),$(error make demo shows the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(DEMO)
@@ -172,6 +175,10 @@ demo: dist
 	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
 	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/one_prefix examples/one_prefix.c $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/one_prefix $(DEMO)/setpoints.txt
+	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/any_state examples/any_state.c $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/any_state $(DEMO)/setpoints.txt
+	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/several_axes examples/several_axes.c $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/several_axes $(DEMO)/setpoints.txt
 ifneq ($(shell command -v $(CXX)),)
 	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/controller >> $(DEMO)/setpoints.txt
@@ -180,7 +187,7 @@ else
 endif
 	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
 
-EXAMPLES := follow sample relink retarget
+EXAMPLES := follow sample relink retarget jog track meet gantry arm
 EXAMPLES_OUT := target/examples
 EXAMPLE_FLAGS := -Wall -Wextra -Wpedantic -Werror -O2 -I$(DIST)/include -I$(DIST)/include/claraty
 
@@ -210,7 +217,8 @@ ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
 SOAK_SEED ?= 0
 SOAK_SEEDS ?= 1000
 
-# A seed stands for a million calls and a million plans per real type. SOAK is calls, plans or nothing for both.
+# A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves and ten thousand sets
+# of axes per real type. SOAK is calls, plans, moves, replans, axes or nothing for all.
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
 	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS) $(SOAK)

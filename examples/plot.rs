@@ -5,7 +5,9 @@
 //! move TITLE                 a new picture; the text after ": " in the title becomes its second line
 //! phase FROM TO NAME         shaded by name, between border lines
 //! at x pos vel acc [jer]     a setpoint at time x
-//! beside NAME                the setpoints from here on are another plan of the move, drawn in grey
+//! beside NAME                the setpoints from here on are another motion, drawn in grey; they may have fewer quantities
+//! path TITLE                 a new picture of curves in the plane; its setpoints are `at x y`
+//! curve NAME                 the setpoints from here on are an axis of several or a path, drawn in its own colour
 //! ```
 //!
 //! Other lines are ignored.
@@ -27,6 +29,14 @@ const QUANTITIES: [(&str, &str, RGBColor); 4] = [
     ("velocity", "m/s", RGBColor(24, 128, 78)),
     ("acceleration", "m/s²", RGBColor(204, 85, 0)),
     ("jerk", "m/s³", RGBColor(140, 40, 130)),
+];
+const CURVES: [RGBColor; 6] = [
+    RGBColor(31, 90, 166),
+    RGBColor(204, 85, 0),
+    RGBColor(24, 128, 78),
+    RGBColor(140, 40, 130),
+    RGBColor(170, 130, 0),
+    RGBColor(90, 100, 110),
 ];
 const SHADES: [(&str, RGBColor); 3] = [
     ("accelerate", RGBColor(222, 240, 226)),
@@ -82,11 +92,15 @@ struct Move {
     phases: Vec<(Range<f64>, String)>,
     /// Time, then the quantities.
     points: Vec<Vec<f64>>,
-    beside: Option<Beside>,
+    beside: Option<Curve>,
+    /// In place of `points`.
+    curves: Vec<Curve>,
+    /// The setpoints are points of the plane.
+    is_path: bool,
 }
 
-/// Another plan of a move.
-struct Beside {
+/// Setpoints with a name: of an axis, of a path, or of another motion beside the move.
+struct Curve {
     name: String,
     points: Vec<Vec<f64>>,
 }
@@ -95,9 +109,10 @@ fn read_moves(text: &str) -> Result<Vec<Move>, Box<dyn Error>> {
     let mut moves: Vec<Move> = Vec::new();
     for line in text.lines() {
         let (word, rest) = line.split_once(' ').unwrap_or((line, ""));
-        if word == "move" {
+        if word == "move" || word == "path" {
             moves.push(Move {
                 title: rest.to_owned(),
+                is_path: word == "path",
                 ..Move::default()
             });
             continue;
@@ -108,15 +123,13 @@ fn read_moves(text: &str) -> Result<Vec<Move>, Box<dyn Error>> {
                 .phases
                 .push(read_phase(rest).ok_or_else(|| line.to_owned())?),
             "beside" => {
-                motion.beside = Some(Beside {
-                    name: rest.to_owned(),
-                    points: Vec::new(),
-                });
+                motion.beside = Some(Curve::named(rest));
             }
+            "curve" => motion.curves.push(Curve::named(rest)),
             "at" => {
-                let points = match &mut motion.beside {
-                    Some(beside) => &mut beside.points,
-                    None => &mut motion.points,
+                let points = match (&mut motion.beside, motion.curves.last_mut()) {
+                    (Some(named), _) | (None, Some(named)) => &mut named.points,
+                    (None, None) => &mut motion.points,
                 };
                 points.push(rest.split(' ').map(str::parse).collect::<Result<_, _>>()?);
             }
@@ -131,6 +144,15 @@ fn read_phase(text: &str) -> Option<(Range<f64>, String)> {
     let from = words.next()?.parse().ok()?;
     let to = words.next()?.parse().ok()?;
     Some((from..to, words.next()?.to_owned()))
+}
+
+impl Curve {
+    fn named(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            points: Vec::new(),
+        }
+    }
 }
 
 impl Move {
@@ -149,33 +171,47 @@ impl Move {
         words.join("-") + ".svg"
     }
 
-    fn all_points(&self) -> impl Iterator<Item = &Vec<f64>> {
-        let beside = self.beside.iter().flat_map(|beside| &beside.points);
-        self.points.iter().chain(beside)
+    /// The setpoints of the motion beside the move.
+    fn beside(&self) -> &[Vec<f64>] {
+        self.beside.as_ref().map_or(&[], |beside| &beside.points)
     }
 
-    /// How many of [`QUANTITIES`] every setpoint has.
+    /// A number of each setpoint that has so many: its time, or a quantity.
+    fn all(&self, number: usize) -> impl Iterator<Item = f64> {
+        let curves = self.curves.iter().flat_map(|curve| &curve.points);
+        let points = self.points.iter().chain(self.beside()).chain(curves);
+        points.filter_map(move |point| point.get(number).copied())
+    }
+
+    /// How many of [`QUANTITIES`] every setpoint of the move has.
     fn quantities(&self) -> Result<usize, Box<dyn Error>> {
-        let quantities = self.points.first().map_or(0, |point| point.len() - 1);
-        if !(1..=QUANTITIES.len()).contains(&quantities) {
-            return Err("no setpoints to draw".into());
+        let quantities = match self.curves.first() {
+            Some(curve) => quantities(&curve.points)?,
+            None => quantities(&self.points)?,
+        };
+        for curve in &self.curves {
+            if self::quantities(&curve.points)? != quantities || !self.points.is_empty() {
+                return Err("setpoints of different length, or of no curve".into());
+            }
         }
-        if self.all_points().any(|p| p.len() != 1 + quantities) {
-            return Err("setpoints of different length".into());
+        if self.curves.len() > CURVES.len() || self.is_path && quantities != 1 {
+            return Err("too many curves or coordinates".into());
         }
-        if self.all_points().flatten().any(|value| !value.is_finite()) {
-            return Err("a setpoint that is not finite".into());
+        if self.beside.is_some() && self::quantities(self.beside())? > quantities {
+            return Err("more quantities beside the move than in the move".into());
         }
         Ok(quantities)
     }
 
     fn draw(&self, path: &Path) -> Drawn {
         let quantities = self.quantities()?;
-        let height = HEADING + PANEL * quantities as u32 + TIME_AXIS + LEGEND;
+        let panel = self.panel();
+        let height = HEADING + panel * quantities as u32 + TIME_AXIS + LEGEND;
         let mut svg = String::new();
         self.draw_panels(
             &SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area(),
             quantities,
+            panel,
         )?;
         let size =
             |units: u32| format!("width=\"{}\" height=\"{}\"", WIDTH / units, height / units);
@@ -183,16 +219,27 @@ impl Move {
         Ok(())
     }
 
-    fn draw_panels(&self, root: &Area, quantities: usize) -> Drawn {
+    /// How high a panel is. A path has the same scale in both directions.
+    fn panel(&self) -> u32 {
+        if !self.is_path {
+            return PANEL;
+        }
+        let width = |span: Range<f64>| span.end - span.start;
+        let ratio = width(with_margin(span(self.all(1)))) / width(with_margin(span(self.all(0))));
+        let height = f64::from(WIDTH - LEFT - RIGHT) * ratio;
+        (height as u32).clamp(PANEL, 4 * PANEL) + 2 * GAP
+    }
+
+    fn draw_panels(&self, root: &Area, quantities: usize, panel: u32) -> Drawn {
         root.fill(&WHITE)?;
         let (heading, rest) = root.split_vertically(HEADING);
-        let (panels, legend) = rest.split_vertically(PANEL * quantities as u32 + TIME_AXIS);
+        let (panels, legend) = rest.split_vertically(panel * quantities as u32 + TIME_AXIS);
         self.draw_heading(&heading)?;
         let mut below = panels;
         for quantity in 0..quantities {
             let last = quantity + 1 == quantities;
-            let (panel, rest) = below.split_vertically(PANEL + if last { TIME_AXIS } else { 0 });
-            self.draw_panel(&panel, quantity, last)?;
+            let (area, rest) = below.split_vertically(panel + if last { TIME_AXIS } else { 0 });
+            self.draw_panel(&area, quantity, last)?;
             below = rest;
         }
         self.draw_legend(&legend, quantities)?;
@@ -211,10 +258,18 @@ impl Move {
 
     fn draw_panel(&self, area: &Area, quantity: usize, time_axis: bool) -> Drawn {
         let (name, unit, color) = QUANTITIES[quantity];
-        let times = span(self.all_points().map(|point| point[0]));
-        let values = with_margin(span(self.all_points().map(|point| point[quantity + 1])));
+        let times = span(self.all(0));
+        let (times, x_label, y_label) = if self.is_path {
+            (with_margin(times), "x [m]", "y [m]".to_owned())
+        } else {
+            (times, "time [s]", format!("{name} [{unit}]"))
+        };
+        let values = with_margin(span(self.all(quantity + 1)));
         let curve = |points: &[Vec<f64>], color: RGBColor| {
-            let line: Vec<_> = points.iter().map(|p| (p[0], p[quantity + 1])).collect();
+            let line: Vec<_> = points
+                .iter()
+                .filter_map(|p| Some((p[0], *p.get(quantity + 1)?)))
+                .collect();
             PathElement::new(line, color.stroke_width(CURVE))
         };
         let mut chart = ChartBuilder::on(area)
@@ -245,8 +300,8 @@ impl Move {
             .set_all_tick_mark_size(GAP)
             .y_labels(5)
             .y_label_formatter(&|value| label(*value, &values))
-            .x_desc("time [s]")
-            .y_desc(format!("{name} [{unit}]"))
+            .x_desc(x_label)
+            .y_desc(y_label)
             .draw()?;
         for (phase, _) in &phases {
             let border = vec![(phase.end, values.start), (phase.end, values.end)];
@@ -254,6 +309,9 @@ impl Move {
         }
         if let Some(beside) = &self.beside {
             chart.draw_series([curve(&beside.points, FAINT)])?;
+        }
+        for (named, color) in self.curves.iter().zip(CURVES) {
+            chart.draw_series([curve(&named.points, color)])?;
         }
         chart.draw_series([curve(&self.points, color)])?;
         Ok(())
@@ -263,9 +321,15 @@ impl Move {
         let text = ("sans-serif", LABEL).into_text_style(area).color(&INK);
         let phases = self.painted_phases();
         let names = names(&phases);
-        let curves = QUANTITIES[..quantities]
+        let quantities = QUANTITIES[..if self.curves.is_empty() {
+            quantities
+        } else {
+            0
+        }]
             .iter()
             .map(|&(name, _, color)| (name, color));
+        let named = self.curves.iter().zip(CURVES);
+        let curves = quantities.chain(named.map(|(curve, color)| (curve.name.as_str(), color)));
         let beside = self.beside.as_ref();
         let curves: Vec<_> = curves
             .chain(beside.map(|beside| (beside.name.as_str(), FAINT)))
@@ -349,6 +413,21 @@ impl Move {
             .and_then(|point| point.get(2))
             .map_or(0.0, |v| v.abs())
     }
+}
+
+/// How many of [`QUANTITIES`] each of these setpoints has.
+fn quantities(points: &[Vec<f64>]) -> Result<usize, Box<dyn Error>> {
+    let quantities = points.first().map_or(0, |point| point.len() - 1);
+    if !(1..=QUANTITIES.len()).contains(&quantities) {
+        return Err("no setpoints to draw".into());
+    }
+    if points.iter().any(|p| p.len() != 1 + quantities) {
+        return Err("setpoints of different length".into());
+    }
+    if points.iter().flatten().any(|value| !value.is_finite()) {
+        return Err("a setpoint that is not finite".into());
+    }
+    Ok(quantities)
 }
 
 /// Each name once, in the order of the phases.
