@@ -164,7 +164,7 @@ pub fn several_axes(bytes: &[u8]) {
 
 /// The kind names the planner and the number of axes. The duration, the cycle, and the limits, start and end of each axis follow.
 fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
-    let plan = if kind % 2 == 0 {
+    let plan = if kind & 1 == 0 {
         axes::synchronise::<R>
     } else {
         axes::line::<R>

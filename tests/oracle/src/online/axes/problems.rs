@@ -64,12 +64,15 @@ pub struct Set<R> {
     pub cycle: R,
 }
 
+/// The limits of all axes, their starts and their ends.
+pub type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
+
 /// The most axes of a set.
 pub const MOST_AXES: usize = 12;
 
 impl<R: Real> Set<R> {
     /// The limits of the axes, their starts and their ends.
-    pub fn columns(&self) -> (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>) {
+    pub fn columns(&self) -> Columns<R> {
         let axes = || self.axes.iter();
         (
             axes().map(|axis| axis.limits).collect(),
