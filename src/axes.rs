@@ -110,7 +110,8 @@ fn checked<'a, R: Real>(
     from: &'a [State<R>],
     to: &'a [State<R>],
 ) -> Result<impl Iterator<Item = Axis<'a, R>> + Clone, Error> {
-    if count == 0 || [limits.len(), from.len(), to.len()] != [count; 3] {
+    let differ = limits.len() != count || from.len() != count || to.len() != count;
+    if count == 0 || differ {
         return Err(Error::Axes);
     }
     let ends = limits.iter().zip(from.iter().zip(to));
