@@ -59,7 +59,7 @@ static void print_profiles(int bell)
         double const jm = random_between(10, 50), am = random_between(4, 12), vm = random_between(2, 6);
         double const p0 = random_between(-5, 5);
         double h, v0, v1;
-        /* Four moves in a row are of one family, so a board with room for every seventh move meets each family too. */
+        /* Four moves in a row are of one family, so a board with room for every ninth move meets each family too. */
         ends(move / 4 % FAMILIES, bell ? jm : INFINITY, am, vm, &h, &v0, &v1);
         double const arguments[2][7] = {{vm, 0.5 * jm, -am, p0, p0 + h, v0, v1}, {jm, am, vm, p0, p0 + h, v0, v1}};
         a_float a[7];
