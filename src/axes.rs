@@ -38,18 +38,9 @@ pub fn synchronise<R: Real>(
     for task in tasks() {
         slowest = slowest.at_least(shortest(&task)?);
     }
-    let mut t = ticks.from(slowest);
-    // Every round passes a gap of an axis. An axis has at most one to each side.
-    for _ in 0..2 * axes.len() + 2 {
-        let mut next = t;
-        for task in tasks() {
-            next = next.at_least(ticks.from(task.next_duration(t)));
-        }
-        if next <= t {
-            break;
-        }
-        t = next;
-    }
+    let t = ticks.until_possible(axes.len(), slowest, |t| {
+        tasks().fold(t, |latest, task| latest.at_least(task.next_duration(t)))
+    });
     if !t.is_finite() {
         return Err(Error::NotFinite);
     }
@@ -80,7 +71,8 @@ pub fn line<R: Real>(
     let limits = line.tightest(limits, from, to)?;
     limits.check(line.from, line.to)?;
     let task = Task::new(&limits, line.from, line.to);
-    let t = ticks.until_possible(&task, shortest(&task)?.at_least(duration));
+    let slowest = shortest(&task)?.at_least(duration);
+    let t = ticks.until_possible(1, slowest, |t| task.next_duration(t));
     if !t.is_finite() {
         return Err(Error::NotFinite);
     }
@@ -272,11 +264,12 @@ impl<R: Real> Ticks<R> {
         self.cycle * if is_early { nearest + R::ONE } else { nearest }
     }
 
-    /// The first tick from `t` on at which the axis can arrive.
-    fn until_possible(&self, task: &Task<R>, t: R) -> R {
+    /// The first tick from `t` on at which all axes can arrive. `next_duration` gives the shortest possible duration of the slowest axis.
+    fn until_possible(&self, axes: usize, t: R, next_duration: impl Fn(R) -> R) -> R {
         let mut t = self.from(t);
-        for _ in 0..4 {
-            let next = self.from(task.next_duration(t));
+        // Every round passes a gap of an axis. An axis has at most one to each side.
+        for _ in 0..2 * axes + 2 {
+            let next = self.from(next_duration(t));
             if next <= t {
                 break;
             }

@@ -337,11 +337,8 @@ impl<R: Real> Border<R> {
             let mirror = lacks < R::ZERO;
             let border = if mirror { self.mirrored() } else { *self };
             let base = border.split_at_0(border.course((ramp.0, ramp.1 != mirror)));
-            match border.before_gap(base, lacks.abs(), tie) {
-                Some(Search::Reached(course)) => return (mirror, course),
-                Some(Search::Lacking(base, lacks)) => {
-                    return (mirror, border.turning(base, h.negate_if(mirror), lacks));
-                }
+            match border.first_over(base, h.negate_if(mirror), lacks.abs(), tie) {
+                Some(course) => return (mirror, course),
                 None => ramp = self.behind_gap(),
             }
         }
@@ -384,6 +381,14 @@ impl<R: Real> Border<R> {
         } else {
             course
         }
+    }
+
+    /// The first motion of the border over `h`: it gets `lacks` farther than `base`. `None` if a gap comes first.
+    fn first_over(&self, base: Course<R>, h: R, lacks: R, tie: R) -> Option<Course<R>> {
+        Some(match self.before_gap(base, lacks, tie)? {
+            Search::Reached(course) => course,
+            Search::Lacking(base, lacks) => self.turning(base, h, lacks),
+        })
     }
 
     /// The part of the border in which the acceleration keeps its sign in the middle of the motion. `None` if a gap follows, that is,
@@ -536,11 +541,8 @@ impl<R: Real> Border<R> {
             } else {
                 return t;
             };
-            t = match border.before_gap(base, lacks, tie) {
-                Some(Search::Reached(course)) => border.pace.duration(&course),
-                Some(Search::Lacking(base, lacks)) => {
-                    border.pace.duration(&border.turning(base, h, lacks))
-                }
+            t = match border.first_over(base, h, lacks, tie) {
+                Some(course) => border.pace.duration(&course),
                 None => self.passed(self.behind_gap()).0,
             };
         }
@@ -601,6 +603,11 @@ impl<R: Real> Border<R> {
             (rise * holds - turned) / both,
         );
         let is_trapezoid = mean == R::ZERO;
+        let top_holds = if holds >= R::ZERO {
+            top >= R::ZERO
+        } else {
+            peak > rise
+        };
         if holds >= R::ZERO && (top >= R::ZERO && bottom >= R::ZERO || is_trapezoid) {
             Course {
                 first: rise - a0,
@@ -612,11 +619,7 @@ impl<R: Real> Border<R> {
                 last: a1 + depth,
                 ..Course::default()
             }
-        } else if if holds >= R::ZERO {
-            top >= R::ZERO
-        } else {
-            peak > rise
-        } {
+        } else if top_holds {
             self.top_alone(t)
         } else {
             self.reversed().top_alone(t).reversed()

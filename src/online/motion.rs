@@ -352,7 +352,7 @@ impl<R: Real> Profile<R, 4, 17> for Move<R> {
 }
 
 /// A phase before its place in the move is known.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Leg<R> {
     /// Acceleration at the start.
     pub from: R,

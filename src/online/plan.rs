@@ -300,14 +300,9 @@ struct Walk<R> {
 impl<R: Real> Walk<R> {
     /// Through a motion of the duration `t`.
     fn new(t: R) -> Self {
-        let (from, jerk, duration) = (R::ZERO, R::ZERO, R::ZERO);
         Self {
             t,
-            legs: [Leg {
-                from,
-                jerk,
-                duration,
-            }; LEGS],
+            legs: [Leg::default(); LEGS],
             starts: [Instant::start(t); LEGS],
             count: 0,
             current: 0,
@@ -350,13 +345,7 @@ impl<R: Real> Walk<R> {
     }
 
     fn leg(&self) -> Leg<R> {
-        let (from, jerk, duration) = (R::ZERO, R::ZERO, R::ZERO);
-        let leg = self.legs.get(self.current).copied();
-        leg.unwrap_or(Leg {
-            from,
-            jerk,
-            duration,
-        })
+        self.legs.get(self.current).copied().unwrap_or_default()
     }
 
     /// When the leg under way ends.
