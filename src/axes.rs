@@ -81,7 +81,7 @@ pub fn line<R: Real>(
     for ((_, (from, to)), axis) in ends.zip(axes) {
         let share = line.share(from, to);
         *axis = lead.map(|phase| Phase {
-            position: to.position + share * (phase.position - line.to.position),
+            position: to.position + share * phase.position,
             velocity: share * phase.velocity,
             acceleration: share * phase.acceleration,
             jerk: share * phase.jerk,
@@ -124,7 +124,8 @@ fn shortest<R: Real>(task: &Task<R>) -> Result<R, Error> {
     }
 }
 
-/// A straight line in the space of all axes. The axis with the longest way leads.
+/// A straight line in the space of all axes. The axis with the longest way leads. Its positions are counted from its end, so they have the
+/// roundings of the way alone.
 struct Line<R> {
     /// The lead at the start.
     from: State<R>,
@@ -140,8 +141,14 @@ impl<R: Real> Line<R> {
             to: State::default(),
         };
         for (from, to) in from.iter().zip(to) {
-            if (to.position - from.position).abs() >= line.way().abs() {
-                (line.from, line.to) = (*from, *to);
+            let way = to.position - from.position;
+            if way.abs() >= line.way().abs() {
+                let position = -way;
+                line.from = State { position, ..*from };
+                line.to = State {
+                    position: R::ZERO,
+                    ..*to
+                };
             }
         }
         if !line.way().is_finite() {

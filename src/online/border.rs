@@ -189,6 +189,23 @@ impl<R: Real> Change<R> {
     }
 }
 
+/// Two motions of the same duration, whose mean travels a displacement.
+pub(crate) struct Mean<R> {
+    /// The motion that gets farthest.
+    pub farthest: Course<R>,
+    /// The motion that gets farthest to the other side. It belongs to the mirrored axis.
+    pub nearest: Course<R>,
+    /// The weight of the first motion.
+    pub share: R,
+}
+
+impl<R: Real> Mean<R> {
+    /// Whether no weight is negative. Then the mean keeps the limits that both motions keep.
+    pub fn keeps_limits(&self) -> bool {
+        self.share >= R::ZERO && self.share <= R::ONE
+    }
+}
+
 /// How the search in a part of the border ends.
 enum Search<R> {
     /// The displacement is reached.
@@ -549,9 +566,48 @@ impl<R: Real> Border<R> {
         t
     }
 
+    /// The mean over `h` of the motions of the duration `t`. `None` if the end cannot be reached in this duration.
+    pub fn mean(&self, h: R, t: R) -> Option<Mean<R>> {
+        let mirrored = self.mirrored();
+        let (farthest, nearest) = (self.of_duration(t)?, mirrored.of_duration(t)?);
+        let least = -mirrored.displacement(&nearest);
+        let (beyond, width) = (h - least, self.displacement(&farthest) - least);
+        // An axis that need not move has no width.
+        let share = if beyond == width {
+            R::ONE
+        } else {
+            beyond / width
+        };
+        Some(Mean {
+            farthest,
+            nearest,
+            share,
+        })
+    }
+
+    /// The axis with a lower limit of its velocity, if it has time: twice the mean velocity is enough between standstills. So the numbers of a
+    /// slow motion are small, and with them their roundings.
+    pub fn slower(&self, h: R, t: R) -> Self {
+        let mean = h.abs() / t;
+        let speed = mean + mean + self.v0.abs() + self.v1.abs() + self.undone();
+        Self {
+            vmax: self.vmax.at_most(speed),
+            above: self.above.at_most(speed - self.v0),
+            vmin: self.vmin.at_least(-speed),
+            below: self.below.at_most(speed + self.v0),
+            ..*self
+        }
+    }
+
     /// The motion of the duration `t` that gets farthest. `None` if the end cannot be reached in this duration, which is not below that of
     /// the direct ramp.
     pub fn of_duration(&self, t: R) -> Option<Course<R>> {
+        let few = R::from(16) * R::EPSILON;
+        let straight = self.course(self.straight());
+        let waits = t - self.pace.duration(&straight);
+        if !self.beyond_straight().1 && waits.abs() <= few * t {
+            return Some(straight);
+        }
         let (mut cruise, _) = self.by_way_of_vmax();
         let without_cruise = self.pace.duration(&cruise);
         let course = if t >= without_cruise {
@@ -560,7 +616,7 @@ impl<R: Real> Border<R> {
         } else {
             self.without_cruise(t)
         };
-        let rounding = R::from(16) * R::EPSILON * (self.a0.abs() + self.a1.abs() + course.fall);
+        let rounding = few * (self.a0.abs() + self.a1.abs() + course.fall);
         let is_motion = course.first >= -rounding && course.last >= -rounding;
         is_motion.then_some(course)
     }

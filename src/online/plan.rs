@@ -1,6 +1,6 @@
 //! Coming inside the limits, and the fastest motion from there on.
 
-use super::border::{Border, Change, Course, Pace, Ramp};
+use super::border::{Border, Change, Course, Mean, Pace, Ramp};
 use super::motion::{Leg, Pen};
 use super::{Error, Limits, Move};
 use crate::check::Findings;
@@ -167,18 +167,23 @@ impl<'a, R: Real> Task<'a, R> {
     /// Writes a motion of this duration, which is possible: the mean of the motions that get farthest to either side, with the weights that
     /// reach the target. `false` if it is not possible.
     pub fn write_mean(&self, ctx: &mut Move<R>, duration: R) -> bool {
-        let (upper, lower) = (self.border, self.border.mirrored());
         let t = duration - self.start.change.duration;
-        let (Some(farthest), Some(nearest)) = (upper.of_duration(t), lower.of_duration(t)) else {
+        let (h, _) = self.displacement();
+        let upper = self.border;
+        let gentle = upper.slower(h, t).mean(h, t).filter(Mean::keeps_limits);
+        let Some(mean) = gentle.or_else(|| upper.mean(h, t)) else {
             return false;
         };
-        let least = -lower.displacement(&nearest);
-        let share = (self.displacement().0 - least) / (upper.displacement(&farthest) - least);
-        let share = share.at_least(R::ZERO).at_most(R::ONE);
-        let mut walks = [Walk::new(t); 2];
-        let [one, other] = &mut walks;
-        upper.each_leg(self.limits, false, &farthest, |leg| one.add(leg));
-        upper.each_leg(self.limits, true, &nearest, |leg| other.add(leg));
+        let (mut above, mut below) = (Walk::new(t), Walk::new(t));
+        upper.each_leg(self.limits, false, &mean.farthest, |leg| above.add(leg));
+        upper.each_leg(self.limits, true, &mean.nearest, |leg| below.add(leg));
+        let share = mean.share.at_least(R::ZERO).at_most(R::ONE);
+        // The motion with the larger weight comes first, so the mean of equal numbers is exact, and so are its roundings of small ones.
+        let (mut one, mut other, weight) = if share > R::HALF {
+            (above, below, R::ONE - share)
+        } else {
+            (below, above, share)
+        };
         one.count_from_end();
         other.count_from_end();
         let mut pen = self.pen(ctx);
@@ -186,7 +191,7 @@ impl<'a, R: Real> Task<'a, R> {
         // Each turn ends a leg of one motion, or of both.
         for _ in 0..2 * LEGS {
             let next = one.end().first(other.end());
-            let mean = |x: R, y: R| y + share * (x - y);
+            let mean = |x: R, y: R| x + weight * (y - x);
             pen.write(Leg {
                 from: mean(one.acceleration(now), other.acceleration(now)),
                 jerk: mean(one.leg().jerk, other.leg().jerk),

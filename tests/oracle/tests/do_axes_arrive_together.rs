@@ -18,17 +18,7 @@ fn axes_arrive_together<R: Real>() {
     println!("{}: seeds 0..{SEEDS}, {seconds:.0} s\n{tallies}", R::NAME);
     let total = tallies.total();
     assert_eq!(total.sets, SEEDS * SETS as u64);
-    assert_eq!(
-        (total.refused, total.impossible),
-        (0, 0),
-        "see the examples above"
-    );
-    // A stretched axis makes the mean of two motions that go as far as the limits allow, so roundings of their ways remain in its own. Of
-    // 20,000 sets 48 in f32 and 10 in f64 exceed the scale of the judge by such roundings.
-    assert!(
-        (total.wrong + total.longer) * 200 <= total.sets,
-        "see the examples above"
-    );
+    assert_eq!(total.bad(), 0, "see the examples above");
 }
 
 #[test]

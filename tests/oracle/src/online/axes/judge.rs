@@ -4,7 +4,7 @@ use super::line;
 use super::problems::{Family, Set, Sets};
 use super::ruckig;
 use crate::online::judge::{Scale, Trial, tolerance};
-use crate::online::referee::{Motion, widened};
+use crate::online::referee::widened;
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Move};
@@ -46,26 +46,17 @@ pub enum Verdict {
 
 /// How much larger the numbers of a stretched motion may be than its own way tells.
 ///
-/// A stretched motion is the mean of two motions that go as far as the limits allow. So its numbers have the roundings of those motions:
-/// its position those of the highest velocity times the duration, not those of its own way.
+/// A stretched motion is the mean of two motions. A ramp of one of them may be shorter than a rounding of the duration. Then its acceleration
+/// jumps, by as much as the jerk can change it in a rounding of the duration.
 pub fn scale_of_limits<R: Real>(axis: &Trial<R>, duration: f64) -> Scale {
-    let Motion {
-        limits,
-        start: [_, v0, a0],
-        target: [_, v1, a1],
-        ..
-    } = axis.motion();
-    let [vmax, amax, jmax] = [0, 2, 4].map(|k| f64::max(limits[k], -limits[k + 1]));
-    let jerked = a0.abs() + a1.abs() + if duration > 0.0 { jmax * duration } else { 0.0 };
-    let acceleration = amax.min(jerked).max(a0.abs()).max(a1.abs());
-    let accelerated = v0.abs() + v1.abs() + acceleration * duration;
-    // What the accelerations at the ends make unavoidable.
-    let undone = 0.25 * (1.0 / limits[4] - 1.0 / limits[5]) * (a0 * a0 + a1 * a1);
-    let velocity = vmax.min(accelerated).max(v0.abs()).max(v1.abs()) + undone;
+    let [.., jmax, jmin] = axis.motion().limits;
     Scale {
-        position: velocity * duration,
-        velocity,
-        acceleration,
+        acceleration: if duration > 0.0 {
+            jmax.max(-jmin) * duration
+        } else {
+            0.0
+        },
+        ..Scale::default()
     }
 }
 
@@ -195,6 +186,10 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Verdict> {
         let mut fastest = Move::default();
         let planned = fastest.plan(&problem.limits, problem.from, problem.to);
         let is_slowest = planned.is_ok() && fastest.t >= axis.t;
+        // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
+        for phase in &mut fastest.phase {
+            phase.t = if phase.t > axis.t { axis.t } else { phase.t };
+        }
         let count = fastest.phases as usize;
         if is_slowest && fastest.phase[..count] != axis.phase[..axis.phases as usize] {
             return Some(Verdict::Wrong(

@@ -100,7 +100,7 @@ fn wrong_motions<R: Real>(
         });
         let what = trial
             .wrong_states(&axes[k], &more, random)
-            .or_else(|| leaves_line(set, [lead, k], shares[k], axes, &more, random));
+            .or_else(|| leaves_line(set, [lead, k], shares[k], axes, random));
         if let Some(what) = what {
             return Some(Verdict::Wrong(k, what));
         }
@@ -114,20 +114,25 @@ fn leaves_line<R: Real>(
     [lead, k]: [usize; 2],
     share: R,
     axes: &[Move<R>],
-    more: &Scale,
     random: &mut Random,
 ) -> Option<&'static str> {
     let end = |k: usize| set.axes[k].to.position.widen();
-    let start = set.axes[k].from.position.widen();
-    let phases = &axes[lead].phase[..=axes[lead].phases as usize];
-    let borders = phases.iter().map(|phase| phase.t);
+    let phases = |k: usize| &axes[k].phase[..=axes[k].phases as usize];
+    let borders = phases(lead).iter().map(|phase| phase.t);
+    let reach = |k: usize| {
+        let positions = phases(k).iter().map(|phase| {
+            let [p, v, a] = [phase.position, phase.velocity, phase.acceleration].map(R::widen);
+            let t = phase.duration.widen();
+            p.abs() + t * (v.abs() + t * a.abs())
+        });
+        positions.fold(0.0, f64::max)
+    };
+    let scale = reach(k) + share.widen().abs() * reach(lead);
     let within = [(); 4].map(|()| R::of(random.unit()) * axes[lead].t);
     let mut times = borders.chain(within);
     let is_beside = |x: R| {
         let [led, own] = [lead, k].map(|k| axes[k].position(x).widen());
         let beside = own - end(k) - share.widen() * (led - end(lead));
-        let scale =
-            start.abs() + end(k).abs() + own.abs() + (share.widen() * led).abs() + more.position;
         beside.abs() > doubt::<R>() * scale
     };
     times.any(is_beside).then_some("it leaves the line")
