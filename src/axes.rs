@@ -203,9 +203,12 @@ impl<R: Real> Line<R> {
 fn write<R: Real>(task: &Task<R>, axis: &mut Move<R>, t: R) -> Result<(), Error> {
     let fastest = task.fastest();
     let is_slower = task.duration(&fastest) < t;
-    if !(is_slower && task.write_mean(axis, t)) {
-        task.write(axis, &fastest)?;
-        axis.end_at(t);
+    match task.mean(t).filter(|_| is_slower) {
+        Some(mean) => task.write_mean(axis, t, &mean),
+        None => {
+            task.write(axis, &fastest)?;
+            axis.end_at(t);
+        }
     }
     Ok(())
 }

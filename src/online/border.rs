@@ -570,8 +570,11 @@ impl<R: Real> Border<R> {
     pub fn mean(&self, h: R, t: R) -> Option<Mean<R>> {
         let mirrored = self.mirrored();
         let (farthest, nearest) = (self.of_duration(t)?, mirrored.of_duration(t)?);
-        let least = -mirrored.displacement(&nearest);
-        let (beyond, width) = (h - least, self.displacement(&farthest) - least);
+        let (most, least) = (
+            self.displacement(&farthest),
+            -mirrored.displacement(&nearest),
+        );
+        let (beyond, width) = (h - least, most - least);
         // An axis that need not move has no width.
         let share = if beyond == width {
             R::ONE

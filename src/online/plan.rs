@@ -152,8 +152,11 @@ impl<'a, R: Real> Task<'a, R> {
         t
     }
 
-    /// The shortest possible duration from `duration` on, s.
+    /// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s.
     pub fn next_duration(&self, duration: R) -> R {
+        if self.slow(duration).is_some() {
+            return duration;
+        }
         let inside = self.start.change.duration;
         let (h, positions) = self.displacement();
         let next = self.border.next_duration(duration - inside, h, positions);
@@ -164,32 +167,43 @@ impl<'a, R: Real> Task<'a, R> {
         }
     }
 
-    /// Writes a motion of this duration, which is possible: the mean of the motions that get farthest to either side, with the weights that
-    /// reach the target. `false` if it is not possible.
-    pub fn write_mean(&self, ctx: &mut Move<R>, duration: R) -> bool {
+    /// A slow motion of this duration over the displacement, if there is one.
+    fn slow(&self, duration: R) -> Option<Mean<R>> {
+        let (h, t) = (self.displacement().0, duration - self.start.change.duration);
+        self.border
+            .slower(h, t)
+            .mean(h, t)
+            .filter(Mean::keeps_limits)
+    }
+
+    /// A motion of this duration over the displacement, if one is possible: a slow one if there is one.
+    pub fn mean(&self, duration: R) -> Option<Mean<R>> {
+        let (h, t) = (self.displacement().0, duration - self.start.change.duration);
+        self.slow(duration).or_else(|| self.border.mean(h, t))
+    }
+
+    /// Writes the way inside the limits and the mean of two motions.
+    pub fn write_mean(&self, ctx: &mut Move<R>, duration: R, mean: &Mean<R>) {
         let t = duration - self.start.change.duration;
-        let (h, _) = self.displacement();
-        let upper = self.border;
-        let gentle = upper.slower(h, t).mean(h, t).filter(Mean::keeps_limits);
-        let Some(mean) = gentle.or_else(|| upper.mean(h, t)) else {
-            return false;
-        };
-        let (mut above, mut below) = (Walk::new(t), Walk::new(t));
-        upper.each_leg(self.limits, false, &mean.farthest, |leg| above.add(leg));
-        upper.each_leg(self.limits, true, &mean.nearest, |leg| below.add(leg));
         let share = mean.share.at_least(R::ZERO).at_most(R::ONE);
-        // The motion with the larger weight comes first, so the mean of equal numbers is exact, and so are its roundings of small ones.
-        let (mut one, mut other, weight) = if share > R::HALF {
-            (above, below, R::ONE - share)
+        let (farthest, nearest) = ((false, &mean.farthest), (true, &mean.nearest));
+        // The motion with the larger weight comes first. So the mean of equal numbers is exact, and a small one has small roundings.
+        let (motions, weight) = if share > R::HALF {
+            ([farthest, nearest], R::ONE - share)
         } else {
-            (below, above, share)
+            ([nearest, farthest], share)
         };
-        one.count_from_end();
-        other.count_from_end();
+        let [mut one, mut other] = motions.map(|(mirror, course)| {
+            let mut walk = Walk::new(t);
+            self.border
+                .each_leg(self.limits, mirror, course, |leg| walk.add(leg));
+            walk.count_from_end();
+            walk
+        });
         let mut pen = self.pen(ctx);
         let mut now = Instant::start(t);
         // Each turn ends a leg of one motion, or of both.
-        for _ in 0..2 * LEGS {
+        for _ in 1..one.count + other.count {
             let next = one.end().first(other.end());
             let mean = |x: R, y: R| x + weight * (y - x);
             pen.write(Leg {
@@ -203,7 +217,6 @@ impl<'a, R: Real> Task<'a, R> {
         }
         pen.end(self.to);
         ctx.end_at(duration);
-        true
     }
 
     /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.

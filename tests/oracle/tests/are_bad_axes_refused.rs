@@ -121,18 +121,21 @@ fn beyond_the_range<R: Real>() {
     );
     assert_eq!(returned.err(), Some(Error::NotFinite));
     assert_eq!(axes, [Move::default(); 2]);
+    // What an axis without limits could do in a long time is beyond the range. What it does is not, if it starts at rest.
     let limits = [Limits::symmetric(R::ONE, R::INFINITY, R::INFINITY)];
+    let long = R::of(f64::exp2(0.95 * f64::from(R::EXPONENTS.1)));
     let mut axes = [Move::default()];
-    let returned = synchronise(
-        &mut axes,
-        &limits,
-        &[still],
-        &[State::at(R::ONE)],
-        huge,
-        R::ZERO,
-    );
+    let to = [State::at(R::ONE)];
+    let moving = State {
+        velocity: R::of(f64::exp2(0.1 * f64::from(R::EXPONENTS.1))),
+        ..still
+    };
+    let returned = synchronise(&mut axes, &limits, &[moving], &to, long, R::ZERO);
     assert_eq!(returned.err(), Some(Error::NotFinite));
     assert_eq!(axes, [Move::default()]);
+    let returned = synchronise(&mut axes, &limits, &[still], &to, long, R::ZERO);
+    assert!(returned.is_ok());
+    assert!(axes[0].t == long && axes[0].state_at(long) == to[0]);
 }
 
 fn lengths<R: Real>() {
