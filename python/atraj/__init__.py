@@ -3,7 +3,7 @@
 >>> import atraj
 >>> move = atraj.Bell(jerk=30, acceleration=10, velocity=5, p0=0, p1=10)
 >>> move.t, move.position(1.0)
-(2.8333333333333335, 2.916666666666667)
+(2.833333333333333, 2.916666666666667)
 >>> move.position([0.0, 1.0, 2.0]) # an array of times gives an array
 array([0.        , 2.91666667, 7.91666667])
 >>> t, p, v, a, j = move.sample(dt=0.001)

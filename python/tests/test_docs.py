@@ -24,13 +24,12 @@ def documented():
                 yield f"{module.__name__}.{name}.{member}", inspect.getdoc(getattr(item, member))
 
 
-EXAMPLES = {name: text for name, text in documented() if text and ">>>" in text}
+# The classes of both real types have the same docstrings, whose examples use `atraj`.
+EXAMPLES = {name: text for name, text in documented() if text and ">>>" in text and not name.startswith("atraj.f32.")}
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_examples(name):
-    if name.startswith("atraj.f32."):
-        pytest.skip("the docstrings are those of atraj, whose examples run")
     test = doctest.DocTestParser().get_doctest(EXAMPLES[name], {}, name, None, None)
     failed, attempted = doctest.DocTestRunner().run(test)
     assert attempted > 0 and failed == 0

@@ -81,8 +81,8 @@ impl Profile {
     /// `Samples`: times, positions, velocities, accelerations and jerks, with the bits of the single calls.
     ///
     /// Sample `k` belongs to the time `start + k*dt`, s. `dt` alone samples until the end is reached, `n` alone takes `n` samples
-    /// evenly from the start to the end. With `out`, a `Samples` of arrays, nothing is allocated: each array is filled, and None
-    /// leaves a quantity out. A sample more than 2147483647 is refused.
+    /// evenly from the start to the end. With `out`, a `Samples` of arrays, nothing is allocated, which saves most of the time of a long
+    /// sweep: each array is filled, and None leaves a quantity out. ValueError for more than 2147483647 samples.
     ///
     /// >>> import atraj
     /// >>> move = atraj.Bell(30, 10, 5, 0, 10)
@@ -129,7 +129,7 @@ impl Profile {
 /// >>> import atraj
 /// >>> move = atraj.Bell(jerk=30, acceleration=10, velocity=5, p0=0, p1=10)
 /// >>> move.t, move.position(1.0)
-/// (2.8333333333333335, 2.916666666666667)
+/// (2.833333333333333, 2.916666666666667)
 #[pyclass(frozen, extends = Profile)]
 pub struct Bell(atraj::Bell<Real>);
 
@@ -169,7 +169,7 @@ impl Bell {
     ///
     /// >>> import atraj
     /// >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2) # 0.1 m to go at 2 m/s
-    /// <Bell from 0 to 0.1 in 1.3119127190078198 s>
+    /// <Bell from 0 to 0.1 in 1.015182383138908 s>
     #[staticmethod]
     #[pyo3(signature = (jerk, acceleration, velocity, p0, p1, v0=0.0, v1=0.0))]
     #[allow(clippy::too_many_arguments)]
@@ -341,19 +341,37 @@ pub struct Poly5(atraj::Poly5<Real>);
 #[pyclass(frozen, extends = Profile)]
 pub struct Poly7(atraj::Poly7<Real>);
 
+impl Poly3 {
+    fn of(poly: atraj::Poly3<Real>, t: Real) -> PyClassInitializer<Self> {
+        Profile::new(poly, t).add_subclass(Self(poly))
+    }
+}
+
 #[pymethods]
 impl Poly3 {
     #[new]
     #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0))]
     fn new(t: Real, p0: Real, p1: Real, v0: Real, v1: Real) -> PyResult<PyClassInitializer<Self>> {
         let poly = finite(atraj::Poly3::new(t, Boundary { p0, p1, v0, v1 }))?;
-        Ok(Profile::new(poly, t).add_subclass(Self(poly)))
+        Ok(Self::of(poly, t))
+    }
+
+    /// The polynomial of duration `t`, s, with these coefficients `c`, finite or not.
+    #[staticmethod]
+    fn from_coefficients(py: Python<'_>, t: Real, c: [Real; 4]) -> PyResult<Py<Self>> {
+        Py::new(py, Self::of(Poly { c }, t))
     }
 
     /// Coefficients of the position in ascending powers of time.
     #[getter]
     fn c(&self) -> (Real, Real, Real, Real) {
         self.0.c.into()
+    }
+}
+
+impl Poly5 {
+    fn of(poly: atraj::Poly5<Real>, t: Real) -> PyClassInitializer<Self> {
+        Profile::new(poly, t).add_subclass(Self(poly))
     }
 }
 
@@ -372,13 +390,25 @@ impl Poly5 {
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let poly = finite(atraj::Poly5::new(t, boundary, [a0, a1]))?;
-        Ok(Profile::new(poly, t).add_subclass(Self(poly)))
+        Ok(Self::of(poly, t))
+    }
+
+    /// The polynomial of duration `t`, s, with these coefficients `c`, finite or not.
+    #[staticmethod]
+    fn from_coefficients(py: Python<'_>, t: Real, c: [Real; 6]) -> PyResult<Py<Self>> {
+        Py::new(py, Self::of(Poly { c }, t))
     }
 
     /// Coefficients of the position in ascending powers of time.
     #[getter]
     fn c(&self) -> (Real, Real, Real, Real, Real, Real) {
         self.0.c.into()
+    }
+}
+
+impl Poly7 {
+    fn of(poly: atraj::Poly7<Real>, t: Real) -> PyClassInitializer<Self> {
+        Profile::new(poly, t).add_subclass(Self(poly))
     }
 }
 
@@ -400,7 +430,13 @@ impl Poly7 {
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let poly = finite(atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]))?;
-        Ok(Profile::new(poly, t).add_subclass(Self(poly)))
+        Ok(Self::of(poly, t))
+    }
+
+    /// The polynomial of duration `t`, s, with these coefficients `c`, finite or not.
+    #[staticmethod]
+    fn from_coefficients(py: Python<'_>, t: Real, c: [Real; 8]) -> PyResult<Py<Self>> {
+        Py::new(py, Self::of(Poly { c }, t))
     }
 
     /// Coefficients of the position in ascending powers of time.
