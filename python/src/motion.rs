@@ -175,12 +175,12 @@ impl<'py, R: Number> Request<'py, R> {
     }
 }
 
-/// Arrays of `n` zeros. NumPy allocates them, and raises MemoryError if it cannot.
+/// Arrays for `n` samples. NumPy allocates them, and raises MemoryError if it cannot.
 fn fresh<R: Number>(py: Python<'_>, n: usize) -> PyResult<Arrays<'_, R>> {
-    let zeros = py.import("numpy")?.getattr("zeros")?;
+    let empty = py.import("numpy")?.getattr("empty")?;
     let mut arrays = Arrays::default();
     for array in &mut arrays {
-        *array = Some(zeros.call1((n, R::get_dtype(py)))?.extract()?);
+        *array = Some(empty.call1((n, R::get_dtype(py)))?.extract()?);
     }
     Ok(arrays)
 }

@@ -2,6 +2,7 @@
 
 import doctest
 import inspect
+from pathlib import Path
 
 import pytest
 
@@ -9,6 +10,7 @@ import atraj
 import atraj.claraty
 import atraj.f32
 
+README = Path(__file__).parents[2] / "README.md"
 MODULES = [atraj, atraj.f32, atraj.claraty]
 
 
@@ -33,6 +35,13 @@ def test_examples(name):
     test = doctest.DocTestParser().get_doctest(EXAMPLES[name], {}, name, None, None)
     failed, attempted = doctest.DocTestRunner().run(test)
     assert attempted > 0 and failed == 0
+
+
+def test_the_readme_runs():
+    blocks = README.read_text().split("```python\n")[1:]
+    assert blocks
+    for block in blocks:
+        exec(block.split("```")[0], {})
 
 
 def test_everything_public_is_documented():

@@ -12,7 +12,7 @@ PACKAGE = Path(atraj.__file__).parent
 
 def test_stubs_agree_with_the_module():
     allowed = str(HERE / "stubtest-allowed.txt")
-    subprocess.run([sys.executable, "-m", "mypy.stubtest", "atraj", "--allowlist", allowed], check=True)
+    subprocess.run([sys.executable, "-m", "mypy.stubtest", "atraj", "--allowlist", allowed], check=True, cwd=HERE)
 
 
 def test_both_real_types_have_the_same_stubs():
@@ -26,4 +26,4 @@ def test_both_real_types_have_the_same_stubs():
 
 def test_examples_and_package_are_typed():
     examples = [str(HERE.parent / "examples/vibration.py"), str(HERE / "typed.py")]
-    subprocess.run([sys.executable, "-m", "mypy", "--strict", *examples], check=True)
+    subprocess.run([sys.executable, "-m", "mypy", "--strict", *examples], check=True, cwd=HERE)

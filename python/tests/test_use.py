@@ -2,10 +2,11 @@
 
 import math
 import sys
+import tomllib
 
 import numpy as np
 import pytest
-from golden import REALS
+from golden import DIRECTORY, REALS
 
 import atraj
 from atraj.claraty import Trajectory, Warnings
@@ -24,6 +25,11 @@ def profiles(module):
         module.Poly7(8, 0, 10, j1=1),
         module.Move.plan(LIMITS, atraj.State(0, 1, 2), atraj.State(-1)),
     ]
+
+
+def test_version():
+    with open(DIRECTORY.parents[1] / "Cargo.toml", "rb") as manifest:
+        assert atraj.__version__ == tomllib.load(manifest)["package"]["version"]
 
 
 @reals
