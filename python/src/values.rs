@@ -5,6 +5,7 @@ use atraj::{Extremes, State};
 use pyo3::call::PyCallArgs;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 use crate::motion::Number;
 
@@ -63,10 +64,8 @@ pub fn to_phase<R: Number>(py: Python<'_>, phase: Phase<R>) -> PyResult<Bound<'_
         acceleration,
         jerk,
     } = phase;
-    let [t, duration, position] = [t, duration, position].map(R::into);
-    let [velocity, acceleration, jerk] = [velocity, acceleration, jerk].map(R::into);
-    let numbers: LimitsTuple<f64> = (t, duration, position, velocity, acceleration, jerk);
-    named(py, "Phase", numbers)
+    let numbers = [t, duration, position, velocity, acceleration, jerk].map(R::into);
+    named(py, "Phase", PyTuple::new::<f64, _>(py, numbers)?)
 }
 
 /// A `ValueError` that says why.

@@ -77,4 +77,4 @@ def test_moves_beside_ruckig():
         assert move.t <= theirs * (1 + LONGER), (limits, start, end, move.t, theirs)
         shorter += move.t < theirs * (1 - LONGER)
     print(f"{PROBLEMS} problems: Ruckig {ruckig.__version__} refuses {refused}; of the others ours is shorter in {shorter}, longer in none")
-    assert refused < PROBLEMS / 2
+    assert refused < PROBLEMS / 100
