@@ -12,13 +12,19 @@ amplitude of this swing. A lower jerk limit makes the acceleration rise and fall
 the load leaves nothing behind.
 """
 
+from __future__ import annotations
+
 import cmath
 import math
 import sys
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 import atraj
+
+if TYPE_CHECKING:
+    from matplotlib.figure import SubFigure
 
 DISTANCE = 0.5  # m
 VELOCITY = 1.0  # m/s
@@ -84,12 +90,45 @@ def report(name: str, jerk: float) -> None:
     )
 
 
-def draw(file: str, half: float, quiet: float) -> None:
-    """Draws vibration and duration over the jerk limit, and how the load swings with three limits."""
-    import matplotlib
+Shown = list[tuple[str, float, str]]
+"""What a picture shows: names, jerk limits and colours."""
 
-    matplotlib.use("svg")
-    matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "atraj", "font.size": 10, "font.family": "sans-serif"})
+
+def draw_limits(figure: SubFigure, shown: Shown) -> None:
+    """Draws vibration and duration over the jerk limit."""
+    vibration, duration = figure.subplots(2, sharex=True)
+    jerks = np.geomspace(8, 800, 400)
+    vibration.plot(jerks, [1e3 * residual(jerk) for jerk in jerks], color="0.3")
+    duration.plot(jerks, [plan(jerk).t for jerk in jerks], color="0.3")
+    for _, jerk, color in shown:
+        for axis, value in [(vibration, 1e3 * residual(jerk)), (duration, plan(jerk).t)]:
+            if math.isinf(jerk):
+                axis.axhline(value, color=color, linestyle="--")
+            else:
+                axis.plot(jerk, value, "o", color=color, clip_on=False, zorder=3)
+    vibration.set(ylabel="residual vibration, mm", ylim=(0, 1.15e3 * residual(math.inf)))
+    duration.set(ylabel="duration, s", ylim=(0.6, 1.4))
+    duration.set(xlabel="jerk limit, m/s³", xscale="log", xticks=[10, 30, 100, 300])
+    duration.set_xticks([], minor=True)
+    duration.xaxis.set_major_formatter("{x:.0f}")
+
+
+def draw_swings(figure: SubFigure, shown: Shown) -> None:
+    """Draws how the load swings, for each jerk limit."""
+    axes = figure.subplots(len(shown), sharex=True, sharey=True)
+    times = np.linspace(0, 1.6, 500)
+    for axis, (name, jerk, color) in zip(axes, shown):
+        move = plan(jerk)
+        axis.axvspan(0, move.t, color="0.93")
+        axis.plot(times, [1e3 * load(move, t).imag for t in times], color=color)
+        title = f"{name}: {move.t:.2f} s, leaves {1e3 * residual(jerk):.1f} mm"
+        axis.set_title(title, loc="left", fontsize=10, color=color)
+    axes[1].set_ylabel("load relative to the axis, mm")
+    axes[-1].set(xlabel="time, s; grey: the axis moves", xlim=(0, times[-1]))
+
+
+def draw(file: str, half: float, quiet: float) -> None:
+    """Draws the picture as SVG."""
     import matplotlib.pyplot as plt
 
     shown = [
@@ -97,32 +136,13 @@ def draw(file: str, half: float, quiet: float) -> None:
         (f"{half:.0f} m/s³, half the vibration", half, "tab:blue"),
         (f"{quiet:.0f} m/s³, ramps of one period", quiet, "tab:green"),
     ]
-    figure = plt.figure(figsize=(9, 5), layout="constrained")
-    left, right = figure.subfigures(1, 2, squeeze=False)[0]
-    vibration, duration = left.subplots(2, sharex=True)
-    jerks = np.geomspace(8, 800, 400)
-    vibration.plot(jerks, [1e3 * residual(jerk) for jerk in jerks], color="0.3")
-    vibration.set(ylabel="residual vibration, mm", ylim=(0, 1.15e3 * residual(math.inf)))
-    duration.plot(jerks, [plan(jerk).t for jerk in jerks], color="0.3")
-    duration.set(ylabel="duration, s", xlabel="jerk limit, m/s³", xscale="log", ylim=(0.6, 1.4), xticks=[10, 30, 100, 300])
-    duration.set_xticks([], minor=True)
-    duration.xaxis.set_major_formatter("{x:.0f}")
-    swings = right.subplots(3, sharex=True, sharey=True)
-    times = np.linspace(0, 1.6, 500)
-    for axis, (name, jerk, color) in zip(swings, shown):
-        move, left_over = plan(jerk), 1e3 * residual(jerk)
-        if math.isinf(jerk):
-            vibration.axhline(left_over, color=color, linestyle="--")
-            duration.axhline(move.t, color=color, linestyle="--")
-        else:
-            vibration.plot(jerk, left_over, "o", color=color)
-            duration.plot(jerk, move.t, "o", color=color)
-        axis.axvspan(0, move.t, color="0.93")
-        axis.plot(times, [1e3 * load(move, t).imag for t in times], color=color)
-        axis.set_title(f"{name}: {move.t:.2f} s, leaves {left_over:.1f} mm", loc="left", fontsize=10, color=color)
-    swings[1].set_ylabel("load relative to the axis, mm")
-    swings[2].set(xlabel="time, s; grey: the axis moves", xlim=(0, times[-1]))
-    figure.savefig(file, metadata={"Date": None})
+    # Text stays text, and the same picture has the same bytes.
+    with plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "atraj"}):
+        figure = plt.figure(figsize=(9, 5), layout="constrained")
+        left, right = figure.subfigures(1, 2, squeeze=False)[0]
+        draw_limits(left, shown)
+        draw_swings(right, shown)
+        figure.savefig(file, format="svg", metadata={"Date": None})
 
 
 def main() -> None:
