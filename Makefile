@@ -21,6 +21,8 @@
 #   make bench                  measures times and instructions beside the original's: docs/performance.md
 #   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                               `make instructions-update` rewrites tests/instructions.txt
+#   make python                 builds the wheel of the Python package in target/python; needs Python with venv, and the network
+#   make python-check           installs the wheel in target/python/venv and runs the tests of the package
 #   make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family
 #   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian; needs root
 #   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
@@ -89,7 +91,7 @@ RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz python python-check firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
 dist:
@@ -245,6 +247,25 @@ instructions:
 FUZZ_SECONDS ?= 60
 fuzz:
 	fuzz/run.sh $(FUZZ_SECONDS)
+
+PYTHON ?= python3
+PYTHON_DIR := target/python
+VENV := $(PYTHON_DIR)/venv/bin
+PIP := $(VENV)/pip --quiet --disable-pip-version-check
+
+$(VENV)/pip:
+	$(PYTHON) -m venv $(PYTHON_DIR)/venv
+
+python: $(VENV)/pip
+	rm -f $(PYTHON_DIR)/*.whl
+	CARGO_TARGET_DIR=$(CURDIR)/$(PYTHON_DIR)/build $(PIP) wheel --no-deps --wheel-dir $(PYTHON_DIR) ./python
+
+# The archive's shared library, because the tests time its C function.
+python-check: python dist
+	$(if $(VARIANT),$(error make python-check runs on the default build: leave TARGET, CPU, REAL, POLY and the levels out))
+	$(PIP) install -r python/requirements.txt
+	$(PIP) install --force-reinstall --no-deps $(PYTHON_DIR)/*.whl
+	$(VENV)/python -m pytest -q -s python
 
 firmware-setup firmware-check firmware-report:
 	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)

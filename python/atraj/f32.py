@@ -1,0 +1,24 @@
+"""The classes and functions of `atraj` in binary32: the bits of a controller that computes in `float`.
+
+Floats go in and come out, and are rounded on the way in. Arrays are of `numpy.float32`.
+
+>>> import atraj
+>>> import atraj.f32
+>>> atraj.f32.Bell(30, 10, 5, 0, 10).sample(n=3).p
+array([ 0.,  5., 10.], dtype=float32)
+"""
+
+from ._atraj import f32
+
+Profile = f32.Profile
+Bell = f32.Bell
+Trap = f32.Trap
+Poly3 = f32.Poly3
+Poly5 = f32.Poly5
+Poly7 = f32.Poly7
+Move = f32.Move
+synchronise = f32.synchronise
+line = f32.line
+del f32
+
+__all__ = ["Bell", "Move", "Poly3", "Poly5", "Poly7", "Profile", "Trap", "line", "synchronise"]

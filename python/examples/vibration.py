@@ -1,0 +1,159 @@
+"""Which jerk limit halves the residual vibration of a 5 Hz load, and what does it cost in time?
+
+    pip install './python[plot]'
+    python python/examples/vibration.py docs/img/vibration.svg
+
+An axis carries a load on a spring: a gripper on a long finger, a glass on a tray. Seen from the axis, the load at y obeys
+
+    y'' + 2 D w y' + w^2 y = -a(t)
+
+with the acceleration a of the axis. After the move the load swings on at its own frequency, and the residual vibration is the
+amplitude of this swing. A lower jerk limit makes the acceleration rise and fall in longer ramps. A ramp that lasts one period of
+the load leaves nothing behind.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import sys
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+import atraj
+
+if TYPE_CHECKING:
+    from matplotlib.figure import SubFigure
+
+DISTANCE = 0.5  # m
+VELOCITY = 1.0  # m/s
+ACCELERATION = 4.0  # m/s^2
+FREQUENCY = 5.0  # Hz
+DAMPING = 0.01  # of the critical damping
+
+DECAY = DAMPING * 2 * math.pi * FREQUENCY  # 1/s
+SWING = math.sqrt(1 - DAMPING**2) * 2 * math.pi * FREQUENCY  # rad/s
+POLE = complex(-DECAY, SWING)
+
+
+def plan(jerk: float) -> atraj.Move:
+    """The fastest move over the distance. An infinite jerk makes it a trapezoid."""
+    limits = atraj.Limits.symmetric(jerk, ACCELERATION, VELOCITY)
+    return atraj.Move.plan(limits, atraj.State(0), atraj.State(DISTANCE))
+
+
+def load(move: atraj.Move, t: float) -> complex:
+    """The swing of the load at the time t: its imaginary part is y, its magnitude the amplitude. Exact, phase by phase."""
+    swing = 0j
+    for phase in move.phases:
+        d = min(phase.duration, t - phase.t)
+        if d > 0:
+            moved = (cmath.exp(POLE * d) - 1) / POLE
+            driven = phase.acceleration * moved + phase.jerk * (moved - d) / POLE
+            swing -= cmath.exp(POLE * (t - phase.t - d)) * driven / SWING
+    return swing
+
+
+def residual(jerk: float) -> float:
+    """Residual vibration with this jerk limit, m."""
+    move = plan(jerk)
+    return abs(load(move, move.t))
+
+
+def halving_jerk() -> float:
+    """The highest jerk limit that leaves half of the vibration, m/s^3. Scans downwards, then halves the last step."""
+    half = residual(math.inf) / 2
+    low = 1000 * ACCELERATION
+    while residual(low) > half:
+        low /= 1.01
+    high = 1.01 * low
+    for _ in range(50):
+        middle = (low + high) / 2
+        low, high = (middle, high) if residual(middle) <= half else (low, middle)
+    return low
+
+
+def quietest_jerk(below: float) -> float:
+    """The jerk limit that leaves least of the vibration, between half of `below` and `below`, m/s^3."""
+    jerks = np.linspace(below / 2, below, 5001)
+    return float(min(jerks, key=residual))
+
+
+def report(name: str, jerk: float) -> None:
+    """Prints what a jerk limit leaves and what it costs."""
+    trapezoid, move = plan(math.inf), plan(jerk)
+    left, cost = residual(jerk), move.t - trapezoid.t
+    print(
+        f"{name}: jerk {jerk:.2f} m/s^3, vibration {1e3 * left:.3f} mm ({left / residual(math.inf):.1%}), "
+        f"{move.t:.4f} s, {cost:+.4f} s ({cost / trapezoid.t:+.1%})"
+    )
+
+
+Shown = list[tuple[str, float, str]]
+"""What a picture shows: names, jerk limits and colours."""
+
+
+def draw_limits(figure: SubFigure, shown: Shown) -> None:
+    """Draws vibration and duration over the jerk limit."""
+    vibration, duration = figure.subplots(2, sharex=True)
+    jerks = np.geomspace(8, 800, 400)
+    vibration.plot(jerks, [1e3 * residual(jerk) for jerk in jerks], color="0.3")
+    duration.plot(jerks, [plan(jerk).t for jerk in jerks], color="0.3")
+    for _, jerk, color in shown:
+        for axis, value in [(vibration, 1e3 * residual(jerk)), (duration, plan(jerk).t)]:
+            if math.isinf(jerk):
+                axis.axhline(value, color=color, linestyle="--")
+            else:
+                axis.plot(jerk, value, "o", color=color, clip_on=False, zorder=3)
+    vibration.set(ylabel="residual vibration, mm", ylim=(0, 1.15e3 * residual(math.inf)))
+    duration.set(ylabel="duration, s", ylim=(0.6, 1.4))
+    duration.set(xlabel="jerk limit, m/s³", xscale="log", xticks=[10, 30, 100, 300])
+    duration.set_xticks([], minor=True)
+    duration.xaxis.set_major_formatter("{x:.0f}")
+
+
+def draw_swings(figure: SubFigure, shown: Shown) -> None:
+    """Draws how the load swings, for each jerk limit."""
+    axes = figure.subplots(len(shown), sharex=True, sharey=True)
+    times = np.linspace(0, 1.6, 500)
+    for axis, (name, jerk, color) in zip(axes, shown):
+        move = plan(jerk)
+        axis.axvspan(0, move.t, color="0.93")
+        axis.plot(times, [1e3 * load(move, t).imag for t in times], color=color)
+        title = f"{name}: {move.t:.2f} s, leaves {1e3 * residual(jerk):.1f} mm"
+        axis.set_title(title, loc="left", fontsize=10, color=color)
+    axes[1].set_ylabel("load relative to the axis, mm")
+    axes[-1].set(xlabel="time, s; grey: the axis moves", xlim=(0, times[-1]))
+
+
+def draw(file: str, half: float, quiet: float) -> None:
+    """Draws the picture as SVG."""
+    import matplotlib.pyplot as plt
+
+    shown = [
+        ("No jerk limit", math.inf, "tab:red"),
+        (f"{half:.0f} m/s³, half the vibration", half, "tab:blue"),
+        (f"{quiet:.0f} m/s³, ramps of one period", quiet, "tab:green"),
+    ]
+    # Text stays text, and the same picture has the same bytes.
+    with plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "atraj"}):
+        figure = plt.figure(figsize=(9, 5), layout="constrained")
+        left, right = figure.subfigures(1, 2, squeeze=False)[0]
+        draw_limits(left, shown)
+        draw_swings(right, shown)
+        figure.savefig(file, format="svg", metadata={"Date": None})
+
+
+def main() -> None:
+    trapezoid, half = plan(math.inf), halving_jerk()
+    quiet = quietest_jerk(below=half)
+    print(f"no jerk limit: vibration {1e3 * residual(math.inf):.3f} mm, {trapezoid.t:.4f} s")
+    report("half", half)
+    report("a ramp of one period", quiet)
+    for file in sys.argv[1:]:
+        draw(file, half, quiet)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,479 @@
+//! The profiles.
+
+use atraj::{Boundary, Findings, Poly, Saturation};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use super::Real;
+use crate::motion::{Arrays, Motion, Request, at};
+use crate::values::{error, from_state, named, to_extremes, to_state};
+
+/// Adds the classes to a module.
+pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Profile>()?;
+    module.add_class::<Bell>()?;
+    module.add_class::<Trap>()?;
+    module.add_class::<Poly3>()?;
+    module.add_class::<Poly5>()?;
+    module.add_class::<Poly7>()
+}
+
+/// A planned motion of one axis: what all profiles have in common.
+///
+/// Times are in seconds since the start of the motion. Positions have any unit of length or angle, and the other quantities
+/// follow from it: m, m/s, m/s², m/s³.
+#[pyclass(frozen, subclass)]
+pub struct Profile {
+    motion: Box<dyn Motion<Real>>,
+    /// Duration, s.
+    #[pyo3(get)]
+    t: Real,
+}
+
+impl Profile {
+    /// The base of a profile that lasts `t`, s.
+    pub fn new(motion: impl Motion<Real> + 'static, t: Real) -> PyClassInitializer<Self> {
+        let motion = Box::new(motion);
+        PyClassInitializer::from(Self { motion, t })
+    }
+}
+
+#[pymethods]
+impl Profile {
+    /// Position at the time `x`, s: a float, or an array for an array of times. Before the start it is the initial one, after the
+    /// end the final one, but a polynomial goes on.
+    fn position<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(x, |x| self.motion.position(x))
+    }
+
+    /// Velocity at the time `x`, s: a float, or an array for an array of times.
+    fn velocity<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(x, |x| self.motion.velocity(x))
+    }
+
+    /// Acceleration at the time `x`, s: a float, or an array for an array of times.
+    fn acceleration<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(x, |x| self.motion.acceleration(x))
+    }
+
+    /// Jerk at the time `x`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
+    /// jumps.
+    fn jerk<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(x, |x| self.motion.jerk(x))
+    }
+
+    /// The `State` at the time `x`, s: where another plan starts.
+    fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyAny>> {
+        let motion = &self.motion;
+        let state = (
+            motion.position(x),
+            motion.velocity(x),
+            motion.acceleration(x),
+        );
+        to_state(py, from_state(state))
+    }
+
+    /// The `Extremes`: the lowest and the highest position, velocity and acceleration between 0 and `t`.
+    fn extremes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_extremes(py, self.motion.extremes(self.t))
+    }
+
+    /// `Samples`: times, positions, velocities, accelerations and jerks, with the bits of the single calls.
+    ///
+    /// Sample `k` belongs to the time `start + k*dt`, s. `dt` alone samples until the end is reached, `n` alone takes `n` samples
+    /// evenly from the start to the end. With `out`, a `Samples` of arrays, nothing is allocated, which saves most of the time of a long
+    /// sweep: each array is filled, and None leaves a quantity out. ValueError for more than 2147483647 samples.
+    ///
+    /// >>> import atraj
+    /// >>> move = atraj.Bell(30, 10, 5, 0, 10)
+    /// >>> t, p, v, a, j = move.sample(0.5)
+    /// >>> p.round(3)
+    /// array([ 0.   ,  0.602,  2.917,  5.417,  7.917,  9.815, 10.   ])
+    /// >>> move.sample(n=3).v
+    /// array([0., 5., 0.])
+    #[pyo3(signature = (dt=None, *, n=None, start=0.0, out=None))]
+    fn sample<'py>(
+        &self,
+        py: Python<'py>,
+        dt: Option<Real>,
+        n: Option<usize>,
+        start: Real,
+        out: Option<Arrays<'py, Real>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        Request { dt, n, start, out }.sample(py, &*self.motion, self.t)
+    }
+
+    /// Draws position, velocity, acceleration and jerk over time, and returns the figure. Needs matplotlib.
+    fn plot<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let py = slf.py();
+        py.import("atraj._plot")?.call_method1("plot", (slf,))
+    }
+
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let Self { motion, t } = slf.get();
+        let (from, to) = (motion.position(0.0), motion.position(*t));
+        let name = slf.get_type().name()?;
+        Ok(format!("<{name} from {from} to {to} in {t} s>"))
+    }
+}
+
+/// Double-S: jerk, acceleration and velocity are limited.
+///
+/// `Bell(jerk, acceleration, velocity, p0, p1, v0=0, v1=0)` plans as liba's `a_trajbell_gen`, to the last bit, from the position
+/// `p0` to `p1` and from the velocity `v0` to `v1`. The signs of the limits are ignored, and velocities beyond the limit are
+/// limited to it. A ValueError says that there is no such move; `Bell.fastest` plans where liba fails. With
+/// `newest_saturation=True` velocities are limited as liba does since 2025: a NaN stays NaN, and a zero keeps its sign.
+///
+/// `fields` carry liba's names. For a move towards smaller positions `vm`, `jm`, `am` and `dm` hold in the mirrored axis.
+///
+/// >>> import atraj
+/// >>> move = atraj.Bell(jerk=30, acceleration=10, velocity=5, p0=0, p1=10)
+/// >>> move.t, move.position(1.0)
+/// (2.833333333333333, 2.916666666666667)
+#[pyclass(frozen, extends = Profile)]
+pub struct Bell(atraj::Bell<Real>);
+
+impl Bell {
+    fn of(bell: atraj::Bell<Real>) -> PyClassInitializer<Self> {
+        Profile::new(bell, bell.t).add_subclass(Self(bell))
+    }
+}
+
+#[pymethods]
+impl Bell {
+    #[new]
+    #[pyo3(signature = (jerk, acceleration, velocity, p0, p1, v0=0.0, v1=0.0, *, newest_saturation=false))]
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        jerk: Real,
+        acceleration: Real,
+        velocity: Real,
+        p0: Real,
+        p1: Real,
+        v0: Real,
+        v1: Real,
+        newest_saturation: bool,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let saturation = saturation(newest_saturation);
+        let mut bell = atraj::Bell::default();
+        let t = bell.plan_saturated(jerk, acceleration, velocity, boundary, saturation);
+        planned(t)?;
+        Ok(Self::of(bell))
+    }
+
+    /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
+    ///
+    /// An infinite velocity or acceleration is no limit; an infinite jerk needs a finite acceleration. ValueError if a limit is 0,
+    /// an argument is no number, or a position is infinite.
+    ///
+    /// >>> import atraj
+    /// >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2) # 0.1 m to go at 2 m/s
+    /// <Bell from 0 to 0.1 in 1.015182383138908 s>
+    #[staticmethod]
+    #[pyo3(signature = (jerk, acceleration, velocity, p0, p1, v0=0.0, v1=0.0))]
+    #[allow(clippy::too_many_arguments)]
+    fn fastest(
+        py: Python<'_>,
+        jerk: Real,
+        acceleration: Real,
+        velocity: Real,
+        p0: Real,
+        p1: Real,
+        v0: Real,
+        v1: Real,
+    ) -> PyResult<Py<Self>> {
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let bell = atraj::Bell::fastest(jerk, acceleration, velocity, boundary);
+        Py::new(py, Self::of(bell.ok_or_else(|| error(NO_FASTEST))?))
+    }
+
+    /// The move with these `BellFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
+    #[staticmethod]
+    #[rustfmt::skip]
+    fn from_fields(py: Python<'_>, fields: [Real; 14]) -> PyResult<Py<Self>> {
+        let [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm] = fields;
+        let bell = atraj::Bell { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm };
+        Py::new(py, Self::of(bell))
+    }
+
+    /// The `BellFields`: what liba's struct holds.
+    #[getter]
+    #[rustfmt::skip]
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let atraj::Bell { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm } = self.0;
+        let fields = [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm];
+        named(py, "BellFields", PyTuple::new(py, fields)?)
+    }
+
+    /// The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
+    /// ValueError if a field is not finite, or a limit is not a number.
+    ///
+    /// >>> import atraj
+    /// >>> move = atraj.Bell(30, 2.5, 10, p0=0, p1=10, v0=7.5) # liba's plan forgets the limit of the acceleration
+    /// >>> move.check(30, 2.5, 10)
+    /// <Findings.EXCEEDS_ACCELERATION: 2>
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        jerk: Real,
+        acceleration: Real,
+        velocity: Real,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        found(py, self.0.check(jerk, acceleration, velocity))
+    }
+}
+
+/// Trapezoid: acceleration and velocity are limited.
+///
+/// `Trap(velocity, ac, de, p0, p1, v0=0, v1=0)` plans as liba's `a_trajtrap_gen`, to the last bit. `ac` and `de` are signed: a
+/// forward move has `ac > 0` and `de < 0`, a backward one the opposite. A final velocity out of reach is replaced by the one that is
+/// reached. Otherwise as `Bell`.
+///
+/// >>> import atraj
+/// >>> move = atraj.Trap(velocity=5, ac=4, de=-2, p0=0, p1=50)
+/// >>> move.t, move.velocity(5)
+/// (11.875, 5.0)
+#[pyclass(frozen, extends = Profile)]
+pub struct Trap(atraj::Trap<Real>);
+
+impl Trap {
+    fn of(trap: atraj::Trap<Real>) -> PyClassInitializer<Self> {
+        Profile::new(trap, trap.t).add_subclass(Self(trap))
+    }
+}
+
+#[pymethods]
+impl Trap {
+    #[new]
+    #[pyo3(signature = (velocity, ac, de, p0, p1, v0=0.0, v1=0.0, *, newest_saturation=false))]
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        velocity: Real,
+        ac: Real,
+        de: Real,
+        p0: Real,
+        p1: Real,
+        v0: Real,
+        v1: Real,
+        newest_saturation: bool,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let saturation = saturation(newest_saturation);
+        let mut trap = atraj::Trap::default();
+        planned(trap.plan_saturated(velocity, ac, de, boundary, saturation))?;
+        Ok(Self::of(trap))
+    }
+
+    /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
+    ///
+    /// One of `ac` and `de` is positive, the other negative. ValueError if not, if the velocity is 0, an argument is no number, or
+    /// a position is infinite.
+    #[staticmethod]
+    #[pyo3(signature = (velocity, ac, de, p0, p1, v0=0.0, v1=0.0))]
+    #[allow(clippy::too_many_arguments)]
+    fn fastest(
+        py: Python<'_>,
+        velocity: Real,
+        ac: Real,
+        de: Real,
+        p0: Real,
+        p1: Real,
+        v0: Real,
+        v1: Real,
+    ) -> PyResult<Py<Self>> {
+        let trap = atraj::Trap::fastest(velocity, ac, de, Boundary { p0, p1, v0, v1 });
+        Py::new(py, Self::of(trap.ok_or_else(|| error(NO_FASTEST))?))
+    }
+
+    /// The move with these `TrapFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
+    #[staticmethod]
+    #[rustfmt::skip]
+    fn from_fields(py: Python<'_>, fields: [Real; 12]) -> PyResult<Py<Self>> {
+        let [t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de] = fields;
+        let trap = atraj::Trap { t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de };
+        Py::new(py, Self::of(trap))
+    }
+
+    /// The `TrapFields`: what liba's struct holds.
+    #[getter]
+    #[rustfmt::skip]
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let atraj::Trap { t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de } = self.0;
+        named(py, "TrapFields", (t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de))
+    }
+
+    /// The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
+    /// ValueError if a field is not finite, or a limit is not a number.
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        velocity: Real,
+        ac: Real,
+        de: Real,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        found(py, self.0.check(velocity, ac, de))
+    }
+}
+
+/// Cubic: position and velocity are given at both ends.
+///
+/// `Poly3(t, p0, p1, v0=0, v1=0)` takes `t`, s, with the bits of liba's `a_trajpoly3_gen`. ValueError if a coefficient is not finite.
+///
+/// >>> import atraj
+/// >>> cubic = atraj.Poly3(8, p0=0, p1=10)
+/// >>> cubic.position(4), cubic.velocity(8)
+/// (5.0, 0.0)
+#[pyclass(frozen, extends = Profile)]
+pub struct Poly3(atraj::Poly3<Real>);
+
+/// Quintic: position, velocity and acceleration are given at both ends.
+///
+/// `Poly5(t, p0, p1, v0=0, v1=0, a0=0, a1=0)` takes `t`, s, with the bits of liba's `a_trajpoly5_gen`. ValueError if a coefficient
+/// is not finite.
+#[pyclass(frozen, extends = Profile)]
+pub struct Poly5(atraj::Poly5<Real>);
+
+/// Septic: position, velocity, acceleration and jerk are given at both ends.
+///
+/// `Poly7(t, p0, p1, v0=0, v1=0, a0=0, a1=0, j0=0, j1=0)` takes `t`, s, with the bits of liba's `a_trajpoly7_gen`. ValueError if a
+/// coefficient is not finite.
+#[pyclass(frozen, extends = Profile)]
+pub struct Poly7(atraj::Poly7<Real>);
+
+impl Poly3 {
+    fn of(poly: atraj::Poly3<Real>, t: Real) -> PyClassInitializer<Self> {
+        Profile::new(poly, t).add_subclass(Self(poly))
+    }
+}
+
+#[pymethods]
+impl Poly3 {
+    #[new]
+    #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0))]
+    fn new(t: Real, p0: Real, p1: Real, v0: Real, v1: Real) -> PyResult<PyClassInitializer<Self>> {
+        let poly = finite(atraj::Poly3::new(t, Boundary { p0, p1, v0, v1 }))?;
+        Ok(Self::of(poly, t))
+    }
+
+    /// The polynomial of duration `t`, s, with these coefficients `c`, finite or not.
+    #[staticmethod]
+    fn from_coefficients(py: Python<'_>, t: Real, c: [Real; 4]) -> PyResult<Py<Self>> {
+        Py::new(py, Self::of(Poly { c }, t))
+    }
+
+    /// Coefficients of the position in ascending powers of time.
+    #[getter]
+    fn c(&self) -> (Real, Real, Real, Real) {
+        self.0.c.into()
+    }
+}
+
+impl Poly5 {
+    fn of(poly: atraj::Poly5<Real>, t: Real) -> PyClassInitializer<Self> {
+        Profile::new(poly, t).add_subclass(Self(poly))
+    }
+}
+
+#[pymethods]
+impl Poly5 {
+    #[new]
+    #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0, a0=0.0, a1=0.0))]
+    fn new(
+        t: Real,
+        p0: Real,
+        p1: Real,
+        v0: Real,
+        v1: Real,
+        a0: Real,
+        a1: Real,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let poly = finite(atraj::Poly5::new(t, boundary, [a0, a1]))?;
+        Ok(Self::of(poly, t))
+    }
+
+    /// The polynomial of duration `t`, s, with these coefficients `c`, finite or not.
+    #[staticmethod]
+    fn from_coefficients(py: Python<'_>, t: Real, c: [Real; 6]) -> PyResult<Py<Self>> {
+        Py::new(py, Self::of(Poly { c }, t))
+    }
+
+    /// Coefficients of the position in ascending powers of time.
+    #[getter]
+    fn c(&self) -> (Real, Real, Real, Real, Real, Real) {
+        self.0.c.into()
+    }
+}
+
+impl Poly7 {
+    fn of(poly: atraj::Poly7<Real>, t: Real) -> PyClassInitializer<Self> {
+        Profile::new(poly, t).add_subclass(Self(poly))
+    }
+}
+
+#[pymethods]
+impl Poly7 {
+    #[new]
+    #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0, a0=0.0, a1=0.0, j0=0.0, j1=0.0))]
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        t: Real,
+        p0: Real,
+        p1: Real,
+        v0: Real,
+        v1: Real,
+        a0: Real,
+        a1: Real,
+        j0: Real,
+        j1: Real,
+    ) -> PyResult<PyClassInitializer<Self>> {
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let poly = finite(atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]))?;
+        Ok(Self::of(poly, t))
+    }
+
+    /// The polynomial of duration `t`, s, with these coefficients `c`, finite or not.
+    #[staticmethod]
+    fn from_coefficients(py: Python<'_>, t: Real, c: [Real; 8]) -> PyResult<Py<Self>> {
+        Py::new(py, Self::of(Poly { c }, t))
+    }
+
+    /// Coefficients of the position in ascending powers of time.
+    #[getter]
+    fn c(&self) -> (Real, Real, Real, Real, Real, Real, Real, Real) {
+        self.0.c.into()
+    }
+}
+
+/// Why liba's plan fails.
+const NO_PLAN: &str =
+    "the limits allow no such move, it would take no time, or an argument is not a number";
+/// Why even the fastest plan fails.
+const NO_FASTEST: &str = "a limit is 0, the limits limit no acceleration, an argument is not a number, or a position is infinite";
+
+/// Whether liba planned a move.
+fn planned(duration: Option<Real>) -> PyResult<()> {
+    match duration {
+        Some(t) if t > 0.0 => Ok(()),
+        _ => Err(error(NO_PLAN)),
+    }
+}
+
+fn finite<const N: usize>(poly: Option<Poly<Real, N>>) -> PyResult<Poly<Real, N>> {
+    poly.ok_or_else(|| error("a coefficient is not finite"))
+}
+
+fn saturation(newest: bool) -> Saturation {
+    if newest {
+        Saturation::Numbers
+    } else {
+        Saturation::Everything
+    }
+}
+
+fn found(py: Python<'_>, findings: Option<Findings>) -> PyResult<Bound<'_, PyAny>> {
+    let findings =
+        findings.ok_or_else(|| error("a field is not finite, or a limit is not a number"))?;
+    named(py, "Findings", (findings.bits(),))
+}

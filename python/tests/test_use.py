@@ -1,0 +1,222 @@
+"""Do the classes take and give what their documentation says, and say what is wrong with bad arguments?"""
+
+import math
+import sys
+import tomllib
+
+import numpy as np
+import pytest
+from golden import DIRECTORY, REALS
+
+import atraj
+from atraj.claraty import Trajectory, Warnings
+
+reals = pytest.mark.parametrize("real", REALS, ids=lambda real: real.name)
+LIMITS = atraj.Limits.symmetric(jerk=30, acceleration=10, velocity=5)
+QUANTITIES = ["position", "velocity", "acceleration", "jerk"]
+
+
+def profiles(module):
+    return [
+        module.Bell(30, 10, 5, 0, 10),
+        module.Trap(5, 4, -2, 0, 50),
+        module.Poly3(8, 0, 10),
+        module.Poly5(8, 0, 10, a0=1),
+        module.Poly7(8, 0, 10, j1=1),
+        module.Move.plan(LIMITS, atraj.State(0, 1, 2), atraj.State(-1)),
+    ]
+
+
+def test_version():
+    with open(DIRECTORY.parents[1] / "Cargo.toml", "rb") as manifest:
+        assert atraj.__version__ == tomllib.load(manifest)["package"]["version"]
+
+
+@reals
+def test_times_have_any_shape_and_type(real):
+    for profile in profiles(real.module):
+        assert isinstance(profile, real.module.Profile)
+        one, two = profile.position(1.0), profile.position(2.0)
+        assert type(one) is float
+        assert profile.position(1) == profile.position(np.int64(1)) == profile.position(np.float32(1)) == one
+        for times in [[1, 2], (1.0, 2.0), np.array([1, 2]), np.array([1, 2], np.float32), np.array([1.0, 9, 2])[::2]]:
+            values = profile.position(times)
+            assert values.dtype == real.dtype and values.tolist() == [one, two]
+        square = profile.position(np.array([[1.0, 2.0], [2.0, 1.0]]))
+        assert square.tolist() == [[one, two], [two, one]]
+        assert profile.position(np.array([1.0])).shape == (1,) and profile.position(np.array(1.0)).shape == ()
+        assert profile.position([]).shape == (0,)
+
+
+@reals
+def test_samples_have_the_bits_of_single_calls(real):
+    for profile in profiles(real.module):
+        samples = profile.sample(0.01, start=-0.1)
+        assert samples.t[0] == real.dtype(-0.1) and samples.t[-2] < profile.t <= samples.t[-1]
+        for quantity, values in zip(QUANTITIES, samples[1:]):
+            assert values.dtype == real.dtype
+            assert real.bits(values) == real.bits(getattr(profile, quantity)(samples.t)), quantity
+
+
+def test_number_of_samples():
+    move = atraj.Poly3(2, 0, 10)
+    assert move.sample(0.5).t.tolist() == [0, 0.5, 1, 1.5, 2]
+    assert move.sample(0.75).t.tolist() == [0, 0.75, 1.5, 2.25]
+    assert move.sample(n=3).t.tolist() == [0, 1, 2]
+    assert move.sample(n=3, start=1).t.tolist() == [1, 1.5, 2]
+    assert move.sample(-0.5, n=2, start=1).t.tolist() == [1, 0.5]
+    assert move.sample(0.5, start=5).t.tolist() == [5]
+    assert move.sample(n=1).t.tolist() == [0] and move.sample(n=0).t.tolist() == []
+
+
+def test_samples_go_into_given_arrays():
+    move = atraj.Bell(30, 10, 5, 0, 10)
+    out = atraj.Samples(*np.full((5, 100), 7.0))
+    samples = move.sample(0.01, out=out)
+    assert all(given is filled for given, filled in zip(out, samples))
+    for given, fresh in zip(out, move.sample(0.01, n=100)):
+        assert np.array_equal(given, fresh)
+    some = move.sample(n=100, out=(None, None, out.v, None, None))
+    assert [array is None for array in some] == [True, True, False, True, True]
+    assert np.array_equal(out.v, move.sample(n=100).v)
+
+
+def test_bad_arrays_are_refused():
+    move = atraj.Bell(30, 10, 5, 0, 10)
+    array, frozen = np.zeros(4), np.zeros(4)
+    frozen.flags.writeable = False
+
+    def refused(message, *arrays, **choices):
+        with pytest.raises((TypeError, ValueError), match=message):
+            move.sample(0.1, out=(*arrays, *[None] * (5 - len(arrays))), **choices)
+
+    refused("differ in length", array, np.zeros(5))
+    refused("differ in length", array, n=5)
+    refused("already borrowed", array, array)
+    refused("not writeable", frozen)
+    refused("not contiguous", np.zeros(8)[::2])
+    refused("float32", np.zeros(4, np.float32))
+    refused("dimension", np.zeros((2, 2)))
+
+
+@pytest.mark.parametrize(
+    "request_, message",
+    [
+        ({}, "dt, n or out"),
+        ({"dt": 0}, "dt must be above 0"),
+        ({"dt": -0.1}, "dt must be above 0"),
+        ({"dt": math.nan}, "dt must be above 0"),
+        ({"dt": 0.1, "start": math.inf}, "start finite"),
+        ({"dt": 1e-300}, "more than 2147483647"),
+        ({"dt": 1e-9}, "more than 2147483647"),
+        ({"n": 2**31}, "more than 2147483647"),
+    ],
+)
+def test_bad_requests_are_refused(request_, message):
+    with pytest.raises(ValueError, match=message):
+        atraj.Bell(30, 10, 5, 0, 10).sample(**request_)
+
+
+@reals
+def test_extremes_and_states(real):
+    bell = real.module.Bell(30, 10, 5, 0, 10)
+    lowest, highest = bell.extremes()
+    assert (lowest.position, highest.position, lowest.velocity, highest.velocity) == (0, 10, 0, 5)
+    assert bell.state_at(bell.t) == atraj.State(10)
+    quintic = real.module.Poly5(8, 0, 10)
+    assert quintic.extremes().highest.velocity == pytest.approx(quintic.velocity(4))
+
+
+def test_check():
+    plan = atraj.Bell(30, 2.5, 10, p0=0, p1=10, v0=7.5)
+    assert plan.check(30, 2.5, 10) == atraj.Findings.EXCEEDS_ACCELERATION
+    assert atraj.Bell.from_fields(plan.fields).fields == plan.fields
+    jump = atraj.Bell.from_fields(plan.fields._replace(p1=11))
+    assert atraj.Findings.JUMPS in jump.check(30, 2.5, 10)
+    trap = atraj.Trap(5, 4, -2, 0, 50)
+    assert trap.check(5, 4, -2) == atraj.Findings(0) and trap.check(4, 4, -2) == atraj.Findings.EXCEEDS_VELOCITY
+    with pytest.raises(ValueError, match="not finite"):
+        atraj.Bell.from_fields([math.nan] * 14).check(1, 1, 1)
+
+
+@reals
+def test_fastest_plans_where_liba_fails(real):
+    for family, limits in [(real.module.Bell, (30, 10, 5)), (real.module.Trap, (5, 10, -10))]:
+        with pytest.raises(ValueError, match="the limits allow no such move"):
+            family(*limits, 0, 0)
+        move = family.fastest(*limits, p0=0, p1=0.1, v0=2)
+        assert move.position(move.t) == real.dtype(0.1) and atraj.Findings.OVERSHOOTS == move.check(*limits)
+        with pytest.raises(ValueError, match="not a number"):
+            family.fastest(*limits, 0, math.nan)
+
+
+@reals
+def test_an_axis_is_retargeted(real):
+    axis = real.module.Move
+    move = axis.plan(LIMITS, atraj.State(0), (10, 0, 0))
+    now = move.state_at(0.7)
+    for other, end in [
+        (axis.plan(LIMITS, now, atraj.State(-2)), (-2, 0, 0)),
+        (axis.reach(LIMITS, now, 1), (None, 1, 0)),
+        (axis.stop(LIMITS, now), (None, 0, 0)),
+    ]:
+        assert other.state_at(0) == now
+        assert all(wanted in (None, reached) for wanted, reached in zip(end, other.state_at(other.t)))
+        assert len(other.phases) > 1 and other.phases[-1].t + other.phases[-1].duration == pytest.approx(other.t)
+    target = atraj.State(3, 0.5)
+    meeting = axis.meet(LIMITS, now, target)
+    reached = meeting.state_at(meeting.t)
+    assert reached.velocity == 0.5 and reached.position == pytest.approx(3 + 0.5 * meeting.t)
+    assert move.position(move.time_at(4)) == pytest.approx(4) and move.time_at(11) is None
+
+
+@reals
+def test_axes_move_together(real):
+    limits = [LIMITS, atraj.Limits.symmetric(60, 20, 5)]
+    start, end = [atraj.State(0), atraj.State(1)], [atraj.State(10), atraj.State(-1)]
+    for plan in [real.module.synchronise, real.module.line]:
+        x, y = plan(limits, start, end, duration=3, cycle=0.25)
+        assert x.t == y.t == 3 and (x.position(3), y.position(3)) == (10, -1)
+    times = np.linspace(0, 3, 50)
+    np.testing.assert_allclose(y.position(times), 1 - 0.2 * x.position(times), atol=1e-5)
+
+
+def test_moves_say_why_not():
+    plan, state = atraj.Move.plan, atraj.State(0)
+    for message, call in {
+        "infinite or not a number": lambda: plan(LIMITS, atraj.State(math.nan), state),
+        "not around 0": lambda: plan(LIMITS._replace(vmin=1), state, state),
+        "outside the limits": lambda: plan(LIMITS, state, atraj.State(0, 6)),
+        "duration or the cycle": lambda: atraj.line([LIMITS], [state], [state], cycle=-1),
+        "straight line": lambda: atraj.line([LIMITS] * 2, [atraj.State(0, 1), state], [state, atraj.State(1)]),
+        "no axis": lambda: atraj.synchronise([], [], []),
+        "different lengths": lambda: atraj.synchronise([LIMITS], [state], []),
+        "coefficient": lambda: atraj.Poly3(0, 0, 1),
+        "tuple of length 6": lambda: plan((1, 2), state, state),
+        "1e60": lambda: Trajectory().set(1e61, 1, 1, 1, now=0),
+        "CORRECTED or LISTING": lambda: Trajectory(2),
+    }.items():
+        with pytest.raises(ValueError, match=message):
+            call()
+
+
+def test_claraty_brakes_and_warns():
+    axis = Trajectory(now=100)
+    axis.set(10, 2, 4, 0, now=100)
+    assert axis.start(now=100) == Warnings.DECELERATION
+    assert axis.is_started and axis.setpoint(now=101).velocity == axis.setpoint_at(1).velocity
+    axis.set(10, 2, 4, 4, now=101)
+    axis.stop(now=101)
+    axis.change_clock(101, instead=0)
+    assert axis.setpoint(axis.duration).velocity == 0
+
+
+def test_plot():
+    for profile, axes in zip(profiles(atraj), [4, 3, 4, 4, 4, 4]):
+        assert len(profile.plot().axes) == axes
+
+
+def test_plot_without_matplotlib(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match=r"plot needs matplotlib: pip install 'atraj\[plot\]'"):
+        atraj.Bell(30, 10, 5, 0, 10).plot()
