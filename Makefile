@@ -12,6 +12,8 @@
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo
 #   make builds                 builds and installs in the ways that once gave the wrong library
+#   make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
+#   make playground-check       tests the page in headless Chromium, with pictures in target/playground
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original, and a thousand million
@@ -91,7 +93,8 @@ RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz python python-check firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz python python-check playground playground-check \
+    firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
 dist:
@@ -269,3 +272,9 @@ python-check: python dist
 
 firmware-setup firmware-check firmware-report:
 	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)
+
+playground:
+	$(MAKE) -C playground page
+
+playground-check:
+	$(MAKE) -C playground check

@@ -1,4 +1,4 @@
-# How to compile for the bare-metal TARGET. The top Makefile includes this file for `make dist TARGET=…`; the Makefile of
+# How to compile for the bare-metal TARGET, or for WebAssembly. The top Makefile includes this file for `make dist TARGET=…`; the Makefile of
 # c_tests/firmware includes it too.
 
 PROFILE := firmware
@@ -31,4 +31,6 @@ CROSS := arm-none-eabi-
 DROP_UNWIND_TABLES = $(CROSS)objcopy -R '.ARM.exidx*' -R '.rel.ARM.exidx*' $(OBJECT)
 else ifneq ($(filter riscv%,$(TARGET)),)
 CROSS := riscv64-unknown-elf-
+else ifneq ($(filter wasm%,$(TARGET)),)
+CROSS := llvm-
 endif

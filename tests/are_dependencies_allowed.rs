@@ -115,6 +115,20 @@ fn every_locked_version_has_a_checksum() {
     }
 }
 
+/// npm compares every package with its hash.
+#[test]
+fn the_playground_depends_on_allowed_packages() {
+    let lock = fs::read_to_string(root().join("playground/package-lock.json")).unwrap();
+    let packages: Vec<_> = lock.split("\n    \"node_modules/").skip(1).collect();
+    assert!(packages.len() > 3);
+    for package in packages {
+        let licence = package.split("\"license\": \"").nth(1);
+        let licence = licence.and_then(|rest| rest.split('"').next());
+        let hashed = package.contains("\"integrity\": \"sha512-");
+        assert!(hashed && licence.is_some_and(allowed), "{package}");
+    }
+}
+
 #[test]
 fn an_archive_ships_libc_and_nothing_else() {
     let output = run(Command::new(env!("CARGO"))

@@ -1,0 +1,66 @@
+/*
+ What JavaScript lacks to call the library: places for the structs, and their fields. The page calls every other function of the
+ C ABI itself.
+*/
+#include "atraj.h"
+
+#define NAN __builtin_nan("")
+
+enum { PLANS = 2, AXES = 3, MOVES = 16, SAMPLES = 2000, QUANTITIES = 4 };
+
+static union {
+    a_trajbell bell;
+    a_trajtrap trap;
+    a_trajpoly3 poly3;
+    a_trajpoly5 poly5;
+    a_trajpoly7 poly7;
+} plans[PLANS];
+static atraj_move moves[MOVES];
+static atraj_limits limits[AXES];
+static atraj_state from[AXES], to[AXES];
+static a_float samples[QUANTITIES][SAMPLES];
+
+int axis_count(void) { return AXES; }
+int move_count(void) { return MOVES; }
+int sample_count(void) { return SAMPLES; }
+
+/* Places. The page asks for no index beyond the counts above. */
+void *plan_at(int i) { return &plans[i]; }
+atraj_move *move_at(int i) { return &moves[i]; }
+atraj_limits *limits_at(int i) { return &limits[i]; }
+atraj_state *from_at(int i) { return &from[i]; }
+atraj_state *to_at(int i) { return &to[i]; }
+a_float *samples_at(int quantity) { return samples[quantity]; }
+
+void set_limits(atraj_limits *ctx, a_float vmax, a_float vmin, a_float amax, a_float amin, a_float jmax, a_float jmin)
+{
+    atraj_limits const given = {vmax, vmin, amax, amin, jmax, jmin};
+    *ctx = given;
+}
+
+void set_state(atraj_state *ctx, a_float p, a_float v, a_float a)
+{
+    atraj_state const given = {p, v, a};
+    *ctx = given;
+}
+
+a_float move_duration(atraj_move const *ctx) { return ctx->t; }
+
+/* The time at which phase `i` ends; NaN behind the last one. */
+a_float move_border(atraj_move const *ctx, unsigned int i)
+{
+    return i < ctx->phases ? ctx->phase[i].t + ctx->phase[i].duration : NAN;
+}
+
+a_float bell_border(a_trajbell const *ctx, unsigned int i)
+{
+    a_float const borders[] = {
+        ctx->taj, ctx->ta - ctx->taj, ctx->ta, ctx->t - ctx->td, ctx->t - ctx->td + ctx->tdj, ctx->t - ctx->tdj, ctx->t};
+    return i < A_LEN(borders) ? borders[i] : NAN;
+}
+
+a_float trap_border(a_trajtrap const *ctx, unsigned int i)
+{
+    a_float const borders[] = {ctx->ta, ctx->t - ctx->td, ctx->t};
+    return i < A_LEN(borders) ? borders[i] : NAN;
+}

@@ -1,0 +1,419 @@
+// The profiles of the page: their fields, and how the library plans them.
+import { AXES, bell, c, MOVES, Motion, move, Plan, type Quantities, type Range, trap } from "./library";
+import type { Command, Values } from "./state";
+
+export interface Field {
+    key: string;
+    label: string;
+    /** Empty: a choice, 0 or 1. */
+    unit: string;
+    min: number;
+    max: number;
+    initial: number;
+}
+
+export interface Group {
+    title: string;
+    fields: Field[];
+    /** Shown for this axis only. */
+    axis?: number;
+    /** Shown if the field of this key is 1. */
+    when?: string;
+}
+
+export interface Remark {
+    kind: "good" | "note" | "bad";
+    text: string;
+}
+
+/** What came of a plan. The motions are drawn on top of each other. */
+export interface Outcome {
+    motions: Motion[];
+    remarks: Remark[];
+}
+
+export interface Profile {
+    id: string;
+    name: string;
+    note: string;
+    groups: Group[];
+    /** The planner to compare with. */
+    rival?: string;
+    /** The axes have names, and each has fields of its own. */
+    axes?: string[];
+    /** The axis can be retargeted in motion. */
+    live?: boolean;
+    plan(values: Values, commands: Command[], compare: boolean): Outcome;
+}
+
+export const AXIS_NAMES = ["X", "Y", "Z"].slice(0, AXES);
+
+const field = (key: string, label: string, unit: string, min: number, max: number, initial: number): Field => {
+    return { key, label, unit, min, max, initial };
+};
+const JERK = field("jm", "Jerk", "m/s³", 0, 100, 30);
+const ACCELERATION = field("am", "Acceleration", "m/s²", 0, 30, 10);
+const VELOCITY = field("vm", "Velocity", "m/s", 0, 10, 5);
+const START = field("p0", "Position", "m", -20, 20, 0);
+const END = field("p1", "Position", "m", -20, 20, 10);
+const ends = (...labels: [key: string, label: string, unit: string][]): Group[] =>
+    ["Start", "End"].map((title, i) => ({
+        title,
+        fields: [[START, END][i], ...labels.map(([key, label, unit]) => field(`${key}${i}`, label, unit, -10, 10, 0))],
+    }));
+const V: [string, string, string] = ["v", "Velocity", "m/s"];
+const A: [string, string, string] = ["a", "Acceleration", "m/s²"];
+const J: [string, string, string] = ["j", "Jerk", "m/s³"];
+const DURATION: Group = { title: "Move", fields: [field("ts", "Duration", "s", 0, 10, 3)] };
+
+/** Limits of velocity, acceleration and jerk that are the same in both directions. */
+const symmetric = (...highest: number[]): Quantities<Range | undefined> => [
+    undefined,
+    ...highest.map((limit): Range => [-Math.abs(limit), Math.abs(limit)]),
+];
+
+const FINDINGS = [
+    "exceeds the limit of jerk",
+    "exceeds the limit of acceleration",
+    "exceeds the limit of velocity",
+    "jumps",
+    "leaves the positions between its ends",
+    "starts outside its limits, or is bound to leave them",
+];
+/** Findings from this bit on are properties of the move, not faults. */
+const FAULTS = 4;
+const STARTS_OUTSIDE = 32;
+
+const ERRORS: Record<number, string> = {
+    [-1]: "there is no axis",
+    [-2]: "a number is infinite or not a number, or the move is beyond the range of numbers",
+    [-3]: "a limit is 0 or has the wrong sign",
+    [-4]: "the target is outside the limits, or the axis must leave them before or after it",
+    [-5]: "the duration or the cycle is negative or not a number",
+    [-6]: "the states do not lie on the straight line from start to end",
+};
+
+/** What a planner or a check returns, in words. */
+function findings(subject: string, code: number, clean: string): Remark[] {
+    if (code < 0) {
+        return [{ kind: "bad", text: `${subject} refuses: ${ERRORS[code]}.` }];
+    }
+    const found = FINDINGS.map((text, bit): Remark => {
+        return { kind: bit < FAULTS ? "bad" : "note", text: `${subject} ${text}.` };
+    }).filter((_, bit) => code & (1 << bit));
+    const isClean = !(code & STARTS_OUTSIDE) && found.every(({ kind }) => kind === "note");
+    return isClean ? [{ kind: "good", text: `${subject} ${clean}.` }, ...found] : found;
+}
+
+/** One of two planners that fill the same struct. */
+interface Planner {
+    name: "atraj" | "liba";
+    generate(place: number): number;
+    read(place: number, duration: number): Plan;
+    check(place: number): number;
+    /** Velocity at the end that was asked for, m/s. */
+    v1: number;
+    limits: Quantities<Range | undefined>;
+    idle: boolean;
+}
+
+function planned(planner: Planner, place: number, beside: boolean): Outcome {
+    const { name, limits, v1 } = planner;
+    const duration = planner.generate(place);
+    if (duration === 0 && planner.idle) {
+        return { motions: [], remarks: [{ kind: "note", text: `${name}: there is nothing to do.` }] };
+    }
+    if (!(duration > 0)) {
+        const why = name === "liba" ? "it finds no such move" : "a limit is 0 or has the wrong sign";
+        return { motions: [], remarks: [{ kind: "bad", text: `${name} refuses: ${why}.` }] };
+    }
+    const motion = new Motion(name, [{ start: 0, plan: planner.read(place, duration) }], limits, beside);
+    const remarks = findings(name, planner.check(place), "keeps every limit");
+    const reached = motion.state(duration)[1];
+    if (Math.abs(reached - v1) > 1e-9 * Math.max(1, Math.abs(v1))) {
+        remarks.push({ kind: "bad", text: `${name} ends at ${reached.toFixed(4)} m/s, not at ${v1} m/s.` });
+    }
+    return { motions: [motion], remarks };
+}
+
+/** The chosen planner, and the other one beside it. */
+function compared(chosen: Planner, rival: Planner, compare: boolean): Outcome {
+    const ours = planned(chosen, c.plan_at(0), false);
+    if (!compare) {
+        return ours;
+    }
+    const theirs = planned(rival, c.plan_at(1), true);
+    const [motions, remarks] = [[...ours.motions, ...theirs.motions], [...ours.remarks, ...theirs.remarks]];
+    if (motions.length === 2) {
+        const longer = motions[1].duration - motions[0].duration;
+        const amount = `${Math.abs(longer).toFixed(4)} s`;
+        const text = Math.abs(longer) < 5e-5 ? "takes as long" : `takes ${amount} ${longer > 0 ? "longer" : "less"}`;
+        remarks.push({ kind: "note", text: `${rival.name} ${text}.` });
+    }
+    return { motions, remarks };
+}
+
+function planBell(values: Values, chosen: "atraj" | "liba", compare: boolean): Outcome {
+    const { jm, am, vm, p0, p1, v0, v1 } = values;
+    const planner = (name: "atraj" | "liba"): Planner => {
+        const generate = name === "atraj" ? c.atraj_bell_gen : c.a_trajbell_gen;
+        return {
+            name,
+            generate: (place) => generate(place, jm, am, vm, p0, p1, v0, v1),
+            read: bell,
+            check: (place) => c.atraj_bell_check(place, jm, am, vm),
+            v1: within(v1, vm),
+            limits: symmetric(vm, am, jm),
+            idle: p0 === p1 && v0 === v1,
+        };
+    };
+    return compared(planner(chosen), planner(chosen === "atraj" ? "liba" : "atraj"), compare);
+}
+
+/** The accelerations of a trapezoid have signs: those of a forward or of a backward move. */
+export function slopes({ ac, de, p0, p1 }: Values): [ac: number, de: number] {
+    return p1 < p0 ? [-ac, de] : [ac, -de];
+}
+
+function planTrap(values: Values, chosen: "atraj" | "liba", compare: boolean): Outcome {
+    const { vm, p0, p1, v0, v1 } = values;
+    const [ac, de] = slopes(values);
+    const planner = (name: "atraj" | "liba"): Planner => {
+        const generate = name === "atraj" ? c.atraj_trap_gen : c.a_trajtrap_gen;
+        return {
+            name,
+            generate: (place) => generate(place, vm, ac, de, p0, p1, v0, v1),
+            read: trap,
+            check: (place) => c.atraj_trap_check(place, vm, ac, de),
+            v1: within(v1, vm),
+            limits: [undefined, [-Math.abs(vm), Math.abs(vm)], [Math.min(ac, de), Math.max(ac, de)]],
+            idle: p0 === p1 && v0 === v1,
+        };
+    };
+    return compared(planner(chosen), planner(chosen === "atraj" ? "liba" : "atraj"), compare);
+}
+
+function within(velocity: number, limit: number): number {
+    return Math.min(Math.max(velocity, -Math.abs(limit)), Math.abs(limit));
+}
+
+function planPoly(family: "poly3" | "poly5" | "poly7", { ts, p0, p1, v0, v1, a0, a1, j0, j1 }: Values): Outcome {
+    const place = c.plan_at(0);
+    const borders = [p0, p1, v0, v1, ...(family === "poly3" ? [] : [a0, a1]), ...(family === "poly7" ? [j0, j1] : [])];
+    c[`a_traj${family}_gen`](place, ts, ...borders);
+    const motion = new Motion("atraj", [{ start: 0, plan: new Plan(family, place, ts) }], []);
+    if (!(ts > 0) || !Number.isFinite(motion.state(ts / 2)[0])) {
+        return { motions: [], remarks: [{ kind: "bad", text: "There is no such polynomial: the duration is not above 0." }] };
+    }
+    return { motions: [motion], remarks: [{ kind: "note", text: "A polynomial keeps its duration, and no limits." }] };
+}
+
+/** The limits of `atraj_move`: highest and lowest velocity, acceleration, jerk. */
+export function moveLimits({ jm, am, vm, backward, jn, an, vn }: Values): number[] {
+    return backward ? [vm, -vn, am, -an, jm, -jn] : [vm, -vm, am, -am, jm, -jm];
+}
+
+function planMove(values: Values, commands: Command[]): Outcome {
+    const [limits, from, to] = [c.limits_at(0), c.from_at(0), c.to_at(0)];
+    const [vmax, vmin, amax, amin, jmax, jmin] = moveLimits(values);
+    c.set_limits(limits, vmax, vmin, amax, amin, jmax, jmin);
+    c.set_state(from, values.p0, values.v0, values.a0);
+    c.set_state(to, values.p1, values.v1, values.a1);
+    const lines: Quantities<Range | undefined> = [undefined, [vmin, vmax], [amin, amax], [jmin, jmax]];
+    let code = c.atraj_move_plan(c.move_at(0), limits, from, to);
+    if (code < 0) {
+        return { motions: [], remarks: findings("atraj", code, "") };
+    }
+    const motion = new Motion("atraj", [{ start: 0, plan: move(c.move_at(0)) }], lines);
+    for (const [i, { time, kind, target }] of commands.entries()) {
+        const [p, v, a] = motion.state(time);
+        const place = c.move_at(i + 1);
+        c.set_state(from, p, v, a);
+        c.set_state(to, target, 0, 0);
+        const next =
+            kind === "to" ? c.atraj_move_plan(place, limits, from, to)
+            : kind === "jog" ? c.atraj_move_reach(place, limits, from, target, 0)
+            : c.atraj_move_stop(place, limits, from);
+        if (next < 0) {
+            code = next;
+            break;
+        }
+        code = next | (code & STARTS_OUTSIDE);
+        motion.pieces.push({ start: time, plan: move(place) });
+    }
+    return { motions: [motion], remarks: findings("atraj", code, "keeps every limit") };
+}
+
+/** The field of one axis. */
+export function axisKey(axis: number, key: string): string {
+    return `${AXIS_NAMES[axis].toLowerCase()}.${key}`;
+}
+
+function planAxes(values: Values, plan: "sync" | "line"): Outcome {
+    AXIS_NAMES.forEach((_, axis) => {
+        const value = (key: string) => values[axisKey(axis, key)];
+        c.atraj_limits_init(c.limits_at(axis), value("jm"), value("am"), value("vm"));
+        c.set_state(c.from_at(axis), value("p0"), value("v0"), 0);
+        c.set_state(c.to_at(axis), value("p1"), 0, 0);
+    });
+    const code = c[`atraj_moves_${plan}`](
+        c.move_at(0), c.limits_at(0), c.from_at(0), c.to_at(0), AXES, values.least, values.cycle,
+    );
+    if (code < 0) {
+        return { motions: [], remarks: findings("atraj", code, "") };
+    }
+    const motions = AXIS_NAMES.map((name, axis) => {
+        const value = (key: string) => values[axisKey(axis, key)];
+        const limits = symmetric(value("vm"), value("am"), value("jm"));
+        return new Motion(name, [{ start: 0, plan: move(c.move_at(axis)) }], limits);
+    });
+    return { motions, remarks: findings("atraj", code, "keeps every limit of every axis") };
+}
+
+const bellGroups = [{ title: "Limits", fields: [VELOCITY, ACCELERATION, JERK] }, ...ends(V)];
+const trapGroups = [
+    {
+        title: "Limits",
+        fields: [
+            VELOCITY,
+            field("ac", "Acceleration", "m/s²", 0, 30, 10),
+            field("de", "Deceleration", "m/s²", 0, 30, 10),
+        ],
+    },
+    ...ends(V),
+];
+const moveGroups: Group[] = [
+    {
+        title: "Limits",
+        fields: [VELOCITY, ACCELERATION, JERK, field("backward", "Other limits backward", "", 0, 1, 0)],
+    },
+    {
+        title: "Limits backward",
+        when: "backward",
+        fields: [
+            { ...VELOCITY, key: "vn", initial: 2 },
+            { ...ACCELERATION, key: "an", initial: 6 },
+            { ...JERK, key: "jn", initial: 20 },
+        ],
+    },
+    ...ends(V, A),
+];
+const axisGroups: Group[] = [
+    ...AXIS_NAMES.flatMap((name, axis): Group[] => {
+        const own = (shared: Field, initial: number): Field => ({ ...shared, key: axisKey(axis, shared.key), initial });
+        return [
+            {
+                title: `Limits of ${name}`,
+                axis,
+                fields: [own(VELOCITY, [5, 3, 4][axis]), own(ACCELERATION, [10, 8, 12][axis]), own(JERK, [30, 40, 60][axis])],
+            },
+            {
+                title: `Way of ${name}`,
+                axis,
+                fields: [
+                    own({ ...START, label: "Start" }, 0),
+                    own({ ...END, label: "End" }, [10, 6, -3][axis]),
+                    own(field("v0", "Velocity at the start", "m/s", -10, 10, 0), 0),
+                ],
+            },
+        ];
+    }),
+    {
+        title: "All axes",
+        fields: [field("least", "Least duration", "s", 0, 10, 0), field("cycle", "Clock", "s", 0, 0.1, 0.001)],
+    },
+];
+
+export const PROFILES: Profile[] = [
+    {
+        id: "move",
+        name: "Move from any state to any state",
+        note: "The fastest move within all limits, planned also in motion.",
+        groups: moveGroups,
+        live: true,
+        plan: planMove,
+    },
+    {
+        id: "bell",
+        name: "Double-S that never fails",
+        note: "The fastest plan there is, in liba’s struct: atraj_bell_gen.",
+        groups: bellGroups,
+        rival: "liba",
+        plan: (values, _, compare) => planBell(values, "atraj", compare),
+    },
+    {
+        id: "liba-bell",
+        name: "Double-S of liba",
+        note: "a_trajbell_gen, with liba’s bits.",
+        groups: bellGroups,
+        rival: "atraj",
+        plan: (values, _, compare) => planBell(values, "liba", compare),
+    },
+    {
+        id: "trap",
+        name: "Trapezoid that never fails",
+        note: "The fastest plan there is, in liba’s struct: atraj_trap_gen.",
+        groups: trapGroups,
+        rival: "liba",
+        plan: (values, _, compare) => planTrap(values, "atraj", compare),
+    },
+    {
+        id: "liba-trap",
+        name: "Trapezoid of liba",
+        note: "a_trajtrap_gen, with liba’s bits.",
+        groups: trapGroups,
+        rival: "atraj",
+        plan: (values, _, compare) => planTrap(values, "liba", compare),
+    },
+    {
+        id: "poly3",
+        name: "Cubic polynomial",
+        note: "Position and velocity are given at both ends.",
+        groups: [DURATION, ...ends(V)],
+        plan: (values) => planPoly("poly3", values),
+    },
+    {
+        id: "poly5",
+        name: "Quintic polynomial",
+        note: "Position, velocity and acceleration are given at both ends.",
+        groups: [DURATION, ...ends(V, A)],
+        plan: (values) => planPoly("poly5", values),
+    },
+    {
+        id: "poly7",
+        name: "Septic polynomial",
+        note: "Position, velocity, acceleration and jerk are given at both ends.",
+        groups: [DURATION, ...ends(V, A, J)],
+        plan: (values) => planPoly("poly7", values),
+    },
+    {
+        id: "sync",
+        name: "Axes in step",
+        note: "Each axis keeps its own profile, and all arrive together.",
+        groups: axisGroups,
+        axes: AXIS_NAMES,
+        plan: (values) => planAxes(values, "sync"),
+    },
+    {
+        id: "line",
+        name: "Axes on a straight line",
+        note: "The fastest motion on the line that keeps the limits of every axis.",
+        groups: axisGroups,
+        axes: AXIS_NAMES,
+        plan: (values) => planAxes(values, "line"),
+    },
+];
+
+/** How many plans may follow the first. */
+export const COMMANDS = MOVES - 1;
+
+/** The fields of a profile that are in use. */
+export function fields(profile: Profile, values: Values): Field[] {
+    return profile.groups.filter(({ when }) => !when || values[when]).flatMap((group) => group.fields);
+}
+
+/** The initial value of every field. */
+export function initial(): Values {
+    const all = PROFILES.flatMap((profile) => profile.groups).flatMap((group) => group.fields);
+    return Object.fromEntries(all.map((field) => [field.key, field.initial]));
+}

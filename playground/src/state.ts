@@ -1,0 +1,87 @@
+// What the page shows, and how its address says so.
+
+export type Values = Record<string, number>;
+
+/** A plan in motion: at `time` the axis goes to the position or the velocity `target`, or it stops. */
+export interface Command {
+    time: number;
+    kind: "to" | "jog" | "stop";
+    target: number;
+}
+
+export interface State {
+    profile: string;
+    values: Values;
+    /** In the order of time. */
+    commands: Command[];
+    /** Whether the other planner is shown too. */
+    compare: boolean;
+    /** The axis that leads, counted from 0. */
+    axis: number;
+    language: string;
+    /** The time whose values are shown, s. */
+    moment: number;
+}
+
+/** What an address may say. */
+export interface Known {
+    profiles: string[];
+    languages: string[];
+    axes: number;
+    commands: number;
+}
+
+/** The address of a state. Only the fields named in `keys` belong to it. */
+export function write(state: State, keys: string[]): string {
+    const hash = new URLSearchParams({ profile: state.profile });
+    for (const key of keys) {
+        hash.set(key, String(state.values[key]));
+    }
+    if (state.commands.length > 0) {
+        hash.set("then", state.commands.map(({ time, kind, target }) => [time, kind, target].join("~")).join("_"));
+    }
+    if (!state.compare) {
+        hash.set("compare", "no");
+    }
+    hash.set("axis", String(state.axis));
+    hash.set("language", state.language);
+    hash.set("moment", String(state.moment));
+    return `#${hash}`;
+}
+
+/** The state of an address. Whatever the address leaves out, or says wrongly, is as in `initial`. */
+export function read(address: string, initial: State, known: Known): State {
+    const hash = new URLSearchParams(address.replace(/^#/, ""));
+    const choice = (key: string, choices: string[], otherwise: string) =>
+        choices.find((name) => name === hash.get(key)) ?? otherwise;
+    const axes = Array.from({ length: known.axes }, (_, axis) => String(axis));
+    const values = Object.entries(initial.values).map(([key, value]) => [key, number(hash.get(key)) ?? value]);
+    return {
+        profile: choice("profile", known.profiles, initial.profile),
+        values: Object.fromEntries(values),
+        commands: commands(hash.get("then") ?? "").slice(0, known.commands),
+        compare: hash.get("compare") !== "no",
+        axis: Number(choice("axis", axes, String(initial.axis))),
+        language: choice("language", known.languages, initial.language),
+        moment: number(hash.get("moment")) ?? initial.moment,
+    };
+}
+
+/** The commands up to the first that is none, or is before another. */
+function commands(text: string): Command[] {
+    const read: Command[] = [];
+    for (const entry of text.split("_")) {
+        const [time, kind, target] = entry.split("~");
+        const [at, to] = [number(time), number(target)];
+        const known = kind === "to" || kind === "jog" || kind === "stop";
+        if (!known || at === undefined || to === undefined || at < (read.at(-1)?.time ?? 0)) {
+            break;
+        }
+        read.push({ time: at, kind, target: to });
+    }
+    return read;
+}
+
+function number(text: string | null | undefined): number | undefined {
+    return text && Number.isFinite(Number(text)) ? Number(text) : undefined;
+}

@@ -1,0 +1,83 @@
+// Do the programs of the page compile, and print the duration that the page shows?
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { mkdir, writeFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { promisify } from "node:util";
+import { open, OUT, ROOT, settled, start } from "./browser.js";
+
+const run = promisify(execFile);
+const CODE = `${OUT}code/`;
+const FLAGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", `-I${ROOT}target/dist/include`];
+const ARCHIVE = `${ROOT}target/dist/lib/libatraj.a`;
+const MANIFEST = `[package]
+name = "code"
+edition = "2024"
+
+[workspace]
+
+[dependencies]
+atraj = { path = "${ROOT}", default-features = false }
+`;
+const HASHES = {
+    bell: "profile=bell&p1=-4&v0=2.5",
+    liba_bell: "profile=liba-bell&jm=12.5",
+    trap: "profile=trap&v0=1&p1=-2",
+    liba_trap: "profile=liba-trap&p0=9&p1=-4&de=4",
+    poly3: "profile=poly3&ts=3&v0=1",
+    poly5: "profile=poly5&a1=-2",
+    poly7: "profile=poly7&ts=0.125&j1=7",
+    move: "profile=move&v0=-1&a1=0.5",
+    backward: "profile=move&backward=1&p1=-8",
+    retargeted: "profile=move&then=0.7~to~-2.5_1.1~jog~1.5_1.8~stop~0",
+    sync: "profile=sync&y.v0=-1",
+    line: "profile=line&least=4&cycle=0.004",
+};
+
+let browser, close;
+const shown = {};
+
+before(async () => {
+    ({ browser, close } = await start());
+    await mkdir(`${CODE}src/bin`, { recursive: true });
+    await writeFile(`${CODE}Cargo.toml`, MANIFEST);
+    for (const [name, hash] of Object.entries(HASHES)) {
+        const { page } = await open(browser, `#${hash}`);
+        shown[name] = await page.textContent("#duration");
+        for (const [language, file] of [["C", `${name}.c`], ["C++", `${name}.cpp`], ["Rust", `src/bin/${name}.rs`]]) {
+            await page.getByRole("radio", { name: language, exact: true }).check();
+            await settled(page);
+            await writeFile(CODE + file, await page.textContent("#code"));
+        }
+        await page.context().close();
+    }
+});
+after(() => close());
+
+function told(name, printed) {
+    const lines = printed.trim().split("\n");
+    assert.equal(lines.length, 11);
+    assert.match(shown[name], /^\d+\.\d{4} s$/);
+    const times = lines.map((line) => Number.parseFloat(line));
+    times.slice(1).forEach((time, k) => assert.ok(time > times[k], printed));
+    assert.equal(lines.at(-1).split(":")[0], shown[name]);
+}
+
+for (const [compiler, standard, ending] of [["cc", "c99", "c"], ["c++", "c++98", "cpp"]]) {
+    for (const name of Object.keys(HASHES)) {
+        test(`${name}.${ending}`, async () => {
+            const program = `${CODE}${name}-${ending}`;
+            const source = `${CODE}${name}.${ending}`;
+            await run(compiler, [`-std=${standard}`, ...FLAGS, source, ARCHIVE, "-lm", "-o", program]);
+            told(name, (await run(program)).stdout);
+        });
+    }
+}
+
+test("all in Rust", async () => {
+    const flags = { ...process.env, CARGO_TARGET_DIR: `${CODE}target`, RUSTFLAGS: "-D warnings" };
+    await run("cargo", ["build", "--quiet", "--manifest-path", `${CODE}Cargo.toml`], { env: flags });
+    for (const name of Object.keys(HASHES)) {
+        told(name, (await run(`${CODE}target/debug/${name}`)).stdout);
+    }
+});
