@@ -4,13 +4,14 @@
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
 #   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
 #                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
+#   make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
 #   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
 #                               data, tables of the moves that the original fails and of plans in motion, pictures in
 #                               target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
-#                               cargo
+#                               cargo, or bring it along by CMake, Meson, Conan, .deb
 #   make builds                 builds and installs in the ways that once gave the wrong library
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
@@ -89,7 +90,7 @@ RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked install uninstall deb identify demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
 dist:
@@ -146,6 +147,10 @@ $(DIST)/lib/lib$(NAME).a:
 
 install uninstall: $(DIST)/lib/lib$(NAME).a
 	packaging/install.sh $@ $(DIST) $(NAME)
+
+deb: $(DIST)/lib/lib$(NAME).a
+	$(if $(PROCESSOR),$(error make deb packs for every processor of this architecture: leave TARGET and CPU out))
+	packaging/deb.sh $(DIST) $(NAME) $(VERSION)
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:
