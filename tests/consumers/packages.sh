@@ -56,6 +56,20 @@ cmake_prebuilt() {
     refused "has no atraj" by_cmake -DATRAJ_REAL=$other -DATRAJ_PREBUILT="$unpacked-$package"
 }
 
+# The sources change, and the next build must have them.
+cmake_fetches_the_sources() {
+    cmake_program -DREPOSITORY="$clone" -DFETCHCONTENT_UPDATES_DISCONNECTED=ON
+    sed -i 's/^version = .*/version = "0.9.9"/' build/_deps/atraj-src/Cargo.toml
+    cmake --build build
+    make -s -C "$root" identify FILE="$PWD/build/program" | grep '^atraj 0\.9\.9,'
+}
+
+# A release's archive holds one folder.
+cmake_fetches_a_release() {
+    tar -C "$root/target" -czf release.tar.gz "dist${package#atraj}"
+    cmake_program -DRELEASE="$PWD/release.tar.gz" -DATRAJ_MAKE=/nonexistent
+}
+
 # cross FLAGS ARGUMENT…: by_cmake for a Cortex-M
 cross() {
     flags=$1
@@ -250,6 +264,7 @@ if have cmake; then
         row "cmake, add_subdirectory, static, $real" cmake_program
         row "cmake, add_subdirectory, shared, $real" cmake_program -DLIBRARY=$package::$package
         row "cmake, add_subdirectory, a release's folder, $real" cmake_prebuilt
+        row "cmake, FetchContent of a release, $real" cmake_fetches_a_release
     done
     about double
     row "cmake, ESP-IDF's component on a stand-in" esp_idf_stand_in
@@ -257,7 +272,7 @@ fi
 if have git; then
     about double
     row "a repository of the sources" clone_of_the_sources
-    have cmake && row "cmake, FetchContent" cmake_program -DREPOSITORY="$clone"
+    have cmake && row "cmake, FetchContent of a repository, and a change in it" cmake_fetches_the_sources
 fi
 if have cmake && have arm-none-eabi-gcc; then
     about double
