@@ -92,11 +92,12 @@ m4='-mcpu=cortex-m4 -mfpu=fpv4-sp-d16'
 m7='-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard'
 m4f_archive=$root/target/dist-thumbv7em-none-eabihf-float
 
-# cross_refused ARCHIVE-FOR FLAGS-FOR ARGUMENT…
+# cross_refused ARCHIVE-FOR FLAGS-FOR ARGUMENT…: CMake must stop, not the linker later
 cross_refused() {
     sentence="is for $1, but the compiler's flags are for $2: change the one or the other."
     shift 2
     refused "$sentence" cross "$@"
+    test ! -e build/CMakeFiles/program.dir
 }
 
 cmake_checks_the_processor() {
