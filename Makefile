@@ -66,6 +66,9 @@ endif
 ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
 $(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS or leave CPU out)
 endif
+ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
+$(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
+endif
 FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 # The highest levels are the default.
 LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
@@ -90,7 +93,7 @@ RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist dist-locked install uninstall deb identify demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked where install uninstall deb identify demo examples consumers builds doc check soak fuzz firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
 dist:
@@ -141,6 +144,10 @@ endif
 	mv $(NEW) $(DIST)
 	rm -rf $(CARGO_DIR)/old
 
+# For the build tools that take the files from there.
+where:
+	@echo '$(CURDIR)/$(DIST)'
+
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
 $(DIST)/lib/lib$(NAME).a:
 	$(MAKE) dist
@@ -149,7 +156,6 @@ install uninstall: $(DIST)/lib/lib$(NAME).a
 	packaging/install.sh $@ $(DIST) $(NAME)
 
 deb: $(DIST)/lib/lib$(NAME).a
-	$(if $(PROCESSOR),$(error make deb packs for every processor of this architecture: leave TARGET and CPU out))
 	packaging/deb.sh $(DIST) $(NAME) $(VERSION)
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.

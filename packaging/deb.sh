@@ -6,7 +6,8 @@ set -eu
 dist=$1 name=$2
 : "${DEBFULLNAME:?make deb needs the maintainer: set DEBFULLNAME and DEBEMAIL}"
 : "${DEBEMAIL:?make deb needs the maintainer: set DEBFULLNAME and DEBEMAIL}"
-export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}"
+test -n "${SOURCE_DATE_EPOCH:-}" || SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+export SOURCE_DATE_EPOCH
 # The revision is below that of a package by Debian.
 version=$3-0upstream1
 soversion=${3%%.*}

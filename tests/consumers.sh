@@ -149,11 +149,16 @@ firmware() {
     for program in axis jog; do arm-none-eabi-readelf -A $program.elf | grep 'Tag_ABI_VFP_args: VFP registers'; done
 }
 
-# The start-up code and the memory map come from picolibc. The result of `main` is the emulator's exit code.
+# memory FLASH RAM: the linker's flags for these sizes. Start-up code and memory map come from picolibc, and the result of `main`
+# is the emulator's exit code.
+memory() {
+    printf '%s' '--specs=picolibc.specs --crt0=semihost --oslib=semihost'
+    printf ' -Wl,--defsym=%s' __flash=0 "__flash_size=$1" __ram=0x20000000 "__ram_size=$2"
+}
+
 firmware_runs() {
     cp "$example"/* .
-    map='--specs=picolibc.specs --crt0=semihost --oslib=semihost'
-    for symbol in __flash=0 __flash_size=4M __ram=0x20000000 __ram_size=4M; do map="$map -Wl,--defsym=$symbol"; done
+    map=$(memory 4M 4M)
     make ATRAJ="$prefix" BOARD="$map"
     for program in axis.elf jog.elf; do board $program mps2-an386; done
     # Half the limit of the acceleration's step, so that a setpoint jumps.

@@ -1,4 +1,4 @@
-"""Builds the library for this machine with cargo: conan create packaging/conan -o "atraj/*:real=float". """
+"""Builds the library for this machine with make and cargo. docs/packaging.md"""
 
 from pathlib import Path
 

@@ -14,22 +14,14 @@ clone_of_the_sources() {
     git -c user.name=nobody -c user.email=nobody@localhost commit --quiet --message='the present files'
 }
 
+unpacked_release() {
+    cp -R "$root/target/dist${package#atraj}" "$unpacked-$package"
+}
+
 # prints_the_bits PROGRAM
 prints_the_bits() {
     "$1" > printed
     diff "$work/$real.expected" printed
-}
-
-# refused SENTENCE COMMAND: the command must fail with the sentence. CMake breaks it into lines.
-refused() {
-    sentence=$1
-    shift
-    if "$@" > said 2>&1; then
-        echo "not refused: $*"
-        exit 1
-    fi
-    cat said
-    tr -s ' \n' '  ' < said | grep -F -e "$sentence"
 }
 
 # --- CMake
@@ -50,7 +42,6 @@ cmake_program() {
 
 # A make that does not exist, so nothing can be built.
 cmake_prebuilt() {
-    cp -R "$root/target/dist${package#atraj}" "$unpacked-$package"
     cmake_program -DATRAJ_PREBUILT="$unpacked-$package" -DATRAJ_MAKE=/nonexistent
     case $real in double) other=float ;; float) other=double ;; esac
     refused "has no atraj" by_cmake -DATRAJ_REAL=$other -DATRAJ_PREBUILT="$unpacked-$package"
@@ -70,6 +61,11 @@ cmake_fetches_a_release() {
     cmake_program -DRELEASE="$PWD/release.tar.gz" -DATRAJ_MAKE=/nonexistent
 }
 
+m0='-mcpu=cortex-m0plus'
+m4='-mcpu=cortex-m4 -mfpu=fpv4-sp-d16'
+m7='-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard'
+m4f_archive=$root/target/dist-thumbv7em-none-eabihf-float
+
 # cross FLAGS ARGUMENT…: by_cmake for a Cortex-M
 cross() {
     flags=$1
@@ -81,16 +77,9 @@ cross() {
 # A micro:bit's Cortex-M0 stands for the Cortex-M0+ of a Pico.
 cmake_on_a_pico() {
     cp "$example/jog.c" program.c
-    map='--specs=picolibc.specs --crt0=semihost --oslib=semihost'
-    for symbol in __flash=0 __flash_size=256K __ram=0x20000000 __ram_size=16K; do map="$map -Wl,--defsym=$symbol"; done
-    cross -mcpu=cortex-m0plus -DCMAKE_EXE_LINKER_FLAGS="$map"
+    cross "$m0" -DCMAKE_EXE_LINKER_FLAGS="$(memory 256K 16K)"
     board build/program microbit
 }
-
-m0='-mcpu=cortex-m0plus'
-m4='-mcpu=cortex-m4 -mfpu=fpv4-sp-d16'
-m7='-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard'
-m4f_archive=$root/target/dist-thumbv7em-none-eabihf-float
 
 # cross_refused ARCHIVE-FOR FLAGS-FOR ARGUMENT…: CMake must stop, not the linker later
 cross_refused() {
@@ -240,6 +229,7 @@ debian_packages() {
         cp "$root/target/deb/lib${package}0_"*.deb "$root/target/deb/lib$package-dev_"*.deb $turn
     done
     diff -r first second
+    refused 'leave TARGET and CPU out' make -C "$root" deb REAL=$real CPU=native
     lintian --allow-root --fail-on error,warning first/*.deb
     mkdir -p "$debian/var/lib/dpkg/updates" "$debian/var/lib/dpkg/info"
     touch "$debian/var/lib/dpkg/status"
@@ -259,6 +249,10 @@ debian_program() {
 
 # --- the matrix
 
+for real in double float; do
+    about $real
+    row "a release's folder, $real" unpacked_release
+done
 if have cmake; then
     for real in double float; do
         about $real
