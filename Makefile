@@ -4,13 +4,14 @@
 #   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
 #   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
 #                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
+#   make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
 #   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 #   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
 #                               data, tables of the moves that the original fails and of plans in motion, pictures in
 #                               target/demo
 #   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
-#                               cargo
+#                               cargo, or bring it along by CMake, Meson, Conan, .deb
 #   make builds                 builds and installs in the ways that once gave the wrong library
 #   make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
 #   make playground-check       tests the page in headless Chromium, with pictures in target/playground
@@ -69,6 +70,9 @@ endif
 ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
 $(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS or leave CPU out)
 endif
+ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
+$(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
+endif
 FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 # The highest levels are the default.
 LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
@@ -93,8 +97,8 @@ RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 
-.PHONY: dist dist-locked install uninstall identify demo examples consumers builds doc check soak fuzz python python-check playground playground-check \
-    firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: dist dist-locked where install uninstall deb identify demo examples consumers builds doc check soak fuzz python python-check \
+    playground playground-check firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
 dist:
@@ -145,12 +149,19 @@ endif
 	mv $(NEW) $(DIST)
 	rm -rf $(CARGO_DIR)/old
 
+# For the build tools that take the files from there.
+where:
+	@echo '$(CURDIR)/$(DIST)'
+
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
 $(DIST)/lib/lib$(NAME).a:
 	$(MAKE) dist
 
 install uninstall: $(DIST)/lib/lib$(NAME).a
 	packaging/install.sh $@ $(DIST) $(NAME)
+
+deb: $(DIST)/lib/lib$(NAME).a
+	packaging/deb.sh $(DIST) $(NAME) $(VERSION)
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:

@@ -16,18 +16,6 @@ dist() {
     make -s -C "$copy" dist "$@"
 }
 
-# refused SENTENCE COMMAND: the command must fail and print the sentence.
-refused() {
-    sentence=$1
-    shift
-    if "$@" > said 2>&1; then
-        echo "not refused: $*"
-        exit 1
-    fi
-    cat said
-    grep -q -e "$sentence" said
-}
-
 # --- the object belongs to the present flags
 
 # flags_in_turn VARIABLE=VALUE…: the plain archive, another, and the plain archive again

@@ -149,22 +149,27 @@ firmware() {
     for program in axis jog; do arm-none-eabi-readelf -A $program.elf | grep 'Tag_ABI_VFP_args: VFP registers'; done
 }
 
-# The start-up code and the memory map come from picolibc. The result of `main` is the emulator's exit code.
+# memory FLASH RAM: the linker's flags for these sizes. Start-up code and memory map come from picolibc, and the result of `main`
+# is the emulator's exit code.
+memory() {
+    printf '%s' '--specs=picolibc.specs --crt0=semihost --oslib=semihost'
+    printf ' -Wl,--defsym=%s' __flash=0 "__flash_size=$1" __ram=0x20000000 "__ram_size=$2"
+}
+
 firmware_runs() {
     cp "$example"/* .
-    map='--specs=picolibc.specs --crt0=semihost --oslib=semihost'
-    for symbol in __flash=0 __flash_size=4M __ram=0x20000000 __ram_size=4M; do map="$map -Wl,--defsym=$symbol"; done
+    map=$(memory 4M 4M)
     make ATRAJ="$prefix" BOARD="$map"
-    for program in axis jog; do board $program; done
+    for program in axis.elf jog.elf; do board $program mps2-an386; done
     # Half the limit of the acceleration's step, so that a setpoint jumps.
     sed -i 's/0\.03003/0.01502/' jog.c
     make ATRAJ="$prefix" BOARD="$map"
-    if board jog; then return 1; fi
+    if board jog.elf mps2-an386; then return 1; fi
 }
 
-# board PROGRAM
+# board PROGRAM MACHINE
 board() {
-    timeout 60 qemu-system-arm -M mps2-an386 -nographic -semihosting-config enable=on,target=native -kernel "$1.elf" < /dev/null
+    timeout 60 qemu-system-arm -M "$2" -nographic -semihosting-config enable=on,target=native -kernel "$1" < /dev/null
 }
 
 # --- a binary that was linked with the original's shared library
@@ -294,6 +299,8 @@ if have arm-none-eabi-gcc; then
     have cmake && row "cmake, firmware, Cortex-M4F, float" firmware cmake
     have qemu-system-arm && row "firmware in the emulator, Cortex-M4F, float" firmware_runs
 fi
+
+. "$sources/packages.sh"
 
 row "cargo, path, default features" rust_program true
 row "cargo, path, no default features" rust_program false

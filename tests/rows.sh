@@ -28,6 +28,18 @@ row() {
     fi
 }
 
+# refused SENTENCE COMMAND: the command must fail and print the sentence. CMake breaks sentences into lines.
+refused() {
+    sentence=$1
+    shift
+    if "$@" > said 2>&1; then
+        echo "not refused: $*"
+        exit 1
+    fi
+    cat said
+    tr -s ' \n' '  ' < said | grep -qF -e "$sentence"
+}
+
 have() {
     command -v "$1" > /dev/null && return
     skipped=$((skipped + 1))

@@ -1,0 +1,304 @@
+# Sourced by tests/consumers.sh: programs that bring the library along, by CMake, Meson, Conan or Debian's packages.
+
+subproject=$sources/subproject
+clone=$work/clone
+unpacked="$work/unpacked release"
+
+# A repository of its own, because a change need not be committed yet.
+clone_of_the_sources() {
+    mkdir "$clone"
+    tar -C "$root" --exclude=./.git --exclude=target -cf - . | tar -C "$clone" -xf -
+    cd "$clone"
+    git init --quiet --initial-branch=main
+    git add --all
+    git -c user.name=nobody -c user.email=nobody@localhost commit --quiet --message='the present files'
+}
+
+unpacked_release() {
+    cp -R "$root/target/dist${package#atraj}" "$unpacked-$package"
+}
+
+# prints_the_bits PROGRAM
+prints_the_bits() {
+    "$1" > printed
+    diff "$work/$real.expected" printed
+}
+
+# --- CMake
+
+# by_cmake ARGUMENT…: builds program.c
+by_cmake() {
+    rm -rf build
+    cp "$subproject/CMakeLists.txt" .
+    cmake -S . -B build -DATRAJ="$root" -DATRAJ_REAL=$real -DLIBRARY=$package::static "$@"
+    cmake --build build
+}
+
+cmake_program() {
+    cp "$sources/move.c" program.c
+    by_cmake "$@"
+    prints_the_bits build/program
+}
+
+# A make that does not exist, so nothing can be built.
+cmake_prebuilt() {
+    cmake_program -DATRAJ_PREBUILT="$unpacked-$package" -DATRAJ_MAKE=/nonexistent
+    case $real in double) other=float ;; float) other=double ;; esac
+    refused "has no atraj" by_cmake -DATRAJ_REAL=$other -DATRAJ_PREBUILT="$unpacked-$package"
+}
+
+# The sources change, and the next build must have them.
+cmake_fetches_the_sources() {
+    cmake_program -DREPOSITORY="$clone" -DFETCHCONTENT_UPDATES_DISCONNECTED=ON
+    sed -i 's/^version = .*/version = "0.9.9"/' build/_deps/atraj-src/Cargo.toml
+    cmake --build build
+    make -s -C "$root" identify FILE="$PWD/build/program" | grep '^atraj 0\.9\.9,'
+}
+
+# A release's archive holds one folder.
+cmake_fetches_a_release() {
+    tar -C "$root/target" -czf release.tar.gz "dist${package#atraj}"
+    cmake_program -DRELEASE="$PWD/release.tar.gz" -DATRAJ_MAKE=/nonexistent
+}
+
+m0='-mcpu=cortex-m0plus'
+m4='-mcpu=cortex-m4 -mfpu=fpv4-sp-d16'
+m7='-mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard'
+m4f_archive=$root/target/dist-thumbv7em-none-eabihf-float
+
+# cross FLAGS ARGUMENT…: by_cmake for a Cortex-M
+cross() {
+    flags=$1
+    shift
+    by_cmake -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY \
+        -DCMAKE_C_FLAGS="-mthumb $flags" -DCMAKE_EXE_LINKER_FLAGS=--specs=nosys.specs "$@"
+}
+
+# A micro:bit's Cortex-M0 stands for the Cortex-M0+ of a Pico.
+cmake_on_a_pico() {
+    cp "$example/jog.c" program.c
+    cross "$m0" -DCMAKE_EXE_LINKER_FLAGS="$(memory 256K 16K)"
+    board build/program microbit
+}
+
+# cross_refused ARCHIVE-FOR FLAGS-FOR ARGUMENT…: CMake must stop, not the linker later
+cross_refused() {
+    sentence="is for $1, but the compiler's flags are for $2: change the one or the other."
+    shift 2
+    refused "$sentence" cross "$@"
+    test ! -e build/CMakeFiles/program.dir
+}
+
+cmake_checks_the_processor() {
+    cp "$example/jog.c" program.c
+    cross "$m4 -mfloat-abi=hard" -DATRAJ_PREBUILT="$m4f_archive" -DATRAJ_MAKE=/nonexistent
+    cross_refused thumbv7em-none-eabihf thumbv6m-none-eabi "$m0" -DATRAJ_PREBUILT="$m4f_archive"
+    cross_refused thumbv7em-none-eabihf 'thumbv7em-none-eabi cortex-m4' "$m4 -mfloat-abi=softfp" -DATRAJ_PREBUILT="$m4f_archive"
+    cross_refused thumbv7em-none-eabihf thumbv6m-none-eabi "$m0" -DATRAJ_TARGET=thumbv7em-none-eabihf
+    # The flags of a Cortex-M0+ come from add_compile_options.
+    cross_refused thumbv7em-none-eabihf thumbv6m-none-eabi '' -DOPTIONS=$m0 -DATRAJ_PREBUILT="$m4f_archive"
+    refused "is for thumbv7em-none-eabihf, but the compiler's flags are for $(uname -m)-" by_cmake -DATRAJ_PREBUILT="$m4f_archive"
+}
+
+# A library for a Cortex-M7 in name: its unit computes in binary64, that of a Cortex-M4F does not.
+cmake_checks_the_unit() {
+    cp "$example/jog.c" program.c
+    cp -R "$m4f_archive" m7
+    sed -i 's/^machine=.*/& cortex-m7/' m7/lib/pkgconfig/*.pc
+    cross "$m7" -DATRAJ_PREBUILT="$PWD/m7"
+    cross_refused 'thumbv7em-none-eabihf cortex-m7' thumbv7em-none-eabihf "$m4 -mfloat-abi=hard" -DATRAJ_PREBUILT="$PWD/m7"
+}
+
+# Without -mcpu the compiler is for an Arm7.
+cmake_without_a_processor() {
+    cp "$example/jog.c" program.c
+    refused 'does not know the processor of these compiler flags: set ATRAJ_TARGET or ATRAJ_PREBUILT.' cross ''
+    refused 'nothing checks that it is thumbv7em-none-eabihf' cross '' -DATRAJ_PREBUILT="$m4f_archive"
+}
+
+# The flags of each chip in README.md must tell the archive of the chip.
+knows_the_chips() {
+    grep '`TARGET=' "$root/README.md" | tr -d '`' > chips
+    test "$(wc -l < chips)" -ge 10
+    while IFS='|' read -r _ chip choice flags _; do
+        case $choice in
+        *thumb*) compiler='arm-none-eabi-gcc -mthumb' ;;
+        *riscv*) compiler=riscv64-unknown-elf-gcc ;;
+        *aarch64-unknown-none*) compiler='clang --target=aarch64-none-elf' flags= ;;
+        *) echo "which compiler is for $chip?" && exit 1 ;;
+        esac
+        $compiler $flags -dM -E "$root/packaging/processor.h" > macros
+        sed -n 's/.*ATRAJ_TARGETS "\([^ "]*\).*/TARGET=\1/p' macros > told
+        sed -n 's/.*ATRAJ_CPU "\(.*\)"/CPU=\1/p' macros >> told
+        test "$(echo $(cat told))" = "$(echo $choice)"
+    done < chips
+}
+
+# Zephyr and ESP-IDF are too large for a test. A stand-in gives what their CMake files give.
+zephyr_stand_in() {
+    cat > CMakeLists.txt << END
+cmake_minimum_required(VERSION 3.20)
+project(app C)
+set(CONFIG_ATRAJ y)
+set(CONFIG_ATRAJ_FLOAT y)
+set(TOOLCHAIN_C_FLAGS -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16)
+add_compile_options(\${TOOLCHAIN_C_FLAGS})
+add_library(zephyr_interface INTERFACE)
+add_subdirectory($root/packaging/zephyr atraj)
+add_executable(app $example/jog.c)
+target_link_options(app PRIVATE \${TOOLCHAIN_C_FLAGS} --specs=nosys.specs)
+target_link_libraries(app zephyr_interface)
+END
+    grep "cmake: packaging/zephyr$" "$root/zephyr/module.yml"
+    cmake -S . -B build -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
+    cmake --build build
+}
+
+esp_idf_stand_in() {
+    cat > CMakeLists.txt << END
+cmake_minimum_required(VERSION 3.20)
+project(app C)
+function(idf_component_register)
+    add_library(component INTERFACE)
+    set(COMPONENT_LIB component PARENT_SCOPE)
+endfunction()
+add_subdirectory($root/packaging/esp-idf/atraj component)
+add_executable(app $sources/move.c)
+target_link_libraries(app component)
+END
+    cmake -S . -B build
+    cmake --build build
+    prints_the_bits build/app
+}
+
+# --- Meson and Conan
+
+# The versions of requirements.txt, in target/venv.
+python_tools() {
+    test -x "$root/target/venv/bin/pip" || python3 -m venv "$root/target/venv"
+    "$root/target/venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$sources/requirements.txt"
+}
+
+# by_meson ARGUMENT…: builds program.c
+by_meson() {
+    rm -rf build
+    mkdir -p subprojects
+    ln -sfn "$root" subprojects/atraj
+    cp "$subproject"/meson.* .
+    meson setup build -Ddependency=$package -Datraj:real=$real "$@"
+    ninja -C build
+}
+
+meson_program() {
+    cp "$sources/move.c" program.c
+    by_meson "$@"
+    prints_the_bits build/program
+}
+
+meson_prebuilt() {
+    meson_program -Datraj:prebuilt="$unpacked-$package"
+    grep -F "release-$package/lib/lib$package.a" build/build.ninja
+}
+
+meson_firmware() {
+    cp "$example/jog.c" program.c
+    by_meson --cross-file "$subproject/cortex-m4f.ini"
+    arm-none-eabi-readelf -A build/program | grep 'Tag_ABI_VFP_args: VFP registers'
+    refused 'but the compiler is for thumbv7em-none-eabihf: change the one or the other.' \
+        by_meson --cross-file "$subproject/cortex-m4f.ini" -Datraj:prebuilt="$unpacked-$package"
+}
+
+# conan_create SHARED: the recipe's test prints the bits among Conan's own lines
+conan_create() {
+    export CONAN_HOME=$work/conan
+    test -e "$CONAN_HOME/profiles/default" || conan profile detect
+    conan create "$clone/packaging/conan" -o "atraj/*:real=$real" -o "atraj/*:shared=$1" > said 2>&1 || { cat said && exit 1; }
+    grep -xFf "$work/$real.expected" said > printed
+    diff "$work/$real.expected" printed
+}
+
+# --- Debian's packages
+
+debian=$work/debian
+
+debian_packages() {
+    export DEBFULLNAME=Nobody DEBEMAIL=nobody@debian.org SOURCE_DATE_EPOCH=1700000000
+    for turn in first second; do
+        make -C "$root" deb REAL=$real
+        mkdir $turn
+        cp "$root/target/deb/lib${package}0_"*.deb "$root/target/deb/lib$package-dev_"*.deb $turn
+    done
+    diff -r first second
+    refused 'leave TARGET and CPU out' make -C "$root" deb REAL=$real CPU=native
+    lintian --allow-root --fail-on error,warning first/*.deb
+    mkdir -p "$debian/var/lib/dpkg/updates" "$debian/var/lib/dpkg/info"
+    touch "$debian/var/lib/dpkg/status"
+    # No package of Debian's own is in this folder.
+    dpkg --root="$debian" --force-depends --force-not-root --log=log -i first/*.deb
+}
+
+debian_program() {
+    libdir=$debian/usr/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)
+    ${CC:-cc} "$sources/move.c" -o move $(PKG_CONFIG_PATH=$libdir/pkgconfig pkg-config --cflags --libs $package)
+    LD_LIBRARY_PATH=$libdir prints_the_bits ./move
+    cmake -S "$sources" -B build -DSOURCE=move.c -DPACKAGE=$package -DCMAKE_PREFIX_PATH="$debian/usr"
+    cmake --build build
+    prints_the_bits build/move
+    make -C "$root" identify FILE="$libdir/lib$package.so.$version"
+}
+
+# --- the matrix
+
+for real in double float; do
+    about $real
+    row "a release's folder, $real" unpacked_release
+done
+if have cmake; then
+    for real in double float; do
+        about $real
+        row "cmake, add_subdirectory, static, $real" cmake_program
+        row "cmake, add_subdirectory, shared, $real" cmake_program -DLIBRARY=$package::$package
+        row "cmake, add_subdirectory, a release's folder, $real" cmake_prebuilt
+        row "cmake, FetchContent of a release, $real" cmake_fetches_a_release
+    done
+    about double
+    row "cmake, ESP-IDF's component on a stand-in" esp_idf_stand_in
+fi
+if have git; then
+    about double
+    row "a repository of the sources" clone_of_the_sources
+    have cmake && row "cmake, FetchContent of a repository, and a change in it" cmake_fetches_the_sources
+fi
+if have cmake && have arm-none-eabi-gcc; then
+    about double
+    have qemu-system-arm && row "cmake, add_subdirectory, Cortex-M0+, in the emulator" cmake_on_a_pico
+    about float
+    row "cmake checks processor and float ABI" cmake_checks_the_processor
+    row "cmake checks the floating-point unit" cmake_checks_the_unit
+    row "cmake says that it does not know a processor" cmake_without_a_processor
+    row "cmake, Zephyr's module on a stand-in" zephyr_stand_in
+    have riscv64-unknown-elf-gcc && have clang && row "the compilers tell the archives of README's chips" knows_the_chips
+fi
+
+if have python3; then
+    row "Meson and Conan from PyPI" python_tools
+    PATH=$root/target/venv/bin:$PATH
+    for real in double float; do
+        about $real
+        row "meson, subproject, $real" meson_program
+        row "meson, subproject, a release's folder, $real" meson_prebuilt
+    done
+    have arm-none-eabi-gcc && row "meson, subproject, Cortex-M4F, float" meson_firmware
+    about double
+    row "conan create, static, double" conan_create False
+    about float
+    row "conan create, shared, float" conan_create True
+fi
+
+if have dpkg-shlibdeps && have lintian && have pkg-config && have cmake; then
+    for real in double float; do
+        about $real
+        row "make deb, $real" debian_packages
+        row "program on the Debian packages, $real" debian_program
+    done
+fi
