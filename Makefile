@@ -32,6 +32,8 @@
 #   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
 #
 # CPU=<name> compiles for one processor (CPU=cortex-m7, CPU=x86-64-v3), in target/dist-…-<name>.
+# HWCAPS=<names> are the levels of x86-64 that the shared library is compiled for besides, each as by CPU=<name>. glibc's loader takes
+# the highest that the processor has. x86-64-v3 and x86-64-v4 on Linux with glibc if not set; HWCAPS= builds none, in a third of the time.
 #
 # Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …) and a library name
 # of its own (libatraj-float, libatraj-compact, …), so one PREFIX can hold them all:
@@ -68,7 +70,7 @@ ifeq ($(origin CPU),environment)
 override CPU :=
 endif
 ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
-$(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS or leave CPU out)
+$(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS, or leave CPU out and write HWCAPS=)
 endif
 ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
 $(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
@@ -96,6 +98,7 @@ PROFILE := release
 RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 endif
 MACHINE = $(or $(TARGET),$(HOST))
+HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
 .PHONY: dist dist-locked where install uninstall deb identify demo examples consumers builds doc check soak fuzz python python-check \
     playground playground-check firmware-setup firmware-check firmware-report bench instructions instructions-update
@@ -110,9 +113,18 @@ OBJECT := $(CARGO_DIR)/atraj.o
 NAMES := $(CARGO_DIR)/names
 FILL = sed 's/@VERSION@/$(VERSION)/g; s/@NAME@/$(NAME)/g; s/@MACHINE@/$(MACHINE)$(CPU:%= %)/g'
 
+# $(call level,NAME): the shared library for a level of x86-64, where glibc's loader looks for it
+define level
+$(MAKE) --no-print-directory dist CPU=$1 HWCAPS=
+mkdir -p $(NEW)/lib/glibc-hwcaps/$1
+cp -P target/dist-$1$(ABI)/lib/lib$(NAME).so.* $(NEW)/lib/glibc-hwcaps/$1/
+
+endef
+
 # The archive holds one object. So a user's linker finds the documented symbols in it and no others. The recipe builds aside
 # and renames last, so a failed build leaves the old directory.
 dist-locked: $(TARGET_JSON)
+	$(if $(filter-out x86-64-v2 x86-64-v3 x86-64-v4,$(HWCAPS)),$(error HWCAPS=$(HWCAPS) does not exist: it is some of x86-64-v2 x86-64-v3 x86-64-v4))
 ifdef CPU
 	@rustc --print target-cpus --target $(MACHINE) | awk '{ print $$1 }' | grep -qxF -e '$(CPU)' || { \
 	    echo 'CPU=$(CPU) does not exist: `rustc --print target-cpus --target $(MACHINE)` lists the names.' >&2; exit 1; }
@@ -138,6 +150,7 @@ ifndef TARGET
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(NEW)/lib/lib$(NAME).so.$(VERSION) $(OBJECT) -lm
 	ln -s lib$(NAME).so.$(VERSION) $(NEW)/lib/$(SONAME)
 	ln -s $(SONAME) $(NEW)/lib/lib$(NAME).so
+	$(foreach name,$(HWCAPS),$(call level,$(name)))
 endif
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(CARGO_DIR)/messages.json)/atraj_config.h" \
 	    $(NEW)/include/a/

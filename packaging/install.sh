@@ -66,13 +66,22 @@ folder() {
     realpath -sm --relative-to="$DESTDIR/" "$(dirname "$(place "$1")")"
 }
 
+# The loader prefers these libraries, so none of another build may stay.
+remove_levels() {
+    levels=$DESTDIR$LIBDIR/glibc-hwcaps
+    rm -f "$levels"/*/"lib$name.so".*
+    test ! -d "$levels" || find "$levels" -type d -empty -delete
+}
+
 case $action in
 install)
     umask 022
+    remove_levels
     each_file install_file
     ;;
 uninstall)
     each_file uninstall_file
+    remove_levels
     # `rmdir -p` goes up while folders are empty. DESTDIR itself stays.
     each_file folder | sort -ru | while read -r folder; do
         (cd "$DESTDIR/" && rmdir -p "$folder") 2> /dev/null || true

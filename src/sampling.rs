@@ -98,8 +98,8 @@ impl<R: Real> Sweep<R> {
         let crossings = borders.map(|border| self.crossing(border, rate, count));
         let mut end = count;
         while end > 0 {
-            let behind = crossings.iter().filter(|&&crossing| crossing < end);
-            let start = behind.fold(0, |start, &crossing| start.max(crossing));
+            let behind = crossings.map(|crossing| if crossing < end { crossing } else { 0 });
+            let start = behind.into_iter().fold(0, i32::max);
             if Self::are_few(end - start, Self::VECTOR) {
                 self.sample_each(start..end, &mut outputs, profile);
             } else {

@@ -74,8 +74,18 @@ END
 $BENCH -- moves
 printf '\n'
 $BENCH --features float -- moves
-printf '\n## Sampling, compiled for the processor of this machine (`target-cpu=native`)\n\nbinary64, then binary32.\n\n'
-export RUSTFLAGS="$RUSTFLAGS -C target-cpu=native"
-$BENCH --target-dir target/bench-native -- samples
+# Cargo would rebuild the libraries for the flags of the benchmark.
+for real in double float; do env -u RUSTFLAGS make -s dist REAL=$real >&2; done
+printf '\n## Sampling on each level of x86-64\n\n'
+cat <<'END'
+`atraj_bell_sample` in the shared libraries of `make dist`: the default, and those that glibc's loader takes on a processor with AVX2
+(`x86-64-v3`) or AVX-512 (`x86-64-v4`). Beside each stand four calls of the original for each sample, and "fill": the same four arrays
+filled with a constant, with the stores of the level. No sampling takes less time. All three have their turns in the same rounds.
+"Unknown to callgrind" means that callgrind cannot run instructions of this level, and so counts none.
+
+binary64, then binary32.
+
+END
+$BENCH -- levels
 printf '\n'
-$BENCH --target-dir target/bench-native --features float -- samples
+$BENCH --features float -- levels

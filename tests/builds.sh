@@ -6,6 +6,8 @@ copy=$work/atraj
 mkdir "$copy"
 tar -C "$root" --exclude=./target --exclude=./.git --exclude=target -cf - . | tar -C "$copy" -xf -
 archive=$copy/target/dist/lib/libatraj.a
+# The rows about levels of x86-64 name them. The other rows build none, because two more libraries take twice the time.
+export HWCAPS=
 # A processor of this machine's architecture, newer than the default.
 case $(uname -m) in
 aarch64) cpu=neoverse-n1 ;;
@@ -185,6 +187,26 @@ stage/usr/include/a/list.h'
     test ! -e new
 }
 
+# levels_in STAGE: the levels of x86-64 that have a library there
+levels_in() {
+    (cd "$1/usr/local/lib" && find . -path '*/libatraj.so.0') | sed -n 's|.*/glibc-hwcaps/\(.*\)/.*|\1|p'
+}
+
+# The loader prefers a level, so a level of another build must not stay.
+levels() {
+    install_to "$PWD/stage" HWCAPS=x86-64-v3
+    test "$(levels_in stage)" = x86-64-v3
+    install_to "$PWD/stage" HWCAPS=x86-64-v4
+    test "$(levels_in stage)" = x86-64-v4
+    install_to "$PWD/stage"
+    test -z "$(levels_in stage)"
+    install_to "$PWD/stage" HWCAPS=x86-64-v3
+    dist
+    make -C "$copy" uninstall DESTDIR="$PWD/stage"
+    test -z "$(find stage -mindepth 1)"
+    refused 'HWCAPS=znver4 does not exist' dist HWCAPS=znver4
+}
+
 # another_machine BUILD-CHOICE: its files have the names of the files that are there
 another_machine() {
     install_to "$PWD/stage"
@@ -230,6 +252,7 @@ row "two real types at once" two_reals_at_once
 row "a blank in DESTDIR" blank_in_destdir
 have pkg-config && have cmake && row "LIBDIR and INCLUDEDIR" other_folders
 row "make uninstall leaves no folder" no_folder_left
+test "$cpu" = x86-64-v3 && row "levels of x86-64 come and go" levels
 row "another processor over an installation" another_machine CPU=$cpu
 have arm-none-eabi-gcc && row "Arm over an installation" another_machine TARGET=thumbv7em-none-eabihf
 have readelf && have pkg-config && row "names of every ABI" names_of_an_abi

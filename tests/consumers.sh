@@ -124,6 +124,47 @@ program() {
     diff "$work/$real.expected" printed
 }
 
+# --- the levels of x86-64
+
+loader=/lib64/ld-linux-x86-64.so.2
+levels="x86-64-v3 x86-64-v4"
+
+# has_level LEVEL: whether this processor has it, as the loader says
+has_level() {
+    "$loader" --help | grep -q "^  $1 (supported" && return
+    echo "SKIPPED  $1: this processor lacks it"
+    return 1
+}
+
+# takes FOLDER ARGUMENT…: with these arguments the loader must take the library in this folder.
+takes() {
+    folder=$1
+    shift
+    with_cc move.c shared
+    LD_DEBUG=libs LD_DEBUG_OUTPUT=libs "$loader" "$@" --library-path "$prefix/lib" ./move > printed
+    grep "calling init: $folder/lib$package.so.0" libs.*
+    diff "$work/$real.expected" printed
+}
+
+# same_bits LEVEL: golden data and samples, from the library of this level
+same_bits() {
+    for program in golden claraty sample fastest move axes; do
+        ${CC:-cc} -std=c99 -I"$prefix/$headers" "$root/c_tests/$program.c" -o $program -L"$prefix/lib" "-l$package" -lm
+        LD_DEBUG=libs LD_DEBUG_OUTPUT=$program "$loader" --glibc-hwcaps-mask "$1" --library-path "$prefix/lib" \
+            ./$program "$root/tests/golden"
+        grep "calling init: .*/$1/lib$package.so.0" $program.*
+    done
+}
+
+# A fused multiply-add rounds once where the original rounds twice.
+nothing_fused() {
+    for level in $levels; do
+        objdump -d "$prefix/lib/glibc-hwcaps/$level/lib$package.so.0" > code
+        grep -q ymm code
+        test -z "$(grep -E 'vfn?m(add|sub)' code)"
+    done
+}
+
 # --- the programs of the example of firmware, linked, and run in an emulator
 
 example=$root/examples/embedded
@@ -285,6 +326,23 @@ for real in double float; do
     row "binary of the original, ours under its name, $real" runs_under_its_name
     row "binary of the original, ours preloaded, $real" runs_preloaded
 done
+if test -x "$loader"; then
+    for real in double float; do
+        about $real
+        highest=$prefix/lib
+        for level in $levels; do
+            has_level $level || continue
+            highest=$prefix/lib/glibc-hwcaps/$level
+            row "the loader takes $level, $real" takes "$highest" --glibc-hwcaps-mask $level
+            row "golden data and samples, $level, $real" same_bits $level
+        done
+        row "the loader takes the highest level, $real" takes "$highest"
+        row "the loader takes the default for an old processor, $real" takes "$prefix/lib" --glibc-hwcaps-mask none
+        row "no level has fused operations, $real" nothing_fused
+    done
+else
+    echo "SKIPPED  levels of x86-64: there is no $loader"
+fi
 if have cmake; then
     row "cmake refuses another processor" refuses_processor
     row "cmake refuses another version" refuses_version

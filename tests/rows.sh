@@ -7,7 +7,7 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 passed=0 failed=0 skipped=0
-unset MAKEFLAGS MAKELEVEL REAL POLY A_TRAJPOLY3 A_TRAJPOLY5 A_TRAJPOLY7 TARGET CPU DESTDIR PREFIX LIBDIR INCLUDEDIR \
+unset MAKEFLAGS MAKELEVEL REAL POLY A_TRAJPOLY3 A_TRAJPOLY5 A_TRAJPOLY7 TARGET CPU HWCAPS DESTDIR PREFIX LIBDIR INCLUDEDIR \
     LD_LIBRARY_PATH RUSTFLAGS
 
 # row TITLE COMMAND: runs the command in an empty folder. In the background, because under `if` a shell lets failing steps

@@ -2,6 +2,8 @@
 //! Every struct is nothing but reals, so a function takes a pointer to the first one.
 
 use atraj::capi::a_float;
+use libloading::Library;
+use std::path::Path;
 use support::{Family, Implementation, Real};
 
 /// The functions of one library in one real type.
@@ -15,6 +17,15 @@ pub struct Abi<R: 'static> {
     /// What has to be called after the polynomials' function above to fill the other coefficient arrays.
     pub derivations: [&'static [Derive<R>]; 3],
     pub evaluations: [&'static [Evaluate<R>]; 5],
+}
+
+/// The function of this name.
+///
+/// # Safety
+/// The function has the type `F`, and nobody calls it when the library is no longer loaded.
+unsafe fn loaded<F: Copy>(library: &Library, name: &str) -> F {
+    // SAFETY: as above.
+    *unsafe { library.get(name.as_bytes()) }.unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// `gen` of the bell and of the trapezoid.
@@ -70,6 +81,30 @@ impl<R: Real> Implementation<R> for Abi<R> {
 }
 
 impl<R> Abi<R> {
+    /// Our functions in a shared library, which stays loaded.
+    pub fn load(file: &Path) -> Self {
+        // SAFETY: our library runs nothing when it is loaded, its functions have these types, and nothing unloads it.
+        unsafe {
+            let library = Library::new(file).unwrap_or_else(|e| panic!("{e}"));
+            let abi = Self {
+                bell: loaded(&library, "a_trajbell_gen"),
+                trap: loaded(&library, "a_trajtrap_gen"),
+                poly3: loaded(&library, "a_trajpoly3_gen"),
+                poly5: loaded(&library, "a_trajpoly5_gen"),
+                poly7: loaded(&library, "a_trajpoly7_gen"),
+                derivations: [&[]; 3],
+                evaluations: Family::ALL.map(|family| {
+                    let names = family.quantities().iter().map(|quantity| quantity.c);
+                    let names = names.map(|name| format!("a_{}_{name}", family.c_name()));
+                    let functions: Vec<_> = names.map(|name| loaded(&library, &name)).collect();
+                    &*functions.leak()
+                }),
+            };
+            std::mem::forget(library);
+            abi
+        }
+    }
+
     fn derive(&self, polynomial: Family, fields: &mut [R]) {
         let (derivations, order) = match polynomial {
             Family::Poly3 => (self.derivations[0], 3),

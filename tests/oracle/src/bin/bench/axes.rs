@@ -3,7 +3,7 @@
 #![allow(clippy::useless_conversion)] // a_float may be f32
 
 use crate::fastest::Race;
-use crate::moves::{Case, Problem, Tally, cases, print_race};
+use crate::moves::{Case, Compare, Problem, Tally, cases, print_race};
 use crate::{Row, WARM, align_code};
 use atraj::capi::a_float;
 use atraj::capi::atraj::*;
@@ -23,8 +23,8 @@ pub fn print_table(first: usize) {
          instructions ours | rsruckig | errors of rsruckig | slower |"
     );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
-    for (index, (race, tally)) in (first..).zip(races()) {
-        print_race(index, race, &tally);
+    for (index, (race, compare)) in (first..).zip(races()) {
+        print_race(index, race, &compare());
     }
 }
 
@@ -74,7 +74,7 @@ type Plan = unsafe extern "C" fn(
     a_float,
 ) -> i32;
 
-fn races() -> Vec<(Race, Tally)> {
+fn races() -> Vec<(Race, Compare)> {
     let mut random = Random::seeded(3);
     let cases = cases();
     let [rest, _, _, accelerated, ..] = cases;
@@ -87,10 +87,13 @@ fn races() -> Vec<(Race, Tally)> {
     races
 }
 
-fn race<const N: usize>(name: &str, case: Case, random: &mut Random) -> (Race, Tally) {
+fn race<const N: usize>(name: &str, case: Case, random: &mut Random) -> (Race, Compare) {
     let sets: Rc<[Set<N>]> = (0..SETS).map(|_| Set::random(case, random)).collect();
     let ruckig = Rc::new(RefCell::new(Planner::<N>::new()));
-    let tally = ruckig.borrow_mut().compare(&sets);
+    let compare = {
+        let (sets, ruckig) = (sets.clone(), ruckig.clone());
+        Box::new(move || ruckig.borrow_mut().compare(&sets))
+    };
     let run = {
         let (sets, ruckig) = (sets.clone(), ruckig.clone());
         Box::new(move |library: usize| plan_all(library, &sets, &ruckig))
@@ -104,7 +107,7 @@ fn race<const N: usize>(name: &str, case: Case, random: &mut Random) -> (Race, T
         },
         one: Box::new(move |library, plan| plan_all(library, &sets[plan..=plan], &ruckig)),
     };
-    (race, tally)
+    (race, compare)
 }
 
 /// Like a control loop, each library overwrites its last plans.

@@ -3,6 +3,8 @@
 //! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
 //! `bench moves`: tables of the moves from any state to any state, planned beside rsruckig and evaluated beside the double-S, and
 //! of several axes that arrive together.
+//! `bench levels`: a table of samples from the shared library of each level of x86-64, beside the original's at `-O2` and beside
+//! filling the arrays with a constant.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!
@@ -13,6 +15,8 @@
 
 mod axes;
 mod fastest;
+#[cfg(target_arch = "x86_64")]
+mod levels;
 mod moves;
 
 use atraj::capi::a_float;
@@ -51,11 +55,11 @@ fn main() {
         ["instructions"] => print_instructions(),
         ["fastest"] => fastest::print_table(),
         ["moves"] => moves::print_tables(),
-        ["count", row, library] => {
-            let mut row = warm_rows().swap_remove(row.parse().expect("a row"));
-            let library = library.parse().expect("a library");
-            counted(&mut || (row.run)(library));
-        }
+        #[cfg(target_arch = "x86_64")]
+        ["levels"] => levels::print_table(),
+        ["count", row, library] => count(warm_rows(), row, library),
+        #[cfg(target_arch = "x86_64")]
+        ["count-levels", row, library] => count(levels::rows(), row, library),
         ref words => print_table(words),
     }
 }
@@ -71,8 +75,10 @@ fn print_table(words: &[&str]) {
     };
     for (index, row) in rows(WARM).iter_mut().enumerate() {
         if is_wanted(row) {
-            let counts = [0, 1].map(|library| instructions(index, library, row.calls));
-            print_row(row, &counts.map(|count| format!("{count:.1}")));
+            print_row(
+                row,
+                &[0, 1].map(|library| instructions(index, library, row.calls)),
+            );
         }
     }
     for row in &mut rows(COLD) {
@@ -96,7 +102,7 @@ fn print_row(row: &mut Row, [ours, original]: &[String; 2]) {
 fn print_instructions() {
     for (index, row) in warm_rows().iter().enumerate() {
         let count = instructions(index, 0, row.calls);
-        println!("{}, {}: {count:.1}", row.function, row.case);
+        println!("{}, {}: {count}", row.function, row.case);
     }
 }
 
@@ -123,8 +129,13 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// Instructions of a call, counted by callgrind in a process of its own.
-fn instructions(row: usize, library: usize, calls: usize) -> f64 {
+/// Instructions of a call.
+fn instructions(row: usize, library: usize, calls: usize) -> String {
+    instructions_of("count", row, library, calls)
+}
+
+/// Instructions of a call, counted by callgrind in a process of its own. Words if callgrind does not know an instruction.
+fn instructions_of(table: &str, row: usize, library: usize, calls: usize) -> String {
     let output = Command::new("valgrind")
         .args([
             "--tool=callgrind",
@@ -132,15 +143,26 @@ fn instructions(row: usize, library: usize, calls: usize) -> f64 {
             "--toggle-collect=counted",
         ])
         .arg(std::env::current_exe().expect("the path of this program"))
-        .args(["count", &row.to_string(), &library.to_string()])
+        .args([table, &row.to_string(), &library.to_string()])
         .output()
         .expect("valgrind is installed");
     let text = String::from_utf8_lossy(&output.stderr);
+    if text.contains("valgrind: Unrecognised instruction") {
+        return "unknown to callgrind".into();
+    }
     let collected = text
         .lines()
         .find_map(|line| line.split_once("Collected : "));
     let (_, count) = collected.unwrap_or_else(|| panic!("valgrind: {text}"));
-    count.trim().parse::<f64>().expect("a number") / calls as f64
+    let count: f64 = count.trim().parse().expect("a number");
+    format!("{:.1}", count / calls as f64)
+}
+
+/// Makes the calls of a row, for callgrind.
+fn count(mut rows: Vec<Row>, row: &str, library: &str) {
+    let mut row = rows.swap_remove(row.parse().expect("a row"));
+    let library = library.parse().expect("a library");
+    counted(&mut || (row.run)(library));
 }
 
 /// callgrind finds the function by this name.
@@ -153,7 +175,7 @@ extern "Rust" fn counted(run: &mut dyn FnMut()) {
 /// The rows of all tables that callgrind can count: the row of this index is one of these.
 fn warm_rows() -> Vec<Row> {
     let mut rows = rows(WARM);
-    rows.extend(fastest::races().into_iter().map(|race| race.row));
+    rows.extend(fastest::rows());
     rows.extend(moves::rows());
     rows.extend(axes::rows());
     rows
@@ -406,24 +428,31 @@ fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments:
 
 /// `n` samples of all four quantities. The original needs four calls for each sample.
 fn samples(n: usize) -> Row {
-    at_once("atraj_bell_sample", n, move |fields, dt, out| {
+    let ours = sampled(atraj_bell_sample);
+    at_once("atraj_bell_sample", n, ours, four_calls::<2>)
+}
+
+/// Calls `sample` once.
+fn sampled(sample: Sample) -> impl Fn(&[a_float], a_float, Samples) {
+    move |fields, dt, out| {
+        let n = out[0].len();
         let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
-        let sample = black_box(atraj_bell_sample as Sample);
         // SAFETY: these are the fields of a bell, and every output has `n` elements.
-        unsafe { sample(fields.as_ptr().cast(), 0.0, dt, n, p, v, a, j) };
-    })
+        unsafe { black_box(sample)(fields.as_ptr().cast(), 0.0, dt, n, p, v, a, j) };
+    }
 }
 
 /// All four quantities at `n` times, one call for each time.
 fn states(n: usize) -> Row {
-    at_once("atraj_bell_state", n, |fields, dt, [p, v, a, j]| {
+    let ours = |fields: &[a_float], dt: a_float, [p, v, a, j]: Samples| {
         let state = black_box(atraj_bell_state as State);
         let all = p.iter_mut().zip(v).zip(a).zip(j);
         for (k, (((p, v), a), j)) in all.enumerate() {
             // SAFETY: these are the fields of a bell.
             unsafe { state(fields.as_ptr().cast(), k as a_float * dt, p, v, a, j) };
         }
-    })
+    };
+    at_once("atraj_bell_state", n, ours, four_calls::<2>)
 }
 
 type Sample = unsafe extern "C" fn(
@@ -448,9 +477,14 @@ type State = unsafe extern "C" fn(
 /// Rows of positions, velocities, accelerations and jerks. The first row begins at a cache line.
 type Samples<'a> = [&'a mut [a_float]; 4];
 
-/// The double-S of the README's table, from 0 to 10 with an initial velocity: `ours` against four calls of the original
-/// for each time.
-fn at_once(function: &str, n: usize, ours: impl Fn(&[a_float], a_float, Samples) + 'static) -> Row {
+/// The double-S of the README's table, from 0 to 10 with an initial velocity: `ours` against four calls of the original at `-O2`
+/// for each time, and against a third one.
+fn at_once(
+    function: &str,
+    n: usize,
+    ours: impl Fn(&[a_float], a_float, Samples) + 'static,
+    third: impl Fn(&[a_float], a_float, Samples) + 'static,
+) -> Row {
     let fields = planned(Family::Bell, &[vec![30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]).remove(0);
     let dt = fields[0] / (n - 1) as a_float;
     let mut memory = vec![0.0; 4 * n + 16];
@@ -461,7 +495,7 @@ fn at_once(function: &str, n: usize, ours: impl Fn(&[a_float], a_float, Samples)
         match library {
             0 => ours(&fields, dt, out),
             1 => four_calls::<1>(&fields, dt, out),
-            _ => four_calls::<2>(&fields, dt, out),
+            _ => third(&fields, dt, out),
         }
         black_box(&memory);
     });

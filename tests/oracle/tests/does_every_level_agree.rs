@@ -1,0 +1,50 @@
+//! Does the shared library of each level of x86-64 that this processor has give the bits of the original?
+
+use oracle::abi::{Abi, Original};
+use oracle::volume::run_seed;
+use std::path::PathBuf;
+use std::process::Command;
+use support::variant::{DOUBLE, FLOAT, Variant};
+
+/// glibc's loader, which takes the library of a level.
+const LOADER: &str = "/lib64/ld-linux-x86-64.so.2";
+
+/// The levels that this processor has, as the loader says.
+fn levels() -> Vec<&'static str> {
+    let help = Command::new(LOADER).arg("--help").output();
+    let help = help.map(|output| String::from_utf8(output.stdout).unwrap());
+    let help = help.unwrap_or_default();
+    let mut levels = vec!["x86-64-v3", "x86-64-v4"];
+    levels.retain(|level| {
+        let is_here = help.contains(&format!("{level} (supported"));
+        if !is_here {
+            println!("SKIPPED: this processor lacks {level}");
+        }
+        is_here
+    });
+    levels
+}
+
+fn library(variant: &Variant, level: &str) -> PathBuf {
+    let folder = variant.dist().join("lib/glibc-hwcaps").join(level);
+    folder.join(format!("lib{}.so.0", variant.name()))
+}
+
+fn every_level_agrees<R: Original>(variant: &Variant) {
+    for level in levels() {
+        let ours = Abi::<R>::load(&library(variant, level));
+        let report = run_seed::<R>(&ours, &R::ORIGINAL, 5_000_000);
+        println!("{}, {level}: {report}", R::NAME);
+        report.assert_same();
+    }
+}
+
+#[test]
+fn f64() {
+    every_level_agrees::<f64>(&DOUBLE);
+}
+
+#[test]
+fn f32() {
+    every_level_agrees::<f32>(&FLOAT);
+}
