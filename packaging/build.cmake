@@ -20,7 +20,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources} Makefi
 find_program(ATRAJ_MAKE NAMES gmake make)
 execute_process(RESULT_VARIABLE result OUTPUT_VARIABLE folder OUTPUT_STRIP_TRAILING_WHITESPACE
     COMMAND "${CMAKE_COMMAND}" -E env --unset=MAKEFLAGS --unset=MAKELEVEL "${ATRAJ_MAKE}" -s -C "${CMAKE_CURRENT_SOURCE_DIR}"
-        dist where "TARGET=${target}" "CPU=${cpu}" "REAL=${ATRAJ_REAL}" "POLY=${ATRAJ_POLY}")
+        dist where HWCAPS= "TARGET=${target}" "CPU=${cpu}" "REAL=${ATRAJ_REAL}" "POLY=${ATRAJ_POLY}")
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "atraj: `make dist` failed. Do what its message above says, or set ATRAJ_PREBUILT to a release's folder.")
 endif()
