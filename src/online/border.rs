@@ -449,8 +449,12 @@ impl<R: Real> Border<R> {
     /// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it
     /// gets `lacks` farther than `base`.
     fn turning(&self, mut base: Course<R>, h: R, mut lacks: R) -> Course<R> {
-        let (mut cruise, displacement) = self.by_way_of_vmax();
+        let ramps @ [up, down] = self.ramps_to_vmax();
+        let (a0, a1, zero) = (self.a0, -self.a1, R::ZERO);
+        let displacement =
+            up.passed(self.v0, a0, zero, self.pace).1 + down.passed(self.v1, a1, zero, self.pace).1;
         if h >= displacement {
+            let mut cruise = Self::by_way_of_vmax(ramps);
             cruise.cruise = (h - displacement) / self.vmax;
             return cruise;
         }
@@ -502,28 +506,29 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// The fastest motion by way of the highest velocity, and its displacement.
-    fn by_way_of_vmax(&self) -> (Course<R>, R) {
-        let zero = R::ZERO;
+    /// The fastest ramps from the start up to the highest velocity, and from the end up to it in the other order of time.
+    fn ramps_to_vmax(&self) -> [Ramp<R>; 2] {
         let (a0, a1) = (self.a0, -self.a1);
-        let up = self.above - self.pace.straight(a0, zero);
-        let up = Ramp::over(up, a0, zero, self.rise, self.pace);
-        // In the other order of time.
-        let down = self.above - self.dv - self.pace.straight(a1, zero);
-        let down = Ramp::over(down, a1, zero, self.fall, self.pace);
-        let displacement =
-            up.passed(self.v0, a0, zero, self.pace).1 + down.passed(self.v1, a1, zero, self.pace).1;
-        let course = Course {
+        let up = self.above - self.pace.straight(a0, R::ZERO);
+        let down = self.above - self.dv - self.pace.straight(a1, R::ZERO);
+        [
+            Ramp::over(up, a0, R::ZERO, self.rise, self.pace),
+            Ramp::over(down, a1, R::ZERO, self.fall, self.pace),
+        ]
+    }
+
+    /// The fastest motion by way of the highest velocity.
+    fn by_way_of_vmax([up, down]: [Ramp<R>; 2]) -> Course<R> {
+        Course {
             first: up.out,
             peak: up.peak,
             top: up.hold,
             fall: up.back + down.back,
-            cruise: zero,
+            cruise: R::ZERO,
             trough: -down.peak,
             bottom: down.hold,
             last: down.out,
-        };
-        (course, displacement)
+        }
     }
 
     /// How far the acceleration falls where a hold begins.
@@ -611,7 +616,7 @@ impl<R: Real> Border<R> {
         if !self.beyond_straight().1 && waits.abs() <= few * t {
             return Some(straight);
         }
-        let (mut cruise, _) = self.by_way_of_vmax();
+        let mut cruise = Self::by_way_of_vmax(self.ramps_to_vmax());
         let without_cruise = self.pace.duration(&cruise);
         let course = if t >= without_cruise {
             cruise.cruise = t - without_cruise;

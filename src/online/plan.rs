@@ -281,6 +281,13 @@ impl<R: Real> Instant<R> {
         }
     }
 
+    fn end(t: R) -> Self {
+        Self {
+            since_start: t,
+            until_end: R::ZERO,
+        }
+    }
+
     fn is_late(self) -> bool {
         self.until_end < self.since_start
     }
@@ -305,14 +312,15 @@ impl<R: Real> Instant<R> {
 }
 
 /// The legs of a motion, walked through in order of time.
-#[derive(Clone, Copy)]
 struct Walk<R> {
     t: R,
     legs: [Leg<R>; LEGS],
-    /// When each leg starts.
-    starts: [Instant<R>; LEGS],
+    /// When each leg ends.
+    ends: [Instant<R>; LEGS],
     count: usize,
     current: usize,
+    /// When the leg under way began.
+    began: Instant<R>,
 }
 
 impl<R: Real> Walk<R> {
@@ -321,44 +329,41 @@ impl<R: Real> Walk<R> {
         Self {
             t,
             legs: [Leg::default(); LEGS],
-            starts: [Instant::start(t); LEGS],
+            ends: [Instant::end(t); LEGS],
             count: 0,
             current: 0,
+            began: Instant::start(t),
         }
     }
 
     /// Adds a leg, if it has a duration.
     fn add(&mut self, leg: Leg<R>) {
-        let last = self.count.wrapping_sub(1);
-        let since_start = match (self.starts.get(last), self.legs.get(last)) {
-            (Some(start), Some(before)) => start.since_start + before.duration,
-            _ => R::ZERO,
-        };
-        if leg.duration > R::ZERO {
-            if let (Some(place), Some(start)) = (
-                self.legs.get_mut(self.count),
-                self.starts.get_mut(self.count),
-            ) {
-                *place = leg;
-                start.since_start = since_start;
-                self.count += 1;
-            }
+        let before = self.ends.get(self.count.wrapping_sub(1));
+        let began = before.map_or(R::ZERO, |end| end.since_start);
+        let places = self
+            .legs
+            .get_mut(self.count)
+            .zip(self.ends.get_mut(self.count));
+        if let Some((place, end)) = places.filter(|_| leg.duration > R::ZERO) {
+            *place = leg;
+            end.since_start = began + leg.duration;
+            self.count += 1;
         }
     }
 
-    /// Finds when the legs start, seen from the end.
+    /// Finds when the legs end, seen from the end of the motion.
     fn count_from_end(&mut self) {
         let mut until_end = R::ZERO;
-        let legs = self.legs.iter().zip(&mut self.starts).take(self.count);
-        for (leg, start) in legs.rev() {
-            until_end = until_end + leg.duration;
-            start.until_end = until_end;
+        let legs = self.legs.iter().zip(&mut self.ends).take(self.count);
+        for (leg, end) in legs.rev() {
+            end.until_end = until_end;
             // One of both counts rules.
-            if start.is_late() {
-                start.since_start = self.t - until_end;
+            if end.is_late() {
+                end.since_start = self.t - until_end;
             } else {
-                start.until_end = self.t - start.since_start;
+                end.until_end = self.t - end.since_start;
             }
+            until_end = until_end + leg.duration;
         }
     }
 
@@ -368,26 +373,20 @@ impl<R: Real> Walk<R> {
 
     /// When the leg under way ends.
     fn end(&self) -> Instant<R> {
-        let next = self.starts.get(self.current + 1);
-        let end = Instant {
-            since_start: self.t,
-            until_end: R::ZERO,
-        };
-        next.filter(|_| self.current + 1 < self.count)
-            .copied()
-            .unwrap_or(end)
+        let end = self.ends.get(self.current).copied();
+        end.unwrap_or(Instant::end(self.t))
     }
 
     fn acceleration(&self, now: Instant<R>) -> R {
         let leg = self.leg();
-        let start = self.starts.get(self.current).copied();
-        let passed = now.since(start.unwrap_or(now));
-        leg.from + leg.jerk * passed
+        leg.from + leg.jerk * now.since(self.began)
     }
 
     /// Goes on to the instant `next`.
     fn pass(&mut self, next: Instant<R>) {
-        if self.current + 1 < self.count && self.end().since(next) <= R::ZERO {
+        let end = self.end();
+        if self.current + 1 < self.count && end.since(next) <= R::ZERO {
+            self.began = end;
             self.current += 1;
         }
     }
