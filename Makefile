@@ -75,7 +75,9 @@ endif
 ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
 $(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
 endif
-FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
+# Bare metal and Windows have neither the clock of Unix nor its shared libraries.
+UNIX := $(if $(TARGET),$(filter %-linux-gnu,$(TARGET)),host)
+FEATURES := capi $(UNIX:%=std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 # The highest levels are the default.
 LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
 # Only builds of the same ABI have the same name.
@@ -86,16 +88,17 @@ PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
 VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
 
+# Aligned functions are equally fast wherever a linker puts them.
+HOST_RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 ifdef TARGET
-include packaging/bare-metal.mk
+include packaging/cross.mk
 else
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CARGO_DIR := target/build$(VARIANT)
 # With --target, cargo compiles build.rs without RUSTFLAGS, so build.rs runs here whatever CPU is.
 CARGO_TARGET = --target $(HOST)
 PROFILE := release
-# Aligned functions are equally fast wherever a linker puts them.
-RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
+RUSTC_FLAGS := $(HOST_RUSTC_FLAGS)
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
@@ -146,7 +149,7 @@ ifdef SYMBOL_PREFIX
 	find $(NEW)/include -type f -exec sed -i -f $(NAMES).sed {} +
 endif
 	$(CROSS)ar crsD $(NEW)/lib/lib$(NAME).a $(OBJECT)
-ifndef TARGET
+ifdef UNIX
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(NEW)/lib/lib$(NAME).so.$(VERSION) $(OBJECT) -lm
 	ln -s lib$(NAME).so.$(VERSION) $(NEW)/lib/$(SONAME)
 	ln -s $(SONAME) $(NEW)/lib/lib$(NAME).so
