@@ -1,7 +1,7 @@
 # Builds the archive that a C program links, and proves it. Needs Rust, make and a C compiler.
 #
 #   make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
-#   make dist TARGET=<triple>   archive and headers for bare metal, in target/dist-<triple>
+#   make dist TARGET=<triple>   archive and headers for bare metal or another host, in target/dist-<triple>
 #   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
 #                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
 #   make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
@@ -15,6 +15,8 @@
 #   make builds                 builds and installs in the ways that once gave the wrong library
 #   make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
 #   make playground-check       tests the page in headless Chromium, with pictures in target/playground
+#   make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
+#                               KEY=<SSH key> signs the checksums. `make release-check` tries every file: docs/releasing.md
 #   make doc                    writes the references for C and for Rust: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original, and a thousand million
@@ -75,7 +77,9 @@ endif
 ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
 $(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
 endif
-FEATURES := capi $(if $(TARGET),,std) $(filter float,$(REAL)) $(POLY:%=poly-%)
+# Bare metal and Windows have neither the clock of Unix nor its shared libraries.
+UNIX := $(if $(TARGET),$(filter %-linux-gnu,$(TARGET)),host)
+FEATURES := capi $(UNIX:%=std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 # The highest levels are the default.
 LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
 # Only builds of the same ABI have the same name.
@@ -86,21 +90,22 @@ PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
 VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
 
+# Aligned functions are equally fast wherever a linker puts them.
+HOST_RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
 ifdef TARGET
-include packaging/bare-metal.mk
+include packaging/cross.mk
 else
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 CARGO_DIR := target/build$(VARIANT)
 # With --target, cargo compiles build.rs without RUSTFLAGS, so build.rs runs here whatever CPU is.
 CARGO_TARGET = --target $(HOST)
 PROFILE := release
-# Aligned functions are equally fast wherever a linker puts them.
-RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
+RUSTC_FLAGS := $(HOST_RUSTC_FLAGS)
 endif
 MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
-.PHONY: dist dist-locked where install uninstall deb identify demo examples consumers builds doc check soak fuzz python python-check \
+.PHONY: dist dist-locked where install uninstall deb identify demo examples consumers builds release release-check doc check soak fuzz python python-check \
     playground playground-check firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
@@ -146,7 +151,7 @@ ifdef SYMBOL_PREFIX
 	find $(NEW)/include -type f -exec sed -i -f $(NAMES).sed {} +
 endif
 	$(CROSS)ar crsD $(NEW)/lib/lib$(NAME).a $(OBJECT)
-ifndef TARGET
+ifdef UNIX
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(NEW)/lib/lib$(NAME).so.$(VERSION) $(OBJECT) -lm
 	ln -s lib$(NAME).so.$(VERSION) $(NEW)/lib/$(SONAME)
 	ln -s $(SONAME) $(NEW)/lib/lib$(NAME).so
@@ -185,6 +190,15 @@ identify:
 
 consumers builds:
 	tests/$@.sh
+
+release:
+	$(if $(VARIANT),$(error make release builds every target: leave TARGET, CPU, REAL, POLY and the levels out))
+	rm -rf target/release-$(VERSION) target/release-work
+	mkdir -p target/release-$(VERSION) target/release-work
+	$(MAKE) -f packaging/release.mk VERSION=$(VERSION)
+
+release-check: release
+	tests/release.sh
 
 doc: dist
 	$(CARGO) doc --no-deps --features capi

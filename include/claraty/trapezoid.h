@@ -163,7 +163,7 @@ extern "C" {
 
 /**
  * Makes a handle out of storage: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`. The handle reads the
- * monotonic clock of the system; on a target without a system it has the manual clock.
+ * monotonic clock of the system; on Windows and on a target without a system it has the manual clock.
  * @param h the handle, whose storage need not be initialised
  */
 void claraty_trapezoid_init(struct claraty_trapezoid *h);

@@ -187,7 +187,7 @@ fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
 }
 
 /// Makes a handle out of storage: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`. The handle reads the
-/// monotonic clock of the system; on a target without a system it has the manual clock.
+/// monotonic clock of the system; on Windows and on a target without a system it has the manual clock.
 /// @param h the handle, whose storage need not be initialised
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_init(h: *mut claraty_trapezoid) {

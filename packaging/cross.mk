@@ -1,11 +1,20 @@
-# How to compile for the bare-metal TARGET, or for WebAssembly. The top Makefile includes this file for `make dist TARGET=…`; the Makefile of
-# c_tests/firmware includes it too.
+# How to compile for TARGET: bare metal, WebAssembly or another host. The top Makefile includes this file for `make dist TARGET=…`;
+# the Makefile of c_tests/firmware includes it too.
 
-PROFILE := firmware
-RUSTC_FLAGS := -C force-unwind-tables=no
 CARGO_TARGET := --target $(TARGET)
 # Both real types share this directory: Debian's Rust compiles `core` into it, and compiling `core` takes longest.
 CARGO_DIR := target/build-$(TARGET)$(CPU:%=-%)
+
+ifneq ($(filter %-linux-gnu %-windows-gnu,$(TARGET)),)
+PROFILE := release
+RUSTC_FLAGS := $(HOST_RUSTC_FLAGS)
+# The names that Debian gives to its cross compilers.
+CROSS := $(subst -unknown-,-,$(TARGET:-pc-windows-gnu=-w64-mingw32))-
+CC := $(CROSS)gcc
+else
+PROFILE := firmware
+RUSTC_FLAGS := -C force-unwind-tables=no
+endif
 
 # rustup's target is used if it is installed, else Debian's Rust (1.96) with the source of `core`. Debian's Rust can also
 # leave out the frame pointer. Rust's Thumb targets set one up in every function, for 6 bytes and 3 instructions.

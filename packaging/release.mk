@@ -1,0 +1,65 @@
+# Writes target/release-VERSION: an archive for each target and real type, the sources with what they depend on, a bill of
+# materials (CycloneDX), checksums, and with KEY=… their signature. The top Makefile starts it: make release.
+#
+# Two clones of one commit give the same bytes. No file tells where or by whom it was built, and every time is the commit's.
+
+REALS := double float
+HOSTS := x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu
+TARGETS ?= $(HOSTS) $(shell $(MAKE) -s -C c_tests/firmware targets)
+
+OUT := target/release-$(VERSION)
+WORK := target/release-work
+ARCHIVES := $(foreach t,$(TARGETS),$(REALS:%=$(OUT)/atraj-$(VERSION)-$t-%.tar.gz))
+SOURCE := atraj-$(VERSION)-source
+BILL := $(OUT)/atraj-$(VERSION).cdx.json
+
+export SOURCE_DATE_EPOCH := $(or $(SOURCE_DATE_EPOCH),$(shell git log -1 --format=%ct))
+$(if $(SOURCE_DATE_EPOCH),,$(error make release takes the sources and their date from git: start it in a clone))
+
+.DELETE_ON_ERROR:
+.PHONY: all
+all: $(OUT)/SHA256SUMS$(if $(KEY),.sig)
+
+$(OUT)/SHA256SUMS: $(ARCHIVES) $(OUT)/$(SOURCE).tar.gz $(BILL)
+	cd $(OUT) && sha256sum $(sort $(notdir $^)) > SHA256SUMS
+
+$(OUT)/SHA256SUMS.sig: $(OUT)/SHA256SUMS
+	ssh-keygen -q -Y sign -n file -f '$(KEY)' $<
+
+# $(call pack,folder): packs this folder of WORK. Every system can unpack gzip; zstd would have to be installed on many.
+pack = tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@$(SOURCE_DATE_EPOCH) --mode=a+rX,u+w,go-w \
+    --use-compress-program='gzip -9n' -C $(WORK) -cf $@ $1
+
+# The archive of this machine is the `make dist` that all tests run on.
+HERE := $(shell rustc -vV | sed -n 's/^host: //p')
+# A target may end in the processor: thumbv7em-none-eabihf-cortex-m7
+choices = TARGET=$(filter-out $(HERE),$(firstword $(subst -cortex-, ,$1))) CPU=$(addprefix cortex-,$(word 2,$(subst -cortex-, ,$1)))
+dist = target/dist$(filter-out -$(HERE),-$1)$(filter -float,-$2)
+
+# $(call archive,target,real)
+define archive
+$(OUT)/atraj-$(VERSION)-$1-$2.tar.gz:
+	MAKEFLAGS= $$(MAKE) -s dist $(call choices,$1) REAL=$2
+	packaging/archive.sh $(call dist,$1,$2) $(WORK)/atraj-$(VERSION)-$1-$2 $1 $2
+	$$(call pack,atraj-$(VERSION)-$1-$2)
+endef
+$(foreach t,$(TARGETS),$(foreach r,$(REALS),$(eval $(call archive,$t,$r))))
+
+$(OUT)/$(SOURCE).tar.gz:
+	rm -rf $(WORK)/$(SOURCE)
+	mkdir -p $(WORK)/$(SOURCE)/.cargo
+	git ls-files -z | tar --null --files-from=- -cf $(WORK)/$(SOURCE).tar
+	tar -C $(WORK)/$(SOURCE) -xf $(WORK)/$(SOURCE).tar
+	cd $(WORK)/$(SOURCE) && cargo vendor --locked vendor > .cargo/config.toml 2> ../vendor.log || { cat ../vendor.log >&2; exit 1; }
+	$(call pack,$(SOURCE))
+
+# The tool describes the sources where they lie and writes its file beside them.
+BILL_TOOL ?= target/cargo-cyclonedx-0.5.9/bin/cargo-cyclonedx
+$(BILL): $(OUT)/$(SOURCE).tar.gz $(BILL_TOOL)
+	cd $(WORK)/$(SOURCE) && $(abspath $(BILL_TOOL)) cyclonedx --quiet --format json --spec-version 1.5 --target all --no-build-deps \
+	    --override-filename bill
+	sed 's|path+file://$(CURDIR)/$(WORK)/$(SOURCE)|path+file:///$(SOURCE)|' $(WORK)/$(SOURCE)/bill.json > $@
+
+# Compiled without optimisation, because compiling takes longer than running.
+target/cargo-cyclonedx-%/bin/cargo-cyclonedx:
+	cargo install --quiet --locked --debug --version '=$*' --root target/cargo-cyclonedx-$* cargo-cyclonedx
