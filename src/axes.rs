@@ -16,7 +16,8 @@ use crate::online::{Error, Limits, Move, Phase, State};
 use crate::real::Real;
 
 /// Plans all axes for the same duration: the shortest one that is possible for each, is at least `duration`, and is a multiple of `cycle`
-/// (0: any), s. An axis whose fastest move takes as long makes its fastest move.
+/// (0: any), s. An axis whose fastest move takes as long makes its fastest move. An axis with more time moves slowly: from rest to rest no
+/// faster than twice its mean velocity, if its jerks are equal.
 ///
 /// An error of any axis is returned, and then no axis is written.
 pub fn synchronise<R: Real>(

@@ -377,6 +377,43 @@ fn at_rest_every_line_is_planned() {
     }
 }
 
+/// From rest to rest an axis is no faster than twice its mean velocity, if its jerks are equal.
+fn slow<R: Real>() {
+    let mut random = Random::seeded(7);
+    for _ in 0..SETS {
+        let mut set = Set::<R>::new(&mut random);
+        for state in set.from.iter_mut().chain(&mut set.to) {
+            *state = State::at(state.position);
+        }
+        for limits in &mut set.limits {
+            limits.jmin = -limits.jmax;
+        }
+        let mut axes = vec![untouched(); set.limits.len()];
+        set.plan(synchronise, &mut axes).expect("numbers");
+        for ((axis, from), to) in axes.iter().zip(&set.from).zip(&set.to) {
+            let way = to.position.widen() - from.position.widen();
+            let reached = axis.extremes();
+            let [low, high] = [reached.lowest, reached.highest].map(|state| state.velocity.widen());
+            let rounding = 1.0 + 64.0 * R::MACHINE_EPSILON.widen();
+            assert!(
+                axis.t.widen() * f64::max(high, -low) <= 2.0 * way.abs() * rounding,
+                "{axis:?} of {}",
+                set.describe()
+            );
+        }
+    }
+}
+
+#[test]
+fn an_axis_at_rest_moves_slowly_f64() {
+    slow::<f64>();
+}
+
+#[test]
+fn an_axis_at_rest_moves_slowly_f32() {
+    slow::<f32>();
+}
+
 #[test]
 fn an_error_writes_no_axis() {
     let mut random = Random::seeded(4);

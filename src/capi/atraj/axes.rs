@@ -21,7 +21,8 @@ type Plan = fn(
 /// @brief Plan several axes for the same duration: the shortest one that is possible for each.
 ///
 /// The duration is at least `duration` and a multiple of `cycle`, but for rounding. An axis whose fastest move takes as long makes its
-/// fastest move. One axis is stretched, or ends on a tick of the clock.
+/// fastest move. An axis with more time moves slowly: from rest to rest no faster than twice its mean velocity, if its jerks are equal.
+/// One axis alone is stretched, or ends on a tick of the clock.
 /// @param axes points to `n` moves, which need not be initialised; all are untouched on an error
 /// @param limits points to the limits of the `n` axes
 /// @param from points to the `n` states at the start
