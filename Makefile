@@ -118,9 +118,10 @@ OBJECT := $(CARGO_DIR)/atraj.o
 NAMES := $(CARGO_DIR)/names
 FILL = sed 's/@VERSION@/$(VERSION)/g; s/@NAME@/$(NAME)/g; s/@MACHINE@/$(MACHINE)$(CPU:%= %)/g'
 
-# $(call level,NAME): the shared library for a level of x86-64, where glibc's loader looks for it
+# $(call level,NAME): the shared library for a level of x86-64, where glibc's loader looks for it. Each level has directories of its own,
+# also where the command line names those of this build.
 define level
-$(MAKE) --no-print-directory dist CPU=$1 HWCAPS=
+$(MAKE) --no-print-directory dist CPU=$1 HWCAPS= DIST=target/dist-$1$(ABI) CARGO_DIR=target/build-$1$(ABI)
 mkdir -p $(NEW)/lib/glibc-hwcaps/$1
 cp -P target/dist-$1$(ABI)/lib/lib$(NAME).so.* $(NEW)/lib/glibc-hwcaps/$1/
 

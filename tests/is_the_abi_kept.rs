@@ -26,8 +26,12 @@ fn library(name: &str, choices: &[&str]) -> PathBuf {
         .env("CARGO_PROFILE_RELEASE_DEBUG", "2");
     make.args(["-s", "dist"]).args(choices);
     make.arg(format!("DIST={dist}"));
-    // One of the variables names the directory that cargo builds in.
-    make.args([format!("BUILD={build}"), format!("CARGO_DIR={build}")]);
+    // One of the variables names the directory that cargo builds in. The levels of x86-64 have the same ABI.
+    make.args([
+        format!("BUILD={build}"),
+        format!("CARGO_DIR={build}"),
+        "HWCAPS=".into(),
+    ]);
     run(&mut make);
     let files = fs::read_dir(root().join(dist).join("lib")).unwrap();
     let mut libraries = files
