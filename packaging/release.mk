@@ -5,7 +5,7 @@
 
 REALS := double float
 HOSTS := x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu
-TARGETS ?= $(HOSTS) $(shell $(MAKE) -s -C c_tests/firmware targets)
+TARGETS ?= $(HOSTS) $(shell MAKEFLAGS= $(MAKE) -s -C c_tests/firmware targets)
 
 OUT := target/release-$(VERSION)
 WORK := target/release-work
