@@ -193,13 +193,12 @@ impl<'a, R: Real> Task<'a, R> {
         } else {
             ([nearest, farthest], share)
         };
-        let [mut one, mut other] = motions.map(|(mirror, course)| {
-            let mut walk = Walk::new(t);
+        let (mut one, mut other) = (Walk::new(t), Walk::new(t));
+        for (walk, (mirror, course)) in [&mut one, &mut other].into_iter().zip(motions) {
             self.border
                 .each_leg(self.limits, mirror, course, |leg| walk.add(leg));
             walk.count_from_end();
-            walk
-        });
+        }
         let mut pen = self.pen(ctx);
         let mut now = Instant::start(t);
         // Each turn ends a leg of one motion, or of both.
