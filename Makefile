@@ -17,7 +17,7 @@
 #   make playground-check       tests the page in headless Chromium, with pictures in target/playground
 #   make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
 #                               KEY=<SSH key> signs the checksums. `make release-check` tries every file: docs/releasing.md
-#   make doc                    writes the references for C and for Rust: target/doc/index.html
+#   make doc                    writes the guide and the references for C and for Rust as one site: target/doc/index.html
 #   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 #   make soak                   compares a thousand million calls per real type with the original, and a thousand million
 #                               fastest plans with a referee; SOAK_SEED=n starts at seed n, SOAK=plans leaves the
@@ -204,7 +204,7 @@ release-check: release
 doc: dist
 	$(CARGO) doc --no-deps --features capi
 	doxygen
-	cp docs/reference/index.html target/doc/
+	docs/site/pages.sh target/doc
 
 DEMO := target/demo
 

@@ -4,22 +4,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use support::documents::blocks;
 use support::repository::root;
 use support::tools::{Language, compilers, run};
 use support::variant::DOUBLE;
 
 fn readme() -> String {
     fs::read_to_string(root().join("README.md")).unwrap()
-}
-
-/// The code in this language, one text for each block.
-fn blocks(language: &str) -> Vec<String> {
-    let readme = readme();
-    let blocks = readme.split("\n```").skip(1).step_by(2);
-    blocks
-        .filter_map(|block| block.strip_prefix(&format!("{language}\n")))
-        .map(|code| format!("{code}\n"))
-        .collect()
 }
 
 #[test]
@@ -54,7 +45,7 @@ fn its_programs_run() {
         ("c", Language::C, "-std=c99", 2),
         ("cpp", Language::Cpp, "-std=c++98", 2),
     ] {
-        let programs = blocks(name);
+        let programs = blocks(&readme(), name);
         assert_eq!(programs.len(), count, "programs in {name}");
         for (i, program) in programs.iter().enumerate() {
             let source = written(&format!("axis{i}.{name}"), program);
@@ -65,7 +56,8 @@ fn its_programs_run() {
         }
     }
     // A whole program too; a test of the documentation builds and runs it.
-    assert!(blocks("rust").iter().all(|code| code.contains("fn main()")));
+    let programs = blocks(&readme(), "rust");
+    assert!(programs.iter().all(|code| code.contains("fn main()")));
 }
 
 /// The rows of the table of chips: the choices of `make dist`, and the C flags.

@@ -1,6 +1,7 @@
 //! What the tests share, here and in `tests/oracle`. The families of profiles are described here and nowhere else.
 
 pub mod comparison;
+pub mod documents;
 pub mod each_family;
 pub mod family;
 pub mod golden;

@@ -1,0 +1,68 @@
+//! Do the programs and the commands of the pages for firmware, C++, CI and Rust run as they are written?
+
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use support::documents::blocks;
+use support::repository::root;
+use support::tools::{has_tool, run};
+
+/// One after the other, because `make dist` replaces the directory that the next page uses.
+#[test]
+fn each() {
+    for (reader, needed, printed) in [
+        ("firmware", "arm-none-eabi-gcc", "thumbv7em-none-eabihf"),
+        ("cpp", "c++", "at rest at "),
+        ("ci", "cc", concat!("atraj ", env!("CARGO_PKG_VERSION"))),
+        ("rust", "cargo", "-2.0000 m after "),
+    ] {
+        if has_tool(needed) {
+            let said = followed(reader);
+            assert!(said.contains(printed), "{reader}: {said}");
+        }
+    }
+}
+
+/// Does what the page for `reader` says, in an empty directory beside the repository; what the commands print.
+fn followed(reader: &str) -> String {
+    let page = fs::read_to_string(root().join(format!("docs/for-{reader}.md"))).unwrap();
+    assert!(page.lines().count() <= 60, "{reader}: the page is long");
+    let directory = empty_directory(reader);
+    symlink(root(), directory.join("atraj")).unwrap();
+    let mut written = 0;
+    for language in ["c", "cpp", "rust", "toml"] {
+        for code in blocks(&page, language) {
+            write(&directory, &code);
+            written += 1;
+        }
+    }
+    let commands = blocks(&page, "sh");
+    assert!(written > 0 && commands.len() == 1, "{reader}");
+    let mut shell = Command::new("sh");
+    shell.args(["-euc", &commands[0]]).current_dir(&directory);
+    // The repository's dependencies are there, and a test needs no network for others.
+    shell
+        .env_remove("MAKEFLAGS")
+        .env("CARGO_NET_OFFLINE", "true");
+    let said = String::from_utf8(run(&mut shell).stdout).unwrap();
+    fs::remove_dir_all(directory).unwrap();
+    said
+}
+
+/// Outside the repository, because a package in it would belong to its workspace.
+fn empty_directory(reader: &str) -> PathBuf {
+    let name = format!("atraj-for-{reader}-{}", std::process::id());
+    let directory = std::env::temp_dir().join(name);
+    fs::create_dir(&directory).unwrap();
+    directory
+}
+
+/// Writes a program into the file that its first line names in a comment.
+fn write(directory: &Path, code: &str) {
+    let first = code.lines().next().unwrap();
+    let name = first.trim_matches([' ', '/', '*', '#']);
+    let file = directory.join(name);
+    fs::create_dir_all(file.parent().unwrap()).unwrap();
+    fs::write(file, code).unwrap();
+}
