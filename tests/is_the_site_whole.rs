@@ -82,6 +82,10 @@ fn the_c_reference_tells_what_to_include() {
     let c = site.join("c/html");
     let first = read(&c.join("index.html"));
     assert!(first.contains("#include \"a/trajbell.h\"") && first.contains("a_trajbell_gen"));
+    assert!(
+        first.contains("href=\"../../index.html\""),
+        "no way back to the guide"
+    );
     for (page, include) in [
         ("structa__trajbell.html", "a/trajbell.h"),
         ("structclaraty__trapezoid.html", "claraty/trapezoid.h"),
