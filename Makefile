@@ -196,7 +196,7 @@ release:
 	$(if $(VARIANT),$(error make release builds every target: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf target/release-$(VERSION) target/release-work
 	mkdir -p target/release-$(VERSION) target/release-work
-	$(MAKE) -f packaging/release.mk VERSION=$(VERSION)
+	$(MAKE) -f packaging/release.mk VERSION=$(VERSION) HOST=$(HOST)
 
 release-check: release
 	tests/release.sh

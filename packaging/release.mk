@@ -30,11 +30,10 @@ $(OUT)/SHA256SUMS.sig: $(OUT)/SHA256SUMS
 pack = tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@$(SOURCE_DATE_EPOCH) --mode=a+rX,u+w,go-w \
     --use-compress-program='gzip -9n' -C $(WORK) -cf $@ $1
 
-# The archive of this machine is the `make dist` that all tests run on.
-HERE := $(shell rustc -vV | sed -n 's/^host: //p')
+# The archive of this machine, HOST, is the `make dist` that all tests run on.
 # A target may end in the processor: thumbv7em-none-eabihf-cortex-m7
-choices = TARGET=$(filter-out $(HERE),$(firstword $(subst -cortex-, ,$1))) CPU=$(addprefix cortex-,$(word 2,$(subst -cortex-, ,$1)))
-dist = target/dist$(filter-out -$(HERE),-$1)$(filter -float,-$2)
+choices = TARGET=$(filter-out $(HOST),$(firstword $(subst -cortex-, ,$1))) CPU=$(addprefix cortex-,$(word 2,$(subst -cortex-, ,$1)))
+dist = target/dist$(filter-out -$(HOST),-$1)$(filter -float,-$2)
 
 # $(call archive,target,real)
 define archive

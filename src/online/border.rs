@@ -425,7 +425,8 @@ impl<R: Real> Border<R> {
 
     /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
     fn easing(&self, mut base: Course<R>, mut lacks: R, tie: R) -> Option<Search<R>> {
-        loop {
+        // A hold ends once at most.
+        for _ in 0..2 {
             let part = Part::of(self, &base, base.top > R::ZERO);
             let (end, what) = part.end_of_easing(self.a0);
             if let Some(x) = part.first_over(lacks, end, false) {
@@ -444,6 +445,7 @@ impl<R: Real> Border<R> {
                 }
             }
         }
+        None
     }
 
     /// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it

@@ -48,7 +48,7 @@ pub enum Verdict {
 ///
 /// A stretched motion is the mean of two motions. A ramp of one of them may be shorter than a rounding of the duration. Then its acceleration
 /// jumps, by as much as the jerk can change it in a rounding of the duration.
-pub fn scale_of_limits<R: Real>(axis: &Trial<R>, duration: f64) -> Scale {
+pub fn scale_of_short_ramps<R: Real>(axis: &Trial<R>, duration: f64) -> Scale {
     let [.., jmax, jmin] = axis.motion().limits;
     Scale {
         acceleration: if duration > 0.0 {
@@ -172,7 +172,7 @@ fn wrong_motions<R: Real>(
         if axis.t.low_bits() != t.low_bits() {
             return Some(Verdict::Wrong(k, "the axes do not arrive together"));
         }
-        let more = scale_of_limits(trial, t.widen());
+        let more = scale_of_short_ramps(trial, t.widen());
         if let Some(what) = trial.wrong_states(axis, &more, random) {
             return Some(Verdict::Wrong(k, what));
         }
@@ -208,7 +208,7 @@ fn wrong_findings<R: Real>(
     found: Findings,
 ) -> Option<Verdict> {
     let of = |k: usize, findings| {
-        let more = scale_of_limits(&trials[k], axes[k].t.widen());
+        let more = scale_of_short_ramps(&trials[k], axes[k].t.widen());
         trials[k].wrong_findings(&axes[k], findings, &more)
     };
     let count = trials.len();

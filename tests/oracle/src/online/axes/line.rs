@@ -1,6 +1,6 @@
 //! What is wrong with axes on a straight line.
 
-use super::judge::{Planner, Timing, Verdict, scale_of_limits, tightest};
+use super::judge::{Planner, Timing, Verdict, scale_of_short_ramps, tightest};
 use super::problems::Set;
 use crate::online::judge::{Scale, Trial, doubt};
 use crate::online::problems::{Problem, Wish};
@@ -94,7 +94,7 @@ fn wrong_motions<R: Real>(
         }
         let trial = Trial::new(*problem);
         // The positions of the lead are rounded too.
-        let more = scale_of_limits(&trial, t.widen()).and(&Scale {
+        let more = scale_of_short_ramps(&trial, t.widen()).and(&Scale {
             position: shares[k].widen().abs() * (p0 + p1),
             ..Scale::default()
         });
