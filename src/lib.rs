@@ -76,27 +76,29 @@
 #![cfg_attr(atraj_unstable_core, feature(core_float_math))]
 #![deny(unsafe_code)]
 
-pub mod axes;
-mod bell;
+pub mod axes {
+    //! Several axes that move together: in the same time, or on a straight line.
+    pub use crate::together::{line, synchronise};
+}
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
 pub mod capi;
-mod check;
 pub mod claraty;
+mod fastest;
+mod findings;
+mod liba;
+mod limits;
 pub mod online;
-mod poly;
 mod real;
 mod roots;
 mod sampling;
 mod state;
-mod trap;
+mod together;
 
-pub use bell::Bell;
-pub use check::{Extremes, Findings};
-pub use poly::{Poly, Poly3, Poly5, Poly7};
+pub use findings::{Extremes, Findings};
+pub use liba::{Bell, Poly, Poly3, Poly5, Poly7, Trap};
 pub use real::Real;
 pub use state::{Boundary, Saturation, State};
-pub use trap::Trap;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -72,7 +72,7 @@ pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use crate::bell::Bell;
+    use crate::liba::Bell;
     use crate::real::Real;
     use crate::state::Boundary;
     use std::cell::Cell;

@@ -8,9 +8,9 @@ use crate::real::{Real, processor};
 use core::ops::Range;
 
 /// A profile whose motion changes at borders in time.
-pub(crate) trait Profile<R, const QUANTITIES: usize, const BORDERS: usize> {
+pub(crate) trait Sampled<R, const QUANTITIES: usize, const BORDERS: usize> {
     /// Everything that an evaluation compares times with.
-    fn borders(&self) -> [Border<R>; BORDERS];
+    fn borders(&self) -> [Edge<R>; BORDERS];
 
     /// Position, velocity, acceleration and, if the profile has it, jerk at time `x`, s: a call each.
     fn each(&self, x: R) -> [R; QUANTITIES];
@@ -85,7 +85,7 @@ impl<R: Real> Sweep<R> {
     /// these samples. A store across cache lines would cost more.
     pub fn sample<const N: usize, const B: usize>(
         self,
-        profile: &impl Profile<R, N, B>,
+        profile: &impl Sampled<R, N, B>,
         mut outputs: [&mut [R]; N],
     ) -> usize {
         let borders = profile.borders();
@@ -151,7 +151,7 @@ impl<R: Real> Sweep<R> {
         self,
         numbers: Range<i32>,
         outputs: &mut [&mut [R]; N],
-        profile: &impl Profile<R, N, B>,
+        profile: &impl Sampled<R, N, B>,
     ) {
         for k in numbers {
             for (output, value) in outputs.iter_mut().zip(profile.state(self.time(k))) {
@@ -169,7 +169,7 @@ impl<R: Real> Sweep<R> {
     }
 
     /// The first of `count` samples beyond `border`, seen from sample 0, or `count`. `rate` is `1/dt`.
-    fn crossing(self, border: Border<R>, rate: R, count: i32) -> i32 {
+    fn crossing(self, border: Edge<R>, rate: R, count: i32) -> i32 {
         let first = border.is_ahead(self.time(0));
         let is_same = |k| border.is_ahead(self.time(k)) == first;
         let last = count - 1;
@@ -218,14 +218,14 @@ impl<R: Real> Sweep<R> {
 
 /// A comparison of time with a constant: true before it, false after it and for a NaN.
 #[derive(Clone, Copy)]
-pub(crate) enum Border<R> {
+pub(crate) enum Edge<R> {
     /// `x < border`
     Below(R),
     /// `x <= border`
     UpTo(R),
 }
 
-impl<R: Real> Border<R> {
+impl<R: Real> Edge<R> {
     fn is_ahead(self, x: R) -> bool {
         match self {
             Self::Below(border) => x < border,

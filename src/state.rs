@@ -14,6 +14,21 @@ pub struct State<R> {
     pub acceleration: R,
 }
 
+impl<R: Real> State<R> {
+    /// At rest.
+    pub fn at(position: R) -> Self {
+        Self {
+            position,
+            velocity: R::ZERO,
+            acceleration: R::ZERO,
+        }
+    }
+
+    pub(crate) fn is_finite(self) -> bool {
+        self.position.is_finite() && self.velocity.is_finite() && self.acceleration.is_finite()
+    }
+}
+
 /// How a plan limits the velocities at both ends. The generations of liba differ for a NaN, and for a zero if the limit is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Saturation {
@@ -72,5 +87,23 @@ impl<R: Real> Boundary<R> {
     pub(crate) fn is_numbers(self) -> bool {
         let is_nan = |v: R| v.partial_cmp(&v).is_none();
         self.p0.is_finite() && self.p1.is_finite() && !is_nan(self.v0) && !is_nan(self.v1)
+    }
+}
+
+/// Whether the axis dips first, because the direct ramp gets farther than the displacement `h`.
+///
+/// Where the direct ramp ends at the target up to rounding, it is the move. Its direction is that of its final velocity `v1`, else of
+/// its first one, else of the displacement. `positions` is the sum of the magnitudes of both positions, in the unit of `h`.
+pub(crate) fn dips<R: Real>(h: R, direct: R, positions: R, [v0, v1]: [R; 2]) -> bool {
+    let tie = R::EPSILON * (R::from(4) * (h.abs() + direct.abs()) + positions);
+    let is_direct = (h - direct).abs() <= tie;
+    if !is_direct {
+        h < direct
+    } else if v1 != R::ZERO {
+        v1 < R::ZERO
+    } else if v0 != R::ZERO {
+        v0 < R::ZERO
+    } else {
+        h < R::ZERO
     }
 }

@@ -5,7 +5,7 @@
 #![allow(dead_code, reason = "low levels have no derivatives")]
 
 use super::{Number, a_float, nan};
-use crate::poly::Poly;
+use crate::liba::Poly;
 use crate::real::{Operations, processor};
 use core::slice;
 

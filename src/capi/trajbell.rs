@@ -1,7 +1,7 @@
 //! `a/trajbell.h`: the double-S profile.
 
 use super::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
-use crate::bell::Bell;
+use crate::liba::Bell;
 
 /// @brief Bell-shaped (double-S) velocity trajectory.
 ///

@@ -1,7 +1,7 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
 use super::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
-use crate::trap::Trap;
+use crate::liba::Trap;
 
 /// @brief Trapezoidal velocity trajectory.
 ///

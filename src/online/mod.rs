@@ -19,45 +19,11 @@ mod motion;
 mod part;
 pub(crate) mod plan;
 
+pub use crate::findings::Error;
+pub use crate::limits::Limits;
 use crate::real::Real;
 pub use crate::state::State;
 pub use motion::Phase;
-
-/// What an axis can do. The highest values are above 0, the lowest ones below 0. An infinite limit is no limit, but the jerk or the
-/// acceleration is finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Limits<R> {
-    /// Highest velocity.
-    pub vmax: R,
-    /// Lowest velocity, negative.
-    pub vmin: R,
-    /// Highest acceleration.
-    pub amax: R,
-    /// Lowest acceleration, negative.
-    pub amin: R,
-    /// Highest jerk.
-    pub jmax: R,
-    /// Lowest jerk, negative.
-    pub jmin: R,
-}
-
-/// Why there is no plan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Error {
-    /// A number of a state is infinite or not a number, a limit is not a number, or the motion is beyond the range of the real type.
-    NotFinite,
-    /// The limits are not around 0, or neither jerk nor acceleration is finite.
-    Limits,
-    /// The target is outside the limits, or the axis must have left them before, or will.
-    Target,
-    /// The duration or the cycle is negative, infinite or not a number.
-    Duration,
-    /// The states of several axes do not lie on the straight line from their start to their end.
-    Line,
-    /// There is no axis, or the slices have different lengths.
-    Axes,
-}
 
 /// A move: phases of constant jerk from one state to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,32 +43,6 @@ impl<R: Real> Default for Move<R> {
             t: R::ZERO,
             phases: 0,
             phase: [Phase::default(); 16],
-        }
-    }
-}
-
-impl<R: Real> State<R> {
-    /// At rest.
-    pub fn at(position: R) -> Self {
-        Self {
-            position,
-            velocity: R::ZERO,
-            acceleration: R::ZERO,
-        }
-    }
-}
-
-impl<R: Real> Limits<R> {
-    /// The same limits in both directions, in liba's order.
-    pub fn symmetric(jerk: R, acceleration: R, velocity: R) -> Self {
-        let [j, a, v] = [jerk, acceleration, velocity].map(|limit| limit.magnitude());
-        Self {
-            vmax: v,
-            vmin: -v,
-            amax: a,
-            amin: -a,
-            jmax: j,
-            jmin: -j,
         }
     }
 }

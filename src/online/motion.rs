@@ -2,10 +2,10 @@
 
 use super::Move;
 use super::border::Change;
-use crate::check::Extremes;
+use crate::findings::Extremes;
 use crate::real::Real;
 use crate::roots::root_between;
-use crate::sampling::{Border, Profile, Run, Sweep};
+use crate::sampling::{Edge, Run, Sampled, Sweep};
 use crate::state::State;
 
 /// The most phases of a move.
@@ -92,7 +92,7 @@ impl<R: Real> Move<R> {
     /// Position, velocity, acceleration and jerk at time `x`, s.
     #[inline(always)]
     pub fn state(&self, x: R) -> [R; 4] {
-        Profile::state(self, x)
+        Sampled::state(self, x)
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -301,16 +301,16 @@ impl<R: Real> Phase<R> {
     }
 }
 
-impl<R: Real> Profile<R, 4, 17> for Move<R> {
-    fn borders(&self) -> [Border<R>; 17] {
-        let mut borders = [Border::Below(R::ZERO); 17];
+impl<R: Real> Sampled<R, 4, 17> for Move<R> {
+    fn borders(&self) -> [Edge<R>; 17] {
+        let mut borders = [Edge::Below(R::ZERO); 17];
         let used = self.phase.iter().take(1 + self.count());
         for (border, phase) in borders.iter_mut().zip(used) {
-            *border = Border::Below(phase.t);
+            *border = Edge::Below(phase.t);
         }
-        borders[0] = Border::UpTo(R::ZERO);
+        borders[0] = Edge::UpTo(R::ZERO);
         // A NaN is at the end, and this border tells it from a time before the start.
-        borders[16] = Border::UpTo(R::INFINITY);
+        borders[16] = Edge::UpTo(R::INFINITY);
         borders
     }
 

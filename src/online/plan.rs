@@ -3,7 +3,7 @@
 use super::border::{Border, Change, Course, Mean, Pace, Ramp};
 use super::motion::{Leg, Pen};
 use super::{Error, Limits, Move};
-use crate::check::Findings;
+use crate::findings::Findings;
 use crate::real::Real;
 use crate::state::State;
 
@@ -110,7 +110,7 @@ pub(crate) struct Task<'a, R> {
 impl<'a, R: Real> Task<'a, R> {
     /// From a state to a state within the limits.
     pub fn new(limits: &'a Limits<R>, from: State<R>, to: State<R>) -> Self {
-        let pace = limits.pace();
+        let pace = Pace::of(limits);
         let start = Start::inside(limits, pace, from);
         let border = start.border(limits, pace, from, to);
         Self {
@@ -532,71 +532,11 @@ impl<R: Real> Border<R> {
     }
 }
 
-impl<R: Real> Limits<R> {
-    fn pace(&self) -> Pace<R> {
-        Pace {
-            up: R::ONE / self.jmax,
-            down: -(R::ONE / self.jmin),
+impl<R: Real> Pace<R> {
+    fn of(limits: &Limits<R>) -> Self {
+        Self {
+            up: R::ONE / limits.jmax,
+            down: -(R::ONE / limits.jmin),
         }
-    }
-
-    /// Whether a motion between these states can be planned.
-    pub(crate) fn check(&self, from: State<R>, to: State<R>) -> Result<(), Error> {
-        self.are_limits()?;
-        if !(from.is_finite() && to.is_finite()) {
-            Err(Error::NotFinite)
-        } else if !self.hold(to) {
-            Err(Error::Target)
-        } else {
-            Ok(())
-        }
-    }
-
-    fn are_limits(&self) -> Result<(), Error> {
-        let Self {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = *self;
-        let magnitudes = [vmax, -vmin, amax, -amin, jmax, -jmin];
-        let a_jerk_is_finite = jmax.at_most(-jmin) < R::INFINITY;
-        let accelerations_are_finite = amax.at_least(-amin) < R::INFINITY;
-        if magnitudes.iter().any(|x| x.partial_cmp(x).is_none()) {
-            Err(Error::NotFinite)
-        } else if magnitudes.iter().all(|&x| x > R::ZERO)
-            && (a_jerk_is_finite || accelerations_are_finite)
-        {
-            Ok(())
-        } else {
-            Err(Error::Limits)
-        }
-    }
-
-    /// Whether an axis can be in this state without having left the limits before, and without being bound to leave them.
-    fn hold(&self, state: State<R>) -> bool {
-        let State {
-            velocity,
-            acceleration,
-            ..
-        } = state;
-        let Pace { up, down } = self.pace();
-        let half_square = R::HALF * acceleration * acceleration;
-        let (above, below) = (half_square * down, half_square * up);
-        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + above + below);
-        acceleration <= self.amax
-            && acceleration >= self.amin
-            && velocity <= self.vmax
-            && velocity >= self.vmin
-            && velocity + above <= self.vmax + rounding
-            && velocity - below >= self.vmin - rounding
-    }
-}
-
-impl<R: Real> State<R> {
-    fn is_finite(self) -> bool {
-        self.position.is_finite() && self.velocity.is_finite() && self.acceleration.is_finite()
     }
 }

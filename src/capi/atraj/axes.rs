@@ -4,7 +4,7 @@ use super::r#move::{atraj_limits, atraj_move, atraj_state, code};
 use super::{ATRAJ_ERR_NULL, sample::array};
 use crate::axes;
 use crate::capi::{Number, a_float};
-use crate::check::Findings;
+use crate::findings::Findings;
 use crate::online::{Error, Limits, Move, State};
 use core::ffi::c_int;
 

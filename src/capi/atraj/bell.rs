@@ -1,9 +1,9 @@
 //! `atraj.h`: the double-S that never fails, and what is wrong with any other.
 
 use super::{ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_NULL, write_extremes};
-use crate::bell::Bell;
 use crate::capi::trajbell::a_trajbell;
 use crate::capi::{Number, a_float, boundary};
+use crate::liba::Bell;
 use core::ffi::c_int;
 
 /// @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are numbers.

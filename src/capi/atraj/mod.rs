@@ -15,7 +15,7 @@ pub use sample::*;
 pub use trap::*;
 
 use super::{Number, a_float};
-use crate::check::{Extremes, Findings};
+use crate::findings::{Extremes, Findings};
 
 /// Bits of what a check finds.
 #[repr(C)]

@@ -6,7 +6,7 @@ use super::{
     ATRAJ_ERR_TARGET,
 };
 use crate::capi::{Number, a_float, assert_same_layout, nan};
-use crate::check::Findings;
+use crate::findings::Findings;
 use crate::online::{Error, Limits, Move, Phase};
 use crate::sampling::MOST_SAMPLES;
 use crate::state::State;

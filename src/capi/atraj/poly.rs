@@ -5,7 +5,7 @@ use crate::capi::trajpoly::{
     trajpoly3::a_trajpoly3, trajpoly5::a_trajpoly5, trajpoly7::a_trajpoly7,
 };
 use crate::capi::{Number, a_float};
-use crate::poly::{Poly3, Poly5, Poly7};
+use crate::liba::{Poly3, Poly5, Poly7};
 
 /// @brief The lowest and the highest position, velocity and acceleration of a cubic polynomial trajectory.
 ///

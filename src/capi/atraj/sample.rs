@@ -1,14 +1,14 @@
 //! `atraj.h`: one call evaluates a move at many times, or all quantities of a move at one time.
 
-use crate::bell::Bell;
 use crate::capi::trajbell::a_trajbell;
 use crate::capi::trajpoly::{
     trajpoly3::a_trajpoly3, trajpoly5::a_trajpoly5, trajpoly7::a_trajpoly7,
 };
 use crate::capi::trajtrap::a_trajtrap;
 use crate::capi::{Number, a_float};
+use crate::liba::Bell;
+use crate::liba::Trap;
 use crate::sampling::{MOST_SAMPLES, Sweep};
-use crate::trap::Trap;
 
 /// @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
 ///

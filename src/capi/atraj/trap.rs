@@ -3,7 +3,7 @@
 use super::{ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_NULL, write_extremes};
 use crate::capi::trajtrap::a_trajtrap;
 use crate::capi::{Number, a_float, boundary};
-use crate::trap::Trap;
+use crate::liba::Trap;
 use core::ffi::c_int;
 
 /// @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are numbers.

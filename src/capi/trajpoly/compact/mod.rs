@@ -5,7 +5,7 @@ pub mod trajpoly5;
 pub mod trajpoly7;
 
 use super::super::{Number, a_float};
-use crate::poly::Poly;
+use crate::liba::Poly;
 
 /// Writes the coefficients of a polynomial to `output`; nothing for `None` or NULL.
 ///

@@ -2,7 +2,7 @@
 
 use super::copy_out;
 use crate::capi::{Number, a_float, assert_same_layout, boundary, nan};
-use crate::poly::{Poly, Poly3};
+use crate::liba::{Poly, Poly3};
 
 /// @brief Cubic polynomial trajectory.
 ///

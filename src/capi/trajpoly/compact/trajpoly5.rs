@@ -2,7 +2,7 @@
 
 use super::copy_out;
 use crate::capi::{Number, a_float, assert_same_layout, boundary, nan};
-use crate::poly::{Poly, Poly5};
+use crate::liba::{Poly, Poly5};
 
 /// @brief Quintic polynomial trajectory.
 ///

@@ -2,7 +2,7 @@
 
 use super::copy_out;
 use crate::capi::{Number, a_float, assert_same_layout, boundary, nan};
-use crate::poly::{Poly, Poly7};
+use crate::liba::{Poly, Poly7};
 
 /// @brief Septic polynomial trajectory.
 ///

@@ -4,7 +4,7 @@ use crate::capi::firmware::evaluate;
 #[cfg(trajpoly3_v)]
 use crate::capi::firmware::{derive, differentiate};
 use crate::capi::{Number, a_float, boundary};
-use crate::poly::{Poly, Poly3};
+use crate::liba::{Poly, Poly3};
 use crate::real::Operations;
 use core::mem::offset_of;
 

@@ -4,7 +4,7 @@ use crate::capi::firmware::evaluate;
 #[cfg(trajpoly5_v)]
 use crate::capi::firmware::{derive, differentiate};
 use crate::capi::{Number, a_float, boundary};
-use crate::poly::{Poly, Poly5};
+use crate::liba::{Poly, Poly5};
 use crate::real::Operations;
 use core::mem::offset_of;
 

@@ -4,7 +4,7 @@
 use crate::capi::firmware::differentiate;
 use crate::capi::firmware::evaluate;
 use crate::capi::{Number, a_float, boundary};
-use crate::poly::{Poly, Poly7};
+use crate::liba::{Poly, Poly7};
 use core::mem::offset_of;
 
 /// @brief Septic polynomial trajectory.

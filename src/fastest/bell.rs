@@ -1,10 +1,9 @@
 //! The double-S that never fails: the fastest motion between two velocities within the limits.
 
-use super::Bell;
-use super::border::{Border, dips};
+use super::border::Border;
+use crate::liba::{Bell, Trap};
 use crate::real::Real;
-use crate::state::{Boundary, Saturation};
-use crate::trap::Trap;
+use crate::state::{Boundary, Saturation, dips};
 
 impl<R: Real> Bell<R> {
     /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.

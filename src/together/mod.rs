@@ -10,7 +10,7 @@
 //! assert_eq!(axes[0].t, axes[1].t);
 //! ```
 
-use crate::check::Findings;
+use crate::findings::Findings;
 use crate::online::plan::Task;
 use crate::online::{Error, Limits, Move, Phase, State};
 use crate::real::Real;
@@ -218,32 +218,6 @@ fn write<R: Real>(task: &Task<R>, axis: &mut Move<R>, t: R) -> Result<(), Error>
 fn lies_on<R: Real>(share: R, state: &State<R>, lead: &State<R>) -> bool {
     let agree = |x: R, y: R| (x - share * y).abs() <= R::DOUBT * (x.abs() + (share * y).abs());
     agree(state.velocity, lead.velocity) && agree(state.acceleration, lead.acceleration)
-}
-
-impl<R: Real> Limits<R> {
-    /// Keeps the limits of another axis too, which moves `share` times as far.
-    fn tighten(&mut self, other: &Self, share: R) {
-        let seen = |high: R, low: R| {
-            if share > R::ZERO {
-                (high / share, low / share)
-            } else {
-                (low / share, high / share)
-            }
-        };
-        let pairs = [
-            (&mut self.vmax, &mut self.vmin, other.vmax, other.vmin),
-            (&mut self.amax, &mut self.amin, other.amax, other.amin),
-            (&mut self.jmax, &mut self.jmin, other.jmax, other.jmin),
-        ];
-        if share == R::ZERO {
-            return;
-        }
-        for (highest, lowest, high, low) in pairs {
-            let (high, low) = seen(high, low);
-            *highest = highest.at_most(high);
-            *lowest = lowest.at_least(low);
-        }
-    }
 }
 
 /// The clock of a machine.

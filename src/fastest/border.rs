@@ -278,21 +278,3 @@ impl<R: Real> Hold<R> {
         }
     }
 }
-
-/// Whether the axis dips first, because the direct ramp gets farther than the displacement `h`.
-///
-/// Where the direct ramp ends at the target up to rounding, it is the move. Its direction is that of its final velocity `v1`, else of
-/// its first one, else of the displacement. `positions` is the sum of the magnitudes of both positions, in the unit of `h`.
-pub(crate) fn dips<R: Real>(h: R, direct: R, positions: R, [v0, v1]: [R; 2]) -> bool {
-    let tie = R::EPSILON * (R::from(4) * (h.abs() + direct.abs()) + positions);
-    let is_direct = (h - direct).abs() <= tie;
-    if !is_direct {
-        h < direct
-    } else if v1 != R::ZERO {
-        v1 < R::ZERO
-    } else if v0 != R::ZERO {
-        v0 < R::ZERO
-    } else {
-        h < R::ZERO
-    }
-}

@@ -1,17 +1,13 @@
 //! Double-S (bell-shaped velocity) profile, after Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines
 //! and Robots*, section 3.4, with the operations and the rounding of liba's `a_trajbell_*`.
 //!
-//! `plan` fills the struct as the C library does, with `search` for a move without cruise. `optimal` fills it with the fastest
-//! move, and never fails. `motion` evaluates the struct, and `check` judges it.
+//! `plan` fills the struct as the C library does, with `search` for a move without cruise. `motion` evaluates the struct.
 //!
 //! Evaluation reads the struct in the axis in which the move goes forward: it mirrors `p0 p1 v0 v1` if `p0 > p1`, takes every
 //! other field as it stands, and mirrors the result back. It relies on no sign of these fields: in a move that dips, that is,
 //! decelerates before it accelerates, `vm jm am dm` are those of the dip, with the opposite signs.
 
-pub(crate) mod border;
-mod check;
-mod motion;
-mod optimal;
+pub(crate) mod motion;
 mod plan;
 mod search;
 

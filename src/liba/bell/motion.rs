@@ -2,11 +2,11 @@
 
 use super::Bell;
 use crate::real::Real;
-use crate::sampling::{Border, Profile, Run, in_phase};
+use crate::sampling::{Edge, Run, Sampled, in_phase};
 
 /// The seven phases in order of time, each with its interval and its jerk, and the standstill around them.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Phase {
+pub(crate) enum Phase {
     /// `x <= 0`: no jerk.
     Before,
     /// `0 < x < taj`: jerk `jm`.
@@ -29,7 +29,7 @@ pub(super) enum Phase {
 
 impl Phase {
     /// In order of time.
-    pub(super) const ALL: [Self; 9] = [
+    pub(crate) const ALL: [Self; 9] = [
         Self::Before,
         Self::AccelerationRises,
         Self::AccelerationHolds,
@@ -96,7 +96,7 @@ impl<R: Real> Bell<R> {
     /// Position, velocity, acceleration and jerk at time `x`, s.
     #[inline(always)]
     pub fn state(&self, x: R) -> [R; 4] {
-        Profile::state(self, x)
+        Sampled::state(self, x)
     }
 
     fn is_backward(&self) -> bool {
@@ -112,7 +112,7 @@ impl<R: Real> Bell<R> {
     }
 
     /// A computed value of the forward axis in the caller's axis.
-    pub(super) fn orient(&self, y: R) -> R {
+    pub(crate) fn orient(&self, y: R) -> R {
         y.negate_if(self.is_backward())
     }
 
@@ -152,7 +152,7 @@ impl<R: Real> Bell<R> {
 
     /// Position in the forward axis. The time `z` counts from the border that the formula of the phase refers to.
     #[inline(always)]
-    pub(super) fn position_in(&self, phase: Phase, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
+    pub(crate) fn position_in(&self, phase: Phase, x: R, p0: R, p1: R, v0: R, v1: R) -> R {
         match phase {
             Phase::Before => p0,
             Phase::AccelerationRises => p0 + v0 * x + jerk_distance(self.jm, x),
@@ -186,7 +186,7 @@ impl<R: Real> Bell<R> {
 
     /// Velocity in the forward axis.
     #[inline(always)]
-    pub(super) fn velocity_in(&self, phase: Phase, x: R, v0: R, v1: R) -> R {
+    pub(crate) fn velocity_in(&self, phase: Phase, x: R, v0: R, v1: R) -> R {
         match phase {
             Phase::Before => v0,
             Phase::AccelerationRises => v0 + jerk_velocity(self.jm, x),
@@ -230,8 +230,8 @@ impl<R: Real> Bell<R> {
     }
 }
 
-impl<R: Real> Profile<R, 4, 10> for Bell<R> {
-    fn borders(&self) -> [Border<R>; 10] {
+impl<R: Real> Sampled<R, 4, 10> for Bell<R> {
+    fn borders(&self) -> [Edge<R>; 10] {
         let Self {
             t,
             tv,
@@ -242,16 +242,16 @@ impl<R: Real> Profile<R, 4, 10> for Bell<R> {
             ..
         } = *self;
         [
-            Border::Below(R::ZERO),
-            Border::UpTo(R::ZERO),
-            Border::Below(taj),
-            Border::Below(ta - taj),
-            Border::Below(ta),
-            Border::Below(ta + tv),
-            Border::Below(t - td + tdj),
-            Border::Below(t - tdj),
-            Border::Below(t),
-            Border::UpTo(t),
+            Edge::Below(R::ZERO),
+            Edge::UpTo(R::ZERO),
+            Edge::Below(taj),
+            Edge::Below(ta - taj),
+            Edge::Below(ta),
+            Edge::Below(ta + tv),
+            Edge::Below(t - td + tdj),
+            Edge::Below(t - tdj),
+            Edge::Below(t),
+            Edge::UpTo(t),
         ]
     }
 

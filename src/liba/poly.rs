@@ -1,7 +1,7 @@
 //! Polynomial profiles between two prescribed ends in a prescribed time, with the operations and the rounding of liba's
 //! `a_trajpoly3/5/7_*`; Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 2.1.
 
-use crate::check::Extremes;
+use crate::findings::Extremes;
 use crate::real::Real;
 use crate::sampling::Sweep;
 use crate::state::{Boundary, State};

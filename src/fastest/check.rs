@@ -1,8 +1,9 @@
-//! What a filled double-S reaches, and what is wrong with it.
+//! What a filled double-S or trapezoid reaches, and what is wrong with it.
 
-use super::Bell;
-use super::motion::Phase;
-use crate::check::{Extremes, Findings};
+use crate::findings::{Extremes, Findings};
+use crate::liba::bell::motion::Phase;
+use crate::liba::trap::motion::Phase as TrapPhase;
+use crate::liba::{Bell, Trap};
 use crate::real::Real;
 use crate::state::State;
 
@@ -167,5 +168,101 @@ impl<R: Real> Bell<R> {
             dm,
         } = *self;
         [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
+    }
+}
+
+impl<R: Real> Trap<R> {
+    /// Examines the move against the magnitude of `velocity` and two accelerations of opposite signs, in either order; an infinite limit
+    /// is no limit. Any plan may be examined, a plan of the C library's too. `None` if a field is not finite or a limit is NaN.
+    ///
+    /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
+    pub fn check(&self, velocity: R, ac: R, de: R) -> Option<Findings> {
+        let Self {
+            t,
+            p0,
+            p1,
+            v0,
+            v1,
+            vc,
+            ta,
+            td,
+            pa,
+            pd,
+            ..
+        } = *self;
+        let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
+        let vm = velocity.abs();
+        let fields = [t, p0, p1, v0, v1, vc, ta, td, pa, pd, self.ac, self.de];
+        if !(fields.iter().all(|x| x.is_finite()) && [vm, rise, fall].iter().all(|&x| x >= R::ZERO))
+        {
+            return None;
+        }
+        let reached = self.extremes();
+        let few = R::DOUBT; // 64 roundings
+        // The clock may pass a short ramp in no time, so the ramp counts though it is not among the extremes.
+        let steepest = self.ac.abs().at_least(self.de.abs());
+        let of_velocity = few * (reached.speed() + steepest * t);
+        let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
+        let State {
+            acceleration: lowest,
+            ..
+        } = reached.lowest;
+        let State {
+            acceleration: highest,
+            ..
+        } = reached.highest;
+        let steep = highest > rise + few * rise || -lowest > fall + few * fall;
+        Some(
+            Findings::EXCEEDS_ACCELERATION.when(steep)
+                | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)
+                | Findings::JUMPS.when(self.jumps(of_position, of_velocity))
+                | Findings::OVERSHOOTS.when(reached.overshoots(p0, p1, of_position)),
+        )
+    }
+
+    /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
+    pub fn extremes(&self) -> Extremes<R> {
+        let Self {
+            t, v0, vc, ta, td, ..
+        } = *self;
+        let mut reached = Extremes::of(State {
+            position: self.p0,
+            velocity: v0,
+            acceleration: if ta > R::ZERO {
+                self.ac
+            } else {
+                self.acceleration(R::ZERO)
+            },
+        });
+        reached.include_position(self.p1);
+        reached.include_velocity(vc);
+        reached.include_velocity(self.v1);
+        if td > ta {
+            reached.include_acceleration(R::ZERO);
+        }
+        reached.include_acceleration(self.acceleration(t));
+        // Where the velocity passes through 0 the axis turns.
+        for (x, from, to) in [(-v0 / self.ac, R::ZERO, ta), (td - vc / self.de, td, t)] {
+            if x > from && x < to {
+                reached.include_position(self.position(x));
+            }
+        }
+        reached
+    }
+
+    /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
+    fn jumps(&self, of_position: R, of_velocity: R) -> bool {
+        let late = R::DOUBT * self.t;
+        let in_order = self.ta >= R::ZERO && self.ta <= self.td + late && self.td <= self.t + late;
+        let at = |phase, x| (self.position_in(phase, x), self.velocity_in(phase, x));
+        let fits = |before, after, x| {
+            let ((p, v), (q, w)) = (at(before, x), at(after, x));
+            (p - q).abs() <= of_position && (v - w).abs() <= of_velocity
+        };
+        !(in_order
+            && fits(TrapPhase::Before, TrapPhase::Accelerate, R::ZERO)
+            && fits(TrapPhase::Accelerate, TrapPhase::Cruise, self.ta)
+            && fits(TrapPhase::Cruise, TrapPhase::Decelerate, self.td)
+            && fits(TrapPhase::Decelerate, TrapPhase::After, self.t))
     }
 }

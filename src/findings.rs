@@ -1,4 +1,4 @@
-//! What a move reaches, and what is wrong with a filled struct.
+//! What a planner answers: what it found, why there is no plan, and what a move reaches.
 
 use crate::real::Real;
 use crate::state::State;
@@ -43,6 +43,23 @@ impl BitOrAssign for Findings {
     fn bitor_assign(&mut self, other: Self) {
         *self = *self | other;
     }
+}
+
+/// Why there is no plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// A number of a state is infinite or not a number, a limit is not a number, or the motion is beyond the range of the real type.
+    NotFinite,
+    /// The limits are not around 0, or neither jerk nor acceleration is finite.
+    Limits,
+    /// The target is outside the limits, or the axis must have left them before, or will.
+    Target,
+    /// The duration or the cycle is negative, infinite or not a number.
+    Duration,
+    /// The states of several axes do not lie on the straight line from their start to their end.
+    Line,
+    /// There is no axis, or the slices have different lengths.
+    Axes,
 }
 
 /// The lowest and the highest position, velocity and acceleration of a move, each at its own time.

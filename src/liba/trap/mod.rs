@@ -1,0 +1,65 @@
+//! Trapezoidal velocity profile with the operations and the rounding of liba's `a_trajtrap_*`; Biagotti & Melchiorri,
+//! *Trajectory Planning for Automatic Machines and Robots*, section 3.2.
+//!
+//! `plan` fills the struct as the C library does, and `motion` evaluates it.
+
+pub(crate) mod motion;
+mod plan;
+
+use crate::real::Real;
+use crate::state::Boundary;
+
+/// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
+/// each other.
+///
+/// Fields carry the book's symbols and are signed: for a move towards smaller positions `vc` and `ac` are negative.
+///
+/// ```
+/// use atraj::{Boundary, Trap};
+/// let trap = Trap::new(5.0, 4.0, -2.0, Boundary::rest_to_rest(0.0, 50.0)).expect("a feasible move");
+/// assert_eq!((trap.ta, trap.td, trap.t), (1.25, 9.375, 11.875));
+/// assert_eq!(trap.velocity(5.0), 5.0);
+/// assert_eq!(trap.position(trap.t), 50.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Trap<R> {
+    /// Total duration, s.
+    pub t: R,
+    /// Initial position.
+    pub p0: R,
+    /// Final position.
+    pub p1: R,
+    /// Initial velocity, limited to the maximum velocity.
+    pub v0: R,
+    /// Final velocity: the demanded one limited to the maximum velocity, or what can be reached on the way.
+    pub v1: R,
+    /// Constant (cruise) velocity, or the highest reached.
+    pub vc: R,
+    /// Time at which the acceleration phase ends, s.
+    pub ta: R,
+    /// Time at which the deceleration phase starts, s.
+    pub td: R,
+    /// Position at `ta`.
+    pub pa: R,
+    /// Position at `td`.
+    pub pd: R,
+    /// Acceleration before `ta`.
+    pub ac: R,
+    /// Acceleration after `td`.
+    pub de: R,
+}
+
+impl<R: Real> Trap<R> {
+    /// Plans a move with the highest velocity `velocity` (its sign is ignored), acceleration `ac` and deceleration `de`.
+    ///
+    /// `ac` and `de` are signed: a forward move has `ac > 0` and `de < 0`, a backward one the opposite. Boundary
+    /// velocities beyond `±velocity` are limited to it; a final velocity out of reach is replaced by the one that is
+    /// reached. `None` if no such move exists, if it would take no time, or if a NaN among the arguments leaves its
+    /// duration undefined.
+    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
+        let mut trap = Self::default();
+        let duration = trap.plan(velocity, ac, de, boundary)?;
+        (duration > R::ZERO).then_some(trap)
+    }
+}

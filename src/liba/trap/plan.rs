@@ -1,0 +1,106 @@
+//! liba's plan of the trapezoid, in the order of the numerical contract.
+
+use super::Trap;
+use crate::real::Real;
+use crate::state::{Boundary, Saturation};
+
+/// How the velocity runs.
+enum Shape {
+    /// Up to the highest velocity, and down.
+    Cruise,
+    /// Up and down.
+    Peak,
+    /// Too short to reach the demanded final velocity: the reached one takes its place.
+    UpOnly,
+    /// Too short to come down to the demanded final velocity: the reached one takes its place.
+    DownOnly,
+}
+
+impl<R: Real> Trap<R> {
+    /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
+    /// function gives up. What a failed plan does not reach keeps its old value.
+    pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
+        self.plan_saturated(velocity, ac, de, boundary, Saturation::Everything)
+    }
+
+    /// [`Trap::plan`] with the saturation of either generation of liba.
+    pub fn plan_saturated(
+        &mut self,
+        velocity: R,
+        ac: R,
+        de: R,
+        boundary: Boundary<R>,
+        saturation: Saturation,
+    ) -> Option<R> {
+        if ac == de {
+            return None;
+        }
+        let vm = velocity.magnitude();
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, saturation);
+        (self.p0, self.p1, self.v0, self.v1) = (p0, p1, v0, v1);
+        let h = p1 - p0;
+        let two_h = R::from(2) * h;
+
+        // Squared velocity at which the acceleration line meets the deceleration line.
+        let (a, b) = (v0 * v0, v1 * v1);
+        let c = (b * ac - a * de - two_h * ac * de) / (ac - de);
+        if c <= R::ZERO {
+            return None;
+        }
+        let shape = if c > vm * vm {
+            Shape::Cruise
+        } else if c > a && c <= b {
+            Shape::UpOnly
+        } else if c <= a && c > b {
+            Shape::DownOnly
+        } else {
+            Shape::Peak
+        };
+        let speed = match shape {
+            Shape::Cruise => vm,
+            Shape::UpOnly => root(a + two_h * ac)?,
+            Shape::DownOnly => root(a + two_h * de)?,
+            Shape::Peak => c.sqrt(),
+        };
+        let v = speed.negate_if(h < R::ZERO);
+        (self.ac, self.de) = (ac, de);
+        if matches!(shape, Shape::DownOnly) {
+            self.v1 = v;
+            self.vc = v0;
+            self.t = (v - v0) / de;
+            (self.ta, self.td) = (R::ZERO, R::ZERO);
+            (self.pa, self.pd) = (p0, p0);
+            return Some(self.t);
+        }
+        self.vc = v;
+        self.ta = (v - v0) / ac;
+        self.pa = p0 + v0 * self.ta + R::HALF * ac * self.ta * self.ta;
+        if matches!(shape, Shape::UpOnly) {
+            self.v1 = v;
+            (self.t, self.td) = (self.ta, self.ta);
+            self.pd = p1;
+            return Some(self.t);
+        }
+        // Duration of the deceleration.
+        let t = (v1 - v) / de;
+        if matches!(shape, Shape::Cruise) {
+            self.pd = p1 - v * t - R::HALF * de * t * t;
+            self.td = self.ta + (self.pd - self.pa) / v;
+        } else {
+            self.pd = self.pa;
+            self.td = self.ta;
+        }
+        self.t = self.td + t;
+        Some(self.t)
+    }
+}
+
+/// The root of a squared velocity; `None` below 0.
+fn root<R: Real>(squared: R) -> Option<R> {
+    // Not `squared >= 0`: a NaN goes on, as in the C function.
+    if squared < R::ZERO {
+        None
+    } else {
+        Some(squared.sqrt())
+    }
+}

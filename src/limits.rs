@@ -1,0 +1,117 @@
+//! What an axis can do.
+
+use crate::findings::Error;
+use crate::real::Real;
+use crate::state::State;
+
+/// What an axis can do. The highest values are above 0, the lowest ones below 0. An infinite limit is no limit, but the jerk or the
+/// acceleration is finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Limits<R> {
+    /// Highest velocity.
+    pub vmax: R,
+    /// Lowest velocity, negative.
+    pub vmin: R,
+    /// Highest acceleration.
+    pub amax: R,
+    /// Lowest acceleration, negative.
+    pub amin: R,
+    /// Highest jerk.
+    pub jmax: R,
+    /// Lowest jerk, negative.
+    pub jmin: R,
+}
+
+impl<R: Real> Limits<R> {
+    /// The same limits in both directions, in liba's order.
+    pub fn symmetric(jerk: R, acceleration: R, velocity: R) -> Self {
+        let [j, a, v] = [jerk, acceleration, velocity].map(|limit| limit.magnitude());
+        Self {
+            vmax: v,
+            vmin: -v,
+            amax: a,
+            amin: -a,
+            jmax: j,
+            jmin: -j,
+        }
+    }
+
+    /// Whether a motion between these states can be planned.
+    pub(crate) fn check(&self, from: State<R>, to: State<R>) -> Result<(), Error> {
+        self.are_limits()?;
+        if !(from.is_finite() && to.is_finite()) {
+            Err(Error::NotFinite)
+        } else if !self.hold(to) {
+            Err(Error::Target)
+        } else {
+            Ok(())
+        }
+    }
+
+    pub(crate) fn are_limits(&self) -> Result<(), Error> {
+        let Self {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = *self;
+        let magnitudes = [vmax, -vmin, amax, -amin, jmax, -jmin];
+        let a_jerk_is_finite = jmax.at_most(-jmin) < R::INFINITY;
+        let accelerations_are_finite = amax.at_least(-amin) < R::INFINITY;
+        if magnitudes.iter().any(|x| x.partial_cmp(x).is_none()) {
+            Err(Error::NotFinite)
+        } else if magnitudes.iter().all(|&x| x > R::ZERO)
+            && (a_jerk_is_finite || accelerations_are_finite)
+        {
+            Ok(())
+        } else {
+            Err(Error::Limits)
+        }
+    }
+
+    /// Whether an axis can be in this state without having left the limits before, and without being bound to leave them.
+    fn hold(&self, state: State<R>) -> bool {
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = state;
+        let (up, down) = (R::ONE / self.jmax, -(R::ONE / self.jmin));
+        let half_square = R::HALF * acceleration * acceleration;
+        let (above, below) = (half_square * down, half_square * up);
+        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + above + below);
+        acceleration <= self.amax
+            && acceleration >= self.amin
+            && velocity <= self.vmax
+            && velocity >= self.vmin
+            && velocity + above <= self.vmax + rounding
+            && velocity - below >= self.vmin - rounding
+    }
+
+    /// Keeps the limits of another axis too, which moves `share` times as far.
+    pub(crate) fn tighten(&mut self, other: &Self, share: R) {
+        let seen = |high: R, low: R| {
+            if share > R::ZERO {
+                (high / share, low / share)
+            } else {
+                (low / share, high / share)
+            }
+        };
+        let pairs = [
+            (&mut self.vmax, &mut self.vmin, other.vmax, other.vmin),
+            (&mut self.amax, &mut self.amin, other.amax, other.amin),
+            (&mut self.jmax, &mut self.jmin, other.jmax, other.jmin),
+        ];
+        if share == R::ZERO {
+            return;
+        }
+        for (highest, lowest, high, low) in pairs {
+            let (high, low) = seen(high, low);
+            *highest = highest.at_most(high);
+            *lowest = lowest.at_least(low);
+        }
+    }
+}
