@@ -78,6 +78,16 @@
 
 pub mod axes {
     //! Several axes that move together: in the same time, or on a straight line.
+    //!
+    //! ```
+    //! use atraj::axes::synchronise;
+    //! use atraj::online::{Limits, Move, State};
+    //! let limits = [Limits::symmetric(30.0, 10.0, 5.0), Limits::symmetric(60.0, 20.0, 5.0)];
+    //! let (from, to) = ([State::at(0.0), State::at(0.0)], [State::at(10.0), State::at(-1.0)]);
+    //! let mut axes = [Move::default(); 2];
+    //! synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001).expect("numbers");
+    //! assert_eq!(axes[0].t, axes[1].t);
+    //! ```
     pub use crate::together::{line, synchronise};
 }
 #[cfg(feature = "capi")]

@@ -37,6 +37,27 @@ impl<R: Real> Limits<R> {
         }
     }
 
+    /// The limits of the mirrored axis.
+    pub(crate) fn mirrored(self) -> Self {
+        Self {
+            vmax: -self.vmin,
+            vmin: -self.vmax,
+            amax: -self.amin,
+            amin: -self.amax,
+            jmax: -self.jmin,
+            jmin: -self.jmax,
+        }
+    }
+
+    /// The limits of the motions in the other order of time: what accelerates then brakes.
+    pub(crate) fn reversed(self) -> Self {
+        Self {
+            amax: -self.amin,
+            amin: -self.amax,
+            ..self
+        }
+    }
+
     /// Whether a motion between these states can be planned.
     pub(crate) fn check(&self, from: State<R>, to: State<R>) -> Result<(), Error> {
         self.are_limits()?;

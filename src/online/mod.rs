@@ -14,47 +14,108 @@
 //! assert_eq!(axis.position(axis.t), -2.0);
 //! ```
 
-mod border;
+pub(crate) mod border;
+mod inside;
 mod motion;
-mod part;
-pub(crate) mod plan;
+mod phase;
+mod piece;
+pub(crate) mod problem;
+pub(crate) mod profile;
+mod ramp;
+pub(crate) mod search;
+mod write;
 
 pub use crate::findings::Error;
 pub use crate::limits::Limits;
-use crate::real::Real;
 pub use crate::state::State;
-pub use motion::Phase;
+pub use motion::Move;
+pub use phase::Phase;
 
-/// A move: phases of constant jerk from one state to another.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Move<R> {
-    /// Duration, s.
-    pub t: R,
-    /// Number of phases.
-    pub phases: u32,
-    /// The phases in order of time. Behind the last one is a phase without duration, the end.
-    pub phase: [Phase<R>; 16],
-}
-
-impl<R: Real> Default for Move<R> {
-    fn default() -> Self {
-        Self {
-            t: R::ZERO,
-            phases: 0,
-            phase: [Phase::default(); 16],
-        }
-    }
-}
+use crate::findings::Findings;
+use crate::real::Real;
+use problem::Problem;
 
 impl<R: Real> Move<R> {
-    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
-    pub fn state_at(&self, x: R) -> State<R> {
-        let [position, velocity, acceleration, _] = self.state(x);
-        State {
-            position,
+    /// Plans the fastest motion to a state, from any state: a start outside the limits comes inside in the fastest way, and then the limits
+    /// are kept. The target may be behind, or nearer than the way to stop.
+    ///
+    /// Returns [`Findings::OVERSHOOTS`] and [`Findings::STARTS_OUTSIDE`], if they are so. [`Error::NotFinite`] if a state is not made of
+    /// numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the limits are not around 0; [`Error::Target`] if
+    /// the target is outside the limits, or the axis must have left them before, or will. On an error the move stays as it is.
+    ///
+    /// ```
+    /// use atraj::online::{Limits, Move, State};
+    /// let limits = Limits { vmax: 2.0, vmin: -1.0, amax: 4.0, amin: -8.0, jmax: 50.0, jmin: -100.0 };
+    /// let now = State { position: 0.0, velocity: 1.5, acceleration: 2.0 };
+    /// let mut axis = Move::default();
+    /// axis.plan(&limits, now, State::at(3.0)).expect("numbers");
+    /// assert_eq!((axis.position(axis.t), axis.velocity(axis.t)), (3.0, 0.0));
+    /// ```
+    pub fn plan(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        to: State<R>,
+    ) -> Result<Findings, Error> {
+        limits.check(from, to)?;
+        let problem = Problem::new(limits, from, to);
+        problem.write(self, &problem.fastest())?;
+        Ok(problem.findings(self))
+    }
+
+    /// Plans the fastest motion to a velocity and an acceleration. The position is free. Findings and errors are those of [`Move::plan`].
+    pub fn reach(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        velocity: R,
+        acceleration: R,
+    ) -> Result<Findings, Error> {
+        let to = State {
             velocity,
             acceleration,
+            ..from
+        };
+        limits.check(from, to)?;
+        let (problem, direct) = Problem::reaching(limits, from, to);
+        problem.write(self, &direct)?;
+        Ok(problem.findings(self))
+    }
+
+    /// Plans the fastest stop. The position is free. Findings and errors are those of [`Move::plan`].
+    pub fn stop(&mut self, limits: &Limits<R>, from: State<R>) -> Result<Findings, Error> {
+        self.reach(limits, from, R::ZERO, R::ZERO)
+    }
+
+    /// Plans the fastest motion to a target that moves on at its velocity. The motion ends beside the target, with its velocity, at the
+    /// position `target.position + t * target.velocity`. Findings and errors are those of [`Move::plan`]; [`Error::Target`] also if the
+    /// target accelerates, or if its velocity is on a limit.
+    ///
+    /// Seen from the target, the limits of the velocity are shifted and the target is at rest.
+    pub fn meet(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        target: State<R>,
+    ) -> Result<Findings, Error> {
+        limits.check(from, target)?;
+        let v = target.velocity;
+        let seen = Limits {
+            vmax: limits.vmax - v,
+            vmin: limits.vmin - v,
+            ..*limits
+        };
+        if seen.are_limits().is_err() || target.acceleration != R::ZERO {
+            return Err(Error::Target);
         }
+        let seen_from = State {
+            position: from.position - target.position,
+            velocity: from.velocity - v,
+            ..from
+        };
+        let problem = Problem::new(&seen, seen_from, State::at(R::ZERO));
+        problem.write(self, &problem.fastest())?;
+        self.shift(from, target);
+        Ok(problem.findings(self))
     }
 }

@@ -1,67 +1,33 @@
 //! A planned move as phases of constant jerk, and its evaluation.
 
-use super::Move;
-use super::border::Change;
+use super::phase::Phase;
 use crate::findings::Extremes;
 use crate::real::Real;
-use crate::roots::root_between;
 use crate::sampling::{Edge, Run, Sampled, Sweep};
 use crate::state::State;
 
 /// The most phases of a move.
 pub(crate) const MOST_PHASES: usize = 15;
 
-/// A phase of constant jerk, and the state of the axis at its start.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A move: phases of constant jerk from one state to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct Phase<R> {
-    /// When it starts, s.
+pub struct Move<R> {
+    /// Duration, s.
     pub t: R,
-    /// How long it lasts, s.
-    pub duration: R,
-    /// Position at its start.
-    pub position: R,
-    /// Velocity at its start.
-    pub velocity: R,
-    /// Acceleration at its start.
-    pub acceleration: R,
-    /// The jerk.
-    pub jerk: R,
+    /// Number of phases.
+    pub phases: u32,
+    /// The phases in order of time. Behind the last one is a phase without duration, the end.
+    pub phase: [Phase<R>; 16],
 }
 
-impl<R: Real> Phase<R> {
-    /// The time `x` of the move in the phase, s.
-    #[inline(always)]
-    fn time(&self, x: R) -> R {
-        (x - self.t).at_least(R::ZERO).at_most(self.duration)
-    }
-
-    #[inline(always)]
-    fn position(&self, z: R) -> R {
-        let Self {
-            position,
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *self;
-        position + z * (velocity + z * (R::HALF * acceleration + z * jerk * R::SIXTH))
-    }
-
-    #[inline(always)]
-    fn velocity(&self, z: R) -> R {
-        let Self {
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *self;
-        velocity + z * (acceleration + R::HALF * z * jerk)
-    }
-
-    #[inline(always)]
-    fn acceleration(&self, z: R) -> R {
-        self.acceleration + z * self.jerk
+impl<R: Real> Default for Move<R> {
+    fn default() -> Self {
+        Self {
+            t: R::ZERO,
+            phases: 0,
+            phase: [Phase::default(); 16],
+        }
     }
 }
 
@@ -93,6 +59,16 @@ impl<R: Real> Move<R> {
     #[inline(always)]
     pub fn state(&self, x: R) -> [R; 4] {
         Sampled::state(self, x)
+    }
+
+    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+    pub fn state_at(&self, x: R) -> State<R> {
+        let [position, velocity, acceleration, _] = self.state(x);
+        State {
+            position,
+            velocity,
+            acceleration,
+        }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -156,50 +132,6 @@ impl<R: Real> Move<R> {
         (self.end().position == position).then_some(self.t)
     }
 
-    /// Lets a move that ends at rest at 0 end beside a moving target instead.
-    pub(super) fn shift(&mut self, from: State<R>, target: State<R>) {
-        let count = self.count();
-        for phase in self.phase.iter_mut().take(1 + count) {
-            phase.position = target.position + (phase.position + target.velocity * phase.t);
-            phase.velocity = phase.velocity + target.velocity;
-        }
-        (self.phase[0].position, self.phase[0].velocity) = (from.position, from.velocity);
-    }
-
-    /// Lets the move end at `t`, which its duration is but for rounding. A short last phase may begin there.
-    pub(crate) fn end_at(&mut self, t: R) {
-        let count = self.count();
-        for phase in self.phase.iter_mut().take(count) {
-            phase.t = phase.t.at_most(t);
-        }
-        if let Some(end) = self.phase.get_mut(count) {
-            end.t = t;
-        }
-        self.t = t;
-    }
-
-    /// Lets the move begin and end in these states, which its own are but for rounding.
-    pub(crate) fn set_ends(&mut self, from: State<R>, to: State<R>) {
-        let count = self.count();
-        for (index, state) in [(count, to), (0, from)] {
-            if let Some(phase) = self.phase.get_mut(index) {
-                phase.position = state.position;
-                phase.velocity = state.velocity;
-                phase.acceleration = state.acceleration;
-            }
-        }
-    }
-
-    /// Replaces every state and jerk, those of the start and of the end too.
-    pub(crate) fn map(&self, state: impl Fn(&Phase<R>) -> Phase<R>) -> Self {
-        let mut mapped = *self;
-        let count = self.count();
-        for (to, from) in mapped.phase.iter_mut().zip(&self.phase).take(1 + count) {
-            *to = state(from);
-        }
-        mapped
-    }
-
     /// Whether the move leaves the positions between its ends: where the axis turns, it is outside.
     pub(crate) fn overshoots(&self) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
@@ -219,7 +151,7 @@ impl<R: Real> Move<R> {
     }
 
     /// The state at the end.
-    pub(super) fn end(&self) -> State<R> {
+    fn end(&self) -> State<R> {
         let end = self.phase_at(R::INFINITY);
         State {
             position: end.position,
@@ -228,12 +160,13 @@ impl<R: Real> Move<R> {
         }
     }
 
-    pub(super) fn phases(&self) -> &[Phase<R>] {
+    /// The phases in order of time. The first one has no duration and holds the start.
+    pub fn phases(&self) -> &[Phase<R>] {
         self.phase.get(..self.count()).unwrap_or_default()
     }
 
     /// Number of phases, whatever a foreign struct says.
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         (self.phases as usize).min(MOST_PHASES)
     }
 
@@ -251,53 +184,6 @@ impl<R: Real> Move<R> {
             found = phase;
         }
         found
-    }
-}
-
-impl<R: Real> Phase<R> {
-    /// When the axis is at `position` between two times, if it is. It does not turn between them, and it is at `far` in the end.
-    fn time_between(&self, from: R, to: R, far: R, position: R) -> Option<R> {
-        let near = self.position(from);
-        let direction = R::ONE.copysign(far - near);
-        let beyond = |z: R| direction * (self.position(z) - position);
-        if near == position {
-            Some(from)
-        } else if beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO {
-            Some(root_between(from, to, |z| {
-                (beyond(z), direction * self.velocity(z))
-            }))
-        } else {
-            None
-        }
-    }
-
-    /// Whether the velocity may pass 0 in the phase.
-    fn may_turn(&self) -> bool {
-        let heads_for_0 = self.acceleration * self.jerk < R::ZERO;
-        heads_for_0 || self.velocity * self.velocity(self.duration) < R::ZERO
-    }
-
-    /// Whether `z` is a time inside the phase.
-    fn lasts_beyond(&self, z: R) -> bool {
-        z > R::ZERO && z < self.duration
-    }
-
-    /// Where the axis turns, in order: the times in the phase at which its velocity passes 0. Other values mean nothing.
-    fn turns(&self) -> [R; 2] {
-        let Self {
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *self;
-        let d = acceleration * acceleration - (velocity + velocity) * jerk;
-        let sum = -(acceleration + d.sqrt().copysign(acceleration));
-        let (one, other) = ((velocity + velocity) / sum, sum / jerk);
-        if one < other {
-            [one, other]
-        } else {
-            [other, one]
-        }
     }
 }
 
@@ -348,104 +234,5 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
                 jerk,
             ]
         })
-    }
-}
-
-/// A phase before its place in the move is known.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Leg<R> {
-    /// Acceleration at the start.
-    pub from: R,
-    pub jerk: R,
-    /// s
-    pub duration: R,
-}
-
-/// Writes the phases of a move in order of time.
-///
-/// Phase 0 holds the start. The states of the others are found from the end, so an axis that is planned anew in every cycle does not add up
-/// roundings on its way.
-pub(crate) struct Pen<'a, R> {
-    ctx: &'a mut Move<R>,
-    /// The time at the end of what is written.
-    t: R,
-    count: usize,
-}
-
-impl<'a, R: Real> Pen<'a, R> {
-    pub fn new(ctx: &'a mut Move<R>, from: State<R>) -> Self {
-        let State {
-            position,
-            velocity,
-            acceleration,
-        } = from;
-        ctx.phase[0] = Phase {
-            position,
-            velocity,
-            acceleration,
-            ..Phase::default()
-        };
-        Self {
-            ctx,
-            t: R::ZERO,
-            count: 1,
-        }
-    }
-
-    /// Adds a phase, if it has a duration.
-    pub fn write(&mut self, leg: Leg<R>) {
-        let Leg {
-            from,
-            jerk,
-            duration,
-        } = leg;
-        if !(duration > R::ZERO && self.count < MOST_PHASES) {
-            return;
-        }
-        if let Some(phase) = self.ctx.phase.get_mut(self.count) {
-            phase.t = self.t;
-            phase.duration = duration;
-            phase.acceleration = from;
-            phase.jerk = jerk;
-            self.count += 1;
-            self.t = self.t + duration;
-        }
-    }
-
-    /// Ends the move in this state.
-    pub fn end(self, to: State<R>) {
-        let Self { ctx, t, count } = self;
-        let State {
-            mut position,
-            mut velocity,
-            acceleration,
-        } = to;
-        if let Some(end) = ctx.phase.get_mut(count) {
-            *end = Phase {
-                t,
-                position,
-                velocity,
-                acceleration,
-                ..Phase::default()
-            };
-        }
-        for phase in ctx
-            .phase
-            .get_mut(1..count)
-            .unwrap_or_default()
-            .iter_mut()
-            .rev()
-        {
-            let from = phase.acceleration;
-            let to = from + phase.jerk * phase.duration;
-            // In the other order of time, accelerations have the other sign.
-            let mut change = Change::default();
-            change.jerk(-to, -from, phase.duration);
-            position = position - (velocity * phase.duration + change.displacement);
-            velocity = velocity + change.velocity;
-            (phase.position, phase.velocity) = (position, velocity);
-        }
-        ctx.t = t;
-        ctx.phases = count as u32;
     }
 }

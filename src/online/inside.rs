@@ -1,0 +1,104 @@
+//! The fastest way to a state from which the limits can be kept.
+
+use super::border::Border;
+use super::profile::Segment;
+use super::ramp::{Change, PerJerk, Ramp};
+use crate::limits::Limits;
+use crate::real::Real;
+use crate::state::State;
+
+/// The way inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
+pub(crate) struct Inside<R> {
+    /// The acceleration at the end of the way.
+    acceleration: R,
+    /// How long the acceleration changes, s.
+    ramp: R,
+    /// How long the acceleration holds, s.
+    hold: R,
+    /// What the way changes.
+    pub change: Change<R>,
+    /// Whether the start is outside the limits, or bound to leave them.
+    pub starts_outside: bool,
+}
+
+impl<R: Real> Inside<R> {
+    /// The way from the state `from`. It has no duration if `from` is inside.
+    pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
+        let State {
+            velocity: v,
+            acceleration: a,
+            ..
+        } = from;
+        let Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            ..
+        } = *limits;
+        // The velocity after the acceleration is undone.
+        let undone = v + per_jerk.straight(a, R::ZERO);
+        let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
+        // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
+        let (to, way, rises, hold) = if undone > vmax {
+            let ramp = Ramp::over(undone - vmax, (-a).at_most(-amin), R::ZERO, -amin, per_jerk);
+            (-ramp.peak, ramp.rise + below, below > R::ZERO, ramp.hold)
+        } else if undone < vmin {
+            let ramp = Ramp::over(vmin - undone, a.at_most(amax), R::ZERO, amax, per_jerk);
+            (ramp.peak, ramp.rise + above, above == R::ZERO, ramp.hold)
+        } else {
+            let limited = a.at_most(amax).at_least(amin);
+            (limited, above + below, below > R::ZERO, R::ZERO)
+        };
+        let ramp = way * if rises { per_jerk.gu } else { per_jerk.gd };
+        let mut change = Change::default();
+        change.add(a, to, ramp);
+        change.add(to, to, hold);
+        let few = R::from(16) * R::EPSILON;
+        let rounding = few * (v.abs() + (undone - v).abs());
+        let starts_outside = undone.at_least(v) > vmax + rounding
+            || undone.at_most(v) < vmin - rounding
+            || above > few * amax
+            || -below < few * amin;
+        Self {
+            acceleration: to,
+            ramp,
+            hold,
+            change,
+            starts_outside,
+        }
+    }
+
+    /// The motions from the end of the way on.
+    pub fn border(
+        &self,
+        limits: &Limits<R>,
+        per_jerk: PerJerk<R>,
+        from: State<R>,
+        to: State<R>,
+    ) -> Border<R> {
+        let change = self.change.velocity;
+        Border {
+            v0: from.velocity + change,
+            a0: self.acceleration,
+            v1: to.velocity,
+            a1: to.acceleration,
+            dv: (to.velocity - from.velocity) - change,
+            above: (limits.vmax - from.velocity) - change,
+            below: (from.velocity - limits.vmin) + change,
+            limits: *limits,
+            per_jerk,
+        }
+    }
+
+    /// The segments of the way from the acceleration `from`, in order of time.
+    pub fn segments(&self, limits: &Limits<R>, from: R) -> [Segment<R>; 2] {
+        let to = self.acceleration;
+        let jerk = if to > from { limits.jmax } else { limits.jmin };
+        [(from, jerk, self.ramp), (to, R::ZERO, self.hold)].map(|(from, jerk, duration)| Segment {
+            from,
+            jerk,
+            duration,
+        })
+    }
+}

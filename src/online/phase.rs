@@ -1,0 +1,103 @@
+//! A phase of constant jerk, and its evaluation.
+
+use crate::real::Real;
+use crate::roots::root_between;
+
+/// A phase of constant jerk, and the state of the axis at its start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Phase<R> {
+    /// When it starts, s.
+    pub t: R,
+    /// How long it lasts, s.
+    pub duration: R,
+    /// Position at its start.
+    pub position: R,
+    /// Velocity at its start.
+    pub velocity: R,
+    /// Acceleration at its start.
+    pub acceleration: R,
+    /// The jerk.
+    pub jerk: R,
+}
+
+impl<R: Real> Phase<R> {
+    /// The time `x` of the move in the phase, s.
+    #[inline(always)]
+    pub(super) fn time(&self, x: R) -> R {
+        (x - self.t).at_least(R::ZERO).at_most(self.duration)
+    }
+
+    #[inline(always)]
+    pub(super) fn position(&self, z: R) -> R {
+        let Self {
+            position,
+            velocity,
+            acceleration,
+            jerk,
+            ..
+        } = *self;
+        position + z * (velocity + z * (R::HALF * acceleration + z * jerk * R::SIXTH))
+    }
+
+    #[inline(always)]
+    pub(super) fn velocity(&self, z: R) -> R {
+        let Self {
+            velocity,
+            acceleration,
+            jerk,
+            ..
+        } = *self;
+        velocity + z * (acceleration + R::HALF * z * jerk)
+    }
+
+    #[inline(always)]
+    pub(super) fn acceleration(&self, z: R) -> R {
+        self.acceleration + z * self.jerk
+    }
+
+    /// When the axis is at `position` between two times, if it is. It does not turn between them, and it is at `far` in the end.
+    pub(super) fn time_between(&self, from: R, to: R, far: R, position: R) -> Option<R> {
+        let near = self.position(from);
+        let direction = R::ONE.copysign(far - near);
+        let beyond = |z: R| direction * (self.position(z) - position);
+        if near == position {
+            Some(from)
+        } else if beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO {
+            Some(root_between(from, to, |z| {
+                (beyond(z), direction * self.velocity(z))
+            }))
+        } else {
+            None
+        }
+    }
+
+    /// Whether the velocity may pass 0 in the phase.
+    pub(super) fn may_turn(&self) -> bool {
+        let heads_for_0 = self.acceleration * self.jerk < R::ZERO;
+        heads_for_0 || self.velocity * self.velocity(self.duration) < R::ZERO
+    }
+
+    /// Whether `z` is a time inside the phase.
+    pub(super) fn lasts_beyond(&self, z: R) -> bool {
+        z > R::ZERO && z < self.duration
+    }
+
+    /// Where the axis turns, in order: the times in the phase at which its velocity passes 0. Other values mean nothing.
+    pub(super) fn turns(&self) -> [R; 2] {
+        let Self {
+            velocity,
+            acceleration,
+            jerk,
+            ..
+        } = *self;
+        let d = acceleration * acceleration - (velocity + velocity) * jerk;
+        let sum = -(acceleration + d.sqrt().copysign(acceleration));
+        let (one, other) = ((velocity + velocity) / sum, sum / jerk);
+        if one < other {
+            [one, other]
+        } else {
+            [other, one]
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The piece of the border on which no acceleration holds.
+
+use super::{Easing, first_zero};
+use crate::online::border::Border;
+use crate::online::profile::Profile;
+use crate::online::ramp::PerJerk;
+use crate::real::Real;
+
+pub(crate) struct Free<R> {
+    first: Profile<R>,
+    per_jerk: PerJerk<R>,
+    /// How far the acceleration falls in the first motion.
+    u: R,
+    /// The slope of the first motion.
+    pub(super) s: R,
+    /// The sum of peak and trough in the first motion.
+    r: R,
+}
+
+impl<R: Real> Free<R> {
+    pub fn new(border: &Border<R>, first: Profile<R>) -> Self {
+        Self {
+            first,
+            per_jerk: border.per_jerk,
+            u: first.fall,
+            s: border.slope(&first),
+            r: first.peak + first.trough,
+        }
+    }
+
+    pub fn displacement(&self, x: R) -> (R, R) {
+        let Self { u, s, r, .. } = *self;
+        let (half, three, q) = (R::HALF, R::from(3), self.per_jerk.q());
+        let ratio = self.ratio(u + x);
+        let (c, quarter_gu) = (self.c(), half * half * self.per_jerk.gu);
+        let sum = c * (three * u + x) - quarter_gu * r * ratio;
+        let growth = three * c - quarter_gu * ratio * ratio;
+        let twice_slope = s + s + x * (u + u + x) * growth;
+        (q * x * (s + s + x * sum), q * twice_slope)
+    }
+
+    /// `(gu + 2 gd)/12`
+    fn c(&self) -> R {
+        R::SIXTH * (R::HALF * self.per_jerk.gu + self.per_jerk.gd)
+    }
+
+    /// `r` divided by how far the acceleration falls.
+    fn ratio(&self, fall: R) -> R {
+        if fall > R::ZERO {
+            self.r / fall
+        } else {
+            R::ZERO
+        }
+    }
+
+    /// The product of the slope and of the square that the acceleration falls by is a quadratic in this square. In the unit of this formula
+    /// nothing is out of range.
+    pub fn turning_point(&self) -> Option<R> {
+        let Self { u, s, r, .. } = *self;
+        let cubic = R::from(3) * self.c();
+        let unit = (s.abs() / cubic).sqrt();
+        let unit = u.at_least(r.abs()).at_least(unit);
+        let (u, r) = (u / unit, r / unit);
+        let s = s / (cubic * unit) / unit;
+        let square = u * u;
+        let quarter_gu = R::HALF * R::HALF * self.per_jerk.gu / cubic;
+        let p = R::HALF * (square - quarter_gu * r * r) + s;
+        let zero = first_zero(p, (s + s) * square)?;
+        Some(unit * zero / ((square + zero).sqrt() + u))
+    }
+
+    pub fn from(&self, x: R) -> Self {
+        let fall = self.u + x;
+        Self {
+            u: fall,
+            s: R::ZERO,
+            r: self.u * self.ratio(fall),
+            ..*self
+        }
+    }
+
+    pub fn bound(&self, displacement: R) -> R {
+        let slope = self.s.at_least(R::ZERO); // -0 too
+        let reduced = displacement / self.per_jerk.q();
+        let linear = reduced / slope;
+        let square = (reduced + reduced) / (self.per_jerk.gd * self.u);
+        let cube = (reduced / self.c()).cube_root_above();
+        (R::HALF * linear).at_most(square.sqrt().at_most(cube))
+    }
+
+    /// The lowest trough has the square of this function: then no rise is left at the start. Of two forms, it takes the one whose terms are
+    /// small.
+    pub fn end_of_easing(&self, a0: R) -> (R, Easing) {
+        let Self { u, first, .. } = *self;
+        let Profile {
+            first: rise,
+            peak,
+            trough,
+            ..
+        } = first;
+        let (change, sum, remains) = if rise < u {
+            (rise, peak + a0, trough)
+        } else {
+            (u, peak + trough, a0)
+        };
+        let square = remains * remains - change * sum;
+        if a0 > R::ZERO && square > R::ZERO {
+            let end = change * (sum / (remains + square.sqrt()) - R::ONE);
+            (end, Easing::IsFollowedByGap)
+        } else {
+            let least_peak = (u * (peak + trough)).sqrt();
+            (least_peak - u, Easing::Vanishes)
+        }
+    }
+
+    pub fn profile(&self, x: R) -> Profile<R> {
+        let Self { first: base, u, .. } = *self;
+        let fall = u + x;
+        let first = base.first + R::HALF * x * (R::ONE - self.ratio(fall));
+        let peak = base.peak + (first - base.first);
+        Profile {
+            first,
+            peak,
+            ..base
+        }
+        .falling_by(fall, x, &base)
+    }
+}

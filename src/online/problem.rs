@@ -1,0 +1,126 @@
+//! What is to be planned for one axis: the way inside the limits, and the motions behind it.
+//!
+//! A problem has two clocks. The clock of the move begins at the start. The clock of the border begins where the way inside ends.
+
+use super::border::Border;
+use super::inside::Inside;
+use super::motion::Move;
+use super::profile::Profile;
+use super::ramp::PerJerk;
+use super::search;
+use super::write::Writer;
+use crate::findings::{Error, Findings};
+use crate::limits::Limits;
+use crate::real::Real;
+use crate::state::State;
+
+/// A motion from a state to a state within the limits.
+pub(crate) struct Problem<R> {
+    from: State<R>,
+    to: State<R>,
+    inside: Inside<R>,
+    /// The motions behind the way inside the limits.
+    pub border: Border<R>,
+}
+
+impl<R: Real> Problem<R> {
+    pub fn new(limits: &Limits<R>, from: State<R>, to: State<R>) -> Self {
+        let per_jerk = PerJerk::of(limits);
+        let inside = Inside::from(limits, per_jerk, from);
+        let border = inside.border(limits, per_jerk, from, to);
+        Self {
+            from,
+            to,
+            inside,
+            border,
+        }
+    }
+
+    /// The problem of reaching the velocity and the acceleration of `to` wherever the fastest change of velocity ends, and the profile of
+    /// this change.
+    pub fn reaching(limits: &Limits<R>, from: State<R>, to: State<R>) -> (Self, Profile<R>) {
+        let mut problem = Self::new(limits, from, to);
+        let border = &problem.border;
+        let direct = border.direct(border.beyond_straight());
+        let profile = border.profile(&direct);
+        let displacement = problem.displacement_inside() + border.passed(&direct).1;
+        problem.to.position = from.position + displacement;
+        (problem, profile)
+    }
+
+    /// Displacement on the way inside the limits.
+    fn displacement_inside(&self) -> R {
+        let change = &self.inside.change;
+        self.from.velocity * change.duration + change.displacement
+    }
+
+    /// Displacement behind the way inside the limits, and the sum of the magnitudes of both positions, which tells their rounding.
+    pub fn displacement(&self) -> (R, R) {
+        let (p0, p1) = (self.from.position, self.to.position);
+        ((p1 - p0) - self.displacement_inside(), p0.abs() + p1.abs())
+    }
+
+    /// A duration of the move on the clock of the border, s.
+    pub fn behind_inside(&self, duration: R) -> R {
+        duration - self.inside.change.duration
+    }
+
+    /// A duration on the border on the clock of the move, s.
+    pub fn with_inside(&self, duration: R) -> R {
+        self.inside.change.duration + duration
+    }
+
+    /// The fastest motion.
+    pub fn fastest(&self) -> Profile<R> {
+        let (h, positions) = self.displacement();
+        search::fastest(&self.border, h, positions)
+    }
+
+    /// Duration of a motion with the way inside the limits, s: the sum that [`Problem::write`] writes.
+    pub fn duration(&self, profile: &Profile<R>) -> R {
+        let way = self
+            .inside
+            .segments(&self.border.limits, self.from.acceleration);
+        let motion = self.border.segments(profile);
+        let segments = way.iter().chain(&motion);
+        segments.fold(R::ZERO, |t, segment| t + segment.duration)
+    }
+
+    /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.
+    pub fn write(&self, ctx: &mut Move<R>, profile: &Profile<R>) -> Result<(), Error> {
+        let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
+        let about = self.with_inside(profile.duration(per_jerk));
+        if !(about + self.displacement_inside().abs() + self.to.position.abs()).is_finite() {
+            return Err(Error::NotFinite);
+        }
+        let mut writer = self.writer(ctx);
+        for segment in self.border.segments(profile) {
+            writer.write(segment);
+        }
+        writer.end(self.to);
+        Ok(())
+    }
+
+    /// A writer that has written the way inside the limits.
+    pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
+        let mut writer = Writer::new(ctx, self.from);
+        for segment in self
+            .inside
+            .segments(&self.border.limits, self.from.acceleration)
+        {
+            writer.write(segment);
+        }
+        writer
+    }
+
+    /// Where the move ends.
+    pub fn to(&self) -> State<R> {
+        self.to
+    }
+
+    /// What there is to know of a written move.
+    pub fn findings(&self, ctx: &Move<R>) -> Findings {
+        Findings::OVERSHOOTS.when(ctx.overshoots())
+            | Findings::STARTS_OUTSIDE.when(self.inside.starts_outside)
+    }
+}

@@ -1,0 +1,76 @@
+//! The acceleration of a motion on the border.
+
+use super::ramp::PerJerk;
+use crate::real::Real;
+
+/// The acceleration of a motion on the border: it rises, (holds), falls, (holds) and rises. Where the axis cruises, the fall pauses at 0.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Profile<R> {
+    /// The profile belongs to the mirrored axis.
+    pub mirrored: bool,
+    /// How far the acceleration rises at the start.
+    pub first: R,
+    /// The acceleration after the first rise.
+    pub peak: R,
+    /// How long the peak holds, s.
+    pub top: R,
+    /// How far the acceleration falls in the middle.
+    pub fall: R,
+    /// How long the fall pauses at 0, with the highest velocity, s.
+    pub cruise: R,
+    /// The acceleration after the fall.
+    pub trough: R,
+    /// How long the trough holds, s.
+    pub bottom: R,
+    /// How far the acceleration rises at the end.
+    pub last: R,
+}
+
+impl<R: Real> Profile<R> {
+    /// The motion in the other order of time.
+    pub fn reversed(self) -> Self {
+        Self {
+            mirrored: self.mirrored,
+            first: self.last,
+            peak: -self.trough,
+            top: self.bottom,
+            fall: self.fall,
+            cruise: self.cruise,
+            trough: -self.peak,
+            bottom: self.top,
+            last: self.first,
+        }
+    }
+
+    /// The motion with a fall that is longer than the one of `base` by `x`. What rises falls, so the sum of both rises grows by `x`: the
+    /// duration does not depend on the rounding of their difference.
+    pub fn falling_by(self, fall: R, x: R, base: &Self) -> Self {
+        let last = base.first + base.last + x - self.first;
+        Self {
+            fall,
+            last,
+            trough: base.trough - (last - base.last),
+            ..self
+        }
+    }
+
+    /// Duration of the motion, s. The jerks are those of the profile's axis.
+    pub fn duration(&self, per_jerk: PerJerk<R>) -> R {
+        per_jerk.gu * (self.first + self.last)
+            + per_jerk.gd * self.fall
+            + (self.top + self.cruise + self.bottom)
+    }
+}
+
+/// A phase of constant jerk whose place in the move is not known yet.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Segment<R> {
+    /// Acceleration at the start.
+    pub from: R,
+    pub jerk: R,
+    /// s
+    pub duration: R,
+}
+
+/// The most segments of a motion on the border.
+pub(crate) const MOST_SEGMENTS: usize = 7;

@@ -1,0 +1,142 @@
+//! Changes of velocity by way of one acceleration, and what a jerk changes.
+//!
+//! `docs/planner.md` has the letters: `gu`, `gd` and `q`.
+
+use crate::limits::Limits;
+use crate::real::Real;
+use crate::roots::larger_root;
+
+/// The durations in which the acceleration changes by 1: the reciprocals of the jerks, in seconds per unit of acceleration. A duration of 0
+/// belongs to an infinite jerk.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PerJerk<R> {
+    /// Of a rise.
+    pub gu: R,
+    /// Of a fall.
+    pub gd: R,
+}
+
+impl<R: Real> PerJerk<R> {
+    pub fn of(limits: &Limits<R>) -> Self {
+        Self {
+            gu: R::ONE / limits.jmax,
+            gd: -(R::ONE / limits.jmin),
+        }
+    }
+
+    /// The same jerks in the mirrored axis.
+    pub fn mirrored(self) -> Self {
+        Self {
+            gu: self.gd,
+            gd: self.gu,
+        }
+    }
+
+    /// The jerks in the axis of a profile or a ramp.
+    pub fn mirrored_if(self, mirrored: bool) -> Self {
+        if mirrored { self.mirrored() } else { self }
+    }
+
+    /// The mean of both durations.
+    pub fn q(self) -> R {
+        R::HALF * (self.gu + self.gd)
+    }
+
+    /// The change of velocity while the acceleration goes straight from `from` to `to`.
+    pub fn straight(self, from: R, to: R) -> R {
+        let per_jerk = if to > from { self.gu } else { self.gd };
+        R::HALF * (from + to) * (to - from).abs() * per_jerk
+    }
+}
+
+/// Changes since the start. A constant velocity is left out.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Change<R> {
+    /// s
+    pub duration: R,
+    /// Of the velocity.
+    pub velocity: R,
+    /// Without the displacement at the velocity of the start.
+    pub displacement: R,
+}
+
+impl<R: Real> Change<R> {
+    /// Adds a phase of the duration `t`, in which the acceleration goes from `from` to `to`.
+    pub fn add(&mut self, from: R, to: R, t: R) {
+        let half = R::HALF * t;
+        let third = (R::SIXTH + R::SIXTH) * t;
+        let sum = from + to;
+        self.displacement = self.displacement + t * self.velocity + half * (third * (from + sum));
+        self.velocity = self.velocity + half * sum;
+        self.duration = self.duration + t;
+    }
+}
+
+/// The fastest change of velocity by way of a higher acceleration: the acceleration rises, (holds) and falls.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ramp<R> {
+    /// The ramp belongs to the mirrored axis: in the caller's axis the acceleration falls, (holds) and rises.
+    pub mirrored: bool,
+    /// How far the acceleration rises.
+    pub rise: R,
+    /// The highest acceleration.
+    pub peak: R,
+    /// How long the highest acceleration holds, s.
+    pub hold: R,
+    /// How far the acceleration falls.
+    pub fall: R,
+}
+
+impl<R: Real> Ramp<R> {
+    /// From the acceleration `a0` up and down to `a1`. The change of velocity exceeds the one of the straight change by `beyond`.
+    pub fn over(beyond: R, a0: R, a1: R, limit: R, per_jerk: PerJerk<R>) -> Self {
+        let q = per_jerk.q();
+        let higher = a0.at_least(a1);
+        let most = (limit - higher).at_least(R::ZERO);
+        let mut z = larger_root(higher, -(beyond / q));
+        let (mut peak, mut hold) = (limit, R::ZERO);
+        if z < most {
+            z = z.at_least(R::ZERO); // by rounding
+            peak = higher + z;
+        } else {
+            z = most;
+            hold = ((beyond - q * most * (higher + limit)) / limit).at_least(R::ZERO);
+        }
+        Self {
+            mirrored: false,
+            rise: higher - a0 + z,
+            peak,
+            hold,
+            fall: higher - a1 + z,
+        }
+    }
+
+    /// The straight change of the acceleration.
+    pub fn straight(a0: R, a1: R) -> Self {
+        let peak = a0.at_least(a1);
+        Self {
+            mirrored: false,
+            rise: peak - a0,
+            peak,
+            hold: R::ZERO,
+            fall: peak - a1,
+        }
+    }
+
+    /// The ramp as the mirrored axis sees it.
+    pub fn mirrored_if(self, mirrored: bool) -> Self {
+        Self {
+            mirrored: self.mirrored != mirrored,
+            ..self
+        }
+    }
+
+    /// Duration and displacement of the ramp from the velocity `v` and the acceleration `a0` to the acceleration `a1`, in the ramp's own axis.
+    pub fn passed(&self, v: R, a0: R, a1: R, per_jerk: PerJerk<R>) -> (R, R) {
+        let mut change = Change::default();
+        change.add(a0, self.peak, per_jerk.gu * self.rise);
+        change.add(self.peak, self.peak, self.hold);
+        change.add(self.peak, a1, per_jerk.gd * self.fall);
+        (change.duration, v * change.duration + change.displacement)
+    }
+}

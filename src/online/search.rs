@@ -1,0 +1,252 @@
+//! The first motion on the border that gets as far as wanted.
+//!
+//! The search begins at the direct ramp, whose duration allows one displacement only. From there the pieces of the border follow each other
+//! as the duration grows: the acceleration eases, changes its sign, holds at one limit, holds at both, and the axis cruises.
+
+use super::border::Border;
+use super::piece::{Easing, Piece};
+use super::profile::Profile;
+use super::ramp::Ramp;
+use crate::real::Real;
+use crate::roots::larger_root;
+
+/// How the search in a piece of the border ends.
+enum Found<R> {
+    /// The displacement is reached.
+    Reached(Profile<R>),
+    /// The displacement is not reached: the last motion of the piece, and what its displacement lacks.
+    Lacking(Profile<R>, R),
+}
+
+/// The fastest motion over the displacement `h`. `positions` is the sum of the magnitudes of both positions.
+pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profile<R> {
+    let excess = border.beyond_straight();
+    // What is left of a move may be a straight change of the acceleration, up to rounding.
+    let (_, is_real) = excess;
+    if !is_real {
+        let straight = Ramp::straight(border.a0, border.a1);
+        let (lacks, tie) = lacking(border, &straight, h, positions);
+        if lacks.abs() <= tie && tie.is_finite() {
+            return border.profile(&straight);
+        }
+    }
+    let mut ramp = border.direct(excess);
+    // One gap may follow the direct ramp.
+    for _ in 0..2 {
+        let (lacks, tie) = lacking(border, &ramp, h, positions);
+        if lacks.abs() <= tie && tie.is_finite() {
+            break;
+        }
+        let mirrored = lacks < R::ZERO;
+        let axis = border.mirrored_if(mirrored);
+        let base = split_at_0(&axis, axis.profile(&ramp.mirrored_if(mirrored)));
+        match first_over(&axis, base, h.negate_if(mirrored), lacks.abs(), tie) {
+            Some(profile) => {
+                return Profile {
+                    mirrored,
+                    ..profile
+                };
+            }
+            None => ramp = border.behind_gap(),
+        }
+    }
+    border.profile(&ramp)
+}
+
+/// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
+pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positions: R) -> R {
+    // A displacement may become impossible once, and a gap may follow, on each side.
+    for _ in 0..4 {
+        let mirrored = border.mirrored();
+        let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
+            t = border.passed(&border.behind_gap()).0;
+            continue;
+        };
+        let tie = tie(border, t, positions);
+        let lacks = h - border.displacement(&farthest);
+        let exceeds = -h - mirrored.displacement(&nearest);
+        if !(lacks - exceeds).is_finite() {
+            return R::INFINITY;
+        }
+        let (axis, h, base, lacks) = if lacks > tie {
+            (*border, h, farthest, lacks)
+        } else if exceeds > tie {
+            (mirrored, -h, nearest, exceeds)
+        } else {
+            return t;
+        };
+        t = match first_over(&axis, base, h, lacks, tie) {
+            Some(profile) => profile.duration(axis.per_jerk),
+            None => border.passed(&border.behind_gap()).0,
+        };
+    }
+    t
+}
+
+/// What the displacement of a ramp lacks of `h`, and up to which rounding the ramp reaches `h`.
+fn lacking<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, positions: R) -> (R, R) {
+    let (duration, displacement) = border.passed(ramp);
+    (h - displacement, tie(border, duration, positions))
+}
+
+/// Up to which rounding a motion of this duration reaches its displacement. Its velocities have roundings in proportion to those of both
+/// ends and to what the accelerations at the ends add. Between standstills every displacement is made, because it costs no detour.
+fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
+    let (a0, a1) = (border.a0.abs(), border.a1.abs());
+    let added = border.undone().at_most(a0.at_least(a1) * duration);
+    let speed = border.v0.abs().at_least(border.v1.abs()) + added;
+    if speed > R::ZERO {
+        R::from(32) * R::EPSILON * (positions + speed * duration)
+    } else {
+        R::ZERO
+    }
+}
+
+/// A straight rise through 0, or from or to 0, as two rises: the acceleration may pause at 0.
+fn split_at_0<R: Real>(border: &Border<R>, profile: Profile<R>) -> Profile<R> {
+    let is_straight = profile.fall == R::ZERO && profile.top + profile.bottom == R::ZERO;
+    if is_straight && border.a0 <= R::ZERO && border.a1 >= R::ZERO {
+        Profile {
+            first: -border.a0,
+            last: border.a1,
+            ..Profile::default()
+        }
+    } else {
+        profile
+    }
+}
+
+/// The first motion of the border over `h`: it gets `lacks` farther than `base`. `None` if a gap comes first.
+fn first_over<R: Real>(
+    border: &Border<R>,
+    base: Profile<R>,
+    h: R,
+    lacks: R,
+    tie: R,
+) -> Option<Profile<R>> {
+    Some(match before_gap(border, base, lacks, tie)? {
+        Found::Reached(profile) => profile,
+        Found::Lacking(base, lacks) => turning(border, base, h, lacks),
+    })
+}
+
+/// The part of the border in which the acceleration keeps its sign in the middle of the motion. `None` if a gap follows: durations in which
+/// the end cannot be reached.
+fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R, tie: R) -> Option<Found<R>> {
+    if base.trough > R::ZERO {
+        easing(border, base, lacks, tie)
+    } else if base.peak < R::ZERO {
+        Some(
+            match easing(&border.reversed(), base.reversed(), lacks, tie)? {
+                Found::Reached(profile) => Found::Reached(profile.reversed()),
+                Found::Lacking(profile, lacks) => Found::Lacking(profile.reversed(), lacks),
+            },
+        )
+    } else {
+        Some(Found::Lacking(base, lacks))
+    }
+}
+
+/// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
+fn easing<R: Real>(
+    border: &Border<R>,
+    mut base: Profile<R>,
+    mut lacks: R,
+    tie: R,
+) -> Option<Found<R>> {
+    // A hold ends once at most.
+    for _ in 0..2 {
+        let piece = if base.top > R::ZERO {
+            Piece::held(border, base)
+        } else {
+            Piece::free(border, base)
+        };
+        let (end, what) = piece.end_of_easing(border.a0);
+        if let Some(x) = piece.first_over(lacks, end, false) {
+            return Some(Found::Reached(piece.profile(x)));
+        }
+        lacks = lacks - piece.displacement(end).0;
+        base = piece.profile(end);
+        match what {
+            Easing::HoldEnds => base.top = R::ZERO,
+            Easing::Vanishes => return Some(Found::Lacking(base, lacks)),
+            Easing::IsFollowedByGap => {
+                base.last = base.last + base.first;
+                base.trough = base.trough - base.first;
+                (base.first, base.peak) = (R::ZERO, border.a0);
+                return (lacks <= tie).then_some(Found::Reached(base));
+            }
+        }
+    }
+    None
+}
+
+/// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it
+/// gets `lacks` farther than `base`.
+fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R) -> Profile<R> {
+    let ramps @ [up, down] = border.ramps_to_vmax();
+    let (_, while_up) = up.passed(border.v0, border.a0, R::ZERO, border.per_jerk);
+    let (_, while_down) = down.passed(border.v1, -border.a1, R::ZERO, border.per_jerk);
+    let displacement = while_up + while_down;
+    if h >= displacement {
+        return Border::by_way_of_vmax(ramps, (h - displacement) / border.limits.vmax);
+    }
+    if !(base.top > R::ZERO || base.bottom > R::ZERO) {
+        let piece = Piece::free(border, base);
+        let end = first_hold(border, &base) - base.fall;
+        if end > R::ZERO {
+            if let Some(x) = piece.first_over(lacks, end, true) {
+                return piece.profile(x);
+            }
+            lacks = lacks - piece.displacement(end).0;
+            base = piece.profile(end);
+        }
+    }
+    let holds = base.top > R::ZERO || base.bottom > R::ZERO;
+    let (bu, bd) = (border.limits.amax, -border.limits.amin);
+    let nearer = bu - base.peak <= bd + base.trough;
+    if base.top > R::ZERO || !holds && nearer {
+        holding(border, base, lacks)
+    } else {
+        holding(&border.reversed(), base.reversed(), lacks).reversed()
+    }
+}
+
+/// How far the acceleration falls where a hold begins.
+fn first_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
+    let Profile { peak, trough, .. } = *base;
+    let (bu, bd) = (border.limits.amax, -border.limits.amin);
+    let above = (bu - peak) * (bu + peak);
+    let below = (bd + trough) * (bd - trough);
+    let top = bu + (trough * trough + above).sqrt();
+    top.at_most(bd + (peak * peak + below).sqrt())
+}
+
+/// The highest acceleration holds, and at last the lowest one too.
+fn holding<R: Real>(border: &Border<R>, mut base: Profile<R>, lacks: R) -> Profile<R> {
+    base.peak = border.limits.amax;
+    let piece = Piece::held(border, base);
+    let end = (base.trough - border.limits.amin).at_least(R::ZERO);
+    match piece.first_over(lacks, end, true) {
+        Some(x) => piece.profile(x),
+        None => {
+            let lacks = lacks - piece.displacement(end).0;
+            both_hold(border, piece.profile(end), lacks)
+        }
+    }
+}
+
+/// Both accelerations hold, and the displacement is a quadratic.
+fn both_hold<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Profile<R> {
+    let (bu, bd) = (border.limits.amax, -border.limits.amin);
+    let sum = bu + bd;
+    let curvature = bu * bd / sum;
+    let slope = border.slope(&base);
+    let longer = larger_root(slope / curvature, -(lacks + lacks) / curvature);
+    Profile {
+        top: base.top + bd / sum * longer,
+        trough: -bd,
+        bottom: base.bottom + bu / sum * longer,
+        ..base
+    }
+}

@@ -1,0 +1,143 @@
+//! Writes a move: its phases in order of time, and what a planner corrects in a written move.
+
+use super::motion::{MOST_PHASES, Move};
+use super::phase::Phase;
+use super::profile::Segment;
+use super::ramp::Change;
+use crate::real::Real;
+use crate::state::State;
+
+/// Writes the phases of a move in order of time.
+///
+/// Phase 0 holds the start. The states of the others are found from the end, so an axis that is planned anew in every cycle does not add up
+/// roundings on its way.
+pub(crate) struct Writer<'a, R> {
+    ctx: &'a mut Move<R>,
+    /// The time at the end of what is written.
+    t: R,
+    count: usize,
+}
+
+impl<'a, R: Real> Writer<'a, R> {
+    pub fn new(ctx: &'a mut Move<R>, from: State<R>) -> Self {
+        let State {
+            position,
+            velocity,
+            acceleration,
+        } = from;
+        ctx.phase[0] = Phase {
+            position,
+            velocity,
+            acceleration,
+            ..Phase::default()
+        };
+        Self {
+            ctx,
+            t: R::ZERO,
+            count: 1,
+        }
+    }
+
+    /// Adds a phase, if it has a duration.
+    pub fn write(&mut self, leg: Segment<R>) {
+        let Segment {
+            from,
+            jerk,
+            duration,
+        } = leg;
+        if !(duration > R::ZERO && self.count < MOST_PHASES) {
+            return;
+        }
+        if let Some(phase) = self.ctx.phase.get_mut(self.count) {
+            phase.t = self.t;
+            phase.duration = duration;
+            phase.acceleration = from;
+            phase.jerk = jerk;
+            self.count += 1;
+            self.t = self.t + duration;
+        }
+    }
+
+    /// Ends the move in this state.
+    pub fn end(self, to: State<R>) {
+        let Self { ctx, t, count } = self;
+        let State {
+            mut position,
+            mut velocity,
+            acceleration,
+        } = to;
+        if let Some(end) = ctx.phase.get_mut(count) {
+            *end = Phase {
+                t,
+                position,
+                velocity,
+                acceleration,
+                ..Phase::default()
+            };
+        }
+        for phase in ctx
+            .phase
+            .get_mut(1..count)
+            .unwrap_or_default()
+            .iter_mut()
+            .rev()
+        {
+            let from = phase.acceleration;
+            let to = from + phase.jerk * phase.duration;
+            // In the other order of time, accelerations have the other sign.
+            let mut change = Change::default();
+            change.add(-to, -from, phase.duration);
+            position = position - (velocity * phase.duration + change.displacement);
+            velocity = velocity + change.velocity;
+            (phase.position, phase.velocity) = (position, velocity);
+        }
+        ctx.t = t;
+        ctx.phases = count as u32;
+    }
+}
+
+impl<R: Real> Move<R> {
+    /// Lets a move that ends at rest at 0 end beside a moving target instead.
+    pub(super) fn shift(&mut self, from: State<R>, target: State<R>) {
+        let count = self.count();
+        for phase in self.phase.iter_mut().take(1 + count) {
+            phase.position = target.position + (phase.position + target.velocity * phase.t);
+            phase.velocity = phase.velocity + target.velocity;
+        }
+        (self.phase[0].position, self.phase[0].velocity) = (from.position, from.velocity);
+    }
+
+    /// Lets the move end at `t`, which its duration is but for rounding. A short last phase may begin there.
+    pub(crate) fn end_at(&mut self, t: R) {
+        let count = self.count();
+        for phase in self.phase.iter_mut().take(count) {
+            phase.t = phase.t.at_most(t);
+        }
+        if let Some(end) = self.phase.get_mut(count) {
+            end.t = t;
+        }
+        self.t = t;
+    }
+
+    /// Lets the move begin and end in these states, which its own are but for rounding.
+    pub(crate) fn set_ends(&mut self, from: State<R>, to: State<R>) {
+        let count = self.count();
+        for (index, state) in [(count, to), (0, from)] {
+            if let Some(phase) = self.phase.get_mut(index) {
+                phase.position = state.position;
+                phase.velocity = state.velocity;
+                phase.acceleration = state.acceleration;
+            }
+        }
+    }
+
+    /// Replaces every state and jerk, those of the start and of the end too.
+    pub(crate) fn map(&self, state: impl Fn(&Phase<R>) -> Phase<R>) -> Self {
+        let mut mapped = *self;
+        let count = self.count();
+        for (to, from) in mapped.phase.iter_mut().zip(&self.phase).take(1 + count) {
+            *to = state(from);
+        }
+        mapped
+    }
+}
