@@ -4,11 +4,11 @@
 //! is monotone. The times are therefore monotone too, and a comparison of time with a constant changes its result at most once
 //! in a sweep. Between two such changes every sample takes the same path through the profile, in a loop without branches.
 
-use crate::real::{Real, processor};
+use crate::real::{Real, processor, target};
 use core::ops::Range;
 
 /// A profile whose motion changes at borders in time.
-pub(crate) trait Sampled<R, const QUANTITIES: usize, const BORDERS: usize> {
+pub(crate) trait Sampled<R: Real, const QUANTITIES: usize, const BORDERS: usize> {
     /// Everything that an evaluation compares times with.
     fn borders(&self) -> [Edge<R>; BORDERS];
 
@@ -21,11 +21,7 @@ pub(crate) trait Sampled<R, const QUANTITIES: usize, const BORDERS: usize> {
     /// The quantities at time `x`, in the way that suits the processor.
     #[inline(always)]
     fn state(&self, x: R) -> [R; QUANTITIES] {
-        if processor::IS_BARE_METAL {
-            self.each(x)
-        } else {
-            self.together(x)
-        }
+        target::state(|| self.each(x), || self.together(x))
     }
 
     /// Fills `run`, whose times all lie between the same borders.
@@ -65,11 +61,6 @@ impl<R: Real> Sweep<R> {
     /// It does not pay to look for runs in fewer samples.
     const FEW: i32 = 32;
 
-    /// Whether `count` samples are better taken one by one: they take less time, or flash is scarce.
-    fn are_few(count: i32, most: i32) -> bool {
-        processor::IS_BARE_METAL || count < most
-    }
-
     /// The state at each of the times.
     pub fn states<const N: usize>(
         self,
@@ -90,7 +81,7 @@ impl<R: Real> Sweep<R> {
     ) -> usize {
         let borders = profile.borders();
         let count = Self::count(&outputs);
-        if Self::are_few(count, Self::FEW) {
+        if target::samples_are_few(count, Self::FEW) {
             self.sample_each(0..count, &mut outputs, profile);
             return count as usize;
         }
@@ -100,7 +91,7 @@ impl<R: Real> Sweep<R> {
         while end > 0 {
             let behind = crossings.map(|crossing| if crossing < end { crossing } else { 0 });
             let start = behind.into_iter().fold(0, i32::max);
-            if Self::are_few(end - start, Self::VECTOR) {
+            if target::samples_are_few(end - start, Self::VECTOR) {
                 self.sample_each(start..end, &mut outputs, profile);
             } else {
                 profile.fill(self.run(start..end, &mut outputs));

@@ -3,6 +3,10 @@
 pub(crate) mod processor;
 #[cfg(unit_lacks_binary64)]
 mod soft;
+/// The bodies that differ between targets: two files with one face.
+#[cfg_attr(target_os = "none", path = "bare_metal.rs")]
+#[cfg_attr(not(target_os = "none"), path = "host.rs")]
+pub(crate) mod target;
 
 /// The type that carries a C `double` through the profiles. A Cortex-M unit that lacks binary64 leaves such numbers to the
 /// run-time library of the compiler.
@@ -12,7 +16,7 @@ pub(crate) type Double = f64;
 pub(crate) type Double = soft::Soft64;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use processor::keep_branch_on_bare_metal;
+use target::keep_branch;
 
 /// IEEE-754 binary32 (`f32`) or binary64 (`f64`).
 ///
@@ -72,17 +76,8 @@ pub trait Operations:
     fn to_index(self) -> i32;
 
     /// The square root, correctly rounded; NaN below zero.
-    ///
-    /// LLVM emits a bare instruction only if the argument cannot be negative. Any other root comes with a call for negative
-    /// arguments, and values have to be saved around the call.
     fn sqrt(self) -> Self {
-        if processor::IS_BARE_METAL {
-            self.plain_sqrt()
-        } else if self < Self::ZERO {
-            Self::NAN
-        } else {
-            self.abs().plain_sqrt().copysign(self)
-        }
+        target::sqrt(self)
     }
 
     /// A number not below the cube root of `self`, which is not below 0, and at most 0.01 % above it. A factor of 8 in `self` is a
@@ -108,7 +103,7 @@ pub trait Operations:
     /// `-self` if `negative` holds, else `self`.
     fn negate_if(self, negative: bool) -> Self {
         if negative {
-            keep_branch_on_bare_metal();
+            keep_branch();
             -self
         } else {
             self
@@ -116,25 +111,14 @@ pub trait Operations:
     }
 
     /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.
-    ///
-    /// Moves to and fro mispredict a branch, so a host multiplies by the direction. A microcontroller predicts nothing, and skips
-    /// the work with a branch.
     fn forward(h: Self, v0: Self, v1: Self) -> [Self; 3] {
-        if !processor::IS_BARE_METAL {
-            let direction = Self::ONE.copysign(if h < Self::ZERO { h } else { Self::ZERO });
-            [h * direction, v0 * direction, v1 * direction]
-        } else if h < Self::ZERO {
-            keep_branch_on_bare_metal();
-            [-h, -v0, -v1]
-        } else {
-            [h, v0, v1]
-        }
+        target::forward(h, v0, v1)
     }
 
     /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`, and so does a zero if `most` is zero.
     fn limit(self, most: Self) -> Self {
         if self.abs() < most {
-            keep_branch_on_bare_metal();
+            keep_branch();
             self
         } else if self > -most {
             most

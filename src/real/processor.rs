@@ -16,11 +16,3 @@ pub const HAS_BINARY64_UNIT: bool = HAS_BINARY32_UNIT && cfg!(not(unit_lacks_bin
 /// The largest vector registers of common processors, bytes: a store that crosses a cache line costs more than one that does
 /// not.
 pub const VECTOR_BYTES: usize = 32;
-
-/// Keeps the branch around the call on a microcontroller. Otherwise the compiler computes both sides and selects one, which pays
-/// only where a processor predicts branches.
-pub fn keep_branch_on_bare_metal() {
-    if IS_BARE_METAL {
-        core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
-    }
-}

@@ -1,7 +1,7 @@
 //! The search for the acceleration of a move without cruise, and its short cut.
 
 use super::Bell;
-use crate::real::{Real, processor};
+use crate::real::{Real, target};
 
 /// What one trial acceleration means for the two ramps.
 pub(super) enum Fit {
@@ -107,11 +107,9 @@ impl<R: Real> Bell<R> {
     /// round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards keep off overflow
     /// and what underflow could move. `docs/search.md` has the proof.
     fn skip_plain_rounds(&self, am: R, h: R, v0: R, v1: R, s: R, q: R) -> Round<R> {
-        // A microcontroller with a unit takes a literal round nearly as fast, and has no flash to spare.
-        let pays = !(processor::IS_BARE_METAL && R::HAS_UNIT);
         // A search from at least `DOUBT` is settled when its step runs out, so its last round writes all durations.
         let (mut trial, mut step) = (am, am);
-        if !(pays && am >= R::DOUBT && h >= R::EPSILON) {
+        if !(target::skipping_rounds_pays(R::HAS_UNIT) && am >= R::DOUBT && h >= R::EPSILON) {
             return Round {
                 trial,
                 step,
