@@ -6,10 +6,9 @@
 #                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
 #   make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
 #   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
-#   make demo                   runs a servo program in C and a controller in C++ on the archive: parity with the golden
-#                               data, tables of the moves that the original fails and of plans in motion, pictures in
-#                               target/demo
-#   make examples               builds and runs the short examples in C, C++ (needs a C++ compiler) and Rust
+#   make demo                   runs a servo program in C on the archive: parity with the golden data, a table of the moves that the
+#                               original fails, pictures of the examples in target/demo
+#   make examples               builds and runs the examples in C, C++ (needs a C++ compiler) and Rust
 #   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                               cargo, or bring it along by CMake, Meson, Conan, .deb
 #   make builds                 builds and installs in the ways that once gave the wrong library
@@ -207,31 +206,24 @@ doc: dist
 	docs/site/pages.sh target/doc
 
 DEMO := target/demo
+DEMO_FLAGS := -std=c99 -O2 -I$(DIST)/include
 
-# Does the steps of a liba user: compiles a servo program against the headers, links the archive, runs moves. Counts the moves that
-# the original fails and the plans of atraj.h do not. Plans an axis in motion, and several axes together. Then does the steps of a CLARAty user, with a controller.
+# Does the steps of a liba user: compiles a servo program against the headers, links the archive, replays the golden data. Counts the
+# moves that the original fails and the plans of atraj.h do not. Draws every setpoint of the examples.
 demo: dist
 	$(if $(VARIANT),$(error make demo shows the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(DEMO)
 	mkdir -p $(DEMO)
-	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/servo examples/servo.c $(DIST)/lib/libatraj.a -lm
+	$(CC) $(DEMO_FLAGS) -o $(DEMO)/servo examples/demo/servo.c $(DIST)/lib/libatraj.a -lm
 	$(CARGO) run --quiet --example parity $(DEMO)/servo
-	$(DEMO)/servo examples/moves.txt > $(DEMO)/setpoints.txt
-	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/one_prefix examples/one_prefix.c $(DIST)/lib/libatraj.a -lm
-	$(DEMO)/one_prefix $(DEMO)/setpoints.txt
-	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/any_state examples/any_state.c $(DIST)/lib/libatraj.a -lm
-	$(DEMO)/any_state $(DEMO)/setpoints.txt
-	$(CC) -std=c99 -O2 -I$(DIST)/include -o $(DEMO)/several_axes examples/several_axes.c $(DIST)/lib/libatraj.a -lm
-	$(DEMO)/several_axes $(DEMO)/setpoints.txt
-ifneq ($(shell command -v $(CXX)),)
-	$(CXX) -std=c++98 -O2 -I$(DIST)/include/claraty -o $(DEMO)/controller examples/controller.cpp $(DIST)/lib/libatraj.a -lm
-	$(DEMO)/controller >> $(DEMO)/setpoints.txt
-else
-	@echo "SKIPPED: $(CXX) is missing, the controller in C++ is not shown"
-endif
-	$(CARGO) run --quiet --example plot $(DEMO) < $(DEMO)/setpoints.txt
+	$(CC) $(DEMO_FLAGS) -o $(DEMO)/originals examples/demo/originals.c $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/originals
+	for name in $(EXAMPLES); do \
+	    $(CC) $(DEMO_FLAGS) -DEVERY=1 -o $(DEMO)/$$name examples/$$name.c $(DIST)/lib/libatraj.a -lm && \
+	    $(DEMO)/$$name > $(DEMO)/$$name.txt || exit 1; done
+	$(CARGO) run --quiet --example plot $(DEMO) $(EXAMPLES:%=$(DEMO)/%.txt)
 
-EXAMPLES := follow sample relink retarget jog track meet gantry arm
+EXAMPLES := $(sort $(basename $(notdir $(wildcard examples/[0-9]*_*.c))))
 EXAMPLES_OUT := target/examples
 EXAMPLE_FLAGS := -Wall -Wextra -Wpedantic -Werror -O2 -I$(DIST)/include -I$(DIST)/include/claraty
 

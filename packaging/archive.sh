@@ -52,4 +52,4 @@ $note
 END
 
 # The example's first comment says how it is compiled.
-awk -v compile="$compile" '/^ +make dist$/ { next } /^ +cc / { $0 = "     " compile } { print }' examples/follow.c > "$folder/example.c"
+awk -v compile="$compile" '/^ +make dist$/ { next } /^ +cc / { $0 = "     " compile } { print }' examples/02_follow.c > "$folder/example.c"

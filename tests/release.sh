@@ -61,7 +61,7 @@ from_release_to_program() {
     esac
     cat commands
     PATH=$tools sh -e commands > printed
-    sed '/: OK$/d; s/\r$//' printed | diff "$root/examples/expected/follow.txt" -
+    sed '/: OK$/d; s/\r$//' printed | diff "$root/examples/expected/02_follow.txt" -
 }
 
 # The example and the README tell the same command, and no file tells where it was built.
