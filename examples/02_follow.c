@@ -23,11 +23,10 @@ int main(void)
     }
     puts("Double-S with cruise: 10 m, from 1 m/s to rest");
     puts("within 5 m/s, 10 m/s^2, 30 m/s^3");
-    for (int tick = 0; tick * PERIOD < duration; ++tick) {
+    for (int tick = 0; tick * PERIOD < duration; tick += EVERY) {
         a_float const x = tick * PERIOD;
-        a_float const position = a_trajbell_pos(&move, x), velocity = a_trajbell_vel(&move, x);
-        a_float const acceleration = a_trajbell_acc(&move, x), jerk = a_trajbell_jer(&move, x);
-        if (tick % EVERY == 0) { printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, %.4f m/s^3\n", x, position, velocity, acceleration, jerk); }
+        printf("%.3f s: %.4f m, %.4f m/s, ", x, a_trajbell_pos(&move, x), a_trajbell_vel(&move, x));
+        printf("%.4f m/s^2, %.4f m/s^3\n", a_trajbell_acc(&move, x), a_trajbell_jer(&move, x));
     }
     printf("arrives at %.4f m after %.3f s\n", a_trajbell_pos(&move, duration), duration);
     return 0;

@@ -20,11 +20,10 @@ int main()
     }
     std::puts("Double-S with cruise: 10 m, from 1 m/s to rest");
     std::puts("within 5 m/s, 10 m/s^2, 30 m/s^3");
-    for (int tick = 0; tick * PERIOD < move.t; ++tick)
+    for (int tick = 0; tick * PERIOD < move.t; tick += 250)
     {
-        const a_float x = tick * PERIOD, position = move.pos(x), velocity = move.vel(x), acceleration = move.acc(x), jerk = move.jer(x);
-        if (tick % 250 != 0) { continue; }
-        std::printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, %.4f m/s^3\n", x, position, velocity, acceleration, jerk);
+        const a_float x = tick * PERIOD;
+        std::printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, %.4f m/s^3\n", x, move.pos(x), move.vel(x), move.acc(x), move.jer(x));
     }
     std::printf("arrives at %.4f m after %.3f s\n", move.pos(move.t), move.t);
     return 0;

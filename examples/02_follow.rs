@@ -17,14 +17,10 @@ fn main() -> Result<(), &'static str> {
     let axis = Bell::new(30.0, 10.0, 5.0, ends).ok_or("the limits allow no such move")?;
     println!("Double-S with cruise: 10 m, from 1 m/s to rest");
     println!("within 5 m/s, 10 m/s^2, 30 m/s^3");
-    let mut tick = 0;
-    while f64::from(tick) * PERIOD < axis.t {
+    for tick in (0..=(axis.t / PERIOD) as u32).step_by(250) {
         let x = f64::from(tick) * PERIOD;
         let [p, v, a, j] = axis.state(x);
-        if tick % 250 == 0 {
-            println!("{x:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2, {j:.4} m/s^3");
-        }
-        tick += 1;
+        println!("{x:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2, {j:.4} m/s^3");
     }
     let end = axis.position(axis.t);
     println!("arrives at {end:.4} m after {:.3} s", axis.t);

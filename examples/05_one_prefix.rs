@@ -30,15 +30,13 @@ fn main() -> Result<(), &'static str> {
     let ours = Bell::fastest(30.0, 2.5, 10.0, ends).ok_or("no numbers")?;
     println!("Too near to stop: 6 m to go at 7.5 m/s");
     println!("within 10 m/s, 2.5 m/s^2, 30 m/s^3");
-    let mut tick = 0;
-    while f64::from(tick) * PERIOD < ours.t {
+    for tick in (0..=(ours.t / PERIOD) as u32).step_by(1000) {
         let x = f64::from(tick) * PERIOD;
         println!(
             "{x:.3} s: {}, a_trajbell_gen {}",
             setpoint(&ours, x),
             setpoint(&liba, x)
         );
-        tick += 1000;
     }
     let [liba, ours] = [liba, ours].map(|axis| judge(&axis).unwrap_or("is no plan"));
     println!("a_trajbell_gen {liba}, atraj_bell_gen {ours}");

@@ -21,14 +21,12 @@ const POINTS: [[f64; 6]; 5] = [
 
 /// Prints the setpoints of a move that begins at `start`.
 fn follow(axes: &[Move<f64>; 6], start: f64) {
-    let mut tick = 0;
-    while f64::from(tick) * CYCLE < axes[0].t {
+    for tick in (0..=(axes[0].t / CYCLE) as u32).step_by(50) {
         let x = f64::from(tick) * CYCLE;
         let text = |number: f64| format!("{number:.2}");
         let positions = axes.map(|axis| text(axis.position(x))).join(" ");
         let velocities = axes.map(|axis| text(axis.velocity(x))).join(" ");
         println!("{:.3} s: {positions} deg, {velocities} deg/s", start + x);
-        tick += 50;
     }
 }
 

@@ -10,14 +10,8 @@ use support::repository::root;
 /// What `make demo` printed. It runs once for all tests of this file.
 static DEMO: LazyLock<String> = LazyLock::new(|| {
     let mut make = Command::new("make");
-    for choice in [
-        "MAKEFLAGS",
-        "REAL",
-        "POLY",
-        "A_TRAJPOLY3",
-        "A_TRAJPOLY5",
-        "A_TRAJPOLY7",
-    ] {
+    let choices = "MAKEFLAGS REAL POLY A_TRAJPOLY3 A_TRAJPOLY5 A_TRAJPOLY7";
+    for choice in choices.split(' ') {
         make.env_remove(choice);
     }
     let output = make.arg("demo").current_dir(root()).output().unwrap();
@@ -46,11 +40,8 @@ fn rows(table: &str) -> Vec<String> {
 }
 
 fn assert_parity(function: &str, rows: usize) {
-    assert_eq!(
-        line(&DEMO, function),
-        [rows.to_string(), "0".into()],
-        "{function}"
-    );
+    let want = [rows.to_string(), "0".into()];
+    assert_eq!(line(&DEMO, function), want, "{function}");
 }
 
 #[test]
@@ -61,10 +52,8 @@ fn one_wrong_bit_fails() {
     assert!(!output.status.success(), "{table}");
     assert_eq!(line(&table, "a_trajbell_gen")[1], "1");
     assert_eq!(line(&table, "total")[1], "1");
-    assert!(
-        table.contains("bell_gen_f64.csv:2: a_trajbell_gen is"),
-        "{table}"
-    );
+    let place = "bell_gen_f64.csv:2: a_trajbell_gen is";
+    assert!(table.contains(place), "{table}");
 }
 
 #[test]
@@ -80,28 +69,52 @@ fn one_prefix_further_no_move_fails() {
     for planner in ["atraj_bell_gen", "atraj_trap_gen"] {
         assert_eq!(line(&DEMO, planner), ["0", "0", "0", "0"], "{planner}");
     }
-    let of_liba = |planner: &str| -> Vec<u32> {
-        let (_, table) = DEMO.split_once("of 100000 moves").unwrap();
-        let counts = line(table, planner);
-        counts.iter().map(|count| count.parse().unwrap()).collect()
+    let (_, table) = DEMO.split_once("of 100000 moves").unwrap();
+    let of_liba = |planner| -> [u32; 4] {
+        let counts: Vec<_> = line(table, planner)
+            .iter()
+            .map(|n| n.parse().unwrap())
+            .collect();
+        counts.try_into().unwrap()
     };
     // The original has every fault that the table counts, but a trapezoid that exists is the fastest.
-    let [refused, broken, missed, longer] = of_liba("a_trajbell_gen")[..] else {
-        panic!("four counts")
-    };
+    let [refused, broken, missed, longer] = of_liba("a_trajbell_gen");
     assert!(refused > 1000 && broken > 100 && missed == 0 && longer > 1000);
-    let [refused, _, missed, longer] = of_liba("a_trajtrap_gen")[..] else {
-        panic!("four counts")
-    };
+    let [refused, _, missed, longer] = of_liba("a_trajtrap_gen");
     assert!(refused > 1000 && missed > 1000 && longer == 0);
 }
 
-/// What the example of this number printed: every setpoint, in `make demo`.
-fn output(number: &str) -> String {
-    let outputs = fs::read_dir(demo_dir()).unwrap();
-    let names = outputs.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names = names.filter(|name| name.starts_with(number) && name.ends_with(".txt"));
-    fs::read_to_string(demo_dir().join(names.next().unwrap())).unwrap()
+struct Example {
+    name: String,
+    /// What it prints in `make demo`: every setpoint.
+    output: String,
+    picture: String,
+    svg: String,
+}
+
+/// The examples, in the order in which `make demo` draws them.
+static EXAMPLES: LazyLock<Vec<Example>> = LazyLock::new(|| {
+    let expected = fs::read_dir(root().join("examples/expected")).unwrap();
+    let names = expected.map(|file| file.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<_> = names.collect();
+    names.sort();
+    let pictures: Vec<_> = DEMO.lines().filter(|line| line.ends_with(".svg")).collect();
+    assert!(names.len() > 10 && pictures.len() == names.len());
+    let examples = names
+        .into_iter()
+        .zip(pictures)
+        .map(|(name, picture)| Example {
+            output: fs::read_to_string(demo_dir().join(&name)).unwrap(),
+            name: name.replace(".txt", ""),
+            picture: picture.rsplit('/').next().unwrap().to_owned(),
+            svg: fs::read_to_string(root().join(picture)).unwrap(),
+        });
+    examples.collect()
+});
+
+/// What the example of this number printed.
+fn output(number: usize) -> &'static str {
+    &EXAMPLES[number - 1].output
 }
 
 /// The numbers of an example's setpoints: the time, then the quantities in the order in which they are printed.
@@ -119,9 +132,8 @@ fn limit(output: &str, unit: &str) -> Option<f64> {
     let limits = output.lines().filter_map(|line| line.split_once("within "));
     let limits = limits.flat_map(|(_, limits)| limits.split(", "));
     let sizes = limits.filter_map(|limit| limit.strip_suffix(&format!(" {unit}")));
-    sizes
-        .map(|size| size.parse::<f64>().unwrap().abs())
-        .max_by(f64::total_cmp)
+    let sizes = sizes.map(|size| size.parse::<f64>().unwrap().abs());
+    sizes.max_by(f64::total_cmp)
 }
 
 /// Half a unit of the last of four digits, of two numbers.
@@ -129,12 +141,12 @@ const DIGIT: f64 = 1.01e-4;
 
 #[test]
 fn the_motions_are_smooth_and_keep_their_limits() {
-    for example in ["02", "03", "06", "07", "08", "11"] {
+    for example in [2, 3, 6, 7, 8, 11] {
         let output = output(example);
-        let points = setpoints(&output);
+        let points = setpoints(output);
         assert!(points.len() > 900, "{example}");
         let passed = points.last().unwrap()[0] / (points.len() - 1) as f64;
-        let [v, a, j] = ["m/s", "m/s^2", "m/s^3"].map(|unit| limit(&output, unit));
+        let [v, a, j] = ["m/s", "m/s^2", "m/s^3"].map(|unit| limit(output, unit));
         let [v, a, j] = [v.unwrap(), a.unwrap(), j.unwrap_or(f64::INFINITY)];
         // An acceleration that bends by the jerk, or jumps, makes the mean wrong by this much.
         let bend = [a * passed * passed, f64::min(j * passed, 2.0 * a) * passed];
@@ -156,10 +168,10 @@ fn the_motions_are_smooth_and_keep_their_limits() {
 
 #[test]
 fn the_original_breaks_the_limit_in_the_picture_and_ours_keeps_it() {
-    let output = output("05");
-    let limit = limit(&output, "m/s^2").unwrap();
+    let output = output(5);
+    let limit = limit(output, "m/s^2").unwrap();
     let steepest = |column: usize| {
-        let points = setpoints(&output).into_iter();
+        let points = setpoints(output).into_iter();
         points.map(|point| point[column].abs()).fold(0.0, f64::max)
     };
     assert!(steepest(3) <= limit, "{}", steepest(3));
@@ -168,7 +180,7 @@ fn the_original_breaks_the_limit_in_the_picture_and_ours_keeps_it() {
 
 #[test]
 fn the_retargeted_axis_turns_back_and_stops() {
-    let points = setpoints(&output("06"));
+    let points = setpoints(output(6));
     let farthest = points.iter().map(|point| point[1]).fold(0.0, f64::max);
     let last = points.last().unwrap();
     assert!(0.0 < last[1] && last[1] < farthest && farthest < 5.0);
@@ -177,7 +189,7 @@ fn the_retargeted_axis_turns_back_and_stops() {
 
 #[test]
 fn the_axis_follows_the_sensor() {
-    let points = setpoints(&output("07"));
+    let points = setpoints(output(7));
     let jumps = points
         .windows(2)
         .filter(|p| (p[1][4] - p[0][4]).abs() > 0.1);
@@ -191,7 +203,7 @@ fn the_axis_follows_the_sensor() {
 
 #[test]
 fn the_axis_meets_the_part_rides_and_goes_home() {
-    let points = setpoints(&output("08"));
+    let points = setpoints(output(8));
     let beside = |p: &&Vec<f64>| p[1] == p[4] && p[2] == p[5];
     assert!(points.iter().filter(beside).count() > 500);
     assert_eq!(points.last().unwrap()[1..4], [0.0, 0.0, 0.0]);
@@ -199,7 +211,7 @@ fn the_axis_meets_the_part_rides_and_goes_home() {
 
 #[test]
 fn only_the_straight_line_is_straight() {
-    let output = output("09");
+    let output = output(9);
     let (bow, line) = output.split_once("on a straight line:").unwrap();
     let off_line = |text: &str| {
         let points = setpoints(text);
@@ -215,8 +227,8 @@ fn only_the_straight_line_is_straight() {
 
 #[test]
 fn the_joints_of_the_arm_stop_together() {
-    let output = output("10");
-    let points = setpoints(&output);
+    let output = output(10);
+    let points = setpoints(output);
     for pair in points.windows(2) {
         let passed = pair[1][0] - pair[0][0];
         for joint in 1..=6 {
@@ -235,80 +247,60 @@ fn the_joints_of_the_arm_stop_together() {
 
 #[test]
 fn the_controller_turns_back_holds_and_arrives() {
-    let points = setpoints(&output("11"));
+    let points = setpoints(output(11));
     assert!(points.iter().any(|point| point[2] < -0.4), "no way back");
     let held = |point: &&Vec<f64>| point[2] == 0.0 && (0.11..0.59).contains(&point[1]);
     assert!(points.iter().filter(held).count() > 100, "no feed hold");
     assert_eq!(points.last().unwrap()[1..3], [0.1, 0.0]);
 }
 
-/// The examples, and for each the name of its picture and the SVG, as `make demo` printed them.
-fn pictures() -> Vec<(String, String, String)> {
-    let examples = fs::read_dir(root().join("examples/expected")).unwrap();
-    let mut examples: Vec<_> = examples
-        .map(|entry| {
-            entry
-                .unwrap()
-                .path()
-                .file_stem()
-                .unwrap()
-                .to_string_lossy()
-                .into_owned()
-        })
-        .collect();
-    examples.sort();
-    let pictures: Vec<_> = DEMO.lines().filter(|line| line.ends_with(".svg")).collect();
-    assert!(examples.len() > 10 && pictures.len() == examples.len());
-    let pairs = examples.into_iter().zip(pictures);
-    pairs
-        .map(|(example, picture)| {
-            let svg = fs::read_to_string(root().join(picture)).unwrap();
-            let name = picture.rsplit('/').next().unwrap();
-            (example, name.to_owned(), svg)
-        })
-        .collect()
-}
-
 #[test]
 fn an_example_is_drawn_as_it_is_printed() {
     let readme = fs::read_to_string(root().join("examples/README.md")).unwrap();
-    for (example, picture, svg) in pictures() {
-        let output = output(&example);
-        let expected = root().join(format!("examples/expected/{example}.txt"));
+    let beside = [
+        "a_trajbell_gen",
+        "sensor",
+        "part",
+        "synchronised",
+        "on a straight line",
+    ];
+    for Example {
+        name,
+        output,
+        picture,
+        svg,
+    } in EXAMPLES.iter()
+    {
+        let expected = root().join(format!("examples/expected/{name}.txt"));
         let mut all = output.lines();
         for line in fs::read_to_string(expected).unwrap().lines() {
-            assert!(all.any(|drawn| drawn == line), "{example}: {line}");
+            assert!(all.any(|drawn| drawn == line), "{name}: {line}");
         }
+        let has_text = |text: &str| svg.lines().any(|line| line == text);
         let title = output.split([':', '\n']).next().unwrap();
-        assert!(svg.contains(title), "{picture}: {title}");
+        let marks = output.lines().filter_map(|line| line.split_once(" -> "));
+        for text in marks.map(|(_, mark)| mark).chain([title]) {
+            assert!(has_text(text), "{picture}: {text}");
+        }
+        for curve in beside {
+            assert_eq!(
+                has_text(curve),
+                output.contains(curve),
+                "{picture}: {curve}"
+            );
+        }
         let setpoint = output.lines().find(|line| line.contains(" s: ")).unwrap();
         for unit in ["m", "deg", "m/s", "deg/s", "m/s^2", "m/s^3"] {
             let given = setpoint.split([' ', ',']).any(|word| word == unit);
             let label = format!("[{}]", unit.replace("^2", "²").replace("^3", "³"));
             assert_eq!(svg.contains(&label), given, "{picture}: {label}");
         }
-        for (_, mark) in output.lines().filter_map(|line| line.split_once(" -> ")) {
-            assert!(svg.lines().any(|line| line == mark), "{picture}: {mark}");
-        }
-        for name in [
-            "a_trajbell_gen",
-            "sensor",
-            "part",
-            "synchronised",
-            "on a straight line",
-        ] {
-            assert_eq!(
-                svg.lines().any(|line| line == name),
-                output.contains(name),
-                "{picture}: {name}"
-            );
-        }
         let row = readme
             .lines()
-            .find(|line| line.contains(&format!("`{example}`")));
+            .find(|line| line.contains(&format!("`{name}`")));
         assert!(
-            row.is_some_and(|row| row.contains(&picture)),
-            "{example}: {picture}"
+            row.is_some_and(|row| row.contains(picture)),
+            "{name}: {picture}"
         );
     }
 }
@@ -322,16 +314,21 @@ fn lines_of(svg: &str, color: &str, width: u32) -> Vec<Vec<(f64, f64)>> {
         let (x, y) = text.split_once(',').unwrap();
         (x.parse().unwrap(), y.parse().unwrap())
     };
-    points
-        .map(|points| points.split_whitespace().map(point).collect())
-        .collect()
+    let line = |points: &str| points.split_whitespace().map(point).collect();
+    points.map(line).collect()
 }
 
 #[test]
 fn limits_are_lines_that_the_curve_touches_or_keeps() {
-    for (example, picture, svg) in pictures() {
-        let limits = lines_of(&svg, "#C81E32", 4);
-        let is_limited = output(&example).contains("within ");
+    for Example {
+        output,
+        picture,
+        svg,
+        ..
+    } in EXAMPLES.iter()
+    {
+        let limits = lines_of(svg, "#C81E32", 4);
+        let is_limited = output.contains("within ");
         assert_eq!(limits.is_empty(), !is_limited, "{picture}");
         assert!(
             limits.iter().all(|line| line[0].1 == line[1].1),
@@ -352,8 +349,7 @@ fn limits_are_lines_that_the_curve_touches_or_keeps() {
 
 #[test]
 fn the_plane_has_one_scale() {
-    let (_, _, svg) = &pictures()[8];
-    let lines = lines_of(svg, "#18804E", 10);
+    let lines = lines_of(&EXAMPLES[8].svg, "#18804E", 10);
     let ends = |line: &Vec<(f64, f64)>| (line[0], line[line.len() - 1]);
     let slope = |((x0, y0), (x1, y1))| (y0 - y1) / (x1 - x0);
     let slope = slope(ends(&lines[0]));
@@ -366,17 +362,14 @@ const OTHERS: [&str; 2] = ["vibration.svg", "playground.png"];
 
 #[test]
 fn pictures_in_the_documentation_are_fresh() {
-    let pictures = pictures();
-    for (_, picture, svg) in &pictures {
+    for Example { picture, svg, .. } in EXAMPLES.iter() {
         let committed = fs::read_to_string(root().join("docs/img").join(picture));
-        assert!(
-            committed.is_ok_and(|committed| committed == *svg),
-            "copy {picture} from target/demo to docs/img"
-        );
+        let is_fresh = committed.is_ok_and(|committed| committed == *svg);
+        assert!(is_fresh, "copy {picture} from target/demo to docs/img");
     }
     for file in fs::read_dir(root().join("docs/img")).unwrap() {
         let name = file.unwrap().file_name().into_string().unwrap();
-        let is_drawn = pictures.iter().any(|(_, picture, _)| *picture == name);
+        let is_drawn = EXAMPLES.iter().any(|example| example.picture == name);
         assert!(
             is_drawn || OTHERS.contains(&&*name),
             "no example draws {name}"
@@ -388,8 +381,7 @@ fn pictures_in_the_documentation_are_fresh() {
 fn no_label_is_minus_zero() {
     // From -0.1 to 0.2, so a tick lies at zero.
     let drawn = draw("zero", "zero\n0 s: -0.1 m, -1 m/s\n1 s: 0.2 m, 2 m/s\n");
-    let pictures = pictures().into_iter().map(|(_, _, svg)| svg);
-    for svg in pictures.chain([drawn]) {
+    for svg in EXAMPLES.iter().map(|example| &example.svg).chain([&drawn]) {
         let labels = svg.lines().filter(|line| !line.starts_with('<'));
         let zeros: Vec<_> = labels.filter(|text| text.parse() == Ok(0.0)).collect();
         assert!(!zeros.is_empty());

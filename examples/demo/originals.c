@@ -20,15 +20,12 @@ struct move {
     a_float jm, am, dm, vm, p0, p1, v0, v1;
 };
 
-/* Of one plan. A plan that is not clean has no duration worth comparing. */
-struct outcome {
-    enum { CLEAN, REFUSED, BROKEN_PLAN, MISSED } what;
-    a_float t;
-};
+enum outcome { CLEAN, REFUSED, BREAKS, MISSES };
 
+/* A plan sets `t` to its duration, s. */
 struct planner {
     char const *name;
-    struct outcome (*plan)(struct move const *m);
+    enum outcome (*plan)(struct move const *m, a_float *t);
     long count[4], lengthened;
 };
 
@@ -54,45 +51,42 @@ static struct move random_move(void)
     return m;
 }
 
-static struct outcome outcome(a_float t, int findings, a_float v1, a_float demanded_v1)
+static enum outcome outcome(a_float t, int findings, a_float v1, a_float demanded_v1)
 {
-    struct outcome o;
-    o.t = t;
-    o.what = CLEAN;
-    if (!(t > 0)) { o.what = REFUSED; }
-    else if (findings < 0 || findings & BROKEN) { o.what = BROKEN_PLAN; }
-    else if (v1 < demanded_v1 || v1 > demanded_v1) { o.what = MISSED; }
-    return o;
+    if (!(t > 0)) { return REFUSED; }
+    if (findings < 0 || findings & BROKEN) { return BREAKS; }
+    return v1 < demanded_v1 || v1 > demanded_v1 ? MISSES : CLEAN;
 }
 
 typedef a_float plan_bell(a_trajbell *, a_float, a_float, a_float, a_float, a_float, a_float, a_float);
-static struct outcome bell(plan_bell *plan, struct move const *m)
+static enum outcome bell(plan_bell *plan, struct move const *m, a_float *t)
 {
-    a_trajbell c;
-    a_float const t = plan(&c, m->jm, m->am, m->vm, m->p0, m->p1, m->v0, m->v1);
-    return outcome(t, t > 0 ? atraj_bell_check(&c, m->jm, m->am, m->vm) : 0, t > 0 ? c.v1 : 0, m->v1);
+    a_trajbell c = {0};
+    *t = plan(&c, m->jm, m->am, m->vm, m->p0, m->p1, m->v0, m->v1);
+    return outcome(*t, atraj_bell_check(&c, m->jm, m->am, m->vm), c.v1, m->v1);
 }
-static struct outcome liba_bell(struct move const *m) { return bell(a_trajbell_gen, m); }
-static struct outcome our_bell(struct move const *m) { return bell(atraj_bell_gen, m); }
+static enum outcome liba_bell(struct move const *m, a_float *t) { return bell(a_trajbell_gen, m, t); }
+static enum outcome our_bell(struct move const *m, a_float *t) { return bell(atraj_bell_gen, m, t); }
 
 typedef a_float plan_trap(a_trajtrap *, a_float, a_float, a_float, a_float, a_float, a_float, a_float);
-static struct outcome trap(plan_trap *plan, struct move const *m)
+static enum outcome trap(plan_trap *plan, struct move const *m, a_float *t)
 {
     /* liba wants the accelerations of a backward move with the opposite signs. */
     a_float const ac = m->p1 < m->p0 ? -m->am : m->am, de = m->p1 < m->p0 ? m->dm : -m->dm;
-    a_trajtrap c;
-    a_float const t = plan(&c, m->vm, ac, de, m->p0, m->p1, m->v0, m->v1);
-    return outcome(t, t > 0 ? atraj_trap_check(&c, m->vm, ac, de) : 0, t > 0 ? c.v1 : 0, m->v1);
+    a_trajtrap c = {0};
+    *t = plan(&c, m->vm, ac, de, m->p0, m->p1, m->v0, m->v1);
+    return outcome(*t, atraj_trap_check(&c, m->vm, ac, de), c.v1, m->v1);
 }
-static struct outcome liba_trap(struct move const *m) { return trap(a_trajtrap_gen, m); }
-static struct outcome our_trap(struct move const *m) { return trap(atraj_trap_gen, m); }
+static enum outcome liba_trap(struct move const *m, a_float *t) { return trap(a_trajtrap_gen, m, t); }
+static enum outcome our_trap(struct move const *m, a_float *t) { return trap(atraj_trap_gen, m, t); }
 
 static void compare(struct planner planners[2], struct move const *m)
 {
-    struct outcome const o[2] = {planners[0].plan(m), planners[1].plan(m)};
+    a_float t[2];
+    enum outcome const o[2] = {planners[0].plan(m, &t[0]), planners[1].plan(m, &t[1])};
     for (int i = 0; i != 2; ++i) {
-        ++planners[i].count[o[i].what];
-        if (o[0].what == CLEAN && o[1].what == CLEAN && o[i].t > (a_float)1.01 * o[1 - i].t) { ++planners[i].lengthened; }
+        ++planners[i].count[o[i]];
+        planners[i].lengthened += o[0] == CLEAN && o[1] == CLEAN && t[i] > (a_float)1.01 * t[1 - i];
     }
 }
 
@@ -110,7 +104,7 @@ int main(void)
     printf("\nof %d moves\n%-18s%10s%10s%10s%12s\n", MOVES, "planner", "refuses", "breaks", "misses", "lengthens");
     for (int i = 0; i != 4; ++i) {
         struct planner const *const p = planners + i;
-        printf("%-18s%10ld%10ld%10ld%12ld\n", p->name, p->count[REFUSED], p->count[BROKEN_PLAN], p->count[MISSED], p->lengthened);
+        printf("%-18s%10ld%10ld%10ld%12ld\n", p->name, p->count[REFUSED], p->count[BREAKS], p->count[MISSES], p->lengthened);
     }
     return 0;
 }

@@ -5,29 +5,29 @@ use std::env;
 use std::fmt::Write;
 use std::fs::{self, File};
 use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Command, ExitCode};
 use support::golden;
+use support::tools::lines;
 use support::{Comparison, Family, Real};
 
 fn main() -> ExitCode {
     let servo = env::args_os().nth(1).expect("usage: parity SERVO");
     println!("{:<18}{:>8}{:>16}", "function", "rows", "differing bits");
-    let mut total = Parity::new("total".into());
+    let mut comparison = Comparison::default();
+    let mut total = Parity::of("total".into());
     for family in [Family::Bell, Family::Trap, Family::Poly7] {
-        for parity in replay(Path::new(&servo), family) {
+        for parity in replay(Path::new(&servo), family, &mut comparison) {
             parity.print();
-            total.add(parity);
+            total.rows += parity.rows;
+            total.bits += parity.bits;
         }
     }
     total.print();
-    for difference in total.comparison.differences.iter().take(10) {
+    for difference in comparison.differences.iter().take(10) {
         println!("{difference}");
     }
-    if total.rows > 0 && total.comparison.differences.is_empty() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    }
+    let same = total.rows > 0 && comparison.differences.is_empty();
+    ExitCode::from(u8::from(!same))
 }
 
 /// A line of the table.
@@ -35,35 +35,16 @@ struct Parity {
     function: String,
     rows: usize,
     bits: u32,
-    comparison: Comparison,
 }
 
 impl Parity {
-    fn new(function: String) -> Self {
+    fn of(function: String) -> Self {
+        let (rows, bits) = (0, 0);
         Self {
             function,
-            rows: 0,
-            bits: 0,
-            comparison: Comparison::default(),
+            rows,
+            bits,
         }
-    }
-
-    /// Compares an answer of the servo with a golden row.
-    fn check(&mut self, place: &str, answer: &[f64], golden: &[f64]) {
-        self.rows += 1;
-        for (&got, &want) in answer.iter().zip(golden) {
-            self.comparison.check(place, &self.function, got, want);
-            if !got.same(want) {
-                self.bits += (got.to_bits() ^ want.to_bits()).count_ones();
-            }
-        }
-    }
-
-    fn add(&mut self, other: Self) {
-        self.rows += other.rows;
-        self.bits += other.bits;
-        let differences = other.comparison.differences;
-        self.comparison.differences.extend(differences);
     }
 
     fn print(&self) {
@@ -72,36 +53,45 @@ impl Parity {
 }
 
 /// Every golden row of one family: the planner first, then its evaluations.
-fn replay(servo: &Path, family: Family) -> Vec<Parity> {
-    let suffixes = family.quantities().iter().map(|quantity| quantity.c);
+fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Parity> {
+    let quantities = family.quantities().iter().map(|quantity| quantity.c);
+    let function = |suffix| Parity::of(format!("a_{}_{suffix}", family.c_name()));
     let mut parities: Vec<_> = ["gen"]
         .into_iter()
-        .chain(suffixes)
-        .map(|suffix| Parity::new(format!("a_{}_{suffix}", family.c_name())))
+        .chain(quantities)
+        .map(function)
         .collect();
     let (requests, rows) = requests(family);
-    let answers = answers(servo, family.name(), &requests);
+    let file = servo.with_file_name(format!("golden-{}.txt", family.name()));
+    fs::write(&file, requests).unwrap();
+    let answers = lines(Command::new(servo).stdin(File::open(&file).unwrap()));
     assert_eq!(answers.len(), rows.len(), "answers of the servo");
-    for (answer, row) in answers.iter().zip(&rows) {
-        let Row {
+    for (
+        answer,
+        Row {
             place,
             golden,
             plans,
-        } = row;
+        },
+    ) in answers.iter().zip(&rows)
+    {
+        let answer: Vec<f64> = answer.split(' ').map(|n| n.parse().unwrap()).collect();
         assert_eq!(answer.len(), golden.len(), "{place}: numbers");
-        if *plans {
-            parities[0].check(place, answer, golden);
-        } else {
-            let numbers = answer.chunks(1).zip(golden.chunks(1));
-            for (parity, (answer, golden)) in parities[1..].iter_mut().zip(numbers) {
-                parity.check(place, answer, golden);
-            }
+        for (k, (&got, &want)) in answer.iter().zip(golden).enumerate() {
+            let parity = &mut parities[if *plans { 0 } else { 1 + k }];
+            parity.rows += usize::from(!plans || k == 0);
+            parity.bits += if got.same(want) {
+                0
+            } else {
+                (got.to_bits() ^ want.to_bits()).count_ones()
+            };
+            comparison.check(place, &parity.function, got, want);
         }
     }
     parities
 }
 
-/// The golden numbers behind an answer of the servo, where they stand, and whether they are a plan.
+/// The golden numbers behind an answer of the servo, where they stand, and whether they are a plan or the quantities at a time.
 struct Row {
     place: String,
     golden: Vec<f64>,
@@ -120,40 +110,23 @@ fn requests(family: Family) -> (String, Vec<Row>) {
             write!(requests, " {argument:e}").unwrap();
         }
         requests.push('\n');
+        let plan = golden.duration.iter().chain(&golden.fields);
+        let (place, golden) = (golden.place.clone(), plan.copied().collect());
         rows.push(Row {
-            place: golden.place.clone(),
-            golden: golden
-                .duration
-                .iter()
-                .chain(&golden.fields)
-                .copied()
-                .collect(),
+            place,
+            golden,
             plans: true,
         });
-        for golden in evaluations.iter().filter(|golden| golden.case == case) {
-            writeln!(requests, "at {:e}", golden.x).unwrap();
+        for evaluation in evaluations.iter().filter(|row| row.case == case) {
+            writeln!(requests, "at {:e}", evaluation.x).unwrap();
+            let (place, golden) = (evaluation.place.clone(), evaluation.values.clone());
             rows.push(Row {
-                place: golden.place.clone(),
-                golden: golden.values.clone(),
+                place,
+                golden,
                 plans: false,
             });
         }
     }
     assert_eq!(rows.len(), moves.len() + evaluations.len());
     (requests, rows)
-}
-
-/// The numbers in each line that the servo answers.
-fn answers(servo: &Path, name: &str, requests: &str) -> Vec<Vec<f64>> {
-    let file = servo.with_file_name(format!("golden-{name}.txt"));
-    fs::write(&file, requests).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
-    let output = Command::new(servo)
-        .stdin(File::open(&file).unwrap())
-        .stderr(Stdio::inherit())
-        .output()
-        .unwrap_or_else(|e| panic!("{}: {e}", servo.display()));
-    assert!(output.status.success(), "{name}: {}", output.status);
-    let text = String::from_utf8(output.stdout).unwrap();
-    let numbers = |line: &str| line.split(' ').map(|n| n.parse().unwrap()).collect();
-    text.lines().map(numbers).collect()
 }

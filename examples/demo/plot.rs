@@ -6,20 +6,20 @@
 //! 0.250 s: 0.1 m, 0.2 m/s, part 0.5 m, 0.4 m/s          a setpoint, and beside it the setpoint of something else
 //! 0.250 s: 0.1 0.2 0.3 deg, 4 5 6 deg/s                 a setpoint of three axes
 //! 0.700 s -> to -2 m                                    what happens at this time: a mark
-//! synchronised:                                         the setpoints from here on are a path in the plane
+//! synchronised:                                         from here on each setpoint has an x and a y, and is a point of a path
 //! ```
 
 use plotters::coord::Shift;
-use plotters::data::float::FloatPrettyPrinter;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::collections::HashSet;
 use std::error::Error;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn = Result<(), Box<dyn Error>>;
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
 type Point = (f64, f64);
 
 const QUANTITIES: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];
@@ -40,13 +40,13 @@ const UNITS: u32 = 4;
 const WIDTH: u32 = 900 * UNITS;
 const HEADING: u32 = 75 * UNITS;
 const MARKS: u32 = 22 * UNITS;
-const PANEL: u32 = 180 * UNITS;
-const LEGEND: u32 = 45 * UNITS;
+const PANEL: u32 = 166 * UNITS;
 const TIME_AXIS: u32 = 45 * UNITS;
+const LEGEND: u32 = 45 * UNITS;
 const MARGIN: u32 = 20 * UNITS;
 const VALUE_AXIS: u32 = 75 * UNITS;
 const LEFT: u32 = MARGIN + VALUE_AXIS;
-const RIGHT: u32 = 25 * UNITS;
+const INNER: u32 = WIDTH - LEFT - 25 * UNITS;
 const GAP: u32 = 7 * UNITS;
 const THIN: u32 = UNITS;
 const CURVE: u32 = 5 * UNITS / 2;
@@ -54,15 +54,14 @@ const TITLE: u32 = 23 * UNITS;
 const TEXT: u32 = 16 * UNITS;
 const LABEL: u32 = 14 * UNITS;
 
-fn main() -> Drawn {
+fn main() -> Result<()> {
     let mut arguments = env::args_os().skip(1).map(PathBuf::from);
     let directory = arguments.next().ok_or("usage: plot DIRECTORY FILE…")?;
     fs::create_dir_all(&directory)?;
     for file in arguments {
-        let name = |e: Box<dyn Error>| format!("{}: {e}", file.display());
-        let picture = Picture::read(&fs::read_to_string(&file)?).map_err(name)?;
-        let path = directory.join(picture.file_name());
-        picture.draw(&path).map_err(name)?;
+        let picture = Picture::read(&fs::read_to_string(&file)?);
+        let path = picture.and_then(|picture| picture.draw(&directory));
+        let path = path.map_err(|e| format!("{}: {e}", file.display()))?;
         println!("{}", path.display());
     }
     Ok(())
@@ -77,19 +76,18 @@ struct Picture {
     limits: Vec<(String, String)>,
     marks: Vec<(f64, String)>,
     curves: Vec<Curve>,
+    /// The curves are paths, else they are quantities over time.
+    is_plane: bool,
 }
 
-/// One quantity of an axis, or of something beside it, over time.
 struct Curve {
-    /// The path in the plane to which it belongs, if any.
-    path: Option<String>,
     name: String,
     unit: String,
     points: Vec<Point>,
 }
 
 impl Picture {
-    fn read(text: &str) -> Result<Self, Box<dyn Error>> {
+    fn read(text: &str) -> Result<Self> {
         let mut lines = text.lines();
         let title = lines.next().unwrap_or_default();
         let (title, details) = title.split_once(": ").unwrap_or((title, ""));
@@ -98,7 +96,7 @@ impl Picture {
             details: details.to_owned(),
             ..Self::default()
         };
-        let mut path = None;
+        let mut path = "";
         for line in lines {
             if let Some((_, limits)) = line.split_once("within ") {
                 let limits = limits.split(", ").filter_map(|limit| limit.split_once(' '));
@@ -107,231 +105,198 @@ impl Picture {
             } else if let Some((time, what)) = line.split_once(" s -> ") {
                 picture.marks.push((time.parse()?, what.to_owned()));
             } else if let Some((time, numbers)) = line.split_once(" s: ") {
-                picture.add(&path, time.parse()?, numbers)?;
+                picture.add(path, time.parse()?, numbers)?;
             } else if let Some(name) = line.strip_suffix(':') {
-                path = Some(name.to_owned());
+                (path, picture.is_plane) = (name, true);
             }
         }
-        picture.curves.first().ok_or("no setpoints to draw")?;
-        for pair in picture.curves.windows(2) {
-            if pair[0].path == pair[1].path && pair[0].points.len() != pair[1].points.len() {
-                return Err("setpoints of different length".into());
-            }
+        let first = picture.curves.first().ok_or("no setpoints to draw")?;
+        let same = |curve: &Curve| curve.points.len() == first.points.len();
+        if !picture.is_plane && !picture.curves.iter().all(same) {
+            return Err("setpoints of different length".into());
         }
         Ok(picture)
     }
 
     /// Adds the numbers of a setpoint to their curves.
-    fn add(&mut self, path: &Option<String>, time: f64, text: &str) -> Drawn {
+    fn add(&mut self, path: &str, time: f64, text: &str) -> Result<()> {
         let mut name = String::new();
+        let mut all = Vec::new();
         for quantity in text.split(", ") {
             let words: Vec<_> = quantity.split(' ').collect();
-            let is_number = |word: &&str| word.parse::<f64>().is_ok();
+            let is_number = |word: &&str| word.parse::<f64>().is_ok_and(f64::is_finite);
             let first = words.iter().position(is_number).ok_or("no number")?;
-            let (unit, numbers) = words[first..].split_last().ok_or("no unit")?;
+            let (unit, numbers) = words[first..].split_last().ok_or("no number")?;
             if first > 0 {
                 name = words[..first].join(" ");
             }
             for (axis, number) in (1..).zip(numbers) {
-                let name = match numbers.len() {
-                    1 => name.clone(),
-                    _ => format!("axis {axis}"),
-                };
                 let number = number.parse()?;
-                if !f64::is_finite(number) {
-                    return Err("a setpoint that is not finite".into());
-                }
-                let same = |curve: &&mut Curve| {
-                    curve.path == *path && curve.name == name && curve.unit == *unit
-                };
-                match self.curves.iter_mut().find(same) {
-                    Some(curve) => curve.points.push((time, number)),
-                    None => self.curves.push(Curve {
-                        path: path.clone(),
-                        name,
-                        unit: (*unit).to_owned(),
-                        points: vec![(time, number)],
-                    }),
+                all.push(number);
+                match numbers.len() {
+                    _ if self.is_plane => {}
+                    1 => self.curve(&name, unit).push((time, number)),
+                    _ => {
+                        let name = format!("axis {axis}");
+                        self.curve(&name, unit).push((time, number));
+                    }
                 }
             }
+        }
+        match all[..] {
+            [x, y] if self.is_plane => self.curve(path, "m").push((x, y)),
+            [_, ..] if !self.is_plane => {}
+            _ => return Err("no setpoint".into()),
         }
         Ok(())
     }
 
-    fn file_name(&self) -> String {
-        let words = self.title.split(|c: char| !c.is_alphanumeric());
-        let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-        words.join("-").to_lowercase() + ".svg"
+    fn curve(&mut self, name: &str, unit: &str) -> &mut Vec<Point> {
+        let same = |curve: &Curve| curve.name == name && curve.unit == unit;
+        let index = self.curves.iter().position(same).unwrap_or_else(|| {
+            let (name, unit, points) = (name.to_owned(), unit.to_owned(), Vec::new());
+            self.curves.push(Curve { name, unit, points });
+            self.curves.len() - 1
+        });
+        &mut self.curves[index].points
     }
 
-    fn panels(&self) -> Result<Vec<Panel>, Box<dyn Error>> {
-        if self.curves[0].path.is_some() {
-            return Ok(vec![self.plane()?]);
+    /// One panel for each unit.
+    fn panels(&self) -> Result<Vec<Panel<'_>>> {
+        let mut units: Vec<&str> = self.curves.iter().map(|curve| &*curve.unit).collect();
+        let mut seen = HashSet::new();
+        units.retain(|unit| seen.insert(*unit));
+        if units.len() > QUANTITIES.len() {
+            return Err("too many quantities".into());
         }
-        let mut units: Vec<&str> = Vec::new();
-        for curve in &self.curves {
-            if !units.contains(&&*curve.unit) {
-                units.push(&curve.unit);
-            }
-        }
-        let panels = units.into_iter().enumerate();
+        let panels = units.into_iter().zip(QUANTITIES.iter().zip(COLORS));
         panels
-            .map(|(order, unit)| self.panel(order, unit))
+            .map(|(unit, (quantity, color))| self.panel(unit, quantity, color))
             .collect()
     }
 
-    /// The curves of one unit over time.
-    fn panel(&self, order: usize, unit: &str) -> Result<Panel, Box<dyn Error>> {
-        let quantity = QUANTITIES.get(order).ok_or("too many quantities")?;
+    fn panel(&self, unit: &str, quantity: &str, color: RGBColor) -> Result<Panel<'_>> {
         let mut colors = COLORS.into_iter();
         let mut curves = Vec::new();
         for curve in self.curves.iter().filter(|curve| curve.unit == unit) {
             let color = match curve.name.as_str() {
-                "" => COLORS[order],
-                name if name.starts_with("axis ") => colors.next().ok_or("too many axes")?,
-                _ => FAINT,
+                "" => Some(color),
+                name if self.is_plane || name.starts_with("axis ") => colors.next(),
+                _ => Some(FAINT),
             };
-            curves.push((curve.name.clone(), color, curve.points.clone()));
+            curves.push((curve, color.ok_or("too many curves")?));
         }
-        let values = span(
-            curves
-                .iter()
-                .flat_map(|curve| &curve.2)
-                .map(|point| point.1),
-        );
+        let points = || curves.iter().flat_map(|(curve, _)| &curve.points);
+        let (x, y) = (span(points().map(|p| p.0)), span(points().map(|p| p.1)));
         let mut limits = Vec::new();
         for (limit, _) in self.limits.iter().filter(|limit| limit.1 == unit) {
             let size = limit.trim_start_matches(['+', '-']).parse::<f64>()?;
             // A limit is drawn on the side where the curve is.
-            if values.end > 0.0 && !limit.starts_with('-') {
+            if y.end > 0.0 && !limit.starts_with('-') {
                 limits.push(size);
             }
-            if values.start < 0.0 && !limit.starts_with('+') {
+            if y.start < 0.0 && !limit.starts_with('+') {
                 limits.push(-size);
             }
         }
+        let y = with_margin(span(limits.iter().copied().chain([y.start, y.end])));
+        let x = if self.is_plane { with_margin(x) } else { x };
+        // The plane has the same scale in both directions.
+        let ratio = (y.end - y.start) / (x.end - x.start);
+        let height = if self.is_plane {
+            (f64::from(INNER) * ratio) as u32
+        } else {
+            PANEL
+        };
+        let x_name = if self.is_plane { "x [m]" } else { "time [s]" };
+        let y_name = if self.is_plane { "y" } else { quantity };
+        let y_name = format!("{y_name} [{}]", unit.replace("^2", "²").replace("^3", "³"));
         Ok(Panel {
-            x: "time [s]",
-            y: format!(
-                "{quantity} [{}]",
-                unit.replace("^2", "²").replace("^3", "³")
-            ),
-            is_plane: false,
             curves,
             limits,
+            x,
+            y,
+            x_name,
+            y_name,
+            height,
         })
     }
 
-    /// The paths, each with its own colour.
-    fn plane(&self) -> Result<Panel, Box<dyn Error>> {
-        let mut curves = Vec::new();
-        for (path, color) in self.curves.chunks(2).zip(COLORS) {
-            let [x, y] = path else {
-                return Err("a path has two coordinates".into());
-            };
-            let points = x.points.iter().zip(&y.points).map(|(x, y)| (x.1, y.1));
-            let name = x.path.clone().unwrap_or_default();
-            curves.push((name, color, points.collect()));
-        }
-        Ok(Panel {
-            x: "x [m]",
-            y: "y [m]".to_owned(),
-            is_plane: true,
-            curves,
-            limits: Vec::new(),
-        })
-    }
-
-    fn draw(&self, path: &Path) -> Drawn {
+    /// Draws the picture into this directory; its path.
+    fn draw(&self, directory: &Path) -> Result<PathBuf> {
         let panels = self.panels()?;
         let marks = if self.marks.is_empty() { 0 } else { MARKS };
-        let panel_heights = panels.iter().map(Panel::height).sum::<u32>();
+        let panel_heights: u32 = panels.iter().map(|panel| panel.height + 2 * GAP).sum();
         let height = HEADING + marks + panel_heights + TIME_AXIS + LEGEND;
         let mut svg = String::new();
-        let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
-        root.fill(&WHITE)?;
-        let (heading, mut below) = root.split_vertically(HEADING);
-        self.draw_heading(&heading)?;
-        for (place, panel) in (1..).zip(&panels) {
-            let above = if place == 1 { marks } else { 0 };
-            let under = if place == panels.len() { TIME_AXIS } else { 0 };
-            let (area, rest) = below.split_vertically(above + panel.height() + under);
-            panel.draw(&area, above, under, &self.marks)?;
-            below = rest;
+        {
+            let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
+            root.fill(&WHITE)?;
+            let large = text(TITLE).color(&INK);
+            root.draw_text(&self.title, &large, (LEFT as i32, HEADING as i32 / 5))?;
+            let small = text(TEXT).color(&FAINT);
+            root.draw_text(&self.details, &small, (LEFT as i32, HEADING as i32 * 3 / 5))?;
+            let (_, mut below) = root.split_vertically(HEADING);
+            for (place, panel) in (1..).zip(&panels) {
+                let above = if place == 1 { marks } else { 0 };
+                let under = if place == panels.len() { TIME_AXIS } else { 0 };
+                let (area, rest) = below.split_vertically(above + panel.height + 2 * GAP + under);
+                panel.draw(&area, above, under, &self.marks)?;
+                below = rest;
+            }
+            draw_legend(&below, &panels)?;
+            root.present()?;
         }
-        draw_legend(&below, &panels)?;
-        root.present()?;
-        drop((root, heading, below));
+        let words = self.title.split(|c: char| !c.is_alphanumeric());
+        let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+        let path = directory.join(words.join("-").to_lowercase() + ".svg");
         let size = |units| format!("width=\"{}\" height=\"{}\"", WIDTH / units, height / units);
-        fs::write(path, svg.replacen(&size(1), &size(UNITS), 1))?;
-        Ok(())
-    }
-
-    fn draw_heading(&self, area: &Area) -> Drawn {
-        let large = ("sans-serif", TITLE).into_text_style(area).color(&INK);
-        let small = ("sans-serif", TEXT).into_text_style(area).color(&FAINT);
-        area.draw_text(&self.title, &large, (LEFT as i32, HEADING as i32 / 5))?;
-        area.draw_text(&self.details, &small, (LEFT as i32, HEADING as i32 * 3 / 5))?;
-        Ok(())
+        fs::write(&path, svg.replacen(&size(1), &size(UNITS), 1))?;
+        Ok(path)
     }
 }
 
 /// Names the curves, unless there is one alone, and the limits.
-fn draw_legend(area: &Area, panels: &[Panel]) -> Drawn {
-    let text = ("sans-serif", LABEL).into_text_style(area).color(&INK);
+fn draw_legend(area: &Area, panels: &[Panel]) -> Result<()> {
     let curves = panels[0].curves.iter();
     let mut entries: Vec<_> = curves
-        .map(|(name, color, _)| (name.as_str(), *color))
+        .map(|(curve, color)| (&*curve.name, *color))
         .collect();
     if panels.iter().any(|panel| !panel.limits.is_empty()) {
         entries.push(("limit", LIMIT));
     }
     entries.retain(|(name, _)| !name.is_empty());
-    let step = (WIDTH - LEFT - RIGHT) / entries.len().max(5) as u32;
+    let step = INNER / entries.len().max(5) as u32;
     for (place, (name, color)) in (0..).zip(entries) {
         let (x, y) = ((LEFT + place * step) as i32, LABEL as i32);
         let sample = [(x, y + y / 2), (x + TEXT as i32, y + y / 2)];
         area.draw(&PathElement::new(sample, color.stroke_width(CURVE)))?;
-        area.draw_text(name, &text, (x + (TEXT + LABEL / 2) as i32, y))?;
+        let place = (x + (TEXT + LABEL / 2) as i32, y);
+        area.draw_text(name, &text(LABEL).color(&INK), place)?;
     }
     Ok(())
 }
 
 /// Curves with common axes.
-struct Panel {
-    x: &'static str,
-    y: String,
-    is_plane: bool,
-    curves: Vec<(String, RGBColor, Vec<Point>)>,
+struct Panel<'a> {
+    curves: Vec<(&'a Curve, RGBColor)>,
     limits: Vec<f64>,
+    x: Range<f64>,
+    y: Range<f64>,
+    x_name: &'static str,
+    y_name: String,
+    height: u32,
 }
 
-impl Panel {
-    /// The range of each axis.
-    fn ranges(&self) -> [Range<f64>; 2] {
-        let points = || self.curves.iter().flat_map(|curve| &curve.2);
-        let x = span(points().map(|point| point.0));
-        let values = points().map(|point| point.1);
-        let y = with_margin(span(values.chain(self.limits.iter().copied())));
-        [if self.is_plane { with_margin(x) } else { x }, y]
-    }
-
-    /// The plane has the same scale in both directions.
-    fn height(&self) -> u32 {
-        let [x, y] = self.ranges();
-        let ratio = (y.end - y.start) / (x.end - x.start);
-        let height = f64::from(WIDTH - LEFT - RIGHT) * ratio;
-        2 * GAP + if self.is_plane { height as u32 } else { PANEL }
-    }
-
+impl Panel<'_> {
     /// `above` is the room for the text of the marks, `under` for the text of the axis.
-    fn draw(&self, area: &Area, above: u32, under: u32, marks: &[(f64, String)]) -> Drawn {
-        let [x, y] = self.ranges();
+    fn draw(&self, area: &Area, above: u32, under: u32, marks: &[(f64, String)]) -> Result<()> {
+        let (x, y) = (&self.x, &self.y);
         let mut chart = ChartBuilder::on(area)
             .margin_top(GAP + above)
             .margin_bottom(GAP)
             .margin_left(MARGIN)
-            .margin_right(RIGHT)
+            .margin_right(WIDTH - LEFT - INNER)
             .set_label_area_size(LabelAreaPosition::Left, VALUE_AXIS)
             .set_label_area_size(LabelAreaPosition::Bottom, under)
             .build_cartesian_2d(x.clone(), y.clone())?;
@@ -341,40 +306,42 @@ impl Panel {
             .light_line_style(TRANSPARENT)
             .bold_line_style(INK.mix(0.12).stroke_width(THIN))
             .axis_style(INK.mix(0.6).stroke_width(THIN))
-            .label_style(("sans-serif", LABEL).into_font().color(&INK))
-            .axis_desc_style(("sans-serif", TEXT).into_font().color(&INK))
+            .label_style(text(LABEL).color(&INK))
+            .axis_desc_style(text(TEXT).color(&INK))
             .set_all_tick_mark_size(GAP)
             .y_labels(5)
-            .y_label_formatter(&|value| label(*value, &y))
-            .x_desc(self.x)
-            .y_desc(&self.y)
+            .y_label_formatter(&|value| label(*value))
+            .x_desc(self.x_name)
+            .y_desc(&self.y_name)
             .draw()?;
-        let line = |points: Vec<Point>, style: ShapeStyle| PathElement::new(points, style);
+        let area = chart.plotting_area();
+        let line =
+            |points, style| area.draw(&PathElement::<Point>::new::<Vec<_>, _>(points, style));
         for &limit in &self.limits {
             let ends = vec![(x.start, limit), (x.end, limit)];
-            chart.draw_series([line(ends, LIMIT.mix(0.7).stroke_width(THIN))])?;
+            line(ends, LIMIT.mix(0.7).stroke_width(THIN))?;
         }
-        let text = ("sans-serif", LABEL).into_text_style(area).color(&INK);
         for (time, what) in marks {
             let ends = vec![(*time, y.start), (*time, y.end)];
-            chart.draw_series([line(ends, INK.mix(0.5).stroke_width(THIN))])?;
+            line(ends, INK.mix(0.5).stroke_width(THIN))?;
             if above > 0 {
-                let text = text.pos(Pos::new(HPos::Center, VPos::Bottom));
-                let place = EmptyElement::at((*time, y.end));
-                chart
-                    .plotting_area()
-                    .draw(&(place + Text::new(what.clone(), (0, 0), text)))?;
+                let style = text(LABEL)
+                    .color(&INK)
+                    .pos(Pos::new(HPos::Center, VPos::Bottom));
+                area.draw(&Text::new(what.clone(), (*time, y.end), style))?;
             }
         }
-        let scale = (
-            f64::from(WIDTH - LEFT - RIGHT) / (x.end - x.start),
-            f64::from(self.height() - 2 * GAP) / (y.end - y.start),
-        );
-        for (_, color, points) in self.curves.iter().rev() {
-            chart.draw_series([line(thin(points, scale), color.stroke_width(CURVE))])?;
+        let scale = |pixels: u32, range: &Range<f64>| f64::from(pixels) / (range.end - range.start);
+        let scales = (scale(INNER, x), scale(self.height, y));
+        for (curve, color) in self.curves.iter().rev() {
+            line(thin(&curve.points, scales), color.stroke_width(CURVE))?;
         }
         Ok(())
     }
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    TextStyle::from(("sans-serif", size))
 }
 
 /// The points that a curve needs, so that it leaves no point by more than a unit: Ramer, Douglas and Peucker's.
@@ -386,12 +353,14 @@ fn thin(points: &[Point], scale: Point) -> Vec<Point> {
     let (dx, dy) = across(first, last);
     let distance = |point: &Point| {
         let (x, y) = across(first, point);
-        (x * dy - y * dx).abs() / dx.hypot(dy)
+        match dx.hypot(dy) {
+            0.0 => x.hypot(y),
+            length => (x * dy - y * dx).abs() / length,
+        }
     };
-    let far =
-        (0..points.len()).max_by(|&i, &k| distance(&points[i]).total_cmp(&distance(&points[k])));
-    match far {
-        Some(far) if distance(&points[far]) > 1.0 => {
+    let distances = points.iter().map(distance).enumerate();
+    match distances.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((far, distance)) if distance > 1.0 => {
             let mut thinned = thin(&points[..=far], scale);
             thinned.pop();
             thinned.extend(thin(&points[far..], scale));
@@ -401,15 +370,9 @@ fn thin(points: &[Point], scale: Point) -> Vec<Point> {
     }
 }
 
-/// The text beside a tick. A tick at zero may be off by a rounding or carry a sign; its text is "0.0".
-fn label(value: f64, axis: &Range<f64>) -> String {
-    let negligible = value.abs() < 1e-6 * (axis.end - axis.start);
-    let printer = FloatPrettyPrinter {
-        allow_scientific: false,
-        min_decimal: 1,
-        max_decimal: 5,
-    };
-    printer.print(if negligible { 0.0 } else { value })
+/// The text beside a tick. A tick at zero may be off by a rounding or carry a sign; its text is "0".
+fn label(value: f64) -> String {
+    ((value * 1e5).round() / 1e5 + 0.0).to_string()
 }
 
 fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
