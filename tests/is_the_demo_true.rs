@@ -190,10 +190,8 @@ fn the_retargeted_axis_turns_back_and_stops() {
 #[test]
 fn the_axis_follows_the_sensor() {
     let points = setpoints(output(7));
-    let jumps = points
-        .windows(2)
-        .filter(|p| (p[1][4] - p[0][4]).abs() > 0.1);
-    assert_eq!(jumps.count(), 1);
+    let jumps = |p: &&[Vec<f64>]| (p[1][4] - p[0][4]).abs() > 0.1;
+    assert_eq!(points.windows(2).filter(jumps).count(), 1);
     // Half a second after the start and after the jump, the axis is near.
     for point in &points {
         let settled = (0.5..1.5).contains(&point[0]) || point[0] > 2.0;
@@ -257,20 +255,9 @@ fn the_controller_turns_back_holds_and_arrives() {
 #[test]
 fn an_example_is_drawn_as_it_is_printed() {
     let readme = fs::read_to_string(root().join("examples/README.md")).unwrap();
-    let beside = [
-        "a_trajbell_gen",
-        "sensor",
-        "part",
-        "synchronised",
-        "on a straight line",
-    ];
-    for Example {
-        name,
-        output,
-        picture,
-        svg,
-    } in EXAMPLES.iter()
-    {
+    let beside = "a_trajbell_gen,sensor,part,synchronised,on a straight line";
+    for example in EXAMPLES.iter() {
+        let (name, output, svg) = (&example.name, &example.output, &example.svg);
         let expected = root().join(format!("examples/expected/{name}.txt"));
         let mut all = output.lines();
         for line in fs::read_to_string(expected).unwrap().lines() {
@@ -280,28 +267,21 @@ fn an_example_is_drawn_as_it_is_printed() {
         let title = output.split([':', '\n']).next().unwrap();
         let marks = output.lines().filter_map(|line| line.split_once(" -> "));
         for text in marks.map(|(_, mark)| mark).chain([title]) {
-            assert!(has_text(text), "{picture}: {text}");
+            assert!(has_text(text), "{name}: {text}");
         }
-        for curve in beside {
-            assert_eq!(
-                has_text(curve),
-                output.contains(curve),
-                "{picture}: {curve}"
-            );
+        for curve in beside.split(',') {
+            let given = output.contains(curve);
+            assert_eq!(has_text(curve), given, "{name}: {curve}");
         }
         let setpoint = output.lines().find(|line| line.contains(" s: ")).unwrap();
         for unit in ["m", "deg", "m/s", "deg/s", "m/s^2", "m/s^3"] {
             let given = setpoint.split([' ', ',']).any(|word| word == unit);
             let label = format!("[{}]", unit.replace("^2", "²").replace("^3", "³"));
-            assert_eq!(svg.contains(&label), given, "{picture}: {label}");
+            assert_eq!(svg.contains(&label), given, "{name}: {label}");
         }
-        let row = readme
-            .lines()
-            .find(|line| line.contains(&format!("`{name}`")));
-        assert!(
-            row.is_some_and(|row| row.contains(picture)),
-            "{name}: {picture}"
-        );
+        let row = format!("| `{name}` |");
+        let mut rows = readme.lines().filter(|line| line.starts_with(&row));
+        assert!(rows.any(|row| row.contains(&example.picture)), "{row}");
     }
 }
 
@@ -319,32 +299,17 @@ fn lines_of(svg: &str, color: &str, width: u32) -> Vec<Vec<(f64, f64)>> {
 }
 
 #[test]
-fn limits_are_lines_that_the_curve_touches_or_keeps() {
-    for Example {
-        output,
-        picture,
-        svg,
-        ..
-    } in EXAMPLES.iter()
-    {
-        let limits = lines_of(svg, "#C81E32", 4);
-        let is_limited = output.contains("within ");
-        assert_eq!(limits.is_empty(), !is_limited, "{picture}");
-        assert!(
-            limits.iter().all(|line| line[0].1 == line[1].1),
-            "{picture}"
-        );
+fn limits_are_level_lines_on_the_side_of_the_curve() {
+    let limits = |svg: &str| lines_of(svg, "#C81E32", 4);
+    for Example { output, svg, .. } in EXAMPLES.iter() {
+        assert_eq!(limits(svg).is_empty(), !output.contains("within "));
+        assert!(limits(svg).iter().all(|line| line[0].1 == line[1].1));
     }
-    let retargeted = draw(
-        "limits",
-        "limits\nwithin 2 m/s, +3 m/s^2, -4 m/s^2\n0 s: 0 m, -1 m/s, 2 m/s^2\n1 s: 0 m, 1 m/s, -2 m/s^2\n",
-    );
-    assert_eq!(lines_of(&retargeted, "#C81E32", 4).len(), 4);
-    let forward = draw(
-        "forward",
-        "forward\nwithin 2 m/s\n0 s: 0 m, 0 m/s\n1 s: 1 m, 1 m/s\n",
-    );
-    assert_eq!(lines_of(&forward, "#C81E32", 4).len(), 1);
+    let both =
+        "both\nwithin 2 m/s, +3 m/s^2\n0 s: 0 m, -1 m/s, 2 m/s^2\n1 s: 0 m, 1 m/s, -2 m/s^2\n";
+    assert_eq!(limits(&draw("both", both)).len(), 3);
+    let ahead = "ahead\nwithin 2 m/s\n0 s: 0 m, 0 m/s\n1 s: 1 m, 1 m/s\n";
+    assert_eq!(limits(&draw("ahead", ahead)).len(), 1);
 }
 
 #[test]
@@ -369,11 +334,11 @@ fn pictures_in_the_documentation_are_fresh() {
     }
     for file in fs::read_dir(root().join("docs/img")).unwrap() {
         let name = file.unwrap().file_name().into_string().unwrap();
-        let is_drawn = EXAMPLES.iter().any(|example| example.picture == name);
-        assert!(
-            is_drawn || OTHERS.contains(&&*name),
-            "no example draws {name}"
-        );
+        let mut known = EXAMPLES
+            .iter()
+            .map(|example| &*example.picture)
+            .chain(OTHERS);
+        assert!(known.any(|known| known == name), "nothing draws {name}");
     }
 }
 
@@ -417,7 +382,7 @@ fn draw(name: &str, text: &str) -> String {
 
 #[test]
 fn nothing_to_draw_fails() {
-    for (case, text) in [
+    for text in [
         "",
         "empty\n",
         "infinite\n0 s: inf m\n",
@@ -429,13 +394,21 @@ fn nothing_to_draw_fails() {
         "axes\n0 s: 0 0 0 0 0 0 0 m\n",
         "path\nthree:\n0 s: x 0 m, y 0 m, z 0 m\n",
         "limit\nwithin fast m\n0 s: 0 m\n1 s: 1 m\n",
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let output = plot(&format!("nothing-{case}"), text);
+    ] {
+        let output = plot("nothing", text);
         assert!(!output.status.success(), "{text:?}: {}", printed(&output));
     }
+    let file = demo_dir().join(format!("{}.txt", EXAMPLES[0].name));
+    let twice = example("plot")
+        .arg(demo_dir().join("drawn"))
+        .args([&file, &file])
+        .output()
+        .unwrap();
+    let none = example("plot")
+        .arg(demo_dir().join("drawn"))
+        .output()
+        .unwrap();
+    assert!(!twice.status.success() && !none.status.success());
 }
 
 fn demo_dir() -> PathBuf {
@@ -448,11 +421,8 @@ fn parity(name: &str, filter: &str) -> Output {
     let directory = demo_dir().join(name);
     let script = directory.join("servo.sh");
     fs::create_dir_all(&directory).unwrap();
-    fs::write(
-        &script,
-        format!("#!/bin/sh\ntarget/demo/servo | {filter}\n"),
-    )
-    .unwrap();
+    let pipe = format!("#!/bin/sh\ntarget/demo/servo | {filter}\n");
+    fs::write(&script, pipe).unwrap();
     let chmod = Command::new("chmod").arg("+x").arg(&script).status();
     assert!(chmod.unwrap().success());
     example("parity").arg(script).output().unwrap()
@@ -469,17 +439,15 @@ fn example(name: &str) -> Command {
 
 /// The numbers behind the name of a function in the parity table.
 fn line(table: &str, function: &str) -> Vec<String> {
-    let mut found = table
+    let is_found = |line: &&str| line.split_whitespace().next() == Some(function);
+    let line = table
         .lines()
-        .filter(|line| line.split_whitespace().next() == Some(function));
-    let line = found
-        .next()
+        .find(is_found)
         .unwrap_or_else(|| panic!("no {function} in:\n{table}"));
     line.split_whitespace().skip(1).map(str::to_owned).collect()
 }
 
 fn printed(output: &Output) -> String {
-    [&output.stdout, &output.stderr]
-        .map(|text| String::from_utf8_lossy(text))
-        .concat()
+    let both = [&output.stdout, &output.stderr];
+    both.map(|text| String::from_utf8_lossy(text)).concat()
 }

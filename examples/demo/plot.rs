@@ -55,16 +55,26 @@ const TEXT: u32 = 16 * UNITS;
 const LABEL: u32 = 14 * UNITS;
 
 fn main() -> Result<()> {
-    let mut arguments = env::args_os().skip(1).map(PathBuf::from);
-    let directory = arguments.next().ok_or("usage: plot DIRECTORY FILE…")?;
-    fs::create_dir_all(&directory)?;
-    for file in arguments {
-        let picture = Picture::read(&fs::read_to_string(&file)?);
-        let path = picture.and_then(|picture| picture.draw(&directory));
+    let arguments: Vec<_> = env::args_os().skip(1).map(PathBuf::from).collect();
+    let [directory, files @ ..] = &arguments[..] else {
+        return Err("usage: plot DIRECTORY FILE…".into());
+    };
+    fs::create_dir_all(directory)?;
+    let mut drawn = HashSet::new();
+    for file in files {
+        let picture = Picture::read(&fs::read_to_string(file)?);
+        let path = picture.and_then(|picture| picture.draw(directory));
         let path = path.map_err(|e| format!("{}: {e}", file.display()))?;
         println!("{}", path.display());
+        if !drawn.insert(path) {
+            return Err(format!("{} has the title of another file", file.display()).into());
+        }
     }
-    Ok(())
+    if drawn.is_empty() {
+        Err("no file to draw".into())
+    } else {
+        Ok(())
+    }
 }
 
 /// What an example printed.

@@ -22,55 +22,52 @@ static a_trajbell bell;
 static a_trajtrap trap;
 static a_trajpoly7 poly7;
 
-static void print(a_float const *value, a_size count, char end)
+/* Prints numbers that stand in a row: those of a struct or an array. */
+static void print(void const *numbers, a_size size)
 {
-    for (a_size i = 0; i != count; ++i) { printf("%.17g%c", (double)value[i], i + 1 == count ? end : ' '); }
+    a_float number[26];
+    memcpy(number, numbers, size);
+    for (a_size i = 0; i != size / sizeof(a_float); ++i) { printf(i ? " %.17g" : "%.17g", (double)number[i]); }
+    putchar('\n');
 }
 
 static void plan_bell(a_float const *n)
 {
     memset(&bell, 0, sizeof(bell));
-    a_float const t = a_trajbell_gen(&bell, n[0], n[1], n[2], n[3], n[4], n[5], n[6]);
-    a_float const plan[] = {t,       bell.t,  bell.tv, bell.ta, bell.td, bell.taj, bell.tdj, bell.p0,
-                            bell.p1, bell.v0, bell.v1, bell.vm, bell.jm, bell.am,  bell.dm};
-    print(plan, A_LEN(plan), '\n');
+    printf("%.17g ", (double)a_trajbell_gen(&bell, n[0], n[1], n[2], n[3], n[4], n[5], n[6]));
+    print(&bell, sizeof(bell));
 }
 
 static void at_bell(a_float x)
 {
     a_float const point[] = {a_trajbell_pos(&bell, x), a_trajbell_vel(&bell, x), a_trajbell_acc(&bell, x), a_trajbell_jer(&bell, x)};
-    print(point, A_LEN(point), '\n');
+    print(point, sizeof(point));
 }
 
 static void plan_trap(a_float const *n)
 {
     memset(&trap, 0, sizeof(trap));
-    a_float const t = a_trajtrap_gen(&trap, n[0], n[1], n[2], n[3], n[4], n[5], n[6]);
-    a_float const plan[] = {t,       trap.t,  trap.p0, trap.p1, trap.v0, trap.v1, trap.vc,
-                            trap.ta, trap.td, trap.pa, trap.pd, trap.ac, trap.de};
-    print(plan, A_LEN(plan), '\n');
+    printf("%.17g ", (double)a_trajtrap_gen(&trap, n[0], n[1], n[2], n[3], n[4], n[5], n[6]));
+    print(&trap, sizeof(trap));
 }
 
 static void at_trap(a_float x)
 {
     a_float const point[] = {a_trajtrap_pos(&trap, x), a_trajtrap_vel(&trap, x), a_trajtrap_acc(&trap, x)};
-    print(point, A_LEN(point), '\n');
+    print(point, sizeof(point));
 }
 
 static void plan_poly7(a_float const *n)
 {
     memset(&poly7, 0, sizeof(poly7));
     a_trajpoly7_gen(&poly7, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]);
-    print(poly7.p, A_LEN(poly7.p), ' ');
-    print(poly7.v, A_LEN(poly7.v), ' ');
-    print(poly7.a, A_LEN(poly7.a), ' ');
-    print(poly7.j, A_LEN(poly7.j), '\n');
+    print(&poly7, sizeof(poly7));
 }
 
 static void at_poly7(a_float x)
 {
     a_float const point[] = {a_trajpoly7_pos(&poly7, x), a_trajpoly7_vel(&poly7, x), a_trajpoly7_acc(&poly7, x), a_trajpoly7_jer(&poly7, x)};
-    print(point, A_LEN(point), '\n');
+    print(point, sizeof(point));
 }
 
 static struct profile {
@@ -92,14 +89,12 @@ static int serve(char *request)
         planned->at(number[0]);
         return 1;
     }
+    planned = NULL;
     for (a_size i = 0; name && i != A_LEN(profiles); ++i) {
-        if (count == profiles[i].arguments && !strcmp(name, profiles[i].name)) {
-            planned = &profiles[i];
-            planned->plan(number);
-            return 1;
-        }
+        if (count == profiles[i].arguments && !strcmp(name, profiles[i].name)) { planned = &profiles[i]; }
     }
-    return 0;
+    if (planned) { planned->plan(number); }
+    return planned != NULL;
 }
 
 int main(void)
