@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::LazyLock;
 use support::golden;
@@ -314,13 +314,8 @@ fn limits_are_level_lines_on_the_side_of_the_curve() {
         let heights = limits(&svg).into_iter().map(|line| line[0].1 as u32);
         heights.collect::<BTreeSet<_>>().len()
     };
-    assert_eq!(
-        heights(
-            "both",
-            "0 s: 0 m, -1 m/s, 2 m/s^2\n1 s: 0 m, 1 m/s, -2 m/s^2"
-        ),
-        3
-    );
+    let back = "0 s: 0 m, -1 m/s, 2 m/s^2\n1 s: 0 m, 1 m/s, -2 m/s^2";
+    assert_eq!(heights("back", back), 3);
     assert_eq!(heights("ahead", "0 s: 0 m, 0 m/s\n1 s: 1 m, 1 m/s"), 1);
 }
 
@@ -376,18 +371,22 @@ fn jerk_steps_are_vertical() {
     assert!(steps.iter().all(|p| p[1].0 - p[0].0 <= 2.0), "{steps:?}");
 }
 
-/// The run of the plot program on what an example may have printed.
-fn plot(name: &str, printed: &str) -> Output {
+/// The run of the plot program on these files.
+fn plot(files: &[&Path]) -> Output {
     let directory = demo_dir().join("drawn");
-    fs::create_dir_all(&directory).unwrap();
-    let file = directory.join(format!("{name}.txt"));
-    fs::write(&file, printed).unwrap();
-    example("plot").arg(&directory).arg(file).output().unwrap()
+    example("plot").arg(directory).args(files).output().unwrap()
+}
+
+/// The run of the plot program on what an example may have printed.
+fn plot_text(name: &str, text: &str) -> Output {
+    let file = demo_dir().join(format!("{name}.txt"));
+    fs::write(&file, text).unwrap();
+    plot(&[&file])
 }
 
 /// The picture of an example that has this name as its title.
 fn draw(name: &str, text: &str) -> String {
-    let output = plot(name, text);
+    let output = plot_text(name, text);
     assert!(output.status.success(), "{}", printed(&output));
     fs::read_to_string(demo_dir().join(format!("drawn/{name}.svg"))).unwrap()
 }
@@ -407,20 +406,12 @@ fn nothing_to_draw_fails() {
         "path\nthree:\n0 s: x 0 m, y 0 m, z 0 m\n",
         "limit\nwithin fast m\n0 s: 0 m\n1 s: 1 m\n",
     ] {
-        let output = plot("nothing", text);
+        let output = plot_text("nothing", text);
         assert!(!output.status.success(), "{text:?}: {}", printed(&output));
     }
     let file = demo_dir().join(format!("{}.txt", EXAMPLES[0].name));
-    let twice = example("plot")
-        .arg(demo_dir().join("drawn"))
-        .args([&file, &file])
-        .output()
-        .unwrap();
-    let none = example("plot")
-        .arg(demo_dir().join("drawn"))
-        .output()
-        .unwrap();
-    assert!(!twice.status.success() && !none.status.success());
+    assert!(plot(&[&file]).status.success());
+    assert!(!plot(&[&file, &file]).status.success() && !plot(&[]).status.success());
 }
 
 fn demo_dir() -> PathBuf {

@@ -14,7 +14,7 @@ fn main() -> ExitCode {
     let servo = env::args_os().nth(1).expect("usage: parity SERVO");
     println!("{:<18}{:>8}{:>16}", "function", "rows", "differing bits");
     let mut comparison = Comparison::default();
-    let mut total = Parity::of("total".into());
+    let mut total = Parity::default();
     for family in [Family::Bell, Family::Trap, Family::Poly7] {
         for parity in replay(Path::new(&servo), family, &mut comparison) {
             parity.print();
@@ -22,6 +22,7 @@ fn main() -> ExitCode {
             total.bits += parity.bits;
         }
     }
+    total.function = "total".into();
     total.print();
     for difference in comparison.differences.iter().take(10) {
         println!("{difference}");
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
 }
 
 /// A line of the table.
+#[derive(Default)]
 struct Parity {
     function: String,
     rows: usize,
@@ -38,15 +40,6 @@ struct Parity {
 }
 
 impl Parity {
-    fn of(function: String) -> Self {
-        let (rows, bits) = (0, 0);
-        Self {
-            function,
-            rows,
-            bits,
-        }
-    }
-
     fn print(&self) {
         println!("{:<18}{:>8}{:>16}", self.function, self.rows, self.bits);
     }
@@ -55,7 +48,10 @@ impl Parity {
 /// Every golden row of one family: the planner first, then its evaluations.
 fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Parity> {
     let quantities = family.quantities().iter().map(|quantity| quantity.c);
-    let function = |suffix| Parity::of(format!("a_{}_{suffix}", family.c_name()));
+    let function = |suffix| Parity {
+        function: format!("a_{}_{suffix}", family.c_name()),
+        ..Parity::default()
+    };
     let mut parities: Vec<_> = ["gen"]
         .into_iter()
         .chain(quantities)
@@ -66,15 +62,7 @@ fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Pari
     fs::write(&file, requests).unwrap();
     let answers = lines(Command::new(servo).stdin(File::open(&file).unwrap()));
     assert_eq!(answers.len(), rows.len(), "answers of the servo");
-    for (
-        answer,
-        Row {
-            place,
-            golden,
-            plans,
-        },
-    ) in answers.iter().zip(&rows)
-    {
+    for (answer, (place, golden, plans)) in answers.iter().zip(&rows) {
         let answer: Vec<f64> = answer.split(' ').map(|n| n.parse().unwrap()).collect();
         assert_eq!(answer.len(), golden.len(), "{place}: numbers");
         for (k, (&got, &want)) in answer.iter().zip(golden).enumerate() {
@@ -91,12 +79,8 @@ fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Pari
     parities
 }
 
-/// The golden numbers behind an answer of the servo, where they stand, and whether they are a plan or the quantities at a time.
-struct Row {
-    place: String,
-    golden: Vec<f64>,
-    plans: bool,
-}
+/// Where golden numbers behind an answer of the servo stand, the numbers, and whether they are a plan or the quantities at a time.
+type Row = (String, Vec<f64>, bool);
 
 /// What the servo reads, and what it must answer.
 fn requests(family: Family) -> (String, Vec<Row>) {
@@ -111,20 +95,11 @@ fn requests(family: Family) -> (String, Vec<Row>) {
         }
         requests.push('\n');
         let plan = golden.duration.iter().chain(&golden.fields);
-        let (place, golden) = (golden.place.clone(), plan.copied().collect());
-        rows.push(Row {
-            place,
-            golden,
-            plans: true,
-        });
+        rows.push((golden.place.clone(), plan.copied().collect(), true));
         for evaluation in evaluations.iter().filter(|row| row.case == case) {
             writeln!(requests, "at {:e}", evaluation.x).unwrap();
-            let (place, golden) = (evaluation.place.clone(), evaluation.values.clone());
-            rows.push(Row {
-                place,
-                golden,
-                plans: false,
-            });
+            let (place, values) = (evaluation.place.clone(), evaluation.values.clone());
+            rows.push((place, values, false));
         }
     }
     assert_eq!(rows.len(), moves.len() + evaluations.len());
