@@ -320,6 +320,7 @@ impl Panel<'_> {
             .axis_desc_style(text(TEXT).color(&INK))
             .set_all_tick_mark_size(GAP)
             .y_labels(5)
+            .x_label_formatter(&|value| label(*value))
             .y_label_formatter(&|value| label(*value))
             .x_desc(self.x_name)
             .y_desc(&self.y_name)
