@@ -1,36 +1,39 @@
-# Builds the archive that a C program links, and proves it. Needs Rust, make and a C compiler.
+# Builds the archive that a C program links, and proves it. Needs Rust, make and a C compiler. `make help` prints this text.
 #
-#   make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
-#   make dist TARGET=<triple>   archive and headers for bare metal or another host, in target/dist-<triple>
-#   make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
-#                               and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
-#   make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
-#   make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
-#   make demo                   runs a servo program in C on the archive: parity with the golden data, a table of the moves that the
-#                               original fails, pictures of the examples in target/demo
-#   make examples               builds and runs the examples in C, C++ (needs a C++ compiler) and Rust
-#   make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
-#                               cargo, or bring it along by CMake, Meson, Conan, .deb
-#   make builds                 builds and installs in the ways that once gave the wrong library
-#   make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
-#   make playground-check       tests the page in headless Chromium, with pictures in target/playground
-#   make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
-#                               KEY=<SSH key> signs the checksums. `make release-check` tries every file: docs/releasing.md
-#   make doc                    writes the guide and the references for C and for Rust as one site: target/doc/index.html
-#   make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
-#   make soak                   compares a thousand million calls per real type with the original, and a thousand million
-#                               fastest plans with a referee; SOAK_SEED=n starts at seed n, SOAK=plans leaves the
-#                               others out, so do SOAK=calls, SOAK=moves (from any state to any state), SOAK=replans and
-#                               SOAK=axes (several axes that move together)
-#   make bench                  measures times and instructions beside the original's: docs/performance.md
-#   make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
-#                               `make instructions-update` rewrites tests/instructions.txt
-#   make python                 builds the wheel of the Python package in target/python; needs Python with venv, and the network
-#   make python-check           installs the wheel in target/python/venv and runs the tests of the package
-#   make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family
-#   make firmware-setup         installs the tools for firmware-check and firmware-report, on Debian; needs root
-#   make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU
-#   make firmware-report        measures size and instructions beside the original's: docs/firmware.md
+# make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
+# make dist TARGET=<triple>   archive and headers for bare metal or another host, in target/dist-<triple>
+# make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
+#                             and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
+# make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
+# make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
+# make setup                  installs the packages of Debian that the goals need; FOR='firmware release' installs those of some goals:
+#                             packaging/debian-packages.txt. Needs root
+#
+# make demo                   runs a servo program in C on the archive: parity with the golden data, a table of the moves that the
+#                             original fails, pictures of the examples in target/demo
+# make examples               builds and runs the examples in C, C++ (needs a C++ compiler) and Rust
+# make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
+# make doc                    writes the guide and the references for C and for Rust as one site: target/doc/index.html
+# make python                 builds the wheel of the Python package in target/python; needs Python with venv, and the network
+#
+# make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
+# make builds                 builds and installs in the ways that once gave the wrong library; ROWS=<regular expression> some of them
+# make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
+#                             cargo, or bring it along by CMake, Meson, Conan, .deb
+# make playground-check       tests the page in headless Chromium, with pictures in target/playground
+# make python-check           installs the wheel in target/python/venv and runs the tests of the package
+# make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU; `make firmware-setup`
+#                             installs the tools of the chips, on Debian
+# make firmware-report        measures size and instructions beside the original's: docs/firmware.md
+# make bench                  measures times and instructions beside the original's: docs/performance.md
+# make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
+#                             `make instructions-update` rewrites tests/instructions.txt
+# make soak                   compares a thousand million calls per real type with the original, and a thousand million
+#                             fastest plans with a referee; SOAK_SEED=n starts at seed n; SOAK=calls, plans, moves (from any
+#                             state to any state), replans or axes (several axes that move together) does one of these
+# make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family
+# make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
+#                             KEY=<SSH key> signs the checksums. `make release-check` tries every file: docs/releasing.md
 #
 # CPU=<name> compiles for one processor (CPU=cortex-m7, CPU=x86-64-v3), in target/dist-…-<name>.
 # HWCAPS=<names> are the levels of x86-64 that the shared library is compiled for besides, each as by CPU=<name>. glibc's loader takes
@@ -88,6 +91,9 @@ SONAME := lib$(NAME).so.$(firstword $(subst ., ,$(VERSION)))
 PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
 VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
+ifneq ($(and $(filter demo examples python-check release release-check,$(MAKECMDGOALS)),$(VARIANT)),)
+$(error make $(MAKECMDGOALS) is for the default build: leave TARGET, CPU, REAL, POLY, SYMBOL_PREFIX and the levels out)
+endif
 
 # Aligned functions are equally fast wherever a linker puts them.
 HOST_RUSTC_FLAGS := -C llvm-args=-align-all-functions=6
@@ -104,13 +110,40 @@ endif
 MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
-.PHONY: dist dist-locked where install uninstall deb identify demo examples consumers builds release release-check doc check soak fuzz python python-check \
-    playground playground-check firmware-setup firmware-check firmware-report bench instructions instructions-update
+.PHONY: help setup rust dist dist-locked where install uninstall deb identify demo examples consumers builds release release-check \
+    doc check soak fuzz python python-check playground playground-check firmware-setup firmware-check firmware-report bench \
+    instructions instructions-update
+
+help:
+	@sed '/^$$/,$$d; s/^# \{0,1\}//' Makefile
+
+setup:
+	packaging/debian.sh install $(FOR)
+
+# What would end in a message of cargo that does not tell what to do.
+OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
+dist check doc soak bench instructions instructions-update fuzz python builds consumers firmware-check: | rust
+rust:
+	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
+	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/releasing.md' >&2; exit 1; }
+ifdef TARGET
+	@rustc --print target-list | grep -qxF -e '$(TARGET)' || { \
+	    echo 'TARGET=$(TARGET) does not exist: `rustc --print target-list` lists the names, packaging/chips.txt has those of chips.' >&2; \
+	    exit 1; }
+endif
+ifdef CPU
+	@rustc --print target-cpus --target $(MACHINE) | awk '{ print $$1 }' | grep -qxF -e '$(CPU)' || { \
+	    echo 'CPU=$(CPU) does not exist: `rustc --print target-cpus --target $(MACHINE)` lists the names.' >&2; exit 1; }
+endif
 
 # Cargo writes the library of every real type and of every set of flags to one file name, so one build at a time may run.
+# `make -s` does not print the last line.
+ARCHIVE := $(DIST)/lib/lib$(NAME).a
 dist:
 	@mkdir -p $(CARGO_DIR)
 	@flock $(CARGO_DIR)/lock $(MAKE) --no-print-directory dist-locked
+	@$(if $(findstring s,$(filter-out -%,$(firstword $(MAKEFLAGS)))),,echo "$(DIST): $(notdir $(ARCHIVE)) ($(or $(REAL),double), \
+	    $(MACHINE)$(CPU:%= %), $$(($$(wc -c < $(ARCHIVE)) / 1000)) KB); link it by its path: $(CC) program.o $(ARCHIVE) -lm")
 
 NEW := $(CARGO_DIR)/dist
 OBJECT := $(CARGO_DIR)/atraj.o
@@ -120,7 +153,7 @@ FILL = sed 's/@VERSION@/$(VERSION)/g; s/@NAME@/$(NAME)/g; s/@MACHINE@/$(MACHINE)
 # $(call level,NAME): the shared library for a level of x86-64, where glibc's loader looks for it. Each level has directories of its own,
 # also where the command line names those of this build.
 define level
-$(MAKE) --no-print-directory dist CPU=$1 HWCAPS= DIST=target/dist-$1$(ABI) CARGO_DIR=target/build-$1$(ABI)
+$(MAKE) -s --no-print-directory dist CPU=$1 HWCAPS= DIST=target/dist-$1$(ABI) CARGO_DIR=target/build-$1$(ABI)
 mkdir -p $(NEW)/lib/glibc-hwcaps/$1
 cp -P target/dist-$1$(ABI)/lib/lib$(NAME).so.* $(NEW)/lib/glibc-hwcaps/$1/
 
@@ -130,10 +163,6 @@ endef
 # and renames last, so a failed build leaves the old directory.
 dist-locked: $(TARGET_JSON)
 	$(if $(filter-out x86-64-v2 x86-64-v3 x86-64-v4,$(HWCAPS)),$(error HWCAPS=$(HWCAPS) does not exist: it is some of x86-64-v2 x86-64-v3 x86-64-v4))
-ifdef CPU
-	@rustc --print target-cpus --target $(MACHINE) | awk '{ print $$1 }' | grep -qxF -e '$(CPU)' || { \
-	    echo 'CPU=$(CPU) does not exist: `rustc --print target-cpus --target $(MACHINE)` lists the names.' >&2; exit 1; }
-endif
 	rm -rf $(NEW) $(CARGO_DIR)/old
 	mkdir -p $(NEW)/lib/pkgconfig $(NEW)/lib/cmake/$(NAME) $(NEW)/include $(NEW)/share/doc/$(NAME)
 	$(if $(CPU),RUSTFLAGS="$$RUSTFLAGS -C target-cpu=$(CPU)") CARGO_TARGET_DIR=$(CARGO_DIR) $(CARGO) rustc --quiet \
@@ -172,13 +201,13 @@ where:
 	@echo '$(CURDIR)/$(DIST)'
 
 # Builds only a missing archive, so `sudo make install` after `make dist` needs no Rust.
-$(DIST)/lib/lib$(NAME).a:
+$(ARCHIVE):
 	$(MAKE) dist
 
-install uninstall: $(DIST)/lib/lib$(NAME).a
+install uninstall: $(ARCHIVE)
 	packaging/install.sh $@ $(DIST) $(NAME)
 
-deb: $(DIST)/lib/lib$(NAME).a
+deb: $(ARCHIVE)
 	packaging/deb.sh $(DIST) $(NAME) $(VERSION)
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
@@ -192,7 +221,6 @@ consumers builds:
 	tests/$@.sh
 
 release:
-	$(if $(VARIANT),$(error make release builds every target: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf target/release-$(VERSION) target/release-work
 	mkdir -p target/release-$(VERSION) target/release-work
 	$(MAKE) -f packaging/release.mk VERSION=$(VERSION) HOST=$(HOST)
@@ -211,7 +239,6 @@ DEMO_FLAGS := -std=c99 -O2 -I$(DIST)/include
 # Does the steps of a liba user: compiles a servo program against the headers, links the archive, replays the golden data. Counts the
 # moves that the original fails and the plans of atraj.h do not. Draws every setpoint of the examples.
 demo: dist
-	$(if $(VARIANT),$(error make demo shows the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(DEMO)
 	mkdir -p $(DEMO)
 	$(CC) $(DEMO_FLAGS) -o $(DEMO)/servo examples/demo/servo.c $(DIST)/lib/libatraj.a -lm
@@ -241,7 +268,6 @@ for language in c cpp rs; do diff -u examples/expected/$1.txt $(EXAMPLES_OUT)/$1
 endef
 
 examples: dist
-	$(if $(VARIANT),$(error make examples runs on the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	rm -rf $(EXAMPLES_OUT)
 	mkdir -p $(EXAMPLES_OUT)
 	$(foreach name,$(EXAMPLES),$(call example,$(name)))
@@ -254,7 +280,7 @@ SOAK_SEED ?= 0
 SOAK_SEEDS ?= 1000
 
 # A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves and ten thousand sets
-# of axes per real type. SOAK is calls, plans, moves, replans, axes or nothing for all.
+# of axes per real type.
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
 	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS) $(SOAK)
@@ -296,12 +322,14 @@ python: $(VENV)/pip
 
 # The archive's shared library, because the tests time its C function.
 python-check: python dist
-	$(if $(VARIANT),$(error make python-check runs on the default build: leave TARGET, CPU, REAL, POLY and the levels out))
 	$(PIP) install -r python/requirements.txt
 	$(PIP) install --force-reinstall --no-deps $(PYTHON_DIR)/*.whl
 	$(VENV)/python -m pytest -q -s python
 
-firmware-setup firmware-check firmware-report:
+firmware-setup:
+	packaging/debian.sh install firmware
+
+firmware-check firmware-report:
 	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)
 
 playground:

@@ -1,6 +1,8 @@
 # How to compile for TARGET: bare metal, WebAssembly or another host. The top Makefile includes this file for `make dist TARGET=…`;
 # the Makefile of c_tests/firmware includes it too.
 
+CARGO ?= cargo
+include $(dir $(lastword $(MAKEFILE_LIST)))chips.mk
 CARGO_TARGET := --target $(TARGET)
 # Both real types share this directory: Debian's Rust compiles `core` into it, and compiling `core` takes longest.
 CARGO_DIR := target/build-$(TARGET)$(CPU:%=-%)
@@ -10,7 +12,6 @@ PROFILE := release
 RUSTC_FLAGS := $(HOST_RUSTC_FLAGS)
 # The names that Debian gives to its cross compilers.
 CROSS := $(subst -unknown-,-,$(TARGET:-pc-windows-gnu=-w64-mingw32))-
-CC := $(CROSS)gcc
 else
 PROFILE := firmware
 RUSTC_FLAGS := -C force-unwind-tables=no
@@ -20,7 +21,7 @@ endif
 # leave out the frame pointer. Rust's Thumb targets set one up in every function, for 6 bytes and 3 instructions.
 ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/null)/*),)
 CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
-    $(error No `core` for $(TARGET): `rustup target add $(TARGET)`, or `make firmware-setup` on Debian))
+    $(error Rust has no `core` for $(TARGET): `rustup target add $(TARGET)`, or `sudo make firmware-setup` on Debian))
 RUSTC_FLAGS += --cfg atraj_unstable_core
 TARGET_JSON := $(CARGO_DIR)/$(TARGET).json
 CARGO_TARGET := --target $(TARGET_JSON) -Z json-target-spec -Z build-std=core
@@ -43,3 +44,5 @@ CROSS := riscv64-unknown-elf-
 else ifneq ($(filter wasm%,$(TARGET)),)
 CROSS := llvm-
 endif
+
+CC := $(or $(call compiler,$(TARGET)$(CPU:%=-%)),$(if $(filter wasm%,$(TARGET)),clang --target=wasm32,$(CROSS)gcc))
