@@ -2,7 +2,7 @@
    leaves them undefined.
 
    ATRAJ_TARGETS    Rust's names of the archives that a program with these flags can link, the best one first
-   ATRAJ_CPU        CPU of the best archive, if the README's table of chips names one
+   ATRAJ_CPU        CPU of the best archive, if packaging/chips.txt names one
    ATRAJ_NOT_CPUS   CPUs whose archives hold floating-point instructions that these flags exclude */
 
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'

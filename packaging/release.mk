@@ -5,7 +5,8 @@
 
 REALS := double float
 HOSTS := x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu
-TARGETS ?= $(HOSTS) $(shell MAKEFLAGS= $(MAKE) -s -C c_tests/firmware targets)
+include packaging/chips.mk
+TARGETS ?= $(HOSTS) $(CHIPS)
 
 OUT := target/release-$(VERSION)
 WORK := target/release-work
@@ -31,14 +32,12 @@ pack = tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@$(SOURCE_DAT
     --use-compress-program='gzip -9n' -C $(WORK) -cf $@ $1
 
 # The archive of this machine, HOST, is the `make dist` that all tests run on.
-# A target may end in the processor: thumbv7em-none-eabihf-cortex-m7
-choices = TARGET=$(filter-out $(HOST),$(firstword $(subst -cortex-, ,$1))) CPU=$(addprefix cortex-,$(word 2,$(subst -cortex-, ,$1)))
 dist = target/dist$(filter-out -$(HOST),-$1)$(filter -float,-$2)
 
 # $(call archive,target,real)
 define archive
 $(OUT)/atraj-$(VERSION)-$1-$2.tar.gz:
-	MAKEFLAGS= $$(MAKE) -s dist $(call choices,$1) REAL=$2
+	MAKEFLAGS= $$(MAKE) -s dist $(or $(call choices,$1),TARGET=$(filter-out $(HOST),$1)) REAL=$2
 	packaging/archive.sh $(call dist,$1,$2) $(WORK)/atraj-$(VERSION)-$1-$2 $1 $2
 	$$(call pack,atraj-$(VERSION)-$1-$2)
 endef

@@ -18,6 +18,84 @@ dist() {
     make -s -C "$copy" dist "$@"
 }
 
+# --- what make says
+
+help_names_the_goals() {
+    make -s -C "$copy" help > said
+    grep -oE '(^|`)make [a-z][a-z-]+' said | sed 's/.*make //' | sort -u > named
+    # The others are steps of these.
+    sed -n '/^\.PHONY:/,/[^\\]$/p' "$copy/Makefile" | tr -s ': \\' '\n' | grep '^[a-z]' | grep -vxE 'dist-locked|where|rust|help' | sort > goals
+    grep -vx help named | diff goals -
+}
+
+# The last line of `make dist` is a command that links a program.
+command_is_told() {
+    make --no-print-directory -C "$copy" dist > said
+    tail -1 said | sed -n 's/.* KB); link it by its path: //p' > command
+    "${CC:-cc}" -I"$copy/target/dist/include" -c "$root/tests/consumers/move.c" -o "$copy/program.o"
+    (cd "$copy" && sh -e) < command
+    "$copy/a.out" | grep .
+    rm "$copy/a.out" "$copy/program.o"
+    dist > said
+    test ! -s said
+}
+
+wrong_target() {
+    refused 'TARGET=thumbv9-none-eabi does not exist: ' make -C "$copy" dist TARGET=thumbv9-none-eabi
+    test ! -e "$copy/target/build-thumbv9-none-eabi"
+    for goal in demo examples release python-check; do
+        refused "make $goal is for the default build: leave " make -C "$copy" $goal REAL=float
+    done
+}
+
+no_rust() {
+    tools=$(tools_but_rust)
+    needed='Rust >= 1.85 is needed (https://rustup.rs), or take a release: docs/releasing.md'
+    for goal in dist check install; do
+        rm -rf "$copy/target/dist"
+        PATH=$tools refused "$needed" make -C "$copy" $goal DESTDIR="$PWD"
+    done
+    PATH=$tools refused "$needed" make -C "$copy" dist TARGET=thumbv7em-none-eabihf
+    printf '#!/bin/sh\necho "rustc 1.84.1 (e71f9a9a9 2025-01-27)"\n' > "$tools/rustc"
+    chmod +x "$tools/rustc"
+    PATH=$tools refused "$needed" make -C "$copy" dist
+}
+
+missing_packages() {
+    mkdir few
+    for tool in awk dirname; do ln -s "$(command -v $tool)" few; done
+    refused 'are missing: gcc-arm-none-eabi libnewlib-arm-none-eabi' env PATH="$PWD/few" "$(command -v sh)" "$root/packaging/debian.sh" tools firmware
+    refused 'are missing: nodejs npm clang lld llvm (' env PATH="$PWD/few" "$(command -v sh)" "$root/packaging/debian.sh" tools playground
+    refused 'has no line for chips' "$root/packaging/debian.sh" install chips
+}
+
+# --- chips
+
+# The documents show the table of chips once, as packaging/chips.txt has it.
+documents_show_the_chips() {
+    sed -n 's/ *| */|/g; s/|TARGET=/&/p' "$root/packaging/chips.txt" |
+        awk -F '|' '{ sub(/^[^ ]* ?(-mthumb )?/, "", $3); printf "| %s | `%s` | %s | %s |\n", $1, $2, $3 == "" ? "none" : "`" $3 "`", $4 }' > chips
+    test "$(wc -l < chips)" -ge 10
+    cat "$root/README.md" "$root"/docs/*.md | grep '^|.*`TARGET=' | diff chips -
+}
+
+# compiler_of FOLDER: what c_tests/firmware compiles Rust with, if rustc says that the target's libraries are in this folder
+compiler_of() {
+    printf '#!/bin/sh\necho "%s"\n' "$1" > rustc
+    chmod +x rustc
+    PATH=$PWD:$PATH make -s -C "$root/c_tests/firmware" --eval='compiler: ; @echo "$(CARGO) build $(CARGO_TARGET)"' compiler
+}
+
+# rustup may have the target, or Debian's Rust compiles `core`.
+compilers_of_chips() {
+    test "$(compiler_of "$root/tests")" = 'cargo build --target thumbv7em-none-eabihf'
+    if test -e /usr/lib/rustlib/src/rust/library/core; then
+        compiler_of /nonexistent | grep -x 'RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo build .*-Z build-std=core'
+    else
+        refused 'Rust has no `core` for thumbv7em-none-eabihf: ' compiler_of /nonexistent
+    fi
+}
+
 # --- the object belongs to the present flags
 
 # flags_in_turn VARIABLE=VALUE…: the plain archive, another, and the plain archive again
@@ -232,6 +310,13 @@ names_of_an_abi() {
     test "$(find stage -name '*.a' | wc -l)" = 5
 }
 
+row "make help names every goal" help_names_the_goals
+row "make dist ends with the command that links" command_is_told
+row "a TARGET that does not exist, a choice for the default build" wrong_target
+row "no Rust, an old Rust" no_rust
+row "Debian's packages are named" missing_packages
+row "the documents show the table of chips" documents_show_the_chips
+row "rustup's core for a chip, or Debian's" compilers_of_chips
 row "RUSTFLAGS, then none" flags_in_turn RUSTFLAGS="-C target-cpu=$cpu"
 row "an optimisation by environment, then none" flags_in_turn CARGO_PROFILE_RELEASE_OPT_LEVEL=s
 if have /usr/bin/rustc && test "$(rustc --version)" != "$(/usr/bin/rustc --version)"; then

@@ -8,15 +8,7 @@ release=$root/target/release-$version
 host=$(rustc -vV | sed -n 's/^host: //p')
 export WINEPREFIX="$work/wine" WINEDEBUG=-all
 
-# A path with every tool of this machine but Rust's.
-tools=$work/tools
-mkdir "$tools"
-for tool in /usr/bin/* /bin/*; do
-    case ${tool##*/} in
-    cargo* | rust*) ;;
-    *) ln -sf "$tool" "$tools" ;;
-    esac
-done
+tools=$(tools_but_rust)
 
 no_rust() {
     test -z "$(PATH=$tools command -v cargo rustc rustdoc rustup)"
@@ -29,9 +21,8 @@ lines() {
 
 # --- the files
 
-# README's table has a line for each chip.
 complete() {
-    sed -n 's/.*`TARGET=\([^ `]*\)\( CPU=\)\{0,1\}\([^`]*\)`.*/\1-\3/p' "$root/README.md" | sed 's/-$//' > targets
+    sed -n 's/.*| TARGET=\([^|]*[^| ]\) .*/\1/p' "$root/packaging/chips.txt" | sed 's/ CPU=/-/' > targets
     test "$(wc -l < targets)" -ge 10
     printf '%s\n' x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu >> targets
     while read -r target; do
@@ -131,7 +122,7 @@ signed() {
 }
 
 row "no Rust on the path" no_rust
-row "a file for every chip of README's table, host and real type" complete
+row "a file for every chip, host and real type" complete
 for file in "$release"/atraj-*-double.tar.gz "$release"/atraj-*-float.tar.gz; do
     name=$(basename "$file" .tar.gz)
     row "$name: README and example" told_once "$name"
