@@ -3,8 +3,7 @@
 set -eu
 . "$(dirname "$0")/rows.sh"
 copy=$work/atraj
-mkdir "$copy"
-tar -C "$root" --exclude=./target --exclude=./.git --exclude=target -cf - . | tar -C "$copy" -xf -
+copy_of_the_sources "$copy"
 archive=$copy/target/dist/lib/libatraj.a
 # The rows about levels of x86-64 name them. The other rows build none, because two more libraries take twice the time.
 export HWCAPS=

@@ -41,6 +41,13 @@ refused() {
     tr -s ' \n' '  ' < said | grep -qF -e "$sentence"
 }
 
+# copy_of_the_sources FOLDER: without what other goals write into theirs, perhaps at this moment
+copy_of_the_sources() {
+    mkdir "$1"
+    tar -C "$root" --exclude=./.git --exclude=target --exclude=node_modules --exclude=./fuzz/corpus --exclude=./fuzz/artifacts -cf - . |
+        tar -C "$1" -xf -
+}
+
 # A path with every tool of this machine but Rust's.
 tools_but_rust() {
     mkdir "$work/tools"

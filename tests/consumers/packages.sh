@@ -6,8 +6,7 @@ unpacked="$work/unpacked release"
 
 # A repository of its own, because a change need not be committed yet.
 clone_of_the_sources() {
-    mkdir "$clone"
-    tar -C "$root" --exclude=./.git --exclude=target -cf - . | tar -C "$clone" -xf -
+    copy_of_the_sources "$clone"
     cd "$clone"
     git init --quiet --initial-branch=main
     git add --all
