@@ -43,100 +43,61 @@ static void compare(const char *what, const real *row, size_t column, size_t cou
     ++rows;
 }
 
-/* Visits the rows of `table` with the case of `row`. `next` goes on from case to case, because tables are in order of cases. */
-#define EACH(e, table, next, row) \
-    for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
+/* A profile of liba, or a plan of atraj.h in liba's struct: its tables hold the arguments, the duration if the plan returns one and the
+ * members of the struct; the case, the time and the evaluations. */
+typedef a_float plan(void *ctx, const real *r);
+typedef a_float evaluation(const void *ctx, a_float x);
+typedef struct { const real *row; size_t rows, columns; } table;
+typedef struct {
+    const char *name;
+    plan *plan;
+    size_t arguments;
+    int returns;
+    table plans, evaluated;
+    evaluation *evaluations[4];
+} profile;
 
-static size_t replay_bell(void)
+#define FIVE(r) r[1].value, r[2].value, r[3].value, r[4].value, r[5].value
+#define SEVEN(r) FIVE(r), r[6].value, r[7].value
+static a_float bell(void *ctx, const real *r) { return a_trajbell_gen(ctx, SEVEN(r)); }
+static a_float trap(void *ctx, const real *r) { return a_trajtrap_gen(ctx, SEVEN(r)); }
+static a_float poly3(void *ctx, const real *r) { return a_trajpoly3_gen(ctx, FIVE(r)), 0; }
+static a_float poly5(void *ctx, const real *r) { return a_trajpoly5_gen(ctx, SEVEN(r)), 0; }
+static a_float poly7(void *ctx, const real *r) { return a_trajpoly7_gen(ctx, SEVEN(r), r[8].value, r[9].value), 0; }
+static a_float fastest_bell_plan(void *ctx, const real *r) { return atraj_bell_gen(ctx, SEVEN(r)); }
+static a_float fastest_trap_plan(void *ctx, const real *r) { return atraj_trap_gen(ctx, SEVEN(r)); }
+
+#define TABLE(t) {*t, ROWS(t), sizeof(*t) / sizeof(**t)}
+#define F(name) (evaluation *)(void (*)(void))a_traj##name
+static const profile profiles[] = {
+    {"bell case ", bell, 7, 1, TABLE(bell_gen), TABLE(bell_eval), {F(bell_pos), F(bell_vel), F(bell_acc), F(bell_jer)}},
+    {"trap case ", trap, 7, 1, TABLE(trap_gen), TABLE(trap_eval), {F(trap_pos), F(trap_vel), F(trap_acc)}},
+    {"poly3 case ", poly3, 5, 0, TABLE(poly3_gen), TABLE(poly3_eval), {F(poly3_pos), F(poly3_vel), F(poly3_acc)}},
+    {"poly5 case ", poly5, 7, 0, TABLE(poly5_gen), TABLE(poly5_eval), {F(poly5_pos), F(poly5_vel), F(poly5_acc)}},
+    {"poly7 case ", poly7, 9, 0, TABLE(poly7_gen), TABLE(poly7_eval), {F(poly7_pos), F(poly7_vel), F(poly7_acc), F(poly7_jer)}},
+    {"atraj_bell_gen case ", fastest_bell_plan, 7, 1, TABLE(fastest_bell), {0}, {0}},
+    {"atraj_trap_gen case ", fastest_trap_plan, 7, 1, TABLE(fastest_trap), {0}, {0}},
+};
+
+/* Returns the number of evaluations that belong to no plan. */
+static size_t replay_profile(const profile *p)
 {
     size_t next = 0;
-    for (size_t i = 0; i != ROWS(bell_gen); ++i) {
-        const real *r = bell_gen[i];
-        a_trajbell ctx = {0};
-        a_float t = a_trajbell_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
-        compare("bell_gen case ", r, 8, 1, &t);
-        compare("bell_gen case ", r, 9, 14, (const a_float *)&ctx);
-        EACH(e, bell_eval, next, r)
-        {
-            a_float x = e[1].value;
-            a_float y[] = {a_trajbell_pos(&ctx, x), a_trajbell_vel(&ctx, x), a_trajbell_acc(&ctx, x), a_trajbell_jer(&ctx, x)};
-            compare("bell_eval case ", e, 2, 4, y);
+    for (size_t i = 0; i != p->plans.rows; ++i) {
+        const real *r = p->plans.row + i * p->plans.columns;
+        const size_t members = 1 + p->arguments + (p->returns ? 1 : 0);
+        a_float ctx[sizeof(a_trajpoly7) / sizeof(a_float)] = {0}, t = p->plan(ctx, r);
+        if (p->returns) { compare(p->name, r, members - 1, 1, &t); }
+        compare(p->name, r, members, p->plans.columns - members, ctx);
+        for (; next != p->evaluated.rows; ++next) {
+            const real *e = p->evaluated.row + next * p->evaluated.columns;
+            if (e[0].bits != r[0].bits) { break; }
+            a_float y[4];
+            for (size_t k = 0; k != p->evaluated.columns - 2; ++k) { y[k] = p->evaluations[k](ctx, e[1].value); }
+            compare(p->name, e, 2, p->evaluated.columns - 2, y);
         }
     }
-    return ROWS(bell_eval) - next;
-}
-
-static size_t replay_trap(void)
-{
-    size_t next = 0;
-    for (size_t i = 0; i != ROWS(trap_gen); ++i) {
-        const real *r = trap_gen[i];
-        a_trajtrap ctx = {0};
-        a_float t = a_trajtrap_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
-        compare("trap_gen case ", r, 8, 1, &t);
-        compare("trap_gen case ", r, 9, 12, (const a_float *)&ctx);
-        EACH(e, trap_eval, next, r)
-        {
-            a_float x = e[1].value;
-            a_float y[] = {a_trajtrap_pos(&ctx, x), a_trajtrap_vel(&ctx, x), a_trajtrap_acc(&ctx, x)};
-            compare("trap_eval case ", e, 2, 3, y);
-        }
-    }
-    return ROWS(trap_eval) - next;
-}
-
-static size_t replay_poly3(void)
-{
-    size_t next = 0;
-    for (size_t i = 0; i != ROWS(poly3_gen); ++i) {
-        const real *r = poly3_gen[i];
-        a_trajpoly3 ctx;
-        a_trajpoly3_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value);
-        compare("poly3_gen case ", r, 6, 9, (const a_float *)&ctx);
-        EACH(e, poly3_eval, next, r)
-        {
-            a_float x = e[1].value;
-            a_float y[] = {a_trajpoly3_pos(&ctx, x), a_trajpoly3_vel(&ctx, x), a_trajpoly3_acc(&ctx, x)};
-            compare("poly3_eval case ", e, 2, 3, y);
-        }
-    }
-    return ROWS(poly3_eval) - next;
-}
-
-static size_t replay_poly5(void)
-{
-    size_t next = 0;
-    for (size_t i = 0; i != ROWS(poly5_gen); ++i) {
-        const real *r = poly5_gen[i];
-        a_trajpoly5 ctx;
-        a_trajpoly5_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
-        compare("poly5_gen case ", r, 8, 15, (const a_float *)&ctx);
-        EACH(e, poly5_eval, next, r)
-        {
-            a_float x = e[1].value;
-            a_float y[] = {a_trajpoly5_pos(&ctx, x), a_trajpoly5_vel(&ctx, x), a_trajpoly5_acc(&ctx, x)};
-            compare("poly5_eval case ", e, 2, 3, y);
-        }
-    }
-    return ROWS(poly5_eval) - next;
-}
-
-static size_t replay_poly7(void)
-{
-    size_t next = 0;
-    for (size_t i = 0; i != ROWS(poly7_gen); ++i) {
-        const real *r = poly7_gen[i];
-        a_trajpoly7 ctx;
-        a_trajpoly7_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value, r[8].value, r[9].value);
-        compare("poly7_gen case ", r, 10, 26, (const a_float *)&ctx);
-        EACH(e, poly7_eval, next, r)
-        {
-            a_float x = e[1].value;
-            a_float y[] = {a_trajpoly7_pos(&ctx, x), a_trajpoly7_vel(&ctx, x), a_trajpoly7_acc(&ctx, x), a_trajpoly7_jer(&ctx, x)};
-            compare("poly7_eval case ", e, 2, 4, y);
-        }
-    }
-    return ROWS(poly7_eval) - next;
+    return p->evaluated.rows - next;
 }
 
 /* Compares binary64 numbers with `*golden` and moves `*golden` behind them. The columns count from 1, as in the golden file. */
@@ -199,23 +160,9 @@ static void replay_claraty(void)
     }
 }
 
-static void replay_fastest(void)
-{
-    for (size_t i = 0; i != ROWS(fastest_bell); ++i) {
-        const real *r = fastest_bell[i];
-        a_trajbell ctx;
-        a_float t = atraj_bell_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
-        compare("atraj_bell_gen", r, 8, 1, &t);
-        compare("atraj_bell_gen", r, 9, 14, (const a_float *)&ctx);
-    }
-    for (size_t i = 0; i != ROWS(fastest_trap); ++i) {
-        const real *r = fastest_trap[i];
-        a_trajtrap ctx;
-        a_float t = atraj_trap_gen(&ctx, r[1].value, r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value);
-        compare("atraj_trap_gen", r, 8, 1, &t);
-        compare("atraj_trap_gen", r, 9, 12, (const a_float *)&ctx);
-    }
-}
+/* Visits the rows of `table` with the case of `row`. `next` goes on from case to case, because tables are in order of cases. */
+#define EACH(e, table, next, row) \
+    for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
 
 static size_t replay_moves(void)
 {
@@ -276,9 +223,9 @@ static int neighbour_works(void) { return 1; }
 
 int main(void)
 {
-    size_t left = replay_bell() + replay_trap() + replay_poly3() + replay_poly5() + replay_poly7() + replay_moves() + replay_axes();
+    size_t left = replay_moves() + replay_axes();
+    for (size_t i = 0; i != ROWS(profiles); ++i) { left += replay_profile(&profiles[i]); }
     replay_claraty();
-    replay_fastest();
     semihost_print_unsigned(rows, 10);
     semihost_print(" comparisons, ");
     semihost_print_unsigned(compared, 10);
