@@ -184,22 +184,31 @@ static void fastest(void)
     EACH(a_trajtrap_gen, fastest_trap);
 }
 
-/* A planner of moves takes other arguments than `function`, so it is called through `pose`. atraj_move_stop ignores the last one. */
-typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *);
+/* Planners of moves and of axes take other arguments than `function`, so each is called through a function that knows its problem.
+ * atraj_move_stop ignores the last argument. */
 static problem posed;
-static planner *posed_to;
+static axes_problem posed_axes;
+static void (*posed_to)(void);
 
 static void pose(void *ctx)
 {
-    posed_to(ctx, &posed.limits, &posed.from, &posed.to);
+    typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *);
+    ((planner *)posed_to)(ctx, &posed.limits, &posed.from, &posed.to);
 }
 
-static cost measure_planner(void (*f)(void), atraj_move *m)
+static void pose_axes(void *ctx)
+{
+    typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float);
+    const axes_problem *q = &posed_axes;
+    ((planner *)posed_to)(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+}
+
+static cost measure_planner(void (*pose)(void *), void (*f)(void), atraj_move *m)
 {
     a_float const none[9] = {0};
-    posed_to = (planner *)stub;
+    posed_to = stub;
     cost const way = measure((void (*)(void))pose, m, none);
-    posed_to = (planner *)f;
+    posed_to = f;
     cost c = measure((void (*)(void))pose, m, none);
     c.instructions -= way.instructions - 1; /* the return instruction belongs to the function */
     c.stack -= way.stack;
@@ -228,7 +237,7 @@ static void moves(void)
         m.phases = 0;
         posed = problem_of(fastest_move[i]);
         if (posed.function == REACH) { continue; } /* each stop calls it */
-        add(&planners[posed.function].sum, measure_planner(planners[posed.function].f, &m));
+        add(&planners[posed.function].sum, measure_planner(pose, planners[posed.function].f, &m));
         if (!m.phases) { continue; }
         for (int k = 0; k != 4; ++k) { evaluate(&evaluations[k].sum, evaluations[k].f, &m); }
     }
@@ -238,32 +247,15 @@ static void moves(void)
     for (int k = 0; k != 4; ++k) { print_costs(evaluations[k].name, evaluations[k].sum); }
 }
 
-/* A planner of axes takes other arguments too. */
-static axes_problem posed_axes;
-typedef int axes_planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float);
-static axes_planner *axes_posed_to;
-
-static void pose_axes(void *ctx)
-{
-    axes_problem *q = &posed_axes;
-    axes_posed_to(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
-}
-
 /* Both planners of axes over the sets of the table that they plan. */
 static void axes(void)
 {
     static atraj_move planned[AXES];
-    a_float const none[9] = {0};
     costs sums[2] = {{0}};
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
         posed_axes = axes_of(fastest_axes[i]);
-        axes_posed_to = (axes_planner *)stub;
-        cost const way = measure((void (*)(void))pose_axes, planned, none);
-        axes_posed_to = posed_axes.line ? atraj_moves_line : atraj_moves_sync;
-        cost c = measure((void (*)(void))pose_axes, planned, none);
-        c.instructions -= way.instructions - 1; /* the return instruction belongs to the function */
-        c.stack -= way.stack;
-        add(&sums[posed_axes.line], c);
+        void (*const f)(void) = posed_axes.line ? (void (*)(void))atraj_moves_line : (void (*)(void))atraj_moves_sync;
+        add(&sums[posed_axes.line], measure_planner(pose_axes, f, planned));
     }
     print_costs("atraj_moves_sync", sums[0]);
     print_costs("atraj_moves_line", sums[1]);

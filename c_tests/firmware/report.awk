@@ -28,6 +28,12 @@ function fastest(build, library, name) {
         value(build, library, name SUBSEP "fastest-mean"), value(build, library, name SUBSEP "fastest-max"),
         value(build, library, name SUBSEP "fastest-stack")
 }
+# A table of planners: their names, separated by blanks.
+function planners(build, title, names,   count, name, i) {
+    printf "\n### %s\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n", title
+    count = split(names, name, " ")
+    for (i = 1; i <= count; ++i) { fastest(build, name[i] ~ /^a_/ ? "original-O2" : "ours", name[i]) }
+}
 function head(title, first, against) {
     printf "\n### %s\n\n| %s | ours | C -Os | C -O2 | ours / C -%s |\n|---|---:|---:|---:|---:|\n", title, first, against
 }
@@ -52,24 +58,12 @@ END {
             if (part[2] !~ /size|stack|-case|fastest/) { row(build, keys[k], "`" part[1] "` " part[2], "O2") }
         }
         printf "\nThe worst `bell_gen` is golden case %d.\n", value(build, "ours", "bell_gen" SUBSEP "worst-case")
-        printf "\n### Plans that never fail\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n"
-        fastest(build, "ours", "atraj_bell_gen")
-        fastest(build, "original-O2", "a_trajbell_gen")
-        fastest(build, "ours", "atraj_trap_gen")
-        fastest(build, "original-O2", "a_trajtrap_gen")
-        printf "\n### Moves from any state to any state\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n"
-        fastest(build, "ours", "atraj_move_plan")
-        fastest(build, "ours", "atraj_move_stop")
-        fastest(build, "ours", "atraj_move_meet")
-        fastest(build, "ours", "atraj_move_pos")
-        fastest(build, "ours", "atraj_move_vel")
-        fastest(build, "ours", "atraj_move_acc")
-        fastest(build, "ours", "atraj_move_jer")
+        planners(build, "Plans that never fail", "atraj_bell_gen a_trajbell_gen atraj_trap_gen a_trajtrap_gen")
+        planners(build, "Moves from any state to any state", "atraj_move_plan atraj_move_stop atraj_move_meet " \
+            "atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer")
         printf "\n`atraj_move_plan`, `_reach`, `_stop`, `_pos`, `_vel`, `_acc` and `_jer` together take %d bytes of flash.\n",
             value(build, "ours", "moves" SUBSEP "fastest-flash")
-        printf "\n### Three axes\n\n| function | flash | instructions, mean | max | stack |\n|---|---:|---:|---:|---:|\n"
-        fastest(build, "ours", "atraj_moves_sync")
-        fastest(build, "ours", "atraj_moves_line")
+        planners(build, "Three axes", "atraj_moves_sync atraj_moves_line")
         printf "\n### Stack, bytes with everything called\n\n| function | ours | C -Os | C -O2 |\n|---|---:|---:|---:|\n"
         for (k = 1; k <= key_count; ++k) {
             split(keys[k], part, SUBSEP)
