@@ -190,27 +190,26 @@ firmware() {
     for program in axis jog; do arm-none-eabi-readelf -A $program.elf | grep 'Tag_ABI_VFP_args: VFP registers'; done
 }
 
-# memory FLASH RAM: the linker's flags for these sizes. Start-up code and memory map come from picolibc, and the result of `main`
-# is the emulator's exit code.
-memory() {
-    printf '%s' '--specs=picolibc.specs --crt0=semihost --oslib=semihost'
-    printf ' -Wl,--defsym=%s' __flash=0 "__flash_size=$1" __ram=0x20000000 "__ram_size=$2"
+# chip NAME: sets the linker's flags and the emulator for the chip, whose archive has this name. The result of `main` is the
+# emulator's exit code.
+chip() {
+    make -s -C "$root/c_tests/firmware" commands NAME="$1" > commands
+    { read -r _ && read -r map && read -r emulator; } < commands
 }
 
 firmware_runs() {
     cp "$example"/* .
-    map=$(memory 4M 4M)
+    chip thumbv7em-none-eabihf
     make ATRAJ="$prefix" BOARD="$map"
-    for program in axis.elf jog.elf; do board $program mps2-an386; done
+    for program in axis.elf jog.elf; do emulate $program; done
     # Half the limit of the acceleration's step, so that a setpoint jumps.
     sed -i 's/0\.03003/0.01502/' jog.c
     make ATRAJ="$prefix" BOARD="$map"
-    if board jog.elf mps2-an386; then return 1; fi
+    if emulate jog.elf; then return 1; fi
 }
 
-# board PROGRAM MACHINE
-board() {
-    timeout 60 qemu-system-arm -M "$2" -nographic -semihosting-config enable=on,target=native -kernel "$1" < /dev/null
+emulate() {
+    timeout 60 $emulator "$1" < /dev/null
 }
 
 # --- a binary that was linked with the original's shared library

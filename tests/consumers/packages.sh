@@ -76,8 +76,9 @@ cross() {
 # A micro:bit's Cortex-M0 stands for the Cortex-M0+ of a Pico.
 cmake_on_a_pico() {
     cp "$example/jog.c" program.c
-    cross "$m0" -DCMAKE_EXE_LINKER_FLAGS="$(memory 256K 16K)"
-    board build/program microbit
+    chip thumbv6m-none-eabi
+    cross "$m0" -DCMAKE_EXE_LINKER_FLAGS="$map"
+    emulate build/program
 }
 
 # cross_refused ARCHIVE-FOR FLAGS-FOR ARGUMENT…: CMake must stop, not the linker later
