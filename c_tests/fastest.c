@@ -4,20 +4,7 @@
  Prints the line of the first broken promise and fails.
 */
 #include "atraj.h"
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#define PROMISE(condition) \
-    do { \
-        if (!(condition)) \
-        { \
-            printf("%s:%d: broken: %s\n", __FILE__, __LINE__, #condition); \
-            return 1; \
-        } \
-    } while (0)
-
-static const a_float none = (a_float)NAN, endless = (a_float)INFINITY;
+#include "promise.h"
 
 /* The answer is NaN, and the context keeps its bytes. */
 #define REFUSED(type, gen, a, b, c, p0, p1, v0, v1) \

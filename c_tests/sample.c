@@ -4,18 +4,7 @@
  Prints the line of the first broken promise and fails.
 */
 #include "atraj.h"
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#define PROMISE(condition) \
-    do { \
-        if (!(condition)) \
-        { \
-            printf("%s:%d: broken: %s\n", __FILE__, __LINE__, #condition); \
-            return 1; \
-        } \
-    } while (0)
+#include "promise.h"
 
 enum { MOST = 150, QUANTITIES = 4 };
 
