@@ -123,41 +123,59 @@ static const int is_newest = 1;
 static const int is_newest = 0;
 #endif
 
+/* A family whose gen has seven arguments and returns a duration. It saturates a velocity at the limit whose index is `vm`. */
+struct limited {
+    const char *name, *newest, *function;
+    int vm, fields;
+    a_float (*gen)(void *ctx, const a_float *a);
+};
+
+/* Plans the moves of a table from all-zero structs and leaves them in `moves`. Returns their number. */
+static int plan(const char *directory, const struct limited *family, int newest, a_float *moves, int *differing)
+{
+    struct table table = open_table(directory, newest ? family->newest : family->name);
+    const a_size size = (a_size)family->fields * sizeof(a_float);
+    int n = 0;
+    for (; next_row(&table, 2 + 7 + 1 + family->fields) && n < MAX_MOVES; ++n, moves += family->fields)
+    {
+        a_float a[7], out[MAX_CELLS];
+        reals(&table, 2, 7, a);
+        if (newest != is_newest && depends_on_generation(a[family->vm], a[5], a[6]))
+        {
+            reals(&table, 10, family->fields, moves);
+            continue;
+        }
+        memset(moves, 0, size);
+        out[0] = family->gen(moves, a);
+        memcpy(out + 1, moves, size);
+        *differing += differs(&table, family->function, 9, out, 1 + family->fields);
+    }
+    return n;
+}
+
+/* Checks gen on all moves, and leaves the moves of 0.1.15 in `moves`. Returns their number. */
+static int plans(const char *directory, const struct limited *family, void *moves)
+{
+    int differing = 0;
+    int newest = is_newest ? plan(directory, family, 1, moves, &differing) : 0;
+    int n = plan(directory, family, 0, moves, &differing);
+    report(family->function, newest + n, differing);
+    return n;
+}
+
+static a_float gen_bell(void *ctx, const a_float *a) { return a_trajbell_gen(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
+static a_float gen_trap(void *ctx, const a_float *a) { return a_trajtrap_gen(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
+
 EVALUATE(trajbell_pos)
 EVALUATE(trajbell_vel)
 EVALUATE(trajbell_acc)
 EVALUATE(trajbell_jer)
 
-/* Plans the moves of a table from all-zero structs and leaves them in `moves`. Returns their number. */
-static int plan_bells(const char *directory, const char *family, int newest, a_trajbell *moves, int *differing)
-{
-    struct table table = open_table(directory, family);
-    int n = 0;
-    for (; next_row(&table, 2 + 7 + 1 + 14) && n < MAX_MOVES; ++n)
-    {
-        a_float a[7], out[15];
-        reals(&table, 2, 7, a);
-        if (newest != is_newest && depends_on_generation(a[2], a[5], a[6]))
-        {
-            reals(&table, 9, 15, out);
-            memcpy(&moves[n], out + 1, sizeof(moves[n]));
-            continue;
-        }
-        memset(&moves[n], 0, sizeof(moves[n]));
-        out[0] = a_trajbell_gen(&moves[n], a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-        memcpy(out + 1, &moves[n], sizeof(moves[n]));
-        *differing += differs(&table, "a_trajbell_gen", 9, out, 15);
-    }
-    return n;
-}
-
 static void bell(const char *directory)
 {
+    static const struct limited family = {"bell_gen", "newest_bell_gen", "a_trajbell_gen", 2, 14, gen_bell};
     static a_trajbell moves[MAX_MOVES];
-    int differing = 0;
-    int newest = is_newest ? plan_bells(directory, "newest_bell_gen", 1, moves, &differing) : 0;
-    int n = plan_bells(directory, "bell_gen", 0, moves, &differing);
-    report("a_trajbell_gen", newest + n, differing);
+    int n = plans(directory, &family, moves);
     REPLAY("bell_eval", 6, 2, trajbell_pos, moves, n);
     REPLAY("bell_eval", 6, 3, trajbell_vel, moves, n);
     REPLAY("bell_eval", 6, 4, trajbell_acc, moves, n);
@@ -168,36 +186,11 @@ EVALUATE(trajtrap_pos)
 EVALUATE(trajtrap_vel)
 EVALUATE(trajtrap_acc)
 
-/* As `plan_bells`. */
-static int plan_traps(const char *directory, const char *family, int newest, a_trajtrap *moves, int *differing)
-{
-    struct table table = open_table(directory, family);
-    int n = 0;
-    for (; next_row(&table, 2 + 7 + 1 + 12) && n < MAX_MOVES; ++n)
-    {
-        a_float a[7], out[13];
-        reals(&table, 2, 7, a);
-        if (newest != is_newest && depends_on_generation(a[0], a[5], a[6]))
-        {
-            reals(&table, 9, 13, out);
-            memcpy(&moves[n], out + 1, sizeof(moves[n]));
-            continue;
-        }
-        memset(&moves[n], 0, sizeof(moves[n]));
-        out[0] = a_trajtrap_gen(&moves[n], a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-        memcpy(out + 1, &moves[n], sizeof(moves[n]));
-        *differing += differs(&table, "a_trajtrap_gen", 9, out, 13);
-    }
-    return n;
-}
-
 static void trap(const char *directory)
 {
+    static const struct limited family = {"trap_gen", "newest_trap_gen", "a_trajtrap_gen", 0, 12, gen_trap};
     static a_trajtrap moves[MAX_MOVES];
-    int differing = 0;
-    int newest = is_newest ? plan_traps(directory, "newest_trap_gen", 1, moves, &differing) : 0;
-    int n = plan_traps(directory, "trap_gen", 0, moves, &differing);
-    report("a_trajtrap_gen", newest + n, differing);
+    int n = plans(directory, &family, moves);
     REPLAY("trap_eval", 5, 2, trajtrap_pos, moves, n);
     REPLAY("trap_eval", 5, 3, trajtrap_vel, moves, n);
     REPLAY("trap_eval", 5, 4, trajtrap_acc, moves, n);
