@@ -1,6 +1,6 @@
 //! Does every file of `src` import from its own storey and from those below it only, and do no files import each other in a circle?
 //!
-//! An import is a `use`, or a path in a body. What is for tests only does not count, nor what a module re-exports of its own parts.
+//! An import is a `use`, or a path in a body. It does not count if it is for tests only, or if a module re-exports its own parts.
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::cmp::Ordering;
@@ -42,7 +42,7 @@ struct Import {
     is_public: bool,
 }
 
-/// The words and marks of a file, without comments, literals and what is for tests only.
+/// The words and marks of a file. Comments, literals and items for tests are left out.
 fn flat(stream: TokenStream, words: &mut Vec<String>) {
     let mut trees = stream.into_iter();
     while let Some(tree) = trees.next() {
@@ -83,6 +83,7 @@ fn imports(text: &str) -> Vec<Import> {
     while at < words.len() {
         let first = at;
         match word(at) {
+            "mod" if word(at + 2) == "{" => panic!("mod {} has no file of its own", word(at + 1)),
             "pub" if word(at + 1) == "(" => at += until(at, ")"),
             "use" if word(at + 1) != "<" => {
                 at += until(at, ";");
@@ -148,13 +149,18 @@ fn read_use<'a>(
 struct Files<'a>(BTreeMap<Module, (&'a str, Vec<Import>)>);
 
 impl<'a> Files<'a> {
+    /// The crate may import everything, so nothing of its file is read.
     fn new(sources: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
-        let files = sources.into_iter();
-        Self(
-            files
-                .map(|(path, text)| (module_of(path), (path, imports(text))))
-                .collect(),
-        )
+        let files = sources.into_iter().map(|(path, text)| {
+            let module = module_of(path);
+            let imports = if module.is_empty() {
+                Vec::new()
+            } else {
+                imports(text)
+            };
+            (module, (path, imports))
+        });
+        Self(files.collect())
     }
 
     fn child(&self, module: &[String], name: &str) -> Option<Module> {
@@ -162,14 +168,27 @@ impl<'a> Files<'a> {
         self.0.contains_key(&child).then_some(child)
     }
 
-    /// The module that defines what these names mean in `module`; `None` if it is none of ours, or if a `use` has brought the name.
+    /// The `use` that brings a name into a module.
+    fn brought(&self, module: &[String], name: &str) -> Option<&Import> {
+        let mut imports = self.0[module].1.iter();
+        let brings = |import: &&Import| import.known_as.as_deref() == Some(name);
+        imports.find(|import| brings(import) && import.names[0] != name)
+    }
+
+    /// The module that defines what these names mean in `module`; `None` if it is none of ours.
     fn definer(&self, module: &[String], names: &[String]) -> Option<Module> {
         let (first, rest) = names.split_first()?;
         match first.as_str() {
             "crate" => Some(self.within(&[], rest)),
             "self" => Some(self.within(module, rest)),
             "super" => Some(self.within(module.split_last()?.1, rest)),
-            _ => Some(self.within(&self.child(module, first)?, rest)),
+            _ => match self.child(module, first) {
+                Some(child) => Some(self.within(&child, rest)),
+                None => {
+                    let brought = self.brought(module, first)?;
+                    self.definer(module, &[&brought.names, rest].concat())
+                }
+            },
         }
     }
 
@@ -184,17 +203,15 @@ impl<'a> Files<'a> {
         if let Some(child) = self.child(module, first) {
             return self.within(&child, rest);
         }
-        let mut own = self.0[module].1.iter().filter(|_| !module.is_empty());
-        let brought = own.find(|import| import.known_as.as_ref() == Some(first));
+        let brought = self.brought(module, first);
         let elsewhere =
             brought.and_then(|import| self.definer(module, &[&import.names, rest].concat()));
         elsewhere.unwrap_or(module.to_vec())
     }
 
-    /// Each file with the files that it imports. The crate may import everything.
+    /// Each file with the files that it imports.
     fn imported(&self) -> BTreeMap<&Module, BTreeSet<Module>> {
-        let files = self.0.iter().filter(|(module, _)| !module.is_empty());
-        let imported = files.map(|(module, (_, imports))| {
+        let imported = self.0.iter().map(|(module, (_, imports))| {
             let definers = imports.iter().filter_map(|import| {
                 let definer = self.definer(module, &import.names)?;
                 let is_reexport = import.is_public && definer.starts_with(module);
@@ -217,14 +234,13 @@ impl<'a> Files<'a> {
             .iter()
             .flat_map(|(from, all)| all.iter().map(|to| (*from, to)));
         for (from, to) in imports {
-            let where_from = storey(from)
-                .zip(storey(to))
-                .map(|((own, side), (other, beside))| (other.cmp(&own), side == beside));
-            let fault = match where_from {
-                Some((Ordering::Greater, _)) => Some("an upper storey"),
-                Some((Ordering::Equal, false)) => Some("a storey beside its own"),
-                _ => None,
-            };
+            let storeys = storey(from).zip(storey(to));
+            let fault =
+                storeys.and_then(|((own, side), (other, other_side))| match other.cmp(&own) {
+                    Ordering::Greater => Some("an upper storey"),
+                    Ordering::Equal if side != other_side => Some("a storey beside its own"),
+                    _ => None,
+                });
             faults.extend(
                 fault.map(|fault| {
                     format!("{} imports {}, which is in {fault}.", path(from), path(to))
@@ -324,6 +340,7 @@ claraty/mod.rs: use crate::liba::bell; => claraty/mod.rs imports liba/bell.rs, w
 liba/bell.rs: use super::super::claraty::x; => liba/bell.rs imports claraty/mod.rs, which is in a storey beside its own.
 liba/bell.rs: use super::Trap; pub struct Bell; => liba/bell.rs and liba/trap.rs import each other.
 liba/bell.rs: pub struct Bell(super::trap::Trap); => liba/bell.rs and liba/trap.rs import each other.
+liba/bell.rs: use crate::liba; fn f() { liba::trap::f() } => liba/bell.rs and liba/trap.rs import each other.
 liba/bell.rs: use super::poly::Poly; => liba/bell.rs and liba/poly.rs and liba/trap.rs import each other.
 real/mod.rs: mod soft; use soft::root; pub trait Real {} => real/mod.rs and real/soft.rs import each other.
 real/mod.rs: mod soft; fn f() { soft::root() } => real/mod.rs and real/soft.rs import each other.
