@@ -4,7 +4,9 @@ use atraj::online::{Move, Phase};
 use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
 use std::array;
 use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
-use support::{Comparison, Family, Random, Real, golden, online, test_each_family};
+use support::{
+    Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family,
+};
 
 /// A sweep of `n` samples.
 #[derive(Clone, Copy)]
@@ -158,15 +160,7 @@ fn moves<R: Real>() {
     comparison.finish("moves");
 }
 
-#[test]
-fn moves_f32() {
-    moves::<f32>();
-}
-
-#[test]
-fn moves_f64() {
-    moves::<f64>();
-}
+test_both_reals!(moves);
 
 /// Structs that no plan makes: borders in any order, NaN and infinite fields.
 fn any_fields<R: Real>() {
@@ -216,15 +210,7 @@ fn any_field<R: Real>(random: &mut Random) -> R {
     R::of(random.pick(&choices))
 }
 
-#[test]
-fn any_fields_f32() {
-    any_fields::<f32>();
-}
-
-#[test]
-fn any_fields_f64() {
-    any_fields::<f64>();
-}
+test_both_reals!(any_fields);
 
 /// Beyond 2^24 the number of a sample need not be a binary32.
 #[test]

@@ -3,13 +3,13 @@
 use atraj::State;
 use atraj::axes::synchronise;
 use atraj::online::{Limits, Move};
-use support::{Random, Real, online};
+use support::{Random, Real, online, test_both_reals};
 
 const SETS: usize = 20_000;
 const MOST_AXES: usize = 6;
 
 /// From rest to rest, with equal jerks, an axis is no faster than twice its mean velocity.
-fn slow<R: Real>() {
+fn from_rest_to_rest<R: Real>() {
     let mut random = Random::seeded(7);
     for _ in 0..SETS {
         let count = 1 + random.below(MOST_AXES);
@@ -44,12 +44,4 @@ fn slow<R: Real>() {
     }
 }
 
-#[test]
-fn from_rest_to_rest_f64() {
-    slow::<f64>();
-}
-
-#[test]
-fn from_rest_to_rest_f32() {
-    slow::<f32>();
-}
+test_both_reals!(from_rest_to_rest);

@@ -3,10 +3,11 @@
 use atraj::online::Phase;
 use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, State, Trap};
 use support::profiles::{Profile, bell_fields, trap_fields};
-use support::{Family, Random, Real, online};
+use support::{Family, Random, Real, online, test_both_reals};
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
+const ROUNDINGS: f64 = 8.0;
 
 /// A random move, its duration, what it reaches, and how it is evaluated.
 struct Move<R> {
@@ -107,7 +108,7 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
     }
 }
 
-fn from_any_state<R: Real>(random: &mut Random) -> Move<R> {
+fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     let (_, _, planned) = online::planned::<R>(random);
     let phases = &planned.phase[..=planned.phases as usize];
     let of_phase = |phase: &Phase<R>| {
@@ -157,7 +158,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
             });
         let (low, high) = (lowest[quantity], highest[quantity]);
         let rounding = R::MACHINE_EPSILON.widen() * the_move.scales[quantity];
-        let missed = 0.01 * (sampled_high - sampled_low) + 8.0 * rounding;
+        let missed = 0.01 * (sampled_high - sampled_low) + ROUNDINGS * rounding;
         assert!(low >= sampled_low - missed, "{low:e} is not reached");
         assert!(high <= sampled_high + missed, "{high:e} is not reached");
         worst = worst.max((low - sampled_low) / rounding);
@@ -166,7 +167,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     worst
 }
 
-fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>, roundings: f64) {
+fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
     let mut random = Random::seeded(1);
     let mut most = 0.0_f64;
     for _ in 0..MOVES {
@@ -179,35 +180,19 @@ fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>, roundings: f64) 
         "{}: a sample lies {most:.1} roundings beyond an extreme",
         R::NAME
     );
-    assert!(most <= roundings, "{most}");
+    assert!(most <= ROUNDINGS, "{most}");
 }
 
-#[test]
-fn polynomials_f64() {
-    nothing_lies_beyond::<f64>(polynomial, 8.0);
+fn polynomials<R: Real>() {
+    nothing_lies_beyond::<R>(polynomial);
 }
 
-#[test]
-fn polynomials_f32() {
-    nothing_lies_beyond::<f32>(polynomial, 8.0);
+fn plans<R: Real>() {
+    nothing_lies_beyond::<R>(fastest);
 }
 
-#[test]
-fn plans_f64() {
-    nothing_lies_beyond::<f64>(fastest, 8.0);
+fn from_any_state<R: Real>() {
+    nothing_lies_beyond::<R>(between_any_states);
 }
 
-#[test]
-fn plans_f32() {
-    nothing_lies_beyond::<f32>(fastest, 8.0);
-}
-
-#[test]
-fn from_any_state_f64() {
-    nothing_lies_beyond::<f64>(from_any_state, 8.0);
-}
-
-#[test]
-fn from_any_state_f32() {
-    nothing_lies_beyond::<f32>(from_any_state, 8.0);
-}
+test_both_reals!(polynomials, plans, from_any_state);

@@ -3,7 +3,7 @@
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use atraj::State;
 use atraj::online::{Limits, Move};
-use support::{Random, Real, online};
+use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
@@ -36,7 +36,7 @@ fn rounding<R: Real>(planned: &Move<R>) -> f64 {
 
 /// Asks for the positions of samples, for the extremes and for what lies beyond. The first sample at a position, or the first pair of
 /// samples with the position between them, says when the axis is there.
-fn check<R: Real>() {
+fn in_random_moves<R: Real>() {
     let mut random = Random::seeded(1);
     let (mut found, mut never) = (0, 0);
     for number in 0..MOVES {
@@ -86,15 +86,7 @@ fn check<R: Real>() {
     assert!(found > MOVES * 7 && never == MOVES * 3);
 }
 
-#[test]
-fn in_random_moves_f64() {
-    check::<f64>();
-}
-
-#[test]
-fn in_random_moves_f32() {
-    check::<f32>();
-}
+test_both_reals!(in_random_moves);
 
 /// The axis passes its target, turns and comes back.
 #[test]
