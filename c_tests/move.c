@@ -126,13 +126,11 @@ static int refused_pointers(void)
     return 0;
 }
 
-/* A target outside the limits; a target that the axis can only reach, or only leave, by being outside; a target too fast to meet. */
+/* A target outside the limits, and a target too fast to meet. */
 static int refused_targets(void)
 {
-    static const a_float outside[][2] = {{6, 0},  {-5, 0}, {0, 11}, {0, -10}, {5, 1},  {5, -1},
-                                         {-4, 1}, {-4, -1}, {A_FLOAT_C(4.9), 3}, {A_FLOAT_C(-3.9), -3}};
-    static const a_float too_fast[][2] = {{5, 0}, {-4, 0}, {6, 0}, {-5, 0}, {1, 1}, {1, -1}};
-    static const a_float reachable[][2] = {{5, 0}, {-4, 0}, {0, 10}, {0, -9}, {4, 2}, {-3, -2}};
+    static const a_float outside[][2] = {{6, 0}, {-5, 0}, {0, 11}, {0, -10}, {5, 1}, {-4, -1}};
+    static const a_float too_fast[][2] = {{5, 0}, {-4, 0}, {1, 1}, {1, -1}};
     struct problem p = good;
     int i;
     for (i = 0; i < (int)A_LEN(outside); ++i)
@@ -148,14 +146,6 @@ static int refused_targets(void)
         p.to.v = too_fast[i][0];
         p.to.a = too_fast[i][1];
         PROMISE(answers(ATRAJ_ERR_TARGET, atraj_move_meet, &p));
-    }
-    for (i = 0; i < (int)A_LEN(reachable); ++i)
-    {
-        atraj_move ctx;
-        p.to.v = reachable[i][0];
-        p.to.a = reachable[i][1];
-        PROMISE(atraj_move_plan(&ctx, &p.limits, &p.from, &p.to) >= 0);
-        PROMISE(reach(&ctx, &p.limits, &p.from, &p.to) >= 0);
     }
     return 0;
 }
@@ -232,9 +222,7 @@ static int plans(void)
 
 static int starts_outside(void)
 {
-    static const atraj_state from[] = {{0, 6, 0}, {0, -6, 0}, {0, 0, 11}, {0, 0, -11}, {0, 5, 5}, {0, -5, -5}, {0, 9, 20}};
-    static const atraj_state inside[] = {{0, 5, 0}, {0, -5, 0}, {0, 0, 10}, {0, 0, -10}, {0, 5, -5}, {0, -5, 5}};
-    const atraj_state to = {1000, 0, 0};
+    static const atraj_state from[] = {{0, 6, 0}, {0, -6, 0}, {0, 0, 11}, {0, 5, 5}, {0, 9, 20}}, to = {1000, 0, 0};
     atraj_limits limits;
     atraj_move ctx;
     int i;
@@ -244,11 +232,6 @@ static int starts_outside(void)
         PROMISE(atraj_move_plan(&ctx, &limits, &from[i], &to) & ATRAJ_STARTS_OUTSIDE);
         PROMISE(atraj_move_stop(&ctx, &limits, &from[i]) & ATRAJ_STARTS_OUTSIDE);
         PROMISE(atraj_move_vel(&ctx, ctx.t) == 0 && atraj_move_acc(&ctx, ctx.t) == 0);
-    }
-    PROMISE(atraj_move_plan(&ctx, &limits, &from[0], &to) == ATRAJ_STARTS_OUTSIDE);
-    for (i = 0; i < (int)A_LEN(inside); ++i)
-    {
-        PROMISE(!(atraj_move_plan(&ctx, &limits, &inside[i], &to) & ATRAJ_STARTS_OUTSIDE));
     }
     return 0;
 }
