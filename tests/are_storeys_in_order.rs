@@ -149,7 +149,7 @@ fn read_use<'a>(
 struct Files<'a>(BTreeMap<Module, (&'a str, Vec<Import>)>);
 
 impl<'a> Files<'a> {
-    /// The crate may import everything, so nothing of its file is read.
+    /// The file of the crate is not read, as it may import everything.
     fn new(sources: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let files = sources.into_iter().map(|(path, text)| {
             let module = module_of(path);
@@ -272,7 +272,7 @@ fn way(
         let next = imported.get(last).into_iter().flatten();
         ways.extend(
             next.filter(|next| seen.insert(*next))
-                .map(|next| [&way[..], &[next.clone()]].concat()),
+                .map(|next| [&way[..], std::slice::from_ref(next)].concat()),
         );
     }
     None
