@@ -7,9 +7,7 @@
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "a/trajtrap.h"
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
+#include "promise.h"
 
 #define REALS(type, count) A_BUILD_ASSERT(sizeof(type) == (count) * sizeof(a_float))
 #define AT(type, field, index) A_BUILD_ASSERT(offsetof(type, field) == (index) * sizeof(a_float))
@@ -70,15 +68,6 @@ A_INTERN void layout(void)
     A_BUILD_ASSERT(sizeof(a_real) == sizeof(a_float) && sizeof(a_float) == A_SIZE_FLOAT);
     A_BUILD_ASSERT(sizeof(a_i8) == 1 && sizeof(a_u16) == 2 && sizeof(a_i32) == 4 && sizeof(a_u64) == 8);
 }
-
-#define PROMISE(condition) \
-    do { \
-        if (!(condition)) \
-        { \
-            printf("%s:%d: broken: %s\n", __FILE__, __LINE__, #condition); \
-            return 1; \
-        } \
-    } while (0)
 
 A_INTERN int prelude(void)
 {

@@ -3,17 +3,13 @@
  usage: golden DIRECTORY
  Prints a line `function rows differing` for each function. Fails on a difference, or on a file without rows.
 
- With LIBA_HEADERS it calls only the functions that liba's own headers declare.
+ It calls only the functions that liba's own headers declare too. `sample.c` compares the others with them.
 */
-#if defined(LIBA_HEADERS)
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "a/trajtrap.h"
-#else
-#include "atraj.h"
-#endif
 #include "table.h"
 #include <math.h>
 
@@ -113,65 +109,6 @@ static void replay(const char *directory, const char *family, const char *functi
 #define REPLAY(family, columns, column, f, contexts, moves) \
     replay(directory, family, "a_" #f, columns, column, f, contexts, sizeof((contexts)[0]), moves)
 
-#if defined(LIBA_HEADERS)
-#define REPLAY_TOGETHER(family, quantities, contexts, moves)
-#else
-
-/* Checks all columns of an evaluation table with the function `evaluate`, which computes them together. */
-static void replay_together(const char *directory, const char *family, const char *function, int quantities,
-                            void (*evaluate)(const void *ctx, a_float x, a_float *out), const void *contexts,
-                            a_size size, int moves)
-{
-    struct table table = open_table(directory, family);
-    int rows = 0, differing = 0;
-    while (next_row(&table, 2 + quantities))
-    {
-        const char *ctx = (const char *)contexts + size * (a_size)move_of(&table, moves);
-        a_float out[4];
-        evaluate(ctx, real_of(table.cells[1]), out);
-        differing += differs(&table, function, 2, out, quantities);
-        ++rows;
-    }
-    report(function, rows, differing);
-}
-
-/* Evaluate by the state and by the last of seven samples. The step is -0, because every time plus -0 is the same time. */
-#define TOGETHER3(family) \
-    static void family##_state(const void *ctx, a_float x, a_float *y) \
-    { \
-        atraj_##family##_state(ctx, x, y, y + 1, y + 2); \
-    } \
-    static void family##_sample(const void *ctx, a_float x, a_float *y) \
-    { \
-        a_float p[7], v[7], a[7]; \
-        failed |= atraj_##family##_sample(ctx, x, -(a_float)0, 7, p, v, a) != 7; \
-        y[0] = p[6], y[1] = v[6], y[2] = a[6]; \
-    }
-#define TOGETHER4(family) \
-    static void family##_state(const void *ctx, a_float x, a_float *y) \
-    { \
-        atraj_##family##_state(ctx, x, y, y + 1, y + 2, y + 3); \
-    } \
-    static void family##_sample(const void *ctx, a_float x, a_float *y) \
-    { \
-        a_float p[7], v[7], a[7], j[7]; \
-        failed |= atraj_##family##_sample(ctx, x, -(a_float)0, 7, p, v, a, j) != 7; \
-        y[0] = p[6], y[1] = v[6], y[2] = a[6], y[3] = j[6]; \
-    }
-#define REPLAY_TOGETHER(family, quantities, contexts, moves) \
-    replay_together(directory, #family "_eval", "atraj_" #family "_state", quantities, family##_state, contexts, \
-                    sizeof((contexts)[0]), moves); \
-    replay_together(directory, #family "_eval", "atraj_" #family "_sample", quantities, family##_sample, contexts, \
-                    sizeof((contexts)[0]), moves)
-
-TOGETHER4(bell)
-TOGETHER3(trap)
-TOGETHER3(poly3)
-TOGETHER3(poly5)
-TOGETHER4(poly7)
-
-#endif /* LIBA_HEADERS */
-
 /* Whether liba since 2025 saturates a velocity in another way than 0.1.15 does. */
 static int depends_on_generation(a_float vm, a_float v0, a_float v1)
 {
@@ -186,86 +123,77 @@ static const int is_newest = 1;
 static const int is_newest = 0;
 #endif
 
+/* A family whose gen has seven arguments and returns a duration. It saturates a velocity at the limit whose index is `vm`. */
+struct limited {
+    const char *name, *newest, *function;
+    int vm, fields;
+    a_float (*gen)(void *ctx, const a_float *a);
+};
+
+/* Plans the moves of a table from all-zero structs and leaves them in `moves`. Returns their number. */
+static int plan(const char *directory, const struct limited *family, int newest, a_float *moves, int *differing)
+{
+    struct table table = open_table(directory, newest ? family->newest : family->name);
+    const a_size size = (a_size)family->fields * sizeof(a_float);
+    int n = 0;
+    for (; next_row(&table, 2 + 7 + 1 + family->fields) && n < MAX_MOVES; ++n, moves += family->fields)
+    {
+        a_float a[7], out[MAX_CELLS];
+        reals(&table, 2, 7, a);
+        if (newest != is_newest && depends_on_generation(a[family->vm], a[5], a[6]))
+        {
+            reals(&table, 10, family->fields, moves);
+            continue;
+        }
+        memset(moves, 0, size);
+        out[0] = family->gen(moves, a);
+        memcpy(out + 1, moves, size);
+        *differing += differs(&table, family->function, 9, out, 1 + family->fields);
+    }
+    return n;
+}
+
+/* Checks gen on all moves, and leaves the moves of 0.1.15 in `moves`. Returns their number. */
+static int plans(const char *directory, const struct limited *family, void *moves)
+{
+    int differing = 0;
+    int newest = is_newest ? plan(directory, family, 1, moves, &differing) : 0;
+    int n = plan(directory, family, 0, moves, &differing);
+    report(family->function, newest + n, differing);
+    return n;
+}
+
+static a_float gen_bell(void *ctx, const a_float *a) { return a_trajbell_gen(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
+static a_float gen_trap(void *ctx, const a_float *a) { return a_trajtrap_gen(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
+
 EVALUATE(trajbell_pos)
 EVALUATE(trajbell_vel)
 EVALUATE(trajbell_acc)
 EVALUATE(trajbell_jer)
 
-/* Plans the moves of a table from all-zero structs and leaves them in `moves`. Returns their number. */
-static int plan_bells(const char *directory, const char *family, int newest, a_trajbell *moves, int *differing)
-{
-    struct table table = open_table(directory, family);
-    int n = 0;
-    for (; next_row(&table, 2 + 7 + 1 + 14) && n < MAX_MOVES; ++n)
-    {
-        a_float a[7], out[15];
-        reals(&table, 2, 7, a);
-        if (newest != is_newest && depends_on_generation(a[2], a[5], a[6]))
-        {
-            reals(&table, 9, 15, out);
-            memcpy(&moves[n], out + 1, sizeof(moves[n]));
-            continue;
-        }
-        memset(&moves[n], 0, sizeof(moves[n]));
-        out[0] = a_trajbell_gen(&moves[n], a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-        memcpy(out + 1, &moves[n], sizeof(moves[n]));
-        *differing += differs(&table, "a_trajbell_gen", 9, out, 15);
-    }
-    return n;
-}
-
 static void bell(const char *directory)
 {
+    static const struct limited family = {"bell_gen", "newest_bell_gen", "a_trajbell_gen", 2, 14, gen_bell};
     static a_trajbell moves[MAX_MOVES];
-    int differing = 0;
-    int newest = is_newest ? plan_bells(directory, "newest_bell_gen", 1, moves, &differing) : 0;
-    int n = plan_bells(directory, "bell_gen", 0, moves, &differing);
-    report("a_trajbell_gen", newest + n, differing);
+    int n = plans(directory, &family, moves);
     REPLAY("bell_eval", 6, 2, trajbell_pos, moves, n);
     REPLAY("bell_eval", 6, 3, trajbell_vel, moves, n);
     REPLAY("bell_eval", 6, 4, trajbell_acc, moves, n);
     REPLAY("bell_eval", 6, 5, trajbell_jer, moves, n);
-    REPLAY_TOGETHER(bell, 4, moves, n);
 }
 
 EVALUATE(trajtrap_pos)
 EVALUATE(trajtrap_vel)
 EVALUATE(trajtrap_acc)
 
-/* As `plan_bells`. */
-static int plan_traps(const char *directory, const char *family, int newest, a_trajtrap *moves, int *differing)
-{
-    struct table table = open_table(directory, family);
-    int n = 0;
-    for (; next_row(&table, 2 + 7 + 1 + 12) && n < MAX_MOVES; ++n)
-    {
-        a_float a[7], out[13];
-        reals(&table, 2, 7, a);
-        if (newest != is_newest && depends_on_generation(a[0], a[5], a[6]))
-        {
-            reals(&table, 9, 13, out);
-            memcpy(&moves[n], out + 1, sizeof(moves[n]));
-            continue;
-        }
-        memset(&moves[n], 0, sizeof(moves[n]));
-        out[0] = a_trajtrap_gen(&moves[n], a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-        memcpy(out + 1, &moves[n], sizeof(moves[n]));
-        *differing += differs(&table, "a_trajtrap_gen", 9, out, 13);
-    }
-    return n;
-}
-
 static void trap(const char *directory)
 {
+    static const struct limited family = {"trap_gen", "newest_trap_gen", "a_trajtrap_gen", 0, 12, gen_trap};
     static a_trajtrap moves[MAX_MOVES];
-    int differing = 0;
-    int newest = is_newest ? plan_traps(directory, "newest_trap_gen", 1, moves, &differing) : 0;
-    int n = plan_traps(directory, "trap_gen", 0, moves, &differing);
-    report("a_trajtrap_gen", newest + n, differing);
+    int n = plans(directory, &family, moves);
     REPLAY("trap_eval", 5, 2, trajtrap_pos, moves, n);
     REPLAY("trap_eval", 5, 3, trajtrap_vel, moves, n);
     REPLAY("trap_eval", 5, 4, trajtrap_acc, moves, n);
-    REPLAY_TOGETHER(trap, 3, moves, n);
 }
 
 /*
@@ -423,7 +351,6 @@ static void poly3(const char *directory)
 #if A_TRAJPOLY3 > 2
     REPLAY("poly3_eval", 5, 4, trajpoly3_acc, moves, n);
 #endif
-    REPLAY_TOGETHER(poly3, 3, moves, n);
 }
 
 static void poly5(const char *directory)
@@ -438,7 +365,6 @@ static void poly5(const char *directory)
 #if A_TRAJPOLY5 > 2
     REPLAY("poly5_eval", 5, 4, trajpoly5_acc, moves, n);
 #endif
-    REPLAY_TOGETHER(poly5, 3, moves, n);
 }
 
 static void poly7(const char *directory)
@@ -456,7 +382,6 @@ static void poly7(const char *directory)
 #if A_TRAJPOLY7 > 3
     REPLAY("poly7_eval", 6, 5, trajpoly7_jer, moves, n);
 #endif
-    REPLAY_TOGETHER(poly7, 4, moves, n);
 }
 
 int main(int argc, char **argv)

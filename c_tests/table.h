@@ -1,4 +1,4 @@
-/* Reads golden files, in C and C++. Ends the program if a file is missing, empty or of another form. */
+/* Reads golden files. Ends the program if a file is missing, empty or of another form. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,9 @@ use atraj::online::{Move, Phase};
 use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
 use std::array;
 use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
-use support::{Comparison, Family, Random, Real, golden, online, test_each_family};
+use support::{
+    Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family,
+};
 
 /// A sweep of `n` samples.
 #[derive(Clone, Copy)]
@@ -120,37 +122,16 @@ fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
     special.clone().flat_map(from).collect()
 }
 
-/// Every golden move through sweeps, and every golden evaluation through the joint calls.
+/// Every golden move through sweeps.
 fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(
     family: Family,
     profile: fn(&[R]) -> P,
 ) {
     let mut comparison = Comparison::default();
-    let planned: Vec<_> = golden::moves::<R>(family)
-        .iter()
-        .map(|golden| {
-            let profile = profile(&golden.fields);
-            let borders = family.borders(&golden.arguments, &golden.fields);
-            check_profile(&mut comparison, &golden.place, &profile, &borders);
-            profile
-        })
-        .collect();
-    for golden in golden::evaluations::<R>(family) {
-        let profile = &planned[golden.case];
-        let mut sampled = [[R::of(0.0); 3]; N];
-        // Any time plus -0 is this time.
-        profile.sample_into(
-            golden.x,
-            R::of(-0.0),
-            sampled.each_mut().map(|y| &mut y[..]),
-        );
-        let state = profile.state(golden.x);
-        for (i, &want) in golden.values.iter().enumerate() {
-            comparison.check(&golden.place, "state", state[i], want);
-            for got in sampled[i] {
-                comparison.check(&golden.place, "sample", got, want);
-            }
-        }
+    for golden in golden::moves::<R>(family) {
+        let borders = family.borders(&golden.arguments, &golden.fields);
+        let profile = profile(&golden.fields);
+        check_profile(&mut comparison, &golden.place, &profile, &borders);
     }
     comparison.finish(family.name());
 }
@@ -173,26 +154,13 @@ fn moves<R: Real>() {
     let mut comparison = Comparison::default();
     for number in 0..400 {
         let (_, _, planned) = online::planned::<R>(&mut random);
-        let borders = move_borders(&planned);
-        check_profile(
-            &mut comparison,
-            &format!("move {number}"),
-            &planned,
-            &borders,
-        );
+        let (place, borders) = (format!("move {number}"), move_borders(&planned));
+        check_profile(&mut comparison, &place, &planned, &borders);
     }
     comparison.finish("moves");
 }
 
-#[test]
-fn moves_f32() {
-    moves::<f32>();
-}
-
-#[test]
-fn moves_f64() {
-    moves::<f64>();
-}
+test_both_reals!(moves);
 
 /// Structs that no plan makes: borders in any order, NaN and infinite fields.
 fn any_fields<R: Real>() {
@@ -242,15 +210,7 @@ fn any_field<R: Real>(random: &mut Random) -> R {
     R::of(random.pick(&choices))
 }
 
-#[test]
-fn any_fields_f32() {
-    any_fields::<f32>();
-}
-
-#[test]
-fn any_fields_f64() {
-    any_fields::<f64>();
-}
+test_both_reals!(any_fields);
 
 /// Beyond 2^24 the number of a sample need not be a binary32.
 #[test]

@@ -2,39 +2,42 @@
 
 use atraj::online::Phase;
 use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, State, Trap};
-use support::profiles::{bell_fields, trap_fields};
-use support::{Family, Random, Real, online};
+use support::profiles::{Profile, bell_fields, trap_fields};
+use support::{Family, Random, Real, online, test_both_reals};
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
+const ROUNDINGS: f64 = 8.0;
 
 /// A random move, its duration, what it reaches, and how it is evaluated.
 struct Move<R> {
     duration: R,
     reached: Extremes<R>,
-    state: Box<dyn Fn(R) -> State<R>>,
-    /// The sums of what is added up to evaluate position, velocity and acceleration.
+    /// Position, velocity and acceleration.
+    each: Box<dyn Fn(R) -> [f64; 3]>,
+    /// The sums of what is added up to evaluate them.
     scales: [f64; 3],
     /// Times at which something short may happen.
     borders: Vec<R>,
 }
 
-/// A profile as a move.
-macro_rules! as_move {
-    ($profile:expr, $duration:expr, $reached:expr, $scales:expr, $borders:expr) => {{
-        let profile = $profile;
-        Move {
-            duration: $duration,
-            reached: $reached,
-            state: Box::new(move |x| State {
-                position: profile.position(x),
-                velocity: profile.velocity(x),
-                acceleration: profile.acceleration(x),
-            }),
-            scales: $scales,
-            borders: $borders,
+impl<R: Real> Move<R> {
+    fn new<const N: usize>(
+        profile: impl Profile<R, N> + 'static,
+        duration: R,
+        reached: Extremes<R>,
+        scales: [f64; 3],
+        borders: Vec<R>,
+    ) -> Self {
+        let each = Box::new(move |x| std::array::from_fn(|i| profile.each(x)[i].widen()));
+        Self {
+            duration,
+            reached,
+            each,
+            scales,
+            borders,
         }
-    }};
+    }
 }
 
 fn boundary<R: Real>(random: &mut Random) -> Boundary<R> {
@@ -55,15 +58,15 @@ fn polynomial<R: Real>(random: &mut Random) -> Move<R> {
     match random.below(3) {
         0 => {
             let poly = Poly3::new(ts, boundary).expect("a duration");
-            as_move!(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
         }
         1 => {
             let poly = Poly5::new(ts, boundary, accelerations).expect("a duration");
-            as_move!(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
         }
         _ => {
             let poly = Poly7::new(ts, boundary, accelerations, jerks).expect("a duration");
-            as_move!(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
         }
     }
 }
@@ -96,33 +99,22 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
         let bell = Bell::fastest(x, y, z, boundary).expect("numbers");
         let scales = scales(bell.t, x, y, z);
         let borders = Family::Bell.borders(&[], &bell_fields(&bell));
-        as_move!(bell, bell.t, bell.extremes(), scales, borders)
+        Move::new(bell, bell.t, bell.extremes(), scales, borders)
     } else {
         let trap = Trap::fastest(x, y, -z, boundary).expect("numbers");
         let scales = scales(trap.t, R::of(0.0), if y > z { y } else { z }, x);
         let borders = Family::Trap.borders(&[], &trap_fields(&trap));
-        as_move!(trap, trap.t, trap.extremes(), scales, borders)
+        Move::new(trap, trap.t, trap.extremes(), scales, borders)
     }
 }
 
-fn from_any_state<R: Real>(random: &mut Random) -> Move<R> {
+fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     let (_, _, planned) = online::planned::<R>(random);
     let phases = &planned.phase[..=planned.phases as usize];
     let of_phase = |phase: &Phase<R>| {
-        let Phase {
-            position,
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *phase;
-        let coefficients = [
-            position,
-            velocity,
-            R::of(0.5) * acceleration,
-            R::of(1.0 / 6.0) * jerk,
-        ];
-        terms(&coefficients, phase.duration)
+        let [half, sixth] = [R::of(0.5), R::of(1.0 / 6.0)];
+        let (a, j) = (half * phase.acceleration, sixth * phase.jerk);
+        terms(&[phase.position, phase.velocity, a, j], phase.duration)
     };
     // A phase starts where the phases before it, or behind it, add up to.
     let added = |all: [f64; 3], sums: [f64; 3]| std::array::from_fn(|i| all[i] + sums[i]);
@@ -138,7 +130,7 @@ fn from_any_state<R: Real>(random: &mut Random) -> Move<R> {
             .map(move |phase| phase.t + share * phase.duration)
     };
     let borders = parts.flat_map(inside).collect();
-    as_move!(planned, planned.t, planned.extremes(), scales, borders)
+    Move::new(planned, planned.t, planned.extremes(), scales, borders)
 }
 
 /// Position, velocity and acceleration.
@@ -159,16 +151,14 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     let times: Vec<R> = even.chain(borders).filter(within).collect();
     let mut worst = 0.0_f64;
     for quantity in 0..3 {
-        let at = times
-            .iter()
-            .map(|&x| values(&(the_move.state)(x))[quantity]);
+        let at = times.iter().map(|&x| (the_move.each)(x)[quantity]);
         let (sampled_low, sampled_high) = at
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| {
                 (l.min(y), h.max(y))
             });
         let (low, high) = (lowest[quantity], highest[quantity]);
         let rounding = R::MACHINE_EPSILON.widen() * the_move.scales[quantity];
-        let missed = 0.01 * (sampled_high - sampled_low) + 8.0 * rounding;
+        let missed = 0.01 * (sampled_high - sampled_low) + ROUNDINGS * rounding;
         assert!(low >= sampled_low - missed, "{low:e} is not reached");
         assert!(high <= sampled_high + missed, "{high:e} is not reached");
         worst = worst.max((low - sampled_low) / rounding);
@@ -177,7 +167,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     worst
 }
 
-fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>, roundings: f64) {
+fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
     let mut random = Random::seeded(1);
     let mut most = 0.0_f64;
     for _ in 0..MOVES {
@@ -190,35 +180,19 @@ fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>, roundings: f64) 
         "{}: a sample lies {most:.1} roundings beyond an extreme",
         R::NAME
     );
-    assert!(most <= roundings, "{most}");
+    assert!(most <= ROUNDINGS, "{most}");
 }
 
-#[test]
-fn polynomials_f64() {
-    nothing_lies_beyond::<f64>(polynomial, 8.0);
+fn polynomials<R: Real>() {
+    nothing_lies_beyond::<R>(polynomial);
 }
 
-#[test]
-fn polynomials_f32() {
-    nothing_lies_beyond::<f32>(polynomial, 8.0);
+fn plans<R: Real>() {
+    nothing_lies_beyond::<R>(fastest);
 }
 
-#[test]
-fn plans_f64() {
-    nothing_lies_beyond::<f64>(fastest, 8.0);
+fn from_any_state<R: Real>() {
+    nothing_lies_beyond::<R>(between_any_states);
 }
 
-#[test]
-fn plans_f32() {
-    nothing_lies_beyond::<f32>(fastest, 8.0);
-}
-
-#[test]
-fn from_any_state_f64() {
-    nothing_lies_beyond::<f64>(from_any_state, 8.0);
-}
-
-#[test]
-fn from_any_state_f32() {
-    nothing_lies_beyond::<f32>(from_any_state, 8.0);
-}
+test_both_reals!(polynomials, plans, from_any_state);

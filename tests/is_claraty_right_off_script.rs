@@ -1,5 +1,6 @@
 //! Is CLARAty's trapezoid right where no golden script looks: at ends, timers, ties, waypoints and clocks?
 
+use approx::assert_abs_diff_eq;
 use atraj::State;
 use atraj::claraty::{
     EPS, Kind, LARGEST, Mode, OutOfRange, Profile, Target, Trajectory, Warnings, Waypoints,
@@ -10,11 +11,15 @@ use support::real::just_after;
 const MODES: [Mode; 2] = [Mode::Corrected, Mode::Listing];
 
 fn to(position: f64) -> Target {
+    target([position, 2.0, 2.0, 2.0])
+}
+
+fn target([position, velocity, acceleration, deceleration]: [f64; 4]) -> Target {
     Target {
         position,
-        velocity: 2.0,
-        acceleration: 2.0,
-        deceleration: 2.0,
+        velocity,
+        acceleration,
+        deceleration,
     }
 }
 
@@ -27,10 +32,7 @@ fn state(position: f64, velocity: f64) -> State<f64> {
 }
 
 fn at_rest(position: f64) -> State<f64> {
-    State {
-        position,
-        ..State::default()
-    }
+    state(position, 0.0)
 }
 
 fn corrected(start: State<f64>, target: Target) -> (Profile, Warnings) {
@@ -46,9 +48,18 @@ fn started(mode: Mode, target: Target) -> Trajectory<'static> {
     axis
 }
 
-fn close(x: State<f64>, y: State<f64>) -> bool {
-    let near = |x: f64, y: f64| (x - y).abs() <= 1e-9 * (1.0 + x.abs());
-    near(x.position, y.position) && near(x.velocity, y.velocity)
+#[track_caller]
+fn assert_close(x: State<f64>, y: State<f64>) {
+    for (x, y) in [(x.position, y.position), (x.velocity, y.velocity)] {
+        assert_abs_diff_eq!(x, y, epsilon = 1e-9 * (1.0 + x.abs()));
+    }
+}
+
+fn along(waypoints: Waypoints<'_>) -> Trajectory<'_> {
+    let mut axis = Trajectory::new(Mode::Corrected, 0.0);
+    axis.set(waypoints.into(), 0.0).unwrap();
+    axis.start(0.0);
+    axis
 }
 
 #[test]
@@ -118,14 +129,7 @@ fn reset_and_idle_stop_set_the_timer_to_zero_and_keep_the_profile() {
 #[test]
 fn before_the_start_is_the_start_when_corrected_and_zero_in_the_listing() {
     for (mode, before) in [
-        (
-            Mode::Corrected,
-            State {
-                position: 1.0,
-                velocity: 2.0,
-                acceleration: 0.0,
-            },
-        ),
+        (Mode::Corrected, state(1.0, 2.0)),
         (Mode::Listing, State::default()),
     ] {
         let mut axis = started(mode, to(10.0));
@@ -160,13 +164,7 @@ fn no_time_to_cruise_is_a_triangle() {
 
 #[test]
 fn a_root_at_zero_is_no_switching_time() {
-    let (start, target) = (
-        state(1.0, 2.0),
-        Target {
-            velocity: 4.0,
-            ..to(2.0)
-        },
-    );
+    let (start, target) = (state(1.0, 2.0), target([2.0, 4.0, 2.0, 2.0]));
     let mut listing = Profile::default();
     assert_eq!(listing.plan_listing(start, target), Warnings::SWITCH);
     assert_eq!((listing.t1, listing.velocity), (1.0, 4.0));
@@ -191,12 +189,7 @@ fn a_short_move_keeps_the_type_in_the_listing() {
 #[test]
 fn limits_count_by_magnitude_and_are_raised_to_eps() {
     let all = Warnings::ACCELERATION | Warnings::DECELERATION | Warnings::VELOCITY;
-    let negative = Target {
-        position: 10.0,
-        velocity: -2.0,
-        acceleration: -2.0,
-        deceleration: -2.0,
-    };
+    let negative = target([10.0, -2.0, -2.0, -2.0]);
     let mut listing = Profile::default();
     assert_eq!(
         listing.plan_listing(State::default(), negative),
@@ -207,12 +200,7 @@ fn limits_count_by_magnitude_and_are_raised_to_eps() {
         corrected(State::default(), to(10.0))
     );
     for tiny in [0.0, -0.0, 0.5 * EPS] {
-        let target = Target {
-            position: 10.0,
-            velocity: tiny,
-            acceleration: tiny,
-            deceleration: tiny,
-        };
+        let target = target([10.0, tiny, tiny, tiny]);
         let (profile, warnings) = corrected(State::default(), target);
         assert_eq!((warnings, warnings.bits()), (all, 7));
         assert_eq!((profile.velocity, profile.acceleration), (EPS, EPS));
@@ -224,12 +212,7 @@ fn limits_count_by_magnitude_and_are_raised_to_eps() {
 
 #[test]
 fn a_motion_that_brakes_at_once_brakes_from_the_first_instant() {
-    let target = Target {
-        acceleration: 1.0,
-        deceleration: 4.0,
-        ..to(0.5)
-    };
-    let (profile, _) = corrected(state(0.0, 2.0), target);
+    let (profile, _) = corrected(state(0.0, 2.0), target([0.5, 2.0, 1.0, 4.0]));
     assert_eq!(profile.setpoint(0.0).acceleration, -4.0);
 }
 
@@ -280,12 +263,8 @@ fn single_moves(mut from: State<f64>) -> Vec<(f64, Profile)> {
     let mut begins = 0.0;
     (0..POSITIONS.len())
         .map(|i| {
-            let target = Target {
-                position: POSITIONS[i],
-                velocity: VELOCITIES[i],
-                acceleration: ACCELERATIONS[i],
-                deceleration: ACCELERATIONS[i],
-            };
+            let rate = ACCELERATIONS[i];
+            let target = target([POSITIONS[i], VELOCITIES[i], rate, rate]);
             let (profile, _) = corrected(from, target);
             let leg = (begins, profile);
             begins += profile.tf;
@@ -332,7 +311,7 @@ fn waypoints_are_the_sum_of_single_moves_at_any_time() {
             }
             for (begins, profile) in &moves {
                 let t = begins + profile.tf;
-                assert!(close(axis.setpoint_at(t), setpoint_of(&moves, t)));
+                assert_close(axis.setpoint_at(t), setpoint_of(&moves, t));
             }
             assert_eq!(axis.setpoint_at(f64::INFINITY), at_rest(1.0));
         }
@@ -341,9 +320,7 @@ fn waypoints_are_the_sum_of_single_moves_at_any_time() {
 
 #[test]
 fn a_motion_along_waypoints_ends_once() {
-    let mut axis = Trajectory::new(Mode::Corrected, 0.0);
-    axis.set(waypoints().into(), 0.0).unwrap();
-    axis.start(0.0);
+    let mut axis = along(waypoints());
     let duration = axis.duration();
     for step in 0..=1000 {
         axis.setpoint(duration * f64::from(step) / 1000.0);
@@ -355,9 +332,7 @@ fn a_motion_along_waypoints_ends_once() {
 
 #[test]
 fn a_stop_among_waypoints_brakes_at_the_rate_of_the_leg() {
-    let mut axis = Trajectory::new(Mode::Corrected, 0.0);
-    axis.set(waypoints().into(), 0.0).unwrap();
-    axis.start(0.0);
+    let mut axis = along(waypoints());
     let (begins, profile) = single_moves(State::default())[3];
     let now = begins + 0.4 * profile.tf;
     let before = axis.setpoint(now);
@@ -376,9 +351,7 @@ fn a_stop_among_waypoints_brakes_at_the_rate_of_the_leg() {
 fn a_set_lets_go_of_the_waypoints_and_ends_at_the_next_one() {
     let (begins, profile) = single_moves(State::default())[1];
     let now = begins + 0.5 * profile.tf;
-    let mut axis = Trajectory::default();
-    axis.set(waypoints().into(), 0.0).unwrap();
-    axis.start(0.0);
+    let mut axis = along(waypoints());
     let before = axis.setpoint(now);
     axis.setpoint_at(0.0); // The outcome must not depend on the last look.
     axis.set(to(0.0).into(), now).unwrap();
@@ -387,27 +360,14 @@ fn a_set_lets_go_of_the_waypoints_and_ends_at_the_next_one() {
     assert_eq!(axis.setpoint_at(1000.0), at_rest(POSITIONS[1]));
     assert_eq!(axis.setpoint_at(0.0), at_rest(POSITIONS[0]));
     axis.start(now);
-    assert!(close(axis.setpoint(now), before));
+    assert_close(axis.setpoint(now), before);
 }
 
 #[test]
 fn one_limit_for_all_waypoints() {
     let same = [3.0; 5];
-    let mut each = Trajectory::default();
-    each.set(
-        Waypoints::new(&POSITIONS, &same, &same).unwrap().into(),
-        0.0,
-    )
-    .unwrap();
-    each.start(0.0);
-    let mut uniform = Trajectory::default();
-    uniform
-        .set(
-            Waypoints::uniform(&POSITIONS, 3.0, 3.0).unwrap().into(),
-            0.0,
-        )
-        .unwrap();
-    uniform.start(0.0);
+    let mut each = along(Waypoints::new(&POSITIONS, &same, &same).unwrap());
+    let mut uniform = along(Waypoints::uniform(&POSITIONS, 3.0, 3.0).unwrap());
     assert_eq!(each.duration(), uniform.duration());
     for step in 0..1000 {
         let t = 0.01 * f64::from(step);
@@ -436,52 +396,29 @@ fn a_listing_that_ends_at_no_number_is_over_at_its_first_instant() {
     assert_eq!(listing.setpoint(0.0), at_rest(10.0));
 }
 
-/// Whatever the limits say, a corrected setpoint is a number.
 #[test]
 fn a_set_refuses_what_would_overflow_and_changes_nothing() {
     let mut axis = started(Mode::Corrected, to(10.0));
-    let overflowing = Target {
-        position: 1e300,
-        velocity: 1e150,
-        acceleration: 1e-20,
-        deceleration: 1e-20,
-    };
+    let overflowing = target([1e300, 1e150, 1e-20, 1e-20]);
     assert_eq!(axis.set(overflowing.into(), 1.0), Err(OutOfRange));
-    for wrong in [1.001 * LARGEST, f64::MAX, f64::INFINITY, f64::NAN] {
-        for wrong in [wrong, -wrong] {
-            let all = to(1.0);
-            for target in [
-                Target {
-                    position: wrong,
-                    ..all
-                },
-                Target {
-                    velocity: wrong,
-                    ..all
-                },
-                Target {
-                    acceleration: wrong,
-                    ..all
-                },
-                Target {
-                    deceleration: wrong,
-                    ..all
-                },
-            ] {
-                assert_eq!(axis.set(target.into(), 1.0), Err(OutOfRange), "{target:?}");
-            }
-            let (good, bad): (&[f64], &[f64]) = (&[1.0, 2.0], vec![1.0, wrong].leak());
-            for waypoints in [
-                Waypoints::new(bad, good, good),
-                Waypoints::new(good, bad, good),
-                Waypoints::new(good, good, bad),
-                Waypoints::uniform(bad, 1.0, 1.0),
-                Waypoints::uniform(good, wrong, 1.0),
-                Waypoints::uniform(good, 1.0, wrong),
-            ] {
-                let waypoints = waypoints.unwrap();
-                assert_eq!(axis.set(waypoints.into(), 1.0), Err(OutOfRange));
-            }
+    let large = [1.001 * LARGEST, f64::MAX, f64::INFINITY, f64::NAN];
+    for wrong in large.into_iter().flat_map(|large| [large, -large]) {
+        for number in 0..4 {
+            let mut numbers = [1.0, 2.0, 2.0, 2.0];
+            numbers[number] = wrong;
+            assert_eq!(axis.set(target(numbers).into(), 1.0), Err(OutOfRange));
+        }
+        let (good, bad): (&[f64], &[f64]) = (&[1.0, 2.0], vec![1.0, wrong].leak());
+        for waypoints in [
+            Waypoints::new(bad, good, good),
+            Waypoints::new(good, bad, good),
+            Waypoints::new(good, good, bad),
+            Waypoints::uniform(bad, 1.0, 1.0),
+            Waypoints::uniform(good, wrong, 1.0),
+            Waypoints::uniform(good, 1.0, wrong),
+        ] {
+            let waypoints = waypoints.unwrap();
+            assert_eq!(axis.set(waypoints.into(), 1.0), Err(OutOfRange));
         }
     }
     let mut alone = started(Mode::Corrected, to(10.0));
@@ -489,15 +426,11 @@ fn a_set_refuses_what_would_overflow_and_changes_nothing() {
         axis.start(2.0);
     }
     assert_eq!(axis.profile(), alone.profile());
-    let largest = Target {
-        position: -LARGEST,
-        velocity: LARGEST,
-        acceleration: LARGEST,
-        deceleration: LARGEST,
-    };
+    let largest = target([-LARGEST, LARGEST, LARGEST, LARGEST]);
     assert_eq!(axis.set(largest.into(), 3.0), Ok(()));
 }
 
+/// Whatever the limits say. No sum of finite setpoints overflows here.
 #[test]
 fn a_corrected_setpoint_is_finite_up_to_the_largest_numbers() {
     let mut random = Random(11);
@@ -512,12 +445,7 @@ fn a_corrected_setpoint_is_finite_up_to_the_largest_numbers() {
                 2 => random.magnitude(-80.0, 60.0),
                 _ => random.magnitude(-3.0, 3.0),
             };
-            let mut target = Target {
-                position: number(),
-                velocity: number(),
-                acceleration: number(),
-                deceleration: number(),
-            };
+            let mut target = target([(); 4].map(|()| number()));
             target.position *= random.sign();
             axis.set(target.into(), now).unwrap();
             if random.one_in(8) {
@@ -527,30 +455,12 @@ fn a_corrected_setpoint_is_finite_up_to_the_largest_numbers() {
             }
             let Profile { t1, t2, tf, .. } = *axis.profile();
             let at = random.between(0.0, 1.0) * axis.duration();
-            for t in [
-                0.0,
-                t1,
-                just_after(t1),
-                0.5 * t1,
-                t2,
-                just_after(t2),
-                tf,
-                at,
-            ] {
+            let (after_t1, after_t2) = (just_after(t1), just_after(t2));
+            for t in [0.0, t1, after_t1, 0.5 * t1, t2, after_t2, tf, at] {
                 let setpoint = axis.setpoint_at(t);
-                let State {
-                    position,
-                    velocity,
-                    acceleration,
-                } = setpoint;
-                for value in [position, velocity, acceleration] {
-                    assert!(
-                        value.is_finite(),
-                        "{setpoint:?} at {t}: {:?}",
-                        axis.profile()
-                    );
-                }
-                farthest = farthest.max(position.abs());
+                let sum = setpoint.position + setpoint.velocity + setpoint.acceleration;
+                assert!(sum.is_finite(), "{setpoint:?} at {t}");
+                farthest = farthest.max(setpoint.position.abs());
             }
             now += at;
         }

@@ -1,6 +1,8 @@
 //! Does the Rust API give the bits of both generations of the original C library on every golden row?
 
-use support::{Comparison, Family, Ours, OursNewest, Real, golden, test_each_family};
+use support::{
+    Comparison, Family, Ours, OursNewest, Real, golden, test_both_reals, test_each_family,
+};
 
 fn meets_golden_data<R: Real>(family: Family) {
     let mut comparison = Comparison::default();
@@ -10,7 +12,7 @@ fn meets_golden_data<R: Real>(family: Family) {
 
 test_each_family!(meets_golden_data);
 
-fn meets_newest_golden_data<R: Real>() {
+fn newest<R: Real>() {
     for family in [Family::Bell, Family::Trap] {
         let moves = golden::newest_moves::<R>(family);
         let mut comparison = Comparison::default();
@@ -27,15 +29,7 @@ fn meets_newest_golden_data<R: Real>() {
     }
 }
 
-#[test]
-fn newest_f64() {
-    meets_newest_golden_data::<f64>();
-}
-
-#[test]
-fn newest_f32() {
-    meets_newest_golden_data::<f32>();
-}
+test_both_reals!(newest);
 
 #[test]
 #[should_panic(expected = "no_such_table_f64.csv")]

@@ -60,26 +60,10 @@ fn golden_rows_from_c() {
             let program = build(variant, compiler, &["-std=c99"], "golden.c");
             let called = replay_golden(&mut Command::new(&program));
             let mut expected = variant.symbols();
-            expected.retain(|symbol| has_golden_rows(symbol) && exists(variant, symbol));
+            expected.retain(|symbol| symbol.starts_with("a_") && exists(variant, symbol));
             assert_eq!(called, expected, "functions that the golden rows call");
         }
     }
-}
-
-/// Whether the original has the bits of this function: its own functions, and those of `atraj.h` that give their bits together.
-fn has_golden_rows(symbol: &str) -> bool {
-    let together = symbol.ends_with("_sample") || symbol.ends_with("_state");
-    symbol.starts_with("a_") || symbol.starts_with("atraj_") && !is_of_moves(symbol) && together
-}
-
-/// Whether `atraj/move.h` declares this function, for one axis.
-fn is_of_moves(symbol: &str) -> bool {
-    symbol.starts_with("atraj_move_") || symbol.starts_with("atraj_limits_")
-}
-
-/// Whether `atraj/move.h` declares this function, for several axes.
-fn is_of_axes(symbol: &str) -> bool {
-    symbol.starts_with("atraj_moves_")
 }
 
 /// Whether the build has this function. It has none of a level above its own.
@@ -97,53 +81,56 @@ fn exists(variant: &Variant, symbol: &str) -> bool {
         || !(ABOVE.contains(&symbol) || symbol == "a_trajpoly7_jer")
 }
 
-#[test]
-fn a_wrong_golden_bit_is_found() {
-    let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
+/// What a program answers if a golden table is changed: its exit code and what it prints.
+fn replay_changed(
+    source: &str,
+    table: &str,
+    change: impl Fn(&str) -> Option<String>,
+) -> (i32, String) {
+    let program = build(&DOUBLE, "cc", &["-std=c99"], source);
     let copy = DOUBLE.scratch().join("golden");
-    copy_golden(&copy);
-    let table = copy.join("bell_eval_f64.csv");
-    let csv = fs::read_to_string(&table).unwrap();
-    // The last digit of the last value: the jerk of the last row.
-    let end = csv.trim_end().len() - 1;
-    let wrong = if csv.as_bytes()[end] == b'0' {
-        "1"
-    } else {
-        "0"
-    };
-    fs::write(&table, format!("{}{wrong}\n", &csv[..end])).unwrap();
-    let output = Command::new(&program).arg(&copy).output().unwrap();
+    fs::create_dir_all(&copy).unwrap();
+    for entry in fs::read_dir(golden::directory()).unwrap() {
+        let from = entry.unwrap().path();
+        fs::copy(&from, copy.join(from.file_name().unwrap())).unwrap();
+    }
+    let csv = fs::read_to_string(copy.join(table)).unwrap();
+    match change(&csv) {
+        Some(changed) => fs::write(copy.join(table), changed).unwrap(),
+        None => fs::remove_file(copy.join(table)).unwrap(),
+    }
+    let output = Command::new(program).arg(copy).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    assert_eq!(output.status.code(), Some(1), "{text}");
+    (output.status.code().unwrap(), text)
+}
+
+/// In one test, as the changes share a directory.
+#[test]
+fn a_wrong_bit_and_missing_golden_data_are_found() {
+    // The last digit of the last value: the jerk of the last row.
+    let (code, text) = replay_changed("golden.c", "bell_eval_f64.csv", |csv| {
+        let (rest, last) = csv.trim_end().split_at(csv.trim_end().len() - 1);
+        Some(format!("{rest}{}\n", if last == "0" { "1" } else { "0" }))
+    });
+    assert_eq!(code, 1, "{text}");
     assert!(
         text.contains("bell_eval_f64.csv") && text.contains("golden"),
         "{text}"
     );
-}
-
-#[test]
-fn a_missing_or_empty_golden_file_is_found() {
-    let program = build(&DOUBLE, "cc", &["-std=c99"], "golden.c");
-    let copy = DOUBLE.scratch().join("golden-incomplete");
-    copy_golden(&copy);
-    let table = copy.join("poly7_eval_f64.csv");
-    fs::write(&table, "case,x,pos,vel,acc,jer\n").unwrap();
-    assert_eq!(
-        Command::new(&program).arg(&copy).status().unwrap().code(),
-        Some(2)
+    // The last digit of t1 of the first start.
+    let (code, text) = replay_changed("claraty.c", "claraty_listing_f64.csv", |csv| {
+        Some(csv.replacen("40011dcf747091b4,400c", "40011dcf747091b5,400c", 1))
+    });
+    assert_eq!(code, 1, "{text}");
+    assert!(
+        text.contains("claraty_listing_f64.csv:3: column 6"),
+        "{text}"
     );
-    fs::remove_file(&table).unwrap();
-    assert_eq!(
-        Command::new(&program).arg(&copy).status().unwrap().code(),
-        Some(2)
-    );
-}
 
-fn copy_golden(to: &Path) {
-    fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(golden::directory()).unwrap() {
-        let from = entry.unwrap().path();
-        fs::copy(&from, to.join(from.file_name().unwrap())).unwrap();
+    let header = "case,x,pos,vel,acc,jer\n";
+    for table in [Some(header.to_owned()), None] {
+        let (code, text) = replay_changed("golden.c", "poly7_eval_f64.csv", |_| table.clone());
+        assert_eq!(code, 2, "{text}");
     }
 }
 
@@ -151,106 +138,56 @@ fn copy_golden(to: &Path) {
 fn layout_prelude_and_null() {
     for variant in VARIANTS {
         for compiler in compilers(Language::C) {
-            for standard in C {
-                let standard = format!("-std={standard}");
-                run(&mut Command::new(build(
-                    variant,
-                    compiler,
-                    &[&standard],
-                    "abi.c",
-                )));
+            for standard in C.map(|standard| format!("-std={standard}")) {
+                let program = build(variant, compiler, &[&standard], "abi.c");
+                run(&mut Command::new(program));
+            }
+        }
+    }
+}
+
+/// The programs that test the functions of `atraj.h`.
+const CONTRACTS: [&str; 4] = ["sample.c", "fastest.c", "move.c", "axes.c"];
+
+#[test]
+fn contracts_of_our_own_functions() {
+    for variant in VARIANTS {
+        for compiler in compilers(Language::C) {
+            for source in CONTRACTS {
+                let program = build(variant, compiler, &["-std=c99"], source);
+                run(&mut Command::new(program));
             }
         }
     }
 }
 
 #[test]
-fn sampling_from_c() {
-    for variant in VARIANTS {
-        for compiler in compilers(Language::C) {
-            let program = build(variant, compiler, &["-std=c99"], "sample.c");
-            run(&mut Command::new(program));
-        }
-    }
-}
-
-#[test]
-fn plans_that_never_fail_and_their_judge() {
-    for variant in VARIANTS {
-        for compiler in compilers(Language::C) {
-            let program = build(variant, compiler, &["-std=c99"], "fastest.c");
-            run(&mut Command::new(program));
-        }
-    }
-}
-
-#[test]
-fn moves_from_any_state() {
-    for variant in VARIANTS {
-        for compiler in compilers(Language::C) {
-            let program = build(variant, compiler, &["-std=c99"], "move.c");
-            run(&mut Command::new(program));
-        }
-    }
-}
-
-#[test]
-fn moves_of_several_axes() {
-    for variant in VARIANTS {
-        for compiler in compilers(Language::C) {
-            let program = build(variant, compiler, &["-std=c99"], "axes.c");
-            run(&mut Command::new(program));
-        }
-    }
-}
-
-/// The C functions that no golden row has, because the original has none of them.
-const FASTEST: [&str; 3] = ["_gen", "_check", "_extremes"];
-
-#[test]
-fn a_c_program_calls_every_plan_that_never_fails() {
-    calls_each("fastest.c", is_fastest);
-}
-
-fn is_fastest(symbol: &str) -> bool {
-    symbol.starts_with("atraj_")
-        && !is_of_moves(symbol)
-        && FASTEST.iter().any(|end| symbol.ends_with(end))
-}
-
-#[test]
-fn a_c_program_calls_every_function_of_moves() {
-    calls_each("move.c", is_of_moves);
-}
-
-#[test]
-fn a_c_program_calls_every_function_of_several_axes() {
-    calls_each("axes.c", is_of_axes);
-}
-
-/// Whether `c_tests/{source}` calls each of these functions.
-fn calls_each(source: &str, of: fn(&str) -> bool) {
-    let text = fs::read_to_string(root().join("c_tests").join(source)).unwrap();
+fn a_c_program_calls_every_function() {
+    let called: BTreeSet<_> = CONTRACTS
+        .iter()
+        .chain(&["golden.c", "claraty.c"])
+        .flat_map(|source| {
+            let object = DOUBLE.scratch().join(source).with_extension("o");
+            let mut compile = Command::new("cc");
+            compile.args(["-std=c99", "-c", "-I"]);
+            compile.arg(DOUBLE.dist().join("include"));
+            compile.arg(root().join("c_tests").join(source));
+            run(compile.arg("-o").arg(&object));
+            lines(Command::new("nm").args(["-u", "-j"]).arg(object))
+        })
+        .collect();
     let symbols = DOUBLE.symbols();
-    let mut expected = symbols.iter().filter(|symbol| of(symbol)).peekable();
-    assert!(expected.peek().is_some());
-    for symbol in expected {
-        assert!(text.contains(&format!("{symbol}(")), "{symbol}");
-    }
+    let missing = symbols.iter().filter(|symbol| !called.contains(*symbol));
+    assert_eq!(missing.collect::<Vec<_>>(), [""; 0]);
 }
 
 #[test]
 fn cpp_methods_and_namespace() {
     for variant in VARIANTS {
         for compiler in compilers(Language::Cpp) {
-            for standard in CPP {
-                let standard = format!("-std={standard}");
-                run(&mut Command::new(build(
-                    variant,
-                    compiler,
-                    &[&standard],
-                    "methods.cpp",
-                )));
+            for standard in CPP.map(|standard| format!("-std={standard}")) {
+                let program = build(variant, compiler, &[&standard], "methods.cpp");
+                run(&mut Command::new(program));
             }
         }
     }
@@ -269,8 +206,7 @@ fn replay_claraty(command: &mut Command) {
 fn claraty_from_c() {
     for variant in [&DOUBLE, &FLOAT] {
         for compiler in compilers(Language::C) {
-            for standard in C {
-                let standard = format!("-std={standard}");
+            for standard in C.map(|standard| format!("-std={standard}")) {
                 let program = build(variant, compiler, &[&standard], "claraty.c");
                 replay_claraty(&mut Command::new(program));
             }
@@ -288,35 +224,10 @@ fn claraty_from_cpp_by_the_name_of_the_original_header() {
                 let standard = format!("-std={standard}");
                 let flags = [standard.as_str(), &include, warnings];
                 let program = build(&DOUBLE, compiler, &flags, "claraty.cpp");
-                replay_claraty(&mut Command::new(program));
+                run(&mut Command::new(program));
             }
         }
     }
-}
-
-#[test]
-fn a_wrong_golden_bit_of_claraty_is_found() {
-    let program = build(&DOUBLE, "cc", &["-std=c99"], "claraty.c");
-    let copy = DOUBLE.scratch().join("golden-claraty");
-    copy_golden(&copy);
-    let table = copy.join("claraty_listing_f64.csv");
-    let csv = fs::read_to_string(&table).unwrap();
-    // The last digit of t1 of the first start.
-    let wrong = csv.replacen("40011dcf747091b4,400c", "40011dcf747091b5,400c", 1);
-    assert_ne!(csv, wrong);
-    fs::write(&table, wrong).unwrap();
-    let output = Command::new(&program).arg(&copy).output().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert_eq!(output.status.code(), Some(1), "{text}");
-    assert!(
-        text.contains("claraty_listing_f64.csv:3: column 6"),
-        "{text}"
-    );
-}
-
-#[test]
-fn the_c_program_calls_every_claraty_function() {
-    calls_each("claraty.c", |symbol| symbol.starts_with("claraty_"));
 }
 
 #[test]
@@ -329,11 +240,9 @@ fn no_sanitizer_finding() {
     for variant in [&DOUBLE, &FLOAT_COMPACT] {
         let golden = build(variant, "cc", &sanitize, "golden.c");
         replay_golden(&mut Command::new(golden));
-        for source in ["abi.c", "fastest.c", "move.c", "axes.c"] {
+        for source in CONTRACTS.iter().chain(&["abi.c"]) {
             run(&mut Command::new(build(variant, "cc", &sanitize, source)));
         }
-        let sample = build(variant, "cc", &sanitize, "sample.c");
-        run(&mut Command::new(sample));
         let claraty = build(variant, "cc", &sanitize, "claraty.c");
         replay_claraty(&mut Command::new(claraty));
     }

@@ -1,8 +1,9 @@
 //! Does `time_at` give the first time at which a move is at a position, and nothing if it never is there?
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use atraj::State;
 use atraj::online::{Limits, Move};
-use support::{Random, Real, online};
+use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
@@ -35,7 +36,7 @@ fn rounding<R: Real>(planned: &Move<R>) -> f64 {
 
 /// Asks for the positions of samples, for the extremes and for what lies beyond. The first sample at a position, or the first pair of
 /// samples with the position between them, says when the axis is there.
-fn check<R: Real>() {
+fn in_random_moves<R: Real>() {
     let mut random = Random::seeded(1);
     let (mut found, mut never) = (0, 0);
     for number in 0..MOVES {
@@ -63,8 +64,9 @@ fn check<R: Real>() {
             };
             found += 1;
             assert!(x >= R::of(0.0) && x <= planned.t, "{x:e}, {place}");
-            let error = (planned.position(x).widen() - wanted.widen()).abs();
-            assert!(error <= rounding, "{error:e} beside it at {x:e}, {place}");
+            let [there, asked] = [planned.position(x), wanted].map(R::widen);
+            let is_there = abs_diff_eq!(there, asked, epsilon = rounding);
+            assert!(is_there, "{there:e} at {x:e}, {place}");
             // Before the first time the axis is on one side.
             let before = times.iter().zip(&positions).take_while(|(t, _)| **t < x);
             let sides: Vec<f64> = before
@@ -84,15 +86,7 @@ fn check<R: Real>() {
     assert!(found > MOVES * 7 && never == MOVES * 3);
 }
 
-#[test]
-fn in_random_moves_f64() {
-    check::<f64>();
-}
-
-#[test]
-fn in_random_moves_f32() {
-    check::<f32>();
-}
+test_both_reals!(in_random_moves);
 
 /// The axis passes its target, turns and comes back.
 #[test]
@@ -108,7 +102,7 @@ fn the_first_of_two() {
         .expect("numbers");
     let x: f64 = planned.time_at(1.0).expect("the target");
     assert!(x < 0.5 * planned.t && planned.velocity(x) > 0.0);
-    assert!((planned.position(x) - 1.0).abs() < 1e-14);
+    assert_abs_diff_eq!(planned.position(x), 1.0, epsilon = 1e-14);
 }
 
 #[test]

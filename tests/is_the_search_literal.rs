@@ -3,7 +3,7 @@
 //! The moves are made so that a round of the search is a near tie, or so that it lies near a bound of the short cut.
 
 use std::array;
-use support::{Family, Implementation, Ours, Random, Real, reference};
+use support::{Family, Implementation, Ours, Random, Real, reference, test_both_reals};
 
 const MOVES: u32 = 300_000;
 
@@ -136,12 +136,4 @@ fn same_bits_as_the_literal_search<R: Range>() {
     );
 }
 
-#[test]
-fn same_bits_as_the_literal_search_f32() {
-    same_bits_as_the_literal_search::<f32>();
-}
-
-#[test]
-fn same_bits_as_the_literal_search_f64() {
-    same_bits_as_the_literal_search::<f64>();
-}
+test_both_reals!(same_bits_as_the_literal_search);

@@ -1,4 +1,4 @@
-//! Tests of every family in both real types.
+//! Tests in both real types.
 
 /// Makes the tests `bell::f32`, `bell::f64`, … of a function `fn check<R: Real>(family: Family)`.
 #[macro_export]
@@ -15,6 +15,23 @@ macro_rules! test_each_family {
             #[test]
             fn f64() {
                 super::$check::<f64>($crate::Family::$family);
+            }
+        }
+    )*};
+}
+
+/// Makes the tests `check::f32` and `check::f64` of each function `fn check<R: Real>()`.
+#[macro_export]
+macro_rules! test_both_reals {
+    ($($check:ident),*) => {$(
+        mod $check {
+            #[test]
+            fn f32() {
+                super::$check::<f32>();
+            }
+            #[test]
+            fn f64() {
+                super::$check::<f64>();
             }
         }
     )*};
