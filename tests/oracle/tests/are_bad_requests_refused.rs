@@ -1,8 +1,8 @@
 //! Are requests refused for which there is no move, each with its reason, and is the move left as it was?
 
 use atraj::online::{Error, Limits, Move, State};
-use oracle::online::problems::{Problem, Problems, beyond_legal};
-use oracle::online::referee::widened;
+use oracle::judge::problem::{Problem, beyond_legal, widened};
+use oracle::judge::problems::Problems;
 use support::{Random, Real};
 
 const PROBLEMS: usize = 20_000;

@@ -2,10 +2,11 @@
 //! one nor one of rsruckig.
 
 use atraj::online::{Limits, Move, Phase, State};
-use oracle::online::judge::{Trial, Verdict, show};
-use oracle::online::problems::{Kind, Problem, Problems, Wish, beyond_legal};
-use oracle::online::referee::Walk;
-use oracle::online::ruckig::{Rival, Theirs};
+use oracle::judge::problem::{Problem, Request, beyond_legal};
+use oracle::judge::problems::{Kind, Problems};
+use oracle::judge::referee::Walk;
+use oracle::judge::rivals::Theirs;
+use oracle::judge::trial::{Trial, Verdict};
 use support::Random;
 
 const MOTIONS: u32 = 100_000;
@@ -76,10 +77,10 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
             / if from.acceleration > 0.0 { jmin } else { -jmax };
     let legal = beyond_legal(&limits, to) <= 0.0 && undone <= vmax && undone >= vmin;
     let kind = Kind::Moving;
-    let wish = Wish::Plan;
+    let request = Request::Plan;
     let problem = Problem {
         kind,
-        wish,
+        request,
         limits,
         from,
         to,
@@ -102,11 +103,7 @@ fn no_random_motion_is_faster() {
         let least = best.duration;
         let is_slower = t >= least * (1.0 - 1e-9)
             || !matches!(trial.duration_near(t, 1e-12), Verdict::Shorter(_));
-        assert!(
-            is_slower,
-            "{t:e} is faster than {best:?}: {}",
-            show(&problem)
-        );
+        assert!(is_slower, "{t:e} is faster than {best:?}: {}", problem);
         fastest += u32::from(t <= least * (1.0 + 1e-6));
         if let Some([lowest, highest]) = trial.motion().interval(t) {
             let h = problem.to.position;
@@ -114,7 +111,7 @@ fn no_random_motion_is_faster() {
             assert!(
                 h >= lowest - slack && h <= highest + slack,
                 "{h:e} is not in {lowest:e}..{highest:e} in {t:e} s: {}",
-                show(&problem)
+                problem
             );
         }
     }
@@ -128,7 +125,7 @@ fn its_motions_are_possible() {
     let mut worst: f64 = 0.0;
     for problem in Problems::<f64>::new(5).take(PROBLEMS) {
         let best = Trial::new(problem).best();
-        assert!(best.wrong < 1e-9, "{best:?}: {}", show(&problem));
+        assert!(best.wrong < 1e-9, "{best:?}: {}", problem);
         worst = worst.max(best.wrong);
     }
     println!("{PROBLEMS} problems: the largest error is {worst:e}");
@@ -143,7 +140,7 @@ fn rsruckig_is_no_faster() {
         let before = theirs.shorter;
         theirs.ask(&mut rival, &problem, &Trial::new(problem));
         if theirs.shorter > before {
-            println!("rsruckig is faster: {}", show(&problem));
+            println!("rsruckig is faster: {}", problem);
         }
     }
     println!("{} {theirs}", Theirs::HEADING);
