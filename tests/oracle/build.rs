@@ -42,6 +42,7 @@ fn main() {
     cc::Build::new()
         .opt_level(2)
         .flag("-std=c99")
+        .flag("-fno-math-errno")
         .flag("-Wall")
         .flag("-Wextra")
         .warnings_into_errors(true)

@@ -1,11 +1,15 @@
 /*
  The least duration of a motion of one axis from any state to any state, by a search through the durations, and the states of a
- planned motion, by integration of its phases. Both are slow, follow the definitions, and share nothing with the library: they
- exist to judge it.
+ planned motion, by integration of its phases.
 
  A mean of two motions within the limits keeps the limits and travels the mean. So the displacements of a duration form an
  interval. The displacement on its upper border is a closed form. The lower border is the upper one of the mirrored axis. The least
  duration is the first one whose interval holds the wanted displacement.
+
+ The referee shares this theory with the library: the interval, the shapes of the border, the gap, the way inside
+ (docs/planner.md). It shares no code. It looks at the border of many durations where the library solves equations, and adds phases up
+ where the library has closed forms. A mistake of the theory would be a mistake of both. So `is_the_referee_right.rs` checks the theory:
+ random motions, plans of rsruckig, and for ends without acceleration a bisection that knows nothing of borders.
 
  `long double` has a significand of 64 bits on x86 (x87), so its roundings are 2048 times finer than in `double`.
 */
@@ -318,18 +322,27 @@ static struct motion at(const struct search *search, real x)
 
 enum { BITS = 46 };
 
-/* Where the displacement, which is below `h` at `low`, reaches it before `high`. */
+/*
+ Where the displacement, which is below `h` at `low`, reaches it before `high`. The secant finds it soon. An end that stays counts half
+ the next time (Illinois), so that both ends come near, and every third round halves.
+*/
 static struct motion crossing(const struct search *search, real low, real high)
 {
     const real h = search->axis->h;
     struct motion below = at(search, low), above = at(search, high);
-    int round;
-    for (round = 0; round < 4 * BITS && high - low > ldexpl(search->from + high, -BITS); ++round)
+    real under = h - below.displacement, over = above.displacement - h;
+    int round, last = 0;
+    for (round = 1; round < 4 * BITS && high - low > ldexpl(search->from + high, -BITS); ++round)
     {
-        const real middle = low + (high - low) / 2;
+        const real part = round % 3 && under + over > 0 ? under / (under + over) : (real)1 / 2;
+        const real middle = low + (high - low) * part;
         const struct motion motion = at(search, middle);
-        if (motion.displacement >= h) { high = middle, above = motion; }
-        else { low = middle, below = motion; }
+        const int is_above = motion.displacement >= h;
+        if (is_above) { high = middle, above = motion, over = motion.displacement - h; }
+        else { low = middle, below = motion, under = h - motion.displacement; }
+        if (is_above && last > 0) { under /= 2; }
+        if (!is_above && last < 0) { over /= 2; }
+        last = is_above ? 1 : -1;
     }
     if (above.displacement > below.displacement)
     {
@@ -355,13 +368,13 @@ static real highest(const struct search *search, real low, real high)
 enum { FIRST_OCTAVE = -18, MOST_STEPS = 100000 };
 
 /*
- The first motion on the part whose displacement is not below `h`; at the beginning it is below. Durations are tried `grid` times per
- octave. Where the displacement stops to rise between two of them, its highest value is looked at. Returns 0 if there is no such
+ The first motion on the part whose displacement is not below `h`; at the beginning it is below. A duration is tried every so many
+ `octaves`. Where the displacement stops to rise between two of them, its highest value is looked at. Returns 0 if there is no such
  motion up to the end of the part.
 */
-static int first(const struct search *search, int grid, struct motion *found)
+static int first(const struct search *search, double octaves, struct motion *found)
 {
-    const real h = search->axis->h, ratio = powl(2, (real)1 / grid);
+    const real h = search->axis->h, ratio = powl(2, octaves);
     real low = 0, x = search->from > 0 ? ldexpl(search->from, FIRST_OCTAVE) : 1;
     real slope;
     int step;
@@ -389,7 +402,7 @@ static int first(const struct search *search, int grid, struct motion *found)
  The fastest motion of a duration from `from` up to `to`; `base` has the duration `from`. The motion is seen from the other side if the
  target is nearer than the end of `base`. Returns 0 if there is none.
 */
-static int first_of_piece(const struct axis *axis, real from, real to, const struct motion *base, int grid, struct motion *found)
+static int first_of_piece(const struct axis *axis, real from, real to, const struct motion *base, double octaves, struct motion *found)
 {
     const struct axis other = mirrored(axis);
     const int mirror = axis->h < base->displacement;
@@ -399,7 +412,7 @@ static int first_of_piece(const struct axis *axis, real from, real to, const str
     search.cruise = cruise_begins(search.axis);
     if (axis->h == base->displacement) { *found = *base; return 1; }
     search.span = smaller(search.cruise, to) - from;
-    if (first(&search, grid, found)) { return 1; }
+    if (first(&search, octaves, found)) { return 1; }
     if (to < INFINITY) { return 0; }
     *found = border(search.axis, larger(search.cruise, from), search.cruise);
     {
@@ -525,7 +538,7 @@ static real wrong(const struct axis *axis, const struct motion *found, int mirro
  acceleration, and how much further and faster than its end the target is.
 */
 void referee_fastest(
-    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, int grid,
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, double octaves,
     double results[RESULTS])
 {
     struct axis axis = axis_of(limits, start, target, beside, frame);
@@ -535,10 +548,10 @@ void referee_fastest(
     const struct motion *base = &pieces.at[0];
     const struct straight line = straight(&axis);
     struct motion found, ramp;
-    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, grid, &found))
+    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, octaves, &found))
     {
         base = &pieces.at[2];
-        first_of_piece(&axis, pieces.t2, INFINITY, base, grid, &found);
+        first_of_piece(&axis, pieces.t2, INFINITY, base, octaves, &found);
     }
     results[DURATION] = (double)(inside.duration + found.duration);
     results[SPEED] = (double)(larger(inside.speed, speed(&found)) + fabsl(frame));

@@ -54,14 +54,14 @@ pub struct Best {
     pub wrong: f64,
 }
 
-/// How often per octave of the duration the referee looks at the border.
-#[derive(Clone, Copy, Debug)]
-#[repr(i32)]
-pub enum Grid {
+/// Every so many octaves of the duration the referee looks at the border.
+pub mod octaves {
+    /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the ends.
+    pub const SPARSE: f64 = 4.0;
     /// Enough for most problems.
-    Coarse = 2,
+    pub const COARSE: f64 = 0.5;
     /// Enough where the displacement rises and falls at once.
-    Fine = 64,
+    pub const FINE: f64 = 1.0 / 64.0;
 }
 
 /// Position, velocity and acceleration where the phases of a move meet, and at its end.
@@ -86,7 +86,7 @@ unsafe extern "C" {
         target: &[f64; 3],
         beside: &[f64; 3],
         frame: f64,
-        grid: i32,
+        octaves: f64,
         results: &mut Best,
     );
     safe fn referee_possible(
@@ -139,27 +139,25 @@ impl Motion {
 
     /// The fastest motion.
     pub fn best(&self) -> Best {
-        self.best_beside([0.0; 3], Grid::Coarse)
+        self.best_beside([0.0; 3], octaves::COARSE)
     }
 
     /// The fastest motion to a target that is so much further and so much faster, from a start that is so much faster.
-    pub fn best_beside(&self, beside: [f64; 3], grid: Grid) -> Best {
+    pub fn best_beside(&self, beside: [f64; 3], octaves: f64) -> Best {
         let mut best = Best::default();
+        let is_accelerated = self.start[2] != 0.0 || self.target[2] != 0.0;
+        let octaves = if is_accelerated {
+            octaves
+        } else {
+            octaves::SPARSE
+        };
         let Self {
             limits,
             start,
             target,
             frame,
         } = self;
-        referee_fastest(
-            limits,
-            start,
-            target,
-            &beside,
-            *frame,
-            grid as i32,
-            &mut best,
-        );
+        referee_fastest(limits, start, target, &beside, *frame, octaves, &mut best);
         best
     }
 

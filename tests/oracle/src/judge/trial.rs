@@ -3,7 +3,7 @@
 
 use super::planner::{Plan, Planner};
 use super::problem::{Problem, Request};
-use super::referee::{Best, Grid, Knot, Motion, Walk};
+use super::referee::{Best, Knot, Motion, Walk, octaves};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
@@ -257,18 +257,18 @@ impl<R: Original> Trial<R> {
         let doubt = doubt::<R>().max(4.0 * self.best.wrong);
         let near = |scale: f64| (scale * doubt).max(accuracy);
         let [position, velocity] = self.passed().map(near);
-        let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
         // The velocities of a profile are taken as they are, and its displacement does not rise and fall.
-        let (coarse, fine) = match self.problem.request.profile() {
-            Some(_) => (3, 0),
-            None => (27, 3),
+        let (velocity, coarse, fine) = match self.problem.request.profile() {
+            Some(_) => (0.0, 3, 0),
+            None => (velocity, 27, 3),
         };
-        let coarse = (0..coarse).map(|index| (index, Grid::Coarse));
-        let fine = (0..fine).map(|index| (index, Grid::Fine));
-        for (index, grid) in coarse.chain(fine) {
+        let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
+        let coarse = (0..coarse).map(|index| (index, octaves::COARSE));
+        let fine = (0..fine).map(|index| (index, octaves::FINE));
+        for (index, octaves) in coarse.chain(fine) {
             let best = self
                 .motion
-                .best_beside(beside(index, position, velocity), grid);
+                .best_beside(beside(index, position, velocity), octaves);
             for least in self.possible(&best, position, velocity) {
                 if error(least) <= tolerance {
                     return good(least);
