@@ -28,17 +28,20 @@ struct axis {
     real rise, fall, vmax, vmin;   /* limits, each of them may be infinite; the fall is positive */
     real h, v0, a0, v1, a1;        /* displacement and ends */
     real dv;                       /* v1 - v0, formed once: a difference of large velocities may be small */
+    int brief;                     /* whether the motions are brief */
 };
 
 struct motion {
+    int brief;                  /* whether the fields from `variation` on are left out */
     int shape;
     real duration, displacement;
-    real velocity, variation;   /* at the end, sum of the magnitudes of all changes */
+    real slope;                 /* of the displacement on the border with respect to the duration */
+    real velocity;              /* at the end */
+    real variation;             /* sum of the magnitudes of all changes of the velocity */
     real changing;              /* how long the acceleration changes */
     real lowest, highest;       /* velocity */
     real trough, peak;          /* acceleration */
     real backwards;             /* the most that a phase of negative duration changes of the velocity: 0 but for roundings */
-    real slope;                 /* of the displacement on the border with respect to the duration */
 };
 
 static real positive(real x) { return x > 0 ? x : 0; }
@@ -47,7 +50,7 @@ static real smaller(real x, real y) { return x < y ? x : y; }
 
 static void begin(struct motion *motion, real velocity)
 {
-    motion->shape = 0;
+    motion->brief = motion->shape = 0;
     motion->duration = motion->displacement = motion->variation = motion->changing = motion->slope = 0;
     motion->velocity = motion->lowest = motion->highest = velocity;
     motion->trough = motion->peak = motion->backwards = 0;
@@ -76,6 +79,7 @@ static void add(struct motion *motion, real duration, real from, real to)
     motion->displacement += duration * (v + duration * (from + from + to) / 6);
     motion->velocity = v + duration * (from + to) / 2;
     motion->duration += duration;
+    if (motion->brief) { return; }
     motion->variation += fabsl(duration) * (fabsl(from) + fabsl(to)) / 2;
     if (from != to) { motion->changing += fabsl(duration); }
     if ((from > 0) != (to > 0) && from != to)
@@ -105,6 +109,7 @@ static struct axis mirrored(const struct axis *axis)
     other.v1 = -axis->v1;
     other.a1 = -axis->a1;
     other.dv = -axis->dv;
+    other.brief = axis->brief;
     return other;
 }
 
@@ -131,6 +136,7 @@ static struct motion by_way_of_vmax(const struct axis *axis, real cruise)
     const real peak = ramp_peak(axis, axis->vmax - axis->v0, axis->a0, axis->rise, &top);
     const real trough = -ramp_peak(axis, axis->vmax - axis->v1, -axis->a1, axis->fall, &bottom);
     begin(&motion, axis->v0);
+    motion.brief = axis->brief;
     add(&motion, axis->up * (peak - axis->a0), axis->a0, peak);
     add(&motion, top, peak, peak);
     add(&motion, axis->down * peak, peak, 0);
@@ -197,6 +203,7 @@ static struct motion without_cruise(const struct axis *axis, real duration)
         bottom = time - both * u, top = 0;
     }
     begin(&motion, axis->v0);
+    motion.brief = axis->brief;
     add(&motion, axis->up * (peak - a0), a0, peak);
     add(&motion, top, peak, peak);
     add(&motion, axis->down * (peak - trough), peak, trough);
@@ -309,47 +316,57 @@ static struct pieces pieces_of(const struct axis *axis)
     return pieces;
 }
 
-/* A part of the upper border from the duration `from` on. */
+/* How often the search looks at durations: first after `first` octaves of the beginning, then every `step` octaves. */
+struct grid {
+    double first, step;
+};
+
+/* A part of the upper border from the duration `from` on, up to `span` later. Its motions are brief. */
 struct search {
-    const struct axis *axis;
+    struct axis axis;
     real from, span, cruise;
 };
 
 static struct motion at(const struct search *search, real x)
 {
-    return border(search->axis, search->from + x, search->cruise);
+    return border(&search->axis, search->from + x, search->cruise);
 }
 
 enum { BITS = 46 };
 
 /*
  Where the displacement, which is below `h` at `low`, reaches it before `high`. The secant finds it soon. An end that stays counts half
- the next time (Illinois), so that both ends come near, and every third round halves.
+ the next time (Illinois), so that both ends come near, and every fourth round halves.
 */
-static struct motion crossing(const struct search *search, real low, real high)
+static real crossing(const struct search *search, real low, real high)
 {
-    const real h = search->axis->h;
-    struct motion below = at(search, low), above = at(search, high);
-    real under = h - below.displacement, over = above.displacement - h;
+    const real h = search->axis.h;
+    real below = h - at(search, low).displacement, above = at(search, high).displacement - h;
+    real under = below, over = above, part;
     int round, last = 0;
-    for (round = 1; round < 4 * BITS && high - low > ldexpl(search->from + high, -BITS); ++round)
+    for (round = 1; round < 4 * BITS; ++round)
     {
-        const real part = round % 3 && under + over > 0 ? under / (under + over) : (real)1 / 2;
-        const real middle = low + (high - low) * part;
-        const struct motion motion = at(search, middle);
-        const int is_above = motion.displacement >= h;
-        if (is_above) { high = middle, above = motion, over = motion.displacement - h; }
-        else { low = middle, below = motion, under = h - motion.displacement; }
-        if (is_above && last > 0) { under /= 2; }
-        if (!is_above && last < 0) { over /= 2; }
-        last = is_above ? 1 : -1;
+        const real little = ldexpl(search->from + high, -BITS);
+        real middle = low + (high - low) / 2, displacement;
+        if (!(high - low > little)) { break; }
+        if (round % 4 && under + over > 0) { middle = low + (high - low) * (under / (under + over)); }
+        middle = larger(low + little / 2, smaller(high - little / 2, middle));
+        displacement = at(search, middle).displacement;
+        if (displacement >= h)
+        {
+            high = middle, over = above = displacement - h;
+            if (last > 0) { under /= 2; }
+            last = 1;
+        }
+        else
+        {
+            low = middle, under = below = h - displacement;
+            if (last < 0) { over /= 2; }
+            last = -1;
+        }
     }
-    if (above.displacement > below.displacement)
-    {
-        const real part = (h - below.displacement) / (above.displacement - below.displacement);
-        return at(search, low + (high - low) * smaller(1, positive(part)));
-    }
-    return above;
+    part = below / (below + above);
+    return below + above > 0 ? low + (high - low) * smaller(1, positive(part)) : high;
 }
 
 /* Where the displacement, which rises at `low` and falls at `high`, is the highest. */
@@ -365,60 +382,64 @@ static real highest(const struct search *search, real low, real high)
     return low;
 }
 
-enum { FIRST_OCTAVE = -18, MOST_STEPS = 100000 };
+enum { MOST_STEPS = 100000 };
 
 /*
- The first motion on the part whose displacement is not below `h`; at the beginning it is below. A duration is tried every so many
- `octaves`. Where the displacement stops to rise between two of them, its highest value is looked at. Returns 0 if there is no such
- motion up to the end of the part.
+ Where the displacement, which is below `h` at the beginning of the part, first reaches it. Durations of the grid are tried. Where the
+ displacement stops to rise between two of them, its highest value is looked at. Negative if there is no such place up to the end of
+ the part.
 */
-static int first(const struct search *search, double octaves, struct motion *found)
+static real first(const struct search *search, const struct grid *grid)
 {
-    const real h = search->axis->h, ratio = powl(2, octaves);
-    real low = 0, x = search->from > 0 ? ldexpl(search->from, FIRST_OCTAVE) : 1;
+    const real h = search->axis.h, ratio = powl(2, grid->step);
+    real low = 0, x = search->from > 0 ? search->from * powl(2, grid->first) : 1;
     real slope;
     int step;
-    if (!(search->span > 0)) { return 0; }
+    if (!(search->span > 0)) { return -1; }
     while (search->from == 0 && at(search, x).displacement >= h && x > LDBL_MIN * 1024) { x /= 256; }
     slope = at(search, 0).slope;
     for (step = 0; step < MOST_STEPS; ++step, x *= ratio)
     {
         const real high = smaller(x, search->span);
         const struct motion motion = at(search, high);
-        if (motion.displacement >= h) { *found = crossing(search, low, high); return 1; }
+        if (motion.displacement >= h) { return crossing(search, low, high); }
         if (slope > 0 && motion.slope <= 0)
         {
             const real top = highest(search, low, high);
-            if (at(search, top).displacement >= h) { *found = crossing(search, low, top); return 1; }
+            if (at(search, top).displacement >= h) { return crossing(search, low, top); }
         }
-        if (high == search->span) { return 0; }
+        if (high == search->span) { return -1; }
         low = high;
         slope = motion.slope;
     }
-    return 0;
+    return -1;
 }
 
 /*
  The fastest motion of a duration from `from` up to `to`; `base` has the duration `from`. The motion is seen from the other side if the
  target is nearer than the end of `base`. Returns 0 if there is none.
 */
-static int first_of_piece(const struct axis *axis, real from, real to, const struct motion *base, double octaves, struct motion *found)
+static int first_of_piece(
+    const struct axis *axis, real from, real to, const struct motion *base, const struct grid *grid, struct motion *found)
 {
-    const struct axis other = mirrored(axis);
-    const int mirror = axis->h < base->displacement;
+    const struct axis seen = axis->h < base->displacement ? mirrored(axis) : *axis;
     struct search search;
-    search.axis = mirror ? &other : axis;
-    search.from = from;
-    search.cruise = cruise_begins(search.axis);
+    real x;
     if (axis->h == base->displacement) { *found = *base; return 1; }
+    search.axis = seen;
+    search.axis.brief = 1;
+    search.from = from;
+    search.cruise = cruise_begins(&seen);
     search.span = smaller(search.cruise, to) - from;
-    if (first(&search, octaves, found)) { return 1; }
-    if (to < INFINITY) { return 0; }
-    *found = border(search.axis, larger(search.cruise, from), search.cruise);
+    x = first(&search, grid);
+    if (x < 0 && to < INFINITY) { return 0; }
+    if (x < 0)
     {
-        const real rest = positive((search.axis->h - found->displacement) / search.axis->vmax);
-        *found = border(search.axis, larger(search.cruise, from) + rest, search.cruise);
+        /* The axis cruises. */
+        x = larger(search.cruise, from) - from;
+        x += positive((seen.h - at(&search, x).displacement) / seen.vmax);
     }
+    *found = border(&seen, from + x, search.cruise);
     return 1;
 }
 
@@ -487,6 +508,7 @@ static struct axis axis_of(const double limits[6], const double start[3], const 
     axis.h = ((real)target[0] - (real)start[0]) + beside[0];
     axis.v0 = ((real)start[1] - frame) + beside[2];
     axis.v1 = ((real)target[1] - frame) + beside[1];
+    axis.brief = 0;
     axis.dv = ((real)target[1] - (real)start[1]) + ((real)beside[1] - beside[2]);
     axis.a0 = start[2];
     axis.a1 = target[2];
@@ -538,7 +560,7 @@ static real wrong(const struct axis *axis, const struct motion *found, int mirro
  acceleration, and how much further and faster than its end the target is.
 */
 void referee_fastest(
-    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, double octaves,
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, const struct grid *grid,
     double results[RESULTS])
 {
     struct axis axis = axis_of(limits, start, target, beside, frame);
@@ -548,10 +570,10 @@ void referee_fastest(
     const struct motion *base = &pieces.at[0];
     const struct straight line = straight(&axis);
     struct motion found, ramp;
-    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, octaves, &found))
+    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, grid, &found))
     {
         base = &pieces.at[2];
-        first_of_piece(&axis, pieces.t2, INFINITY, base, octaves, &found);
+        first_of_piece(&axis, pieces.t2, INFINITY, base, grid, &found);
     }
     results[DURATION] = (double)(inside.duration + found.duration);
     results[SPEED] = (double)(larger(inside.speed, speed(&found)) + fabsl(frame));
@@ -585,6 +607,7 @@ double referee_possible(
     const struct pieces pieces = pieces_of(&axis);
     const real rest = duration - inside.duration;
     real lowest, highest;
+    axis.brief = 1;
     if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return INFINITY; }
     other = mirrored(&axis);
     lowest = -border(&other, rest, cruise_begins(&other)).displacement;
@@ -622,6 +645,7 @@ int referee_knees(const double limits[6], const double start[3], const double ta
     real low = pieces.t0, cruise, end;
     int count = 0, shape, step;
     if (lower) { axis = mirrored(&axis); }
+    axis.brief = 1;
     cruise = cruise_begins(&axis);
     if (!isinf(pieces.t1)) { low = pieces.t2; }
     end = isinf(cruise) ? 2 * low + 1 : cruise;

@@ -54,14 +54,30 @@ pub struct Best {
     pub wrong: f64,
 }
 
-/// Every so many octaves of the duration the referee looks at the border.
-pub mod octaves {
+/// How often the referee looks at the border: so many octaves from where it begins, and then every so many octaves.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Grid {
+    first: f64,
+    step: f64,
+}
+
+impl Grid {
     /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the ends.
-    pub const SPARSE: f64 = 4.0;
+    const SPARSE: Self = Self {
+        first: 0.0,
+        step: 2.0,
+    };
     /// Enough for most problems.
-    pub const COARSE: f64 = 0.5;
+    pub const COARSE: Self = Self {
+        first: -18.0,
+        step: 0.5,
+    };
     /// Enough where the displacement rises and falls at once.
-    pub const FINE: f64 = 1.0 / 64.0;
+    pub const FINE: Self = Self {
+        first: -18.0,
+        step: 1.0 / 64.0,
+    };
 }
 
 /// Position, velocity and acceleration where the phases of a move meet, and at its end.
@@ -86,7 +102,7 @@ unsafe extern "C" {
         target: &[f64; 3],
         beside: &[f64; 3],
         frame: f64,
-        octaves: f64,
+        grid: &Grid,
         results: &mut Best,
     );
     safe fn referee_possible(
@@ -139,25 +155,21 @@ impl Motion {
 
     /// The fastest motion.
     pub fn best(&self) -> Best {
-        self.best_beside([0.0; 3], octaves::COARSE)
+        self.best_beside([0.0; 3], Grid::COARSE)
     }
 
     /// The fastest motion to a target that is so much further and so much faster, from a start that is so much faster.
-    pub fn best_beside(&self, beside: [f64; 3], octaves: f64) -> Best {
+    pub fn best_beside(&self, beside: [f64; 3], grid: Grid) -> Best {
         let mut best = Best::default();
         let is_accelerated = self.start[2] != 0.0 || self.target[2] != 0.0;
-        let octaves = if is_accelerated {
-            octaves
-        } else {
-            octaves::SPARSE
-        };
+        let grid = if is_accelerated { grid } else { Grid::SPARSE };
         let Self {
             limits,
             start,
             target,
             frame,
         } = self;
-        referee_fastest(limits, start, target, &beside, *frame, octaves, &mut best);
+        referee_fastest(limits, start, target, &beside, *frame, &grid, &mut best);
         best
     }
 

@@ -3,7 +3,7 @@
 
 use super::planner::{Plan, Planner};
 use super::problem::{Problem, Request};
-use super::referee::{Best, Knot, Motion, Walk, octaves};
+use super::referee::{Best, Grid, Knot, Motion, Walk};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
@@ -263,12 +263,12 @@ impl<R: Original> Trial<R> {
             None => (velocity, 27, 3),
         };
         let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
-        let coarse = (0..coarse).map(|index| (index, octaves::COARSE));
-        let fine = (0..fine).map(|index| (index, octaves::FINE));
-        for (index, octaves) in coarse.chain(fine) {
+        let coarse = (0..coarse).map(|index| (index, Grid::COARSE));
+        let fine = (0..fine).map(|index| (index, Grid::FINE));
+        for (index, grid) in coarse.chain(fine) {
             let best = self
                 .motion
-                .best_beside(beside(index, position, velocity), octaves);
+                .best_beside(beside(index, position, velocity), grid);
             for least in self.possible(&best, position, velocity) {
                 if error(least) <= tolerance {
                     return good(least);
@@ -432,7 +432,8 @@ impl<R: Original> Trial<R> {
         if !outside && (accelerated || beyond > slack) {
             return Some("it starts outside");
         }
-        if self.problem.request == Request::Meet {
+        // The extremes of a trapezoid miss a turn if its ramp is shorter than a rounding of the time.
+        if matches!(self.problem.request, Request::Meet | Request::Trap) {
             return None;
         }
         let [p1, ..] = plan.state(plan.planned.t).map(R::widen);
