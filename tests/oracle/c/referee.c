@@ -316,9 +316,9 @@ static struct pieces pieces_of(const struct axis *axis)
     return pieces;
 }
 
-/* How often the search looks at durations: first after `first` octaves of the beginning, then every `step` octaves. */
+/* When the search looks: first this part of the beginning later, then always this factor later. */
 struct grid {
-    double first, step;
+    double part, factor;
 };
 
 /* A part of the upper border from the duration `from` on, up to `span` later. Its motions are brief. */
@@ -391,14 +391,14 @@ enum { MOST_STEPS = 100000 };
 */
 static real first(const struct search *search, const struct grid *grid)
 {
-    const real h = search->axis.h, ratio = powl(2, grid->step);
-    real low = 0, x = search->from > 0 ? search->from * powl(2, grid->first) : 1;
+    const real h = search->axis.h;
+    real low = 0, x = search->from > 0 ? search->from * grid->part : 1;
     real slope;
     int step;
     if (!(search->span > 0)) { return -1; }
     while (search->from == 0 && at(search, x).displacement >= h && x > LDBL_MIN * 1024) { x /= 256; }
     slope = at(search, 0).slope;
-    for (step = 0; step < MOST_STEPS; ++step, x *= ratio)
+    for (step = 0; step < MOST_STEPS; ++step, x *= grid->factor)
     {
         const real high = smaller(x, search->span);
         const struct motion motion = at(search, high);

@@ -23,7 +23,7 @@ macro_rules! kinds {
 
 impl Kind {
     /// The kinds that a profile can have, which has no acceleration at its ends.
-    pub const OF_PROFILES: [Self; 25] = [
+    pub const OF_PROFILES: [Self; 23] = [
         Self::Rest,
         Self::Moving,
         Self::OutsideVelocity,
@@ -45,9 +45,7 @@ impl Kind {
         Self::Offset,
         Self::TinyAgainstHuge,
         Self::NoHold,
-        Self::NeverReached,
         Self::WeakLimits,
-        Self::Asymmetric,
         Self::Remainder,
     ];
 }

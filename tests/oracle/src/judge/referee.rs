@@ -54,29 +54,29 @@ pub struct Best {
     pub wrong: f64,
 }
 
-/// How often the referee looks at the border: so many octaves from where it begins, and then every so many octaves.
+/// When the referee looks at the border: first this part of its beginning later, then always this factor later.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Grid {
-    first: f64,
-    step: f64,
+    part: f64,
+    factor: f64,
 }
 
 impl Grid {
     /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the ends.
     const SPARSE: Self = Self {
-        first: 0.0,
-        step: 2.0,
+        part: 1.0,
+        factor: 4.0,
     };
-    /// Enough for most problems.
+    /// Enough for most problems: twice an octave.
     pub const COARSE: Self = Self {
-        first: -18.0,
-        step: 0.5,
+        part: 1.0 / 262_144.0,
+        factor: std::f64::consts::SQRT_2,
     };
-    /// Enough where the displacement rises and falls at once.
+    /// Enough where the displacement rises and falls at once: 64 times an octave.
     pub const FINE: Self = Self {
-        first: -18.0,
-        step: 1.0 / 64.0,
+        part: 1.0 / 262_144.0,
+        factor: 1.010_889_286_051_700_5,
     };
 }
 
