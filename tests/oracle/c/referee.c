@@ -9,7 +9,7 @@
  The referee shares this theory with the library: the interval, the shapes of the border, the gap, the way inside
  (docs/planner.md). It shares no code. It looks at the border of many durations where the library solves equations, and adds phases up
  where the library has closed forms. A mistake of the theory would be a mistake of both. So `is_the_referee_right.rs` checks the theory:
- random motions, plans of rsruckig, and for ends without acceleration a bisection that knows nothing of borders.
+ random motions, plans of rsruckig, and, for ends without acceleration, a bisection of the peak velocity, which knows no border.
 
  `long double` has a significand of 64 bits on x86 (x87), so its roundings are 2048 times finer than in `double`.
 */

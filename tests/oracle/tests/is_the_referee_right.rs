@@ -1,5 +1,5 @@
-//! Is the referee right? Its motions are possible, and no motion is faster: neither a random one nor one of rsruckig. A bisection that
-//! shares no theory with it finds the same durations of motions without acceleration at their ends.
+//! Is the referee right? Its motions are possible, and no motion is faster: neither a random one nor one of rsruckig. A bisection of
+//! the peak velocity, which knows no border, finds the same durations of motions without acceleration at their ends.
 
 use atraj::online::{Limits, Move, Phase, State};
 use oracle::judge::problem::{Problem, Request, beyond_legal};
@@ -141,7 +141,7 @@ fn rsruckig_is_no_faster() {
     assert_eq!(theirs.shorter, 0);
 }
 
-/// A motion that changes its velocity twice, and cruises between at a speed `q` above that of both ends.
+/// A motion of two ramps, by way of a velocity `q` above those of both ends.
 struct ByBisection {
     jerk: f64,
     rise: f64,
@@ -211,7 +211,7 @@ impl ByBisection {
     }
 }
 
-/// A bisection of the speed finds the same durations.
+/// A bisection of the peak velocity finds the same durations.
 #[test]
 fn a_bisection_finds_the_same() {
     let mut same = 0;

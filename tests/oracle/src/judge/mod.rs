@@ -1,5 +1,5 @@
-//! One judge of all motions. A double-S and a trapezoid are motions without acceleration at their ends, with the same limits in both
-//! directions and without a limit of the jerk.
+//! One judge of all motions. A double-S is a motion without acceleration at its ends, and with the same limits in both directions. A
+//! trapezoid has no limit of the jerk.
 //!
 //! [`problems`] makes nasty problems, [`planner`] has the planners under test, [`referee`] knows the fastest motion, [`trial`] says what
 //! is wrong with a plan, [`tally`] counts, and [`faults`] show that the judge sees a fault.

@@ -35,8 +35,8 @@ pub type Bad = (usize, Verdict);
 
 /// How much larger the numbers of a stretched motion may be than its own way tells.
 ///
-/// A stretched motion is the mean of two motions. A ramp of one of them may be shorter than a rounding of the duration. Then its acceleration
-/// jumps, by as much as the jerk can change it in a rounding of the duration.
+/// A stretched motion is the mean of two motions. A ramp of one of them may be shorter than a rounding of the duration. Then its
+/// acceleration jumps, by as much as the jerk can change it in a rounding of the duration.
 pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scale {
     let [.., jmax, jmin] = axis.motion().limits;
     Scale {
