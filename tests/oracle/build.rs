@@ -1,6 +1,6 @@
 //! Compiles the original's C sources out of the `liba` crate: as `c8_…` in binary64 and as `c4_…` in binary32. For
-//! measurements it compiles them again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`. The referees of the fastest plans
-//! are compiled too.
+//! measurements it compiles them again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`. The referee of the
+//! fastest motions is compiled too.
 //!
 //! The new names keep the libraries apart. Under the same names the linker would resolve both sides of every comparison to
 //! ours.
@@ -42,14 +42,13 @@ fn main() {
     cc::Build::new()
         .opt_level(2)
         .flag("-std=c99")
+        .flag("-fno-math-errno")
         .flag("-Wall")
         .flag("-Wextra")
         .warnings_into_errors(true)
         .file("c/referee.c")
-        .file("c/online_referee.c")
         .compile("referee");
     println!("cargo:rerun-if-changed=c/referee.c");
-    println!("cargo:rerun-if-changed=c/online_referee.c");
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rustc-env=LIBA={}", liba.display());
 }

@@ -1,8 +1,17 @@
 /*
- The least duration of a move, by bisection, and the state of a planned move, by integration of its phases. Both are slow, follow
- the definitions, and share nothing with the library: they exist to judge it.
+ The least duration of a motion of one axis from any state to any state, by a search through the durations, and the states of a
+ planned motion, by integration of its phases.
 
- `long double` has a significand of 64 bits on x86 (x87), so its roundings are 2048 times finer than those of `double`.
+ A mean of two motions within the limits keeps the limits and travels the mean. So the displacements of a duration form an
+ interval. The displacement on its upper border is a closed form. The lower border is the upper one of the mirrored axis. The least
+ duration is the first one whose interval holds the wanted displacement.
+
+ The referee shares this theory with the library: the interval, the shapes of the border, the gap, the way inside
+ (docs/planner.md). It shares no code. It looks at the border of many durations where the library solves equations, and adds phases up
+ where the library has closed forms. A mistake of the theory would be a mistake of both. So `is_the_referee_right.rs` checks the theory:
+ random motions, plans of rsruckig, and, for ends without acceleration, a bisection of the peak velocity, which knows no border.
+
+ `long double` has a significand of 64 bits on x86 (x87), so its roundings are 2048 times finer than in `double`.
 */
 #include <float.h>
 #include <math.h>
@@ -13,174 +22,725 @@
 
 typedef long double real;
 
-/* A move in the axis in which it first accelerates upwards. */
+/* The axis, in the direction in which the upper border is asked for. */
 struct axis {
-    real j, rise, fall, vm; /* limits, each of them may be infinite */
-    real h, v0, v1;
-    real dv; /* v1 - v0, formed once: a difference of large velocities may be small */
+    real up, down;                 /* time in which the acceleration rises, falls by 1: 0 if the jerk has no limit */
+    real rise, fall, vmax, vmin;   /* limits, each of them may be infinite; the fall is positive */
+    real h, v0, a0, v1, a1;        /* displacement and ends */
+    real dv;                       /* v1 - v0, formed once: a difference of large velocities may be small */
+    int brief;                     /* whether the motions are brief */
 };
 
-/* What a motion takes and covers. */
 struct motion {
+    int brief;                  /* whether the fields from `variation` on are left out */
+    int shape;
     real duration, displacement;
+    real slope;                 /* of the displacement on the border with respect to the duration */
+    real velocity;              /* at the end */
+    real variation;             /* sum of the magnitudes of all changes of the velocity */
+    real changing;              /* how long the acceleration changes */
+    real lowest, highest;       /* velocity */
+    real trough, peak;          /* acceleration */
+    real backwards;             /* the most that a phase of negative duration changes of the velocity: 0 but for roundings */
 };
 
 static real positive(real x) { return x > 0 ? x : 0; }
+static real larger(real x, real y) { return x > y ? x : y; }
+static real smaller(real x, real y) { return x < y ? x : y; }
 
-/* The duration of the fastest change of velocity, with no acceleration at its ends unless the jerk is infinite. */
-static real ramp(real j, real a, real change)
+static void begin(struct motion *motion, real velocity)
 {
-    if (isinf(j)) { return change / a; }
-    if (isinf(a) || change * j < a * a) { return 2 * sqrtl(change / j); }
-    return a / j + change / a;
+    motion->brief = motion->shape = 0;
+    motion->duration = motion->displacement = motion->variation = motion->changing = motion->slope = 0;
+    motion->velocity = motion->lowest = motion->highest = velocity;
+    motion->trough = motion->peak = motion->backwards = 0;
 }
 
-/* Up to the velocity `q` above the larger one of both ends, and down. A ramp covers its mean velocity times its duration. */
-static struct motion by_way_of(const struct axis *axis, real q)
+static void include_velocity(struct motion *motion, real v)
 {
-    const real up = q + positive(axis->dv), down = q + positive(-axis->dv);
-    const real t0 = ramp(axis->j, axis->rise, up), t1 = ramp(axis->j, axis->fall, down);
+    motion->lowest = smaller(motion->lowest, v);
+    motion->highest = larger(motion->highest, v);
+}
+
+static void include_acceleration(struct motion *motion, real a)
+{
+    motion->trough = smaller(motion->trough, a);
+    motion->peak = larger(motion->peak, a);
+}
+
+/*
+ Adds a phase in which the acceleration changes evenly. A negative duration continues the closed forms beyond their borders. The
+ velocity is the highest at the ends of the phase or where the acceleration is 0.
+*/
+static void add(struct motion *motion, real duration, real from, real to)
+{
+    const real v = motion->velocity;
+    if (duration == 0) { return; }
+    motion->displacement += duration * (v + duration * (from + from + to) / 6);
+    motion->velocity = v + duration * (from + to) / 2;
+    motion->duration += duration;
+    if (motion->brief) { return; }
+    motion->variation += fabsl(duration) * (fabsl(from) + fabsl(to)) / 2;
+    if (from != to) { motion->changing += fabsl(duration); }
+    if ((from > 0) != (to > 0) && from != to)
+    {
+        include_velocity(motion, v + duration * from / (from - to) * from / 2);
+    }
+    include_velocity(motion, motion->velocity);
+    include_acceleration(motion, from);
+    include_acceleration(motion, to);
+    motion->backwards = larger(motion->backwards, -duration * (from == to ? fabsl(from) : fabsl(to - from)));
+}
+
+static real speed(const struct motion *motion) { return larger(motion->highest, -motion->lowest); }
+
+static struct axis mirrored(const struct axis *axis)
+{
+    struct axis other;
+    other.up = axis->down;
+    other.down = axis->up;
+    other.rise = axis->fall;
+    other.fall = axis->rise;
+    other.vmax = -axis->vmin;
+    other.vmin = -axis->vmax;
+    other.h = -axis->h;
+    other.v0 = -axis->v0;
+    other.a0 = -axis->a0;
+    other.v1 = -axis->v1;
+    other.a1 = -axis->a1;
+    other.dv = -axis->dv;
+    other.brief = axis->brief;
+    return other;
+}
+
+/*
+ A ramp between an acceleration and 0 on the side of the highest velocity: the acceleration `peak` that it reaches, and how long it
+ holds. `change` is the change of velocity, `a` the acceleration at the other end of the ramp.
+*/
+static real ramp_peak(const struct axis *axis, real change, real a, real limit, real *hold)
+{
+    const real mean = (axis->up + axis->down) / 2;
+    const real beyond = positive(change + axis->up * a * a / 2);
+    const real peak = mean > 0 ? sqrtl(beyond / mean) : INFINITY;
+    *hold = 0;
+    if (peak <= limit) { return larger(peak, positive(a)); }
+    *hold = positive((beyond - mean * limit * limit) / limit);
+    return larger(limit, a);
+}
+
+/* The motion that cruises at vmax for so long. */
+static struct motion by_way_of_vmax(const struct axis *axis, real cruise)
+{
     struct motion motion;
-    motion.duration = t0 + t1;
-    motion.displacement = (axis->v0 * t0 + axis->v1 * t1) + (up * t0 + down * t1) / 2;
+    real top, bottom;
+    const real peak = ramp_peak(axis, axis->vmax - axis->v0, axis->a0, axis->rise, &top);
+    const real trough = -ramp_peak(axis, axis->vmax - axis->v1, -axis->a1, axis->fall, &bottom);
+    begin(&motion, axis->v0);
+    motion.brief = axis->brief;
+    add(&motion, axis->up * (peak - axis->a0), axis->a0, peak);
+    add(&motion, top, peak, peak);
+    add(&motion, axis->down * peak, peak, 0);
+    add(&motion, cruise, 0, 0);
+    add(&motion, -axis->down * trough, 0, trough);
+    add(&motion, bottom, trough, trough);
+    add(&motion, axis->up * (axis->a1 - trough), trough, axis->a1);
+    motion.shape = 5;
+    motion.slope = axis->vmax;
     return motion;
 }
 
-static int gets_there(const struct axis *axis, real q) { return by_way_of(axis, q).displacement >= axis->h; }
-
-enum { LOWEST = -4000, HIGHEST = 4000, BITS = 56 };
-
-/* The displacement begins below `h` at q = 0 and crosses `h` once. The exponent of q is bisected, then its significand. */
-static real crossing(const struct axis *axis)
+/* How long the shortest motion that reaches vmax lasts. */
+static real cruise_begins(const struct axis *axis)
 {
-    int low = LOWEST, high = HIGHEST, bit;
-    real q, step;
-    while (high - low > 1)
-    {
-        const int middle = (low + high) / 2;
-        if (gets_there(axis, ldexpl(1, middle))) { high = middle; }
-        else { low = middle; }
-    }
-    q = step = ldexpl(1, low);
-    for (bit = 0; bit < BITS; ++bit)
-    {
-        step /= 2;
-        if (!gets_there(axis, q + step)) { q += step; }
-    }
-    return q;
+    return isinf(axis->vmax) ? INFINITY : by_way_of_vmax(axis, 0).duration;
 }
 
-static void mirror(struct axis *axis)
-{
-    const real rise = axis->rise;
-    axis->rise = axis->fall;
-    axis->fall = rise;
-    axis->h = -axis->h;
-    axis->v0 = -axis->v0;
-    axis->v1 = -axis->v1;
-    axis->dv = -axis->dv;
-}
-
-static real limited(real v, real vm) { return v > vm ? vm : v < -vm ? -vm : v; }
-
-enum { DURATION, SPEED, DIRECT_DURATION, BESIDE_DIRECT };
+enum { NO_HOLD, TOP, BOTTOM, BOTH };
 
 /*
- The fastest move within the limits. The target is `beside` further than p1.
- Results: its duration, its highest speed, the duration of the direct ramp, and how much further than the direct ramp the target is.
+ The motion of this duration that gets farthest, if it does not cruise: the acceleration rises to `peak`, (holds), falls to
+ `trough`, (holds) and rises. Two equations determine it. The durations add up to the whole one, the changes of velocity to `dv`.
 */
-void referee_fastest(const double limits[4], const double ends[4], double beside, double results[4])
+static struct motion without_cruise(const struct axis *axis, real duration)
 {
-    struct axis axis;
-    struct motion direct, motion;
-    real room, q, speed;
-    axis.j = limits[0];
-    axis.rise = limits[1];
-    axis.fall = limits[2];
-    axis.vm = limits[3];
-    axis.h = ((real)ends[1] - (real)ends[0]) + (real)beside;
-    axis.v0 = limited(ends[2], axis.vm);
-    axis.v1 = limited(ends[3], axis.vm);
-    axis.dv = axis.v1 - axis.v0;
-
-    /* The direct ramp is the one by way of the larger velocity. A nearer target is a farther one in the mirrored axis. */
-    direct = by_way_of(&axis, 0);
-    results[BESIDE_DIRECT] = (double)(axis.h - direct.displacement);
-    results[DIRECT_DURATION] = (double)direct.duration;
-    if (axis.h < direct.displacement) { mirror(&axis); }
-
-    room = axis.vm - (axis.dv > 0 ? axis.v1 : axis.v0);
-    motion = by_way_of(&axis, 0);
-    q = 0;
-    if (motion.displacement < axis.h)
+    const real rise = axis->rise, fall = axis->fall, a0 = axis->a0, a1 = axis->a1;
+    const real both = axis->up + axis->down;
+    /* What the phases last, and change, beside a rise from a0 to a1. */
+    const real time = duration - axis->up * (a1 - a0);
+    const real change = axis->dv - axis->up * (a1 - a0) * (a1 + a0) / 2;
+    real peak = INFINITY, trough = -INFINITY, top = 0, bottom = 0, u;
+    struct motion motion;
+    int shape = NO_HOLD;
+    if (both > 0)
     {
-        if (isinf(room) || gets_there(&axis, room))
+        const real mean = time > 0 ? change / time : a1;
+        peak = mean + time / both / 2;
+        trough = mean - time / both / 2;
+    }
+    if (peak > rise || trough < -fall)
+    {
+        const real rest = time - both * (rise + fall);
+        if (rest >= 0)
         {
-            q = crossing(&axis);
-            motion = by_way_of(&axis, q);
+            const real beyond = change - both / 2 * (rise - fall) * (rise + fall);
+            top = (beyond + fall * rest) / (rise + fall);
+            bottom = (rise * rest - beyond) / (rise + fall);
+            shape = top < 0 ? BOTTOM : bottom < 0 ? TOP : BOTH;
+        }
+        else { shape = peak > rise ? TOP : BOTTOM; }
+    }
+    if (shape == BOTH) { peak = rise, trough = -fall; }
+    else if (shape == TOP)
+    {
+        u = sqrtl(positive(2 / both * (rise * time - change)));
+        peak = rise, trough = rise - u;
+        top = time - both * u, bottom = 0;
+    }
+    else if (shape == BOTTOM)
+    {
+        u = sqrtl(positive(2 / both * (fall * time + change)));
+        peak = u - fall, trough = -fall;
+        bottom = time - both * u, top = 0;
+    }
+    begin(&motion, axis->v0);
+    motion.brief = axis->brief;
+    add(&motion, axis->up * (peak - a0), a0, peak);
+    add(&motion, top, peak, peak);
+    add(&motion, axis->down * (peak - trough), peak, trough);
+    add(&motion, bottom, trough, trough);
+    add(&motion, axis->up * (a1 - trough), trough, a1);
+    motion.shape = shape;
+    /* By the maximum principle: the weight of the velocity is 0 in the middle of the fall. */
+    motion.slope = axis->v1 - axis->up * (a1 - trough) * (a1 + trough) / 2
+        - trough * (axis->down * (peak - trough) / 2 + bottom);
+    return motion;
+}
+
+/* The motion of this duration that gets farthest. */
+static struct motion border(const struct axis *axis, real duration, real cruise)
+{
+    return duration >= cruise ? by_way_of_vmax(axis, duration - cruise) : without_cruise(axis, duration);
+}
+
+/* The straight change from a0 to a1, by jerk alone. */
+struct straight {
+    real duration, change;
+};
+
+static struct straight straight(const struct axis *axis)
+{
+    const real time = axis->a1 > axis->a0 ? axis->up : axis->down;
+    struct straight line;
+    line.duration = fabsl(axis->a1 - axis->a0) * time;
+    line.change = line.duration * (axis->a0 + axis->a1) / 2;
+    return line;
+}
+
+/* The change of velocity by way of an acceleration that is `excess` above both ends, and there holds. */
+static struct motion excursion(const struct axis *axis, real excess, real hold)
+{
+    const real peak = larger(axis->a0, axis->a1) + excess;
+    struct motion motion;
+    begin(&motion, axis->v0);
+    add(&motion, axis->up * (peak - axis->a0), axis->a0, peak);
+    add(&motion, hold, peak, peak);
+    add(&motion, axis->down * (peak - axis->a1), peak, axis->a1);
+    return motion;
+}
+
+/*
+ An excursion by `e` above the larger acceleration `m` lasts `both e` longer than the straight change, and changes the velocity by
+ `both (m e + e^2/2)` more. This is the larger `e` for a change, cut at the limit.
+*/
+static struct motion upwards(const struct axis *axis)
+{
+    const real both = axis->up + axis->down, m = larger(axis->a0, axis->a1), most = positive(axis->rise - m);
+    const real beyond = axis->dv - straight(axis).change;
+    const real d = both > 0 ? m * m + 2 * beyond / both : INFINITY;
+    const real root = sqrtl(positive(d));
+    real excess, hold = 0;
+    if (beyond == 0) { excess = positive(-2 * m); }
+    else { excess = both > 0 ? m > 0 ? 2 * beyond / both / (m + root) : root - m : INFINITY; }
+    if (excess > most)
+    {
+        excess = most;
+        hold = positive((beyond - both * most * (m + most / 2)) / (m + most));
+    }
+    return excursion(axis, positive(excess), hold);
+}
+
+/* The durations in which the end can be reached: from T0 to T1, and from T2 on. Without a gap T1 is infinite. */
+struct pieces {
+    real t0, t1, t2;
+    struct motion at[3];
+};
+
+/* The same for a change of velocity that is not below the straight one. */
+static void pieces_upwards(const struct axis *axis, struct pieces *pieces)
+{
+    const real both = axis->up + axis->down;
+    const real beyond = axis->dv - straight(axis).change;
+    const real m = smaller(axis->a0, axis->a1);
+    const real r = both > 0 ? m * m - 2 * beyond / both : -1;
+    pieces->at[0] = upwards(axis);
+    pieces->t1 = INFINITY;
+    if (m > 0 && r >= 0)
+    {
+        /* A dip below both accelerations: in the mirrored axis an excursion above them. */
+        const struct axis other = mirrored(axis);
+        const real dip = 2 * beyond / both / (m + sqrtl(r));
+        pieces->at[1] = excursion(&other, dip, 0);
+        pieces->at[2] = upwards(&other);
+        pieces->t1 = larger(pieces->at[1].duration, pieces->at[0].duration);
+        pieces->t2 = pieces->at[2].duration;
+        pieces->at[1].displacement = -pieces->at[1].displacement;
+        pieces->at[2].displacement = -pieces->at[2].displacement;
+    }
+    pieces->t0 = pieces->at[0].duration;
+}
+
+static struct pieces pieces_of(const struct axis *axis)
+{
+    struct pieces pieces;
+    int i;
+    if (axis->dv >= straight(axis).change && !(axis->dv == straight(axis).change && axis->a0 < 0 && axis->a1 < 0))
+    {
+        pieces_upwards(axis, &pieces);
+    }
+    else
+    {
+        const struct axis other = mirrored(axis);
+        pieces_upwards(&other, &pieces);
+        for (i = 0; i < (isinf(pieces.t1) ? 1 : 3); ++i) { pieces.at[i].displacement = -pieces.at[i].displacement; }
+    }
+    return pieces;
+}
+
+/* When the search looks: first this part of the beginning later, then always this factor later. */
+struct grid {
+    double part, factor;
+};
+
+/* A part of the upper border from the duration `from` on, up to `span` later. Its motions are brief. */
+struct search {
+    struct axis axis;
+    real from, span, cruise;
+};
+
+static struct motion at(const struct search *search, real x)
+{
+    return border(&search->axis, search->from + x, search->cruise);
+}
+
+enum { BITS = 46 };
+
+/*
+ Where the displacement, which is below `h` at `low`, reaches it before `high`. The secant finds it soon. An end that stays counts half
+ the next time (Illinois), so that both ends come near, and every fourth round halves.
+*/
+static real crossing(const struct search *search, real low, real high)
+{
+    const real h = search->axis.h;
+    real below = h - at(search, low).displacement, above = at(search, high).displacement - h;
+    real under = below, over = above, part;
+    int round, last = 0;
+    for (round = 1; round < 4 * BITS; ++round)
+    {
+        const real little = ldexpl(search->from + high, -BITS);
+        real middle = low + (high - low) / 2, displacement;
+        if (!(high - low > little)) { break; }
+        if (round % 4 && under + over > 0) { middle = low + (high - low) * (under / (under + over)); }
+        middle = larger(low + little / 2, smaller(high - little / 2, middle));
+        displacement = at(search, middle).displacement;
+        if (displacement >= h)
+        {
+            high = middle, over = above = displacement - h;
+            if (last > 0) { under /= 2; }
+            last = 1;
         }
         else
         {
-            q = room;
-            motion = by_way_of(&axis, room);
-            motion.duration += (axis.h - motion.displacement) / axis.vm;
+            low = middle, under = below = h - displacement;
+            if (last < 0) { over /= 2; }
+            last = -1;
         }
     }
-    speed = fabsl(axis.dv > 0 ? axis.v1 + q : axis.v0 + q);
-    results[DURATION] = (double)motion.duration;
-    results[SPEED] = (double)fmaxl(speed, fmaxl(fabsl(axis.v0), fabsl(axis.v1)));
+    part = below / (below + above);
+    return below + above > 0 ? low + (high - low) * smaller(1, positive(part)) : high;
 }
 
-enum { POSITION, VELOCITY, ACCELERATION };
-
-/* Lets a phase of constant jerk pass, at most until no time `left` remains. */
-static void pass(real state[3], real duration, real jerk, real *left)
+/* Where the displacement, which rises at `low` and falls at `high`, is the highest. */
+static real highest(const struct search *search, real low, real high)
 {
-    const real t = *left < duration ? *left : positive(duration);
-    state[POSITION] += ((jerk * t / 6 + state[ACCELERATION] / 2) * t + state[VELOCITY]) * t;
-    state[VELOCITY] += (jerk * t / 2 + state[ACCELERATION]) * t;
-    state[ACCELERATION] += jerk * t;
-    *left -= t;
+    int round;
+    for (round = 0; round < BITS; ++round)
+    {
+        const real middle = low + (high - low) / 2;
+        if (at(search, middle).slope > 0) { low = middle; }
+        else { high = middle; }
+    }
+    return low;
 }
 
-static void give(const real state[3], double out[3])
+enum { MOST_STEPS = 100000 };
+
+/*
+ Where the displacement, which is below `h` at the beginning of the part, first reaches it. Durations of the grid are tried. Where the
+ displacement stops to rise between two of them, its highest value is looked at. Negative if there is no such place up to the end of
+ the part.
+*/
+static real first(const struct search *search, const struct grid *grid)
 {
-    int i;
-    for (i = POSITION; i <= ACCELERATION; ++i) { out[i] = (double)state[i]; }
+    const real h = search->axis.h;
+    real low = 0, x = search->from > 0 ? search->from * grid->part : 1;
+    real slope;
+    int step;
+    if (!(search->span > 0)) { return -1; }
+    while (search->from == 0 && at(search, x).displacement >= h && x > LDBL_MIN * 1024) { x /= 256; }
+    slope = at(search, 0).slope;
+    for (step = 0; step < MOST_STEPS; ++step, x *= grid->factor)
+    {
+        const real high = smaller(x, search->span);
+        const struct motion motion = at(search, high);
+        if (motion.displacement >= h) { return crossing(search, low, high); }
+        if (slope > 0 && motion.slope <= 0)
+        {
+            const real top = highest(search, low, high);
+            if (at(search, top).displacement >= h) { return crossing(search, low, top); }
+        }
+        if (high == search->span) { return -1; }
+        low = high;
+        slope = motion.slope;
+    }
+    return -1;
 }
 
-/* The state of an `a_trajbell` at time x: the jerk, which the struct holds, integrated from the start through the phases. */
-void referee_bell_state(const double ctx[14], double x, double out[3])
+/*
+ The fastest motion of a duration from `from` up to `to`; `base` has the duration `from`. The motion is seen from the other side if the
+ target is nearer than the end of `base`. Returns 0 if there is none.
+*/
+static int first_of_piece(
+    const struct axis *axis, real from, real to, const struct motion *base, const struct grid *grid, struct motion *found)
 {
-    const double tv = ctx[1], ta = ctx[2], td = ctx[3], taj = ctx[4], tdj = ctx[5], p0 = ctx[6], p1 = ctx[7];
-    const real jerk = p0 > p1 ? -(real)ctx[11] : (real)ctx[11];
-    real state[3], left = x;
-    state[POSITION] = p0;
-    state[VELOCITY] = ctx[8];
-    state[ACCELERATION] = 0;
-    pass(state, taj, jerk, &left);
-    pass(state, (real)ta - taj - taj, 0, &left);
-    pass(state, taj, -jerk, &left);
-    if (left > 0) { state[ACCELERATION] = 0; }
-    pass(state, tv, 0, &left);
-    pass(state, tdj, -jerk, &left);
-    pass(state, (real)td - tdj - tdj, 0, &left);
-    pass(state, tdj, jerk, &left);
-    give(state, out);
+    const struct axis seen = axis->h < base->displacement ? mirrored(axis) : *axis;
+    struct search search;
+    real x;
+    if (axis->h == base->displacement) { *found = *base; return 1; }
+    search.axis = seen;
+    search.axis.brief = 1;
+    search.from = from;
+    search.cruise = cruise_begins(&seen);
+    search.span = smaller(search.cruise, to) - from;
+    x = first(&search, grid);
+    if (x < 0 && to < INFINITY) { return 0; }
+    if (x < 0)
+    {
+        /* The axis cruises. */
+        x = larger(search.cruise, from) - from;
+        x += positive((seen.h - at(&search, x).displacement) / seen.vmax);
+    }
+    *found = border(&seen, from + x, search.cruise);
+    return 1;
 }
 
-/* The state of an `a_trajtrap` at time x: its accelerations integrated from the start through the phases. */
-void referee_trap_state(const double ctx[12], double x, double out[3])
+/* Seconds of the motion inside, and its changes of the state. */
+struct inside {
+    real duration, displacement, speed, variation, changing, acceleration;
+};
+
+/*
+ Brings the start of the axis to a state from which the limits can be kept: the acceleration within its limits, and undone it leaves
+ the velocity within its limits. The jerk and the acceleration are the highest. `high` and `low` tell whether the axis is bound to
+ leave, `undone` is the velocity after the acceleration is undone.
+*/
+static struct inside come_inside(struct axis *axis)
 {
-    const double t = ctx[0], ta = ctx[6], td = ctx[7];
-    real state[3], left = x;
-    state[POSITION] = ctx[1];
-    state[VELOCITY] = ctx[3];
-    state[ACCELERATION] = ctx[10];
-    pass(state, ta, 0, &left);
-    if (left > 0) { state[ACCELERATION] = 0; }
-    pass(state, (real)td - ta, 0, &left);
-    if (left > 0) { state[ACCELERATION] = ctx[11]; }
-    pass(state, (real)t - td, 0, &left);
-    give(state, out);
+    const real a = axis->a0, both = axis->up + axis->down;
+    const real high = axis->v0 + (a > 0 ? axis->down : -axis->up) * a * a / 2 - axis->vmax;
+    struct motion motion;
+    struct inside inside;
+    begin(&motion, axis->v0);
+    if (high > 0)
+    {
+        /* Down to the acceleration -e at which rising to 0 ends at vmax. */
+        const real beyond = axis->v0 + axis->down * a * a / 2 - axis->vmax;
+        const real e = both > 0 ? sqrtl(2 * beyond / both) : INFINITY;
+        const real limited = smaller(e, axis->fall);
+        add(&motion, (-a < limited ? axis->down : axis->up) * fabsl(a + limited), a, -limited);
+        axis->a0 = -limited;
+        if (e > axis->fall)
+        {
+            const real over = motion.velocity - axis->up * limited * limited / 2 - axis->vmax;
+            add(&motion, positive(over / limited), -limited, -limited);
+        }
+    }
+    else if (a > axis->rise && axis->v0 + axis->down * a * a / 2 >= axis->vmin)
+    {
+        add(&motion, axis->down * (a - axis->rise), a, axis->rise);
+        axis->a0 = axis->rise;
+    }
+    inside.duration = motion.duration;
+    inside.displacement = motion.displacement;
+    inside.speed = speed(&motion);
+    inside.variation = motion.variation;
+    inside.changing = motion.changing;
+    inside.acceleration = larger(fabsl(a), larger(motion.peak, -motion.trough));
+    axis->dv -= motion.velocity - axis->v0;
+    axis->h -= motion.displacement;
+    axis->v0 = motion.velocity;
+    if (both == 0) { axis->a0 = 0; }
+    return inside;
+}
+
+/*
+ The axis of a problem, seen from a frame that moves at `frame`. The target is `beside[0]` further and `beside[1]` faster, and the start
+ is `beside[2]` faster.
+*/
+static struct axis axis_of(const double limits[6], const double start[3], const double target[3], const double beside[3], double frame)
+{
+    struct axis axis;
+    axis.vmax = (real)limits[0] - frame;
+    axis.vmin = (real)limits[1] - frame;
+    axis.rise = limits[2];
+    axis.fall = -(real)limits[3];
+    axis.up = 1 / (real)limits[4];
+    axis.down = -1 / (real)limits[5];
+    axis.h = ((real)target[0] - (real)start[0]) + beside[0];
+    axis.v0 = ((real)start[1] - frame) + beside[2];
+    axis.v1 = ((real)target[1] - frame) + beside[1];
+    axis.brief = 0;
+    axis.dv = ((real)target[1] - (real)start[1]) + ((real)beside[1] - beside[2]);
+    axis.a0 = start[2];
+    axis.a1 = target[2];
+    /* Without jerk limits accelerations do not count. */
+    if (axis.up + axis.down == 0) { axis.a0 = axis.a1 = 0; }
+    return axis;
+}
+
+static struct inside bring_inside(struct axis *axis)
+{
+    struct inside inside = come_inside(axis);
+    if (inside.duration == 0)
+    {
+        struct axis other = mirrored(axis);
+        inside = come_inside(&other);
+        inside.displacement = -inside.displacement;
+        *axis = mirrored(&other);
+    }
+    return inside;
+}
+
+enum {
+    DURATION, SPEED, VARIATION, CHANGING, INSIDE, T0, T1, T2, BESIDE_T0, BESIDE_T1, BESIDE_T2,
+    STRAIGHT, BESIDE_STRAIGHT, FASTER, WRONG, RESULTS
+};
+
+/*
+ What is wrong with the motion that was found: the largest relative error of its end and of its limits, and what phases of negative
+ duration change of the velocity. A closed form outside of its range has a large error.
+*/
+static real wrong(const struct axis *axis, const struct motion *found, int mirror)
+{
+    const struct axis other = mirrored(axis);
+    const struct axis *seen = mirror ? &other : axis;
+    const real v = larger(1e-4000L, speed(found) + found->variation);
+    const real a = larger(1e-4000L, larger(found->peak, -found->trough));
+    real most = fabsl(found->velocity - seen->v1) / v;
+    most = larger(most, fabsl(found->displacement - seen->h) / larger(1e-4000L, v * found->duration));
+    most = larger(most, (found->highest - larger(seen->vmax, seen->v0)) / v);
+    most = larger(most, (smaller(seen->vmin, seen->v0) - found->lowest) / v);
+    most = larger(most, larger(found->peak - seen->rise, -seen->fall - found->trough) / a);
+    return larger(most, found->backwards / v);
+}
+
+/*
+ The fastest motion. Results: its duration, its highest speed, the sum of the magnitudes of all its changes of velocity; its highest
+ acceleration times how long the acceleration changes; how long it comes inside; the durations T0, T1, T2 from the start on (T1 and T2
+ infinite without a gap), and how much further than the displacements there the target is; the duration of the straight change of the
+ acceleration, and how much further and faster than its end the target is.
+*/
+void referee_fastest(
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, const struct grid *grid,
+    double results[RESULTS])
+{
+    struct axis axis = axis_of(limits, start, target, beside, frame);
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const int gap = !isinf(pieces.t1);
+    const struct motion *base = &pieces.at[0];
+    const struct straight line = straight(&axis);
+    struct motion found, ramp;
+    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, grid, &found))
+    {
+        base = &pieces.at[2];
+        first_of_piece(&axis, pieces.t2, INFINITY, base, grid, &found);
+    }
+    results[DURATION] = (double)(inside.duration + found.duration);
+    results[SPEED] = (double)(larger(inside.speed, speed(&found)) + fabsl(frame));
+    results[VARIATION] = (double)(inside.variation + found.variation);
+    results[CHANGING] = (double)(larger(inside.acceleration, larger(found.peak, -found.trough)) * (inside.changing + found.changing));
+    results[INSIDE] = (double)inside.duration;
+    results[T0] = (double)(inside.duration + pieces.t0);
+    results[T1] = gap ? (double)(inside.duration + pieces.t1) : INFINITY;
+    results[T2] = gap ? (double)(inside.duration + pieces.t2) : INFINITY;
+    begin(&ramp, axis.v0);
+    add(&ramp, line.duration, axis.a0, axis.a1);
+    results[STRAIGHT] = (double)(inside.duration + line.duration);
+    results[BESIDE_STRAIGHT] = (double)(axis.h - ramp.displacement);
+    results[FASTER] = (double)(axis.dv - line.change);
+    results[WRONG] = axis.h == base->displacement ? 0 : (double)wrong(&axis, &found, axis.h < base->displacement);
+    results[BESIDE_T0] = (double)(axis.h - pieces.at[0].displacement);
+    results[BESIDE_T1] = gap ? (double)(axis.h - pieces.at[1].displacement) : INFINITY;
+    results[BESIDE_T2] = gap ? (double)(axis.h - pieces.at[2].displacement) : INFINITY;
+}
+
+/*
+ How much further the target is than the displacements of this duration: negative if it is nearer, 0 if it is among them, infinite if the
+ duration is before the first possible one or in the gap. The target is `beside[0]` further and `beside[1]` faster, and the start is
+ `beside[2]` faster.
+*/
+double referee_possible(
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double duration)
+{
+    struct axis axis = axis_of(limits, start, target, beside, 0), other;
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const real rest = duration - inside.duration;
+    real lowest, highest;
+    axis.brief = 1;
+    if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return INFINITY; }
+    other = mirrored(&axis);
+    lowest = -border(&other, rest, cruise_begins(&other)).displacement;
+    highest = border(&axis, rest, cruise_begins(&axis)).displacement;
+    return (double)(axis.h > highest ? axis.h - highest : axis.h < lowest ? axis.h - lowest : 0);
+}
+
+/* The displacements from the start that can be reached in this duration: the lowest and the highest. Returns 0 if none can. */
+int referee_interval(
+    const double limits[6], const double start[3], const double target[3], double duration, double interval[2])
+{
+    const double beside[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, beside, 0), other;
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const real rest = duration - inside.duration;
+    if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return 0; }
+    other = mirrored(&axis);
+    interval[0] = (double)(inside.displacement - border(&other, rest, cruise_begins(&other)).displacement);
+    interval[1] = (double)(inside.displacement + border(&axis, rest, cruise_begins(&axis)).displacement);
+    return 1;
+}
+
+/*
+ The displacements from the start at which the border changes its shape: on the upper border, or on the lower one if `lower`. Returns
+ how many there are, at most 8. The last one is where the axis begins to cruise.
+*/
+int referee_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8])
+{
+    const double beside[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, beside, 0);
+    const struct inside inside = bring_inside(&axis);
+    const struct pieces pieces = pieces_of(&axis);
+    const real sign = lower ? -1 : 1;
+    real low = pieces.t0, cruise, end;
+    int count = 0, shape, step;
+    if (lower) { axis = mirrored(&axis); }
+    axis.brief = 1;
+    cruise = cruise_begins(&axis);
+    if (!isinf(pieces.t1)) { low = pieces.t2; }
+    end = isinf(cruise) ? 2 * low + 1 : cruise;
+    shape = border(&axis, low, cruise).shape;
+    for (step = 1; step <= 64 && count < 8; ++step)
+    {
+        real high = step == 64 ? end : low + (end - low) / (65 - step);
+        const real next = high;
+        int round;
+        if (border(&axis, high, cruise).shape == shape) { low = next; continue; }
+        for (round = 0; round < 64; ++round)
+        {
+            const real middle = low + (high - low) / 2;
+            if (border(&axis, middle, cruise).shape == shape) { low = middle; }
+            else { high = middle; }
+        }
+        knees[count++] = (double)(inside.displacement * sign + border(&axis, high, cruise).displacement) * (double)sign;
+        shape = border(&axis, next, cruise).shape;
+        low = next;
+    }
+    return count;
+}
+
+/* Time, position, velocity and acceleration. */
+struct knot {
+    real t, p, v, a;
+};
+
+static void note(double knots[][4], int *count, const struct knot *knot)
+{
+    double *out = knots[(*count)++];
+    out[0] = (double)knot->t;
+    out[1] = (double)knot->p;
+    out[2] = (double)knot->v;
+    out[3] = (double)knot->a;
+}
+
+static struct knot later(const struct knot *knot, real jerk, real t)
+{
+    struct knot next;
+    next.t = knot->t + t;
+    next.p = knot->p + ((jerk * t / 6 + knot->a / 2) * t + knot->v) * t;
+    next.v = knot->v + (jerk * t / 2 + knot->a) * t;
+    next.a = knot->a + jerk * t;
+    return next;
+}
+
+/* Where in a phase the velocity or the acceleration is 0: up to three times in order. */
+static int turns(const struct knot *knot, real jerk, real duration, real out[3])
+{
+    const real d = knot->a * knot->a - 2 * knot->v * jerk;
+    const real sum = -(knot->a + copysignl(sqrtl(positive(d)), knot->a));
+    const real times[3] = {-knot->a / jerk, d >= 0 ? 2 * knot->v / sum : 0, d >= 0 ? sum / jerk : 0};
+    int i, k, count = 0;
+    for (i = 0; i < 3; ++i)
+    {
+        if (!(times[i] > 0 && times[i] < duration)) { continue; }
+        for (k = count++; k > 0 && out[k - 1] > times[i]; --k) { out[k] = out[k - 1]; }
+        out[k] = times[i];
+    }
+    return count;
+}
+
+/*
+ Integrates phases, each `duration, acceleration at its start, jerk`, from the start of a motion. Each phase begins with its own
+ acceleration: a rounding of the phase before would grow with the time.
+ Results: the state where each phase begins, as the phases before it leave the axis, and the state at the end; and the knots in order
+ of time: these states, once more with the acceleration of the phase, the highest and the lowest velocities, and where the axis turns.
+ Returns the number of knots.
+*/
+int referee_walk(
+    const double start[3], const double phases[][3], int count, double borders[][3], double knots[][4])
+{
+    struct knot knot = {0, start[0], start[1], start[2]};
+    int i, k, noted = 0;
+    for (i = 0; i <= count; ++i)
+    {
+        borders[i][0] = (double)knot.p;
+        borders[i][1] = (double)knot.v;
+        borders[i][2] = (double)knot.a;
+        note(knots, &noted, &knot);
+        knot.a = phases[i][1];
+        note(knots, &noted, &knot);
+        if (i < count)
+        {
+            const real duration = phases[i][0], jerk = phases[i][2];
+            real turn[3];
+            const int turned = turns(&knot, jerk, duration, turn);
+            for (k = 0; k < turned; ++k)
+            {
+                const struct knot turning = later(&knot, jerk, turn[k]);
+                note(knots, &noted, &turning);
+            }
+            knot = later(&knot, jerk, duration);
+        }
+    }
+    return noted;
 }

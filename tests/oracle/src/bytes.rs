@@ -4,9 +4,11 @@
 //! byte and a number for each time. Missing bytes are 0. A problem for the planners of the fastest moves has no times. In a problem
 //! for `Move`, the first byte names the planner too, and the numbers are the limits, the start and the target.
 
-use crate::abi::Original;
-use crate::comparison::{Case, MOMENTS, Moment, Report};
-use crate::judge::{Duration, Fastest, Planner, Trial};
+use crate::judge::planner::{Fastest, Planner};
+use crate::judge::problem::{Problem, Request};
+use crate::judge::trial::{Trial, Verdict};
+use crate::liba::abi::Original;
+use crate::liba::comparison::{Case, MOMENTS, Moment, Report};
 use atraj::online::{Limits, Move};
 use atraj::{State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
@@ -39,18 +41,27 @@ pub fn plan(bytes: &[u8]) {
 fn plan_as<R: Original>(mut bytes: &[u8]) {
     let arguments: [R; 7] = std::array::from_fn(|_| number(&mut bytes));
     let mut random = Random::seeded(0);
-    for family in [Family::Bell, Family::Trap] {
-        // Any bits must not panic. Only moves whose powers of time the real type can hold must be planned.
-        let plan = Fastest.plan(family, &arguments);
-        let Some(trial) = Trial::of_any(family, &arguments) else {
+    // A power of time may overflow beyond this range.
+    let most = f64::from(R::EXPONENTS.1 / 8).exp2();
+    let fits = arguments.iter().enumerate().all(|(index, x)| {
+        let (x, is_limit) = (x.widen().abs(), index < 3);
+        (1.0 / most..=most).contains(&x) || x == 0.0 && !is_limit
+    });
+    for request in [Request::Bell, Request::Trap] {
+        let problem = Problem::of_arguments(request, arguments);
+        // Any bits must not panic.
+        let plan = Fastest.plan(&problem);
+        let zero = R::of(0.0);
+        if !fits || problem.limits.amax <= zero || problem.limits.amin >= zero {
             continue;
-        };
-        let plan = plan.unwrap_or_else(|| panic!("{family:?} {arguments:?} is refused"));
+        }
+        let plan = plan.unwrap_or_else(|error| panic!("{problem}: {error:?}"));
+        let trial = Trial::new(problem);
         let wrong = trial.wrong_motion(&plan, &mut random);
-        assert!(wrong.is_none(), "{family:?} {arguments:?}: {wrong:?}");
-        let duration = trial.duration(plan[0].widen());
-        let least = matches!(duration, Duration::Least(_));
-        assert!(least, "{family:?} {arguments:?}: {duration:?}");
+        assert!(wrong.is_none(), "{problem}: {wrong:?}");
+        let duration = trial.duration(plan.planned.t.widen());
+        let least = matches!(duration, Verdict::Good { .. });
+        assert!(least, "{problem}: {duration:?}");
     }
 }
 

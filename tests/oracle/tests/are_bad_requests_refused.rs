@@ -1,8 +1,11 @@
-//! Are requests refused for which there is no move, each with its reason, and is the move left as it was?
+//! Are requests refused for which there is no move, of one axis or of several, each with its reason, and is nothing written then?
 
+use atraj::Findings;
+use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Limits, Move, State};
-use oracle::online::problems::{Problem, Problems, beyond_legal};
-use oracle::online::referee::widened;
+use oracle::judge::axes::problems::{Set, Sets};
+use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
+use oracle::judge::problems::{Kind, Problems};
 use support::{Random, Real};
 
 const PROBLEMS: usize = 20_000;
@@ -38,20 +41,13 @@ fn illegal_targets<R: Real>() {
         let Some(to) = illegal(&problem, &mut random) else {
             continue;
         };
+        let problem = Problem { to, ..problem };
         let Problem { limits, from, .. } = problem;
         let mut planned = Move::default();
         let plan = planned.plan(&limits, from, to);
-        assert_eq!(
-            plan.err(),
-            Some(Error::Target),
-            "{limits:?} {from:?} {to:?}"
-        );
+        assert_eq!(plan.err(), Some(Error::Target), "{problem}");
         let reach = planned.reach(&limits, from, to.velocity, to.acceleration);
-        assert_eq!(
-            reach.err(),
-            Some(Error::Target),
-            "{limits:?} {from:?} {to:?}"
-        );
+        assert_eq!(reach.err(), Some(Error::Target), "{problem}");
         assert_eq!(planned, Move::default());
         refused += 1;
     }
@@ -64,80 +60,193 @@ fn illegal_targets_are_refused() {
     illegal_targets::<f32>();
 }
 
-/// The limits with one of them replaced.
-fn with_limit(limits: &Limits<f64>, index: usize, limit: f64) -> Limits<f64> {
-    let mut all = widened(limits);
-    all[index] = limit;
-    let [vmax, vmin, amax, amin, jmax, jmin] = all;
-    Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    }
+/// Numbers of a good problem, with one of them replaced.
+fn with_number(index: usize, number: f64) -> Problem<f64> {
+    let mut numbers = [
+        1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+    ];
+    numbers[index] = number;
+    Problem::of(Kind::Rest, Request::Plan, numbers)
+}
+
+/// The errors of each planner that takes the whole problem.
+fn errors(problem: &Problem<f64>) -> [Option<Error>; 2] {
+    #[rustfmt::skip]
+    let &Problem { ref limits, from, to, .. } = problem;
+    let mut planned = Move::default();
+    let errors = [
+        planned.plan(limits, from, to),
+        planned.meet(limits, from, to),
+    ];
+    let errors = errors.map(Result::err);
+    assert!(errors[0].is_none() || planned == Move::default());
+    errors
 }
 
 #[test]
 fn bad_limits_are_refused() {
-    let good = Limits::symmetric(3.0, 2.0, 1.0);
-    let plan = |limits: &Limits<f64>| {
-        Move::default()
-            .plan(limits, State::at(0.0), State::at(1.0))
-            .err()
-    };
-    assert_eq!(plan(&good), None);
-    for (index, limit) in widened(&good).into_iter().enumerate() {
-        assert_eq!(plan(&with_limit(&good, index, 0.0)), Some(Error::Limits));
-        assert_eq!(plan(&with_limit(&good, index, -limit)), Some(Error::Limits));
-        assert_eq!(
-            plan(&with_limit(&good, index, f64::NAN)),
-            Some(Error::NotFinite)
-        );
-        assert_eq!(plan(&with_limit(&good, index, limit * f64::INFINITY)), None);
+    assert_eq!(errors(&with_number(0, 1.0)), [None; 2]);
+    for (index, limit) in with_number(0, 1.0).numbers()[..6].iter().enumerate() {
+        let errors = |number| errors(&with_number(index, number));
+        assert_eq!(errors(0.0), [Some(Error::Limits); 2]);
+        assert_eq!(errors(-limit), [Some(Error::Limits); 2]);
+        assert_eq!(errors(f64::NAN), [Some(Error::NotFinite); 2]);
+        assert_eq!(errors(limit * f64::INFINITY), [None; 2]);
     }
     let free = Limits::symmetric(f64::INFINITY, f64::INFINITY, 1.0);
-    assert_eq!(plan(&free), Some(Error::Limits));
+    let plan = Move::default().plan(&free, State::at(0.0), State::at(1.0));
+    assert_eq!(plan.err(), Some(Error::Limits));
 }
 
 #[test]
 fn states_that_are_not_finite_are_refused() {
-    let limits = Limits::symmetric(3.0, 2.0, 1.0);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let good = State::at(0.0);
-        for state in [
-            State {
-                position: bad,
-                ..good
-            },
-            State {
-                velocity: bad,
-                ..good
-            },
-            State {
-                acceleration: bad,
-                ..good
-            },
-        ] {
-            let mut planned = Move::default();
-            assert_eq!(
-                planned.plan(&limits, state, good).err(),
-                Some(Error::NotFinite)
-            );
-            assert_eq!(
-                planned.plan(&limits, good, state).err(),
-                Some(Error::NotFinite)
-            );
-            assert_eq!(
-                planned.meet(&limits, state, good).err(),
-                Some(Error::NotFinite)
-            );
-            assert_eq!(
-                planned.meet(&limits, good, state).err(),
-                Some(Error::NotFinite)
-            );
-            assert_eq!(planned.stop(&limits, state).err(), Some(Error::NotFinite));
+        for index in 6..12 {
+            let problem = with_number(index, bad);
+            assert_eq!(errors(&problem), [Some(Error::NotFinite); 2]);
+            let stop = Move::default().stop(&problem.limits, problem.from);
+            let expected = (index < 9).then_some(Error::NotFinite);
+            assert_eq!(stop.err(), expected);
         }
     }
+}
+
+type Plan<R> =
+    fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
+
+/// The planner returns this error and writes nothing.
+fn refuses<R: Real>(plan: Plan<R>, set: &Set<R>, error: Error) {
+    let (limits, from, to) = set.columns();
+    let written = Move {
+        t: R::of(1.0),
+        ..Move::default()
+    };
+    let mut axes = vec![written; from.len()];
+    let returned = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle);
+    assert_eq!(returned.err(), Some(error), "{}", set.show());
+    assert!(axes.iter().all(|axis| *axis == written), "{}", set.show());
+}
+
+fn bad_numbers<R: Real>() {
+    let mut random = Random::seeded(1);
+    for set in Sets::<R>::on_lines(1).take(1_000) {
+        let k = random.below(set.axes.len());
+        let [nan, infinity, below] = [f64::NAN, f64::INFINITY, -1.0].map(R::of);
+        for plan in [synchronise::<R> as Plan<R>, line::<R>] {
+            let refuses = |change: &dyn Fn(&mut Set<R>), error| {
+                let mut changed = set.clone();
+                change(&mut changed);
+                refuses(plan, &changed, error);
+            };
+            for bad in [nan, infinity, below] {
+                refuses(&|set| set.duration = bad, Error::Duration);
+                refuses(&|set| set.cycle = bad, Error::Duration);
+            }
+            refuses(&|set| set.axes[k].from.position = nan, Error::NotFinite);
+            refuses(&|set| set.axes[k].to.velocity = infinity, Error::NotFinite);
+            refuses(&|set| set.axes[k].limits.amax = R::of(0.0), Error::Limits);
+            let vmax = set.axes[k].limits.vmax;
+            if vmax.widen().is_finite() {
+                refuses(&|set| set.axes[k].to.velocity = vmax + vmax, Error::Target);
+            }
+            refuses(&|set| set.axes.clear(), Error::Axes);
+        }
+    }
+}
+
+fn lengths<R: Real>() {
+    let limits = [Limits::symmetric(R::ONE, R::ONE, R::ONE); 3];
+    let states = [State::at(R::ZERO); 3];
+    for plan in [synchronise::<R> as Plan<R>, line::<R>] {
+        for [a, l, f, t] in [
+            [2, 3, 3, 3],
+            [3, 2, 3, 3],
+            [3, 3, 2, 3],
+            [3, 3, 3, 2],
+            [0, 0, 0, 0],
+        ] {
+            let mut axes = vec![Move::default(); a];
+            let (from, to) = (&states[..f], &states[..t]);
+            let returned = plan(&mut axes, &limits[..l], from, to, R::ZERO, R::ZERO);
+            assert_eq!(returned.err(), Some(Error::Axes));
+        }
+    }
+}
+
+#[test]
+fn bad_axes_are_refused() {
+    bad_numbers::<f64>();
+    bad_numbers::<f32>();
+    lengths::<f64>();
+    lengths::<f32>();
+}
+
+/// A start that is beside the line by more than 64 roundings.
+fn beside_the_line<R: Real>() {
+    let mut random = Random::seeded(2);
+    for mut set in Sets::<R>::on_lines(2).take(4_000) {
+        let k = random.below(set.axes.len());
+        let moves = |axis: usize| set.axes[axis].from.position != set.axes[axis].to.position;
+        let has_other = (0..set.axes.len()).any(|axis| axis != k && moves(axis));
+        if !has_other {
+            continue;
+        }
+        let from = &mut set.axes[k].from;
+        let quantity = if random.one_in(2) {
+            &mut from.velocity
+        } else {
+            &mut from.acceleration
+        };
+        let more = if quantity.widen() == 0.0 { 1.0 } else { 0.0 };
+        *quantity = R::of(quantity.widen() * (1.0 + 1e4 * R::MACHINE_EPSILON.widen()) + more);
+        refuses(line, &set, Error::Line);
+    }
+}
+
+#[test]
+fn axes_beside_the_line_are_refused() {
+    beside_the_line::<f64>();
+    beside_the_line::<f32>();
+}
+
+/// A part of the largest exponent.
+fn huge<R: Real>(part: f64) -> R {
+    R::of(f64::exp2(part * f64::from(R::EXPONENTS.1)))
+}
+
+fn beyond_the_range<R: Real>() {
+    let still = State::at(R::ZERO);
+    let moving = |velocity| State { velocity, ..still };
+    let to = [State::at(R::ONE); 2];
+    let plan = |limits, from: &[State<R>], duration| {
+        let count = from.len();
+        let mut axes = [Move::default(); 2];
+        let limits = &[limits; 2][..count];
+        let plan = synchronise(
+            &mut axes[..count],
+            limits,
+            from,
+            &to[..count],
+            duration,
+            R::ZERO,
+        );
+        (plan.err(), axes)
+    };
+    let refused = (Some(Error::NotFinite), [Move::default(); 2]);
+    // The second axis is beyond the range of the real type, the first is not.
+    let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
+    assert_eq!(plan(limits, &[still, moving(huge(0.7))], R::ZERO), refused);
+    // What an axis without limits could do in a long time is beyond the range. What it does is not, if it starts at rest.
+    let limits = Limits::symmetric(R::ONE, R::INFINITY, R::INFINITY);
+    let long = huge(0.95);
+    assert_eq!(plan(limits, &[moving(huge(0.1))], long), refused);
+    let (error, [axis, _]) = plan(limits, &[still], long);
+    assert_eq!(error, None);
+    assert!(axis.t == long && axis.state_at(long) == to[0]);
+}
+
+#[test]
+fn axes_beyond_the_range_are_refused() {
+    beyond_the_range::<f64>();
+    beyond_the_range::<f32>();
 }

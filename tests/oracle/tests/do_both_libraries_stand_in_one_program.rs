@@ -1,6 +1,6 @@
 //! Can one C program hold the original and our library under other names, and call both?
 
-use oracle::original::{build, directory};
+use oracle::liba::original::{build, directory};
 use std::path::Path;
 use std::process::{Command, Output};
 use support::tools::{Language, compilers, run};

@@ -1,6 +1,6 @@
 //! Do the original's headers and ours mean the same to a compiler?
 
-use oracle::original::{REALS, directory, include, shared_symbols};
+use oracle::liba::original::{REALS, directory, include, shared_symbols};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Do our headers refuse a program that differs from the archive if a header of liba's has chosen the real type before?
 
-use oracle::original::{directory, include};
+use oracle::liba::original::{directory, include};
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -1,6 +1,6 @@
 //! Do the original's own test programs print the same with our headers and archive as with the original's?
 
-use oracle::original::{LIBA, REALS, build, directory, include};
+use oracle::liba::original::{LIBA, REALS, build, directory, include};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::Family;

@@ -1,8 +1,8 @@
 //! Do the Rust API and the original agree in fifty million random calls per real type?
 
-use oracle::abi::Original;
-use oracle::comparison::Report;
-use oracle::volume::run_seed;
+use oracle::liba::abi::Original;
+use oracle::liba::comparison::Report;
+use oracle::liba::volume::run_seed;
 use support::Ours;
 
 fn fifty_million_calls<R: Original>() {

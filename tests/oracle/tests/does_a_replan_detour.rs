@@ -1,6 +1,6 @@
 //! Does a move that is planned anew in every cycle take longer than it was planned first, or make a step?
 
-use oracle::online::replan::{Replans, retarget};
+use oracle::judge::replan::{Replans, retarget};
 use support::Real;
 
 const MOVES: u64 = 4_000;

@@ -1,11 +1,11 @@
 //! Do our C functions, in this build's real type and polynomial layout, give the bits of the original's?
 
 use atraj::capi::a_float;
-use oracle::abi::{OURS, Original};
-use oracle::comparison::{Case, Report};
-use oracle::moves::Moves;
-use oracle::together::Together;
-use oracle::volume::run_seed_of;
+use oracle::liba::abi::{OURS, Original};
+use oracle::liba::comparison::{Case, Report};
+use oracle::liba::moves::Moves;
+use oracle::liba::together::Together;
+use oracle::liba::volume::run_seed_of;
 use support::Implementation;
 
 /// Whether this build saturates the velocities of the case as the original, liba 0.1.15, does. The compact build does so except for
@@ -54,7 +54,7 @@ fn original_is_the_same_array_by_array() {
 #[cfg(not(feature = "poly-compact"))]
 #[test]
 fn ours_is_the_same_array_by_array() {
-    planned_array_by_array(&oracle::abi::OURS_STEPWISE);
+    planned_array_by_array(&oracle::liba::abi::OURS_STEPWISE);
 }
 
 /// Each quantity of a stored polynomial comes from one coefficient array, whatever the other arrays hold.

@@ -1,7 +1,7 @@
 //! Do the floating-point settings of the processor decide whether a plan has the original's bits? `docs/parity.md` says how
 //! much; this file prints the figures there: `-- --nocapture`.
 
-use oracle::original::{build, directory, include, shared_symbols};
+use oracle::liba::original::{build, directory, include, shared_symbols};
 use std::collections::HashMap;
 use std::path::Path;
 use std::process::Command;

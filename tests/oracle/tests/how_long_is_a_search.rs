@@ -1,7 +1,7 @@
 //! How many rounds can the search without cruise take?
 
-use oracle::abi::Original;
-use oracle::comparison::{Case, MOMENTS, Moment, Report};
+use oracle::liba::abi::Original;
+use oracle::liba::comparison::{Case, MOMENTS, Moment, Report};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours, Real};
 

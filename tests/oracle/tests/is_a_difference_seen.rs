@@ -1,9 +1,9 @@
 //! Does the comparison see a difference, and does it compare two libraries?
 
-use oracle::abi::{OURS, Original};
-use oracle::comparison::Report;
-use oracle::faults::Fault;
-use oracle::volume::run_seed;
+use oracle::liba::abi::{OURS, Original};
+use oracle::liba::comparison::Report;
+use oracle::liba::faults::Fault;
+use oracle::liba::volume::run_seed;
 use std::collections::HashSet;
 use support::Ours;
 

@@ -2,9 +2,9 @@
 //!
 //! proptest makes the moves, and of a move that shows a difference it makes the simplest one.
 
-use oracle::abi::Original;
-use oracle::comparison::{Case, MOMENTS, Moment, Report};
-use oracle::faults::Fault;
+use oracle::liba::abi::Original;
+use oracle::liba::comparison::{Case, MOMENTS, Moment, Report};
+use oracle::liba::faults::Fault;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestError, TestRunner};
 use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};

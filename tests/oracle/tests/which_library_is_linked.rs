@@ -1,6 +1,6 @@
 //! With our library and the original's on one link line, which library does what?
 
-use oracle::original::{build, directory, include};
+use oracle::liba::original::{build, directory, include};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

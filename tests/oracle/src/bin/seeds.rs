@@ -3,7 +3,8 @@
 
 use atraj::online::Limits;
 use oracle::bytes::encode;
-use oracle::nasty::{Kind, Problems};
+use oracle::judge::problems::{Kind, Problems};
+use oracle::liba::abi::Original;
 use std::io::Result;
 use std::path::{Path, PathBuf};
 use support::{Family, Random, Real, golden, online};
@@ -83,11 +84,12 @@ fn write_axes<R: Real>(directory: &Path) -> Result<()> {
     Ok(())
 }
 
-fn write_problems<R: Real>(directory: &Path) -> Result<()> {
+fn write_problems<R: Original>(directory: &Path) -> Result<()> {
     std::fs::create_dir_all(directory)?;
-    for (case, problem) in Problems::<R>::new(0).take(4 * Kind::ALL.len()).enumerate() {
+    let problems = Problems::<R>::of_profiles(0).take(6 * Kind::OF_PROFILES.len());
+    for (case, problem) in problems.enumerate() {
         let file = directory.join(format!("nasty-{}-{case}", R::NAME));
-        std::fs::write(file, encode(&problem.arguments, &[]))?;
+        std::fs::write(file, encode(&problem.arguments(), &[]))?;
     }
     Ok(())
 }

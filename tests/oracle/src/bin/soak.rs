@@ -1,15 +1,17 @@
 //! `soak [first seed] [seeds] [calls|plans|moves|replans|axes]`: a million calls per seed and real type against the original, a million
-//! plans of the least time against the referee, a quarter of a million moves from any state to any state, a thousand moves that are planned
-//! anew in every millisecond, and ten thousand sets of axes that move together. An interrupted run goes on from the seed after the one in
-//! its last progress line.
+//! motions without acceleration at their ends against the referee, a quarter of a million moves from any state to any state, a thousand
+//! moves that are planned anew in every millisecond, and ten thousand sets of axes that move together. An interrupted run goes on from
+//! the seed after the one in its last progress line.
 
-use oracle::abi::Original;
-use oracle::comparison::Report;
-use oracle::judge::{Fastest, PROBLEMS_PER_SEED, Tallies};
-use oracle::online::axes::judge as axes;
-use oracle::online::judge as moves;
-use oracle::online::replan::Replans;
-use oracle::volume::run_seed;
+use oracle::judge::axes::together::Together;
+use oracle::judge::axes::{self, SETS_PER_SEED};
+use oracle::judge::planner::Fastest;
+use oracle::judge::problems::Problems;
+use oracle::judge::replan::Replans;
+use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
+use oracle::liba::abi::Original;
+use oracle::liba::comparison::Report;
+use oracle::liba::volume::run_seed;
 use std::io::{IsTerminal, Write, stderr};
 use std::ops::Range;
 use std::process::ExitCode;
@@ -24,30 +26,29 @@ fn main() -> ExitCode {
     };
     let first = number(0, 0);
     let seeds = first..first + number(1, 1000);
-    let wanted = |what| arguments.get(2).is_none_or(|only| only == what);
+    let soaks = [
+        (
+            "calls",
+            soak_calls::<f64> as Soak,
+            soak_calls::<f32> as Soak,
+        ),
+        ("plans", soak_plans::<f64>, soak_plans::<f32>),
+        ("moves", soak_moves::<f64>, soak_moves::<f32>),
+        ("replans", soak_replans::<f64>, soak_replans::<f32>),
+        ("axes", soak_axes::<f64>, soak_axes::<f32>),
+    ];
     let mut clean = true;
-    if wanted("calls") {
-        clean &= soak_calls::<f64>(seeds.clone());
-        clean &= soak_calls::<f32>(seeds.clone());
-    }
-    if wanted("plans") {
-        clean &= soak_plans::<f64>(seeds.clone());
-        clean &= soak_plans::<f32>(seeds.clone());
-    }
-    if wanted("moves") {
-        clean &= soak_moves::<f64>(seeds.clone());
-        clean &= soak_moves::<f32>(seeds.clone());
-    }
-    if wanted("replans") {
-        clean &= soak_replans::<f64>(seeds.clone());
-        clean &= soak_replans::<f32>(seeds.clone());
-    }
-    if wanted("axes") {
-        clean &= soak_axes::<f64>(seeds.clone());
-        clean &= soak_axes::<f32>(seeds);
+    for (what, of_f64, of_f32) in soaks {
+        if arguments.get(2).is_none_or(|only| only == what) {
+            clean &= of_f64(seeds.clone());
+            clean &= of_f32(seeds.clone());
+        }
     }
     ExitCode::from(u8::from(!clean))
 }
+
+/// Whether nothing bad was found.
+type Soak = fn(Range<u64>) -> bool;
 
 fn soak_calls<R: Original>(seeds: Range<u64>) -> bool {
     let start = Instant::now();
@@ -57,11 +58,8 @@ fn soak_calls<R: Original>(seeds: Range<u64>) -> bool {
         let done = format!("calls, {} differing", total.differing);
         progress::<R>(seed, total.calls, &done, start);
     }
-    println!(
-        "{}: seeds {seeds:?}, {:.0} s: {total}",
-        R::NAME,
-        start.elapsed().as_secs_f64()
-    );
+    println!("{}", heading::<R>("calls", seeds, start));
+    println!("{total}");
     for example in total.examples.iter().take(10) {
         println!("{example}");
     }
@@ -69,44 +67,35 @@ fn soak_calls<R: Original>(seeds: Range<u64>) -> bool {
 }
 
 fn soak_plans<R: Original>(seeds: Range<u64>) -> bool {
+    soak_tallies::<R>("plans", seeds, |seed| {
+        Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)
+    })
+}
+
+fn soak_moves<R: Original>(seeds: Range<u64>) -> bool {
+    soak_tallies::<R>("moves", seeds, |seed| {
+        Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED)
+    })
+}
+
+fn soak_axes<R: Original>(seeds: Range<u64>) -> bool {
+    soak_tallies::<R>("sets of axes", seeds, |seed| {
+        axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)
+    })
+}
+
+fn soak_tallies<R: Real>(what: &str, seeds: Range<u64>, of_seed: impl Fn(u64) -> Tallies) -> bool {
     let start = Instant::now();
     let mut tallies = Tallies::default();
     for seed in seeds.clone() {
-        tallies.add(Tallies::of_seed::<R>(&Fastest, seed, PROBLEMS_PER_SEED));
+        tallies.add(&of_seed(seed));
         let total = tallies.total();
-        let done = format!("plans, {} bad", total.bad());
-        progress::<R>(seed, total.moves, &done, start);
+        let done = format!("{what}, {} bad", total.bad());
+        progress::<R>(seed, total.problems, &done, start);
     }
-    println!(
-        "{}: plans of seeds {seeds:?}, {:.0} s\n{tallies}",
-        R::NAME,
-        start.elapsed().as_secs_f64()
-    );
+    println!("{}\n{tallies}", heading::<R>(what, seeds, start));
     let total = tallies.total();
-    total.moves > 0 && total.bad() == 0
-}
-
-fn soak_moves<R: Real>(seeds: Range<u64>) -> bool {
-    let start = Instant::now();
-    let mut tallies = moves::Tallies::default();
-    for seed in seeds.clone() {
-        let problems = moves::PROBLEMS_PER_SEED;
-        tallies.add(moves::Tallies::of_seed::<R>(
-            &moves::Fastest,
-            seed,
-            problems,
-        ));
-        let total = tallies.total();
-        let done = format!("moves, {} bad", total.bad());
-        progress::<R>(seed, total.moves, &done, start);
-    }
-    println!(
-        "{}: moves of seeds {seeds:?}, {:.0} s\n{tallies}",
-        R::NAME,
-        start.elapsed().as_secs_f64()
-    );
-    let total = tallies.total();
-    total.moves > 0 && total.bad() == 0
+    total.problems > 0 && total.bad() == 0
 }
 
 fn soak_replans<R: Real>(seeds: Range<u64>) -> bool {
@@ -117,42 +106,24 @@ fn soak_replans<R: Real>(seeds: Range<u64>) -> bool {
         let done = format!("plans in motion, {} bad moves", replans.bad);
         progress::<R>(seed, replans.plans, &done, start);
     }
-    println!(
-        "{}: replans of seeds {seeds:?}, {:.0} s: {replans:#?}",
-        R::NAME,
-        start.elapsed().as_secs_f64()
-    );
+    println!("{}: {replans:#?}", heading::<R>("replans", seeds, start));
     replans.moves > 0 && replans.refused == 0 && !replans.has_too_many_bad()
 }
 
-fn soak_axes<R: Real>(seeds: Range<u64>) -> bool {
-    let start = Instant::now();
-    let mut tallies = axes::Tallies::default();
-    for seed in seeds.clone() {
-        let sets = axes::SETS_PER_SEED;
-        tallies.add(axes::Tallies::of_seed::<R>(&axes::Together, seed, sets));
-        let total = tallies.total();
-        let done = format!("sets of axes, {} bad", total.bad());
-        progress::<R>(seed, total.sets, &done, start);
-    }
-    println!(
-        "{}: axes of seeds {seeds:?}, {:.0} s\n{tallies}",
-        R::NAME,
-        start.elapsed().as_secs_f64()
-    );
-    let total = tallies.total();
-    total.sets > 0 && total.bad() == 0
+fn heading<R: Real>(what: &str, seeds: Range<u64>, start: Instant) -> String {
+    let seconds = start.elapsed().as_secs_f64();
+    format!("{}: {what} of seeds {seeds:?}, {seconds:.0} s", R::NAME)
 }
 
 /// Prints how far the run is: on a terminal after each seed, else after a hundred.
 fn progress<R: Real>(seed: u64, count: u64, done: &str, start: Instant) {
     let end = if stderr().is_terminal() { "\r" } else { "\n" };
     if stderr().is_terminal() || seed % 100 == 99 {
-        let million = count as f64 * 1e-6;
-        let rate = million / start.elapsed().as_secs_f64();
+        let rate = count as f64 / start.elapsed().as_secs_f64();
         eprint!(
-            "{}: seed {seed} done, {million:.0} million {done}, {rate:.1} million/s{end}",
-            R::NAME
+            "{}: seed {seed} done, {} thousand {done}, {rate:.0} a second{end}",
+            R::NAME,
+            count / 1000
         );
         let _ = stderr().flush();
     }

@@ -8,7 +8,7 @@
 
 use crate::{OPTIMISED, Row, WARM, bells, instructions, measure, median, plan_all, trap};
 use atraj::capi::a_float;
-use oracle::abi::{FASTEST, Gen7};
+use oracle::liba::abi::{FASTEST, Gen7};
 use rsruckig::prelude::*;
 use std::cell::RefCell;
 use std::hint::black_box;

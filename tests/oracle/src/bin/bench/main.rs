@@ -22,7 +22,7 @@ mod moves;
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
 use atraj::capi::trajbell::a_trajbell;
-use oracle::abi::{Abi, Evaluate, Gen7, OURS, Original};
+use oracle::liba::abi::{Abi, Evaluate, Gen7, OURS, Original};
 use std::hint::black_box;
 use std::process::Command;
 use std::rc::Rc;

@@ -1,21 +1,10 @@
-//! Nasty problems for the planner of moves from any state to any state, in kinds. The same seed gives the same problems.
+//! Nasty problems for every planner, in kinds. The same seed gives the same problems.
 
+use super::planner::{Fastest, Planner};
+use super::problem::{POWERS_OF_TIME, Problem, Request, beyond_legal, parts};
 use super::referee::Motion;
-use atraj::online::{Limits, Move, State};
-use support::{Random, Real};
-
-/// What is asked of the planner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
-    /// The fastest motion to a state.
-    Plan,
-    /// The fastest motion to a velocity and an acceleration.
-    Reach,
-    /// The fastest stop.
-    Stop,
-    /// The fastest motion to a target that moves on.
-    Meet,
-}
+use atraj::State;
+use support::{Family, Random, Real};
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident,)*) => {
@@ -30,6 +19,35 @@ macro_rules! kinds {
             pub const ALL: [Self; [$(stringify!($kind)),*].len()] = [$(Self::$kind),*];
         }
     };
+}
+
+impl Kind {
+    /// The kinds that a profile can have, which has no acceleration at its ends.
+    pub const OF_PROFILES: [Self; 23] = [
+        Self::Rest,
+        Self::Moving,
+        Self::OutsideVelocity,
+        Self::FarOutside,
+        Self::InfiniteVelocity,
+        Self::InfiniteAcceleration,
+        Self::InfiniteJerk,
+        Self::HugeJerk,
+        Self::ExtremeScale,
+        Self::NoDisplacement,
+        Self::DirectTie,
+        Self::BorderOfCruise,
+        Self::BorderOfShape,
+        Self::BorderOfHold,
+        Self::FullVelocity,
+        Self::OppositeVelocities,
+        Self::EqualVelocities,
+        Self::Tiny,
+        Self::Offset,
+        Self::TinyAgainstHuge,
+        Self::NoHold,
+        Self::WeakLimits,
+        Self::Remainder,
+    ];
 }
 
 kinds! {
@@ -119,48 +137,8 @@ kinds! {
     Stop,
     /// The target moves on.
     Meet,
-}
-
-/// A move to plan.
-#[derive(Clone, Copy, Debug)]
-pub struct Problem<R> {
-    /// What is nasty about it.
-    pub kind: Kind,
-    /// What is asked of the planner.
-    pub wish: Wish,
-    /// What the axis can do.
-    pub limits: Limits<R>,
-    /// The start.
-    pub from: State<R>,
-    /// The target. Its position does not count if a velocity is wanted.
-    pub to: State<R>,
-}
-
-impl<R: Real> Problem<R> {
-    /// The problem of these numbers: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
-    /// ends.
-    pub fn of(kind: Kind, wish: Wish, numbers: [R; 12]) -> Self {
-        let [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1] = numbers;
-        let state = |position, velocity, acceleration| State {
-            position,
-            velocity,
-            acceleration,
-        };
-        Self {
-            kind,
-            wish,
-            limits: Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            },
-            from: state(p0, v0, a0),
-            to: state(p1, v1, a1),
-        }
-    }
+    /// The limit of the acceleration is never reached, without acceleration at the ends.
+    NoHold,
 }
 
 /// A problem before it is rounded: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
@@ -185,16 +163,26 @@ struct Draft {
 pub struct Problems<R> {
     random: Random,
     turn: usize,
+    of_profiles: bool,
     real: std::marker::PhantomData<R>,
 }
 
 impl<R: Real> Problems<R> {
-    /// The sequence that belongs to `seed`.
+    /// The sequence for `Move` that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self {
             random: Random::seeded(seed),
             turn: 0,
+            of_profiles: false,
             real: std::marker::PhantomData,
+        }
+    }
+
+    /// The sequence of problems without acceleration at their ends. Of each kind follow a double-S, a trapezoid and a `Move`.
+    pub fn of_profiles(seed: u64) -> Self {
+        Self {
+            of_profiles: true,
+            ..Self::new(seed)
         }
     }
 
@@ -203,34 +191,45 @@ impl<R: Real> Problems<R> {
         if size_of::<R>() == 8 { 12.0 } else { 6.0 }
     }
 
-    /// A problem of this kind.
+    /// A problem of this kind for `Move`.
     pub fn of_kind(&mut self, kind: Kind) -> Problem<R> {
-        let wish = match kind {
-            Kind::Reach => Wish::Reach,
-            Kind::Stop => Wish::Stop,
-            Kind::Meet => Wish::Meet,
-            _ => Wish::Plan,
+        let request = match kind {
+            Kind::Reach => Request::Reach,
+            Kind::Stop => Request::Stop,
+            Kind::Meet => Request::Meet,
+            _ => Request::Plan,
         };
+        self.problem(kind, request)
+    }
+
+    fn problem(&mut self, kind: Kind, request: Request) -> Problem<R> {
         // A problem in which something is special is nasty in another way too.
         let nasty = match kind {
+            Kind::Remainder if self.of_profiles => self.random.pick(&Kind::OF_PROFILES),
             Kind::Reach | Kind::Stop | Kind::Meet | Kind::Remainder | Kind::NextCycle => {
                 Kind::ALL[self.random.below(Kind::NeverReached as usize)]
             }
             _ => kind,
         };
         let mut draft = self.ordinary();
+        if self.of_profiles {
+            draft.fit(request);
+        }
         self.make_nasty(nasty, &mut draft);
+        if self.of_profiles {
+            draft.fit(request);
+        }
         let is_boundary = nasty == Kind::TargetOnTheBoundary;
         draft.make_target_legal(is_boundary.then_some(self.random.one_in(2)));
-        match wish {
-            Wish::Stop => (draft.v1, draft.a1) = (0.0, 0.0),
-            Wish::Meet => {
+        match request {
+            Request::Stop => (draft.v1, draft.a1) = (0.0, 0.0),
+            Request::Meet => {
                 draft.a1 = 0.0;
                 draft.v1 *= 0.9;
             }
-            Wish::Plan | Wish::Reach => {}
+            _ => {}
         }
-        let mut problem = Self::rounded(kind, wish, &draft);
+        let mut problem = Self::rounded(kind, request, draft);
         self.aim(nasty, &mut problem);
         match kind {
             Kind::Remainder => self.advance(&mut problem, 1.0),
@@ -471,6 +470,10 @@ impl<R: Real> Problems<R> {
                     **limit *= many;
                 }
             }
+            Kind::NoHold => {
+                let many = random.magnitude(2.0, wide / 2.0);
+                (draft.amax, draft.amin) = (many * draft.amax, many * draft.amin);
+            }
             Kind::WeakLimits => {
                 draft.vmax = random.magnitude(1.0, 4.0);
                 draft.vmin = -draft.vmax;
@@ -506,8 +509,8 @@ impl<R: Real> Problems<R> {
     }
 
     /// Rounds a draft. The target stays legal: it is moved by a rounding or two.
-    fn rounded(kind: Kind, wish: Wish, draft: &Draft) -> Problem<R> {
-        let mut problem = Problem::of(kind, wish, draft.numbers().map(R::of));
+    fn rounded(kind: Kind, request: Request, draft: Draft) -> Problem<R> {
+        let mut problem = Problem::of(kind, request, draft.numbers().map(R::of));
         let limits = problem.limits;
         let to = &mut problem.to;
         let boundary = kind == Kind::TargetOnTheBoundary;
@@ -533,7 +536,7 @@ impl<R: Real> Problems<R> {
 
     /// Puts the target where the motion changes, or a few representable numbers beside.
     fn aim(&mut self, kind: Kind, problem: &mut Problem<R>) {
-        let motion = Motion::of(&problem.limits, problem.from, problem.to);
+        let motion = Motion::of(problem);
         let h = motion.target[0] - motion.start[0];
         let random = &mut self.random;
         let displacement = match kind {
@@ -589,15 +592,25 @@ impl<R: Real> Problems<R> {
 
     /// Replaces the start by a state of the planned move, within this fraction of its duration.
     fn advance(&mut self, problem: &mut Problem<R>, fraction: f64) {
-        let mut planned = Move::default();
-        let found = planned.plan(&problem.limits, problem.from, problem.to);
-        if found.is_err() {
+        let Ok(plan) = Fastest.plan(problem) else {
             return;
+        };
+        let part = fraction * self.random.unit();
+        let x = match problem.request {
+            // It starts without acceleration: in the cruise.
+            Request::Bell => plan.planned.phase[3].t + R::of(part) * plan.planned.phase[3].duration,
+            _ => R::of(plan.planned.t.widen() * part),
+        };
+        let [position, velocity, mut acceleration, _] = plan.state(x);
+        if self.of_profiles {
+            acceleration = R::of(0.0);
         }
-        let x = R::of(planned.t.widen() * fraction * self.random.unit());
-        let from = planned.state_at(x);
-        let numbers = [from.position, from.velocity, from.acceleration];
-        if numbers.iter().all(|x| x.widen().is_finite()) {
+        let from = State {
+            position,
+            velocity,
+            acceleration,
+        };
+        if parts(from).iter().all(|x| x.widen().is_finite()) {
             problem.from = from;
         }
     }
@@ -613,56 +626,37 @@ fn make_infinite(limits: [&mut f64; 2], random: &mut Random) {
     }
 }
 
-/// How much faster a target is than one that can have been reached within the limits and can be left within them; not above 0 if it is
-/// legal.
-pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
-    let [vmax, vmin, amax, amin, jmax, jmin] = super::referee::widened(limits);
-    let [v, a] = [to.velocity, to.acceleration].map(R::widen);
-    let half_square = 0.5 * a * a;
-    let high = v - half_square / jmin - vmax;
-    let low = vmin - (v - half_square / jmax);
-    let beyond = high.max(low);
-    if a > amax || a < amin {
-        f64::INFINITY
-    } else {
-        beyond
-    }
-}
-
 impl Draft {
-    fn numbers(&self) -> [f64; 12] {
-        let &Self {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-            p0,
-            v0,
-            a0,
-            p1,
-            v1,
-            a1,
-        } = self;
-        [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
+    /// Takes the accelerations at the ends away, and makes the limits those of the profile.
+    fn fit(&mut self, request: Request) {
+        (self.a0, self.a1) = (0.0, 0.0);
+        let Some(profile) = request.profile() else {
+            return;
+        };
+        let widen = |high: &mut f64, low: &mut f64| {
+            *high = high.max(-*low);
+            *low = -*high;
+        };
+        widen(&mut self.vmax, &mut self.vmin);
+        widen(&mut self.jmax, &mut self.jmin);
+        if profile == Family::Bell {
+            widen(&mut self.amax, &mut self.amin);
+        }
+        for limit in [&mut self.amax, &mut self.amin] {
+            // Velocities of a trapezoid would jump.
+            if profile == Family::Trap && limit.is_infinite() {
+                *limit = 1e6f64.copysign(*limit);
+            }
+        }
+    }
+
+    fn numbers(mut self) -> [f64; 12] {
+        self.all().map(|x| *x)
     }
 
     fn all(&mut self) -> [&mut f64; 12] {
-        let Self {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-            p0,
-            v0,
-            a0,
-            p1,
-            v1,
-            a1,
-        } = self;
+        #[rustfmt::skip]
+        let Self { vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1 } = self;
         [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
     }
 
@@ -729,9 +723,8 @@ impl Draft {
     }
 
     fn scale(&mut self, length: f64, time: f64) {
-        let powers = [1, 1, 2, 2, 3, 3, 0, 1, 2, 0, 1, 2];
-        for (x, power) in self.all().into_iter().zip(powers) {
-            *x *= length / time.powi(power);
+        for (x, power) in self.all().into_iter().zip(POWERS_OF_TIME) {
+            *x *= length / time.powi(power.into());
         }
     }
 }
@@ -740,8 +733,14 @@ impl<R: Real> Iterator for Problems<R> {
     type Item = Problem<R>;
 
     fn next(&mut self) -> Option<Problem<R>> {
-        let kind = Kind::ALL[self.turn % Kind::ALL.len()];
+        let turn = self.turn;
         self.turn += 1;
-        Some(self.of_kind(kind))
+        let kinds = &Kind::OF_PROFILES;
+        Some(
+            match [Request::Bell, Request::Trap, Request::Plan][turn % 3] {
+                request if self.of_profiles => self.problem(kinds[turn / 3 % kinds.len()], request),
+                _ => self.of_kind(Kind::ALL[turn % Kind::NoHold as usize]),
+            },
+        )
     }
 }

@@ -1,7 +1,7 @@
 //! Many random moves, in portions that belong to a seed.
 
-use crate::comparison::{Case, Report};
-use crate::moves::Moves;
+use super::comparison::{Case, Report};
+use super::moves::Moves;
 use support::{Implementation, Real};
 
 /// Calls of each implementation in the moves of a seed. The last move may add a few.

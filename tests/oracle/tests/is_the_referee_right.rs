@@ -1,11 +1,12 @@
-//! Is the referee of the moves from any state to any state right? Its motions are possible, and no motion is faster: neither a random
-//! one nor one of rsruckig.
+//! Is the referee right? Its motions are possible, and no motion is faster: neither a random one nor one of rsruckig. A bisection of
+//! the peak velocity, which knows no border, finds the same durations of motions without acceleration at their ends.
 
 use atraj::online::{Limits, Move, Phase, State};
-use oracle::online::judge::{Trial, Verdict, show};
-use oracle::online::problems::{Kind, Problem, Problems, Wish, beyond_legal};
-use oracle::online::referee::Walk;
-use oracle::online::ruckig::{Rival, Theirs};
+use oracle::judge::problem::{Problem, Request, beyond_legal};
+use oracle::judge::problems::{Kind, Problems};
+use oracle::judge::referee::Walk;
+use oracle::judge::rivals::Theirs;
+use oracle::judge::trial::{Trial, Verdict};
 use support::Random;
 
 const MOTIONS: u32 = 100_000;
@@ -15,14 +16,8 @@ const PROBLEMS: usize = 200_000;
 fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     let [vmax, vmin, amax, amin] = [1.0, -1.0, 1.0, -1.0].map(|x| x * random.magnitude(-1.0, 1.0));
     let [jmax, jmin] = [1.0, -1.0].map(|x| x * random.magnitude(-0.5, 0.5));
-    let limits = Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    };
+    #[rustfmt::skip]
+    let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
     let within = random.between(amin, amax);
     let from = State {
         position: 0.0,
@@ -76,10 +71,10 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
             / if from.acceleration > 0.0 { jmin } else { -jmax };
     let legal = beyond_legal(&limits, to) <= 0.0 && undone <= vmax && undone >= vmin;
     let kind = Kind::Moving;
-    let wish = Wish::Plan;
+    let request = Request::Plan;
     let problem = Problem {
         kind,
-        wish,
+        request,
         limits,
         from,
         to,
@@ -102,11 +97,7 @@ fn no_random_motion_is_faster() {
         let least = best.duration;
         let is_slower = t >= least * (1.0 - 1e-9)
             || !matches!(trial.duration_near(t, 1e-12), Verdict::Shorter(_));
-        assert!(
-            is_slower,
-            "{t:e} is faster than {best:?}: {}",
-            show(&problem)
-        );
+        assert!(is_slower, "{t:e} is faster than {best:?}: {}", problem);
         fastest += u32::from(t <= least * (1.0 + 1e-6));
         if let Some([lowest, highest]) = trial.motion().interval(t) {
             let h = problem.to.position;
@@ -114,7 +105,7 @@ fn no_random_motion_is_faster() {
             assert!(
                 h >= lowest - slack && h <= highest + slack,
                 "{h:e} is not in {lowest:e}..{highest:e} in {t:e} s: {}",
-                show(&problem)
+                problem
             );
         }
     }
@@ -128,7 +119,7 @@ fn its_motions_are_possible() {
     let mut worst: f64 = 0.0;
     for problem in Problems::<f64>::new(5).take(PROBLEMS) {
         let best = Trial::new(problem).best();
-        assert!(best.wrong < 1e-9, "{best:?}: {}", show(&problem));
+        assert!(best.wrong < 1e-9, "{best:?}: {}", problem);
         worst = worst.max(best.wrong);
     }
     println!("{PROBLEMS} problems: the largest error is {worst:e}");
@@ -137,16 +128,105 @@ fn its_motions_are_possible() {
 /// rsruckig is no faster.
 #[test]
 fn rsruckig_is_no_faster() {
-    let mut rival = Rival::new();
     let mut theirs = Theirs::default();
     for problem in Problems::<f64>::new(6).take(PROBLEMS) {
         let before = theirs.shorter;
-        theirs.ask(&mut rival, &problem, &Trial::new(problem));
+        theirs.ask(&problem, &Trial::new(problem));
         if theirs.shorter > before {
-            println!("rsruckig is faster: {}", show(&problem));
+            println!("rsruckig is faster: {problem}");
         }
     }
     println!("{} {theirs}", Theirs::HEADING);
     assert!(theirs.asked > PROBLEMS as u64 / 4);
     assert_eq!(theirs.shorter, 0);
+}
+
+/// A motion of two ramps, by way of a velocity `q` above those of both ends.
+struct ByBisection {
+    jerk: f64,
+    rise: f64,
+    fall: f64,
+    vmax: f64,
+    way: f64,
+    ends: [f64; 2],
+}
+
+impl ByBisection {
+    /// The axis, seen from the side on which the motion first accelerates upwards.
+    fn of(problem: &Problem<f64>) -> Self {
+        let limits = problem.limits;
+        let [from, to] = problem.ends();
+        let mut axis = Self {
+            jerk: limits.jmax,
+            rise: limits.amax,
+            fall: -limits.amin,
+            vmax: limits.vmax,
+            way: to.position - from.position,
+            ends: [from.velocity, to.velocity],
+        };
+        if axis.by_way_of(0.0)[1] > axis.way {
+            (axis.rise, axis.fall, axis.way) = (axis.fall, axis.rise, -axis.way);
+            axis.ends = axis.ends.map(|v| -v);
+        }
+        axis
+    }
+
+    /// Duration of the fastest change of velocity.
+    fn ramp(&self, change: f64, a: f64) -> f64 {
+        if change * self.jerk < a * a {
+            2.0 * (change / self.jerk).sqrt()
+        } else {
+            a / self.jerk + change / a
+        }
+    }
+
+    /// Duration and displacement without a cruise. A ramp covers its mean velocity times its duration.
+    fn by_way_of(&self, q: f64) -> [f64; 2] {
+        let [v0, v1] = self.ends;
+        let (up, down) = (q + (v1 - v0).max(0.0), q + (v0 - v1).max(0.0));
+        let (t0, t1) = (self.ramp(up, self.rise), self.ramp(down, self.fall));
+        [t0 + t1, (v0 * t0 + v1 * t1) + (up * t0 + down * t1) / 2.0]
+    }
+
+    /// The displacement begins below `way` at `q = 0` and crosses it once.
+    fn duration(&self) -> f64 {
+        let [v0, v1] = self.ends;
+        let room = self.vmax - v0.max(v1);
+        let gets_there = |q| self.by_way_of(q)[1] >= self.way;
+        if room.is_finite() && !gets_there(room) {
+            let [duration, covered] = self.by_way_of(room);
+            return duration + (self.way - covered) / self.vmax;
+        }
+        // A number is as many steps from 0 as its bits say.
+        let (mut low, mut high) = (0, room.min(f64::MAX).to_bits());
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if gets_there(f64::from_bits(middle)) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        self.by_way_of(f64::from_bits(low))[0]
+    }
+}
+
+/// A bisection of the peak velocity finds the same durations.
+#[test]
+fn a_bisection_finds_the_same() {
+    let mut same = 0;
+    for problem in Problems::<f64>::of_profiles(8).take(PROBLEMS) {
+        if problem.request.profile().is_none() {
+            continue;
+        }
+        let t = ByBisection::of(&problem).duration();
+        let verdict = Trial::new(problem).duration(t);
+        assert!(
+            matches!(verdict, Verdict::Good { .. }),
+            "{t:e}: {verdict:?}: {problem}"
+        );
+        same += 1;
+    }
+    println!("{same} durations are those of the bisection");
+    assert!(same > PROBLEMS / 2);
 }

@@ -1,6 +1,7 @@
 //! Random sets of axes, in families. The same seed gives the same sets.
 
-use crate::online::problems::{Kind, Problem, Problems, Wish};
+use crate::judge::problem::{Problem, Request};
+use crate::judge::problems::{Kind, Problems};
 use atraj::online::{Limits, Move, State};
 use support::{Random, Real};
 
@@ -83,8 +84,8 @@ impl<R: Real> Set<R> {
 
     /// The set in words.
     pub fn show(&self) -> String {
-        let axes = self.axes.iter().map(crate::online::judge::show);
-        let axes = axes.collect::<Vec<_>>().join("\n    ");
+        let axes: Vec<_> = self.axes.iter().map(Problem::to_string).collect();
+        let axes = axes.join("\n    ");
         let Self {
             family,
             duration,
@@ -240,19 +241,14 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
     let [vmax, vmin] = pair(limits.vmax, limits.vmin);
     let [amax, amin] = pair(limits.amax, limits.amin);
     let [jmax, jmin] = pair(limits.jmax, limits.jmin);
-    Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    }
+    #[rustfmt::skip]
+    let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
+    limits
 }
 
 /// How long the axis takes alone, s; 0 if it is not planned.
 fn fastest_duration<R: Real>(axis: &Problem<R>) -> f64 {
-    debug_assert_eq!(axis.wish, Wish::Plan);
+    debug_assert_eq!(axis.request, Request::Plan);
     let mut planned = Move::default();
     match planned.plan(&axis.limits, axis.from, axis.to) {
         Ok(_) => planned.t.widen(),

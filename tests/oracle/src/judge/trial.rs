@@ -1,53 +1,13 @@
-//! What is wrong with a move from any state to any state, and how often.
+//! What is wrong with a motion: longer, shorter or other than the referee's, a jump, a limit that it leaves, an end that it misses,
+//! other durations if it is mirrored or in other units.
 
-use super::problems::{Kind, Problem, Problems, Wish};
+use super::planner::{Plan, Planner};
+use super::problem::{Problem, Request};
 use super::referee::{Best, Grid, Knot, Motion, Walk};
-use super::ruckig::{Rival, Theirs};
+use crate::liba::abi::Original;
 use atraj::Findings;
-use atraj::online::{Error, Limits, Move, State};
-use std::fmt::{Display, Formatter, Result as Written};
+use atraj::online::{Error, Limits, Move};
 use support::{Random, Real};
-
-/// A planned move and what the planner found.
-pub type Plan<R> = (Move<R>, Findings);
-
-/// Something that plans moves.
-pub trait Planner<R> {
-    /// The planned move.
-    fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error>;
-
-    /// Whether bad problems are made simple before they are shown, which takes long.
-    fn is_worth_simple_examples(&self) -> bool {
-        false
-    }
-}
-
-/// The planner under test.
-pub struct Fastest;
-
-impl<R: Real> Planner<R> for Fastest {
-    fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error> {
-        let &Problem {
-            wish,
-            ref limits,
-            from,
-            to,
-            ..
-        } = problem;
-        let mut planned = Move::default();
-        let findings = match wish {
-            Wish::Plan => planned.plan(limits, from, to),
-            Wish::Reach => planned.reach(limits, from, to.velocity, to.acceleration),
-            Wish::Stop => planned.stop(limits, from),
-            Wish::Meet => planned.meet(limits, from, to),
-        }?;
-        Ok((planned, findings))
-    }
-
-    fn is_worth_simple_examples(&self) -> bool {
-        true
-    }
-}
 
 /// What the judge says of a plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +27,8 @@ pub enum Verdict {
     Longer(f64),
     /// The duration is this factor shorter than the least one.
     Shorter(f64),
+    /// An axis that moves together with others cannot reach its target in this duration.
+    Impossible,
 }
 
 impl Verdict {
@@ -103,9 +65,13 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The scale of a planned move.
-    pub fn of<R: Real>(limits: &Limits<R>, from: State<R>, planned: &Move<R>) -> Self {
-        Self::of_walk(limits, planned, &Walk::of(from, planned))
+    /// The scale of a planned motion.
+    pub fn of<R: Real>(problem: &Problem<R>, plan: &Plan<R>) -> Self {
+        Self::of_walk(
+            &problem.limits,
+            plan,
+            &Walk::of(problem.ends()[0], &plan.planned),
+        )
     }
 
     /// The sum of both.
@@ -117,7 +83,8 @@ impl Scale {
         }
     }
 
-    fn of_walk<R: Real>(limits: &Limits<R>, planned: &Move<R>, walk: &Walk) -> Self {
+    fn of_walk<R: Real>(limits: &Limits<R>, plan: &Plan<R>, walk: &Walk) -> Self {
+        let planned = &plan.planned;
         let pace = 1.0 / limits.jmax.widen() - 1.0 / limits.jmin.widen();
         let knots = walk.knots.iter();
         let most = |k: usize| knots.clone().map(|knot| knot[k].abs()).fold(0.0, f64::max);
@@ -126,17 +93,21 @@ impl Scale {
         let [first, last] =
             [0, planned.phases as usize].map(|k| planned.phase[k].acceleration.widen());
         let mut velocity = most(2) + 0.25 * pace * (first * first + last * last);
+        let mut changes: f64 = 0.0;
         let mut most_jerk: f64 = 0.0;
         for phase in &planned.phase[..planned.phases as usize] {
             let [duration, a, jerk] =
                 [phase.duration, phase.acceleration, phase.jerk].map(R::widen);
             // An acceleration that changes has an error in proportion to the highest one. An acceleration that holds is exact.
-            velocity += duration * if jerk == 0.0 { a.abs() } else { most(3) };
+            changes += duration * if jerk == 0.0 { a.abs() } else { most(3) };
             most_jerk = most_jerk.max(jerk.abs());
         }
+        // A profile counts from both of its ends: errors do not add up from phase to phase, but the time is rounded.
+        let is_profile = plan.profile.is_some();
+        velocity += if is_profile { 0.0 } else { changes };
         Self {
             position: 2.0 * most(1) + velocity * t,
-            velocity,
+            velocity: velocity + if is_profile { most(3) * t } else { 0.0 },
             acceleration: most(3) + most_jerk * t,
         }
     }
@@ -149,22 +120,10 @@ pub struct Trial<R> {
     best: Best,
 }
 
-impl<R: Real> Trial<R> {
+impl<R: Original> Trial<R> {
     /// Asks the referee.
     pub fn new(problem: Problem<R>) -> Self {
-        let Problem {
-            wish,
-            limits,
-            from,
-            to,
-            ..
-        } = problem;
-        let mut motion = Motion::of(&limits, from, to);
-        match wish {
-            Wish::Stop => motion.target = [0.0; 3],
-            Wish::Meet => motion.frame = motion.target[1],
-            Wish::Plan | Wish::Reach => {}
-        }
+        let motion = Motion::of(&problem);
         let best = motion.best();
         Self {
             problem,
@@ -185,7 +144,7 @@ impl<R: Real> Trial<R> {
 
     /// Whether the end's position is wanted too.
     fn has_position(&self) -> bool {
-        matches!(self.problem.wish, Wish::Plan | Wish::Meet)
+        !matches!(self.problem.request, Request::Reach | Request::Stop)
     }
 
     /// The least duration.
@@ -206,7 +165,12 @@ impl<R: Real> Trial<R> {
             changing,
             ..
         } = self.best;
-        let velocity = speed + variation + changing;
+        let is_profile = self.problem.request.profile().is_some();
+        let velocity = if is_profile {
+            speed
+        } else {
+            speed + variation + changing
+        };
         let ends = self.motion.start[0].abs() + self.motion.target[0].abs();
         [ends + velocity * duration, velocity]
     }
@@ -293,9 +257,14 @@ impl<R: Real> Trial<R> {
         let doubt = doubt::<R>().max(4.0 * self.best.wrong);
         let near = |scale: f64| (scale * doubt).max(accuracy);
         let [position, velocity] = self.passed().map(near);
+        // The velocities of a profile are taken as they are, and its displacement does not rise and fall.
+        let (velocity, coarse, fine) = match self.problem.request.profile() {
+            Some(_) => (0.0, 3, 0),
+            None => (velocity, 27, 3),
+        };
         let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
-        let coarse = (0..27).map(|index| (index, Grid::Coarse));
-        let fine = (0..3).map(|index| (index, Grid::Fine));
+        let coarse = (0..coarse).map(|index| (index, Grid::COARSE));
+        let fine = (0..fine).map(|index| (index, Grid::FINE));
         for (index, grid) in coarse.chain(fine) {
             let best = self
                 .motion
@@ -320,50 +289,63 @@ impl<R: Real> Trial<R> {
 
     /// What is wrong with the motion, if something is.
     pub fn wrong_motion(&self, plan: &Plan<R>, random: &mut Random) -> Option<&'static str> {
-        let (planned, findings) = plan;
         let own = Scale::default();
-        self.wrong_states(planned, &own, random)
-            .or_else(|| self.wrong_findings(planned, *findings, &own))
+        self.wrong_states(plan, &own, random)
+            .or_else(|| self.wrong_findings(plan, plan.findings, &own))
     }
 
     /// What is wrong with the states of the motion, if something is. Its numbers may be larger than its own scale by `more`.
     pub fn wrong_states(
         &self,
-        planned: &Move<R>,
+        plan: &Plan<R>,
         more: &Scale,
         random: &mut Random,
     ) -> Option<&'static str> {
+        let planned = &plan.planned;
         wrong_phases(planned)
-            .or_else(|| self.wrong_ends(planned))
+            .or_else(|| self.wrong_ends(plan))
             .or_else(|| {
-                let walk = Walk::of(self.problem.from, planned);
-                let scale = Scale::of_walk(&self.problem.limits, planned, &walk).and(more);
+                let (walk, scale) = self.walk(plan, more);
                 self.jumps(planned, &walk, &scale)
                     .or_else(|| self.leaves_limits(planned, &walk, &scale))
-                    .or_else(|| wrong_evaluation(planned, &walk, &scale, random))
+                    .or_else(|| wrong_evaluation(plan, &walk, &scale, random))
             })
     }
 
+    /// The integrated motion and its scale, with `more`.
+    fn walk(&self, plan: &Plan<R>, more: &Scale) -> (Walk, Scale) {
+        let walk = Walk::of(self.problem.ends()[0], &plan.planned);
+        let scale = Scale::of_walk(&self.problem.limits, plan, &walk).and(more);
+        (walk, scale)
+    }
+
     /// Whether the ends are not the wanted ones.
-    fn wrong_ends(&self, planned: &Move<R>) -> Option<&'static str> {
-        let Problem { wish, from, to, .. } = self.problem;
+    fn wrong_ends(&self, plan: &Plan<R>) -> Option<&'static str> {
         let zero = R::of(0.0);
-        let (v1, a1) = match wish {
-            Wish::Stop => (zero, zero),
+        let [from, to] = self.problem.ends();
+        let request = self.problem.request;
+        let (v1, a1) = match request {
+            Request::Stop => (zero, zero),
             _ => (to.velocity, to.acceleration),
         };
-        let end = planned.state_at(planned.t);
-        if wish == Wish::Plan && end.position != to.position {
+        let t = plan.planned.t;
+        let [position, velocity, acceleration, _] = plan.state(t);
+        let has_position = self.has_position() && request != Request::Meet;
+        if has_position && position != to.position {
             return Some("the end is not p1");
         }
-        if end.velocity != v1 {
+        if velocity != v1 {
             return Some("the final velocity is not v1");
         }
-        if end.acceleration != a1 {
+        // A trapezoid ends with its acceleration, and one ramp alone of a double-S is counted from its end.
+        if plan.profile.is_some() {
+            return None;
+        }
+        if acceleration != a1 {
             return Some("the final acceleration is not a1");
         }
-        let start = planned.state_at(zero);
-        if planned.t > zero && (start.position, start.velocity) != (from.position, from.velocity) {
+        let [position, velocity, ..] = plan.state(zero);
+        if t > zero && (position, velocity) != (from.position, from.velocity) {
             return Some("the start is not the given one");
         }
         None
@@ -388,7 +370,7 @@ impl<R: Real> Trial<R> {
             }
         }
         let end = planned.state_at(planned.t).position.widen();
-        let Wish::Meet = self.problem.wish else {
+        let Request::Meet = self.problem.request else {
             return None;
         };
         let [p1, v1, _] = self.motion.target;
@@ -426,12 +408,11 @@ impl<R: Real> Trial<R> {
     /// What is wrong with the findings, if they are not those of the motion. Its numbers may be larger than its own scale by `more`.
     pub fn wrong_findings(
         &self,
-        planned: &Move<R>,
+        plan: &Plan<R>,
         findings: Findings,
         more: &Scale,
     ) -> Option<&'static str> {
-        let walk = Walk::of(self.problem.from, planned);
-        let scale = Scale::of_walk(&self.problem.limits, planned, &walk).and(more);
+        let (walk, scale) = self.walk(plan, more);
         let found = |finding: Findings| findings.bits() & finding.bits() != 0;
         let both = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE;
         if findings.bits() & !both.bits() != 0 {
@@ -451,10 +432,11 @@ impl<R: Real> Trial<R> {
         if !outside && (accelerated || beyond > slack) {
             return Some("it starts outside");
         }
-        if self.problem.wish == Wish::Meet {
+        // The extremes of a trapezoid miss a turn if its ramp is shorter than a rounding of the time.
+        if matches!(self.problem.request, Request::Meet | Request::Trap) {
             return None;
         }
-        let p1 = planned.state_at(planned.t).position.widen();
+        let [p1, ..] = plan.state(plan.planned.t).map(R::widen);
         let excess = walk
             .knots
             .iter()
@@ -475,25 +457,28 @@ impl<R: Real> Trial<R> {
         None
     }
 
-    /// Whether the mirrored move is not the mirrored one, or the move in other units takes another time.
+    /// Whether the mirrored motion, the motion in other units, or the trapezoid with its accelerations in the other order takes another
+    /// time.
     fn wrong_relative(
         &self,
         planner: &impl Planner<R>,
-        planned: &Move<R>,
+        t: R,
         random: &mut Random,
     ) -> Option<&'static str> {
-        let Ok((mirrored, _)) = planner.plan(&mirrored(&self.problem)) else {
-            return Some("the mirrored move is refused");
-        };
-        if mirrored.t != planned.t {
-            return Some("the mirrored move takes another time");
+        let problem = &self.problem;
+        let takes = |problem: &Problem<R>| planner.plan(problem).ok().map(|plan| plan.planned.t);
+        if takes(&problem.mirrored()) != Some(t) {
+            return Some("the mirrored motion takes another time");
         }
         let [length, time] = [(); 2].map(|()| random.steps(3));
-        let Ok((scaled, _)) = planner.plan(&scaled(&self.problem, length, time)) else {
-            return Some("the move in other units is refused");
-        };
-        let expected = R::of(planned.t.widen() * f64::from(time).exp2());
-        (scaled.t != expected).then_some("the units change the time")
+        let expected = R::of(t.widen() * f64::from(time).exp2());
+        if takes(&problem.scaled(length, time)) != Some(expected) {
+            return Some("the units change the time");
+        }
+        let mut other = *problem;
+        (other.limits.amax, other.limits.amin) = (problem.limits.amin, problem.limits.amax);
+        (problem.request == Request::Trap && takes(&other) != Some(t))
+            .then_some("the order of the accelerations changes the time")
     }
 
     /// The verdict on what the planner makes of the problem.
@@ -502,12 +487,23 @@ impl<R: Real> Trial<R> {
             Ok(plan) => plan,
             Err(error) => return Verdict::Refused(error),
         };
+        let t = plan.planned.t;
         let wrong = self.wrong_motion(&plan, random);
-        let (planned, _) = plan;
-        if let Some(what) = wrong.or_else(|| self.wrong_relative(planner, &planned, random)) {
+        if let Some(what) = wrong.or_else(|| self.wrong_relative(planner, t, random)) {
             return Verdict::Wrong(what);
         }
-        self.duration(planned.t.widen())
+        self.duration(t.widen())
+    }
+
+    /// The bad problem in words, as simple as the fault allows.
+    pub fn simple_example(&self, planner: &impl Planner<R>, verdict: &Verdict) -> String {
+        let simple = self.problem.simplified(|problem| {
+            let seen = || Self::new(*problem).judge(planner, &mut Random::seeded(0));
+            planner.is_worth_simple_examples() && seen().is_like(verdict)
+        });
+        let best = Self::new(simple);
+        let least = best.least(&best.best);
+        format!("{simple}; the least duration is {least:e}")
     }
 }
 
@@ -594,16 +590,18 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     None
 }
 
-/// Whether the evaluation differs from the integrated motion somewhere.
-fn wrong_evaluation<R: Real>(
-    planned: &Move<R>,
+/// Whether the evaluation differs from the integrated motion somewhere, or one of another kind has other bits.
+fn wrong_evaluation<R: Original>(
+    plan: &Plan<R>,
     walk: &Walk,
     scale: &Scale,
     random: &mut Random,
 ) -> Option<&'static str> {
+    let planned = &plan.planned;
     let phases = &planned.phase[..=planned.phases as usize];
     let t = planned.t.widen();
-    let doubt = doubt::<R>();
+    let is_profile = plan.profile.is_some();
+    let doubt = doubt::<R>() * if is_profile { 1.0 } else { 2.0 };
     // The rounding of the time.
     let accelerations = phases.iter().map(|phase| phase.acceleration.widen().abs());
     let velocity = doubt * (scale.velocity + accelerations.fold(0.0, f64::max) * t);
@@ -623,296 +621,41 @@ fn wrong_evaluation<R: Real>(
         let z = (x.widen() - phase.t.widen()).min(phase.duration.widen());
         let [p, v, _] = walk.borders[index];
         let [a, jerk] = [phase.acceleration, phase.jerk].map(R::widen);
-        let [position, speed, accelerated, jerked] = planned.state(x);
+        let state = plan.state(x);
+        let [position, speed, accelerated, jerked] = state.map(R::widen);
         let expected = p + z * (v + z * (0.5 * a + z * jerk / 6.0));
-        if (position.widen() - expected).abs() > 2.0 * doubt * scale.position {
+        if (position - expected).abs() > doubt * scale.position {
             return Some("a position is not where the jerk leads");
         }
-        if (speed.widen() - (v + z * (a + 0.5 * z * jerk))).abs() > 2.0 * velocity {
+        if (speed - (v + z * (a + 0.5 * z * jerk))).abs() > velocity {
             return Some("a velocity is not where the jerk leads");
         }
-        if (accelerated.widen() - (a + z * jerk)).abs() > 2.0 * acceleration {
+        // At its ends a profile stands still, and rounding may make the borders of its phases cross.
+        let stands = is_profile && (x <= R::of(0.0) || x >= planned.t);
+        if !stands && (accelerated - (a + z * jerk)).abs() > acceleration {
             return Some("an acceleration is not where the jerk leads");
         }
-        if jerked != phase.jerk {
+        if !is_profile && jerked != jerk {
             return Some("the jerk is not that of the phase");
         }
-        let same = position.same(planned.position(x))
-            && speed.same(planned.velocity(x))
-            && accelerated.same(planned.acceleration(x));
-        if !same {
-            return Some("single evaluations have other bits");
+        let mut others = other_evaluation(plan, x).into_iter().zip(state);
+        if !others.all(|(other, own)| other.same(own)) {
+            return Some("another evaluation has other bits");
         }
     }
     None
 }
 
-/// The problem seen from the other side.
-pub fn mirrored<R: Real>(problem: &Problem<R>) -> Problem<R> {
-    let negated = |state: State<R>| State {
-        position: -state.position,
-        velocity: -state.velocity,
-        acceleration: -state.acceleration,
-    };
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = problem.limits;
-    Problem {
-        limits: Limits {
-            vmax: -vmin,
-            vmin: -vmax,
-            amax: -amin,
-            amin: -amax,
-            jmax: -jmin,
-            jmin: -jmax,
-        },
-        from: negated(problem.from),
-        to: negated(problem.to),
-        ..*problem
-    }
-}
-
-/// The problem in units that are smaller by these powers of two.
-pub fn scaled<R: Real>(problem: &Problem<R>, length: i8, time: i8) -> Problem<R> {
-    let times = |x: R, power: i8| {
-        let factor = f64::from(length - power * time).exp2();
-        R::of(x.widen() * factor)
-    };
-    let state = |state: State<R>| State {
-        position: times(state.position, 0),
-        velocity: times(state.velocity, 1),
-        acceleration: times(state.acceleration, 2),
-    };
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = problem.limits;
-    Problem {
-        limits: Limits {
-            vmax: times(vmax, 1),
-            vmin: times(vmin, 1),
-            amax: times(amax, 2),
-            amin: times(amin, 2),
-            jmax: times(jmax, 3),
-            jmin: times(jmin, 3),
-        },
-        from: state(problem.from),
-        to: state(problem.to),
-        ..*problem
-    }
-}
-
-/// A problem in words.
-pub fn show<R: Real>(problem: &Problem<R>) -> String {
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = problem.limits;
-    let state = |state: State<R>| {
-        let State {
-            position,
-            velocity,
-            acceleration,
-        } = state;
-        [position, velocity, acceleration]
-            .map(|x| format!("{:?}", x))
-            .join(", ")
-    };
-    let limits = [vmax, vmin, amax, amin, jmax, jmin]
-        .map(|x| format!("{:?}", x))
-        .join(", ");
-    let (from, to) = (state(problem.from), state(problem.to));
-    format!(
-        "{:?} limits [{limits}] from [{from}] to [{to}]",
-        problem.wish
-    )
-}
-
-/// Counts of what was found in problems of one kind.
-#[derive(Clone, Debug, Default)]
-pub struct Tally {
-    /// Problems.
-    pub moves: u64,
-    /// Plans that are missing.
-    pub refused: u64,
-    /// Motions that are wrong.
-    pub wrong: u64,
-    /// Durations that are longer than the least one.
-    pub longer: u64,
-    /// Durations that are too short to be possible.
-    pub shorter: u64,
-    /// Good moves that turn and come again, though a ramp ends within 4 roundings of the target.
-    pub detours: u64,
-    /// The worst relative error of a duration.
-    pub worst: f64,
-    /// What rsruckig makes of the same problems.
-    pub theirs: Theirs,
-    /// The first bad problems in words.
-    pub examples: Vec<String>,
-}
-
-/// The bad problems of a kind that are shown.
-const EXAMPLES: usize = 3;
-
-impl Tally {
-    /// Problems that are not solved well.
-    pub fn bad(&self) -> u64 {
-        self.refused + self.wrong + self.longer + self.shorter
-    }
-
-    fn add(&mut self, other: Self) {
-        self.moves += other.moves;
-        self.refused += other.refused;
-        self.wrong += other.wrong;
-        self.longer += other.longer;
-        self.shorter += other.shorter;
-        self.detours += other.detours;
-        self.worst = self.worst.max(other.worst);
-        self.theirs.add(&other.theirs);
-        self.examples.extend(other.examples);
-        self.examples.truncate(EXAMPLES);
-    }
-
-    fn judge<R: Real>(&mut self, planner: &impl Planner<R>, trial: &Trial<R>, random: &mut Random) {
-        self.moves += 1;
-        let verdict = trial.judge(planner, random);
-        match verdict {
-            Verdict::Good { error, detour } => {
-                self.worst = self.worst.max(error);
-                self.detours += u64::from(detour);
-                return;
-            }
-            Verdict::Refused(_) => self.refused += 1,
-            Verdict::Wrong(_) => self.wrong += 1,
-            Verdict::Longer(factor) => {
-                self.longer += 1;
-                self.worst = self.worst.max(factor - 1.0);
-            }
-            Verdict::Shorter(factor) => {
-                self.shorter += 1;
-                self.worst = self.worst.max(factor - 1.0);
-            }
-        }
-        if self.examples.len() < EXAMPLES {
-            let is_like = |problem: &Problem<R>| {
-                let seen = Trial::new(*problem).judge(planner, &mut Random::seeded(0));
-                planner.is_worth_simple_examples() && seen.is_like(&verdict)
-            };
-            let simple = super::simplify::simplified(&trial.problem, is_like);
-            let best = Trial::new(simple);
-            let least = best.least(&best.best);
-            let kind = trial.problem.kind;
-            self.examples.push(format!(
-                "{} {kind:?} {}: {verdict:?}; the least duration is {least:e}",
-                R::NAME,
-                show(&simple)
-            ));
-        }
-    }
-}
-
-/// What was found, by kind.
-#[derive(Clone, Debug)]
-pub struct Tallies {
-    of: [Tally; Kind::ALL.len()],
-}
-
-impl Default for Tallies {
-    fn default() -> Self {
-        Self {
-            of: std::array::from_fn(|_| Tally::default()),
-        }
-    }
-}
-
-/// Problems that a seed stands for in long runs.
-pub const PROBLEMS_PER_SEED: usize = 250_000;
-
-impl Tallies {
-    /// Judges the planner by so many problems of a seed.
-    pub fn of_seed<R: Real>(planner: &impl Planner<R>, seed: u64, problems: usize) -> Self {
-        let mut tallies = Self::default();
-        let mut random = Random::seeded(!seed);
-        let mut rival = Rival::new();
-        for problem in Problems::<R>::new(seed).take(problems) {
-            let tally = &mut tallies.of[problem.kind as usize];
-            let trial = Trial::new(problem);
-            tally.judge(planner, &trial, &mut random);
-            tally.theirs.ask(&mut rival, &problem, &trial);
-        }
-        tallies
-    }
-
-    /// Adds what was found in other problems.
-    pub fn add(&mut self, other: Self) {
-        for (tally, other) in self.of.iter_mut().zip(other.of) {
-            tally.add(other);
-        }
-    }
-
-    /// The sum over all kinds.
-    pub fn total(&self) -> Tally {
-        let mut total = Tally::default();
-        for tally in &self.of {
-            total.add(tally.clone());
-        }
-        total
-    }
-
-    fn write(f: &mut Formatter<'_>, name: &str, tally: &Tally) -> Written {
-        let Tally {
-            moves,
-            refused,
-            wrong,
-            longer,
-            shorter,
-            detours,
-            worst,
-            theirs,
-            ..
-        } = tally;
-        writeln!(
-            f,
-            "{name:<20} {moves:>9} {refused:>7} {wrong:>7} {longer:>7} {shorter:>7} {detours:>7} {worst:>8.1e} | {theirs}"
-        )
-    }
-}
-
-impl Display for Tallies {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        writeln!(
-            f,
-            "{:<20} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8} | {}",
-            "kind",
-            "moves",
-            "refused",
-            "wrong",
-            "longer",
-            "shorter",
-            "detours",
-            "worst",
-            Theirs::HEADING
-        )?;
-        for (kind, tally) in Kind::ALL.iter().zip(&self.of) {
-            Self::write(f, &format!("{kind:?}"), tally)?;
-        }
-        Self::write(f, "total", &self.total())?;
-        for example in self.of.iter().flat_map(|tally| &tally.examples) {
-            writeln!(f, "{example}")?;
-        }
-        Ok(())
+/// The quantities at the time `x`, of a profile by the original, of a `Move` by single calls.
+fn other_evaluation<R: Original>(plan: &Plan<R>, x: R) -> [R; 4] {
+    let planned = &plan.planned;
+    match &plan.profile {
+        Some(profile) => profile.evaluate(&R::ORIGINAL, x),
+        None => [
+            planned.position(x),
+            planned.velocity(x),
+            planned.acceleration(x),
+            planned.jerk(x),
+        ],
     }
 }

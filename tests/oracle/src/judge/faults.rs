@@ -1,16 +1,16 @@
-//! Faults planted into the planner of moves from any state to any state, each as small as a fault can be. They show whether the judge
-//! sees a fault.
+//! Faults planted into the planners, each as small as a fault can be. They show whether the judge sees a fault.
 
-use super::judge::{Fastest, Plan, Planner, Scale, mirrored};
-use super::problems::{Problem, Wish};
+use super::planner::{Fastest, Plan, Planner, Profile};
+use super::problem::{Problem, Request};
+use super::trial::Scale;
 use atraj::Findings;
-use atraj::online::{Error, Limits, Move, Phase, State};
-use support::Real;
+use atraj::online::{Error, Limits, Move, Phase};
+use support::{Family, Real};
 
 /// The planner with one fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// It refuses a start outside the limits.
+    /// It refuses a start outside the limits, or a profile without displacement.
     Refuses,
     /// A correct motion within limits that are a little too low.
     Lengthened,
@@ -73,14 +73,8 @@ impl Fault {
         let wide = size_of::<R>() == 8;
         let less = R::of(1.0 - if wide { 4e-8 } else { 4e-4 });
         let more = R::of(1.0 + if wide { 1e-9 } else { 1e-4 });
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = limits;
+        #[rustfmt::skip]
+        let Limits { vmax, vmin, amax, amin, jmax, jmin } = limits;
         let (changed, factor) = match self {
             Self::Lengthened => (vec![vmax, vmin, amax, amin, jmax, jmin], less),
             Self::VelocityAboveTheLimit => (vec![vmax, vmin], more),
@@ -93,19 +87,33 @@ impl Fault {
         }
     }
 
+    /// Whether a plan of this request can have the fault.
+    pub fn is_possible_in(self, request: Request) -> bool {
+        match self {
+            Self::Detour | Self::DroppedPhase | Self::SilentOvershoot | Self::SilentStart => {
+                request.profile().is_none()
+            }
+            Self::JerkAboveTheLimit => request != Request::Trap,
+            _ => true,
+        }
+    }
+
     /// What becomes of a correct plan.
     fn change_plan<R: Real>(self, problem: &Problem<R>, plan: &mut Plan<R>) {
-        let (planned, findings) = plan;
-        let scale = Scale::of(&problem.limits, problem.from, planned);
-        let off = |scale: f64| R::of(100.0 * R::MACHINE_EPSILON.widen() * scale);
+        let scale = Scale::of(problem, plan);
+        if let Some(mut profile) = plan.profile {
+            self.change_profile(problem, &mut profile, &scale);
+            *plan = Plan::of_profile(problem, profile);
+            return;
+        }
+        let Plan {
+            planned, findings, ..
+        } = plan;
         let count = planned.phases as usize;
         let middle = count / 2;
         let end = &mut planned.phase[count];
         match self {
-            Self::Shortened => {
-                let less = 1.0 - if size_of::<R>() == 8 { 1e-8 } else { 1e-4 };
-                stretch(planned, |t| t * less);
-            }
+            Self::Shortened => stretch(planned, shortened),
             Self::EndOff => end.position = end.position.neighbour(1),
             Self::EndVelocityOff => end.velocity = end.velocity + off(scale.velocity),
             Self::Jump if count > 1 => {
@@ -117,12 +125,8 @@ impl Fault {
                 phase.velocity = phase.velocity + off(scale.velocity);
             }
             Self::DroppedPhase if count > 1 => drop_shortest(planned),
-            Self::Direction if problem.to.position < problem.from.position => {
-                planned.t = planned.t.neighbour(1);
-                planned.phase[count].t = planned.t;
-            }
-            Self::AbsoluteTime => {
-                planned.t = planned.t + R::of(8.0) * R::MACHINE_EPSILON;
+            Self::Direction | Self::AbsoluteTime => {
+                planned.t = self.late(problem, planned.t);
                 planned.phase[count].t = planned.t;
             }
             Self::SilentOvershoot => *findings = without(*findings, Findings::OVERSHOOTS),
@@ -130,6 +134,50 @@ impl Fault {
             _ => {}
         }
     }
+
+    /// What becomes of a correct struct of liba.
+    fn change_profile<R: Real>(
+        self,
+        problem: &Problem<R>,
+        profile: &mut Profile<R>,
+        scale: &Scale,
+    ) {
+        // `first` is where a part of the move begins that is not measured from its end.
+        let (p1, v1, highest, directed, first) = match profile.family {
+            Family::Bell => (7, 9, 10, 10..14, 6),
+            _ => (2, 4, 5, 10..12, 9),
+        };
+        let fields = profile.fields();
+        match self {
+            Self::WrongSide => fields[directed].iter_mut().for_each(|x| *x = -*x),
+            Self::Shortened => fields[0] = shortened(fields[0]),
+            Self::EndOff => fields[p1] = fields[p1].neighbour(1),
+            Self::EndVelocityOff => fields[v1] = fields[v1] + off(scale.velocity),
+            Self::Jump => fields[first] = fields[first] + off(scale.position),
+            Self::VelocityJump => fields[highest] = fields[highest] + off(scale.velocity),
+            Self::Direction | Self::AbsoluteTime => fields[0] = self.late(problem, fields[0]),
+            _ => {}
+        }
+    }
+
+    /// A later end.
+    fn late<R: Real>(self, problem: &Problem<R>, t: R) -> R {
+        match self {
+            Self::Direction if problem.to.position < problem.from.position => t.neighbour(1),
+            Self::AbsoluteTime => t + R::of(8.0) * R::MACHINE_EPSILON,
+            _ => t,
+        }
+    }
+}
+
+/// 100 roundings.
+fn off<R: Real>(scale: f64) -> R {
+    R::of(100.0 * R::MACHINE_EPSILON.widen() * scale)
+}
+
+/// A little less time.
+fn shortened<R: Real>(t: R) -> R {
+    R::of(t.widen() * (1.0 - if size_of::<R>() == 8 { 1e-8 } else { 1e-4 }))
 }
 
 /// The findings but for one.
@@ -142,13 +190,11 @@ fn without(findings: Findings, one: Findings) -> Findings {
 }
 
 /// Changes all times.
-fn stretch<R: Real>(planned: &mut Move<R>, by: impl Fn(f64) -> f64) {
-    let change = |t: &mut R| *t = R::of(by(t.widen()));
+fn stretch<R: Real>(planned: &mut Move<R>, by: impl Fn(R) -> R) {
     for phase in &mut planned.phase {
-        change(&mut phase.t);
-        change(&mut phase.duration);
+        (phase.t, phase.duration) = (by(phase.t), by(phase.duration));
     }
-    change(&mut planned.t);
+    planned.t = by(planned.t);
 }
 
 /// Leaves the shortest phase out; the phases behind it are earlier.
@@ -175,44 +221,46 @@ fn detour<R: Real>(problem: &Problem<R>) -> Result<Plan<R>, Error> {
     let mut stop = Move::default();
     let found = stop.stop(&problem.limits, problem.from)?;
     let from = stop.state_at(stop.t);
-    let (rest, findings) = Fastest.plan(&Problem { from, ..*problem })?;
-    let (first, second) = (stop.phases as usize, rest.phases as usize);
+    let rest = Fastest.plan(&Problem { from, ..*problem })?;
+    let (first, second) = (stop.phases as usize, rest.planned.phases as usize);
     if first + second > 15 {
         return Fastest.plan(problem);
     }
     let mut both = stop;
-    for (index, phase) in rest.phase[..=second].iter().enumerate() {
+    for (index, phase) in rest.planned.phase[..=second].iter().enumerate() {
         let t = stop.t + phase.t;
         both.phase[first + index] = Phase { t, ..*phase };
     }
     both.phases = (first + second) as u32;
     both.t = both.phase[first + second].t;
-    Ok((both, found | findings))
+    Ok(Plan::of_move(both, found | rest.findings))
+}
+
+/// Goes as far to the other side. Its end is the target all the same.
+fn wrong_side<R: Real>(problem: &Problem<R>) -> Result<Plan<R>, Error> {
+    let mut changed = *problem;
+    let to = problem.to;
+    changed.to.position = problem.from.position - (to.position - problem.from.position);
+    changed.to.velocity = -to.velocity;
+    let mut plan = Fastest.plan(&changed)?;
+    let end = &mut plan.planned.phase[plan.planned.phases as usize];
+    (end.position, end.velocity) = (to.position, to.velocity);
+    Ok(plan)
 }
 
 impl<R: Real> Planner<R> for Fault {
     fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error> {
         let mut changed = *problem;
         self.change_limits(&mut changed.limits);
-        if *self == Self::Detour && problem.wish == Wish::Plan {
-            return detour(problem);
-        }
-        if *self == Self::WrongSide && problem.wish == Wish::Plan {
-            let other = mirrored(&changed);
-            let displacement = problem.to.position - problem.from.position;
-            changed.to.position = problem.from.position - displacement;
-            changed.to.velocity = other.to.velocity;
+        match self {
+            Self::Detour if problem.request == Request::Plan => return detour(problem),
+            Self::WrongSide if problem.request == Request::Plan => return wrong_side(problem),
+            _ => {}
         }
         let mut plan = Fastest.plan(&changed)?;
-        if *self == Self::WrongSide && problem.wish == Wish::Plan {
-            let State {
-                position, velocity, ..
-            } = problem.to;
-            let end = &mut plan.0.phase[plan.0.phases as usize];
-            (end.position, end.velocity) = (position, velocity);
-        }
-        let outside = plan.1.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
-        if *self == Self::Refuses && outside {
+        let outside = plan.findings.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
+        let still = plan.profile.is_some() && problem.from.position == problem.to.position;
+        if *self == Self::Refuses && (outside || still) {
             return Err(Error::Limits);
         }
         self.change_plan(problem, &mut plan);

@@ -1,6 +1,6 @@
 //! Random moves of every kind. The same seed gives the same moves.
 
-use crate::comparison::{Case, Moment};
+use super::comparison::{Case, Moment};
 use std::marker::PhantomData;
 use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};
 use support::{Family, Random, Real};

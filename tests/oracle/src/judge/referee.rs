@@ -1,6 +1,8 @@
-//! The referee of the moves from any state to any state: `c/online_referee.c`.
+//! The referee, which is in C because Rust has no `long double`: `c/referee.c`.
 
-use atraj::online::{Limits, Move, State};
+use super::problem::{Problem, Request, parts, widened};
+use atraj::State;
+use atraj::online::Move;
 use support::Real;
 
 /// A motion as the referee takes it, exact in binary64.
@@ -52,14 +54,30 @@ pub struct Best {
     pub wrong: f64,
 }
 
-/// How often per octave of the duration the referee looks at the border.
+/// When the referee looks at the border: first this part of its beginning later, then always this factor later.
 #[derive(Clone, Copy, Debug)]
-#[repr(i32)]
-pub enum Grid {
-    /// Enough for most problems.
-    Coarse = 2,
-    /// Enough where the displacement rises and falls at once.
-    Fine = 64,
+#[repr(C)]
+pub struct Grid {
+    part: f64,
+    factor: f64,
+}
+
+impl Grid {
+    /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the ends.
+    const SPARSE: Self = Self {
+        part: 1.0,
+        factor: 4.0,
+    };
+    /// Enough for most problems: twice an octave.
+    pub const COARSE: Self = Self {
+        part: 1.0 / 262_144.0,
+        factor: std::f64::consts::SQRT_2,
+    };
+    /// Enough where the displacement rises and falls at once: 64 times an octave.
+    pub const FINE: Self = Self {
+        part: 1.0 / 262_144.0,
+        factor: 1.010_889_286_051_700_5,
+    };
 }
 
 /// Position, velocity and acceleration where the phases of a move meet, and at its end.
@@ -78,37 +96,37 @@ pub struct Walk {
 }
 
 unsafe extern "C" {
-    safe fn online_referee_fastest(
+    safe fn referee_fastest(
         limits: &[f64; 6],
         start: &[f64; 3],
         target: &[f64; 3],
         beside: &[f64; 3],
         frame: f64,
-        grid: i32,
+        grid: &Grid,
         results: &mut Best,
     );
-    safe fn online_referee_possible(
+    safe fn referee_possible(
         limits: &[f64; 6],
         start: &[f64; 3],
         target: &[f64; 3],
         beside: &[f64; 3],
         duration: f64,
     ) -> f64;
-    safe fn online_referee_interval(
+    safe fn referee_interval(
         limits: &[f64; 6],
         start: &[f64; 3],
         target: &[f64; 3],
         duration: f64,
         interval: &mut [f64; 2],
     ) -> i32;
-    safe fn online_referee_knees(
+    safe fn referee_knees(
         limits: &[f64; 6],
         start: &[f64; 3],
         target: &[f64; 3],
         lower: i32,
         knees: &mut [f64; 8],
     ) -> i32;
-    safe fn online_referee_walk(
+    safe fn referee_walk(
         start: &[f64; 3],
         phases: &[[f64; 3]; 17],
         count: i32,
@@ -118,41 +136,40 @@ unsafe extern "C" {
 }
 
 impl Motion {
-    /// The motion from a state to a state at rest in a frame.
-    pub fn of<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Self {
-        let state =
-            |state: State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
+    /// The motion that is asked for.
+    pub fn of<R: Real>(problem: &Problem<R>) -> Self {
+        let [start, mut target] = problem.ends().map(|end| parts(end).map(R::widen));
+        let mut frame = 0.0;
+        match problem.request {
+            Request::Stop => target = [0.0; 3],
+            Request::Meet => frame = target[1],
+            _ => {}
+        }
         Self {
-            limits: widened(limits),
-            start: state(from),
-            target: state(to),
-            frame: 0.0,
+            limits: widened(&problem.limits),
+            start,
+            target,
+            frame,
         }
     }
 
     /// The fastest motion.
     pub fn best(&self) -> Best {
-        self.best_beside([0.0; 3], Grid::Coarse)
+        self.best_beside([0.0; 3], Grid::COARSE)
     }
 
     /// The fastest motion to a target that is so much further and so much faster, from a start that is so much faster.
     pub fn best_beside(&self, beside: [f64; 3], grid: Grid) -> Best {
         let mut best = Best::default();
+        let is_accelerated = self.start[2] != 0.0 || self.target[2] != 0.0;
+        let grid = if is_accelerated { grid } else { Grid::SPARSE };
         let Self {
             limits,
             start,
             target,
             frame,
         } = self;
-        online_referee_fastest(
-            limits,
-            start,
-            target,
-            &beside,
-            *frame,
-            grid as i32,
-            &mut best,
-        );
+        referee_fastest(limits, start, target, &beside, *frame, &grid, &mut best);
         best
     }
 
@@ -165,7 +182,7 @@ impl Motion {
             target,
             ..
         } = self;
-        online_referee_possible(limits, start, target, &beside, duration)
+        referee_possible(limits, start, target, &beside, duration)
     }
 
     /// Whether the target can be reached in this duration.
@@ -182,7 +199,7 @@ impl Motion {
             target,
             ..
         } = self;
-        let possible = online_referee_interval(limits, start, target, duration, &mut interval);
+        let possible = referee_interval(limits, start, target, duration, &mut interval);
         (possible != 0).then_some(interval)
     }
 
@@ -195,7 +212,7 @@ impl Motion {
             target,
             ..
         } = self;
-        let count = online_referee_knees(limits, start, target, lower.into(), &mut knees);
+        let count = referee_knees(limits, start, target, lower.into(), &mut knees);
         knees[..count as usize].to_vec()
     }
 }
@@ -208,27 +225,14 @@ impl Walk {
             .map(|phase| [phase.duration, phase.acceleration, phase.jerk].map(R::widen));
         let mut all = [[0.0; 3]; 17];
         all[..16].copy_from_slice(&phases);
-        let start = [from.position, from.velocity, from.acceleration].map(R::widen);
+        let start = parts(from).map(R::widen);
         let mut borders = [[0.0; 3]; 17];
         let mut knots = [[0.0; 4]; 96];
         let count = (planned.phases as i32).min(15);
-        let noted = online_referee_walk(&start, &all, count, &mut borders, &mut knots);
+        let noted = referee_walk(&start, &all, count, &mut borders, &mut knots);
         Self {
             borders,
             knots: knots[..noted as usize].to_vec(),
         }
     }
-}
-
-/// The limits in binary64: highest and lowest velocity, acceleration and jerk.
-pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
-    let &Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = limits;
-    [vmax, vmin, amax, amin, jmax, jmin].map(R::widen)
 }

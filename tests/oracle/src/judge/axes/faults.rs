@@ -1,7 +1,7 @@
 //! Faults planted into the planner of several axes. They show whether the judge sees a fault.
 
-use super::judge::{Planner, Together};
 use super::problems::Set;
+use super::together::{Planner, Together};
 use atraj::Findings;
 use atraj::online::{Error, Move, State};
 use support::Real;

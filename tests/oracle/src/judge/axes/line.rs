@@ -1,9 +1,10 @@
 //! What is wrong with axes on a straight line.
 
-use super::judge::{Planner, Timing, Verdict, scale_of_short_ramps, tightest};
 use super::problems::Set;
-use crate::online::judge::{Scale, Trial, doubt};
-use crate::online::problems::{Problem, Wish};
+use super::together::{Bad, Planner, Timing, plan_of, scale_of_short_ramps};
+use crate::judge::problem::{Problem, parts, widened};
+use crate::judge::trial::{Scale, Trial, Verdict, doubt};
+use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::online::Move;
 use support::{Random, Real};
@@ -35,36 +36,51 @@ fn lead_of<R: Real>(set: &Set<R>, shares: &[R], lead: usize) -> Problem<R> {
     if shares[lead].widen() == 0.0 {
         return axis;
     }
-    let state =
-        |state: atraj::online::State<R>| [state.position, state.velocity, state.acceleration];
     let numbers = [
         &tightest(set, shares)[..],
-        &state(axis.from),
-        &state(axis.to),
+        &parts(axis.from),
+        &parts(axis.to),
     ]
     .concat();
     Problem::of(
         axis.kind,
-        Wish::Plan,
+        axis.request,
         numbers.try_into().expect("12 numbers"),
     )
 }
 
+/// The tightest limits, seen from an axis of which the others go `shares`.
+fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
+    let mut tightest = [R::of(f64::INFINITY), R::of(f64::NEG_INFINITY)].repeat(3);
+    for (axis, &share) in set.axes.iter().zip(shares) {
+        if share.widen() == 0.0 {
+            continue;
+        }
+        let limits = widened(&axis.limits).map(R::of);
+        for k in 0..6 {
+            let seen = limits[if share.widen() > 0.0 { k } else { k ^ 1 }] / share;
+            let is_tighter = seen.widen().abs() < tightest[k].widen().abs();
+            tightest[k] = if is_tighter { seen } else { tightest[k] };
+        }
+    }
+    tightest.try_into().expect("six limits")
+}
+
 /// Judges axes on a straight line.
-pub fn judge<R: Real>(
+pub fn judge<R: Original>(
     planner: &impl Planner<R>,
     set: &Set<R>,
     random: &mut Random,
-) -> Option<Verdict> {
+) -> Option<Bad> {
     let mut axes = vec![Move::default(); set.axes.len()];
     let found = match planner.line(set, &mut axes) {
         Ok(found) => found,
-        Err(error) => return Some(Verdict::Refused(error)),
+        Err(error) => return Some((0, Verdict::Refused(error))),
     };
     // The lead comes inside within the tightest limits. So an axis may go further out than its own limits make unavoidable.
     let outside = found.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
-    let is_excused = |verdict: &Verdict| {
-        outside && matches!(verdict, Verdict::Wrong(_, what) if what.ends_with("beyond its limit"))
+    let is_excused = |(_, verdict): &Bad| {
+        outside && matches!(verdict, Verdict::Wrong(what) if what.ends_with("beyond its limit"))
     };
     let (shares, lead) = shares(set);
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
@@ -74,23 +90,23 @@ pub fn judge<R: Real>(
         cycle,
     };
     wrong_motions(set, &shares, lead, &axes, random)
-        .filter(|verdict| !is_excused(verdict))
+        .filter(|bad| !is_excused(bad))
         .or_else(|| timing.wrong(axes[0].t.widen(), || None))
 }
 
 /// Whether a motion is none, or leaves the line.
-fn wrong_motions<R: Real>(
+fn wrong_motions<R: Original>(
     set: &Set<R>,
     shares: &[R],
     lead: usize,
     axes: &[Move<R>],
     random: &mut Random,
-) -> Option<Verdict> {
+) -> Option<Bad> {
     let t = axes[lead].t;
     let [p0, p1] = [set.axes[lead].from, set.axes[lead].to].map(|end| end.position.widen().abs());
     for (k, problem) in set.axes.iter().enumerate() {
         if axes[k].t.low_bits() != t.low_bits() {
-            return Some(Verdict::Wrong(k, "the axes do not arrive together"));
+            return Some((k, Verdict::Wrong("the axes do not arrive together")));
         }
         let trial = Trial::new(*problem);
         // The positions of the lead are rounded too.
@@ -99,10 +115,10 @@ fn wrong_motions<R: Real>(
             ..Scale::default()
         });
         let what = trial
-            .wrong_states(&axes[k], &more, random)
+            .wrong_states(&plan_of(&axes[k]), &more, random)
             .or_else(|| leaves_line(set, [lead, k], shares[k], axes, random));
         if let Some(what) = what {
-            return Some(Verdict::Wrong(k, what));
+            return Some((k, Verdict::Wrong(what)));
         }
     }
     None

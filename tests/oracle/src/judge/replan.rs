@@ -1,6 +1,7 @@
 //! Moves that are planned anew in motion, as a controller does it.
 
-use super::problems::{Kind, Problem, Wish};
+use super::problem::{Problem, Request, beyond_legal, parts};
+use super::problems::Kind;
 use atraj::online::{Move, State};
 use support::{Random, Real};
 
@@ -60,8 +61,8 @@ fn problem<R: Real>(random: &mut Random) -> Problem<R> {
         let p0 = random.between(-1.0, 1.0);
         let p1 = p0 + random.sign() * random.magnitude(-2.0, 0.5);
         let numbers = [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1];
-        let problem = Problem::of(Kind::Moving, Wish::Plan, numbers.map(R::of));
-        let legal = super::problems::beyond_legal(&problem.limits, problem.to) <= 0.0;
+        let problem = Problem::of(Kind::Moving, Request::Plan, numbers.map(R::of));
+        let legal = beyond_legal(&problem.limits, problem.to) <= 0.0;
         let mut planned = Move::default();
         let found = planned.plan(&problem.limits, problem.from, problem.to);
         let moderate = (0.05..5.0).contains(&planned.t.widen());
@@ -143,12 +144,8 @@ impl Replans {
     fn note<R: Real>(&mut self, problem: &Problem<R>, cycle: u32, from: State<R>, what: &str) {
         if self.examples.len() < 5 {
             let now = Problem { from, ..*problem };
-            self.examples.push(format!(
-                "{} {}, in cycle {cycle} {}: {what}",
-                R::NAME,
-                super::judge::show(problem),
-                super::judge::show(&now)
-            ));
+            self.examples
+                .push(format!("{problem}, in cycle {cycle} {now}: {what}"));
         }
     }
 }
@@ -166,8 +163,7 @@ pub fn retarget<R: Real>(seed: u64, targets: u32) -> Result<(), String> {
             .plan(&limits, from, to)
             .map_err(|error| format!("target {index}: {error:?} from {from:?} to {to:?}"))?;
         let start = planned.state_at(R::of(0.0));
-        let bits =
-            |state: State<R>| [state.position, state.velocity, state.acceleration].map(R::low_bits);
+        let bits = |state: State<R>| parts(state).map(R::low_bits);
         if bits(start) != bits(from) {
             return Err(format!("target {index}: {start:?} is not {from:?}"));
         }

@@ -1,0 +1,45 @@
+//! The judge of several axes that move together: random sets of axes, and faults that the judge must see.
+
+pub mod faults;
+pub mod line;
+pub mod problems;
+pub mod together;
+
+use super::tally::Tallies;
+use super::trial::Verdict;
+use crate::liba::abi::Original;
+use problems::Sets;
+use support::Random;
+use together::Planner;
+
+/// Sets that a seed stands for in long runs.
+pub const SETS_PER_SEED: usize = 10_000;
+
+/// Judges the planner by so many sets of a seed. Every fourth one lies on a line.
+pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, sets: usize) -> Tallies {
+    let mut tallies = Tallies::default();
+    let mut random = Random::seeded(!seed);
+    let on_lines = sets / 4;
+    let together = Sets::<R>::new(seed).take(sets - on_lines);
+    let lines = Sets::<R>::on_lines(seed).take(on_lines);
+    for (is_line, set) in together
+        .map(|set| (false, set))
+        .chain(lines.map(|set| (true, set)))
+    {
+        let bad = if is_line {
+            line::judge(planner, &set, &mut random)
+        } else {
+            together::judge(planner, &set, &mut random)
+        };
+        let good = Verdict::Good {
+            error: 0.0,
+            detour: false,
+        };
+        let (axis, verdict) = bad.unwrap_or((0, good));
+        let way = if is_line { "line" } else { "together" };
+        let key = [usize::from(is_line), set.family as usize];
+        let tally = tallies.row(key, || format!("{way} {:?}", set.family));
+        tally.note(&verdict, || format!("axis {axis} of {}", set.show()));
+    }
+    tallies
+}

@@ -1,0 +1,245 @@
+//! A motion to plan, the same motion seen from elsewhere, and numbers as round as a fault allows.
+
+use super::problems::Kind;
+use atraj::online::{Limits, State};
+use std::fmt::{Display, Formatter, Result as Written};
+use support::{Family, Real};
+
+/// What is asked for, and of which planner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Request {
+    /// The fastest motion to a state.
+    Plan,
+    /// The fastest motion to a velocity and an acceleration.
+    Reach,
+    /// The fastest stop.
+    Stop,
+    /// The fastest motion to a target that moves on.
+    Meet,
+    /// The fastest double-S.
+    Bell,
+    /// The fastest trapezoid.
+    Trap,
+}
+
+impl Request {
+    /// Whose struct of liba holds the motion; `None` for a `Move`.
+    pub fn profile(self) -> Option<Family> {
+        match self {
+            Self::Bell => Some(Family::Bell),
+            Self::Trap => Some(Family::Trap),
+            _ => None,
+        }
+    }
+}
+
+/// A motion to plan.
+#[derive(Clone, Copy, Debug)]
+pub struct Problem<R> {
+    /// What is nasty about it.
+    pub kind: Kind,
+    /// What is asked for.
+    pub request: Request,
+    /// What the axis can do.
+    pub limits: Limits<R>,
+    /// The start.
+    pub from: State<R>,
+    /// The target. Its position does not count if a velocity is asked for.
+    pub to: State<R>,
+}
+
+/// How often the numbers of a problem are divided by a time.
+pub const POWERS_OF_TIME: [i8; 12] = [1, 1, 2, 2, 3, 3, 0, 1, 2, 0, 1, 2];
+
+/// Highest and lowest velocity, acceleration and jerk.
+pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
+    #[rustfmt::skip]
+    let &Limits { vmax, vmin, amax, amin, jmax, jmin } = limits;
+    [vmax, vmin, amax, amin, jmax, jmin].map(R::widen)
+}
+
+/// How much faster a target is than one that can have been reached within the limits and can be left within them; not above 0 if it is
+/// legal.
+pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
+    let [vmax, vmin, amax, amin, jmax, jmin] = widened(limits);
+    let [v, a] = [to.velocity, to.acceleration].map(R::widen);
+    let half_square = 0.5 * a * a;
+    let high = v - half_square / jmin - vmax;
+    let low = vmin - (v - half_square / jmax);
+    if a > amax || a < amin {
+        f64::INFINITY
+    } else {
+        high.max(low)
+    }
+}
+
+impl<R: Real> Problem<R> {
+    /// The problem of these numbers: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
+    /// ends. The limits of a double-S are the highest ones in both directions, a trapezoid has no limit of the jerk, and both have no
+    /// acceleration at their ends.
+    pub fn of(kind: Kind, request: Request, numbers: [R; 12]) -> Self {
+        let [
+            vmax,
+            mut vmin,
+            amax,
+            mut amin,
+            mut jmax,
+            mut jmin,
+            ends @ ..,
+        ] = numbers;
+        let [p0, v0, mut a0, p1, v1, mut a1] = ends;
+        if let Some(profile) = request.profile() {
+            vmin = -vmax;
+            (a0, a1) = (R::of(0.0), R::of(0.0));
+            if profile == Family::Bell {
+                (amin, jmin) = (-amax, -jmax);
+            } else {
+                (jmax, jmin) = (R::of(f64::INFINITY), R::of(f64::NEG_INFINITY));
+            }
+        }
+        let state = |position, velocity, acceleration| State {
+            position,
+            velocity,
+            acceleration,
+        };
+        #[rustfmt::skip]
+        let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
+        Self {
+            kind,
+            request,
+            limits,
+            from: state(p0, v0, a0),
+            to: state(p1, v1, a1),
+        }
+    }
+
+    /// The problem of these arguments of the profile's `gen`.
+    pub fn of_arguments(request: Request, arguments: [R; 7]) -> Self {
+        let [x, y, z, p0, p1, v0, v1] = arguments;
+        let zero = R::of(0.0);
+        let [v, high, low, j] = match request {
+            Request::Bell => [z.abs(), y.abs(), zero, x.abs()],
+            _ if y > z => [x.abs(), y, z, zero],
+            _ => [x.abs(), z, y, zero],
+        };
+        let numbers = [v, zero, high, low, j, zero, p0, v0, zero, p1, v1, zero];
+        Self::of(Kind::TinyAgainstHuge, request, numbers)
+    }
+
+    /// The arguments of the profile's `gen`: limits in the direction of the way, and of a trapezoid the other acceleration behind it.
+    pub fn arguments(&self) -> [R; 7] {
+        let [vmax, vmin, amax, amin, jmax, jmin, ends @ ..] = self.numbers();
+        let [p0, v0, _, p1, v1, _] = ends;
+        let [v, along, against, j] = if p1 < p0 {
+            [vmin, amin, amax, jmin]
+        } else {
+            [vmax, amax, amin, jmax]
+        };
+        match self.request {
+            Request::Bell => [j, along, v, p0, p1, v0, v1],
+            _ => [v, along, against, p0, p1, v0, v1],
+        }
+    }
+
+    /// The numbers that [`Problem::of`] takes.
+    pub fn numbers(&self) -> [R; 12] {
+        #[rustfmt::skip]
+        let Limits { vmax, vmin, amax, amin, jmax, jmin } = self.limits;
+        let [[p0, v0, a0], [p1, v1, a1]] = [self.from, self.to].map(parts);
+        [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
+    }
+
+    /// The same with other numbers.
+    fn with(&self, numbers: [R; 12]) -> Self {
+        Self::of(self.kind, self.request, numbers)
+    }
+
+    /// Both ends as the planner takes them. A profile limits the velocities.
+    pub fn ends(&self) -> [State<R>; 2] {
+        let vmax = self.limits.vmax.widen();
+        let limit = |end: State<R>| State {
+            velocity: R::of(end.velocity.widen().clamp(-vmax, vmax)),
+            ..end
+        };
+        if self.request.profile().is_none() {
+            return [self.from, self.to];
+        }
+        [limit(self.from), limit(self.to)]
+    }
+
+    /// The problem seen from the other side.
+    pub fn mirrored(&self) -> Self {
+        let [vmax, vmin, amax, amin, jmax, jmin, ends @ ..] = self.numbers();
+        let [p0, v0, a0, p1, v1, a1] = ends;
+        let exchanged = [vmin, vmax, amin, amax, jmin, jmax, p0, v0, a0, p1, v1, a1];
+        self.with(exchanged.map(|x| -x))
+    }
+
+    /// The problem in units that are smaller by these powers of two.
+    pub fn scaled(&self, length: i8, time: i8) -> Self {
+        let mut numbers = self.numbers();
+        for (x, power) in numbers.iter_mut().zip(POWERS_OF_TIME) {
+            *x = R::of(x.widen() * f64::from(length - power * time).exp2());
+        }
+        self.with(numbers)
+    }
+
+    /// The problem with the roundest numbers at which it is still bad.
+    pub fn simplified(&self, is_bad: impl Fn(&Self) -> bool) -> Self {
+        /// Ends first, positions before the others.
+        const ORDER: [usize; 12] = [6, 9, 11, 8, 10, 7, 0, 1, 2, 3, 4, 5];
+        const ROUNDS: usize = 4;
+        let mut numbers = self.numbers();
+        if !is_bad(self) {
+            return *self;
+        }
+        for _ in 0..ROUNDS {
+            let before = numbers;
+            for index in ORDER {
+                let x = numbers[index];
+                let digits = [0, 1, 2, 3, 4, 6].map(|digits| rounded(x, digits));
+                let signed = R::of(1.0f64.copysign(x.widen()));
+                let candidates = [R::of(0.0), signed].into_iter().chain(digits);
+                for candidate in candidates.take_while(|candidate| *candidate != x) {
+                    let mut tried = numbers;
+                    tried[index] = candidate;
+                    let problem = self.with(tried);
+                    if beyond_legal(&problem.limits, problem.to) <= 0.0 && is_bad(&problem) {
+                        numbers = tried;
+                        break;
+                    }
+                }
+            }
+            if before == numbers {
+                break;
+            }
+        }
+        self.with(numbers)
+    }
+}
+
+/// Position, velocity and acceleration.
+pub fn parts<R>(state: State<R>) -> [R; 3] {
+    [state.position, state.velocity, state.acceleration]
+}
+
+/// The number with so many digits behind the first one.
+fn rounded<R: Real>(x: R, digits: usize) -> R {
+    let text = format!("{:.digits$e}", x.widen());
+    R::of(text.parse().expect("a number"))
+}
+
+impl<R: Real> Display for Problem<R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        let [vmax, vmin, amax, amin, jmax, jmin, from @ .., p1, v1, a1] = self.numbers();
+        let limits = [vmax, vmin, amax, amin, jmax, jmin];
+        let to = [p1, v1, a1];
+        write!(
+            f,
+            "{} {:?} {:?} limits {limits:?} from {from:?} to {to:?}",
+            R::NAME,
+            self.kind,
+            self.request
+        )
+    }
+}

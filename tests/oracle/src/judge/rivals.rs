@@ -1,0 +1,147 @@
+//! Other libraries beside ours: the crate rsruckig, which computes in binary64 always, and the original.
+
+use super::planner::Profile;
+use super::problem::{Problem, Request, parts, widened};
+use super::trial::{Trial, Verdict, tolerance};
+use crate::liba::abi::Original;
+use rsruckig::prelude::*;
+use std::fmt::{Display, Formatter, Result as Written};
+use support::{Family, Implementation, Real};
+
+/// How far beside its target a motion of rsruckig may end.
+const ACCURACY: f64 = 1e-8;
+
+/// Whether rsruckig takes these axes. It has one limit of the jerk, and needs finite numbers of moderate size.
+pub fn fits_ruckig<R: Real>(axes: &[Problem<R>]) -> bool {
+    let moderate = |x: f64| x.abs() < 1e4 && (x.abs() > 1e-4 || x == 0.0);
+    axes.iter().all(|axis| {
+        let numbers = axis.numbers().map(R::widen);
+        axis.request == Request::Plan
+            && numbers.into_iter().all(moderate)
+            && numbers[4] == -numbers[5]
+    })
+}
+
+/// The duration that rsruckig finds for these axes: at least this one, a multiple of the cycle if that is not 0.
+pub fn ruckig<R: Real>(axes: &[Problem<R>], least: f64, cycle: f64) -> Option<f64> {
+    let count = axes.len();
+    let mut input = InputParameter::<0>::new(Some(count));
+    let zeros = || DataArrayOrVec::<f64, 0>::new(Some(count), 0.0);
+    let (mut vmins, mut amins) = (zeros(), zeros());
+    for (k, axis) in axes.iter().enumerate() {
+        let [vmax, vmin, amax, amin, jmax, _] = widened(&axis.limits);
+        let [[p0, v0, a0], [p1, v1, a1]] = [axis.from, axis.to].map(|end| parts(end).map(R::widen));
+        (input.max_velocity[k], vmins[k]) = (vmax, vmin);
+        (input.max_acceleration[k], amins[k]) = (amax, amin);
+        input.max_jerk[k] = jmax;
+        (input.current_position[k], input.target_position[k]) = (p0, p1);
+        (input.current_velocity[k], input.target_velocity[k]) = (v0, v1);
+        (input.current_acceleration[k], input.target_acceleration[k]) = (a0, a1);
+    }
+    (input.min_velocity, input.min_acceleration) = (Some(vmins), Some(amins));
+    input.minimum_duration = (least > 0.0).then_some(least);
+    if cycle > 0.0 {
+        input.duration_discretization = DurationDiscretization::Discrete;
+    }
+    let mut ruckig = Ruckig::<0, ThrowErrorHandler>::new(Some(count), cycle.max(1e-9));
+    let mut trajectory = Trajectory::<0>::new(Some(count));
+    match ruckig.calculate(&input, &mut trajectory) {
+        Ok(RuckigResult::Working | RuckigResult::Finished) => Some(trajectory.get_duration()),
+        _ => None,
+    }
+}
+
+/// What rsruckig makes of the same problems, or the original of profiles.
+#[derive(Clone, Debug, Default)]
+pub struct Theirs {
+    /// Problems that it was asked.
+    pub asked: u64,
+    /// Plans that are missing.
+    pub refused: u64,
+    /// Plans that break a limit or jump.
+    pub breaks: u64,
+    /// Durations that are longer than the least one.
+    pub longer: u64,
+    /// Durations that are shorter than the least one, though the start is inside.
+    pub shorter: u64,
+}
+
+impl Theirs {
+    /// The heading of these counts in a table.
+    pub const HEADING: &str = "the original or rsruckig:  asked refused  breaks  longer shorter";
+
+    /// Adds other counts.
+    pub fn add(&mut self, other: &Self) {
+        self.asked += other.asked;
+        self.refused += other.refused;
+        self.breaks += other.breaks;
+        self.longer += other.longer;
+        self.shorter += other.shorter;
+    }
+
+    /// Plans the problem with the other library, if it takes the problem.
+    pub fn ask<R: Original>(&mut self, problem: &Problem<R>, trial: &Trial<R>) {
+        match problem.request.profile() {
+            Some(family) => self.ask_original(family, problem, trial),
+            None if fits_ruckig(&[*problem]) => self.ask_ruckig(problem, trial),
+            None => {}
+        }
+    }
+
+    fn ask_ruckig<R: Original>(&mut self, problem: &Problem<R>, trial: &Trial<R>) {
+        self.asked += 1;
+        let Some(duration) = ruckig(&[*problem], 0.0, 0.0) else {
+            self.refused += 1;
+            return;
+        };
+        let inside = trial.best().inside == 0.0;
+        let least = trial.best().duration;
+        if duration > least * (1.0 + tolerance::<R>()) {
+            self.longer += 1;
+        } else if inside && duration < least * (1.0 - tolerance::<R>()) {
+            let shorter = matches!(trial.duration_near(duration, ACCURACY), Verdict::Shorter(_));
+            self.shorter += u64::from(shorter);
+        }
+    }
+
+    /// An infinite acceleration is left out, because the original may never return.
+    fn ask_original<R: Original>(
+        &mut self,
+        family: Family,
+        problem: &Problem<R>,
+        trial: &Trial<R>,
+    ) {
+        if trial.best().duration == 0.0 || problem.limits.amax.widen().is_infinite() {
+            return;
+        }
+        self.asked += 1;
+        let mut fields = [R::of(0.0); 14];
+        let own = &mut fields[..family.fields().len()];
+        let duration = R::ORIGINAL.plan(family, &problem.arguments(), own).widen();
+        // A NaN is no plan either.
+        let planned = duration > 0.0;
+        if !planned {
+            self.refused += 1;
+            return;
+        }
+        let profile = Profile::new(family, own);
+        let v1 = own[if family == Family::Bell { 9 } else { 4 }];
+        let replaced = v1 != problem.ends()[1].velocity;
+        if replaced || profile.check(problem).bits() & !16 != 0 {
+            self.breaks += 1;
+        } else if matches!(trial.duration(duration), Verdict::Longer(_)) {
+            self.longer += 1;
+        }
+    }
+}
+
+impl Display for Theirs {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        #[rustfmt::skip]
+        let Self { asked, refused, breaks, longer, shorter } = self;
+        write!(
+            f,
+            "{asked:>32} {refused:>7} {breaks:>7} {longer:>7} {shorter:>7}"
+        )
+    }
+}

@@ -1,0 +1,189 @@
+//! What the judge found, counted.
+
+use super::planner::Planner;
+use super::problems::Problems;
+use super::rivals::Theirs;
+use super::trial::{Trial, Verdict};
+use crate::liba::abi::Original;
+use std::collections::BTreeMap;
+use std::fmt::{Display, Formatter, Result as Written};
+use support::{Family, Random};
+
+/// Counts of what was found in problems of one kind.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    name: String,
+    /// Problems.
+    pub problems: u64,
+    /// Plans that are missing.
+    pub refused: u64,
+    /// Motions that are wrong.
+    pub wrong: u64,
+    /// Durations that are longer than the least one.
+    pub longer: u64,
+    /// Durations that are too short, or in which a target cannot be reached.
+    pub impossible: u64,
+    /// Good motions that turn and come again, though a ramp ends within 4 roundings of the target.
+    pub detours: u64,
+    /// The worst relative error of a duration.
+    pub worst: f64,
+    /// What another library makes of the same problems.
+    pub theirs: Theirs,
+    /// The first bad problems in words.
+    pub examples: Vec<String>,
+}
+
+/// The bad problems of a kind that are shown.
+const EXAMPLES: usize = 3;
+
+impl Tally {
+    /// Problems that are not solved well.
+    pub fn bad(&self) -> u64 {
+        self.refused + self.wrong + self.longer + self.impossible
+    }
+
+    /// Counts what the judge says of a problem, which `show` puts into words if it is bad.
+    pub fn note(&mut self, verdict: &Verdict, show: impl FnOnce() -> String) {
+        self.problems += 1;
+        match verdict {
+            Verdict::Good { error, detour } => {
+                self.worst = self.worst.max(*error);
+                self.detours += u64::from(*detour);
+                return;
+            }
+            Verdict::Refused(_) => self.refused += 1,
+            Verdict::Wrong(_) => self.wrong += 1,
+            Verdict::Longer(factor) => {
+                self.longer += 1;
+                self.worst = self.worst.max(factor - 1.0);
+            }
+            Verdict::Shorter(factor) => {
+                self.impossible += 1;
+                self.worst = self.worst.max(factor - 1.0);
+            }
+            Verdict::Impossible => self.impossible += 1,
+        }
+        if self.examples.len() < EXAMPLES {
+            self.examples.push(format!("{verdict:?}: {}", show()));
+        }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.problems += other.problems;
+        self.refused += other.refused;
+        self.wrong += other.wrong;
+        self.longer += other.longer;
+        self.impossible += other.impossible;
+        self.detours += other.detours;
+        self.worst = self.worst.max(other.worst);
+        self.theirs.add(&other.theirs);
+        self.examples.extend(other.examples.iter().cloned());
+        self.examples.truncate(EXAMPLES);
+    }
+}
+
+/// Problems of profiles that a seed stands for in long runs: a third each of double-S, trapezoids and moves.
+pub const PROFILES_PER_SEED: usize = 1_000_000;
+
+/// Problems of moves from any state to any state that a seed stands for in long runs.
+pub const MOVES_PER_SEED: usize = 250_000;
+
+/// What was found, by planner and kind.
+#[derive(Clone, Debug, Default)]
+pub struct Tallies {
+    of: BTreeMap<[usize; 2], Tally>,
+}
+
+impl Tallies {
+    /// Judges the planner by so many problems of a seed, of this sequence.
+    pub fn of_seed<R: Original>(
+        planner: &impl Planner<R>,
+        sequence: fn(u64) -> Problems<R>,
+        seed: u64,
+        problems: usize,
+    ) -> Self {
+        let mut tallies = Self::default();
+        let mut random = Random::seeded(!seed);
+        for problem in sequence(seed).take(problems) {
+            let profile = problem.request.profile();
+            let group = profile.map_or("move", Family::name);
+            let key = [
+                profile.map_or(2, |family| family as usize),
+                problem.kind as usize,
+            ];
+            let tally = tallies.row(key, || format!("{group} {:?}", problem.kind));
+            let trial = Trial::new(problem);
+            let verdict = trial.judge(planner, &mut random);
+            tally.note(&verdict, || trial.simple_example(planner, &verdict));
+            tally.theirs.ask(&problem, &trial);
+        }
+        tallies
+    }
+
+    /// The counts of this planner and kind.
+    pub fn row(&mut self, key: [usize; 2], name: impl FnOnce() -> String) -> &mut Tally {
+        self.of.entry(key).or_insert_with(|| Tally {
+            name: name(),
+            ..Tally::default()
+        })
+    }
+
+    /// Adds what was found in other problems.
+    pub fn add(&mut self, other: &Self) {
+        for (key, tally) in &other.of {
+            self.row(*key, || tally.name.clone()).add(tally);
+        }
+    }
+
+    /// The sum over all kinds.
+    pub fn total(&self) -> Tally {
+        sum(self.of.values())
+    }
+
+    /// The sum over the kinds of this group: 0 for double-S, 1 for trapezoids, 2 for moves.
+    pub fn total_of(&self, group: usize) -> Tally {
+        sum(self
+            .of
+            .range([group, 0]..[group + 1, 0])
+            .map(|(_, tally)| tally))
+    }
+}
+
+fn sum<'a>(tallies: impl Iterator<Item = &'a Tally>) -> Tally {
+    let mut total = Tally {
+        name: "total".into(),
+        ..Tally::default()
+    };
+    tallies.for_each(|tally| total.add(tally));
+    total
+}
+
+impl Display for Tallies {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(
+            f,
+            "{:<26} {:>9} {:>7} {:>7} {:>7} {:>10} {:>7} {:>8} | {}",
+            "kind",
+            "problems",
+            "refused",
+            "wrong",
+            "longer",
+            "impossible",
+            "detours",
+            "worst",
+            Theirs::HEADING
+        )?;
+        for tally in self.of.values().chain([&self.total()]) {
+            #[rustfmt::skip]
+            let Tally { name, problems, refused, wrong, longer, impossible, detours, worst, theirs, .. } = tally;
+            writeln!(
+                f,
+                "{name:<26} {problems:>9} {refused:>7} {wrong:>7} {longer:>7} {impossible:>10} {detours:>7} {worst:>8.1e} | {theirs}"
+            )?;
+        }
+        for example in self.of.values().flat_map(|tally| &tally.examples) {
+            writeln!(f, "{example}")?;
+        }
+        Ok(())
+    }
+}

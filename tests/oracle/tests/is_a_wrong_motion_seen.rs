@@ -1,0 +1,80 @@
+//! Does the judge see a wrong motion of each planner: a double-S, a trapezoid, a move?
+
+use oracle::judge::faults::Fault;
+use oracle::judge::planner::Fastest;
+use oracle::judge::problem::Request;
+use oracle::judge::problems::Problems;
+use oracle::judge::tally::{Tallies, Tally};
+use oracle::liba::abi::Original;
+
+const OF_PROFILES: usize = 7_500;
+const OF_MOVES: usize = 4_400;
+
+/// The motions that the judge sees as this fault makes them.
+fn seen(fault: Fault, tally: &Tally) -> u64 {
+    match fault {
+        Fault::Refuses => tally.refused,
+        Fault::Lengthened | Fault::Detour => tally.longer,
+        // The motion is wrong, or faster than a motion within the limits.
+        Fault::VelocityAboveTheLimit
+        | Fault::AccelerationAboveTheLimit
+        | Fault::JerkAboveTheLimit => tally.wrong + tally.impossible,
+        _ => tally.wrong,
+    }
+}
+
+fn every_fault_is_seen<R: Original>() {
+    for fault in Fault::ALL {
+        let profiles = Tallies::of_seed::<R>(&fault, Problems::of_profiles, 0, OF_PROFILES);
+        let moves = Tallies::of_seed::<R>(&fault, Problems::new, 0, OF_MOVES);
+        let [bells, traps] = [profiles.total_of(0), profiles.total_of(1)];
+        let requests = [Request::Bell, Request::Trap, Request::Plan];
+        for (request, tally) in requests.into_iter().zip([bells, traps, moves.total()]) {
+            if !fault.is_possible_in(request) {
+                continue;
+            }
+            let seen = seen(fault, &tally);
+            let all = tally.problems;
+            println!("{} {request:?} {fault:?}: {seen} of {all} seen", R::NAME);
+            // Many motions have nothing for a fault to spoil: they reach no limit, start inside, take no time or a long one.
+            let few = match fault {
+                Fault::Refuses if request.profile().is_some() => 50,
+                Fault::Refuses | Fault::SilentStart | Fault::AbsoluteTime => 10,
+                Fault::VelocityAboveTheLimit | Fault::AccelerationAboveTheLimit => 10,
+                _ => 4,
+            };
+            assert!(seen * few >= all, "{fault:?} of {request:?} in {}", R::NAME);
+            assert!(!tally.examples.is_empty());
+        }
+    }
+}
+
+#[test]
+fn every_fault_is_seen_f64() {
+    every_fault_is_seen::<f64>();
+}
+
+#[test]
+fn every_fault_is_seen_f32() {
+    every_fault_is_seen::<f32>();
+}
+
+fn nothing_is_wrong<R: Original>() {
+    let profiles = Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, 0, OF_PROFILES);
+    let moves = Tallies::of_seed::<R>(&Fastest, Problems::new, 0, OF_MOVES);
+    for (tallies, problems) in [(profiles, OF_PROFILES), (moves, OF_MOVES)] {
+        let total = tallies.total();
+        assert_eq!(
+            (total.problems, total.bad()),
+            (problems as u64, 0),
+            "{tallies}"
+        );
+    }
+}
+
+/// If something were wrong without a fault, a seen fault would prove nothing.
+#[test]
+fn without_a_fault_nothing_is_wrong() {
+    nothing_is_wrong::<f64>();
+    nothing_is_wrong::<f32>();
+}

@@ -1,0 +1,43 @@
+//! Is the fastest motion right: never refused, never wrong, never longer than the referee's? Per real type four million double-S,
+//! trapezoids and moves without acceleration at their ends, and a million moves from any state to any state.
+
+use oracle::judge::planner::Fastest;
+use oracle::judge::problems::Problems;
+use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
+use oracle::liba::abi::Original;
+use std::time::Instant;
+
+const SEEDS: u64 = 4;
+
+fn right<R: Original>(sequence: fn(u64) -> Problems<R>, problems: usize) {
+    let start = Instant::now();
+    let mut tallies = Tallies::default();
+    for seed in 0..SEEDS {
+        tallies.add(&Tallies::of_seed(&Fastest, sequence, seed, problems));
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    println!("{}: seeds 0..{SEEDS}, {seconds:.0} s\n{tallies}", R::NAME);
+    let total = tallies.total();
+    assert_eq!(total.problems, SEEDS * problems as u64);
+    assert_eq!(total.bad(), 0, "see the examples above");
+}
+
+#[test]
+fn profiles_f64() {
+    right::<f64>(Problems::of_profiles, PROFILES_PER_SEED);
+}
+
+#[test]
+fn profiles_f32() {
+    right::<f32>(Problems::of_profiles, PROFILES_PER_SEED);
+}
+
+#[test]
+fn moves_f64() {
+    right::<f64>(Problems::new, MOVES_PER_SEED);
+}
+
+#[test]
+fn moves_f32() {
+    right::<f32>(Problems::new, MOVES_PER_SEED);
+}
