@@ -69,6 +69,15 @@ pub(crate) fn larger_root<R: Real>(p: R, q: R) -> R {
     if p > R::ZERO { -q / (p + d) } else { d - p }
 }
 
+/// Where `x^2 + 2 p x + q` first is 0 for a positive `x`, or for 0 if `q` is not positive.
+pub(crate) fn first_zero<R: Real>(p: R, q: R) -> Option<R> {
+    if q <= R::ZERO {
+        return Some(larger_root(p, q));
+    }
+    let d = p * p - q;
+    (p < R::ZERO && d > R::ZERO).then(|| q / (d.sqrt() - p))
+}
+
 #[cfg(test)]
 mod tests {
     extern crate std;

@@ -1,16 +1,16 @@
 //! What a microcontroller does in its own way: flash is scarce, and hardly any pipeline waits for a branch.
 
-use super::Operations;
+use super::primitives::Primitives;
 
 /// The square root, correctly rounded; NaN below zero.
-pub fn sqrt<R: Operations>(x: R) -> R {
+pub fn sqrt<R: Primitives>(x: R) -> R {
     x.plain_sqrt()
 }
 
 /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.
 ///
 /// A branch skips the work.
-pub fn forward<R: Operations>(h: R, v0: R, v1: R) -> [R; 3] {
+pub fn forward<R: Primitives>(h: R, v0: R, v1: R) -> [R; 3] {
     if h < R::ZERO {
         keep_branch();
         [-h, -v0, -v1]

@@ -1,12 +1,12 @@
 //! What a processor with an operating system does in its own way: it predicts branches and computes ahead of them, and has room for code.
 
-use super::Operations;
+use super::primitives::Primitives;
 
 /// The square root, correctly rounded; NaN below zero.
 ///
 /// LLVM emits a bare instruction only if the argument cannot be negative. Any other root comes with a call for negative
 /// arguments, and values have to be saved around the call.
-pub fn sqrt<R: Operations>(x: R) -> R {
+pub fn sqrt<R: Primitives>(x: R) -> R {
     if x < R::ZERO {
         R::NAN
     } else {
@@ -17,7 +17,7 @@ pub fn sqrt<R: Operations>(x: R) -> R {
 /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.
 ///
 /// Moves to and fro mispredict a branch. A product with the direction does not.
-pub fn forward<R: Operations>(h: R, v0: R, v1: R) -> [R; 3] {
+pub fn forward<R: Primitives>(h: R, v0: R, v1: R) -> [R; 3] {
     let direction = R::ONE.copysign(if h < R::ZERO { h } else { R::ZERO });
     [h * direction, v0 * direction, v1 * direction]
 }

@@ -1,5 +1,6 @@
 //! The two real types of a profile and the operations that a profile needs.
 
+mod primitives;
 pub(crate) mod processor;
 #[cfg(unit_lacks_binary64)]
 mod soft;
@@ -8,14 +9,13 @@ mod soft;
 #[cfg_attr(not(target_os = "none"), path = "host.rs")]
 pub(crate) mod target;
 
-/// The type that carries a C `double` through the profiles. A Cortex-M unit that lacks binary64 leaves such numbers to the
-/// run-time library of the compiler.
+/// The type that carries a C `double` through the profiles.
 #[cfg(all(feature = "capi", not(feature = "float"), not(unit_lacks_binary64)))]
 pub(crate) type Double = f64;
 #[cfg(all(feature = "capi", not(feature = "float"), unit_lacks_binary64))]
-pub(crate) type Double = soft::Soft64;
+pub(crate) use soft::Soft64 as Double;
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use primitives::Primitives;
 use target::keep_branch;
 
 /// IEEE-754 binary32 (`f32`) or binary64 (`f64`).
@@ -25,56 +25,11 @@ pub trait Real: Operations {}
 
 impl Real for f32 {}
 impl Real for f64 {}
+#[cfg(unit_lacks_binary64)]
+impl Real for soft::Soft64 {}
 
-/// What the profiles compute with.
-pub trait Operations:
-    Copy
-    + Default
-    + PartialOrd
-    + From<u8>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
-    const ZERO: Self;
-    /// 1/16, exact.
-    const SIXTEENTH: Self;
-    /// 1/6, rounded once.
-    const SIXTH: Self;
-    /// 1/2, exact.
-    const HALF: Self;
-    const ONE: Self;
-    /// Distance from 1 to the next larger number: `2^-23` or `2^-52`.
-    const EPSILON: Self;
-    /// `64 EPSILON`, exact.
-    const DOUBT: Self;
-    /// `EPSILON^-4`, exact.
-    const HUGE: Self;
-    const INFINITY: Self;
-    const NAN: Self;
-    /// The processor divides, and takes a root, in one instruction.
-    const HAS_UNIT: bool;
-
-    /// The absolute value.
-    fn abs(self) -> Self;
-
-    /// The absolute value of `self` with the sign of `sign`.
-    fn copysign(self, sign: Self) -> Self;
-
-    /// The square root as the processor or the C library takes it, correctly rounded; NaN below zero.
-    fn plain_sqrt(self) -> Self;
-
-    /// The cube root of `self`, which is not below 0, up to 3.5 %. A factor of 8 in `self` is a factor of 2 in the result, exactly.
-    fn rough_cube_root(self) -> Self;
-
-    /// `k` rounded once.
-    fn from_index(k: i32) -> Self;
-
-    /// `self` rounded towards zero and limited to the range of an `i32`; 0 for a NaN.
-    fn to_index(self) -> i32;
-
+/// What the profiles compute with: the same formulas for every real type.
+pub trait Operations: Primitives {
     /// The square root, correctly rounded; NaN below zero.
     fn sqrt(self) -> Self {
         target::sqrt(self)
@@ -154,101 +109,7 @@ pub trait Operations:
     }
 }
 
-// Stable `core` has no square root yet. The root of the C library is correctly rounded, and the compiler knows the name: it emits
-// an instruction where the processor has one. An unstable `core` brings a root of its own.
-#[cfg(not(atraj_unstable_core))]
-#[allow(unsafe_code)]
-unsafe extern "C" {
-    safe fn sqrt(x: f64) -> f64;
-    safe fn sqrtf(x: f32) -> f32;
-}
-#[cfg(atraj_unstable_core)]
-use core::{f32::math::sqrt as sqrtf, f64::math::sqrt};
-
-/// A third of the exponent, exactly, and of the significand for want of anything better, up to 0.01 %. The exponent begins at the bit
-/// `EXPONENT`. A Cortex-M0 would need a routine for a division of integers.
-fn third<const EXPONENT: u32>(bits: u32) -> u32 {
-    let exponent = ((bits >> EXPONENT) * 683) >> 11;
-    let rest = bits - ((3 * exponent) << EXPONENT);
-    (exponent << EXPONENT) + (((rest >> (EXPONENT - 14)) * 0x5555) >> (30 - EXPONENT))
-}
-
-impl Operations for f32 {
-    const ZERO: Self = 0.0;
-    const SIXTEENTH: Self = 0.0625;
-    const SIXTH: Self = 1.0 / 6.0;
-    const HALF: Self = 0.5;
-    const ONE: Self = 1.0;
-    const EPSILON: Self = f32::EPSILON;
-    const DOUBT: Self = 64.0 * f32::EPSILON;
-    const HUGE: Self = 1.0 / (f32::EPSILON * f32::EPSILON * f32::EPSILON * f32::EPSILON);
-    const INFINITY: Self = f32::INFINITY;
-    const NAN: Self = f32::NAN;
-    const HAS_UNIT: bool = processor::HAS_BINARY32_UNIT;
-
-    fn abs(self) -> Self {
-        f32::abs(self)
-    }
-
-    fn copysign(self, sign: Self) -> Self {
-        f32::copysign(self, sign)
-    }
-
-    fn plain_sqrt(self) -> Self {
-        sqrtf(self)
-    }
-
-    fn rough_cube_root(self) -> Self {
-        f32::from_bits(third::<23>(self.to_bits()) + 0x2a51_4067)
-    }
-
-    fn from_index(k: i32) -> Self {
-        k as Self
-    }
-
-    fn to_index(self) -> i32 {
-        self as i32
-    }
-}
-
-impl Operations for f64 {
-    const ZERO: Self = 0.0;
-    const SIXTEENTH: Self = 0.0625;
-    const SIXTH: Self = 1.0 / 6.0;
-    const HALF: Self = 0.5;
-    const ONE: Self = 1.0;
-    const EPSILON: Self = f64::EPSILON;
-    const DOUBT: Self = 64.0 * f64::EPSILON;
-    const HUGE: Self = 1.0 / (f64::EPSILON * f64::EPSILON * f64::EPSILON * f64::EPSILON);
-    const INFINITY: Self = f64::INFINITY;
-    const NAN: Self = f64::NAN;
-    const HAS_UNIT: bool = processor::HAS_BINARY64_UNIT;
-
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-
-    fn copysign(self, sign: Self) -> Self {
-        f64::copysign(self, sign)
-    }
-
-    fn plain_sqrt(self) -> Self {
-        sqrt(self)
-    }
-
-    fn rough_cube_root(self) -> Self {
-        let upper_half = third::<20>((self.to_bits() >> 32) as u32) + 0x2a9f_7893;
-        f64::from_bits(u64::from(upper_half) << 32)
-    }
-
-    fn from_index(k: i32) -> Self {
-        k as Self
-    }
-
-    fn to_index(self) -> i32 {
-        self as i32
-    }
-}
+impl<R: Primitives> Operations for R {}
 
 #[cfg(test)]
 mod tests {

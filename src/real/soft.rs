@@ -8,7 +8,7 @@
 //! ends with the operand that is computed last, and a call returns its result where the next call takes its first argument.
 //! Sums, differences and products therefore swap their operands here. The swap changes no bit.
 
-use super::{Operations, Real};
+use super::primitives::Primitives;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -112,17 +112,15 @@ impl PartialOrd for Soft64 {
     }
 }
 
-impl Real for Soft64 {}
-
-impl Operations for Soft64 {
+impl Primitives for Soft64 {
     const ZERO: Self = Self(0);
     const SIXTEENTH: Self = Self(0.0625f64.to_bits());
     const SIXTH: Self = Self((1.0f64 / 6.0).to_bits());
     const HALF: Self = Self(0.5f64.to_bits());
     const ONE: Self = Self(1.0f64.to_bits());
     const EPSILON: Self = Self(f64::EPSILON.to_bits());
-    const DOUBT: Self = Self(<f64 as Operations>::DOUBT.to_bits());
-    const HUGE: Self = Self(<f64 as Operations>::HUGE.to_bits());
+    const DOUBT: Self = Self(<f64 as Primitives>::DOUBT.to_bits());
+    const HUGE: Self = Self(<f64 as Primitives>::HUGE.to_bits());
     const INFINITY: Self = Self(f64::INFINITY.to_bits());
     const NAN: Self = Self(f64::NAN.to_bits());
     const HAS_UNIT: bool = false;

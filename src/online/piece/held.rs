@@ -1,10 +1,11 @@
 //! The piece of the border on which the highest acceleration holds.
 
-use super::{Easing, first_zero};
+use super::easing::Easing;
 use crate::online::border::Border;
 use crate::online::profile::Profile;
 use crate::online::ramp::PerJerk;
 use crate::real::Real;
+use crate::roots::first_zero;
 
 pub(crate) struct Held<R> {
     first: Profile<R>,

@@ -3,25 +3,17 @@
 //!
 //! A piece counts displacements from its first motion. `docs/planner.md` has the formulas and the letters: `u`, `y`, `r`, `s`, `k`, `c`, `x`.
 
+mod easing;
 mod free;
 mod held;
 
 use super::border::Border;
 use super::profile::Profile;
 use crate::real::Real;
-use crate::roots::{larger_root, root_between};
+use crate::roots::root_between;
+pub(super) use easing::Easing;
 use free::Free;
 use held::Held;
-
-/// How the piece ends in which the acceleration eases.
-pub(super) enum Easing {
-    /// The hold is over.
-    HoldEnds,
-    /// The acceleration eases down to 0.
-    Vanishes,
-    /// The acceleration can ease no further.
-    IsFollowedByGap,
-}
 
 /// A piece of the border.
 pub(super) enum Piece<R> {
@@ -127,13 +119,4 @@ impl<R: Real> Piece<R> {
             Self::Held(held) => held.bound(displacement),
         }
     }
-}
-
-/// Where `x^2 + 2 p x + q` first is 0 for a positive `x`, or for 0 if `q` is not positive.
-fn first_zero<R: Real>(p: R, q: R) -> Option<R> {
-    if q <= R::ZERO {
-        return Some(larger_root(p, q));
-    }
-    let d = p * p - q;
-    (p < R::ZERO && d > R::ZERO).then(|| q / (d.sqrt() - p))
 }
