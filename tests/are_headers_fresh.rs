@@ -85,16 +85,23 @@ fn atraj_header() -> String {
 fn codes_header() -> String {
     let config = config("codes");
     let about = config.header.clone().unwrap_or_default();
-    let enumerations = pass("atraj/mod", &config, ItemType::Enums).replace(",\n};", "\n};");
+    let enumerations = pass("atraj/codes", &config, ItemType::Enums).replace(",\n};", "\n};");
+    let functions = pass("atraj/codes", &config, ItemType::Functions);
     format!(
         "{GENERATED}{about}
 #ifndef ATRAJ_CODES_H
 #define ATRAJ_CODES_H
 
+#include \"a/a.h\"
+#include \"a/atraj_check.h\"
+
 {enumerations}
 
+{}
+
 #endif /* ATRAJ_CODES_H */
-"
+",
+        extern_c(&functions)
     )
 }
 

@@ -55,7 +55,7 @@ proptest! {
 
     #[test]
     fn bell_begins_and_ends_as_prescribed(jm in limit(), am in limit(), vm in limit(), boundary in any_boundary()) {
-        let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
+        let Ok(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let v0 = boundary.v0.clamp(-vm, vm);
         if bell.ta > 0.0 {
             prop_assert_eq!((bell.position(0.0), bell.velocity(0.0)), (boundary.p0, v0));
@@ -72,7 +72,7 @@ proptest! {
 
     #[test]
     fn bell_is_continuous(jm in limit(), am in limit(), vm in limit(), boundary in any_boundary()) {
-        let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
+        let Ok(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let size = size(&[bell.p0, bell.p1, vm * bell.t]);
         for x in Family::Bell.borders(&[], &bell_fields(&bell)) {
             let p = jump(|x| bell.position(x), x);
@@ -88,7 +88,7 @@ proptest! {
     fn bell_keeps_its_limits(
         jm in limit(), am in limit(), vm in limit(), boundary in any_boundary(), part in 0.0..1.0_f64,
     ) {
-        let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
+        let Ok(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let x = part * bell.t;
         prop_assert!([0.0, jm, -jm].contains(&bell.jerk(x)));
         prop_assert!(bell.velocity(x).abs() <= vm * (1.0 + TOLERANCE), "velocity {}", bell.velocity(x));
@@ -104,7 +104,7 @@ proptest! {
     fn bell_mirrors(
         jm in limit(), am in limit(), vm in limit(), boundary in any_boundary(), part in -0.1..1.1_f64,
     ) {
-        let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
+        let Ok(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let mirrored = Bell::new(jm, am, vm, scaled(boundary, -1.0, -1.0)).expect("the mirrored move");
         prop_assert_eq!(mirrored.t, bell.t);
         let x = part * bell.t;
@@ -120,7 +120,7 @@ proptest! {
         jm in limit(), am in limit(), vm in limit(), boundary in any_boundary(), part in -0.1..1.1_f64,
         length in -3..3, time in -3..3,
     ) {
-        let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
+        let Ok(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let (l, s) = (2_f64.powi(length), 2_f64.powi(time));
         let of_time = |order: i32| l / s.powi(order);
         let boundary = scaled(boundary, l, of_time(1));
@@ -139,7 +139,7 @@ proptest! {
         vm in limit(), ac in limit(), de in limit(), boundary in any_boundary(),
     ) {
         let forward = (boundary.p1 - boundary.p0).signum();
-        let Some(trap) = Trap::new(vm, ac * forward, -de * forward, boundary) else { return Ok(()) };
+        let Ok(trap) = Trap::new(vm, ac * forward, -de * forward, boundary) else { return Ok(()) };
         prop_assert_eq!(trap.position(0.0), boundary.p0);
         prop_assert_eq!(trap.velocity(0.0), boundary.v0.clamp(-vm, vm));
         prop_assert_eq!(trap.position(trap.t), boundary.p1);
@@ -159,7 +159,7 @@ proptest! {
         length in -3..3, time in -3..3,
     ) {
         let forward = (boundary.p1 - boundary.p0).signum();
-        let Some(trap) = Trap::new(vm, ac * forward, -de * forward, boundary) else { return Ok(()) };
+        let Ok(trap) = Trap::new(vm, ac * forward, -de * forward, boundary) else { return Ok(()) };
         let (l, s) = (-(2_f64.powi(length)), 2_f64.powi(time));
         let of_time = |order: i32| l / s.powi(order);
         let rate = forward * of_time(2);

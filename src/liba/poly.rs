@@ -1,7 +1,7 @@
 //! Polynomial profiles between two prescribed ends in a prescribed time, with the operations and the rounding of liba's
 //! `a_trajpoly3/5/7_*`; Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 2.1.
 
-use crate::findings::Extremes;
+use crate::findings::{Error, Extremes};
 use crate::real::Real;
 use crate::sampling::Sweep;
 use crate::state::{Boundary, State};
@@ -48,11 +48,12 @@ pub type Poly5<R> = Poly<R, 6>;
 pub type Poly7<R> = Poly<R, 8>;
 
 impl<R: Real> Poly3<R> {
-    /// Plans a move of duration `ts`, s, which must not be 0. `None` if a coefficient is not finite.
-    pub fn new(ts: R, boundary: Boundary<R>) -> Option<Self> {
+    /// Plans a move of duration `ts`, s. [`Error::Duration`] if `ts` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not
+    /// finite.
+    pub fn new(ts: R, boundary: Boundary<R>) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(ts, boundary);
-        poly.finite()
+        poly.finite(ts)
     }
 
     /// [`Poly3::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -72,12 +73,11 @@ impl<R: Real> Poly3<R> {
 }
 
 impl<R: Real> Poly5<R> {
-    /// Plans a move of duration `ts`, s, which must not be 0, between the accelerations `[a0, a1]`. `None` if a
-    /// coefficient is not finite.
-    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Option<Self> {
+    /// Plans a move of duration `ts`, s, between the accelerations `[a0, a1]`. Errors are those of [`Poly3::new`].
+    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(ts, boundary, acceleration);
-        poly.finite()
+        poly.finite(ts)
     }
 
     /// [`Poly5::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -102,12 +102,17 @@ impl<R: Real> Poly5<R> {
 }
 
 impl<R: Real> Poly7<R> {
-    /// Plans a move of duration `ts`, s, which must not be 0, between the accelerations `[a0, a1]` and the jerks
-    /// `[j0, j1]`. `None` if a coefficient is not finite.
-    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2], jerk: [R; 2]) -> Option<Self> {
+    /// Plans a move of duration `ts`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. Errors are those of
+    /// [`Poly3::new`].
+    pub fn new(
+        ts: R,
+        boundary: Boundary<R>,
+        acceleration: [R; 2],
+        jerk: [R; 2],
+    ) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(ts, boundary, acceleration, jerk);
-        poly.finite()
+        poly.finite(ts)
     }
 
     /// [`Poly7::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -286,9 +291,15 @@ impl<R: Real, const N: usize> Poly<R, N> {
         terms.fold(highest, |y, c| y * x + c)
     }
 
-    /// The polynomial if every coefficient is finite.
-    fn finite(self) -> Option<Self> {
-        self.c.iter().all(|c| c.is_finite()).then_some(self)
+    /// The polynomial of duration `ts` if every coefficient is finite.
+    fn finite(self, ts: R) -> Result<Self, Error> {
+        if self.c.iter().all(|c| c.is_finite()) {
+            Ok(self)
+        } else if ts.abs() > R::ZERO {
+            Err(Error::NotFinite)
+        } else {
+            Err(Error::Duration)
+        }
     }
 }
 

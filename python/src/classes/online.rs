@@ -1,8 +1,8 @@
 //! Moves from any state to any state, for one axis or several.
 
 use atraj::axes;
-use atraj::online::{Error, Limits};
-use atraj::{Findings, State};
+use atraj::online::Limits;
+use atraj::{Error, Findings, State};
 use pyo3::prelude::*;
 
 use super::Real;

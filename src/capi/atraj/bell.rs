@@ -1,6 +1,6 @@
 //! `atraj.h`: the double-S that never fails, and what is wrong with any other.
 
-use super::{ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_NULL, write_extremes};
+use super::{ATRAJ_ERR_NULL, code, write_extremes};
 use crate::capi::trajbell::a_trajbell;
 use crate::capi::{Number, a_float, boundary};
 use crate::liba::Bell;
@@ -36,11 +36,11 @@ pub unsafe extern "C" fn atraj_bell_gen(
         return a_float::NAN;
     };
     match Bell::fastest(jm.into(), am.into(), vm.into(), boundary(p0, p1, v0, v1)) {
-        Some(fastest) => {
+        Ok(fastest) => {
             *ctx = fastest;
             fastest.t.into()
         }
-        None => a_float::NAN,
+        Err(_) => a_float::NAN,
     }
 }
 
@@ -61,11 +61,7 @@ pub unsafe extern "C" fn atraj_bell_check(
 ) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Bell<Number>>().as_ref() } {
-        Some(bell) => bell
-            .check(jm.into(), am.into(), vm.into())
-            .map_or(ATRAJ_ERR_NOT_FINITE as c_int, |findings| {
-                findings.bits().into()
-            }),
+        Some(bell) => code(bell.check(jm.into(), am.into(), vm.into())),
         None => ATRAJ_ERR_NULL as c_int,
     }
 }

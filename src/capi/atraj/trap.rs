@@ -1,6 +1,6 @@
 //! `atraj.h`: the trapezoid that never fails, and what is wrong with any other.
 
-use super::{ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_NULL, write_extremes};
+use super::{ATRAJ_ERR_NULL, code, write_extremes};
 use crate::capi::trajtrap::a_trajtrap;
 use crate::capi::{Number, a_float, boundary};
 use crate::liba::Trap;
@@ -36,11 +36,11 @@ pub unsafe extern "C" fn atraj_trap_gen(
         return a_float::NAN;
     };
     match Trap::fastest(vm.into(), ac.into(), de.into(), boundary(p0, p1, v0, v1)) {
-        Some(fastest) => {
+        Ok(fastest) => {
             *ctx = fastest;
             fastest.t.into()
         }
-        None => a_float::NAN,
+        Err(_) => a_float::NAN,
     }
 }
 
@@ -61,11 +61,7 @@ pub unsafe extern "C" fn atraj_trap_check(
 ) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
-        Some(trap) => trap
-            .check(vm.into(), ac.into(), de.into())
-            .map_or(ATRAJ_ERR_NOT_FINITE as c_int, |findings| {
-                findings.bits().into()
-            }),
+        Some(trap) => code(trap.check(vm.into(), ac.into(), de.into())),
         None => ATRAJ_ERR_NULL as c_int,
     }
 }

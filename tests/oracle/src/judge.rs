@@ -25,12 +25,14 @@ impl<R: Real> Planner<R> for Fastest {
         let &[x, y, z, p0, p1, v0, v1] = arguments;
         let boundary = Boundary { p0, p1, v0, v1 };
         match family {
-            Family::Bell => Bell::fastest(x, y, z, boundary).map(|bell| bell_fields(&bell)),
-            _ => Trap::fastest(x, y, z, boundary).map(|trap| {
+            Family::Bell => Bell::fastest(x, y, z, boundary).map(|bell| bell_fields(&bell)).ok(),
+            _ => Trap::fastest(x, y, z, boundary)
+            .map(|trap| {
                 let mut fields = [R::of(0.0); MOST_PLANNED];
                 fields[..12].copy_from_slice(&trap_fields(&trap));
                 fields
-            }),
+            })
+            .ok(),
         }
     }
 }
@@ -43,8 +45,8 @@ pub fn findings<R: Real>(
 ) -> Option<Findings> {
     let &[x, y, z, ..] = arguments;
     match family {
-        Family::Bell => bell(fields).check(x, y, z),
-        _ => trap(&fields[..12]).check(x, y, z),
+        Family::Bell => bell(fields).check(x, y, z).ok(),
+        _ => trap(&fields[..12]).check(x, y, z).ok(),
     }
 }
 

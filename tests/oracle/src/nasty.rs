@@ -294,11 +294,13 @@ impl<R: Real> Problems<R> {
             Family::Bell => Bell::fastest(x, y, z, boundary).map(|bell| {
                 let x = bell.ta + fraction * bell.tv;
                 (bell.position(x), bell.velocity(x))
-            }),
+            })
+            .ok(),
             _ => Trap::fastest(x, y, z, boundary).map(|trap| {
                 let x = fraction * trap.t;
                 (trap.position(x), trap.velocity(x))
-            }),
+            })
+            .ok(),
         };
         if let Some((p0, v0)) = start {
             (arguments[3], arguments[5]) = (p0, v0);
