@@ -1,6 +1,16 @@
 //! Polynomial profiles between two prescribed ends in a prescribed time, with the operations and the rounding of liba's
 //! `a_trajpoly3/5/7_*`; Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 2.1.
 
+#[cfg(target_os = "none")]
+mod bare_metal;
+#[cfg(not(target_os = "none"))]
+mod host;
+
+#[cfg(target_os = "none")]
+pub(crate) use bare_metal::{derives_in_registers, differentiate, horner};
+#[cfg(not(target_os = "none"))]
+pub(crate) use host::{derives_in_registers, differentiate, horner};
+
 use crate::findings::{Error, Extremes};
 use crate::real::Real;
 use crate::sampling::Sweep;
@@ -268,16 +278,13 @@ impl<R: Real, const N: usize> Poly<R, N> {
     pub fn derivative<const M: usize>(&self) -> Poly<R, M> {
         const { assert!(M + 1 == N, "a derivative has one coefficient fewer") };
         let mut derivative = Poly::default();
-        let terms = derivative.c.iter_mut().zip(self.c.iter().skip(1));
-        for (k, (d, &c)) in terms.enumerate() {
-            *d = c * R::from(k as u8 + 1);
-        }
+        differentiate(&self.c, &mut derivative.c);
         derivative
     }
 
     /// The derivative of this order at time `x`, s, by Horner's rule: from the highest power down, multiplication and addition
     /// rounded apart.
-    fn derivative_at(&self, order: usize, x: R) -> R {
+    pub(crate) fn derivative_at(&self, order: usize, x: R) -> R {
         let differentiate =
             |(power, &c): (usize, &R)| (0..order).fold(c, |c, k| c * R::from((power - k) as u8));
         let mut terms = self
