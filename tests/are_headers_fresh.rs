@@ -78,7 +78,7 @@ fn atraj_header() -> String {
 
 #endif /* ATRAJ_H */
 ",
-        extern_c(&functions)
+        extern_c(&functions, "")
     )
 }
 
@@ -101,7 +101,7 @@ fn codes_header() -> String {
 
 #endif /* ATRAJ_CODES_H */
 ",
-        extern_c(&functions)
+        extern_c(&functions, "")
     )
 }
 
@@ -110,7 +110,6 @@ fn move_header() -> String {
     let about = config.header.clone().unwrap_or_default();
     let names = ["limits", "state", "phase", "move"];
     let forward = names.map(|name| format!("typedef struct atraj_{name} atraj_{name};"));
-    let short = names.map(|name| format!("typedef struct atraj_{name} {name};"));
     let functions = ["move", "axes"]
         .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
         .join("\n\n");
@@ -137,24 +136,18 @@ fn move_header() -> String {
 {}
 
 {}
-#if defined(__cplusplus)
-namespace atraj
-{{
-{}
-}} /* namespace atraj */
-#endif /* __cplusplus */
 
 {structs}
 
 #endif /* ATRAJ_MOVE_H */
 ",
         forward.join("\n"),
-        extern_c(&functions),
-        short.join("\n"),
+        extern_c(&functions, &namespace("atraj", &names)),
     )
 }
 
-fn extern_c(functions: &str) -> String {
+/// The functions, and what C++ has behind them.
+fn extern_c(functions: &str, behind: &str) -> String {
     format!(
         "#if defined(__cplusplus)
 extern \"C\" {{
@@ -164,30 +157,28 @@ extern \"C\" {{
 
 #if defined(__cplusplus)
 }} /* extern \"C\" */
-#endif /* __cplusplus */"
+{behind}#endif /* __cplusplus */"
     )
 }
 
+/// The structs under the names that C++ has for them.
+fn namespace(space: &str, structs: &[&str]) -> String {
+    let short: String = structs
+        .iter()
+        .map(|name| format!("typedef struct {space}_{name} {name};\n"))
+        .collect();
+    format!("namespace {space}\n{{\n{short}}} /* namespace {space} */\n")
+}
+
+/// The C++ methods in a struct call the functions, so the functions come first: cbindgen runs once for the functions and once for the
+/// struct.
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());
-    let about = config(name).header.unwrap_or_default();
-    let declarations = if !name.starts_with("trajpoly") {
-        declarations(name, name)
-    } else {
-        format!(
-            "#if defined(A_TRAJPOLY_COMPACT)
-
-{}
-
-#else /* !A_TRAJPOLY_COMPACT */
-
-{}
-
-#endif /* A_TRAJPOLY_COMPACT */",
-            declarations(name, &format!("trajpoly/compact/{name}")),
-            declarations(name, &format!("trajpoly/levels/{name}"))
-        )
-    };
+    let config = config(name);
+    let about = config.header.clone().unwrap_or_default();
+    let source = format!("a/{name}");
+    let functions = pass(&source, &config, ItemType::Functions);
+    let structs = pass(&source, &config, ItemType::Structs);
     format!(
         "{GENERATED}{about}
 #ifndef {guard}
@@ -198,35 +189,13 @@ fn liba_header(name: &str) -> String {
 
 typedef struct a_{name} a_{name};
 
-{declarations}
+{}
+
+{structs}
 
 #endif /* {guard} */
-"
-    )
-}
-
-/// The functions and the struct of one generation. The C++ methods in a struct call the functions, so the functions come first:
-/// cbindgen runs once for the functions and once for the struct.
-fn declarations(name: &str, source: &str) -> String {
-    let config = config(source);
-    let functions = pass(source, &config, ItemType::Functions);
-    let structs = pass(source, &config, ItemType::Structs);
-    format!(
-        "#if defined(__cplusplus)
-extern \"C\" {{
-#endif /* __cplusplus */
-
-{functions}
-
-#if defined(__cplusplus)
-}} /* extern \"C\" */
-namespace a
-{{
-typedef struct a_{name} {name};
-}} /* namespace a */
-#endif /* __cplusplus */
-
-{structs}"
+",
+        extern_c(&functions, &namespace("a", &[name]))
     )
 }
 

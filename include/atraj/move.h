@@ -242,8 +242,6 @@ int atraj_moves_line(atraj_move *axes,
 
 #if defined(__cplusplus)
 } /* extern "C" */
-#endif /* __cplusplus */
-#if defined(__cplusplus)
 namespace atraj
 {
 typedef struct atraj_limits limits;

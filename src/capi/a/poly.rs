@@ -9,7 +9,7 @@ use crate::capi::{Number, a_float};
 #[cfg(feature = "poly-compact")]
 use crate::liba::Poly;
 #[cfg(not(feature = "poly-compact"))]
-use crate::liba::poly;
+use crate::liba::poly::target;
 #[cfg(not(feature = "poly-compact"))]
 use core::slice;
 
@@ -60,7 +60,7 @@ unsafe fn evaluate_at(ctx: *const Number, place: Place, x: a_float) -> a_float {
     }
     // SAFETY: not NULL, so the coefficients are there by the contract of this function.
     let c = unsafe { slice::from_raw_parts(ctx.add(place.first()), place.count()) };
-    poly::horner(c, x.into()).into()
+    target::horner(c, x.into()).into()
 }
 
 /// The derivative of order `ORDER` of a polynomial with `N` coefficients, at `x`; NaN for a NULL context.
@@ -107,7 +107,7 @@ unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
             slice::from_raw_parts_mut(c.add(count), count - 1),
         )
     };
-    poly::differentiate(c, derivative);
+    target::differentiate(c, derivative);
 }
 
 /// Writes the coefficients that derive from a polynomial; nothing for NULL.

@@ -1,17 +1,17 @@
 //! `a/trajpoly3.h`: the cubic polynomial.
 
-use super::poly::evaluate;
-use crate::capi::{Number, a_float, boundary};
-use crate::liba::{Poly, Poly3};
-
+use super::poly;
 #[cfg(feature = "poly-compact")]
-use super::poly::copy_out;
-#[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
-use super::poly::differentiate;
+use crate::capi::assert_same_layout;
+use crate::capi::{Number, a_float, boundary};
+#[cfg(not(feature = "poly-compact"))]
+use crate::liba::poly::target;
+use crate::liba::{Poly, Poly3};
 
 /// @brief Cubic polynomial trajectory.
 ///
-/// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`.
+/// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
+/// stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY3` of the arrays `p`, `v` and `a`.
 #[repr(C)]
 pub struct a_trajpoly3 {
     /// coefficients of position
@@ -27,6 +27,12 @@ pub struct a_trajpoly3 {
     #[cfg(all(not(feature = "poly-compact"), trajpoly3_a))]
     pub a: [Number; 2],
 }
+
+// A pointer to the struct is a pointer to the polynomial of position.
+#[cfg(feature = "poly-compact")]
+assert_same_layout!(a_trajpoly3, Poly3<Number>, c);
+#[cfg(not(feature = "poly-compact"))]
+const _: () = assert!(core::mem::offset_of!(a_trajpoly3, p) == 0);
 
 impl a_trajpoly3 {
     /// The state at a time, from a copy of the coefficients that no output of a call can overlap. Derivatives that the struct does
@@ -68,14 +74,16 @@ pub unsafe extern "C" fn a_trajpoly3_gen(
 ) {
     // SAFETY: the contract of this function is the contract of each of these.
     unsafe {
-        #[cfg(feature = "poly-compact")]
-        plan(ctx, ts, p0, p1, v0, v1);
         #[cfg(not(feature = "poly-compact"))]
-        a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
-        #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
-        a_trajpoly3_gen1(ctx);
-        #[cfg(all(not(feature = "poly-compact"), trajpoly3_a))]
-        a_trajpoly3_gen2(ctx);
+        if !target::derives_in_registers::<Number>() {
+            a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
+            #[cfg(trajpoly3_v)]
+            a_trajpoly3_gen1(ctx);
+            #[cfg(trajpoly3_a)]
+            a_trajpoly3_gen2(ctx);
+            return;
+        }
+        plan(ctx, true, ts, p0, p1, v0, v1);
     }
 }
 
@@ -99,13 +107,16 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
     v1: a_float,
 ) {
     // SAFETY: the contract of this function is the contract of that one.
-    unsafe { plan(ctx, ts, p0, p1, v0, v1) };
+    unsafe { plan(ctx, false, ts, p0, p1, v0, v1) };
 }
 
+/// The coefficients of position and, for `all`, the stored ones that derive from them.
+///
 /// # Safety
 /// `ctx` is NULL or valid by the contract of this module.
 unsafe fn plan(
     ctx: *mut a_trajpoly3,
+    all: bool,
     ts: a_float,
     p0: a_float,
     p1: a_float,
@@ -113,8 +124,19 @@ unsafe fn plan(
     v1: a_float,
 ) {
     // SAFETY: by the contract of this function, and the coefficients of position come first.
-    if let Some(poly) = unsafe { ctx.cast::<Poly3<Number>>().as_mut() } {
-        poly.plan(ts.into(), boundary(p0, p1, v0, v1));
+    let Some(position) = (unsafe { ctx.cast::<Poly3<Number>>().as_mut() }) else {
+        return;
+    };
+    position.plan(ts.into(), boundary(p0, p1, v0, v1));
+    if all {
+        #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
+        // SAFETY: not NULL, so valid by the contract of this function; `position` is not used any more.
+        unsafe {
+            let poly = &mut *ctx;
+            target::differentiate(&poly.p, &mut poly.v);
+            #[cfg(trajpoly3_a)]
+            target::differentiate(&poly.v, &mut poly.a);
+        }
     }
 }
 
@@ -124,7 +146,7 @@ unsafe fn plan(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { differentiate::<4, 0>(ctx.cast()) };
+    unsafe { poly::differentiate::<4, 0>(ctx.cast()) };
 }
 
 /// @brief Coefficients of acceleration, from the coefficients of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -133,7 +155,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { differentiate::<4, 1>(ctx.cast()) };
+    unsafe { poly::differentiate::<4, 1>(ctx.cast()) };
 }
 
 /// @brief Copy the coefficients of position out.
@@ -143,7 +165,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c0` is NULL or has room for 4, by the contract of this module.
-    unsafe { copy_out(ctx.cast(), c0, |c: &Poly3<Number>| *c) };
+    unsafe { poly::copy_out(ctx.cast(), c0, |c: &Poly3<Number>| *c) };
 }
 
 /// @brief Copy the coefficients of velocity out.
@@ -153,7 +175,7 @@ pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_c1(ctx: *const a_trajpoly3, c1: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c1` is NULL or has room for 3, by the contract of this module.
-    unsafe { copy_out(ctx.cast(), c1, |c: &Poly3<Number>| c.derivative::<3>()) };
+    unsafe { poly::copy_out(ctx.cast(), c1, |c: &Poly3<Number>| c.derivative::<3>()) };
 }
 
 /// @brief Copy the coefficients of acceleration out.
@@ -164,7 +186,7 @@ pub unsafe extern "C" fn a_trajpoly3_c1(ctx: *const a_trajpoly3, c1: *mut a_floa
 pub unsafe extern "C" fn a_trajpoly3_c2(ctx: *const a_trajpoly3, c2: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c2` is NULL or has room for 2, by the contract of this module.
     unsafe {
-        copy_out(ctx.cast(), c2, |c: &Poly3<Number>| {
+        poly::copy_out(ctx.cast(), c2, |c: &Poly3<Number>| {
             c.derivative::<3>().derivative::<2>()
         })
     };
@@ -177,7 +199,7 @@ pub unsafe extern "C" fn a_trajpoly3_c2(ctx: *const a_trajpoly3, c2: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<4, 0>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<4, 0>(ctx.cast(), x) }
 }
 
 /// @brief Velocity of a cubic polynomial trajectory, by Horner's rule.
@@ -188,7 +210,7 @@ pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<4, 1>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<4, 1>(ctx.cast(), x) }
 }
 
 /// @brief Acceleration of a cubic polynomial trajectory, by Horner's rule.
@@ -199,5 +221,5 @@ pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_acc(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<4, 2>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<4, 2>(ctx.cast(), x) }
 }

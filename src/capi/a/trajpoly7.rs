@@ -1,17 +1,15 @@
 //! `a/trajpoly7.h`: the septic polynomial.
 
-use super::poly::evaluate;
+use super::poly;
+#[cfg(feature = "poly-compact")]
+use crate::capi::assert_same_layout;
 use crate::capi::{Number, a_float, boundary};
 use crate::liba::{Poly, Poly7};
 
-#[cfg(feature = "poly-compact")]
-use super::poly::copy_out;
-#[cfg(all(not(feature = "poly-compact"), trajpoly7_v))]
-use super::poly::differentiate;
-
 /// @brief Septic polynomial trajectory.
 ///
-/// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`.
+/// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
+/// stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY7` of the arrays `p`, `v`, `a` and `j`.
 #[repr(C)]
 pub struct a_trajpoly7 {
     /// coefficients of position
@@ -30,6 +28,12 @@ pub struct a_trajpoly7 {
     #[cfg(all(not(feature = "poly-compact"), trajpoly7_j))]
     pub j: [Number; 5],
 }
+
+// A pointer to the struct is a pointer to the polynomial of position.
+#[cfg(feature = "poly-compact")]
+assert_same_layout!(a_trajpoly7, Poly7<Number>, c);
+#[cfg(not(feature = "poly-compact"))]
+const _: () = assert!(core::mem::offset_of!(a_trajpoly7, p) == 0);
 
 impl a_trajpoly7 {
     /// The state at a time, from a copy of the coefficients that no output of a call can overlap. Derivatives that the struct does
@@ -127,6 +131,8 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
     unsafe { plan(ctx, ts, p0, p1, v0, v1, a0, a1, j0, j1) };
 }
 
+/// The coefficients of position.
+///
 /// # Safety
 /// `ctx` is NULL or valid by the contract of this module.
 unsafe fn plan(
@@ -158,7 +164,7 @@ unsafe fn plan(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { differentiate::<8, 0>(ctx.cast()) };
+    unsafe { poly::differentiate::<8, 0>(ctx.cast()) };
 }
 
 /// @brief Coefficients of acceleration, from the coefficients of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -167,7 +173,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { differentiate::<8, 1>(ctx.cast()) };
+    unsafe { poly::differentiate::<8, 1>(ctx.cast()) };
 }
 
 /// @brief Coefficients of jerk, from the coefficients of acceleration: `j[i] = a[i+1]*(i+1)`.
@@ -176,7 +182,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { differentiate::<8, 2>(ctx.cast()) };
+    unsafe { poly::differentiate::<8, 2>(ctx.cast()) };
 }
 
 /// @brief Copy the coefficients of position out.
@@ -186,7 +192,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_c0(ctx: *const a_trajpoly7, c0: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c0` is NULL or has room for 8, by the contract of this module.
-    unsafe { copy_out(ctx.cast(), c0, |c: &Poly7<Number>| *c) };
+    unsafe { poly::copy_out(ctx.cast(), c0, |c: &Poly7<Number>| *c) };
 }
 
 /// @brief Copy the coefficients of velocity out.
@@ -196,7 +202,7 @@ pub unsafe extern "C" fn a_trajpoly7_c0(ctx: *const a_trajpoly7, c0: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_c1(ctx: *const a_trajpoly7, c1: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c1` is NULL or has room for 7, by the contract of this module.
-    unsafe { copy_out(ctx.cast(), c1, |c: &Poly7<Number>| c.derivative::<7>()) };
+    unsafe { poly::copy_out(ctx.cast(), c1, |c: &Poly7<Number>| c.derivative::<7>()) };
 }
 
 /// @brief Copy the coefficients of acceleration out.
@@ -207,7 +213,7 @@ pub unsafe extern "C" fn a_trajpoly7_c1(ctx: *const a_trajpoly7, c1: *mut a_floa
 pub unsafe extern "C" fn a_trajpoly7_c2(ctx: *const a_trajpoly7, c2: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c2` is NULL or has room for 6, by the contract of this module.
     unsafe {
-        copy_out(ctx.cast(), c2, |c: &Poly7<Number>| {
+        poly::copy_out(ctx.cast(), c2, |c: &Poly7<Number>| {
             c.derivative::<7>().derivative::<6>()
         })
     };
@@ -221,7 +227,7 @@ pub unsafe extern "C" fn a_trajpoly7_c2(ctx: *const a_trajpoly7, c2: *mut a_floa
 pub unsafe extern "C" fn a_trajpoly7_c3(ctx: *const a_trajpoly7, c3: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c3` is NULL or has room for 5, by the contract of this module.
     unsafe {
-        copy_out(ctx.cast(), c3, |c: &Poly7<Number>| {
+        poly::copy_out(ctx.cast(), c3, |c: &Poly7<Number>| {
             c.derivative::<7>().derivative::<6>().derivative::<5>()
         })
     };
@@ -234,7 +240,7 @@ pub unsafe extern "C" fn a_trajpoly7_c3(ctx: *const a_trajpoly7, c3: *mut a_floa
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<8, 0>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<8, 0>(ctx.cast(), x) }
 }
 
 /// @brief Velocity of a septic polynomial trajectory, by Horner's rule.
@@ -245,7 +251,7 @@ pub unsafe extern "C" fn a_trajpoly7_pos(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<8, 1>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<8, 1>(ctx.cast(), x) }
 }
 
 /// @brief Acceleration of a septic polynomial trajectory, by Horner's rule.
@@ -256,7 +262,7 @@ pub unsafe extern "C" fn a_trajpoly7_vel(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<8, 2>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<8, 2>(ctx.cast(), x) }
 }
 
 /// @brief Jerk of a septic polynomial trajectory, by Horner's rule.
@@ -267,5 +273,5 @@ pub unsafe extern "C" fn a_trajpoly7_acc(ctx: *const a_trajpoly7, x: a_float) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_jer(ctx: *const a_trajpoly7, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { evaluate::<8, 3>(ctx.cast(), x) }
+    unsafe { poly::evaluate::<8, 3>(ctx.cast(), x) }
 }

@@ -1,15 +1,14 @@
 //! Polynomial profiles between two prescribed ends in a prescribed time, with the operations and the rounding of liba's
 //! `a_trajpoly3/5/7_*`; Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 2.1.
 
-#[cfg(target_os = "none")]
-mod bare_metal;
-#[cfg(not(target_os = "none"))]
-mod host;
-
-#[cfg(target_os = "none")]
-pub(crate) use bare_metal::{derives_in_registers, differentiate, horner};
-#[cfg(not(target_os = "none"))]
-pub(crate) use host::{derives_in_registers, differentiate, horner};
+/// The bodies that differ between targets: two files with one face.
+#[cfg_attr(target_os = "none", path = "bare_metal.rs")]
+#[cfg_attr(not(target_os = "none"), path = "host.rs")]
+#[allow(
+    dead_code,
+    reason = "the structs of C store what a polynomial computes"
+)]
+pub(crate) mod target;
 
 use crate::findings::{Error, Extremes};
 use crate::real::Real;
@@ -278,7 +277,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
     pub fn derivative<const M: usize>(&self) -> Poly<R, M> {
         const { assert!(M + 1 == N, "a derivative has one coefficient fewer") };
         let mut derivative = Poly::default();
-        differentiate(&self.c, &mut derivative.c);
+        target::differentiate(&self.c, &mut derivative.c);
         derivative
     }
 
