@@ -76,6 +76,49 @@ int atraj_bell_check(const a_trajbell *ctx,
 A_EXTERN void atraj_bell_extremes(const a_trajbell *ctx, a_float *lowest, a_float *highest);
 
 /**
+ * @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
+ *
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
+ * @param ctx points to a planned instance of bell-shaped velocity trajectory
+ * @param x0 time of sample 0 since the start, s
+ * @param dt time from one sample to the next, s; it may be 0 or negative
+ * @param n number of samples
+ * @param pos position, unit: NULL or an array of `n`
+ * @param vel velocity, unit/s: NULL or an array of `n`
+ * @param acc acceleration, unit/s^2: NULL or an array of `n`
+ * @param jer jerk, unit/s^3: NULL or an array of `n`
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
+ */
+A_EXTERN
+size_t atraj_bell_sample(const a_trajbell *ctx,
+                         a_float x0,
+                         a_float dt,
+                         size_t n,
+                         a_float *pos,
+                         a_float *vel,
+                         a_float *acc,
+                         a_float *jer);
+
+/**
+ * @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
+ *
+ * Each quantity has the bits that its single function gives.
+ * @param ctx points to a planned instance of bell-shaped velocity trajectory; if it is NULL, all results are NaN
+ * @param x time since the start, s
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
+ * @param jer jerk, unit/s^3: NULL or the place for the result
+ */
+A_EXTERN
+void atraj_bell_state(const a_trajbell *ctx,
+                      a_float x,
+                      a_float *pos,
+                      a_float *vel,
+                      a_float *acc,
+                      a_float *jer);
+
+/**
  * @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are numbers.
  *
  * A target behind, or nearer than the way to stop, is reached by turning. `a_trajtrap_pos` and its siblings evaluate the struct.
@@ -126,82 +169,6 @@ int atraj_trap_check(const a_trajtrap *ctx,
 A_EXTERN void atraj_trap_extremes(const a_trajtrap *ctx, a_float *lowest, a_float *highest);
 
 /**
- * @brief The lowest and the highest position, velocity and acceleration of a cubic polynomial trajectory.
- *
- * They are found from the coefficients of position.
- * @param ctx points to a planned instance of cubic polynomial trajectory; nothing happens if it is NULL
- * @param ts duration, s, with which it was planned: the struct does not hold it
- * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
- * @param highest the highest position, velocity and acceleration: NULL or an array of 3
- */
-A_EXTERN void atraj_poly3_extremes(const a_trajpoly3 *ctx, a_float ts, a_float *lowest, a_float *highest);
-
-/**
- * @brief The lowest and the highest position, velocity and acceleration of a quintic polynomial trajectory.
- *
- * They are found from the coefficients of position.
- * @param ctx points to a planned instance of quintic polynomial trajectory; nothing happens if it is NULL
- * @param ts duration, s, with which it was planned: the struct does not hold it
- * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
- * @param highest the highest position, velocity and acceleration: NULL or an array of 3
- */
-A_EXTERN void atraj_poly5_extremes(const a_trajpoly5 *ctx, a_float ts, a_float *lowest, a_float *highest);
-
-/**
- * @brief The lowest and the highest position, velocity and acceleration of a septic polynomial trajectory.
- *
- * They are found from the coefficients of position.
- * @param ctx points to a planned instance of septic polynomial trajectory; nothing happens if it is NULL
- * @param ts duration, s, with which it was planned: the struct does not hold it
- * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
- * @param highest the highest position, velocity and acceleration: NULL or an array of 3
- */
-A_EXTERN void atraj_poly7_extremes(const a_trajpoly7 *ctx, a_float ts, a_float *lowest, a_float *highest);
-
-/**
- * @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
- *
- * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
- * @param ctx points to a planned instance of bell-shaped velocity trajectory
- * @param x0 time of sample 0 since the start, s
- * @param dt time from one sample to the next, s; it may be 0 or negative
- * @param n number of samples
- * @param pos position, unit: NULL or an array of `n`
- * @param vel velocity, unit/s: NULL or an array of `n`
- * @param acc acceleration, unit/s^2: NULL or an array of `n`
- * @param jer jerk, unit/s^3: NULL or an array of `n`
- * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
- */
-A_EXTERN
-size_t atraj_bell_sample(const a_trajbell *ctx,
-                         a_float x0,
-                         a_float dt,
-                         size_t n,
-                         a_float *pos,
-                         a_float *vel,
-                         a_float *acc,
-                         a_float *jer);
-
-/**
- * @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
- *
- * Each quantity has the bits that its single function gives.
- * @param ctx points to a planned instance of bell-shaped velocity trajectory; if it is NULL, all results are NaN
- * @param x time since the start, s
- * @param pos position, unit: NULL or the place for the result
- * @param vel velocity, unit/s: NULL or the place for the result
- * @param acc acceleration, unit/s^2: NULL or the place for the result
- * @param jer jerk, unit/s^3: NULL or the place for the result
- */
-A_EXTERN
-void atraj_bell_state(const a_trajbell *ctx,
-                      a_float x,
-                      a_float *pos,
-                      a_float *vel,
-                      a_float *acc,
-                      a_float *jer);
-
-/**
  * @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations at evenly spaced times.
  *
  * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
@@ -234,6 +201,17 @@ size_t atraj_trap_sample(const a_trajtrap *ctx,
  * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_trap_state(const a_trajtrap *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+
+/**
+ * @brief The lowest and the highest position, velocity and acceleration of a cubic polynomial trajectory.
+ *
+ * They are found from the coefficients of position.
+ * @param ctx points to a planned instance of cubic polynomial trajectory; nothing happens if it is NULL
+ * @param ts duration, s, with which it was planned: the struct does not hold it
+ * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
+ * @param highest the highest position, velocity and acceleration: NULL or an array of 3
+ */
+A_EXTERN void atraj_poly3_extremes(const a_trajpoly3 *ctx, a_float ts, a_float *lowest, a_float *highest);
 
 /**
  * @brief Sample a cubic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
@@ -274,6 +252,17 @@ size_t atraj_poly3_sample(const a_trajpoly3 *ctx,
 A_EXTERN void atraj_poly3_state(const a_trajpoly3 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
 
 /**
+ * @brief The lowest and the highest position, velocity and acceleration of a quintic polynomial trajectory.
+ *
+ * They are found from the coefficients of position.
+ * @param ctx points to a planned instance of quintic polynomial trajectory; nothing happens if it is NULL
+ * @param ts duration, s, with which it was planned: the struct does not hold it
+ * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
+ * @param highest the highest position, velocity and acceleration: NULL or an array of 3
+ */
+A_EXTERN void atraj_poly5_extremes(const a_trajpoly5 *ctx, a_float ts, a_float *lowest, a_float *highest);
+
+/**
  * @brief Sample a quintic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
  *
  * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
@@ -310,6 +299,17 @@ size_t atraj_poly5_sample(const a_trajpoly5 *ctx,
  * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_poly5_state(const a_trajpoly5 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+
+/**
+ * @brief The lowest and the highest position, velocity and acceleration of a septic polynomial trajectory.
+ *
+ * They are found from the coefficients of position.
+ * @param ctx points to a planned instance of septic polynomial trajectory; nothing happens if it is NULL
+ * @param ts duration, s, with which it was planned: the struct does not hold it
+ * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
+ * @param highest the highest position, velocity and acceleration: NULL or an array of 3
+ */
+A_EXTERN void atraj_poly7_extremes(const a_trajpoly7 *ctx, a_float ts, a_float *lowest, a_float *highest);
 
 /**
  * @brief Sample a septic polynomial trajectory: positions, velocities, accelerations and jerks at evenly spaced times.

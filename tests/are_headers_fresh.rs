@@ -60,7 +60,7 @@ fn atraj_header() -> String {
         .map(Family::c_name)
         .map(|name| format!("#include \"a/{name}.h\""))
         .join("\n");
-    let functions = ["bell", "trap", "poly", "sample"]
+    let functions = ["bell", "trap", "poly"]
         .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
         .join("\n\n");
     format!(

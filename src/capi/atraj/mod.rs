@@ -5,7 +5,6 @@ mod bell;
 mod codes;
 mod r#move;
 mod poly;
-mod sample;
 mod trap;
 
 pub use axes::*;
@@ -13,7 +12,6 @@ pub use bell::*;
 pub use codes::*;
 pub use r#move::*;
 pub use poly::*;
-pub use sample::*;
 pub use trap::*;
 
 use super::{Number, a_float};
@@ -29,6 +27,31 @@ unsafe fn write_extremes(extremes: Extremes<Number>, lowest: *mut a_float, highe
             let values = [state.position, state.velocity, state.acceleration].map(Into::into);
             // SAFETY: by the contract of this function.
             unsafe { output.cast::<[a_float; 3]>().write(values) };
+        }
+    }
+}
+
+/// The `n` values at `output`. A NULL output has no values.
+///
+/// # Safety
+/// `output` is NULL, or has room for `n` values that nobody else uses.
+unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
+    if output.is_null() {
+        return &mut [];
+    }
+    // SAFETY: by the contract of this function.
+    unsafe { core::slice::from_raw_parts_mut(output, n) }
+}
+
+/// Writes each value to its output. A NULL output gets nothing.
+///
+/// # Safety
+/// Each output is NULL or writable.
+unsafe fn write<const N: usize>(outputs: [*mut a_float; N], values: [a_float; N]) {
+    for (output, value) in outputs.into_iter().zip(values) {
+        if !output.is_null() {
+            // SAFETY: by the contract of this function.
+            unsafe { output.write(value) };
         }
     }
 }

@@ -1,7 +1,6 @@
 //! `atraj/move.h`: one axis from any state to any state.
 
-use super::sample::{array, write};
-use super::{ATRAJ_ERR_NULL, code};
+use super::{ATRAJ_ERR_NULL, array, code, write};
 use crate::capi::{Number, a_float, assert_same_layout, nan};
 use crate::online::{Limits, Move, Phase};
 use crate::sampling::MOST_SAMPLES;
