@@ -362,4 +362,117 @@ void atraj_poly7_state(const a_trajpoly7 *ctx,
 } /* extern "C" */
 #endif /* __cplusplus */
 
+#if defined(__cplusplus)
+/* The members that our structs have beside those of liba's, so not behind liba's own header. */
+#if defined(ATRAJ_TRAJBELL_H)
+inline a_float a_trajbell::fastest(a_float jm_, a_float am_, a_float vm_,
+                                   a_float p0_, a_float p1_, a_float v0_, a_float v1_)
+{
+    return atraj_bell_gen(this, jm_, am_, vm_, p0_, p1_, v0_, v1_);
+}
+inline int a_trajbell::check(a_float jm_, a_float am_, a_float vm_) const { return atraj_bell_check(this, jm_, am_, vm_); }
+inline void a_trajbell::extremes(atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_bell_extremes(this, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajbell::state(a_float x) const
+{
+    atraj_state now;
+    atraj_bell_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+    return now;
+}
+inline size_t a_trajbell::sample(a_float x0, a_float dt, size_t n,
+                                 a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+{
+    return atraj_bell_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+}
+#endif
+#if defined(ATRAJ_TRAJTRAP_H)
+inline a_float a_trajtrap::fastest(a_float vm, a_float ac_, a_float de_,
+                                   a_float p0_, a_float p1_, a_float v0_, a_float v1_)
+{
+    return atraj_trap_gen(this, vm, ac_, de_, p0_, p1_, v0_, v1_);
+}
+inline int a_trajtrap::check(a_float vm, a_float ac_, a_float de_) const { return atraj_trap_check(this, vm, ac_, de_); }
+inline void a_trajtrap::extremes(atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_trap_extremes(this, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajtrap::state(a_float x) const
+{
+    atraj_state now;
+    atraj_trap_state(this, x, &now.p, &now.v, &now.a);
+    return now;
+}
+inline size_t a_trajtrap::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+{
+    return atraj_trap_sample(this, x0, dt, n, pos_, vel_, acc_);
+}
+#endif
+#if defined(ATRAJ_TRAJPOLY3_H)
+inline void a_trajpoly3::extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_poly3_extremes(this, ts, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajpoly3::state(a_float x) const
+{
+    atraj_state now;
+    atraj_poly3_state(this, x, &now.p, &now.v, &now.a);
+    return now;
+}
+inline size_t a_trajpoly3::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+{
+    return atraj_poly3_sample(this, x0, dt, n, pos_, vel_, acc_);
+}
+#endif
+#if defined(ATRAJ_TRAJPOLY5_H)
+inline void a_trajpoly5::extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_poly5_extremes(this, ts, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajpoly5::state(a_float x) const
+{
+    atraj_state now;
+    atraj_poly5_state(this, x, &now.p, &now.v, &now.a);
+    return now;
+}
+inline size_t a_trajpoly5::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+{
+    return atraj_poly5_sample(this, x0, dt, n, pos_, vel_, acc_);
+}
+#endif
+#if defined(ATRAJ_TRAJPOLY7_H)
+inline void a_trajpoly7::extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_poly7_extremes(this, ts, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajpoly7::state(a_float x) const
+{
+    atraj_state now;
+    atraj_poly7_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+    return now;
+}
+inline size_t a_trajpoly7::sample(a_float x0, a_float dt, size_t n,
+                                  a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+{
+    return atraj_poly7_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+}
+#endif
+#endif /* __cplusplus */
+
 #endif /* ATRAJ_H */

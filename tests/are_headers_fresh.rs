@@ -56,6 +56,7 @@ fn codes_header_is_fresh() {
 fn atraj_header() -> String {
     let config = config("atraj");
     let about = config.header.clone().unwrap_or_default();
+    let behind = config.trailer.clone().unwrap_or_default();
     let includes = Family::ALL
         .map(Family::c_name)
         .map(|name| format!("#include \"a/{name}.h\""))
@@ -75,7 +76,7 @@ fn atraj_header() -> String {
 #include \"atraj/move.h\"
 
 {}
-
+{behind}
 #endif /* ATRAJ_H */
 ",
         extern_c(&functions, "")
@@ -85,6 +86,7 @@ fn atraj_header() -> String {
 fn codes_header() -> String {
     let config = config("codes");
     let about = config.header.clone().unwrap_or_default();
+    let behind = config.trailer.clone().unwrap_or_default();
     let enumerations = pass("atraj/codes", &config, ItemType::Enums).replace(",\n};", "\n};");
     let functions = pass("atraj/codes", &config, ItemType::Functions);
     format!(
@@ -98,7 +100,7 @@ fn codes_header() -> String {
 {enumerations}
 
 {}
-
+{behind}
 #endif /* ATRAJ_CODES_H */
 ",
         extern_c(&functions, "")
@@ -108,6 +110,7 @@ fn codes_header() -> String {
 fn move_header() -> String {
     let config = config("move");
     let about = config.header.clone().unwrap_or_default();
+    let behind = config.trailer.clone().unwrap_or_default();
     let names = ["limits", "state", "phase", "move"];
     let forward = names.map(|name| format!("typedef struct atraj_{name} atraj_{name};"));
     let functions = ["move", "axes"]
@@ -138,7 +141,7 @@ fn move_header() -> String {
 {}
 
 {structs}
-
+{behind}
 #endif /* ATRAJ_MOVE_H */
 ",
         forward.join("\n"),
@@ -174,6 +177,7 @@ fn namespace(space: &str, structs: &[&str]) -> String {
 /// struct.
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());
+    let ours = guard.replace("LIBA", "ATRAJ");
     let config = config(name);
     let about = config.header.clone().unwrap_or_default();
     let source = format!("a/{name}");
@@ -183,6 +187,7 @@ fn liba_header(name: &str) -> String {
         "{GENERATED}{about}
 #ifndef {guard}
 #define {guard}
+#define {ours}
 
 #include \"a.h\"
 #include \"atraj_check.h\"
@@ -195,7 +200,10 @@ typedef struct a_{name} a_{name};
 
 #endif /* {guard} */
 ",
-        extern_c(&functions, &namespace("a", &[name]))
+        extern_c(
+            &functions,
+            &format!("struct atraj_state;\n{}", namespace("a", &[name]))
+        )
     )
 }
 
@@ -229,6 +237,7 @@ fn conditions(source: &str) -> [(String, String); 3] {
 fn pass(source: &str, config: &Config, items: ItemType) -> String {
     let mut config = config.clone();
     config.header = None;
+    config.trailer = None;
     config.export.item_types = vec![items];
     let mut text = Vec::new();
     Builder::new()

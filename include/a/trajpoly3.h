@@ -9,6 +9,7 @@
 
 #ifndef LIBA_TRAJPOLY3_H
 #define LIBA_TRAJPOLY3_H
+#define ATRAJ_TRAJPOLY3_H
 
 #include "a.h"
 #include "atraj_check.h"
@@ -120,6 +121,7 @@ A_EXTERN a_float a_trajpoly3_acc(const struct a_trajpoly3 *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajpoly3 trajpoly3;
@@ -187,6 +189,10 @@ struct a_trajpoly3 {
 #if A_TRAJPOLY3 + 0 > 2
     a_float acc(a_float x) const { return a_trajpoly3_acc(this, x); }
 #endif
+    /* atraj.h defines these. */
+    void extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const;
 #endif /* __cplusplus */
 };
 

@@ -9,6 +9,7 @@
 
 #ifndef LIBA_TRAJPOLY5_H
 #define LIBA_TRAJPOLY5_H
+#define ATRAJ_TRAJPOLY5_H
 
 #include "a.h"
 #include "atraj_check.h"
@@ -140,6 +141,7 @@ A_EXTERN a_float a_trajpoly5_acc(const struct a_trajpoly5 *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajpoly5 trajpoly5;
@@ -207,6 +209,10 @@ struct a_trajpoly5 {
 #if A_TRAJPOLY5 + 0 > 2
     a_float acc(a_float x) const { return a_trajpoly5_acc(this, x); }
 #endif
+    /* atraj.h defines these. */
+    void extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const;
 #endif /* __cplusplus */
 };
 

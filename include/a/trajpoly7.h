@@ -9,6 +9,7 @@
 
 #ifndef LIBA_TRAJPOLY7_H
 #define LIBA_TRAJPOLY7_H
+#define ATRAJ_TRAJPOLY7_H
 
 #include "a.h"
 #include "atraj_check.h"
@@ -175,6 +176,7 @@ A_EXTERN a_float a_trajpoly7_jer(const struct a_trajpoly7 *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajpoly7 trajpoly7;
@@ -255,6 +257,10 @@ struct a_trajpoly7 {
 #if A_TRAJPOLY7 + 0 > 3
     a_float jer(a_float x) const { return a_trajpoly7_jer(this, x); }
 #endif
+    /* atraj.h defines these. */
+    void extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
 #endif /* __cplusplus */
 };
 

@@ -94,4 +94,11 @@ const char *atraj_message(int code);
 } /* extern "C" */
 #endif /* __cplusplus */
 
+#if defined(__cplusplus)
+namespace atraj
+{
+inline const char *message(int code) { return atraj_message(code); }
+} /* namespace atraj */
+#endif /* __cplusplus */
+
 #endif /* ATRAJ_CODES_H */

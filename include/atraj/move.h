@@ -372,8 +372,29 @@ struct atraj_move {
         atraj_move_state(this, x, &now.p, &now.v, &now.a, A_NULL);
         return now;
     }
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+    {
+        return atraj_move_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+    }
+    void extremes(atraj_state &lowest, atraj_state &highest) const { atraj_move_extremes(this, &lowest, &highest); }
     a_float time_at(a_float p) const { return atraj_move_time_at(this, p); }
 #endif /* __cplusplus */
 };
+
+#if defined(__cplusplus)
+namespace atraj
+{
+inline int sync(move *axes, const limits *within, const state *from, const state *to, size_t n, a_float duration = 0,
+                a_float cycle = 0)
+{
+    return atraj_moves_sync(axes, within, from, to, n, duration, cycle);
+}
+inline int line(move *axes, const limits *within, const state *from, const state *to, size_t n, a_float duration = 0,
+                a_float cycle = 0)
+{
+    return atraj_moves_line(axes, within, from, to, n, duration, cycle);
+}
+} /* namespace atraj */
+#endif /* __cplusplus */
 
 #endif /* ATRAJ_MOVE_H */

@@ -14,7 +14,7 @@ mod search;
 use crate::findings::Error;
 use crate::real::Real;
 use crate::sampling::Sweep;
-use crate::state::{Boundary, Saturation};
+use crate::state::{Boundary, Saturation, State};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
 ///
@@ -98,6 +98,16 @@ impl<R: Real> Bell<R> {
                 let limits = [jerk, acceleration, velocity];
                 Err(Error::of_plan(limits, boundary, Error::Unreachable))
             }
+        }
+    }
+
+    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+    pub fn state_at(&self, x: R) -> State<R> {
+        let [position, velocity, acceleration, _] = self.state(x);
+        State {
+            position,
+            velocity,
+            acceleration,
         }
     }
 

@@ -190,6 +190,16 @@ impl<R: Real, const N: usize> Poly<R, N> {
         ]
     }
 
+    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+    pub fn state_at(&self, x: R) -> State<R> {
+        let [position, velocity, acceleration, _] = self.state(x);
+        State {
+            position,
+            velocity,
+            acceleration,
+        }
+    }
+
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
     pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
         Sweep { x0, dt }.states(|x| self.state(x))

@@ -25,14 +25,16 @@ impl<R: Real> Planner<R> for Fastest {
         let &[x, y, z, p0, p1, v0, v1] = arguments;
         let boundary = Boundary { p0, p1, v0, v1 };
         match family {
-            Family::Bell => Bell::fastest(x, y, z, boundary).map(|bell| bell_fields(&bell)).ok(),
+            Family::Bell => Bell::fastest(x, y, z, boundary)
+                .map(|bell| bell_fields(&bell))
+                .ok(),
             _ => Trap::fastest(x, y, z, boundary)
-            .map(|trap| {
-                let mut fields = [R::of(0.0); MOST_PLANNED];
-                fields[..12].copy_from_slice(&trap_fields(&trap));
-                fields
-            })
-            .ok(),
+                .map(|trap| {
+                    let mut fields = [R::of(0.0); MOST_PLANNED];
+                    fields[..12].copy_from_slice(&trap_fields(&trap));
+                    fields
+                })
+                .ok(),
         }
     }
 }

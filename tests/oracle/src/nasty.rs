@@ -291,16 +291,18 @@ impl<R: Real> Problems<R> {
         let &mut [x, y, z, p0, p1, v0, v1] = arguments;
         let boundary = Boundary { p0, p1, v0, v1 };
         let start = match family {
-            Family::Bell => Bell::fastest(x, y, z, boundary).map(|bell| {
-                let x = bell.ta + fraction * bell.tv;
-                (bell.position(x), bell.velocity(x))
-            })
-            .ok(),
-            _ => Trap::fastest(x, y, z, boundary).map(|trap| {
-                let x = fraction * trap.t;
-                (trap.position(x), trap.velocity(x))
-            })
-            .ok(),
+            Family::Bell => Bell::fastest(x, y, z, boundary)
+                .map(|bell| {
+                    let x = bell.ta + fraction * bell.tv;
+                    (bell.position(x), bell.velocity(x))
+                })
+                .ok(),
+            _ => Trap::fastest(x, y, z, boundary)
+                .map(|trap| {
+                    let x = fraction * trap.t;
+                    (trap.position(x), trap.velocity(x))
+                })
+                .ok(),
         };
         if let Some((p0, v0)) = start {
             (arguments[3], arguments[5]) = (p0, v0);
