@@ -2,8 +2,8 @@
 /*!
  @file atraj/move.h
  @brief one axis from any state to any state: the fastest move within limits, planned also in motion
- @details Velocity, acceleration and jerk are limited, in each direction by a limit of its own. A plan fails only for arguments that are
- no numbers, for limits that are none, and for a target outside the limits. Nothing is allocated, and no plan takes an unbounded time. Use
+ @details Velocity, acceleration and jerk are limited, in each direction by a limit of its own. A plan fails only if an argument
+ is no number, if a limit is 0 or has the wrong sign, and if the target is outside the limits. Nothing is allocated, and no plan takes an unbounded time. Use
  any consistent unit of length or angle. Times are in seconds from the start of the move.
 */
 
@@ -252,7 +252,7 @@ typedef struct atraj_move move;
 #endif /* __cplusplus */
 
 /**
- * @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit, but the accelerations or a jerk are finite.
+ * @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit. A jerk, or both accelerations, are finite.
  */
 struct atraj_limits {
     /**

@@ -9,11 +9,11 @@ use crate::state::{Boundary, Saturation, dips};
 impl<R: Real> Bell<R> {
     /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
     ///
-    /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity or acceleration means no limit; an infinite jerk
-    /// needs a finite acceleration. A target behind, or nearer than the way to stop, is reached by turning. A move without
+    /// Boundary velocities beyond `±velocity` are limited to it. An infinite limit is no limit.
+    /// A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning. A move without
     /// displacement and without velocity has the duration 0.
     ///
-    /// [`Error::Limits`] if a limit is 0, or neither jerk nor acceleration is finite; [`Error::NotFinite`] if an argument is not a
+    /// [`Error::Limits`] if a limit is 0, or these are all infinite; [`Error::NotFinite`] if an argument is not a
     /// number, or a position or the duration infinite; nothing else fails.
     ///
     /// ```

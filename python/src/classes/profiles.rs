@@ -162,8 +162,8 @@ impl Bell {
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
     ///
-    /// An infinite velocity or acceleration is no limit; an infinite jerk needs a finite acceleration. ValueError if a limit is 0,
-    /// an argument is no number, or a position is infinite.
+    /// An infinite limit is no limit. A jerk, or both accelerations, are finite. ValueError if a limit is 0, an argument is no
+    /// number, or a position is infinite.
     ///
     /// >>> import atraj
     /// >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2) # 0.1 m to go at 2 m/s

@@ -9,11 +9,12 @@ use core::ffi::c_int;
 
 /// @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are numbers.
 ///
-/// A target behind, or nearer than the way to stop, is reached by turning. In a move that decelerates before it accelerates,
-/// `vm`, `jm`, `am` and `dm` of the struct have the opposite signs. `a_trajbell_pos` and its siblings evaluate the struct.
+/// A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning. In a move that
+/// decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs. `a_trajbell_pos` and its siblings
+/// evaluate the struct.
 /// @param ctx points to an instance of bell-shaped velocity trajectory, which need not be initialised
-/// @param jm maximum jerk, unit/s^3; its sign is ignored; infinite: no limit, if `am` is finite
-/// @param am maximum acceleration, unit/s^2; its sign is ignored; infinite: no limit, if `jm` is finite
+/// @param jm maximum jerk, unit/s^3; its sign is ignored; infinite: no limit
+/// @param am maximum acceleration, unit/s^2; its sign is ignored; infinite: no limit
 /// @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
 /// @param p0 initial position, unit
 /// @param p1 final position, unit

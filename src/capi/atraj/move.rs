@@ -7,7 +7,7 @@ use crate::sampling::MOST_SAMPLES;
 use crate::state::State;
 use core::ffi::{c_int, c_uint};
 
-/// @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit, but the accelerations or a jerk are finite.
+/// @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit. A jerk, or both accelerations, are finite.
 #[repr(C)]
 pub struct atraj_limits {
     /// highest velocity, unit/s
