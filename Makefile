@@ -318,6 +318,7 @@ $(VENV)/pip:
 
 python: $(VENV)/pip
 	rm -f $(PYTHON_DIR)/*.whl
+	python/stubs.sh
 	CARGO_TARGET_DIR=$(CURDIR)/$(PYTHON_DIR)/build $(PIP) wheel --no-deps --wheel-dir $(PYTHON_DIR) ./python
 
 # The archive's shared library, because the tests time its C function.

@@ -6,7 +6,7 @@
 #include "a/trajpoly7.h"
 #include "a/trajtrap.h"
 #if !defined(LIBA_HEADERS)
-#include "atraj/move.h"
+#include "atraj.h"
 #endif
 #include <cstdio>
 #include <cstring>
@@ -139,6 +139,87 @@ void move()
 
     const atraj::phase &first = planned.phase[0];
     PROMISE(first.p == from.p && first.v == from.v && first.a == from.a && first.t == 0);
+
+    atraj::state lowest, highest;
+    planned.extremes(lowest, highest);
+    PROMISE(lowest.p == 1 && highest.p == planned.pos(planned.t) && highest.v >= from.v);
+    a_float p[2], v[2], a[2], j[2];
+    PROMISE(planned.sample(0, x, 2, p, v, a, j) == 2 && p[1] == now.p && v[1] == now.v && a[1] == now.a && j[1] == planned.jer(x));
+}
+
+// Members that liba does not have: one plan, one judge, one look each.
+template <class Profile>
+void is_seen_whole(const Profile &profile, const a_float ends[2], const atraj::state &lowest, const atraj::state &highest)
+{
+    PROMISE(lowest.p == ends[0] && highest.p == ends[1] && lowest.v == 0 && highest.v > 0 && highest.a > 0 && lowest.a < 0);
+    const atraj::state now = profile.state(0.5f);
+    PROMISE(now.p == profile.pos(0.5f) && now.p > ends[0] && now.p < ends[1]);
+    PROMISE(now.v > lowest.v && now.v <= highest.v && now.a >= lowest.a && now.a <= highest.a);
+}
+
+void profiles()
+{
+    const a_float ends[2] = {0, 10};
+    a_float p[2], v[2], a[2], j[2];
+    atraj::state lowest, highest;
+
+    a::trajbell bell;
+    PROMISE(bell.fastest(30, 10, 5, 0, 10) == bell.t && bell.t > 0 && bell.check(30, 10, 5) == 0);
+    PROMISE(bell.check(30, 9, 4) == ATRAJ_EXCEEDS_ACCELERATION + ATRAJ_EXCEEDS_VELOCITY);
+    bell.extremes(lowest, highest);
+    is_seen_whole(bell, ends, lowest, highest);
+    PROMISE(bell.sample(0, 0.5f, 2, p, v, a, j) == 2 && p[1] == bell.pos(0.5f) && j[1] == bell.jer(0.5f));
+    PROMISE(bell.fastest(30, 10, 5, 0, 0.1f, 2) > 0 && bell.check(30, 10, 5) == ATRAJ_OVERSHOOTS);
+
+    a::trajtrap trap;
+    PROMISE(trap.fastest(5, 4, -2, 0, 10) == trap.t && trap.t > 0 && trap.check(5, 4, -2) == 0);
+    trap.extremes(lowest, highest);
+    is_seen_whole(trap, ends, lowest, highest);
+    PROMISE(trap.sample(0, 0.5f, 2, p, v, a) == 2 && p[1] == trap.pos(0.5f) && a[1] == trap.acc(0.5f));
+
+    a::trajpoly3 cubic;
+    a::trajpoly5 quintic;
+    a::trajpoly7 septic;
+    cubic.gen(2, 0, 10);
+    quintic.gen(2, 0, 10);
+    septic.gen(2, 0, 10);
+    cubic.extremes(2, lowest, highest);
+    is_seen_whole(cubic, ends, lowest, highest);
+    quintic.extremes(2, lowest, highest);
+    is_seen_whole(quintic, ends, lowest, highest);
+    septic.extremes(2, lowest, highest);
+    is_seen_whole(septic, ends, lowest, highest);
+    PROMISE(cubic.sample(0, 0.5f, 2, p, v, a) == 2 && p[1] == cubic.pos(0.5f));
+    PROMISE(quintic.sample(0, 0.5f, 2, p, v, a) == 2 && p[1] == quintic.pos(0.5f));
+    PROMISE(septic.sample(0, 0.5f, 2, p, v, a, j) == 2 && p[1] == septic.pos(0.5f));
+}
+
+void axes()
+{
+    atraj::limits limits[2];
+    limits[0].init(30, 10, 5);
+    limits[1].init(60, 20, 5);
+    const atraj::state from[2] = {{0, 0, 0}, {0, 0, 0}}, to[2] = {{10, 0, 0}, {-5, 0, 0}};
+    atraj::move axes[2];
+    PROMISE(atraj::sync(axes, limits, from, to, 2) == 0 && axes[0].t == axes[1].t);
+    PROMISE(atraj::sync(axes, limits, from, to, 2, 4) == 0 && axes[0].t == 4);
+    PROMISE(atraj::line(axes, limits, from, to, 2, 4, 0.5f) == 0 && axes[0].pos(1) == -2 * axes[1].pos(1));
+}
+
+// Every code has a sentence of its own.
+void messages()
+{
+    for (int code = ATRAJ_ERR_UNREACHABLE; code <= ATRAJ_STARTS_OUTSIDE; ++code)
+    {
+        for (int other = ATRAJ_ERR_UNREACHABLE; other < code; ++other)
+        {
+            const bool differ = std::strcmp(atraj::message(code), atraj::message(other)) != 0;
+            PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
+        }
+    }
+    PROMISE(std::strcmp(atraj_message(64), "this code is unknown") == 0 && std::strcmp(atraj_message(-8), "this code is unknown") == 0);
+    PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LINE), "the states do not lie on the straight line from their start to their end") == 0);
+    PROMISE(std::strcmp(atraj_message(ATRAJ_JUMPS + ATRAJ_OVERSHOOTS), atraj_message(ATRAJ_JUMPS)) == 0);
 }
 #endif
 } // namespace
@@ -150,6 +231,9 @@ int main()
     polynomials();
 #if !defined(LIBA_HEADERS)
     move();
+    profiles();
+    axes();
+    messages();
 #endif
     return broken;
 }

@@ -18,14 +18,14 @@
 //! cargo run --example 01_relink
 //! ```
 
-use atraj::{Bell, Boundary};
+use atraj::{Bell, Boundary, Error};
 
-fn main() -> Result<(), &'static str> {
+fn main() -> Result<(), Error> {
     let ends = Boundary {
         v0: 1.0,
         ..Boundary::rest_to_rest(0.0, 10.0)
     };
-    let axis = Bell::new(30.0, 10.0, 10.0, ends).ok_or("the limits allow no such move")?;
+    let axis = Bell::new(30.0, 10.0, 10.0, ends)?;
     println!("Relinked: a double-S without cruise, every digit as from liba");
     println!("within 10 m/s, 10 m/s^2, 30 m/s^3");
     // Of 1000 setpoints, one in 250 is printed.

@@ -5,13 +5,13 @@
 //! cargo run --example 04_polynomial
 //! ```
 
-use atraj::{Boundary, Poly7};
+use atraj::{Boundary, Error, Poly7};
 
 const PERIOD: f64 = 0.001; // s
 
-fn main() -> Result<(), &'static str> {
+fn main() -> Result<(), Error> {
     let ends = Boundary::rest_to_rest(0.0, 10.0);
-    let axis = Poly7::new(8.0, ends, [0.0; 2], [0.0; 2]).ok_or("no such duration")?;
+    let axis = Poly7::new(8.0, ends, [0.0; 2], [0.0; 2])?;
     println!("Septic polynomial: 10 m in 8 s, without jerk at both ends");
     for tick in (0..=8000).step_by(500) {
         let x = f64::from(tick) * PERIOD;

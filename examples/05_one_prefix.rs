@@ -6,7 +6,7 @@
 //! cargo run --example 05_one_prefix
 //! ```
 
-use atraj::{Bell, Boundary, Findings};
+use atraj::{Bell, Boundary, Error, Findings};
 
 const PERIOD: f64 = 0.001; // s
 
@@ -15,19 +15,19 @@ fn setpoint(axis: &Bell<f64>, x: f64) -> String {
     format!("{p:.4} m, {v:.4} m/s, {a:.4} m/s^2")
 }
 
-fn judge(axis: &Bell<f64>) -> Option<&'static str> {
-    let found = axis.check(30.0, 2.5, 10.0)?.bits();
-    let broken = found & Findings::EXCEEDS_ACCELERATION.bits() != 0;
-    Some(["keeps the limit", "breaks the limit"][usize::from(broken)])
+fn judge(axis: &Bell<f64>) -> Result<&'static str, Error> {
+    let found = axis.check(30.0, 2.5, 10.0)?;
+    let broken = found.contains(Findings::EXCEEDS_ACCELERATION);
+    Ok(["keeps the limit", "breaks the limit"][usize::from(broken)])
 }
 
-fn main() -> Result<(), &'static str> {
+fn main() -> Result<(), Error> {
     let ends = Boundary {
         v0: 7.5,
         ..Boundary::rest_to_rest(0.0, 6.0)
     };
-    let liba = Bell::new(30.0, 2.5, 10.0, ends).ok_or("the limits allow no such move")?;
-    let ours = Bell::fastest(30.0, 2.5, 10.0, ends).ok_or("no numbers")?;
+    let liba = Bell::new(30.0, 2.5, 10.0, ends)?;
+    let ours = Bell::fastest(30.0, 2.5, 10.0, ends)?;
     println!("Too near to stop: 6 m to go at 7.5 m/s");
     println!("within 10 m/s, 2.5 m/s^2, 30 m/s^3");
     for tick in (0..=(ours.t / PERIOD) as u32).step_by(1000) {
@@ -38,7 +38,10 @@ fn main() -> Result<(), &'static str> {
             setpoint(&liba, x)
         );
     }
-    let [liba, ours] = [liba, ours].map(|axis| judge(&axis).unwrap_or("is no plan"));
-    println!("a_trajbell_gen {liba}, atraj_bell_gen {ours}");
+    println!(
+        "a_trajbell_gen {}, atraj_bell_gen {}",
+        judge(&liba)?,
+        judge(&ours)?
+    );
     Ok(())
 }

@@ -28,11 +28,12 @@ extern "C" {
 /**
  * @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are numbers.
  *
- * A target behind, or nearer than the way to stop, is reached by turning. In a move that decelerates before it accelerates,
- * `vm`, `jm`, `am` and `dm` of the struct have the opposite signs. `a_trajbell_pos` and its siblings evaluate the struct.
+ * A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning. In a move that
+ * decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs. `a_trajbell_pos` and its siblings
+ * evaluate the struct.
  * @param ctx points to an instance of bell-shaped velocity trajectory, which need not be initialised
- * @param jm maximum jerk, unit/s^3; its sign is ignored; infinite: no limit, if `am` is finite
- * @param am maximum acceleration, unit/s^2; its sign is ignored; infinite: no limit, if `jm` is finite
+ * @param jm maximum jerk, unit/s^3; its sign is ignored; infinite: no limit
+ * @param am maximum acceleration, unit/s^2; its sign is ignored; infinite: no limit
  * @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
  * @param p0 initial position, unit
  * @param p1 final position, unit
@@ -74,6 +75,49 @@ int atraj_bell_check(const a_trajbell *ctx,
  * @param highest the highest position, velocity and acceleration: NULL or an array of 3
  */
 A_EXTERN void atraj_bell_extremes(const a_trajbell *ctx, a_float *lowest, a_float *highest);
+
+/**
+ * @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
+ *
+ * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
+ * @param ctx points to a planned instance of bell-shaped velocity trajectory
+ * @param x0 time of sample 0 since the start, s
+ * @param dt time from one sample to the next, s; it may be 0 or negative
+ * @param n number of samples
+ * @param pos position, unit: NULL or an array of `n`
+ * @param vel velocity, unit/s: NULL or an array of `n`
+ * @param acc acceleration, unit/s^2: NULL or an array of `n`
+ * @param jer jerk, unit/s^3: NULL or an array of `n`
+ * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
+ */
+A_EXTERN
+size_t atraj_bell_sample(const a_trajbell *ctx,
+                         a_float x0,
+                         a_float dt,
+                         size_t n,
+                         a_float *pos,
+                         a_float *vel,
+                         a_float *acc,
+                         a_float *jer);
+
+/**
+ * @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
+ *
+ * Each quantity has the bits that its single function gives.
+ * @param ctx points to a planned instance of bell-shaped velocity trajectory; if it is NULL, all results are NaN
+ * @param x time since the start, s
+ * @param pos position, unit: NULL or the place for the result
+ * @param vel velocity, unit/s: NULL or the place for the result
+ * @param acc acceleration, unit/s^2: NULL or the place for the result
+ * @param jer jerk, unit/s^3: NULL or the place for the result
+ */
+A_EXTERN
+void atraj_bell_state(const a_trajbell *ctx,
+                      a_float x,
+                      a_float *pos,
+                      a_float *vel,
+                      a_float *acc,
+                      a_float *jer);
 
 /**
  * @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are numbers.
@@ -126,82 +170,6 @@ int atraj_trap_check(const a_trajtrap *ctx,
 A_EXTERN void atraj_trap_extremes(const a_trajtrap *ctx, a_float *lowest, a_float *highest);
 
 /**
- * @brief The lowest and the highest position, velocity and acceleration of a cubic polynomial trajectory.
- *
- * They are found from the coefficients of position.
- * @param ctx points to a planned instance of cubic polynomial trajectory; nothing happens if it is NULL
- * @param ts duration, s, with which it was planned: the struct does not hold it
- * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
- * @param highest the highest position, velocity and acceleration: NULL or an array of 3
- */
-A_EXTERN void atraj_poly3_extremes(const a_trajpoly3 *ctx, a_float ts, a_float *lowest, a_float *highest);
-
-/**
- * @brief The lowest and the highest position, velocity and acceleration of a quintic polynomial trajectory.
- *
- * They are found from the coefficients of position.
- * @param ctx points to a planned instance of quintic polynomial trajectory; nothing happens if it is NULL
- * @param ts duration, s, with which it was planned: the struct does not hold it
- * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
- * @param highest the highest position, velocity and acceleration: NULL or an array of 3
- */
-A_EXTERN void atraj_poly5_extremes(const a_trajpoly5 *ctx, a_float ts, a_float *lowest, a_float *highest);
-
-/**
- * @brief The lowest and the highest position, velocity and acceleration of a septic polynomial trajectory.
- *
- * They are found from the coefficients of position.
- * @param ctx points to a planned instance of septic polynomial trajectory; nothing happens if it is NULL
- * @param ts duration, s, with which it was planned: the struct does not hold it
- * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
- * @param highest the highest position, velocity and acceleration: NULL or an array of 3
- */
-A_EXTERN void atraj_poly7_extremes(const a_trajpoly7 *ctx, a_float ts, a_float *lowest, a_float *highest);
-
-/**
- * @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
- *
- * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
- * @param ctx points to a planned instance of bell-shaped velocity trajectory
- * @param x0 time of sample 0 since the start, s
- * @param dt time from one sample to the next, s; it may be 0 or negative
- * @param n number of samples
- * @param pos position, unit: NULL or an array of `n`
- * @param vel velocity, unit/s: NULL or an array of `n`
- * @param acc acceleration, unit/s^2: NULL or an array of `n`
- * @param jer jerk, unit/s^3: NULL or an array of `n`
- * @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
- */
-A_EXTERN
-size_t atraj_bell_sample(const a_trajbell *ctx,
-                         a_float x0,
-                         a_float dt,
-                         size_t n,
-                         a_float *pos,
-                         a_float *vel,
-                         a_float *acc,
-                         a_float *jer);
-
-/**
- * @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
- *
- * Each quantity has the bits that its single function gives.
- * @param ctx points to a planned instance of bell-shaped velocity trajectory; if it is NULL, all results are NaN
- * @param x time since the start, s
- * @param pos position, unit: NULL or the place for the result
- * @param vel velocity, unit/s: NULL or the place for the result
- * @param acc acceleration, unit/s^2: NULL or the place for the result
- * @param jer jerk, unit/s^3: NULL or the place for the result
- */
-A_EXTERN
-void atraj_bell_state(const a_trajbell *ctx,
-                      a_float x,
-                      a_float *pos,
-                      a_float *vel,
-                      a_float *acc,
-                      a_float *jer);
-
-/**
  * @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations at evenly spaced times.
  *
  * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
@@ -234,6 +202,17 @@ size_t atraj_trap_sample(const a_trajtrap *ctx,
  * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_trap_state(const a_trajtrap *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+
+/**
+ * @brief The lowest and the highest position, velocity and acceleration of a cubic polynomial trajectory.
+ *
+ * They are found from the coefficients of position.
+ * @param ctx points to a planned instance of cubic polynomial trajectory; nothing happens if it is NULL
+ * @param ts duration, s, with which it was planned: the struct does not hold it
+ * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
+ * @param highest the highest position, velocity and acceleration: NULL or an array of 3
+ */
+A_EXTERN void atraj_poly3_extremes(const a_trajpoly3 *ctx, a_float ts, a_float *lowest, a_float *highest);
 
 /**
  * @brief Sample a cubic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
@@ -274,6 +253,17 @@ size_t atraj_poly3_sample(const a_trajpoly3 *ctx,
 A_EXTERN void atraj_poly3_state(const a_trajpoly3 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
 
 /**
+ * @brief The lowest and the highest position, velocity and acceleration of a quintic polynomial trajectory.
+ *
+ * They are found from the coefficients of position.
+ * @param ctx points to a planned instance of quintic polynomial trajectory; nothing happens if it is NULL
+ * @param ts duration, s, with which it was planned: the struct does not hold it
+ * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
+ * @param highest the highest position, velocity and acceleration: NULL or an array of 3
+ */
+A_EXTERN void atraj_poly5_extremes(const a_trajpoly5 *ctx, a_float ts, a_float *lowest, a_float *highest);
+
+/**
  * @brief Sample a quintic polynomial trajectory: positions, velocities and accelerations at evenly spaced times.
  *
  * Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
@@ -310,6 +300,17 @@ size_t atraj_poly5_sample(const a_trajpoly5 *ctx,
  * @param acc acceleration, unit/s^2: NULL or the place for the result
  */
 A_EXTERN void atraj_poly5_state(const a_trajpoly5 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+
+/**
+ * @brief The lowest and the highest position, velocity and acceleration of a septic polynomial trajectory.
+ *
+ * They are found from the coefficients of position.
+ * @param ctx points to a planned instance of septic polynomial trajectory; nothing happens if it is NULL
+ * @param ts duration, s, with which it was planned: the struct does not hold it
+ * @param lowest the lowest position, velocity and acceleration: NULL or an array of 3
+ * @param highest the highest position, velocity and acceleration: NULL or an array of 3
+ */
+A_EXTERN void atraj_poly7_extremes(const a_trajpoly7 *ctx, a_float ts, a_float *lowest, a_float *highest);
 
 /**
  * @brief Sample a septic polynomial trajectory: positions, velocities, accelerations and jerks at evenly spaced times.
@@ -360,6 +361,119 @@ void atraj_poly7_state(const a_trajpoly7 *ctx,
 
 #if defined(__cplusplus)
 } /* extern "C" */
+#endif /* __cplusplus */
+
+#if defined(__cplusplus)
+/* The members that our structs have beside those of liba's, so not behind liba's own header. */
+#if defined(ATRAJ_TRAJBELL_H)
+inline a_float a_trajbell::fastest(a_float jm_, a_float am_, a_float vm_,
+                                   a_float p0_, a_float p1_, a_float v0_, a_float v1_)
+{
+    return atraj_bell_gen(this, jm_, am_, vm_, p0_, p1_, v0_, v1_);
+}
+inline int a_trajbell::check(a_float jm_, a_float am_, a_float vm_) const { return atraj_bell_check(this, jm_, am_, vm_); }
+inline void a_trajbell::extremes(atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_bell_extremes(this, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajbell::state(a_float x) const
+{
+    atraj_state now;
+    atraj_bell_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+    return now;
+}
+inline size_t a_trajbell::sample(a_float x0, a_float dt, size_t n,
+                                 a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+{
+    return atraj_bell_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+}
+#endif
+#if defined(ATRAJ_TRAJTRAP_H)
+inline a_float a_trajtrap::fastest(a_float vm, a_float ac_, a_float de_,
+                                   a_float p0_, a_float p1_, a_float v0_, a_float v1_)
+{
+    return atraj_trap_gen(this, vm, ac_, de_, p0_, p1_, v0_, v1_);
+}
+inline int a_trajtrap::check(a_float vm, a_float ac_, a_float de_) const { return atraj_trap_check(this, vm, ac_, de_); }
+inline void a_trajtrap::extremes(atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_trap_extremes(this, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajtrap::state(a_float x) const
+{
+    atraj_state now;
+    atraj_trap_state(this, x, &now.p, &now.v, &now.a);
+    return now;
+}
+inline size_t a_trajtrap::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+{
+    return atraj_trap_sample(this, x0, dt, n, pos_, vel_, acc_);
+}
+#endif
+#if defined(ATRAJ_TRAJPOLY3_H)
+inline void a_trajpoly3::extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_poly3_extremes(this, ts, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajpoly3::state(a_float x) const
+{
+    atraj_state now;
+    atraj_poly3_state(this, x, &now.p, &now.v, &now.a);
+    return now;
+}
+inline size_t a_trajpoly3::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+{
+    return atraj_poly3_sample(this, x0, dt, n, pos_, vel_, acc_);
+}
+#endif
+#if defined(ATRAJ_TRAJPOLY5_H)
+inline void a_trajpoly5::extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_poly5_extremes(this, ts, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajpoly5::state(a_float x) const
+{
+    atraj_state now;
+    atraj_poly5_state(this, x, &now.p, &now.v, &now.a);
+    return now;
+}
+inline size_t a_trajpoly5::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+{
+    return atraj_poly5_sample(this, x0, dt, n, pos_, vel_, acc_);
+}
+#endif
+#if defined(ATRAJ_TRAJPOLY7_H)
+inline void a_trajpoly7::extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const
+{
+    a_float low[3], high[3];
+    atraj_poly7_extremes(this, ts, low, high);
+    lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
+    highest.p = high[0], highest.v = high[1], highest.a = high[2];
+}
+inline atraj_state a_trajpoly7::state(a_float x) const
+{
+    atraj_state now;
+    atraj_poly7_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+    return now;
+}
+inline size_t a_trajpoly7::sample(a_float x0, a_float dt, size_t n,
+                                  a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+{
+    return atraj_poly7_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+}
+#endif
 #endif /* __cplusplus */
 
 #endif /* ATRAJ_H */

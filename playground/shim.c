@@ -46,7 +46,7 @@ void set_state(atraj_state *ctx, a_float p, a_float v, a_float a)
 
 a_float move_duration(atraj_move const *ctx) { return ctx->t; }
 
-/* The time at which phase `i` ends; NaN behind the last one. */
+/* The time at which phase `i` ends; NaN behind the last one. In liba's double-S `td` is a duration, in its trapezoid a time. */
 a_float move_border(atraj_move const *ctx, unsigned int i)
 {
     return i < ctx->phases ? ctx->phase[i].t + ctx->phase[i].duration : NAN;
@@ -61,6 +61,6 @@ a_float bell_border(a_trajbell const *ctx, unsigned int i)
 
 a_float trap_border(a_trajtrap const *ctx, unsigned int i)
 {
-    a_float const borders[] = {ctx->ta, ctx->t - ctx->td, ctx->t};
+    a_float const borders[] = {ctx->ta, ctx->td, ctx->t};
     return i < A_LEN(borders) ? borders[i] : NAN;
 }

@@ -1,66 +1,193 @@
 //! What a planner answers: what it found, why there is no plan, and what a move reaches.
 
 use crate::real::Real;
-use crate::state::State;
-use core::ops::{BitOr, BitOrAssign};
+use crate::state::{Boundary, State};
+use core::ffi::CStr;
+use core::fmt;
 
-/// What a check found, as a set.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Findings(u8);
+/// A set of at most eight findings. Each has a bit, a name and a sentence.
+macro_rules! set {
+    ($(#[$about:meta])* $Set:ident { $($(#[$doc:meta])* $NAME:ident = $bit:literal: $sentence:literal,)+ }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Default, PartialEq, Eq)]
+        pub struct $Set(u8);
+
+        impl $Set {
+            $($(#[$doc])* pub const $NAME: Self = Self($bit);)+
+
+            /// Every member with its name and its sentence. The sentence ends with a NUL, for C.
+            pub(crate) const MEMBERS: &'static [(Self, &'static str, &'static core::ffi::CStr)] =
+                &[$((Self::$NAME, stringify!($NAME), $sentence)),+];
+
+            /// The set as the sum of its bits; 0 for the empty set.
+            pub const fn bits(self) -> u8 {
+                self.0
+            }
+
+            /// Whether the set has every member of `others`.
+            pub const fn contains(self, others: Self) -> bool {
+                self.0 & others.0 == others.0
+            }
+
+            /// Whether the set has no member.
+            pub const fn is_empty(self) -> bool {
+                self.0 == 0
+            }
+
+            fn members(self) -> impl Iterator<Item = &'static (Self, &'static str, &'static core::ffi::CStr)> {
+                Self::MEMBERS.iter().filter(move |(member, ..)| self.contains(*member))
+            }
+        }
+
+        impl core::ops::BitOr for $Set {
+            type Output = Self;
+            fn bitor(self, other: Self) -> Self {
+                Self(self.0 | other.0)
+            }
+        }
+
+        impl core::ops::BitOrAssign for $Set {
+            fn bitor_assign(&mut self, other: Self) {
+                *self = *self | other;
+            }
+        }
+
+        /// `Findings(OVERSHOOTS | STARTS_OUTSIDE)`
+        impl core::fmt::Debug for $Set {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str(concat!(stringify!($Set), "("))?;
+                $crate::findings::join(f, " | ", self.members().map(|&(_, name, _)| name))?;
+                f.write_str(")")
+            }
+        }
+
+        /// A sentence for each member, with "; " between two.
+        impl core::fmt::Display for $Set {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                let nothing = self.is_empty().then_some($crate::findings::NOTHING);
+                let sentences = self.members().map(|&(_, _, sentence)| sentence).chain(nothing);
+                $crate::findings::join(f, "; ", sentences.map($crate::findings::text))
+            }
+        }
+    };
+}
+pub(crate) use set;
+
+set! {
+    /// What a check found, as a set.
+    ///
+    /// ```
+    /// use atraj::{Boundary, Findings, Trap};
+    /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 }).expect("numbers");
+    /// let found = trap.check(3.0, 4.0, -2.0).expect("numbers");
+    /// assert!(found.contains(Findings::OVERSHOOTS));
+    /// assert_eq!(format!("{found:?}"), "Findings(EXCEEDS_VELOCITY | OVERSHOOTS)");
+    /// assert_eq!(found.to_string(), "the velocity is above its limit; the move leaves the positions between its ends");
+    /// ```
+    Findings {
+        /// The jerk is above its limit.
+        EXCEEDS_JERK = 1: c"the jerk is above its limit",
+        /// The acceleration is above its limit.
+        EXCEEDS_ACCELERATION = 2: c"the acceleration is above its limit",
+        /// The velocity is above its limit.
+        EXCEEDS_VELOCITY = 4: c"the velocity is above its limit",
+        /// Position or velocity is not continuous, or not where the struct says.
+        JUMPS = 8: c"position or velocity is not continuous, or not where the struct says",
+        /// The move leaves the positions between its ends.
+        OVERSHOOTS = 16: c"the move leaves the positions between its ends",
+        /// The move starts outside its limits, or is bound to leave them.
+        STARTS_OUTSIDE = 32: c"the move starts outside its limits, or is bound to leave them",
+    }
+}
 
 impl Findings {
-    /// The jerk is above its limit.
-    pub const EXCEEDS_JERK: Self = Self(1);
-    /// The acceleration is above its limit.
-    pub const EXCEEDS_ACCELERATION: Self = Self(2);
-    /// The velocity is above its limit.
-    pub const EXCEEDS_VELOCITY: Self = Self(4);
-    /// Position or velocity is not continuous, or not where the struct says.
-    pub const JUMPS: Self = Self(8);
-    /// The move leaves the positions between its ends.
-    pub const OVERSHOOTS: Self = Self(16);
-    /// The move starts outside its limits, or is bound to leave them.
-    pub const STARTS_OUTSIDE: Self = Self(32);
-
-    /// The set as the sum of 1, 2, 4, 8, 16 and 32; 0 for a clean move.
-    pub const fn bits(self) -> u8 {
-        self.0
-    }
-
     pub(crate) fn when(self, found: bool) -> Self {
         if found { self } else { Self::default() }
     }
 }
 
-impl BitOr for Findings {
-    type Output = Self;
-    fn bitor(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
+/// The sentence for the empty set.
+pub(crate) const NOTHING: &CStr = c"nothing is wrong";
+
+/// A sentence without its NUL.
+pub(crate) fn text(sentence: &CStr) -> &str {
+    sentence.to_str().unwrap_or_default()
 }
 
-impl BitOrAssign for Findings {
-    fn bitor_assign(&mut self, other: Self) {
-        *self = *self | other;
+/// Writes the words with the separator between two.
+pub(crate) fn join<'a>(
+    f: &mut fmt::Formatter<'_>,
+    separator: &str,
+    words: impl Iterator<Item = &'a str>,
+) -> fmt::Result {
+    for (k, word) in words.enumerate() {
+        f.write_str(if k > 0 { separator } else { "" })?;
+        f.write_str(word)?;
     }
+    Ok(())
 }
 
-/// Why there is no plan.
+/// Why there is no plan. The numbers are the codes of the C functions.
+///
+/// ```
+/// use atraj::online::{Error, Limits, Move, State};
+/// let why = Move::default().plan(&Limits::symmetric(0.0, 10.0, 5.0), State::at(0.0), State::at(1.0));
+/// assert_eq!(why, Err(Error::Limits));
+/// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial takes no time");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+#[repr(i8)]
 pub enum Error {
-    /// A number of a state is infinite or not a number, a limit is not a number, or the motion is beyond the range of the real type.
-    NotFinite,
-    /// The limits are not around 0, or neither jerk nor acceleration is finite.
-    Limits,
-    /// The target is outside the limits, or the axis must have left them before, or will.
-    Target,
-    /// The duration or the cycle is negative, infinite or not a number.
-    Duration,
-    /// The states of several axes do not lie on the straight line from their start to their end.
-    Line,
     /// There is no axis, or the slices have different lengths.
-    Axes,
+    Axes = -1,
+    /// A number is infinite or not a number, or the motion is beyond the range of the real type.
+    NotFinite = -2,
+    /// A limit is 0 or has the wrong sign. Or neither a jerk nor both accelerations are finite.
+    Limits = -3,
+    /// The target is outside the limits, or the axis must have left them before, or will.
+    Target = -4,
+    /// The duration or the cycle is negative, infinite or not a number, or a polynomial takes no time.
+    Duration = -5,
+    /// The states of several axes do not lie on the straight line from their start to their end.
+    Line = -6,
+    /// liba finds no such move within the limits, or the move takes no time.
+    Unreachable = -7,
 }
+
+impl Error {
+    /// Its sentence, which ends with a NUL for C.
+    pub(crate) const fn sentence(self) -> &'static CStr {
+        match self {
+            Self::Axes => c"there is no axis, a pointer is NULL, or the lists have different lengths",
+            Self::NotFinite => c"a number is infinite or not a number, or the motion is beyond the range of the real type",
+            Self::Limits => c"a limit is 0 or has the wrong sign, or neither a jerk nor both accelerations are finite",
+            Self::Target => c"the target is outside the limits, or the axis must have left them before, or will",
+            Self::Duration => c"the duration or the cycle is negative, infinite or not a number, or a polynomial takes no time",
+            Self::Line => c"the states do not lie on the straight line from their start to their end",
+            Self::Unreachable => c"liba finds no such move within the limits, or the move takes no time",
+        }
+    }
+
+    /// Why there is no plan within these limits: what is wrong with the arguments, else `otherwise`.
+    pub(crate) fn of_plan<R: Real>(limits: [R; 3], boundary: Boundary<R>, otherwise: Self) -> Self {
+        if !boundary.is_numbers() || limits.iter().any(|x| x.partial_cmp(x).is_none()) {
+            Self::NotFinite
+        } else if limits.contains(&R::ZERO) {
+            Self::Limits
+        } else {
+            otherwise
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(text(self.sentence()))
+    }
+}
+
+impl core::error::Error for Error {}
 
 /// The lowest and the highest position, velocity and acceleration of a move, each at its own time.
 #[derive(Clone, Copy, Debug, PartialEq)]

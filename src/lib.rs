@@ -105,7 +105,7 @@ mod sampling;
 mod state;
 mod together;
 
-pub use findings::{Extremes, Findings};
+pub use findings::{Error, Extremes, Findings};
 pub use liba::{Bell, Poly, Poly3, Poly5, Poly7, Trap};
 pub use real::Real;
 pub use state::{Boundary, Saturation, State};

@@ -133,7 +133,7 @@ mod tests {
             let [jm, am, vm] = limits.map(of);
             let [p0, p1, v0, v1] = [p0, p1, v0, v1].map(of);
             MOST_SEEN.set(0);
-            assert!(Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).is_some());
+            assert!(Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).is_ok());
             if MOST_SEEN.get() > most {
                 most = MOST_SEEN.get();
                 println!(

@@ -56,11 +56,12 @@ fn codes_header_is_fresh() {
 fn atraj_header() -> String {
     let config = config("atraj");
     let about = config.header.clone().unwrap_or_default();
+    let behind = config.trailer.clone().unwrap_or_default();
     let includes = Family::ALL
         .map(Family::c_name)
         .map(|name| format!("#include \"a/{name}.h\""))
         .join("\n");
-    let functions = ["bell", "trap", "poly", "sample"]
+    let functions = ["bell", "trap", "poly"]
         .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
         .join("\n\n");
     format!(
@@ -75,35 +76,43 @@ fn atraj_header() -> String {
 #include \"atraj/move.h\"
 
 {}
-
+{behind}
 #endif /* ATRAJ_H */
 ",
-        extern_c(&functions)
+        extern_c(&functions, "")
     )
 }
 
 fn codes_header() -> String {
     let config = config("codes");
     let about = config.header.clone().unwrap_or_default();
-    let enumerations = pass("atraj/mod", &config, ItemType::Enums).replace(",\n};", "\n};");
+    let behind = config.trailer.clone().unwrap_or_default();
+    let enumerations = pass("atraj/codes", &config, ItemType::Enums).replace(",\n};", "\n};");
+    let functions = pass("atraj/codes", &config, ItemType::Functions);
     format!(
         "{GENERATED}{about}
 #ifndef ATRAJ_CODES_H
 #define ATRAJ_CODES_H
 
+#include \"a/a.h\"
+#include \"a/atraj_check.h\"
+
 {enumerations}
 
+{}
+{behind}
 #endif /* ATRAJ_CODES_H */
-"
+",
+        extern_c(&functions, "")
     )
 }
 
 fn move_header() -> String {
     let config = config("move");
     let about = config.header.clone().unwrap_or_default();
+    let behind = config.trailer.clone().unwrap_or_default();
     let names = ["limits", "state", "phase", "move"];
     let forward = names.map(|name| format!("typedef struct atraj_{name} atraj_{name};"));
-    let short = names.map(|name| format!("typedef struct atraj_{name} {name};"));
     let functions = ["move", "axes"]
         .map(|file| pass(&format!("atraj/{file}"), &config, ItemType::Functions))
         .join("\n\n");
@@ -130,24 +139,18 @@ fn move_header() -> String {
 {}
 
 {}
-#if defined(__cplusplus)
-namespace atraj
-{{
-{}
-}} /* namespace atraj */
-#endif /* __cplusplus */
 
 {structs}
-
+{behind}
 #endif /* ATRAJ_MOVE_H */
 ",
         forward.join("\n"),
-        extern_c(&functions),
-        short.join("\n"),
+        extern_c(&functions, &namespace("atraj", &names)),
     )
 }
 
-fn extern_c(functions: &str) -> String {
+/// The functions, and what C++ has behind them.
+fn extern_c(functions: &str, behind: &str) -> String {
     format!(
         "#if defined(__cplusplus)
 extern \"C\" {{
@@ -157,69 +160,50 @@ extern \"C\" {{
 
 #if defined(__cplusplus)
 }} /* extern \"C\" */
-#endif /* __cplusplus */"
+{behind}#endif /* __cplusplus */"
     )
 }
 
+/// The structs under the names that C++ has for them.
+fn namespace(space: &str, structs: &[&str]) -> String {
+    let short: String = structs
+        .iter()
+        .map(|name| format!("typedef struct {space}_{name} {name};\n"))
+        .collect();
+    format!("namespace {space}\n{{\n{short}}} /* namespace {space} */\n")
+}
+
+/// The C++ methods in a struct call the functions, so the functions come first: cbindgen runs once for the functions and once for the
+/// struct.
 fn liba_header(name: &str) -> String {
     let guard = format!("LIBA_{}_H", name.to_uppercase());
-    let about = config(name).header.unwrap_or_default();
-    let declarations = if !name.starts_with("trajpoly") {
-        declarations(name, name)
-    } else {
-        format!(
-            "#if defined(A_TRAJPOLY_COMPACT)
-
-{}
-
-#else /* !A_TRAJPOLY_COMPACT */
-
-{}
-
-#endif /* A_TRAJPOLY_COMPACT */",
-            declarations(name, &format!("trajpoly/compact/{name}")),
-            declarations(name, &format!("trajpoly/levels/{name}"))
-        )
-    };
+    let ours = guard.replace("LIBA", "ATRAJ");
+    let config = config(name);
+    let about = config.header.clone().unwrap_or_default();
+    let source = format!("a/{name}");
+    let functions = pass(&source, &config, ItemType::Functions);
+    let structs = pass(&source, &config, ItemType::Structs);
     format!(
         "{GENERATED}{about}
 #ifndef {guard}
 #define {guard}
+#define {ours}
 
 #include \"a.h\"
 #include \"atraj_check.h\"
 
 typedef struct a_{name} a_{name};
 
-{declarations}
+{}
+
+{structs}
 
 #endif /* {guard} */
-"
-    )
-}
-
-/// The functions and the struct of one generation. The C++ methods in a struct call the functions, so the functions come first:
-/// cbindgen runs once for the functions and once for the struct.
-fn declarations(name: &str, source: &str) -> String {
-    let config = config(source);
-    let functions = pass(source, &config, ItemType::Functions);
-    let structs = pass(source, &config, ItemType::Structs);
-    format!(
-        "#if defined(__cplusplus)
-extern \"C\" {{
-#endif /* __cplusplus */
-
-{functions}
-
-#if defined(__cplusplus)
-}} /* extern \"C\" */
-namespace a
-{{
-typedef struct a_{name} {name};
-}} /* namespace a */
-#endif /* __cplusplus */
-
-{structs}"
+",
+        extern_c(
+            &functions,
+            &format!("struct atraj_state;\n{}", namespace("a", &[name]))
+        )
     )
 }
 
@@ -253,6 +237,7 @@ fn conditions(source: &str) -> [(String, String); 3] {
 fn pass(source: &str, config: &Config, items: ItemType) -> String {
     let mut config = config.clone();
     config.header = None;
+    config.trailer = None;
     config.export.item_types = vec![items];
     let mut text = Vec::new();
     Builder::new()

@@ -92,7 +92,7 @@ proptest! {
 
     #[test]
     fn bells([jm, am, vm] in limits(), boundary in any_boundary(), part in -0.1..1.1_f64, units in units()) {
-        let Some(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
+        let Ok(bell) = Bell::new(jm, am, vm, boundary) else { return Ok(()) };
         let size = size(&[bell.p0, bell.p1, vm * bell.t]);
         let v0 = boundary.v0.clamp(-vm, vm);
         if bell.ta > 0.0 {
@@ -125,7 +125,7 @@ proptest! {
     fn trapezoids([vm, ac, de] in limits(), boundary in any_boundary(), part in -0.1..1.1_f64, units in units()) {
         let forward = (boundary.p1 - boundary.p0).signum();
         let [ac, de] = [forward * ac, -forward * de];
-        let Some(trap) = Trap::new(vm, ac, de, boundary) else { return Ok(()) };
+        let Ok(trap) = Trap::new(vm, ac, de, boundary) else { return Ok(()) };
         assert_eq!((trap.position(0.0), trap.velocity(0.0)), (boundary.p0, boundary.v0.clamp(-vm, vm)));
         assert_eq!((trap.position(trap.t), trap.velocity(trap.t)), (boundary.p1, trap.v1));
         let size = size(&[trap.p0, trap.p1, vm * trap.t]);

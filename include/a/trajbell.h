@@ -8,6 +8,7 @@
 
 #ifndef LIBA_TRAJBELL_H
 #define LIBA_TRAJBELL_H
+#define ATRAJ_TRAJBELL_H
 
 #include "a.h"
 #include "atraj_check.h"
@@ -80,6 +81,7 @@ A_EXTERN a_float a_trajbell_jer(const struct a_trajbell *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajbell trajbell;
@@ -158,6 +160,12 @@ struct a_trajbell {
     a_float vel(a_float x) const { return a_trajbell_vel(this, x); }
     a_float acc(a_float x) const { return a_trajbell_acc(this, x); }
     a_float jer(a_float x) const { return a_trajbell_jer(this, x); }
+    /* atraj.h defines these. */
+    a_float fastest(a_float jm_, a_float am_, a_float vm_, a_float p0_, a_float p1_, a_float v0_ = 0, a_float v1_ = 0);
+    int check(a_float jm_, a_float am_, a_float vm_) const;
+    void extremes(atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
 #endif /* __cplusplus */
 };
 

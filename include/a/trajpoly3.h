@@ -9,14 +9,13 @@
 
 #ifndef LIBA_TRAJPOLY3_H
 #define LIBA_TRAJPOLY3_H
+#define ATRAJ_TRAJPOLY3_H
 
 #include "a.h"
 #include "atraj_check.h"
 
 typedef struct a_trajpoly3 a_trajpoly3;
 
-#if defined(A_TRAJPOLY_COMPACT)
-
 #if defined(__cplusplus)
 extern "C" {
 #endif /* __cplusplus */
@@ -34,103 +33,7 @@ extern "C" {
  */
 A_EXTERN void a_trajpoly3_gen(struct a_trajpoly3 *ctx, a_float ts, a_float p0, a_float p1, a_float v0, a_float v1);
 
-/**
- * @brief Copy the coefficients of position out.
- * @param ctx points to a planned instance of cubic polynomial trajectory
- * @param c0 array of 4, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly3_c0(const struct a_trajpoly3 *ctx, a_float *c0);
-
-/**
- * @brief Copy the coefficients of velocity out.
- * @param ctx points to a planned instance of cubic polynomial trajectory
- * @param c1 array of 3, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly3_c1(const struct a_trajpoly3 *ctx, a_float *c1);
-
-/**
- * @brief Copy the coefficients of acceleration out.
- * @param ctx points to a planned instance of cubic polynomial trajectory
- * @param c2 array of 2, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly3_c2(const struct a_trajpoly3 *ctx, a_float *c2);
-
-/**
- * @brief Position of a cubic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of cubic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return position, unit; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly3_pos(const struct a_trajpoly3 *ctx, a_float x);
-
-/**
- * @brief Velocity of a cubic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of cubic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return velocity, unit/s; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly3_vel(const struct a_trajpoly3 *ctx, a_float x);
-
-/**
- * @brief Acceleration of a cubic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of cubic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return acceleration, unit/s^2; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly3_acc(const struct a_trajpoly3 *ctx, a_float x);
-
-#if defined(__cplusplus)
-} /* extern "C" */
-namespace a
-{
-typedef struct a_trajpoly3 trajpoly3;
-} /* namespace a */
-#endif /* __cplusplus */
-
-/**
- * @brief Cubic polynomial trajectory.
- *
- * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`.
- */
-struct a_trajpoly3 {
-    /**
-     * coefficients of position
-     */
-    a_float c[4];
-#if defined(__cplusplus)
-    void gen(a_float ts, a_float p0, a_float p1,
-             a_float v0 = 0, a_float v1 = 0)
-    {
-        a_trajpoly3_gen(this, ts, p0, p1, v0, v1);
-    }
-    void c0(a_float *c0_) const { a_trajpoly3_c0(this, c0_); }
-    void c1(a_float *c1_) const { a_trajpoly3_c1(this, c1_); }
-    void c2(a_float *c2_) const { a_trajpoly3_c2(this, c2_); }
-    a_float pos(a_float x) const { return a_trajpoly3_pos(this, x); }
-    a_float vel(a_float x) const { return a_trajpoly3_vel(this, x); }
-    a_float acc(a_float x) const { return a_trajpoly3_acc(this, x); }
-#endif /* __cplusplus */
-};
-
-#else /* !A_TRAJPOLY_COMPACT */
-
-#if defined(__cplusplus)
-extern "C" {
-#endif /* __cplusplus */
-
-/**
- * @brief Plan a cubic polynomial trajectory: all coefficients that the struct holds.
- *
- * A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
- * @param ctx points to an instance of cubic polynomial trajectory, which need not be initialised
- * @param ts duration, s, other than 0
- * @param p0 initial position, unit
- * @param p1 final position, unit
- * @param v0 initial velocity, unit/s
- * @param v1 final velocity, unit/s
- */
-A_EXTERN void a_trajpoly3_gen(struct a_trajpoly3 *ctx, a_float ts, a_float p0, a_float p1, a_float v0, a_float v1);
-
+#if !defined(A_TRAJPOLY_COMPACT)
 /**
  * @brief Coefficients of position of a cubic polynomial trajectory.
  *
@@ -143,8 +46,9 @@ A_EXTERN void a_trajpoly3_gen(struct a_trajpoly3 *ctx, a_float ts, a_float p0, a
  * @param v1 final velocity, unit/s
  */
 A_EXTERN void a_trajpoly3_gen0(struct a_trajpoly3 *ctx, a_float ts, a_float p0, a_float p1, a_float v0, a_float v1);
+#endif
 
-#if A_TRAJPOLY3 + 0 > 1
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY3 + 0 > 1)
 /**
  * @brief Coefficients of velocity, from the coefficients of position: `v[i] = p[i+1]*(i+1)`.
  * @param ctx points to an instance of cubic polynomial trajectory; nothing happens if it is NULL
@@ -152,12 +56,39 @@ A_EXTERN void a_trajpoly3_gen0(struct a_trajpoly3 *ctx, a_float ts, a_float p0, 
 A_EXTERN void a_trajpoly3_gen1(struct a_trajpoly3 *ctx);
 #endif
 
-#if A_TRAJPOLY3 + 0 > 2
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY3 + 0 > 2)
 /**
  * @brief Coefficients of acceleration, from the coefficients of velocity: `a[i] = v[i+1]*(i+1)`.
  * @param ctx points to an instance of cubic polynomial trajectory; nothing happens if it is NULL
  */
 A_EXTERN void a_trajpoly3_gen2(struct a_trajpoly3 *ctx);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of position out.
+ * @param ctx points to a planned instance of cubic polynomial trajectory
+ * @param c0 array of 4, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly3_c0(const struct a_trajpoly3 *ctx, a_float *c0);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of velocity out.
+ * @param ctx points to a planned instance of cubic polynomial trajectory
+ * @param c1 array of 3, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly3_c1(const struct a_trajpoly3 *ctx, a_float *c1);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of acceleration out.
+ * @param ctx points to a planned instance of cubic polynomial trajectory
+ * @param c2 array of 2, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly3_c2(const struct a_trajpoly3 *ctx, a_float *c2);
 #endif
 
 /**
@@ -190,6 +121,7 @@ A_EXTERN a_float a_trajpoly3_acc(const struct a_trajpoly3 *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajpoly3 trajpoly3;
@@ -199,20 +131,29 @@ typedef struct a_trajpoly3 trajpoly3;
 /**
  * @brief Cubic polynomial trajectory.
  *
- * Coefficients stand in ascending powers of time: `p[0] + p[1]*x + ...`. `A_TRAJPOLY3` arrays are stored.
+ * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
+ * stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY3` of the arrays `p`, `v` and `a`.
  */
 struct a_trajpoly3 {
+#if defined(A_TRAJPOLY_COMPACT)
+    /**
+     * coefficients of position
+     */
+    a_float c[4];
+#endif
+#if !defined(A_TRAJPOLY_COMPACT)
     /**
      * coefficients of position
      */
     a_float p[4];
-#if A_TRAJPOLY3 + 0 > 1
+#endif
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY3 + 0 > 1)
     /**
      * coefficients of velocity
      */
     a_float v[3];
 #endif
-#if A_TRAJPOLY3 + 0 > 2
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY3 + 0 > 2)
     /**
      * coefficients of acceleration
      */
@@ -224,6 +165,11 @@ struct a_trajpoly3 {
     {
         a_trajpoly3_gen(this, ts, p0, p1, v0, v1);
     }
+#if defined(A_TRAJPOLY_COMPACT)
+    void c0(a_float *c0_) const { a_trajpoly3_c0(this, c0_); }
+    void c1(a_float *c1_) const { a_trajpoly3_c1(this, c1_); }
+    void c2(a_float *c2_) const { a_trajpoly3_c2(this, c2_); }
+#else
     void gen0(a_float ts, a_float p0, a_float p1,
               a_float v0 = 0, a_float v1 = 0)
     {
@@ -235,6 +181,7 @@ struct a_trajpoly3 {
 #if A_TRAJPOLY3 + 0 > 2
     void gen2() { a_trajpoly3_gen2(this); }
 #endif
+#endif
     a_float pos(a_float x) const { return a_trajpoly3_pos(this, x); }
 #if A_TRAJPOLY3 + 0 > 1
     a_float vel(a_float x) const { return a_trajpoly3_vel(this, x); }
@@ -242,9 +189,11 @@ struct a_trajpoly3 {
 #if A_TRAJPOLY3 + 0 > 2
     a_float acc(a_float x) const { return a_trajpoly3_acc(this, x); }
 #endif
+    /* atraj.h defines these. */
+    void extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const;
 #endif /* __cplusplus */
 };
-
-#endif /* A_TRAJPOLY_COMPACT */
 
 #endif /* LIBA_TRAJPOLY3_H */

@@ -9,14 +9,13 @@
 
 #ifndef LIBA_TRAJPOLY7_H
 #define LIBA_TRAJPOLY7_H
+#define ATRAJ_TRAJPOLY7_H
 
 #include "a.h"
 #include "atraj_check.h"
 
 typedef struct a_trajpoly7 a_trajpoly7;
 
-#if defined(A_TRAJPOLY_COMPACT)
-
 #if defined(__cplusplus)
 extern "C" {
 #endif /* __cplusplus */
@@ -48,134 +47,7 @@ void a_trajpoly7_gen(struct a_trajpoly7 *ctx,
                      a_float j0,
                      a_float j1);
 
-/**
- * @brief Copy the coefficients of position out.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param c0 array of 8, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly7_c0(const struct a_trajpoly7 *ctx, a_float *c0);
-
-/**
- * @brief Copy the coefficients of velocity out.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param c1 array of 7, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly7_c1(const struct a_trajpoly7 *ctx, a_float *c1);
-
-/**
- * @brief Copy the coefficients of acceleration out.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param c2 array of 6, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly7_c2(const struct a_trajpoly7 *ctx, a_float *c2);
-
-/**
- * @brief Copy the coefficients of jerk out.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param c3 array of 5, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
- */
-A_EXTERN void a_trajpoly7_c3(const struct a_trajpoly7 *ctx, a_float *c3);
-
-/**
- * @brief Position of a septic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return position, unit; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly7_pos(const struct a_trajpoly7 *ctx, a_float x);
-
-/**
- * @brief Velocity of a septic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return velocity, unit/s; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly7_vel(const struct a_trajpoly7 *ctx, a_float x);
-
-/**
- * @brief Acceleration of a septic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return acceleration, unit/s^2; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly7_acc(const struct a_trajpoly7 *ctx, a_float x);
-
-/**
- * @brief Jerk of a septic polynomial trajectory, by Horner's rule.
- * @param ctx points to a planned instance of septic polynomial trajectory
- * @param x time since the start, s; the polynomial goes on outside the move
- * @return jerk, unit/s^3; NaN if `ctx` is NULL
- */
-A_EXTERN a_float a_trajpoly7_jer(const struct a_trajpoly7 *ctx, a_float x);
-
-#if defined(__cplusplus)
-} /* extern "C" */
-namespace a
-{
-typedef struct a_trajpoly7 trajpoly7;
-} /* namespace a */
-#endif /* __cplusplus */
-
-/**
- * @brief Septic polynomial trajectory.
- *
- * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`.
- */
-struct a_trajpoly7 {
-    /**
-     * coefficients of position
-     */
-    a_float c[8];
-#if defined(__cplusplus)
-    void gen(a_float ts, a_float p0, a_float p1,
-             a_float v0 = 0, a_float v1 = 0, a_float a0 = 0, a_float a1 = 0, a_float j0 = 0, a_float j1 = 0)
-    {
-        a_trajpoly7_gen(this, ts, p0, p1, v0, v1, a0, a1, j0, j1);
-    }
-    void c0(a_float *c0_) const { a_trajpoly7_c0(this, c0_); }
-    void c1(a_float *c1_) const { a_trajpoly7_c1(this, c1_); }
-    void c2(a_float *c2_) const { a_trajpoly7_c2(this, c2_); }
-    void c3(a_float *c3_) const { a_trajpoly7_c3(this, c3_); }
-    a_float pos(a_float x) const { return a_trajpoly7_pos(this, x); }
-    a_float vel(a_float x) const { return a_trajpoly7_vel(this, x); }
-    a_float acc(a_float x) const { return a_trajpoly7_acc(this, x); }
-    a_float jer(a_float x) const { return a_trajpoly7_jer(this, x); }
-#endif /* __cplusplus */
-};
-
-#else /* !A_TRAJPOLY_COMPACT */
-
-#if defined(__cplusplus)
-extern "C" {
-#endif /* __cplusplus */
-
-/**
- * @brief Plan a septic polynomial trajectory: all coefficients that the struct holds.
- *
- * A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
- * @param ctx points to an instance of septic polynomial trajectory, which need not be initialised
- * @param ts duration, s, other than 0
- * @param p0 initial position, unit
- * @param p1 final position, unit
- * @param v0 initial velocity, unit/s
- * @param v1 final velocity, unit/s
- * @param a0 initial acceleration, unit/s^2
- * @param a1 final acceleration, unit/s^2
- * @param j0 initial jerk, unit/s^3
- * @param j1 final jerk, unit/s^3
- */
-A_EXTERN
-void a_trajpoly7_gen(struct a_trajpoly7 *ctx,
-                     a_float ts,
-                     a_float p0,
-                     a_float p1,
-                     a_float v0,
-                     a_float v1,
-                     a_float a0,
-                     a_float a1,
-                     a_float j0,
-                     a_float j1);
-
+#if !defined(A_TRAJPOLY_COMPACT)
 /**
  * @brief Coefficients of position of a septic polynomial trajectory.
  *
@@ -202,8 +74,9 @@ void a_trajpoly7_gen0(struct a_trajpoly7 *ctx,
                       a_float a1,
                       a_float j0,
                       a_float j1);
+#endif
 
-#if A_TRAJPOLY7 + 0 > 1
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 1)
 /**
  * @brief Coefficients of velocity, from the coefficients of position: `v[i] = p[i+1]*(i+1)`.
  * @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
@@ -211,7 +84,7 @@ void a_trajpoly7_gen0(struct a_trajpoly7 *ctx,
 A_EXTERN void a_trajpoly7_gen1(struct a_trajpoly7 *ctx);
 #endif
 
-#if A_TRAJPOLY7 + 0 > 2
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 2)
 /**
  * @brief Coefficients of acceleration, from the coefficients of velocity: `a[i] = v[i+1]*(i+1)`.
  * @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
@@ -219,12 +92,48 @@ A_EXTERN void a_trajpoly7_gen1(struct a_trajpoly7 *ctx);
 A_EXTERN void a_trajpoly7_gen2(struct a_trajpoly7 *ctx);
 #endif
 
-#if A_TRAJPOLY7 + 0 > 3
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 3)
 /**
  * @brief Coefficients of jerk, from the coefficients of acceleration: `j[i] = a[i+1]*(i+1)`.
  * @param ctx points to an instance of septic polynomial trajectory; nothing happens if it is NULL
  */
 A_EXTERN void a_trajpoly7_gen3(struct a_trajpoly7 *ctx);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of position out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c0 array of 8, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c0(const struct a_trajpoly7 *ctx, a_float *c0);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of velocity out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c1 array of 7, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c1(const struct a_trajpoly7 *ctx, a_float *c1);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of acceleration out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c2 array of 6, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c2(const struct a_trajpoly7 *ctx, a_float *c2);
+#endif
+
+#if defined(A_TRAJPOLY_COMPACT)
+/**
+ * @brief Copy the coefficients of jerk out.
+ * @param ctx points to a planned instance of septic polynomial trajectory
+ * @param c3 array of 5, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+ */
+A_EXTERN void a_trajpoly7_c3(const struct a_trajpoly7 *ctx, a_float *c3);
 #endif
 
 /**
@@ -267,6 +176,7 @@ A_EXTERN a_float a_trajpoly7_jer(const struct a_trajpoly7 *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajpoly7 trajpoly7;
@@ -276,26 +186,35 @@ typedef struct a_trajpoly7 trajpoly7;
 /**
  * @brief Septic polynomial trajectory.
  *
- * Coefficients stand in ascending powers of time: `p[0] + p[1]*x + ...`. `A_TRAJPOLY7` arrays are stored.
+ * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
+ * stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY7` of the arrays `p`, `v`, `a` and `j`.
  */
 struct a_trajpoly7 {
+#if defined(A_TRAJPOLY_COMPACT)
+    /**
+     * coefficients of position
+     */
+    a_float c[8];
+#endif
+#if !defined(A_TRAJPOLY_COMPACT)
     /**
      * coefficients of position
      */
     a_float p[8];
-#if A_TRAJPOLY7 + 0 > 1
+#endif
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 1)
     /**
      * coefficients of velocity
      */
     a_float v[7];
 #endif
-#if A_TRAJPOLY7 + 0 > 2
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 2)
     /**
      * coefficients of acceleration
      */
     a_float a[6];
 #endif
-#if A_TRAJPOLY7 + 0 > 3
+#if (!defined(A_TRAJPOLY_COMPACT) && A_TRAJPOLY7 + 0 > 3)
     /**
      * coefficients of jerk
      */
@@ -307,6 +226,12 @@ struct a_trajpoly7 {
     {
         a_trajpoly7_gen(this, ts, p0, p1, v0, v1, a0, a1, j0, j1);
     }
+#if defined(A_TRAJPOLY_COMPACT)
+    void c0(a_float *c0_) const { a_trajpoly7_c0(this, c0_); }
+    void c1(a_float *c1_) const { a_trajpoly7_c1(this, c1_); }
+    void c2(a_float *c2_) const { a_trajpoly7_c2(this, c2_); }
+    void c3(a_float *c3_) const { a_trajpoly7_c3(this, c3_); }
+#else
     void gen0(a_float ts, a_float p0, a_float p1,
               a_float v0 = 0, a_float v1 = 0, a_float a0 = 0, a_float a1 = 0, a_float j0 = 0, a_float j1 = 0)
     {
@@ -321,6 +246,7 @@ struct a_trajpoly7 {
 #if A_TRAJPOLY7 + 0 > 3
     void gen3() { a_trajpoly7_gen3(this); }
 #endif
+#endif
     a_float pos(a_float x) const { return a_trajpoly7_pos(this, x); }
 #if A_TRAJPOLY7 + 0 > 1
     a_float vel(a_float x) const { return a_trajpoly7_vel(this, x); }
@@ -331,9 +257,11 @@ struct a_trajpoly7 {
 #if A_TRAJPOLY7 + 0 > 3
     a_float jer(a_float x) const { return a_trajpoly7_jer(this, x); }
 #endif
+    /* atraj.h defines these. */
+    void extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
 #endif /* __cplusplus */
 };
-
-#endif /* A_TRAJPOLY_COMPACT */
 
 #endif /* LIBA_TRAJPOLY7_H */

@@ -8,6 +8,7 @@
 
 #ifndef LIBA_TRAJTRAP_H
 #define LIBA_TRAJTRAP_H
+#define ATRAJ_TRAJTRAP_H
 
 #include "a.h"
 #include "atraj_check.h"
@@ -70,6 +71,7 @@ A_EXTERN a_float a_trajtrap_acc(const struct a_trajtrap *ctx, a_float x);
 
 #if defined(__cplusplus)
 } /* extern "C" */
+struct atraj_state;
 namespace a
 {
 typedef struct a_trajtrap trajtrap;
@@ -139,6 +141,12 @@ struct a_trajtrap {
     a_float pos(a_float x) const { return a_trajtrap_pos(this, x); }
     a_float vel(a_float x) const { return a_trajtrap_vel(this, x); }
     a_float acc(a_float x) const { return a_trajtrap_acc(this, x); }
+    /* atraj.h defines these. */
+    a_float fastest(a_float vm, a_float ac_, a_float de_, a_float p0_, a_float p1_, a_float v0_ = 0, a_float v1_ = 0);
+    int check(a_float vm, a_float ac_, a_float de_) const;
+    void extremes(atraj_state &lowest, atraj_state &highest) const;
+    atraj_state state(a_float x) const;
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const;
 #endif /* __cplusplus */
 };
 

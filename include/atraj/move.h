@@ -2,8 +2,8 @@
 /*!
  @file atraj/move.h
  @brief one axis from any state to any state: the fastest move within limits, planned also in motion
- @details Velocity, acceleration and jerk are limited, in each direction by a limit of its own. A plan fails only for arguments that are
- no numbers, for limits that are none, and for a target outside the limits. Nothing is allocated, and no plan takes an unbounded time. Use
+ @details Velocity, acceleration and jerk are limited, in each direction by a limit of its own. A plan fails only if an argument
+ is no number, if a limit is 0 or has the wrong sign, and if the target is outside the limits. Nothing is allocated, and no plan takes an unbounded time. Use
  any consistent unit of length or angle. Times are in seconds from the start of the move.
 */
 
@@ -242,8 +242,6 @@ int atraj_moves_line(atraj_move *axes,
 
 #if defined(__cplusplus)
 } /* extern "C" */
-#endif /* __cplusplus */
-#if defined(__cplusplus)
 namespace atraj
 {
 typedef struct atraj_limits limits;
@@ -254,7 +252,7 @@ typedef struct atraj_move move;
 #endif /* __cplusplus */
 
 /**
- * @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit, but the accelerations or a jerk are finite.
+ * @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit. A jerk, or both accelerations, are finite.
  */
 struct atraj_limits {
     /**
@@ -374,8 +372,29 @@ struct atraj_move {
         atraj_move_state(this, x, &now.p, &now.v, &now.a, A_NULL);
         return now;
     }
+    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+    {
+        return atraj_move_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+    }
+    void extremes(atraj_state &lowest, atraj_state &highest) const { atraj_move_extremes(this, &lowest, &highest); }
     a_float time_at(a_float p) const { return atraj_move_time_at(this, p); }
 #endif /* __cplusplus */
 };
+
+#if defined(__cplusplus)
+namespace atraj
+{
+inline int sync(move *axes, const limits *within, const state *from, const state *to, size_t n, a_float duration = 0,
+                a_float cycle = 0)
+{
+    return atraj_moves_sync(axes, within, from, to, n, duration, cycle);
+}
+inline int line(move *axes, const limits *within, const state *from, const state *to, size_t n, a_float duration = 0,
+                a_float cycle = 0)
+{
+    return atraj_moves_line(axes, within, from, to, n, duration, cycle);
+}
+} /* namespace atraj */
+#endif /* __cplusplus */
 
 #endif /* ATRAJ_MOVE_H */

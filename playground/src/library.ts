@@ -24,6 +24,12 @@ export type Family = "bell" | "trap" | "poly3" | "poly5" | "poly7" | "move";
 
 const QUANTITIES: Record<Family, number> = { bell: 4, trap: 3, poly3: 3, poly5: 3, poly7: 4, move: 4 };
 
+/** The library's sentence for a code. */
+export function message(code: number): string {
+    const text = new Uint8Array((memory as WebAssembly.Memory).buffer, c.atraj_message(code));
+    return new TextDecoder().decode(text.subarray(0, text.indexOf(0)));
+}
+
 /** A planned struct at a place of the module's memory. The next plan at this place overwrites it. */
 export class Plan {
     constructor(

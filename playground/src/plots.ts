@@ -37,11 +37,12 @@ export class Plots {
     private motions: Motion[] = [];
     private lead = 0;
     private stretches: Stretch[] = [];
-    private borders: number[] = [];
     private moment = 0;
     private colors = new Map<string, string>();
     private duration = 0;
     times = new Float64Array();
+    /** When the phases of the motion that leads end, s. */
+    borders: number[] = [];
     /** By motion, then by quantity. */
     samples: Quantities<Float64Array>[] = [];
 

@@ -1,5 +1,5 @@
 // The profiles of the page: their fields, and how the library plans them.
-import { AXES, bell, c, MOVES, Motion, move, Plan, type Quantities, type Range, trap } from "./library";
+import { AXES, bell, c, message, MOVES, Motion, move, Plan, type Quantities, type Range, trap } from "./library";
 import type { Command, Values } from "./state";
 
 export interface Field {
@@ -72,36 +72,21 @@ const symmetric = (...highest: number[]): Quantities<Range | undefined> => [
     ...highest.map((limit): Range => [-Math.abs(limit), Math.abs(limit)]),
 ];
 
-const FINDINGS = [
-    "exceeds the limit of jerk",
-    "exceeds the limit of acceleration",
-    "exceeds the limit of velocity",
-    "jumps",
-    "leaves the positions between its ends",
-    "starts outside its limits, or is bound to leave them",
-];
-/** Findings from this bit on are properties of the move, not faults. */
-const FAULTS = 4;
-const STARTS_OUTSIDE = 32;
-
-const ERRORS: Record<number, string> = {
-    [-1]: "there is no axis",
-    [-2]: "a number is infinite or not a number, or the move is beyond the range of numbers",
-    [-3]: "a limit is 0 or has the wrong sign",
-    [-4]: "the target is outside the limits, or the axis must leave them before or after it",
-    [-5]: "the duration or the cycle is negative or not a number",
-    [-6]: "the states do not lie on the straight line from start to end",
-};
+/** The bits of what a check finds. The first ones are faults, the later ones are properties of the move. */
+const [FAULTS, STARTS_OUTSIDE] = [1 | 2 | 4 | 8, 32];
+const [LIMITS, UNREACHABLE] = [-3, -7];
 
 /** What a planner or a check returns, in words. */
 function findings(subject: string, code: number, clean: string): Remark[] {
     if (code < 0) {
-        return [{ kind: "bad", text: `${subject} refuses: ${ERRORS[code]}.` }];
+        return [{ kind: "bad", text: `${subject} refuses: ${message(code)}.` }];
     }
-    const found = FINDINGS.map((text, bit): Remark => {
-        return { kind: bit < FAULTS ? "bad" : "note", text: `${subject} ${text}.` };
-    }).filter((_, bit) => code & (1 << bit));
-    const isClean = !(code & STARTS_OUTSIDE) && found.every(({ kind }) => kind === "note");
+    const found: Remark[] = [];
+    for (let rest = code; rest > 0; rest &= rest - 1) {
+        const lowest = rest & -rest;
+        found.push({ kind: lowest & FAULTS ? "bad" : "note", text: `${subject}: ${message(lowest)}.` });
+    }
+    const isClean = !(code & (FAULTS | STARTS_OUTSIDE));
     return isClean ? [{ kind: "good", text: `${subject} ${clean}.` }, ...found] : found;
 }
 
@@ -124,8 +109,7 @@ function planned(planner: Planner, place: number, beside: boolean): Outcome {
         return { motions: [], remarks: [{ kind: "note", text: `${name}: there is nothing to do.` }] };
     }
     if (!(duration > 0)) {
-        const why = name === "liba" ? "it finds no such move" : "a limit is 0 or has the wrong sign";
-        return { motions: [], remarks: [{ kind: "bad", text: `${name} refuses: ${why}.` }] };
+        return { motions: [], remarks: findings(name, name === "liba" ? UNREACHABLE : LIMITS, "") };
     }
     const motion = new Motion(name, [{ start: 0, plan: planner.read(place, duration) }], limits, beside);
     const remarks = findings(name, planner.check(place), "keeps every limit");

@@ -111,14 +111,14 @@ onPage("values follow the pointer", "#profile=bell&compare=no", async (page) => 
 
 onPage("a start outside the limits is no clean move", "#profile=move&v0=9", async (page) => {
     assert.deepEqual((await remarks(page)).filter((text) => !/between its ends/.test(text)), [
-        "atraj starts outside its limits, or is bound to leave them.",
+        "atraj: the move starts outside its limits, or is bound to leave them.",
     ]);
 });
 
 for (const [hash, words] of [
     ["#profile=move&vm=0", [/^atraj refuses: a limit is 0/]],
     ["#profile=move&v1=9", [/^atraj refuses: the target is outside the limits/]],
-    ["#profile=bell&p1=0.2&v0=3", [/^atraj keeps every limit/, /leaves the positions/, /^liba refuses: it finds no such move/]],
+    ["#profile=bell&p1=0.2&v0=3", [/^atraj keeps every limit/, /leaves the positions/, /^liba refuses: liba finds no such move/]],
     ["#profile=liba-bell&p1=0.2&v0=3", [/^liba refuses/, /^atraj keeps every limit/]],
     ["#profile=liba-trap&v0=4&p1=0.5", [/^liba .*ends at 2\.4495 m\/s, not at 0/, /^atraj keeps every limit/]],
     ["#profile=trap&ac=0", [/^atraj refuses/, /^liba /]],
@@ -161,7 +161,7 @@ for (const hash of [
             assert.ok(address.includes(word), `${word} in ${address}`);
         }
         await page.evaluate(() => (location.hash = "#profile=poly7&ts=2"));
-        await page.getByText("2.0000 s").waitFor();
+        await page.locator("#duration", { hasText: "2.0000 s" }).waitFor();
     });
 }
 

@@ -20,7 +20,8 @@ class State(NamedTuple):
 class Limits(NamedTuple):
     """What an axis can do.
 
-    The highest values are above 0, the lowest ones below 0. An infinite limit is no limit, but the jerk or the acceleration is finite.
+    The highest values are above 0, the lowest ones below 0. An infinite limit is no limit.
+    A jerk, or both accelerations, are finite.
     """
 
     vmax: float

@@ -1,7 +1,7 @@
 //! The named tuples and sets of `atraj/values.py`, and the errors.
 
-use atraj::online::{Error, Limits, Phase};
-use atraj::{Extremes, State};
+use atraj::online::{Limits, Phase};
+use atraj::{Error, Extremes, State};
 use pyo3::call::PyCallArgs;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -73,20 +73,7 @@ pub fn error(why: &str) -> PyErr {
     PyValueError::new_err(why.to_owned())
 }
 
-/// Why there is no move.
-pub fn no_move(reason: Error) -> PyErr {
-    error(match reason {
-        Error::NotFinite => {
-            "a number of a state is infinite or not a number, a limit is not a number, or the motion is beyond the range of the real type"
-        }
-        Error::Limits => "the limits are not around 0, or neither jerk nor acceleration is finite",
-        Error::Target => {
-            "the target is outside the limits, or the axis must have left them before, or will"
-        }
-        Error::Duration => "the duration or the cycle is negative, infinite or not a number",
-        Error::Line => {
-            "the states of several axes do not lie on the straight line from their start to their end"
-        }
-        Error::Axes => "there is no axis, or the lists have different lengths",
-    })
+/// A `ValueError` that says why there is no move.
+pub fn no_move(why: Error) -> PyErr {
+    error(&why.to_string())
 }

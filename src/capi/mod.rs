@@ -18,17 +18,19 @@
 #![allow(clippy::too_many_arguments)] // the signatures are the original's
 #![allow(clippy::useless_conversion)] // not where `Number` is a type of its own
 
+pub mod a;
 pub mod atraj;
 pub mod claraty;
-#[cfg(not(feature = "poly-compact"))]
-mod firmware;
 #[cfg(all(atraj_archive, any(target_os = "linux", target_os = "none")))]
 mod identity;
 #[cfg(atraj_archive)]
 mod panic;
-pub mod trajbell;
-pub mod trajpoly;
-pub mod trajtrap;
+
+pub use a::{trajbell, trajtrap};
+pub mod trajpoly {
+    //! The polynomials.
+    pub use super::a::{trajpoly3, trajpoly5, trajpoly7};
+}
 
 use crate::state::{Boundary, Saturation};
 

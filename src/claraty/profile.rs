@@ -1,9 +1,8 @@
 //! One motion from a position and a velocity to rest. The listing's profile is written operation by operation. The corrected
 //! profile keeps the listing's operations wherever they give the right motion.
 
-use core::ops::{BitOr, BitOrAssign};
-
 use super::Target;
+use crate::findings::set;
 use crate::real::Operations;
 use crate::state::State;
 
@@ -27,36 +26,17 @@ pub enum Kind {
     Trapezoidal = 1,
 }
 
-/// The set of what a plan changed or could not do.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Warnings(u8);
-
-impl Warnings {
-    /// The acceleration was below [`EPS`] and was raised to it.
-    pub const ACCELERATION: Self = Self(1);
-    /// The deceleration was below [`EPS`] and was raised to it.
-    pub const DECELERATION: Self = Self(2);
-    /// The maximum velocity was below [`EPS`] and was raised to it.
-    pub const VELOCITY: Self = Self(4);
-    /// The listing found no instant to switch from acceleration to deceleration. Its motion is wrong.
-    pub const SWITCH: Self = Self(8);
-
-    /// The set as the sum of 1, 2, 4 and 8.
-    pub const fn bits(self) -> u8 {
-        self.0
-    }
-}
-
-impl BitOr for Warnings {
-    type Output = Self;
-    fn bitor(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-}
-
-impl BitOrAssign for Warnings {
-    fn bitor_assign(&mut self, other: Self) {
-        *self = *self | other;
+set! {
+    /// What a plan had to change or could not do, as a set.
+    Warnings {
+        /// The acceleration was below [`EPS`] and was raised to it.
+        ACCELERATION = 1: c"the acceleration was below 1e-10 and was raised to it",
+        /// The deceleration was below [`EPS`] and was raised to it.
+        DECELERATION = 2: c"the deceleration was below 1e-10 and was raised to it",
+        /// The maximum velocity was below [`EPS`] and was raised to it.
+        VELOCITY = 4: c"the maximum velocity was below 1e-10 and was raised to it",
+        /// The listing found no instant to switch from acceleration to deceleration. Its motion is wrong.
+        SWITCH = 8: c"the listing found no instant to switch from acceleration to deceleration, and its motion is wrong",
     }
 }
 

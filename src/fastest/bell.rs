@@ -1,6 +1,7 @@
 //! The double-S that never fails: the fastest motion between two velocities within the limits.
 
 use super::border::Border;
+use crate::findings::Error;
 use crate::liba::{Bell, Trap};
 use crate::real::Real;
 use crate::state::{Boundary, Saturation, dips};
@@ -8,20 +9,27 @@ use crate::state::{Boundary, Saturation, dips};
 impl<R: Real> Bell<R> {
     /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
     ///
-    /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity or acceleration means no limit; an infinite jerk
-    /// needs a finite acceleration. A target behind, or nearer than the way to stop, is reached by turning. `None` if a limit is 0, or
-    /// if an argument is not a number, or a position infinite; nothing else fails. A move without displacement and without velocity
-    /// has the duration 0.
+    /// Boundary velocities beyond `±velocity` are limited to it. An infinite limit is no limit.
+    /// A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning. A move without
+    /// displacement and without velocity has the duration 0.
+    ///
+    /// [`Error::Limits`] if a limit is 0, or these are all infinite; [`Error::NotFinite`] if an argument is not a
+    /// number, or a position or the duration infinite; nothing else fails.
     ///
     /// ```
-    /// use atraj::{Bell, Boundary};
+    /// use atraj::{Bell, Boundary, online::Error};
     /// // 0.1 m to go at 2 m/s: too near to stop, so the axis passes the target and comes back.
     /// let boundary = Boundary { p0: 0.0, p1: 0.1, v0: 2.0, v1: 0.0 };
-    /// assert_eq!(Bell::new(30.0, 10.0, 5.0, boundary), None);
+    /// assert_eq!(Bell::new(30.0, 10.0, 5.0, boundary), Err(Error::Unreachable));
     /// let bell = Bell::fastest(30.0, 10.0, 5.0, boundary).expect("the arguments are numbers");
     /// assert_eq!((bell.position(bell.t), bell.velocity(bell.t)), (0.1, 0.0));
     /// ```
-    pub fn fastest(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Option<Self> {
+    pub fn fastest(
+        jerk: R,
+        acceleration: R,
+        velocity: R,
+        boundary: Boundary<R>,
+    ) -> Result<Self, Error> {
         let (jm, am, vm) = (
             jerk.magnitude(),
             acceleration.magnitude(),
@@ -30,11 +38,11 @@ impl<R: Real> Bell<R> {
         let limits_are_positive = jm > R::ZERO && am > R::ZERO && vm > R::ZERO;
         let limits_an_acceleration = jm < R::INFINITY || am < R::INFINITY;
         if !(limits_are_positive && limits_an_acceleration && boundary.is_numbers()) {
-            return None;
+            return Err(Error::of_plan([jm, am, vm], boundary, Error::Limits));
         }
         let boundary = boundary.limit_velocities(vm, Saturation::Numbers);
         if boundary.p0 == boundary.p1 && boundary.v0 == boundary.v1 {
-            return Some(Self::nothing(boundary));
+            return Ok(Self::nothing(boundary));
         }
         let mut jm = Self::resolved_jerk(jm, am, vm, boundary);
         let mut bell = Self::default();
@@ -47,7 +55,11 @@ impl<R: Real> Bell<R> {
             }
             jm = am / part;
         }
-        bell.t.is_finite().then_some(bell)
+        if bell.t.is_finite() {
+            Ok(bell)
+        } else {
+            Err(Error::NotFinite)
+        }
     }
 
     /// The shortest jerk part that the clock of a move of this duration resolves. A shorter one would show as a spike in the
@@ -63,13 +75,11 @@ impl<R: Real> Bell<R> {
         let blink = R::from(16) * R::EPSILON;
         let is_blink = tj * am <= blink * (v0.abs() + v1.abs())
             || tj * tj * am <= blink * blink * (p1 - p0).abs();
-        let trapezoid = if is_blink {
-            Trap::fastest(vm, am, -am, boundary)
-        } else {
-            None
-        };
-        match trapezoid {
-            Some(trap) if trap.t > R::ZERO => (am / Self::shortest_part(trap.t)).at_most(jm),
+        if !is_blink {
+            return jm;
+        }
+        match Trap::fastest(vm, am, -am, boundary) {
+            Ok(trap) if trap.t > R::ZERO => (am / Self::shortest_part(trap.t)).at_most(jm),
             _ => jm,
         }
     }

@@ -1,6 +1,6 @@
 //! What a filled double-S or trapezoid reaches, and what is wrong with it.
 
-use crate::findings::{Extremes, Findings};
+use crate::findings::{Error, Extremes, Findings};
 use crate::liba::bell::motion::Phase;
 use crate::liba::trap::motion::Phase as TrapPhase;
 use crate::liba::{Bell, Trap};
@@ -9,7 +9,7 @@ use crate::state::State;
 
 impl<R: Real> Bell<R> {
     /// Examines the move against the magnitudes of `jerk`, `acceleration` and `velocity`; an infinite limit is no limit. Any plan may
-    /// be examined, a plan of the C library's too. `None` if a field is not finite or a limit is NaN.
+    /// be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is not finite or a limit is NaN.
     ///
     /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration
     /// and jerk.
@@ -19,14 +19,14 @@ impl<R: Real> Bell<R> {
     /// // One ramp covers the way, and liba's plan of it forgets the limit of the acceleration.
     /// let boundary = Boundary { p0: 0.0, p1: 10.0, v0: 7.5, v1: 0.0 };
     /// let plan = Bell::new(30.0, 2.5, 10.0, boundary).expect("a plan");
-    /// assert_eq!(plan.check(30.0, 2.5, 10.0), Some(Findings::EXCEEDS_ACCELERATION));
+    /// assert_eq!(plan.check(30.0, 2.5, 10.0), Ok(Findings::EXCEEDS_ACCELERATION));
     /// let fastest = Bell::fastest(30.0, 2.5, 10.0, boundary).expect("numbers");
-    /// assert_eq!(fastest.check(30.0, 2.5, 10.0), Some(Findings::OVERSHOOTS));
+    /// assert_eq!(fastest.check(30.0, 2.5, 10.0), Ok(Findings::OVERSHOOTS));
     /// ```
-    pub fn check(&self, jerk: R, acceleration: R, velocity: R) -> Option<Findings> {
+    pub fn check(&self, jerk: R, acceleration: R, velocity: R) -> Result<Findings, Error> {
         let limits = [jerk, acceleration, velocity].map(|limit| limit.abs());
         if !(self.fields().iter().all(|x| x.is_finite()) && limits.iter().all(|&x| x >= R::ZERO)) {
-            return None;
+            return Err(Error::NotFinite);
         }
         let [jm, am, vm] = limits;
         let reached = self.extremes();
@@ -38,17 +38,11 @@ impl<R: Real> Bell<R> {
         } else {
             R::ZERO
         };
-        Some(
-            Findings::EXCEEDS_JERK.when(jerk > jm + few * jm)
-                | Findings::EXCEEDS_ACCELERATION.when(reached.acceleration() > am + few * am)
-                | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + few * speed_scale)
-                | Findings::JUMPS.when(self.jumps(few * position_scale, few * speed_scale))
-                | Findings::OVERSHOOTS.when(reached.overshoots(
-                    self.p0,
-                    self.p1,
-                    few * position_scale,
-                )),
-        )
+        Ok(Findings::EXCEEDS_JERK.when(jerk > jm + few * jm)
+            | Findings::EXCEEDS_ACCELERATION.when(reached.acceleration() > am + few * am)
+            | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + few * speed_scale)
+            | Findings::JUMPS.when(self.jumps(few * position_scale, few * speed_scale))
+            | Findings::OVERSHOOTS.when(reached.overshoots(self.p0, self.p1, few * position_scale)))
     }
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
@@ -173,10 +167,10 @@ impl<R: Real> Bell<R> {
 
 impl<R: Real> Trap<R> {
     /// Examines the move against the magnitude of `velocity` and two accelerations of opposite signs, in either order; an infinite limit
-    /// is no limit. Any plan may be examined, a plan of the C library's too. `None` if a field is not finite or a limit is NaN.
+    /// is no limit. Any plan may be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is not finite or a limit is NaN.
     ///
     /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
-    pub fn check(&self, velocity: R, ac: R, de: R) -> Option<Findings> {
+    pub fn check(&self, velocity: R, ac: R, de: R) -> Result<Findings, Error> {
         let Self {
             t,
             p0,
@@ -195,7 +189,7 @@ impl<R: Real> Trap<R> {
         let fields = [t, p0, p1, v0, v1, vc, ta, td, pa, pd, self.ac, self.de];
         if !(fields.iter().all(|x| x.is_finite()) && [vm, rise, fall].iter().all(|&x| x >= R::ZERO))
         {
-            return None;
+            return Err(Error::NotFinite);
         }
         let reached = self.extremes();
         let few = R::DOUBT; // 64 roundings
@@ -212,12 +206,10 @@ impl<R: Real> Trap<R> {
             ..
         } = reached.highest;
         let steep = highest > rise + few * rise || -lowest > fall + few * fall;
-        Some(
-            Findings::EXCEEDS_ACCELERATION.when(steep)
-                | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)
-                | Findings::JUMPS.when(self.jumps(of_position, of_velocity))
-                | Findings::OVERSHOOTS.when(reached.overshoots(p0, p1, of_position)),
-        )
+        Ok(Findings::EXCEEDS_ACCELERATION.when(steep)
+            | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)
+            | Findings::JUMPS.when(self.jumps(of_position, of_velocity))
+            | Findings::OVERSHOOTS.when(reached.overshoots(p0, p1, of_position)))
     }
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.

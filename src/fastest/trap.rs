@@ -1,5 +1,6 @@
 //! The trapezoid that never fails: the fastest motion between two velocities within the limits.
 
+use crate::findings::Error;
 use crate::liba::Trap;
 use crate::real::Real;
 use crate::roots::larger_root;
@@ -10,9 +11,10 @@ impl<R: Real> Trap<R> {
     /// positive one limits the acceleration towards larger positions, the negative one the acceleration towards smaller ones.
     ///
     /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity means no limit. A target behind, or nearer than
-    /// the way to stop, is reached by turning. `None` if a limit is 0 or both accelerations have one sign, if an acceleration is
-    /// infinite, for velocities would jump, or if an argument is not a number, or a position infinite; nothing else fails. A move
-    /// without displacement and without velocity has the duration 0.
+    /// the way to stop, is reached by turning. A move without displacement and without velocity has the duration 0.
+    ///
+    /// [`Error::Limits`] if a limit is 0, if both accelerations have one sign, or if an acceleration is infinite, because the velocity
+    /// would jump; [`Error::NotFinite`] if an argument is not a number, or a position or the duration infinite; nothing else fails.
     ///
     /// ```
     /// use atraj::{Boundary, Trap};
@@ -22,13 +24,13 @@ impl<R: Real> Trap<R> {
     /// assert_eq!((trap.position(trap.t), trap.velocity(trap.t)), (1.0, 0.0));
     /// ```
     #[inline(always)] // saves a copy of the struct, and the double-S, which wants the duration alone, the rest of the plan
-    pub fn fastest(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
+    pub fn fastest(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Result<Self, Error> {
         let vm = velocity.magnitude();
         let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
         let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, Saturation::Numbers);
         let limits = vm > R::ZERO && rise > R::ZERO && fall > R::ZERO;
         if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {
-            return None;
+            return Err(Error::of_plan([vm, rise, fall], boundary, Error::Limits));
         }
         let (h, dv) = (p1 - p0, v1 - v0);
         // The ramp that leads from the start straight to the end.
@@ -72,7 +74,11 @@ impl<R: Real> Trap<R> {
             ac,
             de,
         };
-        trap.t.is_finite().then_some(trap)
+        if trap.t.is_finite() {
+            Ok(trap)
+        } else {
+            Err(Error::NotFinite)
+        }
     }
 }
 

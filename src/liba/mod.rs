@@ -1,7 +1,7 @@
 //! The trajectories of the C library liba, bit for bit.
 
 pub(crate) mod bell;
-mod poly;
+pub(crate) mod poly;
 pub(crate) mod trap;
 
 pub use bell::Bell;

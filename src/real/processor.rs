@@ -1,9 +1,5 @@
 //! Every fact about the target that a choice in this library rests on.
 
-/// The program runs on a microcontroller without an operating system: flash is scarce, no cache and hardly any pipeline wait
-/// for a branch.
-pub const IS_BARE_METAL: bool = cfg!(target_os = "none");
-
 /// A unit computes in binary32: a division or a square root is one instruction.
 ///
 /// On Arm the ABI tells, since it passes reals in the unit's registers. RISC-V cores of 32 bits count as cores without a unit.

@@ -1,8 +1,8 @@
 //! Moves from any state to any state, for one axis or several.
 
 use atraj::axes;
-use atraj::online::{Error, Limits};
-use atraj::{Findings, State};
+use atraj::online::Limits;
+use atraj::{Error, Findings, State};
 use pyo3::prelude::*;
 
 use super::Real;
@@ -19,8 +19,8 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// A move from any state to any state, planned in motion: phases of constant jerk.
 ///
 /// `Move.plan`, `reach`, `stop` and `meet` plan one axis, `synchronise` and `line` several. A move never changes: when the target
-/// changes, plan again from `state_at` of this moment. ValueError if an argument is no number, the limits are none, or the target is
-/// outside the limits.
+/// changes, plan again from `state_at` of this moment. ValueError if an argument is no number, a limit is 0 or has the wrong sign, or the
+/// target is outside the limits.
 ///
 /// >>> import atraj
 /// >>> limits = atraj.Limits.symmetric(jerk=30, acceleration=10, velocity=5)

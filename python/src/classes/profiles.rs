@@ -1,12 +1,12 @@
 //! The profiles.
 
-use atraj::{Boundary, Findings, Poly, Saturation};
+use atraj::{Boundary, Error, Findings, Poly, Saturation};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use super::Real;
 use crate::motion::{Arrays, Motion, Request, at};
-use crate::values::{error, from_state, named, to_extremes, to_state};
+use crate::values::{from_state, named, no_move, to_extremes, to_state};
 
 /// Adds the classes to a module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -156,16 +156,14 @@ impl Bell {
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let saturation = saturation(newest_saturation);
-        let mut bell = atraj::Bell::default();
-        let t = bell.plan_saturated(jerk, acceleration, velocity, boundary, saturation);
-        planned(t)?;
-        Ok(Self::of(bell))
+        let bell = atraj::Bell::new_saturated(jerk, acceleration, velocity, boundary, saturation);
+        Ok(Self::of(bell.map_err(no_move)?))
     }
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
     ///
-    /// An infinite velocity or acceleration is no limit; an infinite jerk needs a finite acceleration. ValueError if a limit is 0,
-    /// an argument is no number, or a position is infinite.
+    /// An infinite limit is no limit. A jerk, or both accelerations, are finite. ValueError if a limit is 0, an argument is no
+    /// number, or a position is infinite.
     ///
     /// >>> import atraj
     /// >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2) # 0.1 m to go at 2 m/s
@@ -185,7 +183,7 @@ impl Bell {
     ) -> PyResult<Py<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let bell = atraj::Bell::fastest(jerk, acceleration, velocity, boundary);
-        Py::new(py, Self::of(bell.ok_or_else(|| error(NO_FASTEST))?))
+        Py::new(py, Self::of(bell.map_err(no_move)?))
     }
 
     /// The move with these `BellFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
@@ -260,9 +258,8 @@ impl Trap {
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let saturation = saturation(newest_saturation);
-        let mut trap = atraj::Trap::default();
-        planned(trap.plan_saturated(velocity, ac, de, boundary, saturation))?;
-        Ok(Self::of(trap))
+        let trap = atraj::Trap::new_saturated(velocity, ac, de, boundary, saturation);
+        Ok(Self::of(trap.map_err(no_move)?))
     }
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
@@ -283,7 +280,7 @@ impl Trap {
         v1: Real,
     ) -> PyResult<Py<Self>> {
         let trap = atraj::Trap::fastest(velocity, ac, de, Boundary { p0, p1, v0, v1 });
-        Py::new(py, Self::of(trap.ok_or_else(|| error(NO_FASTEST))?))
+        Py::new(py, Self::of(trap.map_err(no_move)?))
     }
 
     /// The move with these `TrapFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
@@ -352,7 +349,7 @@ impl Poly3 {
     #[new]
     #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0))]
     fn new(t: Real, p0: Real, p1: Real, v0: Real, v1: Real) -> PyResult<PyClassInitializer<Self>> {
-        let poly = finite(atraj::Poly3::new(t, Boundary { p0, p1, v0, v1 }))?;
+        let poly = atraj::Poly3::new(t, Boundary { p0, p1, v0, v1 }).map_err(no_move)?;
         Ok(Self::of(poly, t))
     }
 
@@ -389,7 +386,7 @@ impl Poly5 {
         a1: Real,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
-        let poly = finite(atraj::Poly5::new(t, boundary, [a0, a1]))?;
+        let poly = atraj::Poly5::new(t, boundary, [a0, a1]).map_err(no_move)?;
         Ok(Self::of(poly, t))
     }
 
@@ -429,7 +426,7 @@ impl Poly7 {
         j1: Real,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
-        let poly = finite(atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]))?;
+        let poly = atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]).map_err(no_move)?;
         Ok(Self::of(poly, t))
     }
 
@@ -446,24 +443,6 @@ impl Poly7 {
     }
 }
 
-/// Why liba's plan fails.
-const NO_PLAN: &str =
-    "the limits allow no such move, it would take no time, or an argument is not a number";
-/// Why even the fastest plan fails.
-const NO_FASTEST: &str = "a limit is 0, the limits limit no acceleration, an argument is not a number, or a position is infinite";
-
-/// Whether liba planned a move.
-fn planned(duration: Option<Real>) -> PyResult<()> {
-    match duration {
-        Some(t) if t > 0.0 => Ok(()),
-        _ => Err(error(NO_PLAN)),
-    }
-}
-
-fn finite<const N: usize>(poly: Option<Poly<Real, N>>) -> PyResult<Poly<Real, N>> {
-    poly.ok_or_else(|| error("a coefficient is not finite"))
-}
-
 fn saturation(newest: bool) -> Saturation {
     if newest {
         Saturation::Numbers
@@ -472,8 +451,6 @@ fn saturation(newest: bool) -> Saturation {
     }
 }
 
-fn found(py: Python<'_>, findings: Option<Findings>) -> PyResult<Bound<'_, PyAny>> {
-    let findings =
-        findings.ok_or_else(|| error("a field is not finite, or a limit is not a number"))?;
-    named(py, "Findings", (findings.bits(),))
+fn found(py: Python<'_>, findings: Result<Findings, Error>) -> PyResult<Bound<'_, PyAny>> {
+    named(py, "Findings", (findings.map_err(no_move)?.bits(),))
 }

@@ -1,7 +1,7 @@
 //! `atraj/move.h`: several axes that move together.
 
-use super::r#move::{atraj_limits, atraj_move, atraj_state, code};
-use super::{ATRAJ_ERR_NULL, sample::array};
+use super::r#move::{atraj_limits, atraj_move, atraj_state};
+use super::{ATRAJ_ERR_NULL, array, code};
 use crate::axes;
 use crate::capi::{Number, a_float};
 use crate::findings::Findings;

@@ -2,64 +2,20 @@
 
 mod axes;
 mod bell;
+mod codes;
 mod r#move;
 mod poly;
-mod sample;
 mod trap;
 
 pub use axes::*;
 pub use bell::*;
+pub use codes::*;
 pub use r#move::*;
 pub use poly::*;
-pub use sample::*;
 pub use trap::*;
 
 use super::{Number, a_float};
-use crate::findings::{Extremes, Findings};
-
-/// Bits of what a check finds.
-#[repr(C)]
-pub enum atraj_finding {
-    /// the jerk is above its limit
-    ATRAJ_EXCEEDS_JERK = 1,
-    /// the acceleration is above its limit
-    ATRAJ_EXCEEDS_ACCELERATION = 2,
-    /// the velocity is above its limit
-    ATRAJ_EXCEEDS_VELOCITY = 4,
-    /// position or velocity is not continuous, or not where the struct says
-    ATRAJ_JUMPS = 8,
-    /// the move leaves the positions between its ends
-    ATRAJ_OVERSHOOTS = 16,
-    /// the move starts outside its limits, or is bound to leave them
-    ATRAJ_STARTS_OUTSIDE = 32,
-}
-
-/// What a function returns that cannot answer.
-#[repr(C)]
-pub enum atraj_error {
-    /// a pointer is NULL, or there is no axis
-    ATRAJ_ERR_NULL = -1,
-    /// a number is infinite or not a number, a limit is not a number, or the move is beyond the range of `a_float`
-    ATRAJ_ERR_NOT_FINITE = -2,
-    /// the limits are not around 0, or none of jerk and acceleration is finite
-    ATRAJ_ERR_LIMITS = -3,
-    /// the target is outside the limits, or the axis must have left them before, or will
-    ATRAJ_ERR_TARGET = -4,
-    /// the duration or the cycle is negative, infinite or not a number
-    ATRAJ_ERR_DURATION = -5,
-    /// the states do not lie on the straight line from start to end
-    ATRAJ_ERR_LINE = -6,
-}
-use atraj_error::*;
-
-const _: () = assert!(
-    atraj_finding::ATRAJ_EXCEEDS_JERK as u8 == Findings::EXCEEDS_JERK.bits()
-        && atraj_finding::ATRAJ_EXCEEDS_ACCELERATION as u8 == Findings::EXCEEDS_ACCELERATION.bits()
-        && atraj_finding::ATRAJ_EXCEEDS_VELOCITY as u8 == Findings::EXCEEDS_VELOCITY.bits()
-        && atraj_finding::ATRAJ_JUMPS as u8 == Findings::JUMPS.bits()
-        && atraj_finding::ATRAJ_OVERSHOOTS as u8 == Findings::OVERSHOOTS.bits()
-        && atraj_finding::ATRAJ_STARTS_OUTSIDE as u8 == Findings::STARTS_OUTSIDE.bits()
-);
+use crate::findings::Extremes;
 
 /// Writes the extremes where an output is not NULL.
 ///
@@ -71,6 +27,31 @@ unsafe fn write_extremes(extremes: Extremes<Number>, lowest: *mut a_float, highe
             let values = [state.position, state.velocity, state.acceleration].map(Into::into);
             // SAFETY: by the contract of this function.
             unsafe { output.cast::<[a_float; 3]>().write(values) };
+        }
+    }
+}
+
+/// The `n` values at `output`. A NULL output has no values.
+///
+/// # Safety
+/// `output` is NULL, or has room for `n` values that nobody else uses.
+unsafe fn array<'a, T>(output: *mut T, n: usize) -> &'a mut [T] {
+    if output.is_null() {
+        return &mut [];
+    }
+    // SAFETY: by the contract of this function.
+    unsafe { core::slice::from_raw_parts_mut(output, n) }
+}
+
+/// Writes each value to its output. A NULL output gets nothing.
+///
+/// # Safety
+/// Each output is NULL or writable.
+unsafe fn write<const N: usize>(outputs: [*mut a_float; N], values: [a_float; N]) {
+    for (output, value) in outputs.into_iter().zip(values) {
+        if !output.is_null() {
+            // SAFETY: by the contract of this function.
+            unsafe { output.write(value) };
         }
     }
 }

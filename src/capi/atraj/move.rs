@@ -1,18 +1,13 @@
 //! `atraj/move.h`: one axis from any state to any state.
 
-use super::sample::{array, write};
-use super::{
-    ATRAJ_ERR_DURATION, ATRAJ_ERR_LIMITS, ATRAJ_ERR_LINE, ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_NULL,
-    ATRAJ_ERR_TARGET,
-};
+use super::{ATRAJ_ERR_NULL, array, code, write};
 use crate::capi::{Number, a_float, assert_same_layout, nan};
-use crate::findings::Findings;
-use crate::online::{Error, Limits, Move, Phase};
+use crate::online::{Limits, Move, Phase};
 use crate::sampling::MOST_SAMPLES;
 use crate::state::State;
 use core::ffi::{c_int, c_uint};
 
-/// @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit, but the accelerations or a jerk are finite.
+/// @brief What an axis can do. Each pair of limits is around 0. An infinite limit is no limit. A jerk, or both accelerations, are finite.
 #[repr(C)]
 pub struct atraj_limits {
     /// highest velocity, unit/s
@@ -86,19 +81,6 @@ pub struct atraj_move {
     pub phase: [atraj_phase; 16],
 }
 assert_same_layout!(atraj_move, Move<Number>, t phases phase);
-
-/// What C gets for a plan.
-pub(super) fn code(plan: Result<Findings, Error>) -> c_int {
-    match plan {
-        Ok(findings) => findings.bits().into(),
-        Err(Error::NotFinite) => ATRAJ_ERR_NOT_FINITE as c_int,
-        Err(Error::Limits) => ATRAJ_ERR_LIMITS as c_int,
-        Err(Error::Target) => ATRAJ_ERR_TARGET as c_int,
-        Err(Error::Duration) => ATRAJ_ERR_DURATION as c_int,
-        Err(Error::Line) => ATRAJ_ERR_LINE as c_int,
-        Err(Error::Axes) => ATRAJ_ERR_NULL as c_int,
-    }
-}
 
 /// @brief Fill limits that are the same in both directions, in the order of `a_trajbell_gen`. The signs are ignored.
 /// @param limits points to the limits to fill; nothing happens if it is NULL

@@ -1,9 +1,10 @@
-//! `atraj.h`: the trapezoid that never fails, and what is wrong with any other.
+//! `atraj.h`: the trapezoid that never fails, and what any other does.
 
-use super::{ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_NULL, write_extremes};
-use crate::capi::trajtrap::a_trajtrap;
+use super::{ATRAJ_ERR_NULL, array, code, write, write_extremes};
+use crate::capi::a::trajtrap::a_trajtrap;
 use crate::capi::{Number, a_float, boundary};
 use crate::liba::Trap;
+use crate::sampling::MOST_SAMPLES;
 use core::ffi::c_int;
 
 /// @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are numbers.
@@ -36,11 +37,11 @@ pub unsafe extern "C" fn atraj_trap_gen(
         return a_float::NAN;
     };
     match Trap::fastest(vm.into(), ac.into(), de.into(), boundary(p0, p1, v0, v1)) {
-        Some(fastest) => {
+        Ok(fastest) => {
             *ctx = fastest;
             fastest.t.into()
         }
-        None => a_float::NAN,
+        Err(_) => a_float::NAN,
     }
 }
 
@@ -61,11 +62,7 @@ pub unsafe extern "C" fn atraj_trap_check(
 ) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
-        Some(trap) => trap
-            .check(vm.into(), ac.into(), de.into())
-            .map_or(ATRAJ_ERR_NOT_FINITE as c_int, |findings| {
-                findings.bits().into()
-            }),
+        Some(trap) => code(trap.check(vm.into(), ac.into(), de.into())),
         None => ATRAJ_ERR_NULL as c_int,
     }
 }
@@ -85,4 +82,61 @@ pub unsafe extern "C" fn atraj_trap_extremes(
         // SAFETY: the outputs are NULL or have room for three values by the contract of this module.
         unsafe { write_extremes(trap.extremes(), lowest, highest) };
     }
+}
+
+/// @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations at evenly spaced times.
+///
+/// Sample `k` belongs to the time `x0 + k*dt`. It has the bits that the single functions give for this time.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory
+/// @param x0 time of sample 0 since the start, s
+/// @param dt time from one sample to the next, s; it may be 0 or negative
+/// @param n number of samples
+/// @param pos position, unit: NULL or an array of `n`
+/// @param vel velocity, unit/s: NULL or an array of `n`
+/// @param acc acceleration, unit/s^2: NULL or an array of `n`
+/// @return number of samples written: `n` or 2147483647, whichever is less; 0 if `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_trap_sample(
+    ctx: *const a_trajtrap,
+    x0: a_float,
+    dt: a_float,
+    n: usize,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) -> usize {
+    let n = n.min(MOST_SAMPLES);
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let Some(trap) = (unsafe { ctx.cast::<Trap<Number>>().as_ref() }) else {
+        return 0;
+    };
+    // SAFETY: each output is NULL or has room for `n` values by the contract of this module.
+    let outputs = [pos, vel, acc].map(|output| unsafe { array::<Number>(output.cast(), n) });
+    trap.sample_into(x0.into(), dt.into(), outputs);
+    n
+}
+
+/// @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time.
+///
+/// Each quantity has the bits that its single function gives.
+/// @param ctx points to a planned instance of trapezoidal velocity trajectory; if it is NULL, all results are NaN
+/// @param x time since the start, s
+/// @param pos position, unit: NULL or the place for the result
+/// @param vel velocity, unit/s: NULL or the place for the result
+/// @param acc acceleration, unit/s^2: NULL or the place for the result
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_trap_state(
+    ctx: *const a_trajtrap,
+    x: a_float,
+    pos: *mut a_float,
+    vel: *mut a_float,
+    acc: *mut a_float,
+) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let state = match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
+        Some(trap) => trap.state(x.into()).map(Into::into),
+        None => [a_float::NAN; 3],
+    };
+    // SAFETY: each output is NULL or writable by the contract of this module.
+    unsafe { write([pos, vel, acc], state) };
 }

@@ -11,9 +11,10 @@ pub(crate) mod motion;
 mod plan;
 mod search;
 
+use crate::findings::Error;
 use crate::real::Real;
 use crate::sampling::Sweep;
-use crate::state::Boundary;
+use crate::state::{Boundary, Saturation, State};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
 ///
@@ -65,12 +66,49 @@ pub struct Bell<R> {
 impl<R: Real> Bell<R> {
     /// Plans a move within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
     ///
-    /// Boundary velocities beyond `±velocity` are limited to it. `None` if no such move exists, if it would take no
-    /// time, or if a NaN among the arguments leaves its duration undefined.
-    pub fn new(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Option<Self> {
+    /// Boundary velocities beyond `±velocity` are limited to it. [`Error::Unreachable`] if liba finds no such move, or if the move
+    /// takes no time; [`Error::NotFinite`] if an argument is not a number, or a position infinite; [`Error::Limits`] if a limit is 0.
+    pub fn new(
+        jerk: R,
+        acceleration: R,
+        velocity: R,
+        boundary: Boundary<R>,
+    ) -> Result<Self, Error> {
+        Self::new_saturated(
+            jerk,
+            acceleration,
+            velocity,
+            boundary,
+            Saturation::Everything,
+        )
+    }
+
+    /// [`Bell::new`] with the saturation of either generation of liba.
+    pub fn new_saturated(
+        jerk: R,
+        acceleration: R,
+        velocity: R,
+        boundary: Boundary<R>,
+        saturation: Saturation,
+    ) -> Result<Self, Error> {
         let mut bell = Self::default();
-        let duration = bell.plan(jerk, acceleration, velocity, boundary)?;
-        (duration > R::ZERO).then_some(bell)
+        match bell.plan_saturated(jerk, acceleration, velocity, boundary, saturation) {
+            Some(duration) if duration > R::ZERO => Ok(bell),
+            _ => {
+                let limits = [jerk, acceleration, velocity];
+                Err(Error::of_plan(limits, boundary, Error::Unreachable))
+            }
+        }
+    }
+
+    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+    pub fn state_at(&self, x: R) -> State<R> {
+        let [position, velocity, acceleration, _] = self.state(x);
+        State {
+            position,
+            velocity,
+            acceleration,
+        }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.

@@ -8,6 +8,7 @@ use crate::state::{Boundary, Saturation};
 impl<R: Real> Bell<R> {
     /// [`Bell::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
+    #[must_use = "`None` says that there is no plan"]
     pub fn plan(
         &mut self,
         jerk: R,
@@ -25,6 +26,7 @@ impl<R: Real> Bell<R> {
     }
 
     /// [`Bell::plan`] with the saturation of either generation of liba.
+    #[must_use = "`None` says that there is no plan"]
     pub fn plan_saturated(
         &mut self,
         jerk: R,

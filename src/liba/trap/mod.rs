@@ -6,8 +6,9 @@
 pub(crate) mod motion;
 mod plan;
 
+use crate::findings::Error;
 use crate::real::Real;
-use crate::state::Boundary;
+use crate::state::{Boundary, Saturation};
 
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
 /// each other.
@@ -55,11 +56,28 @@ impl<R: Real> Trap<R> {
     ///
     /// `ac` and `de` are signed: a forward move has `ac > 0` and `de < 0`, a backward one the opposite. Boundary
     /// velocities beyond `±velocity` are limited to it; a final velocity out of reach is replaced by the one that is
-    /// reached. `None` if no such move exists, if it would take no time, or if a NaN among the arguments leaves its
-    /// duration undefined.
-    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<Self> {
+    /// reached. [`Error::Unreachable`] if liba finds no such move, or if the move takes no time; [`Error::NotFinite`] if an argument
+    /// is not a number, or a position infinite; [`Error::Limits`] if a limit is 0.
+    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Result<Self, Error> {
+        Self::new_saturated(velocity, ac, de, boundary, Saturation::Everything)
+    }
+
+    /// [`Trap::new`] with the saturation of either generation of liba.
+    pub fn new_saturated(
+        velocity: R,
+        ac: R,
+        de: R,
+        boundary: Boundary<R>,
+        saturation: Saturation,
+    ) -> Result<Self, Error> {
         let mut trap = Self::default();
-        let duration = trap.plan(velocity, ac, de, boundary)?;
-        (duration > R::ZERO).then_some(trap)
+        match trap.plan_saturated(velocity, ac, de, boundary, saturation) {
+            Some(duration) if duration > R::ZERO => Ok(trap),
+            _ => Err(Error::of_plan(
+                [velocity, ac, de],
+                boundary,
+                Error::Unreachable,
+            )),
+        }
     }
 }

@@ -3,6 +3,7 @@
 use super::Trap;
 use crate::real::Real;
 use crate::sampling::{Edge, Run, Sampled, Sweep, in_phase};
+use crate::state::State;
 
 /// The three phases in order of time, each with its interval, and the standstill around them.
 #[derive(Clone, Copy)]
@@ -44,6 +45,16 @@ impl<R: Real> Trap<R> {
     /// Position, velocity and acceleration at time `x`, s.
     pub fn state(&self, x: R) -> [R; 3] {
         Sampled::state(self, x)
+    }
+
+    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+    pub fn state_at(&self, x: R) -> State<R> {
+        let [position, velocity, acceleration] = self.state(x);
+        State {
+            position,
+            velocity,
+            acceleration,
+        }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.

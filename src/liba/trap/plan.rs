@@ -19,11 +19,13 @@ enum Shape {
 impl<R: Real> Trap<R> {
     /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
+    #[must_use = "`None` says that there is no plan"]
     pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
         self.plan_saturated(velocity, ac, de, boundary, Saturation::Everything)
     }
 
     /// [`Trap::plan`] with the saturation of either generation of liba.
+    #[must_use = "`None` says that there is no plan"]
     pub fn plan_saturated(
         &mut self,
         velocity: R,

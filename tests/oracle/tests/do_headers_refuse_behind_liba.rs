@@ -99,3 +99,16 @@ fn newer_liba() {
         assert!(says(&FLOAT).contains("A_SIZE_REAL"));
     }
 }
+
+/// `atraj.h` serves liba's own structs too. Its C++ members belong to ours.
+#[test]
+fn libas_own_structs() {
+    let ours = DOUBLE.dist().join("include");
+    let theirs: String = Family::ALL
+        .map(|family| include().join(format!("a/{}.h", family.c_name())))
+        .map(|header| format!("#include \"{}\"\n", header.display()))
+        .concat();
+    for compiler in compilers(Language::Cpp) {
+        assert_eq!(says(compiler, &ours, &theirs, "atraj.h", &["-xc++"]), "");
+    }
+}

@@ -47,7 +47,7 @@ fn count<R: Original>() -> Counts {
             continue;
         }
         let plan = bell(&fields);
-        let Some(found) = plan.check(jm, am, vm) else {
+        let Ok(found) = plan.check(jm, am, vm) else {
             counts.jumps += 1;
             continue;
         };

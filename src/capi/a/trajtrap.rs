@@ -1,6 +1,6 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
-use super::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
+use crate::capi::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
 use crate::liba::Trap;
 
 /// @brief Trapezoidal velocity trajectory.

@@ -1,7 +1,16 @@
 //! Polynomial profiles between two prescribed ends in a prescribed time, with the operations and the rounding of liba's
 //! `a_trajpoly3/5/7_*`; Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 2.1.
 
-use crate::findings::Extremes;
+/// The bodies that differ between targets: two files with one face.
+#[cfg_attr(target_os = "none", path = "bare_metal.rs")]
+#[cfg_attr(not(target_os = "none"), path = "host.rs")]
+#[allow(
+    dead_code,
+    reason = "the structs of C store what a polynomial computes"
+)]
+pub(crate) mod target;
+
+use crate::findings::{Error, Extremes};
 use crate::real::Real;
 use crate::sampling::Sweep;
 use crate::state::{Boundary, State};
@@ -48,11 +57,12 @@ pub type Poly5<R> = Poly<R, 6>;
 pub type Poly7<R> = Poly<R, 8>;
 
 impl<R: Real> Poly3<R> {
-    /// Plans a move of duration `ts`, s, which must not be 0. `None` if a coefficient is not finite.
-    pub fn new(ts: R, boundary: Boundary<R>) -> Option<Self> {
+    /// Plans a move of duration `ts`, s. [`Error::Duration`] if `ts` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not
+    /// finite.
+    pub fn new(ts: R, boundary: Boundary<R>) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(ts, boundary);
-        poly.finite()
+        poly.finite(ts)
     }
 
     /// [`Poly3::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -72,12 +82,11 @@ impl<R: Real> Poly3<R> {
 }
 
 impl<R: Real> Poly5<R> {
-    /// Plans a move of duration `ts`, s, which must not be 0, between the accelerations `[a0, a1]`. `None` if a
-    /// coefficient is not finite.
-    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Option<Self> {
+    /// Plans a move of duration `ts`, s, between the accelerations `[a0, a1]`. Errors are those of [`Poly3::new`].
+    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(ts, boundary, acceleration);
-        poly.finite()
+        poly.finite(ts)
     }
 
     /// [`Poly5::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -102,12 +111,17 @@ impl<R: Real> Poly5<R> {
 }
 
 impl<R: Real> Poly7<R> {
-    /// Plans a move of duration `ts`, s, which must not be 0, between the accelerations `[a0, a1]` and the jerks
-    /// `[j0, j1]`. `None` if a coefficient is not finite.
-    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2], jerk: [R; 2]) -> Option<Self> {
+    /// Plans a move of duration `ts`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. Errors are those of
+    /// [`Poly3::new`].
+    pub fn new(
+        ts: R,
+        boundary: Boundary<R>,
+        acceleration: [R; 2],
+        jerk: [R; 2],
+    ) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(ts, boundary, acceleration, jerk);
-        poly.finite()
+        poly.finite(ts)
     }
 
     /// [`Poly7::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -174,6 +188,16 @@ impl<R: Real, const N: usize> Poly<R, N> {
             self.acceleration(x),
             self.jerk(x),
         ]
+    }
+
+    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+    pub fn state_at(&self, x: R) -> State<R> {
+        let [position, velocity, acceleration, _] = self.state(x);
+        State {
+            position,
+            velocity,
+            acceleration,
+        }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -263,16 +287,13 @@ impl<R: Real, const N: usize> Poly<R, N> {
     pub fn derivative<const M: usize>(&self) -> Poly<R, M> {
         const { assert!(M + 1 == N, "a derivative has one coefficient fewer") };
         let mut derivative = Poly::default();
-        let terms = derivative.c.iter_mut().zip(self.c.iter().skip(1));
-        for (k, (d, &c)) in terms.enumerate() {
-            *d = c * R::from(k as u8 + 1);
-        }
+        target::differentiate(&self.c, &mut derivative.c);
         derivative
     }
 
     /// The derivative of this order at time `x`, s, by Horner's rule: from the highest power down, multiplication and addition
     /// rounded apart.
-    fn derivative_at(&self, order: usize, x: R) -> R {
+    pub(crate) fn derivative_at(&self, order: usize, x: R) -> R {
         let differentiate =
             |(power, &c): (usize, &R)| (0..order).fold(c, |c, k| c * R::from((power - k) as u8));
         let mut terms = self
@@ -286,9 +307,15 @@ impl<R: Real, const N: usize> Poly<R, N> {
         terms.fold(highest, |y, c| y * x + c)
     }
 
-    /// The polynomial if every coefficient is finite.
-    fn finite(self) -> Option<Self> {
-        self.c.iter().all(|c| c.is_finite()).then_some(self)
+    /// The polynomial of duration `ts` if every coefficient is finite.
+    fn finite(self, ts: R) -> Result<Self, Error> {
+        if self.c.iter().all(|c| c.is_finite()) {
+            Ok(self)
+        } else if ts.abs() > R::ZERO {
+            Err(Error::NotFinite)
+        } else {
+            Err(Error::Duration)
+        }
     }
 }
 

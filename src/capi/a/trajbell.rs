@@ -1,6 +1,6 @@
 //! `a/trajbell.h`: the double-S profile.
 
-use super::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
+use crate::capi::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
 use crate::liba::Bell;
 
 /// @brief Bell-shaped (double-S) velocity trajectory.

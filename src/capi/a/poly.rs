@@ -1,0 +1,129 @@
+//! What the shims of all polynomials have in common.
+//!
+//! The struct of liba 0.1.15 stores the coefficients of position and, up to the level of the build, those of its derivatives, one
+//! array behind the other. The struct of liba since 2025-03 stores the coefficients of position alone.
+
+#[cfg(feature = "poly-compact")]
+use crate::capi::nan;
+use crate::capi::{Number, a_float};
+#[cfg(feature = "poly-compact")]
+use crate::liba::Poly;
+#[cfg(not(feature = "poly-compact"))]
+use crate::liba::poly::target;
+#[cfg(not(feature = "poly-compact"))]
+use core::slice;
+
+/// Where a struct stores the coefficients of a derivative: the place of the first and their number, packed into what one short
+/// instruction can load.
+#[cfg(not(feature = "poly-compact"))]
+#[derive(Clone, Copy)]
+struct Place(usize);
+
+#[cfg(not(feature = "poly-compact"))]
+impl Place {
+    /// The derivative of this order of a polynomial with `n` coefficients, at most 8.
+    const fn new(n: usize, order: usize) -> Self {
+        // `order` arrays stand before it, each one shorter than the array before: n + (n-1) + ….
+        let first = order * n - order * order.saturating_sub(1) / 2;
+        Self(first * 8 + n - order - 1)
+    }
+
+    fn first(self) -> usize {
+        self.0 / 8
+    }
+
+    fn count(self) -> usize {
+        self.0 % 8 + 1
+    }
+}
+
+/// The derivative of order `ORDER` of a polynomial with `N` coefficients, at `x`; NaN for a NULL context.
+///
+/// # Safety
+/// `ctx` is NULL or points to a struct that stores the polynomial and, if structs have levels, its derivatives up to this one.
+#[cfg(not(feature = "poly-compact"))]
+pub unsafe fn evaluate<const N: usize, const ORDER: usize>(
+    ctx: *const Number,
+    x: a_float,
+) -> a_float {
+    // SAFETY: the contract of this function is the contract of that one.
+    unsafe { evaluate_at(ctx, const { Place::new(N, ORDER) }, x) }
+}
+
+/// # Safety
+/// `ctx` is NULL or points to a struct that stores these coefficients.
+#[cfg(not(feature = "poly-compact"))]
+#[cfg_attr(target_os = "none", inline(never))] // one copy for all polynomials
+unsafe fn evaluate_at(ctx: *const Number, place: Place, x: a_float) -> a_float {
+    if ctx.is_null() {
+        return a_float::NAN;
+    }
+    // SAFETY: not NULL, so the coefficients are there by the contract of this function.
+    let c = unsafe { slice::from_raw_parts(ctx.add(place.first()), place.count()) };
+    target::horner(c, x.into()).into()
+}
+
+/// The derivative of order `ORDER` of a polynomial with `N` coefficients, at `x`; NaN for a NULL context.
+///
+/// # Safety
+/// `ctx` is NULL or points to a struct that stores the polynomial.
+#[cfg(feature = "poly-compact")]
+pub unsafe fn evaluate<const N: usize, const ORDER: usize>(
+    ctx: *const Number,
+    x: a_float,
+) -> a_float {
+    // SAFETY: by the contract of this function.
+    match unsafe { ctx.cast::<Poly<Number, N>>().as_ref() } {
+        Some(poly) => poly.derivative_at(ORDER, x.into()).into(),
+        None => nan(),
+    }
+}
+
+/// Writes the coefficients of the derivative of order `ORDER + 1` from those of order `ORDER`; nothing for a NULL context.
+///
+/// # Safety
+/// `ctx` is NULL or points to a struct that stores a polynomial with `N` coefficients, and its derivatives up to order `ORDER + 1`.
+#[cfg(not(feature = "poly-compact"))]
+#[allow(dead_code, reason = "the lowest level has no derivatives")]
+pub unsafe fn differentiate<const N: usize, const ORDER: usize>(ctx: *mut Number) {
+    // SAFETY: the contract of this function is the contract of that one.
+    unsafe { differentiate_at(ctx, const { Place::new(N, ORDER) }) };
+}
+
+/// # Safety
+/// `ctx` is NULL or points to a struct that stores these coefficients and, behind them, those of the derivative.
+#[cfg(not(feature = "poly-compact"))]
+#[cfg_attr(target_os = "none", inline(never))] // one copy for all polynomials
+unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
+    if ctx.is_null() {
+        return;
+    }
+    let count = place.count();
+    // SAFETY: not NULL, so both arrays are there by the contract of this function, and they do not overlap.
+    let (c, derivative) = unsafe {
+        let c = ctx.add(place.first());
+        (
+            slice::from_raw_parts(c, count),
+            slice::from_raw_parts_mut(c.add(count), count - 1),
+        )
+    };
+    target::differentiate(c, derivative);
+}
+
+/// Writes the coefficients that derive from a polynomial; nothing for NULL.
+///
+/// # Safety
+/// `ctx` is NULL or points to a struct that stores the polynomial, and `output` is NULL or has room for `M` reals.
+#[cfg(feature = "poly-compact")]
+pub unsafe fn copy_out<const N: usize, const M: usize>(
+    ctx: *const Poly<Number, N>,
+    output: *mut a_float,
+    derive: impl Fn(&Poly<Number, N>) -> Poly<Number, M>,
+) {
+    // SAFETY: by the contract of this function.
+    let derivative = unsafe { ctx.as_ref() }.map(derive);
+    if let (Some(Poly { c }), false) = (derivative, output.is_null()) {
+        // SAFETY: by the contract of this function. No reference into the caller's struct is left.
+        unsafe { output.cast::<[Number; M]>().write(c) };
+    }
+}

@@ -1,0 +1,102 @@
+//! `atraj/codes.h`: what the functions of `atraj.h` find and refuse.
+
+use crate::findings::{Error, Findings, NOTHING};
+use core::ffi::{c_char, c_int};
+
+/// Bits of what a check finds.
+#[repr(C)]
+pub enum atraj_finding {
+    /// the jerk is above its limit
+    ATRAJ_EXCEEDS_JERK = 1,
+    /// the acceleration is above its limit
+    ATRAJ_EXCEEDS_ACCELERATION = 2,
+    /// the velocity is above its limit
+    ATRAJ_EXCEEDS_VELOCITY = 4,
+    /// position or velocity is not continuous, or not where the struct says
+    ATRAJ_JUMPS = 8,
+    /// the move leaves the positions between its ends
+    ATRAJ_OVERSHOOTS = 16,
+    /// the move starts outside its limits, or is bound to leave them
+    ATRAJ_STARTS_OUTSIDE = 32,
+}
+use atraj_finding::*;
+
+/// What a function returns that cannot answer.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub enum atraj_error {
+    /// a pointer is NULL, or there is no axis
+    ATRAJ_ERR_NULL = -1,
+    /// a number is infinite or not a number, a limit is not a number, or the move is beyond the range of `a_float`
+    ATRAJ_ERR_NOT_FINITE = -2,
+    /// a limit is 0 or has the wrong sign, or neither a jerk nor both accelerations are finite
+    ATRAJ_ERR_LIMITS = -3,
+    /// the target is outside the limits, or the axis must have left them before, or will
+    ATRAJ_ERR_TARGET = -4,
+    /// the duration or the cycle is negative, infinite or not a number
+    ATRAJ_ERR_DURATION = -5,
+    /// the states do not lie on the straight line from start to end
+    ATRAJ_ERR_LINE = -6,
+    /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
+    ATRAJ_ERR_UNREACHABLE = -7,
+}
+pub(super) use atraj_error::*;
+
+const _: () = assert!(
+    ATRAJ_EXCEEDS_JERK as u8 == Findings::EXCEEDS_JERK.bits()
+        && ATRAJ_EXCEEDS_ACCELERATION as u8 == Findings::EXCEEDS_ACCELERATION.bits()
+        && ATRAJ_EXCEEDS_VELOCITY as u8 == Findings::EXCEEDS_VELOCITY.bits()
+        && ATRAJ_JUMPS as u8 == Findings::JUMPS.bits()
+        && ATRAJ_OVERSHOOTS as u8 == Findings::OVERSHOOTS.bits()
+        && ATRAJ_STARTS_OUTSIDE as u8 == Findings::STARTS_OUTSIDE.bits()
+);
+const _: () = assert!(
+    ATRAJ_ERR_NULL as i8 == Error::Axes as i8
+        && ATRAJ_ERR_NOT_FINITE as i8 == Error::NotFinite as i8
+        && ATRAJ_ERR_LIMITS as i8 == Error::Limits as i8
+        && ATRAJ_ERR_TARGET as i8 == Error::Target as i8
+        && ATRAJ_ERR_DURATION as i8 == Error::Duration as i8
+        && ATRAJ_ERR_LINE as i8 == Error::Line as i8
+        && ATRAJ_ERR_UNREACHABLE as i8 == Error::Unreachable as i8
+);
+
+const ERRORS: [Error; 7] = [
+    Error::Axes,
+    Error::NotFinite,
+    Error::Limits,
+    Error::Target,
+    Error::Duration,
+    Error::Line,
+    Error::Unreachable,
+];
+
+/// @brief The English sentence for a code, for a log or a display.
+///
+/// A sum of findings has a sentence for each finding, gravest first:
+/// `for (; code > 0; code &= code - 1) puts(atraj_message(code));`
+/// @param code what a function returned: 0, an `atraj_finding`, a sum of findings, or an `atraj_error`
+/// @return a text that lasts as long as the program, never NULL; of a sum of findings the sentence of the lowest one; for any other
+/// number "this code is unknown"
+#[unsafe(no_mangle)]
+pub extern "C" fn atraj_message(code: c_int) -> *const c_char {
+    let sentence = match code {
+        0 => Some(NOTHING),
+        1.. => Findings::MEMBERS
+            .iter()
+            .find(|(finding, ..)| code & c_int::from(finding.bits()) != 0)
+            .map(|&(_, _, sentence)| sentence),
+        _ => ERRORS
+            .iter()
+            .find(|&&error| code == error as c_int)
+            .map(|error| error.sentence()),
+    };
+    sentence.unwrap_or(c"this code is unknown").as_ptr()
+}
+
+/// What C gets for findings, or for an error.
+pub(super) fn code(answer: Result<Findings, Error>) -> c_int {
+    match answer {
+        Ok(findings) => findings.bits().into(),
+        Err(error) => error as c_int,
+    }
+}
