@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tries every file of `make release` as a user does who has a C compiler and no Rust: each archive by the lines of README.md and
+# Tries every file of `make release` as a user does who has a C compiler and no Rust: each archive by the lines of docs/install.md and
 # of the archive's own README.md. Then asks whether another clone makes the same files, and the sources build without a network.
 set -eu
 . "$(dirname "$0")/rows.sh"
@@ -29,9 +29,9 @@ lines() {
 
 # --- the files
 
-# README's table has a line for each chip.
+# The table of chips in docs/for-firmware.md has a line for each chip.
 complete() {
-    sed -n 's/.*`TARGET=\([^ `]*\)\( CPU=\)\{0,1\}\([^`]*\)`.*/\1-\3/p' "$root/README.md" | sed 's/-$//' > targets
+    sed -n 's/.*`TARGET=\([^ `]*\)\( CPU=\)\{0,1\}\([^`]*\)`.*/\1-\3/p' "$root/docs/for-firmware.md" | sed 's/-$//' > targets
     test "$(wc -l < targets)" -ge 10
     printf '%s\n' x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu >> targets
     while read -r target; do
@@ -45,11 +45,11 @@ complete() {
     (cd "$release" && LC_ALL=C ls) | diff sorted -
 }
 
-# from_release_to_program NAME: README's commands up to the one that enters the folder, and the commands that are shown there.
-# On this machine's archive all commands of README.
+# from_release_to_program NAME: the commands of docs/install.md up to the one that enters the folder, and the commands that are shown there.
+# On this machine's archive all commands of the page.
 from_release_to_program() {
     cp "$release/$1.tar.gz" "$release/SHA256SUMS" .
-    lines "$root/README.md" '## Without Rust' | sed "1s/^name=[^ ]*/name=$1/" > commands
+    lines "$root/docs/install.md" '## Without Rust' | sed "1s/^name=[^ ]*/name=$1/" > commands
     test "$(wc -l < commands)" -le 5
     case $1 in
     *-"$host"-double) ;;
@@ -131,7 +131,7 @@ signed() {
 }
 
 row "no Rust on the path" no_rust
-row "a file for every chip of README's table, host and real type" complete
+row "a file for every chip of the table, host and real type" complete
 for file in "$release"/atraj-*-double.tar.gz "$release"/atraj-*-float.tar.gz; do
     name=$(basename "$file" .tar.gz)
     row "$name: README and example" told_once "$name"
