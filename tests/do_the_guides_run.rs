@@ -50,6 +50,16 @@ fn followed(reader: &str) -> String {
     said
 }
 
+/// CONTRIBUTING.md names a file and an expression in it, whose change a test must see.
+#[test]
+fn the_first_change_can_be_made() {
+    let page = fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();
+    let (file, expression) = ("src/liba/bell/motion.rs", "j * z * z * z / R::from(6)");
+    assert!(page.contains(file) && page.contains(expression));
+    let code = fs::read_to_string(root().join(file)).unwrap();
+    assert!(code.contains(expression), "{file}: no {expression}");
+}
+
 /// Outside the repository, because a package in it would belong to its workspace.
 fn empty_directory(reader: &str) -> PathBuf {
     let name = format!("atraj-for-{reader}-{}", std::process::id());
