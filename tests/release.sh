@@ -29,9 +29,9 @@ lines() {
 
 # --- the files
 
-# The table of chips in docs/for-firmware.md has a line for each chip.
+# README's table has a line for each chip.
 complete() {
-    sed -n 's/.*`TARGET=\([^ `]*\)\( CPU=\)\{0,1\}\([^`]*\)`.*/\1-\3/p' "$root/docs/for-firmware.md" | sed 's/-$//' > targets
+    sed -n 's/.*`TARGET=\([^ `]*\)\( CPU=\)\{0,1\}\([^`]*\)`.*/\1-\3/p' "$root/README.md" | sed 's/-$//' > targets
     test "$(wc -l < targets)" -ge 10
     printf '%s\n' x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu >> targets
     while read -r target; do
@@ -131,7 +131,7 @@ signed() {
 }
 
 row "no Rust on the path" no_rust
-row "a file for every chip of the table, host and real type" complete
+row "a file for every chip of README's table, host and real type" complete
 for file in "$release"/atraj-*-double.tar.gz "$release"/atraj-*-float.tar.gz; do
     name=$(basename "$file" .tar.gz)
     row "$name: README and example" told_once "$name"

@@ -116,9 +116,9 @@ cmake_without_a_processor() {
     refused 'nothing checks that it is thumbv7em-none-eabihf' cross '' -DATRAJ_PREBUILT="$m4f_archive"
 }
 
-# The flags of each chip in docs/for-firmware.md must tell the archive of the chip.
+# The flags of each chip in README.md must tell the archive of the chip.
 knows_the_chips() {
-    grep '`TARGET=' "$root/docs/for-firmware.md" | tr -d '`' > chips
+    grep '`TARGET=' "$root/README.md" | tr -d '`' > chips
     test "$(wc -l < chips)" -ge 10
     while IFS='|' read -r _ chip choice flags _; do
         case $choice in
@@ -277,7 +277,7 @@ if have cmake && have arm-none-eabi-gcc; then
     row "cmake checks the floating-point unit" cmake_checks_the_unit
     row "cmake says that it does not know a processor" cmake_without_a_processor
     row "cmake, Zephyr's module on a stand-in" zephyr_stand_in
-    have riscv64-unknown-elf-gcc && have clang && row "the compilers tell the archives of the chips" knows_the_chips
+    have riscv64-unknown-elf-gcc && have clang && row "the compilers tell the archives of README's chips" knows_the_chips
 fi
 
 if have python3; then
