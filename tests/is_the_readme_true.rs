@@ -1,5 +1,5 @@
 //! Do README.md and the pages behind it keep their word where a machine can tell: are their programs whole, do they build and run as
-//! they say, are README's figures those of the pages, and does the firmware gate build the table of chips? README stays short, too.
+//! they say, and are README's figures the figures of the pages? README stays short, too.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -138,54 +138,5 @@ fn its_figures_are_those_of_the_pages() {
         assert!(readme.contains(figure), "README: {figure}");
         let page = read(&format!("docs/{page}.md"));
         assert!(page.contains(there), "{figure}: no page has {there}");
-    }
-}
-
-/// The rows of the table of chips: the choices of `make dist`, and the C flags.
-fn chips() -> Vec<(String, Vec<String>)> {
-    let page = read("docs/for-firmware.md");
-    let rows = page.lines().filter(|line| line.contains("`TARGET="));
-    rows.map(|row| {
-        let cells: Vec<_> = row
-            .split('|')
-            .map(|cell| cell.trim().trim_matches('`'))
-            .collect();
-        let flags = cells[3].split(' ').filter(|flag| flag.starts_with('-'));
-        (cells[2].to_owned(), flags.map(str::to_owned).collect())
-    })
-    .collect()
-}
-
-#[test]
-fn the_firmware_gate_builds_the_table_of_chips() {
-    let makefile = read("c_tests/firmware/Makefile");
-    let (_, targets) = makefile.split_once("\nTARGETS :=").unwrap();
-    let targets: String = targets.split("\nMACHINES").next().unwrap().into();
-    let compilers: Vec<_> = makefile
-        .lines()
-        .filter(|line| line.contains("_CC :="))
-        .collect();
-    let chips = chips();
-    assert_eq!(chips.len(), 10);
-    for (choices, flags) in chips {
-        let (target, cpu) = match choices.split_once(" CPU=") {
-            Some((target, cpu)) => (target, Some(cpu)),
-            None => (&*choices, None),
-        };
-        let triple = target.strip_prefix("TARGET=").unwrap();
-        let built = match cpu {
-            Some(cpu) => makefile.contains(triple) && makefile.contains(cpu),
-            None => targets.split_whitespace().any(|name| name == triple),
-        };
-        assert!(built, "{choices}");
-        assert!(
-            flags.is_empty()
-                || compilers.iter().any(|line| {
-                    flags
-                        .iter()
-                        .all(|flag| line.split(' ').any(|word| word == flag))
-                }),
-            "no machine is compiled with {flags:?}"
-        );
     }
 }
