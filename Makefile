@@ -125,7 +125,7 @@ OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
 dist check doc soak bench instructions instructions-update fuzz python builds consumers firmware-check: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
-	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/releasing.md' >&2; exit 1; }
+	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/install.md' >&2; exit 1; }
 ifdef TARGET
 	@rustc --print target-list | grep -qxF -e '$(TARGET)' || { \
 	    echo 'TARGET=$(TARGET) does not exist: `rustc --print target-list` lists the names, packaging/chips.txt has those of chips.' >&2; \

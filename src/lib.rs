@@ -111,5 +111,5 @@ pub use real::Real;
 pub use state::{Boundary, Saturation, State};
 
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-mod readme {}
+#[doc = include_str!("../docs/moves.md")]
+mod moves {}

@@ -1,7 +1,8 @@
-//! Does README.md keep its word where a machine can tell: are its programs whole, and do they build and run as it says? It stays
-//! short, too.
+//! Do README.md and the pages behind it keep their word where a machine can tell: are their programs whole, do they build and run as
+//! they say, and are README's figures the figures of the pages? README stays short, too.
 
 use std::fs;
+use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::documents::blocks;
@@ -9,16 +10,65 @@ use support::repository::root;
 use support::tools::{Language, compilers, run};
 use support::variant::DOUBLE;
 
-fn readme() -> String {
-    fs::read_to_string(root().join("README.md")).unwrap()
+fn read(file: &str) -> String {
+    fs::read_to_string(root().join(file)).unwrap()
+}
+
+/// The width counts characters. The words are those of `wc -w`, code and tables included.
+#[test]
+fn it_is_short() {
+    let readme = read("README.md");
+    let words = readme.split_whitespace().count();
+    assert!(words <= 900, "{words} words");
+    for line in readme.lines() {
+        assert!(line.chars().count() <= 120, "too wide: {line}");
+    }
+}
+
+/// README.md and the pages in `docs`, each with its name. `do_the_guides_run` follows the pages for one kind of reader.
+fn documents() -> Vec<(String, String)> {
+    let names = fs::read_dir(root().join("docs")).unwrap();
+    let names = names.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let pages = names.filter(|name| name.ends_with(".md") && !name.starts_with("for-"));
+    let paths = pages.map(|name| format!("docs/{name}"));
+    paths
+        .chain(["README.md".to_owned()])
+        .map(|path| {
+            let text = read(&path);
+            (path, text)
+        })
+        .collect()
+}
+
+/// An empty directory of this test, with `target` in it, so that commands written for the repository run there.
+fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("readme")
+        .join(name);
+    let _ = fs::remove_dir_all(&directory);
+    fs::create_dir_all(&directory).unwrap();
+    symlink(root().join("target"), directory.join("target")).unwrap();
+    directory
 }
 
 #[test]
-fn it_is_short() {
-    assert!(readme().lines().count() < 200);
+fn its_lines_build_its_program() {
+    let readme = read("README.md");
+    let (programs, commands) = (blocks(&readme, "c"), blocks(&readme, "sh"));
+    let ([program], [commands]) = (&programs[..], &commands[..]) else {
+        panic!("one program, and the lines that build it");
+    };
+    let lines = commands.strip_prefix("make dist\n").unwrap();
+    assert_eq!(lines.lines().count(), 2);
+    DOUBLE.dist();
+    let directory = directory("lines");
+    fs::write(directory.join("axis.c"), program).unwrap();
+    let mut shell = Command::new("sh");
+    let said = run(shell.args(["-euc", lines]).current_dir(directory)).stdout;
+    assert!(said.starts_with(b"-2.0000 m after "));
 }
 
-/// Builds a program as README says, with one flag set more; what it prints.
+/// Builds a program as the pages say, with one flag set more; what it prints.
 fn built_and_run(compiler: &str, source: &Path, flags: &[&str]) -> String {
     let dist = DOUBLE.dist();
     let program = source.with_extension(compiler);
@@ -31,31 +81,62 @@ fn built_and_run(compiler: &str, source: &Path, flags: &[&str]) -> String {
     String::from_utf8(run(&mut Command::new(program)).stdout).unwrap()
 }
 
-fn written(name: &str, text: &str) -> PathBuf {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme");
-    fs::create_dir_all(&directory).unwrap();
-    let file = directory.join(name);
-    fs::write(&file, text).unwrap();
-    file
-}
-
+/// README, the page for those who come from liba, and CLARAty's have such programs.
 #[test]
-fn its_programs_run() {
+fn each_program_runs() {
+    let directory = directory("programs");
     for (name, language, flags, count) in [
         ("c", Language::C, "-std=c99", 2),
         ("cpp", Language::Cpp, "-std=c++98", 2),
     ] {
-        let programs = blocks(&readme(), name);
-        assert_eq!(programs.len(), count, "programs in {name}");
-        for (i, program) in programs.iter().enumerate() {
-            let source = written(&format!("axis{i}.{name}"), program);
-            for compiler in compilers(language) {
-                let printed = built_and_run(compiler, &source, &[flags]);
-                assert!(printed.contains(" m"), "{compiler}: {printed}");
+        let mut programs = 0;
+        for (page, text) in documents() {
+            for program in blocks(&text, name) {
+                programs += 1;
+                let source = directory.join(format!("{programs}.{name}"));
+                fs::write(&source, program).unwrap();
+                for compiler in compilers(language) {
+                    let printed = built_and_run(compiler, &source, &[flags]);
+                    assert!(printed.contains(" m"), "{page}, {compiler}: {printed}");
+                }
             }
         }
+        assert_eq!(programs, count, "programs in {name}");
     }
-    // A whole program too; a test of the documentation builds and runs it.
-    let programs = blocks(&readme(), "rust");
-    assert!(programs.iter().all(|code| code.contains("fn main()")));
+}
+
+/// The tests of the documentation run the Rust programs, if `src/lib.rs` includes the page.
+#[test]
+fn each_rust_program_is_a_test() {
+    let crate_docs = read("src/lib.rs");
+    let mut programs = 0;
+    for (page, text) in documents() {
+        for program in blocks(&text, "rust") {
+            assert!(program.contains("fn main()"), "{page}: {program}");
+            let included = crate_docs.contains(&format!("include_str!(\"../{page}\")"));
+            assert!(included, "src/lib.rs does not include {page}");
+            programs += 1;
+        }
+    }
+    assert!(programs > 0);
+}
+
+#[test]
+fn its_figures_are_those_of_the_pages() {
+    let functions = read("tests/symbols.txt").lines().count();
+    let readme = read("README.md");
+    assert!(readme.contains(&format!("| {functions} functions in one object")));
+    for (figure, page, there) in [
+        (
+            "0 of 2,000,014,186 random calls",
+            "parity",
+            "1,000,007,093 calls in `double`, 1,000,007,093 in `float`: **0 differing",
+        ),
+        ("takes 1,076 rounds", "parity", "at most 1076;"),
+        ("4,432 bytes", "firmware", "libgcc and libm | 4432 |"),
+    ] {
+        assert!(readme.contains(figure), "README: {figure}");
+        let page = read(&format!("docs/{page}.md"));
+        assert!(page.contains(there), "{figure}: no page has {there}");
+    }
 }

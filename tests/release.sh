@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tries every file of `make release` as a user does who has a C compiler and no Rust: each archive by the lines of README.md and
+# Tries every file of `make release` as a user does who has a C compiler and no Rust: each archive by the lines of docs/install.md and
 # of the archive's own README.md. Then asks whether another clone makes the same files, and the sources build without a network.
 set -eu
 . "$(dirname "$0")/rows.sh"
@@ -36,11 +36,11 @@ complete() {
     (cd "$release" && LC_ALL=C ls) | diff sorted -
 }
 
-# from_release_to_program NAME: README's commands up to the one that enters the folder, and the commands that are shown there.
-# On this machine's archive all commands of README.
+# from_release_to_program NAME: the commands of docs/install.md up to the one that enters the folder, and the commands that are shown there.
+# On this machine's archive all commands of the page.
 from_release_to_program() {
     cp "$release/$1.tar.gz" "$release/SHA256SUMS" .
-    lines "$root/README.md" '## Without Rust' | sed "1s/^name=[^ ]*/name=$1/" > commands
+    lines "$root/docs/install.md" '## Without Rust' | sed "1s/^name=[^ ]*/name=$1/" > commands
     test "$(wc -l < commands)" -le 5
     case $1 in
     *-"$host"-double) ;;

@@ -5,10 +5,12 @@ set -eu
 cd "$(dirname "$0")/../.."
 out=$1
 
-# page DOCUMENT NAME: links between documents become links between pages.
+# page DOCUMENT NAME: links between documents become links between pages. What has no page, because it is for those who have the
+# repository, becomes plain text.
 page() {
     rustdoc "$1" --output "$out" --markdown-no-toc --markdown-css style.css --html-before-content docs/site/navigation.html
     sed -e 's|\(href="\)docs/|\1|g; s|\(src="\)docs/|\1|g' \
+        -e 's#<a href="\(\.\./\)*\(CONTRIBUTING\|[a-z]*/README\)\.md">\([^<]*\)</a>#\3#g' \
         -e 's|href="\.\./README\.md|href="overview.html|g; s|href="README\.md|href="index.html|g' \
         -e 's|\(href="[^":]*\)\.md\([#"]\)|\1.html\2|g' "$out/$(basename "$1" .md).html" > "$out/page"
     mv "$out/page" "$out/$2.html"

@@ -10,7 +10,7 @@ import atraj
 import atraj.claraty
 import atraj.f32
 
-README = Path(__file__).parents[2] / "README.md"
+PAGE = Path(__file__).parents[2] / "docs/for-python.md"
 MODULES = [atraj, atraj.f32, atraj.claraty]
 
 
@@ -37,9 +37,9 @@ def test_examples(name):
     assert attempted > 0 and failed == 0
 
 
-def test_the_readme_runs():
-    blocks = README.read_text().split("```python\n")[1:]
-    assert blocks
+def test_the_page_runs():
+    blocks = PAGE.read_text().split("```python\n")[1:]
+    assert len(blocks) == 2
     for block in blocks:
         exec(block.split("```")[0], {})
 

@@ -78,10 +78,10 @@ def test_one_period(printed):
     assert ACCELERATION / jerk == pytest.approx(2 * math.pi / W, rel=2e-3)
 
 
-def test_the_readme_says_so(printed):
+def test_the_page_says_so(printed):
     jerk, *_, cost_percent = printed["half"]
-    readme = (ROOT / "README.md").read_text().replace("\n", " ")
-    assert f"answers: {jerk:.1f} m/s³, and the move takes {cost_percent:.0f} % longer" in readme
+    page = (ROOT / "docs/for-python.md").read_text().replace("\n", " ")
+    assert f"answers: {jerk:.1f} m/s³, and the move takes {cost_percent:.0f} % longer" in page
 
 
 def test_picture(tmp_path):
