@@ -29,7 +29,7 @@ mod panic;
 pub use a::{trajbell, trajtrap};
 pub mod trajpoly {
     //! The polynomials.
-    pub use super::a::{trajpoly3, trajpoly5, trajpoly7};
+    pub use crate::capi::a::{trajpoly3, trajpoly5, trajpoly7};
 }
 
 use crate::state::{Boundary, Saturation};

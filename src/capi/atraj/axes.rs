@@ -2,10 +2,10 @@
 
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
 use super::{ATRAJ_ERR_NULL, array, code};
-use crate::axes;
 use crate::capi::{Number, a_float};
 use crate::findings::Findings;
 use crate::online::{Error, Limits, Move, State};
+use crate::together;
 use core::ffi::c_int;
 
 /// How several axes are planned.
@@ -45,7 +45,7 @@ pub unsafe extern "C" fn atraj_moves_sync(
     // SAFETY: the contract of this function is the contract of that one.
     unsafe {
         plan(
-            axes::synchronise,
+            together::synchronise,
             axes,
             limits,
             from,
@@ -80,7 +80,7 @@ pub unsafe extern "C" fn atraj_moves_line(
     cycle: a_float,
 ) -> c_int {
     // SAFETY: the contract of this function is the contract of that one.
-    unsafe { plan(axes::line, axes, limits, from, to, n, duration, cycle) }
+    unsafe { plan(together::line, axes, limits, from, to, n, duration, cycle) }
 }
 
 /// # Safety
