@@ -188,9 +188,9 @@ fn any_fields<R: Real>() {
 fn any_move<R: Real>(random: &mut Random) -> Move<R> {
     let mut planned = Move {
         t: any_field(random),
-        phases: random.pick(&[0, 1, 2, 7, 15, 16, u32::MAX]),
+        count: random.pick(&[0, 1, 2, 7, 15, 16, u32::MAX]),
         phase: [(); 16].map(|()| Phase {
-            t: any_field(random),
+            start: any_field(random),
             duration: any_field(random),
             position: any_field(random),
             velocity: any_field(random),
@@ -198,7 +198,7 @@ fn any_move<R: Real>(random: &mut Random) -> Move<R> {
             jerk: any_field(random),
         }),
     };
-    planned.phase[0].t = R::of(0.0);
+    planned.phase[0].start = R::of(0.0);
     planned
 }
 

@@ -110,7 +110,7 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
 
 fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     let (_, _, planned) = online::planned::<R>(random);
-    let phases = &planned.phase[..=planned.phases as usize];
+    let phases = &planned.phase[..=planned.count as usize];
     let of_phase = |phase: &Phase<R>| {
         let [half, sixth] = [R::of(0.5), R::of(1.0 / 6.0)];
         let (a, j) = (half * phase.acceleration, sixth * phase.jerk);
@@ -127,7 +127,7 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
         let share = R::of(f64::from(part) / 40.0);
         phases
             .iter()
-            .map(move |phase| phase.t + share * phase.duration)
+            .map(move |phase| phase.start + share * phase.duration)
     };
     let borders = parts.flat_map(inside).collect();
     Move::new(planned, planned.t, planned.extremes(), scales, borders)

@@ -10,12 +10,12 @@ const SAMPLES: usize = 400;
 
 /// Times over the whole move, and over each of its phases, in order.
 fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
-    let phases = &planned.phase[..=planned.phases as usize];
+    let phases = &planned.phase[..=planned.count as usize];
     let part = |x: R, duration: R, k: usize, of: usize| x + R::of(k as f64 / of as f64) * duration;
     let whole = (0..=SAMPLES).map(|k| part(R::of(0.0), planned.t, k, SAMPLES));
     let each = phases
         .iter()
-        .flat_map(|phase| (0..=40).map(|k| part(phase.t, phase.duration, k, 40)));
+        .flat_map(|phase| (0..=40).map(|k| part(phase.start, phase.duration, k, 40)));
     let mut times: Vec<R> = whole.chain(each).collect();
     times.retain(|x| *x <= planned.t);
     times.sort_by(|x, y| x.partial_cmp(y).expect("no NaN"));

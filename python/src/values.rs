@@ -57,14 +57,14 @@ pub fn to_extremes<R: Number>(py: Python<'_>, reached: Extremes<R>) -> PyResult<
 
 pub fn to_phase<R: Number>(py: Python<'_>, phase: Phase<R>) -> PyResult<Bound<'_, PyAny>> {
     let Phase {
-        t,
+        start,
         duration,
         position,
         velocity,
         acceleration,
         jerk,
     } = phase;
-    let numbers = [t, duration, position, velocity, acceleration, jerk].map(R::into);
+    let numbers = [start, duration, position, velocity, acceleration, jerk].map(R::into);
     named(py, "Phase", PyTuple::new::<f64, _>(py, numbers)?)
 }
 

@@ -170,7 +170,7 @@ impl<R: Real> Trap<R> {
     /// is no limit. Any plan may be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is not finite or a limit is NaN.
     ///
     /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
-    pub fn check(&self, velocity: R, ac: R, de: R) -> Result<Findings, Error> {
+    pub fn check(&self, velocity: R, acceleration: R, deceleration: R) -> Result<Findings, Error> {
         let Self {
             t,
             p0,
@@ -179,14 +179,20 @@ impl<R: Real> Trap<R> {
             v1,
             vc,
             ta,
-            td,
+            cruise_end,
             pa,
             pd,
             ..
         } = *self;
-        let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
+        let (rise, fall) = if acceleration > R::ZERO {
+            (acceleration, -deceleration)
+        } else {
+            (deceleration, -acceleration)
+        };
         let vm = velocity.abs();
-        let fields = [t, p0, p1, v0, v1, vc, ta, td, pa, pd, self.ac, self.de];
+        let fields = [
+            t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, self.a0, self.a1,
+        ];
         if !(fields.iter().all(|x| x.is_finite()) && [vm, rise, fall].iter().all(|&x| x >= R::ZERO))
         {
             return Err(Error::NotFinite);
@@ -194,7 +200,7 @@ impl<R: Real> Trap<R> {
         let reached = self.extremes();
         let few = R::DOUBT; // 64 roundings
         // The clock may pass a short ramp in no time, so the ramp counts though it is not among the extremes.
-        let steepest = self.ac.abs().at_least(self.de.abs());
+        let steepest = self.a0.abs().at_least(self.a1.abs());
         let of_velocity = few * (reached.speed() + steepest * t);
         let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
         let State {
@@ -215,13 +221,18 @@ impl<R: Real> Trap<R> {
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
     pub fn extremes(&self) -> Extremes<R> {
         let Self {
-            t, v0, vc, ta, td, ..
+            t,
+            v0,
+            vc,
+            ta,
+            cruise_end,
+            ..
         } = *self;
         let mut reached = Extremes::of(State {
             position: self.p0,
             velocity: v0,
             acceleration: if ta > R::ZERO {
-                self.ac
+                self.a0
             } else {
                 self.acceleration(R::ZERO)
             },
@@ -229,12 +240,15 @@ impl<R: Real> Trap<R> {
         reached.include_position(self.p1);
         reached.include_velocity(vc);
         reached.include_velocity(self.v1);
-        if td > ta {
+        if cruise_end > ta {
             reached.include_acceleration(R::ZERO);
         }
         reached.include_acceleration(self.acceleration(t));
         // Where the velocity passes through 0 the axis turns.
-        for (x, from, to) in [(-v0 / self.ac, R::ZERO, ta), (td - vc / self.de, td, t)] {
+        for (x, from, to) in [
+            (-v0 / self.a0, R::ZERO, ta),
+            (cruise_end - vc / self.a1, cruise_end, t),
+        ] {
             if x > from && x < to {
                 reached.include_position(self.position(x));
             }
@@ -245,7 +259,9 @@ impl<R: Real> Trap<R> {
     /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
     fn jumps(&self, of_position: R, of_velocity: R) -> bool {
         let late = R::DOUBT * self.t;
-        let in_order = self.ta >= R::ZERO && self.ta <= self.td + late && self.td <= self.t + late;
+        let in_order = self.ta >= R::ZERO
+            && self.ta <= self.cruise_end + late
+            && self.cruise_end <= self.t + late;
         let at = |phase, x| (self.position_in(phase, x), self.velocity_in(phase, x));
         let fits = |before, after, x| {
             let ((p, v), (q, w)) = (at(before, x), at(after, x));
@@ -254,7 +270,7 @@ impl<R: Real> Trap<R> {
         !(in_order
             && fits(TrapPhase::Before, TrapPhase::Accelerate, R::ZERO)
             && fits(TrapPhase::Accelerate, TrapPhase::Cruise, self.ta)
-            && fits(TrapPhase::Cruise, TrapPhase::Decelerate, self.td)
+            && fits(TrapPhase::Cruise, TrapPhase::Decelerate, self.cruise_end)
             && fits(TrapPhase::Decelerate, TrapPhase::After, self.t))
     }
 }

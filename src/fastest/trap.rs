@@ -20,13 +20,22 @@ impl<R: Real> Trap<R> {
     /// use atraj::{Boundary, Trap};
     /// // 1 m to go at 4 m/s: too near to stop, so the axis passes the target and comes back.
     /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 }).expect("numbers");
-    /// assert_eq!((trap.ac, trap.de), (-2.0, 4.0));
+    /// assert_eq!((trap.a0, trap.a1), (-2.0, 4.0));
     /// assert_eq!((trap.position(trap.t), trap.velocity(trap.t)), (1.0, 0.0));
     /// ```
     #[inline(always)] // saves a copy of the struct, and the double-S, which wants the duration alone, the rest of the plan
-    pub fn fastest(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Result<Self, Error> {
+    pub fn fastest(
+        velocity: R,
+        acceleration: R,
+        deceleration: R,
+        boundary: Boundary<R>,
+    ) -> Result<Self, Error> {
         let vm = velocity.magnitude();
-        let (rise, fall) = if ac > R::ZERO { (ac, -de) } else { (de, -ac) };
+        let (rise, fall) = if acceleration > R::ZERO {
+            (acceleration, -deceleration)
+        } else {
+            (deceleration, -acceleration)
+        };
         let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, Saturation::Numbers);
         let limits = vm > R::ZERO && rise > R::ZERO && fall > R::ZERO;
         if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {
@@ -59,7 +68,7 @@ impl<R: Real> Trap<R> {
             };
             (R::ZERO, v0_up + first * up)
         };
-        let [vc, ac, de] = [peak, first, -second].map(|x| x.negate_if(down_first));
+        let [vc, a0, a1] = [peak, first, -second].map(|x| x.negate_if(down_first));
         let trap = Self {
             t: up + cruise + down,
             p0,
@@ -68,11 +77,11 @@ impl<R: Real> Trap<R> {
             v1,
             vc,
             ta: up,
-            td: up + cruise,
-            pa: p0 + v0 * up + R::HALF * ac * up * up,
-            pd: p1 - vc * down - R::HALF * de * down * down,
-            ac,
-            de,
+            cruise_end: up + cruise,
+            pa: p0 + v0 * up + R::HALF * a0 * up * up,
+            pd: p1 - vc * down - R::HALF * a1 * down * down,
+            a0,
+            a1,
         };
         if trap.t.is_finite() {
             Ok(trap)

@@ -16,7 +16,7 @@ pub struct Move<R> {
     /// Duration, s.
     pub t: R,
     /// Number of phases.
-    pub phases: u32,
+    pub count: u32,
     /// The phases in order of time. Behind the last one is a phase without duration, the end.
     pub phase: [Phase<R>; 16],
 }
@@ -25,7 +25,7 @@ impl<R: Real> Default for Move<R> {
     fn default() -> Self {
         Self {
             t: R::ZERO,
-            phases: 0,
+            count: 0,
             phase: [Phase::default(); 16],
         }
     }
@@ -123,7 +123,7 @@ impl<R: Real> Move<R> {
                         next.position
                     };
                     if let Some(z) = phase.time_between(from, to, far, position) {
-                        return Some(phase.t + z);
+                        return Some(phase.start + z);
                     }
                     from = to;
                 }
@@ -145,7 +145,7 @@ impl<R: Real> Move<R> {
         phases.clone().any(|phase| {
             let turns_outside = |&z: &R| phase.lasts_beyond(z) && is_outside(phase.position(z));
             // An axis may also turn between two phases.
-            phase.t > R::ZERO && is_outside(phase.position)
+            phase.start > R::ZERO && is_outside(phase.position)
                 || phase.may_turn() && phase.turns().iter().any(turns_outside)
         })
     }
@@ -162,12 +162,12 @@ impl<R: Real> Move<R> {
 
     /// The phases in order of time. The first one has no duration and holds the start.
     pub fn phases(&self) -> &[Phase<R>] {
-        self.phase.get(..self.count()).unwrap_or_default()
+        self.phase.get(..self.phase_count()).unwrap_or_default()
     }
 
     /// Number of phases, whatever a foreign struct says.
-    pub(super) fn count(&self) -> usize {
-        (self.phases as usize).min(MOST_PHASES)
+    pub(super) fn phase_count(&self) -> usize {
+        (self.count as usize).min(MOST_PHASES)
     }
 
     /// The phase at the time `x`. Phase 0 is the start. Behind the last phase is one without duration, the end.
@@ -177,8 +177,8 @@ impl<R: Real> Move<R> {
         if x <= R::ZERO && self.t > R::ZERO {
             return found;
         }
-        for phase in later.get(..self.count()).unwrap_or_default() {
-            if x < phase.t {
+        for phase in later.get(..self.phase_count()).unwrap_or_default() {
+            if x < phase.start {
                 break;
             }
             found = phase;
@@ -190,9 +190,9 @@ impl<R: Real> Move<R> {
 impl<R: Real> Sampled<R, 4, 17> for Move<R> {
     fn borders(&self) -> [Edge<R>; 17] {
         let mut borders = [Edge::Below(R::ZERO); 17];
-        let used = self.phase.iter().take(1 + self.count());
+        let used = self.phase.iter().take(1 + self.phase_count());
         for (border, phase) in borders.iter_mut().zip(used) {
-            *border = Edge::Below(phase.t);
+            *border = Edge::Below(phase.start);
         }
         borders[0] = Edge::UpTo(R::ZERO);
         // A NaN is at the end, and this border tells it from a time before the start.

@@ -8,7 +8,7 @@ use crate::roots::root_between;
 #[repr(C)]
 pub struct Phase<R> {
     /// When it starts, s.
-    pub t: R,
+    pub start: R,
     /// How long it lasts, s.
     pub duration: R,
     /// Position at its start.
@@ -25,7 +25,7 @@ impl<R: Real> Phase<R> {
     /// The time `x` of the move in the phase, s.
     #[inline(always)]
     pub(super) fn time(&self, x: R) -> R {
-        (x - self.t).at_least(R::ZERO).at_most(self.duration)
+        (x - self.start).at_least(R::ZERO).at_most(self.duration)
     }
 
     #[inline(always)]

@@ -49,7 +49,7 @@ impl<'a, R: Real> Writer<'a, R> {
             return;
         }
         if let Some(phase) = self.ctx.phase.get_mut(self.count) {
-            phase.t = self.t;
+            phase.start = self.t;
             phase.duration = duration;
             phase.acceleration = from;
             phase.jerk = jerk;
@@ -68,7 +68,7 @@ impl<'a, R: Real> Writer<'a, R> {
         } = to;
         if let Some(end) = ctx.phase.get_mut(count) {
             *end = Phase {
-                t,
+                start: t,
                 position,
                 velocity,
                 acceleration,
@@ -92,16 +92,16 @@ impl<'a, R: Real> Writer<'a, R> {
             (phase.position, phase.velocity) = (position, velocity);
         }
         ctx.t = t;
-        ctx.phases = count as u32;
+        ctx.count = count as u32;
     }
 }
 
 impl<R: Real> Move<R> {
     /// Lets a move that ends at rest at 0 end beside a moving target instead.
     pub(super) fn shift(&mut self, from: State<R>, target: State<R>) {
-        let count = self.count();
+        let count = self.phase_count();
         for phase in self.phase.iter_mut().take(1 + count) {
-            phase.position = target.position + (phase.position + target.velocity * phase.t);
+            phase.position = target.position + (phase.position + target.velocity * phase.start);
             phase.velocity = phase.velocity + target.velocity;
         }
         (self.phase[0].position, self.phase[0].velocity) = (from.position, from.velocity);
@@ -109,19 +109,19 @@ impl<R: Real> Move<R> {
 
     /// Lets the move end at `t`, which its duration is but for rounding. A short last phase may begin there.
     pub(crate) fn end_at(&mut self, t: R) {
-        let count = self.count();
+        let count = self.phase_count();
         for phase in self.phase.iter_mut().take(count) {
-            phase.t = phase.t.at_most(t);
+            phase.start = phase.start.at_most(t);
         }
         if let Some(end) = self.phase.get_mut(count) {
-            end.t = t;
+            end.start = t;
         }
         self.t = t;
     }
 
     /// Lets the move begin and end in these states, which its own are but for rounding.
     pub(crate) fn set_ends(&mut self, from: State<R>, to: State<R>) {
-        let count = self.count();
+        let count = self.phase_count();
         for (index, state) in [(count, to), (0, from)] {
             if let Some(phase) = self.phase.get_mut(index) {
                 phase.position = state.position;
@@ -134,7 +134,7 @@ impl<R: Real> Move<R> {
     /// Replaces every state and jerk, those of the start and of the end too.
     pub(crate) fn map(&self, state: impl Fn(&Phase<R>) -> Phase<R>) -> Self {
         let mut mapped = *self;
-        let count = self.count();
+        let count = self.phase_count();
         for (to, from) in mapped.phase.iter_mut().zip(&self.phase).take(1 + count) {
             *to = state(from);
         }

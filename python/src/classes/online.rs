@@ -125,7 +125,7 @@ impl Move {
     /// The phases of constant jerk in order of time, each a `Phase`.
     #[getter]
     fn phases<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        let used = self.inner.phase.iter().take(self.inner.phases as usize);
+        let used = self.inner.phase.iter().take(self.inner.count as usize);
         used.map(|&phase| to_phase(py, phase)).collect()
     }
 }

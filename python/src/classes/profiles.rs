@@ -288,7 +288,7 @@ impl Trap {
     #[rustfmt::skip]
     fn from_fields(py: Python<'_>, fields: [Real; 12]) -> PyResult<Py<Self>> {
         let [t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de] = fields;
-        let trap = atraj::Trap { t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de };
+        let trap = atraj::Trap { t, p0, p1, v0, v1, vc, ta, cruise_end: td, pa, pd, a0: ac, a1: de };
         Py::new(py, Self::of(trap))
     }
 
@@ -296,7 +296,7 @@ impl Trap {
     #[getter]
     #[rustfmt::skip]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let atraj::Trap { t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de } = self.0;
+        let atraj::Trap { t, p0, p1, v0, v1, vc, ta, cruise_end: td, pa, pd, a0: ac, a1: de } = self.0;
         named(py, "TrapFields", (t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de))
     }
 

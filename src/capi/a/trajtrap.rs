@@ -34,7 +34,22 @@ pub struct a_trajtrap {
     /// acceleration after constant velocity
     pub de: a_float,
 }
-assert_same_layout!(a_trajtrap, Trap<Number>, t p0 p1 v0 v1 vc ta td pa pd ac de);
+assert_same_layout!(
+    a_trajtrap,
+    Trap<Number>,
+    t = t,
+    p0 = p0,
+    p1 = p1,
+    v0 = v0,
+    v1 = v1,
+    vc = vc,
+    ta = ta,
+    td = cruise_end,
+    pa = pa,
+    pd = pd,
+    ac = a0,
+    de = a1
+);
 
 /// @brief Plan a trapezoidal velocity trajectory.
 ///

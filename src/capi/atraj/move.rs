@@ -62,7 +62,7 @@ pub struct atraj_phase {
 assert_same_layout!(
     atraj_phase,
     Phase<Number>,
-    t = t,
+    t = start,
     duration = duration,
     p = position,
     v = velocity,
@@ -80,7 +80,13 @@ pub struct atraj_move {
     /// the phases in order of time; behind the last one is a phase without duration, the end
     pub phase: [atraj_phase; 16],
 }
-assert_same_layout!(atraj_move, Move<Number>, t phases phase);
+assert_same_layout!(
+    atraj_move,
+    Move<Number>,
+    t = t,
+    phases = count,
+    phase = phase
+);
 
 /// @brief Fill limits that are the same in both directions, in the order of `a_trajbell_gen`. The signs are ignored.
 /// @param limits points to the limits to fill; nothing happens if it is NULL

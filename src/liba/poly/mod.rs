@@ -57,21 +57,21 @@ pub type Poly5<R> = Poly<R, 6>;
 pub type Poly7<R> = Poly<R, 8>;
 
 impl<R: Real> Poly3<R> {
-    /// Plans a move of duration `ts`, s. [`Error::Duration`] if `ts` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not
+    /// Plans a move that lasts `duration`, s. [`Error::Duration`] if `duration` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not
     /// finite.
-    pub fn new(ts: R, boundary: Boundary<R>) -> Result<Self, Error> {
+    pub fn new(duration: R, boundary: Boundary<R>) -> Result<Self, Error> {
         let mut poly = Self::default();
-        poly.plan(ts, boundary);
-        poly.finite(ts)
+        poly.plan(duration, boundary);
+        poly.finite(duration)
     }
 
     /// [`Poly3::new`] in place and literally the C function: the coefficients as they come out, finite or not.
-    pub fn plan(&mut self, ts: R, boundary: Boundary<R>) {
+    pub fn plan(&mut self, duration: R, boundary: Boundary<R>) {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let c = &mut self.c;
         let n = R::from;
         let h = p1 - p0;
-        let u1 = R::ONE / ts;
+        let u1 = R::ONE / duration;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         c[0] = p0;
@@ -82,20 +82,20 @@ impl<R: Real> Poly3<R> {
 }
 
 impl<R: Real> Poly5<R> {
-    /// Plans a move of duration `ts`, s, between the accelerations `[a0, a1]`. Errors are those of [`Poly3::new`].
-    pub fn new(ts: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Result<Self, Error> {
+    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]`. Errors are those of [`Poly3::new`].
+    pub fn new(duration: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Result<Self, Error> {
         let mut poly = Self::default();
-        poly.plan(ts, boundary, acceleration);
-        poly.finite(ts)
+        poly.plan(duration, boundary, acceleration);
+        poly.finite(duration)
     }
 
     /// [`Poly5::new`] in place and literally the C function: the coefficients as they come out, finite or not.
-    pub fn plan(&mut self, ts: R, boundary: Boundary<R>, [a0, a1]: [R; 2]) {
+    pub fn plan(&mut self, duration: R, boundary: Boundary<R>, [a0, a1]: [R; 2]) {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let c = &mut self.c;
         let n = R::from;
         let h = p1 - p0;
-        let u1 = R::ONE / ts;
+        let u1 = R::ONE / duration;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
@@ -111,26 +111,26 @@ impl<R: Real> Poly5<R> {
 }
 
 impl<R: Real> Poly7<R> {
-    /// Plans a move of duration `ts`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. Errors are those of
+    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. Errors are those of
     /// [`Poly3::new`].
     pub fn new(
-        ts: R,
+        duration: R,
         boundary: Boundary<R>,
         acceleration: [R; 2],
         jerk: [R; 2],
     ) -> Result<Self, Error> {
         let mut poly = Self::default();
-        poly.plan(ts, boundary, acceleration, jerk);
-        poly.finite(ts)
+        poly.plan(duration, boundary, acceleration, jerk);
+        poly.finite(duration)
     }
 
     /// [`Poly7::new`] in place and literally the C function: the coefficients as they come out, finite or not.
-    pub fn plan(&mut self, ts: R, boundary: Boundary<R>, [a0, a1]: [R; 2], [j0, j1]: [R; 2]) {
+    pub fn plan(&mut self, duration: R, boundary: Boundary<R>, [a0, a1]: [R; 2], [j0, j1]: [R; 2]) {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let c = &mut self.c;
         let n = R::from;
         let h = p1 - p0;
-        let u1 = R::ONE / ts;
+        let u1 = R::ONE / duration;
         let u2 = u1 * u1;
         let u3 = u1 * u2;
         let u4 = u2 * u2;
@@ -214,22 +214,22 @@ impl<R: Real, const N: usize> Poly<R, N> {
         Sweep { x0, dt }.fill(outputs, |x| poly.state(x))
     }
 
-    /// The lowest and the highest position, velocity and acceleration between 0 and `ts`, s. A polynomial limits none of them.
-    pub fn extremes(&self, ts: R) -> Extremes<R> {
+    /// The lowest and the highest position, velocity and acceleration between 0 and `duration`, s. A polynomial limits none of them.
+    pub fn extremes(&self, duration: R) -> Extremes<R> {
         let at = |x| State {
             position: self.position(x),
             velocity: self.velocity(x),
             acceleration: self.acceleration(x),
         };
         let mut reached = Extremes::of(at(R::ZERO));
-        let end = at(ts);
+        let end = at(duration);
         reached.include_position(end.position);
         reached.include_velocity(end.velocity);
         reached.include_acceleration(end.acceleration);
         // A derivative turns where the next derivative is 0, so the zeros of each lie between the zeros of the next.
         let mut zeros = Zeros::default();
         for order in (1..N).rev() {
-            zeros = self.zeros(order, ts, zeros);
+            zeros = self.zeros(order, duration, zeros);
             for &x in zeros.iter() {
                 match order {
                     1 => reached.include_position(self.position(x)),
@@ -242,11 +242,11 @@ impl<R: Real, const N: usize> Poly<R, N> {
         reached
     }
 
-    /// Where the derivative of this order passes through 0 between 0 and `ts`; `turns` are the zeros of the next derivative.
-    fn zeros(&self, order: usize, ts: R, turns: Zeros<R>) -> Zeros<R> {
+    /// Where the derivative of this order passes through 0 between 0 and `duration`; `turns` are the zeros of the next derivative.
+    fn zeros(&self, order: usize, duration: R, turns: Zeros<R>) -> Zeros<R> {
         let mut zeros = Zeros::default();
         let mut from = R::ZERO;
-        for &to in turns.iter().chain([&ts]) {
+        for &to in turns.iter().chain([&duration]) {
             let (start, end) = (
                 self.derivative_at(order, from),
                 self.derivative_at(order, to),
@@ -307,11 +307,11 @@ impl<R: Real, const N: usize> Poly<R, N> {
         terms.fold(highest, |y, c| y * x + c)
     }
 
-    /// The polynomial of duration `ts` if every coefficient is finite.
-    fn finite(self, ts: R) -> Result<Self, Error> {
+    /// The polynomial that lasts `duration`, if every coefficient is finite.
+    fn finite(self, duration: R) -> Result<Self, Error> {
         if self.c.iter().all(|c| c.is_finite()) {
             Ok(self)
-        } else if ts.abs() > R::ZERO {
+        } else if duration.abs() > R::ZERO {
             Err(Error::NotFinite)
         } else {
             Err(Error::Duration)

@@ -13,12 +13,12 @@ use crate::state::{Boundary, Saturation};
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
 /// each other.
 ///
-/// Fields carry the book's symbols and are signed: for a move towards smaller positions `vc` and `ac` are negative.
+/// Fields carry the book's symbols and are signed: for a move towards smaller positions `vc` and `a0` are negative.
 ///
 /// ```
 /// use atraj::{Boundary, Trap};
 /// let trap = Trap::new(5.0, 4.0, -2.0, Boundary::rest_to_rest(0.0, 50.0)).expect("a feasible move");
-/// assert_eq!((trap.ta, trap.td, trap.t), (1.25, 9.375, 11.875));
+/// assert_eq!((trap.ta, trap.cruise_end, trap.t), (1.25, 9.375, 11.875));
 /// assert_eq!(trap.velocity(5.0), 5.0);
 /// assert_eq!(trap.position(trap.t), 50.0);
 /// ```
@@ -40,41 +40,52 @@ pub struct Trap<R> {
     /// Time at which the acceleration phase ends, s.
     pub ta: R,
     /// Time at which the deceleration phase starts, s.
-    pub td: R,
+    pub cruise_end: R,
     /// Position at `ta`.
     pub pa: R,
-    /// Position at `td`.
+    /// Position at `cruise_end`.
     pub pd: R,
     /// Acceleration before `ta`.
-    pub ac: R,
-    /// Acceleration after `td`.
-    pub de: R,
+    pub a0: R,
+    /// Acceleration after `cruise_end`.
+    pub a1: R,
 }
 
 impl<R: Real> Trap<R> {
-    /// Plans a move with the highest velocity `velocity` (its sign is ignored), acceleration `ac` and deceleration `de`.
+    /// Plans a move with the highest velocity `velocity` (its sign is ignored), and these two accelerations.
     ///
-    /// `ac` and `de` are signed: a forward move has `ac > 0` and `de < 0`, a backward one the opposite. Boundary
+    /// `acceleration` and `deceleration` are signed: a forward move has `acceleration > 0` and `deceleration < 0`, a backward one the opposite. Boundary
     /// velocities beyond `±velocity` are limited to it; a final velocity out of reach is replaced by the one that is
     /// reached. [`Error::Unreachable`] if liba finds no such move, or if the move takes no time; [`Error::NotFinite`] if an argument
     /// is not a number, or a position infinite; [`Error::Limits`] if a limit is 0.
-    pub fn new(velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Result<Self, Error> {
-        Self::new_saturated(velocity, ac, de, boundary, Saturation::Everything)
+    pub fn new(
+        velocity: R,
+        acceleration: R,
+        deceleration: R,
+        boundary: Boundary<R>,
+    ) -> Result<Self, Error> {
+        Self::new_saturated(
+            velocity,
+            acceleration,
+            deceleration,
+            boundary,
+            Saturation::Everything,
+        )
     }
 
     /// [`Trap::new`] with the saturation of either generation of liba.
     pub fn new_saturated(
         velocity: R,
-        ac: R,
-        de: R,
+        acceleration: R,
+        deceleration: R,
         boundary: Boundary<R>,
         saturation: Saturation,
     ) -> Result<Self, Error> {
         let mut trap = Self::default();
-        match trap.plan_saturated(velocity, ac, de, boundary, saturation) {
+        match trap.plan_saturated(velocity, acceleration, deceleration, boundary, saturation) {
             Some(duration) if duration > R::ZERO => Ok(trap),
             _ => Err(Error::of_plan(
-                [velocity, ac, de],
+                [velocity, acceleration, deceleration],
                 boundary,
                 Error::Unreachable,
             )),

@@ -12,9 +12,9 @@ pub(crate) enum Phase {
     Before,
     /// `0 < x < ta`.
     Accelerate,
-    /// `ta <= x < td`.
+    /// `ta <= x < cruise_end`.
     Cruise,
-    /// `td <= x < t`.
+    /// `cruise_end <= x < t`.
     Decelerate,
     /// `x >= t`.
     After,
@@ -34,9 +34,9 @@ impl<R: Real> Trap<R> {
     /// Acceleration at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
     pub fn acceleration(&self, x: R) -> R {
         if x < self.ta {
-            if x >= R::ZERO { self.ac } else { R::ZERO }
-        } else if x >= self.td && x <= self.t {
-            self.de
+            if x >= R::ZERO { self.a0 } else { R::ZERO }
+        } else if x >= self.cruise_end && x <= self.t {
+            self.a1
         } else {
             R::ZERO
         }
@@ -74,7 +74,7 @@ impl<R: Real> Trap<R> {
     #[inline(always)]
     fn phase(&self, x: R) -> Phase {
         if x >= self.ta {
-            if x < self.td {
+            if x < self.cruise_end {
                 Phase::Cruise
             } else if x < self.t {
                 Phase::Decelerate
@@ -92,11 +92,11 @@ impl<R: Real> Trap<R> {
     pub(crate) fn position_in(&self, phase: Phase, x: R) -> R {
         match phase {
             Phase::Before => self.p0,
-            Phase::Accelerate => self.p0 + self.v0 * x + R::HALF * self.ac * x * x,
+            Phase::Accelerate => self.p0 + self.v0 * x + R::HALF * self.a0 * x * x,
             Phase::Cruise => self.pa + self.vc * (x - self.ta),
             Phase::Decelerate => {
-                let z = x - self.td;
-                self.pd + self.vc * z + R::HALF * self.de * z * z
+                let z = x - self.cruise_end;
+                self.pd + self.vc * z + R::HALF * self.a1 * z * z
             }
             Phase::After => self.p1,
         }
@@ -106,9 +106,9 @@ impl<R: Real> Trap<R> {
     pub(crate) fn velocity_in(&self, phase: Phase, x: R) -> R {
         match phase {
             Phase::Before => self.v0,
-            Phase::Accelerate => self.v0 + self.ac * x,
+            Phase::Accelerate => self.v0 + self.a0 * x,
             Phase::Cruise => self.vc,
-            Phase::Decelerate => self.vc + self.de * (x - self.td),
+            Phase::Decelerate => self.vc + self.a1 * (x - self.cruise_end),
             Phase::After => self.v1,
         }
     }
@@ -116,12 +116,14 @@ impl<R: Real> Trap<R> {
 
 impl<R: Real> Sampled<R, 3, 7> for Trap<R> {
     fn borders(&self) -> [Edge<R>; 7] {
-        let Self { t, ta, td, .. } = *self;
+        let Self {
+            t, ta, cruise_end, ..
+        } = *self;
         [
             Edge::Below(R::ZERO),
             Edge::UpTo(R::ZERO),
             Edge::Below(ta),
-            Edge::Below(td),
+            Edge::Below(cruise_end),
             Edge::Below(t),
             Edge::UpTo(t),
             // A NaN counts as before the start, and this border tells it from a time after the end.

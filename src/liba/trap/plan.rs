@@ -20,8 +20,20 @@ impl<R: Real> Trap<R> {
     /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
     #[must_use = "`None` says that there is no plan"]
-    pub fn plan(&mut self, velocity: R, ac: R, de: R, boundary: Boundary<R>) -> Option<R> {
-        self.plan_saturated(velocity, ac, de, boundary, Saturation::Everything)
+    pub fn plan(
+        &mut self,
+        velocity: R,
+        acceleration: R,
+        deceleration: R,
+        boundary: Boundary<R>,
+    ) -> Option<R> {
+        self.plan_saturated(
+            velocity,
+            acceleration,
+            deceleration,
+            boundary,
+            Saturation::Everything,
+        )
     }
 
     /// [`Trap::plan`] with the saturation of either generation of liba.
@@ -29,12 +41,13 @@ impl<R: Real> Trap<R> {
     pub fn plan_saturated(
         &mut self,
         velocity: R,
-        ac: R,
-        de: R,
+        acceleration: R,
+        deceleration: R,
         boundary: Boundary<R>,
         saturation: Saturation,
     ) -> Option<R> {
-        if ac == de {
+        let (a0, a1) = (acceleration, deceleration);
+        if a0 == a1 {
             return None;
         }
         let vm = velocity.magnitude();
@@ -45,7 +58,7 @@ impl<R: Real> Trap<R> {
 
         // Squared velocity at which the acceleration line meets the deceleration line.
         let (a, b) = (v0 * v0, v1 * v1);
-        let c = (b * ac - a * de - two_h * ac * de) / (ac - de);
+        let c = (b * a0 - a * a1 - two_h * a0 * a1) / (a0 - a1);
         if c <= R::ZERO {
             return None;
         }
@@ -60,39 +73,39 @@ impl<R: Real> Trap<R> {
         };
         let speed = match shape {
             Shape::Cruise => vm,
-            Shape::UpOnly => root(a + two_h * ac)?,
-            Shape::DownOnly => root(a + two_h * de)?,
+            Shape::UpOnly => root(a + two_h * a0)?,
+            Shape::DownOnly => root(a + two_h * a1)?,
             Shape::Peak => c.sqrt(),
         };
         let v = speed.negate_if(h < R::ZERO);
-        (self.ac, self.de) = (ac, de);
+        (self.a0, self.a1) = (a0, a1);
         if matches!(shape, Shape::DownOnly) {
             self.v1 = v;
             self.vc = v0;
-            self.t = (v - v0) / de;
-            (self.ta, self.td) = (R::ZERO, R::ZERO);
+            self.t = (v - v0) / a1;
+            (self.ta, self.cruise_end) = (R::ZERO, R::ZERO);
             (self.pa, self.pd) = (p0, p0);
             return Some(self.t);
         }
         self.vc = v;
-        self.ta = (v - v0) / ac;
-        self.pa = p0 + v0 * self.ta + R::HALF * ac * self.ta * self.ta;
+        self.ta = (v - v0) / a0;
+        self.pa = p0 + v0 * self.ta + R::HALF * a0 * self.ta * self.ta;
         if matches!(shape, Shape::UpOnly) {
             self.v1 = v;
-            (self.t, self.td) = (self.ta, self.ta);
+            (self.t, self.cruise_end) = (self.ta, self.ta);
             self.pd = p1;
             return Some(self.t);
         }
         // Duration of the deceleration.
-        let t = (v1 - v) / de;
+        let t = (v1 - v) / a1;
         if matches!(shape, Shape::Cruise) {
-            self.pd = p1 - v * t - R::HALF * de * t * t;
-            self.td = self.ta + (self.pd - self.pa) / v;
+            self.pd = p1 - v * t - R::HALF * a1 * t * t;
+            self.cruise_end = self.ta + (self.pd - self.pa) / v;
         } else {
             self.pd = self.pa;
-            self.td = self.ta;
+            self.cruise_end = self.ta;
         }
-        self.t = self.td + t;
+        self.t = self.cruise_end + t;
         Some(self.t)
     }
 }

@@ -108,11 +108,12 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         planned.t >= zero && planned.t < R::of(f64::INFINITY),
         "{problem}: {planned:?}"
     );
-    let phases = planned.phases as usize;
+    let phases = planned.count as usize;
     assert!(phases <= 15, "{problem}: {phases} phases");
     let starts = planned.phase[..=phases].windows(2);
-    let in_order = starts.clone().all(|pair| pair[0].t <= pair[1].t);
-    let last = in_order && planned.phase[0].t == zero && planned.phase[phases].t == planned.t;
+    let in_order = starts.clone().all(|pair| pair[0].start <= pair[1].start);
+    let last =
+        in_order && planned.phase[0].start == zero && planned.phase[phases].start == planned.t;
     let lasts = planned.phase[..phases]
         .iter()
         .all(|phase| phase.duration >= zero);
@@ -223,12 +224,15 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     assert!(t >= zero && t < R::of(f64::INFINITY), "{problem}: {t:?}");
     for (axis, (from, to)) in moves.iter().zip(from.iter().zip(&to)) {
         assert!(axis.t.low_bits() == t.low_bits(), "{problem}: {axis:?}");
-        let phases = axis.phases as usize;
+        let phases = axis.count as usize;
         assert!(phases <= 15, "{problem}: {phases} phases");
         let in_order = axis.phase[..=phases]
             .windows(2)
-            .all(|pair| pair[0].t <= pair[1].t && pair[0].duration >= zero);
-        assert!(in_order && axis.phase[phases].t == t, "{problem}: {axis:?}");
+            .all(|pair| pair[0].start <= pair[1].start && pair[0].duration >= zero);
+        assert!(
+            in_order && axis.phase[phases].start == t,
+            "{problem}: {axis:?}"
+        );
         let end = axis.state_at(R::of(f64::INFINITY));
         assert!(end == *to, "{problem}: ends at {end:?}");
         let start = axis.state_at(R::of(-1.0));

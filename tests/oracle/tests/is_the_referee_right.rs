@@ -26,9 +26,9 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     };
     let mut planned = Move::default();
     let mut acceleration = from.acceleration;
-    planned.phases = 2 + random.below(6) as u32;
+    planned.count = 2 + random.below(6) as u32;
     let mut sign = random.sign();
-    for phase in &mut planned.phase[..planned.phases as usize] {
+    for phase in &mut planned.phase[..planned.count as usize] {
         let jerk = match random.below(4) {
             0 => 0.0,
             1 => random.between(jmin, jmax),
@@ -53,7 +53,7 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
         acceleration += jerk * duration;
         planned.t += duration;
     }
-    let end = planned.phases as usize;
+    let end = planned.count as usize;
     planned.phase[end].acceleration = acceleration;
     let walk = Walk::of(from, &planned);
     let [position, velocity, acceleration] = walk.borders[end];

@@ -199,8 +199,10 @@ impl Family {
                 borders.to_vec()
             }
             Self::Trap => {
-                let Trap { t, ta, td, .. } = trap(fields);
-                vec![start, ta, td, t]
+                let Trap {
+                    t, ta, cruise_end, ..
+                } = trap(fields);
+                vec![start, ta, cruise_end, t]
             }
             Self::Poly3 | Self::Poly5 | Self::Poly7 => vec![start, arguments[0]],
         }

@@ -32,7 +32,7 @@ named_fields!(
 #[rustfmt::skip]
 named_fields!(
     Trap, 12, TRAP_FIELDS, trap, trap_fields,
-    [t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de]
+    [t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, a0, a1]
 );
 
 /// The cubic whose coefficients of position these fields begin with.
@@ -93,7 +93,7 @@ profile!(Move, 4, position velocity acceleration jerk);
 
 /// The times at which the jerk of a move changes: the starts of its phases, and its end.
 pub fn move_borders<R: Real>(planned: &Move<R>) -> Vec<R> {
-    let count = (planned.phases as usize).min(planned.phase.len() - 1);
+    let count = (planned.count as usize).min(planned.phase.len() - 1);
     let starts = planned.phase[..=count].iter();
-    starts.map(|phase| phase.t).collect()
+    starts.map(|phase| phase.start).collect()
 }

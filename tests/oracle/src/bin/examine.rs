@@ -44,7 +44,7 @@ fn examine<R: Original>(request: Request, numbers: [f64; 12]) {
         Ok(plan) => {
             let planned = plan.planned;
             println!("t {:e}, findings {}", planned.t, plan.findings.bits());
-            for phase in &planned.phase[..=planned.phases as usize] {
+            for phase in &planned.phase[..=planned.count as usize] {
                 println!("{phase:?}");
             }
         }

@@ -109,7 +109,7 @@ impl Fault {
         let Plan {
             planned, findings, ..
         } = plan;
-        let count = planned.phases as usize;
+        let count = planned.count as usize;
         let middle = count / 2;
         let end = &mut planned.phase[count];
         match self {
@@ -127,7 +127,7 @@ impl Fault {
             Self::DroppedPhase if count > 1 => drop_shortest(planned),
             Self::Direction | Self::AbsoluteTime => {
                 planned.t = self.late(problem, planned.t);
-                planned.phase[count].t = planned.t;
+                planned.phase[count].start = planned.t;
             }
             Self::SilentOvershoot => *findings = without(*findings, Findings::OVERSHOOTS),
             Self::SilentStart => *findings = without(*findings, Findings::STARTS_OUTSIDE),
@@ -192,14 +192,14 @@ fn without(findings: Findings, one: Findings) -> Findings {
 /// Changes all times.
 fn stretch<R: Real>(planned: &mut Move<R>, by: impl Fn(R) -> R) {
     for phase in &mut planned.phase {
-        (phase.t, phase.duration) = (by(phase.t), by(phase.duration));
+        (phase.start, phase.duration) = (by(phase.start), by(phase.duration));
     }
     planned.t = by(planned.t);
 }
 
 /// Leaves the shortest phase out; the phases behind it are earlier.
 fn drop_shortest<R: Real>(planned: &mut Move<R>) {
-    let count = planned.phases as usize;
+    let count = planned.count as usize;
     let phases = &mut planned.phase[..=count];
     let shorter = |a: &usize, b: &usize| {
         let [a, b] = [a, b].map(|index| phases[*index].duration.widen());
@@ -209,11 +209,11 @@ fn drop_shortest<R: Real>(planned: &mut Move<R>) {
     phases.copy_within(shortest + 1.., shortest);
     let mut t = R::of(0.0);
     for phase in &mut phases[..count] {
-        phase.t = t;
+        phase.start = t;
         t = t + phase.duration;
     }
-    planned.t = phases[count - 1].t;
-    planned.phases -= 1;
+    planned.t = phases[count - 1].start;
+    planned.count -= 1;
 }
 
 /// Stops, and goes from there to the target.
@@ -222,17 +222,17 @@ fn detour<R: Real>(problem: &Problem<R>) -> Result<Plan<R>, Error> {
     let found = stop.stop(&problem.limits, problem.from)?;
     let from = stop.state_at(stop.t);
     let rest = Fastest.plan(&Problem { from, ..*problem })?;
-    let (first, second) = (stop.phases as usize, rest.planned.phases as usize);
+    let (first, second) = (stop.count as usize, rest.planned.count as usize);
     if first + second > 15 {
         return Fastest.plan(problem);
     }
     let mut both = stop;
     for (index, phase) in rest.planned.phase[..=second].iter().enumerate() {
-        let t = stop.t + phase.t;
-        both.phase[first + index] = Phase { t, ..*phase };
+        let t = stop.t + phase.start;
+        both.phase[first + index] = Phase { start: t, ..*phase };
     }
-    both.phases = (first + second) as u32;
-    both.t = both.phase[first + second].t;
+    both.count = (first + second) as u32;
+    both.t = both.phase[first + second].start;
     Ok(Plan::of_move(both, found | rest.findings))
 }
 
@@ -243,7 +243,7 @@ fn wrong_side<R: Real>(problem: &Problem<R>) -> Result<Plan<R>, Error> {
     changed.to.position = problem.from.position - (to.position - problem.from.position);
     changed.to.velocity = -to.velocity;
     let mut plan = Fastest.plan(&changed)?;
-    let end = &mut plan.planned.phase[plan.planned.phases as usize];
+    let end = &mut plan.planned.phase[plan.planned.count as usize];
     (end.position, end.velocity) = (to.position, to.velocity);
     Ok(plan)
 }

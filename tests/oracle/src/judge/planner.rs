@@ -70,7 +70,7 @@ impl<R: Real> Profile<R> {
         let zero = R::of(0.0);
         if self.family == Family::Trap {
             #[rustfmt::skip]
-            let Trap { t, ta, td, ac, de, .. } = trap(&self.fields[..12]);
+            let Trap { t, ta, cruise_end: td, a0: ac, a1: de, .. } = trap(&self.fields[..12]);
             return vec![
                 [zero, ta, ac, zero],
                 [ta, td - ta, zero, zero],
@@ -110,7 +110,7 @@ impl<R: Real> Plan<R> {
         let phases = profile.phases();
         let mut planned = Move {
             t: profile.fields[0],
-            phases: phases.len() as u32 - 1,
+            count: phases.len() as u32 - 1,
             ..Move::default()
         };
         let mut begin = R::of(0.0);
@@ -119,7 +119,7 @@ impl<R: Real> Plan<R> {
             let [position, velocity, ..] = profile.evaluate(&Ours, begin);
             let none = duration < R::of(0.0);
             *phase = Phase {
-                t: begin,
+                start: begin,
                 duration: if none { R::of(0.0) } else { duration },
                 position,
                 velocity,

@@ -598,7 +598,9 @@ impl<R: Real> Problems<R> {
         let part = fraction * self.random.unit();
         let x = match problem.request {
             // It starts without acceleration: in the cruise.
-            Request::Bell => plan.planned.phase[3].t + R::of(part) * plan.planned.phase[3].duration,
+            Request::Bell => {
+                plan.planned.phase[3].start + R::of(part) * plan.planned.phase[3].duration
+            }
             _ => R::of(plan.planned.t.widen() * part),
         };
         let [position, velocity, mut acceleration, _] = plan.state(x);

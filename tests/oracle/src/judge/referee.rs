@@ -228,7 +228,7 @@ impl Walk {
         let start = parts(from).map(R::widen);
         let mut borders = [[0.0; 3]; 17];
         let mut knots = [[0.0; 4]; 96];
-        let count = (planned.phases as i32).min(15);
+        let count = (planned.count as i32).min(15);
         let noted = referee_walk(&start, &all, count, &mut borders, &mut knots);
         Self {
             borders,

@@ -91,11 +91,11 @@ impl Scale {
         let t = planned.t.widen();
         // The velocities with the acceleration undone at the start or at the end are the axis' own too.
         let [first, last] =
-            [0, planned.phases as usize].map(|k| planned.phase[k].acceleration.widen());
+            [0, planned.count as usize].map(|k| planned.phase[k].acceleration.widen());
         let mut velocity = most(2) + 0.25 * pace * (first * first + last * last);
         let mut changes: f64 = 0.0;
         let mut most_jerk: f64 = 0.0;
-        for phase in &planned.phase[..planned.phases as usize] {
+        for phase in &planned.phase[..planned.count as usize] {
             let [duration, a, jerk] =
                 [phase.duration, phase.acceleration, phase.jerk].map(R::widen);
             // An acceleration that changes has an error in proportion to the highest one. An acceleration that holds is exact.
@@ -356,7 +356,7 @@ impl<R: Original> Trial<R> {
         let [.., jmax, jmin] = self.motion.limits;
         let doubt = doubt::<R>();
         let borders = planned.phase.iter().zip(&walk.borders);
-        for (phase, &[p, v, a]) in borders.take(planned.phases as usize + 1) {
+        for (phase, &[p, v, a]) in borders.take(planned.count as usize + 1) {
             if (phase.position.widen() - p).abs() > doubt * scale.position {
                 return Some("the position jumps");
             }
@@ -555,7 +555,7 @@ impl Side {
 
 /// Whether the phases do not follow each other, or are none.
 fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
-    let count = planned.phases as usize;
+    let count = planned.count as usize;
     if count > 15 {
         return Some("there are too many phases");
     }
@@ -563,7 +563,7 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     let mut t = 0.0;
     for phase in phases {
         let numbers = [
-            phase.t,
+            phase.start,
             phase.duration,
             phase.position,
             phase.velocity,
@@ -574,17 +574,17 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
             return Some("a number of a phase is not finite");
         }
         let rounding = 8.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
-        if (phase.t.widen() - t).abs() > rounding || phase.duration.widen() < 0.0 {
+        if (phase.start.widen() - t).abs() > rounding || phase.duration.widen() < 0.0 {
             return Some("a phase does not follow the one before it");
         }
-        t = phase.t.widen() + phase.duration.widen();
+        t = phase.start.widen() + phase.duration.widen();
     }
-    let ordered = phases.windows(2).all(|pair| pair[0].t <= pair[1].t);
+    let ordered = phases.windows(2).all(|pair| pair[0].start <= pair[1].start);
     if !ordered {
         return Some("the phases are not in order");
     }
     let end = &phases[count];
-    if end.t != planned.t || end.duration.widen() != 0.0 || end.jerk.widen() != 0.0 {
+    if end.start != planned.t || end.duration.widen() != 0.0 || end.jerk.widen() != 0.0 {
         return Some("the last phase is not the end");
     }
     None
@@ -598,7 +598,7 @@ fn wrong_evaluation<R: Original>(
     random: &mut Random,
 ) -> Option<&'static str> {
     let planned = &plan.planned;
-    let phases = &planned.phase[..=planned.phases as usize];
+    let phases = &planned.phase[..=planned.count as usize];
     let t = planned.t.widen();
     let is_profile = plan.profile.is_some();
     let doubt = doubt::<R>() * if is_profile { 1.0 } else { 2.0 };
@@ -609,16 +609,16 @@ fn wrong_evaluation<R: Original>(
     let within = [(); 2].map(|()| R::of(random.unit()) * planned.t);
     let near = phases
         .iter()
-        .map(|phase| phase.t.neighbour(random.steps(2)));
+        .map(|phase| phase.start.neighbour(random.steps(2)));
     let times: Vec<R> = near.chain(within).collect();
     for x in times {
         // Phase 0 is the start.
-        let under_way = phases.iter().rposition(|phase| phase.t <= x);
+        let under_way = phases.iter().rposition(|phase| phase.start <= x);
         let index = under_way
             .filter(|_| x > R::of(0.0) || t == 0.0)
             .unwrap_or(0);
         let phase = &phases[index];
-        let z = (x.widen() - phase.t.widen()).min(phase.duration.widen());
+        let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());
         let [p, v, _] = walk.borders[index];
         let [a, jerk] = [phase.acceleration, phase.jerk].map(R::widen);
         let state = plan.state(x);

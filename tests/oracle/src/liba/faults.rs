@@ -59,7 +59,7 @@ impl<R: Real> Implementation<R> for Fault {
             (Self::LessOrEqual, Family::Trap, _) => {
                 let trap = trap(fields);
                 if x == trap.ta && x >= zero {
-                    acceleration = trap.ac;
+                    acceleration = trap.a0;
                 }
             }
             _ => {}

@@ -84,7 +84,7 @@ impl Fault {
         let Some((axis, problem)) = axes.last_mut().zip(set.axes.last()) else {
             return;
         };
-        let count = axis.phases as usize;
+        let count = axis.count as usize;
         match self {
             Self::Alone => {
                 let _ = axis.plan(&problem.limits, problem.from, problem.to);
@@ -92,12 +92,12 @@ impl Fault {
             Self::EndOff => axis.phase[count].position = axis.phase[count].position.neighbour(1),
             Self::OneLate => {
                 axis.t = axis.t.neighbour(1);
-                axis.phase[count].t = axis.t;
+                axis.phase[count].start = axis.t;
             }
             Self::Waits if problem.from == State::at(problem.from.position) => {
                 let mut fastest = Move::default();
                 let planned = fastest.plan(&problem.limits, problem.from, problem.to);
-                if planned.is_ok() && fastest.t < axis.t && fastest.phases < 15 {
+                if planned.is_ok() && fastest.t < axis.t && fastest.count < 15 {
                     *axis = after(&fastest, axis.t - fastest.t, axis.t, problem.from);
                 }
             }
@@ -116,16 +116,16 @@ impl Fault {
 /// The move after a wait.
 fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
     let mut later = *planned;
-    let count = planned.phases as usize;
+    let count = planned.count as usize;
     for (k, phase) in planned.phase[..=count].iter().enumerate() {
         later.phase[k + 1] = *phase;
-        later.phase[k + 1].t = wait + phase.t;
+        later.phase[k + 1].start = wait + phase.start;
     }
     later.phase[0] = Default::default();
     later.phase[0].duration = wait;
     later.phase[0].position = from.position;
-    later.phase[count + 1].t = t;
-    (later.phases, later.t) = (planned.phases + 1, t);
+    later.phase[count + 1].start = t;
+    (later.count, later.t) = (planned.count + 1, t);
     later
 }
 

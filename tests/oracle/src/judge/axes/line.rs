@@ -133,8 +133,8 @@ fn leaves_line<R: Real>(
     random: &mut Random,
 ) -> Option<&'static str> {
     let end = |k: usize| set.axes[k].to.position.widen();
-    let phases = |k: usize| &axes[k].phase[..=axes[k].phases as usize];
-    let borders = phases(lead).iter().map(|phase| phase.t);
+    let phases = |k: usize| &axes[k].phase[..=axes[k].count as usize];
+    let borders = phases(lead).iter().map(|phase| phase.start);
     let reach = |k: usize| {
         let positions = phases(k).iter().map(|phase| {
             let [p, v, a] = [phase.position, phase.velocity, phase.acceleration].map(R::widen);

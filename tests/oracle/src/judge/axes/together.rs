@@ -185,10 +185,14 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
         let is_slowest = planned.is_ok() && fastest.t >= axis.t;
         // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
         for phase in &mut fastest.phase {
-            phase.t = if phase.t > axis.t { axis.t } else { phase.t };
+            phase.start = if phase.start > axis.t {
+                axis.t
+            } else {
+                phase.start
+            };
         }
-        let count = fastest.phases as usize;
-        if is_slowest && fastest.phase[..count] != axis.phase[..axis.phases as usize] {
+        let count = fastest.count as usize;
+        if is_slowest && fastest.phase[..count] != axis.phase[..axis.count as usize] {
             let what = "the slowest axis does not make its fastest move";
             return Some((k, Verdict::Wrong(what)));
         }
