@@ -152,8 +152,8 @@ template <class Profile>
 void is_seen_whole(const Profile &profile, const a_float ends[2], const atraj::state &lowest, const atraj::state &highest)
 {
     PROMISE(lowest.p == ends[0] && highest.p == ends[1] && lowest.v == 0 && highest.v > 0 && highest.a > 0 && lowest.a < 0);
-    const atraj::state now = profile.state(0.5f);
-    PROMISE(now.p == profile.pos(0.5f) && now.p > ends[0] && now.p < ends[1]);
+    const atraj::state now = profile.state(0.25f);
+    PROMISE(now.p == profile.pos(0.25f) && now.p > ends[0] && now.p < ends[1]);
     PROMISE(now.v > lowest.v && now.v <= highest.v && now.a >= lowest.a && now.a <= highest.a);
 }
 

@@ -44,7 +44,7 @@ fn described(name: &str) -> PathBuf {
     root().join("tests/abi").join(name).with_extension("abi")
 }
 
-/// The description that `abidw` gives, without the names of files.
+/// The description that `abidw` gives, without the names of files and of Rust's modules, in which C's types have no part.
 fn describe(library: &Path) -> String {
     let output = run(Command::new("abidw")
         .args(["--no-show-locs", "--no-comp-dir-path", "--no-corpus-path"])
@@ -52,7 +52,8 @@ fn describe(library: &Path) -> String {
         .arg("--no-elf-needed")
         .arg(library));
     let text = String::from_utf8(output.stdout).unwrap();
-    let lines = text.lines().map(|line| match line.split_once(" path='") {
+    let lines = text.lines().filter(|line| !line.contains("namespace-decl"));
+    let lines = lines.map(|line| match line.split_once(" path='") {
         // Each unit needs a path of its own.
         Some((before, rest)) => {
             let (path, rest) = rest.split_once('\'').unwrap();
@@ -87,12 +88,14 @@ fn since_the_first_library_of_this_soname() {
         return;
     }
     for (name, choices) in BUILDS {
-        let library = library(name, choices);
+        let today = describe(&library(name, choices));
         let baseline = described(name);
         if std::env::var_os("UPDATE_ABI").is_some() {
-            fs::write(&baseline, describe(&library)).unwrap();
+            fs::write(&baseline, &today).unwrap();
         }
-        let (text, changed) = changes(&baseline, &library);
+        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.abi"));
+        fs::write(&file, today).unwrap();
+        let (text, changed) = changes(&baseline, &file);
         assert!(!changed, "{name}: {text}");
     }
 }

@@ -135,7 +135,7 @@ def test_check():
     assert atraj.Findings.JUMPS in jump.check(30, 2.5, 10)
     trap = atraj.Trap(5, 4, -2, 0, 50)
     assert trap.check(5, 4, -2) == atraj.Findings(0) and trap.check(4, 4, -2) == atraj.Findings.EXCEEDS_VELOCITY
-    with pytest.raises(ValueError, match="not finite"):
+    with pytest.raises(ValueError, match="infinite or not a number"):
         atraj.Bell.from_fields([math.nan] * 14).check(1, 1, 1)
 
 
