@@ -10,9 +10,11 @@ pub fn horner<R: Operations>(c: &[R], x: R) -> R {
 }
 
 /// Writes the coefficients of the derivative, which has one coefficient fewer.
+#[inline(always)]
 pub fn differentiate<R: Operations>(c: &[R], derivative: &mut [R]) {
-    for ((power, &c), d) in (1..).zip(c.iter().skip(1)).zip(derivative) {
-        *d = c * R::from(power);
+    let terms = derivative.iter_mut().zip(c.iter().skip(1));
+    for (k, (d, &c)) in terms.enumerate() {
+        *d = c * R::from(k as u8 + 1);
     }
 }
 
