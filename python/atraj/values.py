@@ -41,7 +41,7 @@ class Limits(NamedTuple):
 class Phase(NamedTuple):
     """A phase of constant jerk: when it starts and how long it lasts, s, the state of the axis at its start, and the jerk."""
 
-    t: float
+    start: float
     duration: float
     position: float
     velocity: float

@@ -47,11 +47,11 @@ def load(move: atraj.Move, t: float) -> complex:
     """The swing of the load at the time t: its imaginary part is y, its magnitude the amplitude. Exact, phase by phase."""
     swing = 0j
     for phase in move.phases:
-        d = min(phase.duration, t - phase.t)
+        d = min(phase.duration, t - phase.start)
         if d > 0:
             moved = (cmath.exp(POLE * d) - 1) / POLE
             driven = phase.acceleration * moved + phase.jerk * (moved - d) / POLE
-            swing -= cmath.exp(POLE * (t - phase.t - d)) * driven / SWING
+            swing -= cmath.exp(POLE * (t - phase.start - d)) * driven / SWING
     return swing
 
 

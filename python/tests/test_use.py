@@ -162,7 +162,7 @@ def test_an_axis_is_retargeted(real):
     ]:
         assert other.state_at(0) == now
         assert all(wanted in (None, reached) for wanted, reached in zip(end, other.state_at(other.t)))
-        assert len(other.phases) > 1 and other.phases[-1].t + other.phases[-1].duration == pytest.approx(other.t)
+        assert len(other.phases) > 1 and other.phases[-1].start + other.phases[-1].duration == pytest.approx(other.t)
     target = atraj.State(3, 0.5)
     meeting = axis.meet(LIMITS, now, target)
     reached = meeting.state_at(meeting.t)

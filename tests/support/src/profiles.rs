@@ -5,9 +5,9 @@ use atraj::online::Move;
 use atraj::{Bell, Poly3, Poly5, Poly7, Trap};
 
 macro_rules! named_fields {
-    ($profile:ident, $count:literal, $names:ident, $from:ident, $to:ident, [$($field:ident),*]) => {
-        /// The fields of the struct, in order of memory.
-        pub const $names: [&str; $count] = [$(stringify!($field)),*];
+    ($profile:ident, $count:literal, $names:ident, $from:ident, $to:ident, [$($field:ident = $c:ident),*]) => {
+        /// The fields of the struct in order of memory, by their names in C.
+        pub const $names: [&str; $count] = [$(stringify!($c)),*];
 
         /// The struct that these fields are.
         pub fn $from<R: Copy>(fields: &[R]) -> $profile<R> {
@@ -27,12 +27,12 @@ macro_rules! named_fields {
 #[rustfmt::skip]
 named_fields!(
     Bell, 14, BELL_FIELDS, bell, bell_fields,
-    [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
+    [t = t, tv = tv, ta = ta, td = td, taj = taj, tdj = tdj, p0 = p0, p1 = p1, v0 = v0, v1 = v1, vm = vm, jm = jm, am = am, dm = dm]
 );
 #[rustfmt::skip]
 named_fields!(
     Trap, 12, TRAP_FIELDS, trap, trap_fields,
-    [t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, a0, a1]
+    [t = t, p0 = p0, p1 = p1, v0 = v0, v1 = v1, vc = vc, ta = ta, cruise_end = td, pa = pa, pd = pd, a0 = ac, a1 = de]
 );
 
 /// The cubic whose coefficients of position these fields begin with.
