@@ -3,7 +3,7 @@
 use atraj::online::Move;
 use atraj::{Bell, Extremes, Poly, Real, Trap};
 use numpy::{
-    AllowTypeChange, Element, PyArrayDyn, PyArrayLikeDyn, PyReadwriteArray1, PyUntypedArray,
+    Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use pyo3::IntoPyObjectExt;
@@ -99,9 +99,24 @@ pub fn at<'py, R: Number>(
             return y.into_bound_py_any(py);
         }
     }
-    let times: PyArrayLikeDyn<'py, R, AllowTypeChange> = times.extract()?;
+    let times = in_rows(times)?;
     let values = times.as_array().mapv(value);
     Ok(PyArrayDyn::from_owned_array(py, values).into_any())
+}
+
+/// The numbers as an aligned array of `R` in C order, which NumPy copies if it must. The crate `numpy` divides strides by the size of
+/// an item, so it reads a field of a packed record at wrong addresses.
+fn in_rows<'py, R: Number>(numbers: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, R>> {
+    const ALIGNED_IN_C_ORDER: &str = "AC";
+    if let Ok(array) = numbers.extract::<PyReadonlyArrayDyn<'py, R>>() {
+        if array.is_aligned() && array.is_c_contiguous() {
+            return Ok(array);
+        }
+    }
+    let py = numbers.py();
+    let require = py.import("numpy")?.getattr("require")?;
+    let array = require.call1((numbers, R::get_dtype(py), ALIGNED_IN_C_ORDER))?;
+    array.extract()
 }
 
 /// Times, positions, velocities, accelerations and jerks; an array may be left out.
@@ -187,17 +202,19 @@ fn fresh<R: Number>(py: Python<'_>, n: usize) -> PyResult<Arrays<'_, R>> {
 
 fn fill<R: Number>(motion: &dyn Motion<R>, x0: R, dt: R, arrays: &mut Arrays<R>) -> PyResult<()> {
     let [t, p, v, a, j] = arrays;
-    for (k, t) in (0..).zip(slice(t)?) {
+    let [t, p, v, a, j] = [slice(t)?, slice(p)?, slice(v)?, slice(a)?, slice(j)?];
+    for (k, t) in (0..).zip(t) {
         *t = x0 + R::from_index(k) * dt;
     }
-    motion.sample_into(x0, dt, [slice(p)?, slice(v)?, slice(a)?, slice(j)?]);
+    motion.sample_into(x0, dt, [p, v, a, j]);
     Ok(())
 }
 
 /// The numbers of an array; none if the array is left out.
 fn slice<'a, R: Number>(array: &'a mut Option<PyReadwriteArray1<'_, R>>) -> PyResult<&'a mut [R]> {
-    match array {
-        Some(array) => Ok(array.as_slice_mut()?),
-        None => Ok(&mut []),
-    }
+    let Some(array) = array else {
+        return Ok(&mut []);
+    };
+    let slice = array.as_slice_mut();
+    slice.map_err(|_| error("the arrays of out must be contiguous and aligned"))
 }

@@ -48,6 +48,57 @@ def test_times_have_any_shape_and_type(real):
         assert profile.position([]).shape == (0,)
 
 
+def layouts(dtype):
+    """The times 0.5, 1, 1.5 and 2 in the layouts that NumPy knows, and a stride of 0 beside them."""
+    times = np.array([0.5, 1, 1.5, 2], dtype)
+    size = times.itemsize
+    records = np.zeros(4, [("id", "u1"), ("t", dtype)])
+    records["t"] = times
+    unaligned = np.frombuffer(b"x" + times.tobytes(), dtype, offset=1)
+    objects = times.astype(object)
+    yield from [times, times[::-1], times.repeat(3)[::3], times.reshape(2, 2).T, np.broadcast_to(times[:1], 3)]
+    yield from [records["t"], records["t"][::-1], records["t"][::2], records["t"].reshape(2, 2).T, records["t"][:1]]
+    yield from [unaligned, unaligned[::-1], memoryview(records["t"]), memoryview(unaligned)]
+    yield from [times.astype(f">f{size}"), times.astype(f"<f{size}"), objects, objects[::-1]]
+
+
+@reals
+def test_times_have_any_layout(real):
+    for profile in profiles(real.module):
+        for times in layouts(real.dtype):
+            expected = np.vectorize(profile.position, otypes=[real.dtype])(np.array(times, float))
+            values = profile.position(times)
+            assert values.dtype == real.dtype and values.tolist() == expected.tolist(), times
+
+
+@reals
+def test_numbers_of_records_have_any_type(real):
+    for dtype in ["i1", "u2", ">i4", "i8", ">f2", "f4", ">f8", "O", "?"]:
+        records = np.zeros(2, [("id", "S3"), ("t", dtype)])
+        records["t"] = [0, 1]
+        for profile in profiles(real.module):
+            values = profile.position(records["t"])
+            assert values.dtype == real.dtype and values.tolist() == [profile.position(0), profile.position(1)], dtype
+
+
+@reals
+def test_no_times_give_no_values(real):
+    records = np.zeros((0, 2), [("id", "u1"), ("t", real.dtype)])
+    for times in [records["t"], records["t"][::-1], records["t"].T]:
+        values = real.module.Bell(30, 10, 5, 0, 10).position(times)
+        assert values.shape == times.shape and values.dtype == real.dtype
+
+
+@reals
+def test_masks_are_not_looked_at(real):
+    bell = real.module.Bell(30, 10, 5, 0, 10)
+    times = np.ma.array([0.5, 1], real.dtype, mask=[True, False])
+    values = bell.position(times)
+    assert type(values) is np.ndarray and values.tolist() == [bell.position(0.5), bell.position(1)]
+    samples = bell.sample(0.5, start=0.5, out=(times, None, None, None, None))
+    assert samples.t is times and times.data.tolist() == [0.5, 1] and times.mask.tolist() == [True, False]
+
+
 @reals
 def test_samples_have_the_bits_of_single_calls(real):
     for profile in profiles(real.module):
@@ -83,20 +134,25 @@ def test_samples_go_into_given_arrays():
 
 def test_bad_arrays_are_refused():
     move = atraj.Bell(30, 10, 5, 0, 10)
-    array, frozen = np.zeros(4), np.zeros(4)
+    array, frozen = np.full(4, 7.0), np.zeros(4)
     frozen.flags.writeable = False
+    records = np.zeros(4, [("id", "u1"), ("p", "f8")])
+    unaligned = np.frombuffer(bytearray(33), offset=1)
 
-    def refused(message, *arrays, **choices):
-        with pytest.raises((TypeError, ValueError), match=message):
+    def refused(raised, message, *arrays, **choices):
+        with pytest.raises(raised, match=message):
             move.sample(0.1, out=(*arrays, *[None] * (5 - len(arrays))), **choices)
 
-    refused("differ in length", array, np.zeros(5))
-    refused("differ in length", array, n=5)
-    refused("already borrowed", array, array)
-    refused("not writeable", frozen)
-    refused("not contiguous", np.zeros(8)[::2])
-    refused("float32", np.zeros(4, np.float32))
-    refused("dimension", np.zeros((2, 2)))
+    refused(ValueError, "differ in length", array, np.zeros(5))
+    refused(ValueError, "differ in length", array, n=5)
+    refused(TypeError, "already borrowed", array, array)
+    refused(TypeError, "not writeable", frozen)
+    for layout in [np.zeros(8)[::2], np.zeros(4)[::-1], records["p"], unaligned]:
+        refused(ValueError, "contiguous and aligned", array, layout)
+    refused(TypeError, "float32", np.zeros(4, np.float32))
+    refused(TypeError, ">f8", np.zeros(4, ">f8"))
+    refused(TypeError, "dimension", np.zeros((2, 2)))
+    assert array.tolist() == [7] * 4
 
 
 @pytest.mark.parametrize(

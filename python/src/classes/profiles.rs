@@ -22,6 +22,8 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 ///
 /// Times are in seconds since the start of the motion. Positions have any unit of length or angle, and the other quantities
 /// follow from it: m, m/s, m/s², m/s³.
+///
+/// An array of times has any strides, alignment, byte order and type of real number. The mask of a masked array is not looked at.
 #[pyclass(frozen, subclass)]
 pub struct Profile {
     motion: Box<dyn Motion<Real>>,
@@ -82,7 +84,8 @@ impl Profile {
     ///
     /// Sample `k` belongs to the time `start + k*dt`, s. `dt` alone samples until the end is reached, `n` alone takes `n` samples
     /// evenly from the start to the end. With `out`, a `Samples` of arrays, nothing is allocated, which saves most of the time of a long
-    /// sweep: each array is filled, and None leaves a quantity out. ValueError for more than 2147483647 samples.
+    /// sweep: each array is filled, and None leaves a quantity out. ValueError, before anything is written, if an array of `out` is not
+    /// contiguous or not aligned. ValueError for more than 2147483647 samples.
     ///
     /// >>> import atraj
     /// >>> move = atraj.Bell(30, 10, 5, 0, 10)
