@@ -350,18 +350,13 @@ impl<R: Real> Border<R> {
             (trough, fall, R::ZERO)
         };
         [
-            (self.a0, rising, gu * first),
-            (peak, R::ZERO, top),
-            (peak, falling, gd * before),
-            (pause, R::ZERO, cruise),
-            (pause, falling, gd * after),
-            (trough, R::ZERO, bottom),
-            (trough, rising, gu * last),
+            Segment::new(self.a0, rising, gu * first),
+            Segment::new(peak, R::ZERO, top),
+            Segment::new(peak, falling, gd * before),
+            Segment::new(pause, R::ZERO, cruise),
+            Segment::new(pause, falling, gd * after),
+            Segment::new(trough, R::ZERO, bottom),
+            Segment::new(trough, rising, gu * last),
         ]
-        .map(|(from, jerk, duration)| Segment {
-            from,
-            jerk,
-            duration,
-        })
     }
 }

@@ -95,10 +95,9 @@ impl<R: Real> Inside<R> {
     pub fn segments(&self, limits: &Limits<R>, from: R) -> [Segment<R>; 2] {
         let to = self.acceleration;
         let jerk = if to > from { limits.jmax } else { limits.jmin };
-        [(from, jerk, self.ramp), (to, R::ZERO, self.hold)].map(|(from, jerk, duration)| Segment {
-            from,
-            jerk,
-            duration,
-        })
+        [
+            Segment::new(from, jerk, self.ramp),
+            Segment::new(to, R::ZERO, self.hold),
+        ]
     }
 }

@@ -77,7 +77,8 @@ impl<R: Real> Move<R> {
             ..from
         };
         limits.check(from, to)?;
-        let (problem, direct) = Problem::reaching(limits, from, to);
+        let mut problem = Problem::new(limits, from, to);
+        let direct = problem.reach();
         problem.write(self, &direct)?;
         Ok(problem.findings(self))
     }

@@ -5,7 +5,7 @@
 use super::border::Border;
 use super::inside::Inside;
 use super::motion::Move;
-use super::profile::Profile;
+use super::profile::{Profile, Segment};
 use super::ramp::PerJerk;
 use super::search;
 use super::write::Writer;
@@ -36,16 +36,13 @@ impl<R: Real> Problem<R> {
         }
     }
 
-    /// The problem of reaching the velocity and the acceleration of `to` wherever the fastest change of velocity ends, and the profile of
-    /// this change.
-    pub fn reaching(limits: &Limits<R>, from: State<R>, to: State<R>) -> (Self, Profile<R>) {
-        let mut problem = Self::new(limits, from, to);
-        let border = &problem.border;
+    /// The fastest change of velocity. The end of the problem moves to where this change ends.
+    pub fn reach(&mut self) -> Profile<R> {
+        let border = &self.border;
         let direct = border.direct(border.beyond_straight());
-        let profile = border.profile(&direct);
-        let displacement = problem.displacement_inside() + border.passed(&direct).1;
-        problem.to.position = from.position + displacement;
-        (problem, profile)
+        let displacement = self.displacement_inside() + border.passed(&direct).1;
+        self.to.position = self.from.position + displacement;
+        border.profile(&direct)
     }
 
     /// Displacement on the way inside the limits.
@@ -78,12 +75,19 @@ impl<R: Real> Problem<R> {
 
     /// Duration of a motion with the way inside the limits, s: the sum that [`Problem::write`] writes.
     pub fn duration(&self, profile: &Profile<R>) -> R {
-        let way = self
-            .inside
-            .segments(&self.border.limits, self.from.acceleration);
-        let motion = self.border.segments(profile);
-        let segments = way.iter().chain(&motion);
-        segments.fold(R::ZERO, |t, segment| t + segment.duration)
+        let mut t = R::ZERO;
+        for segment in &self.way_inside() {
+            t = t + segment.duration;
+        }
+        for segment in &self.border.segments(profile) {
+            t = t + segment.duration;
+        }
+        t
+    }
+
+    fn way_inside(&self) -> [Segment<R>; 2] {
+        self.inside
+            .segments(&self.border.limits, self.from.acceleration)
     }
 
     /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.
@@ -94,7 +98,7 @@ impl<R: Real> Problem<R> {
             return Err(Error::NotFinite);
         }
         let mut writer = self.writer(ctx);
-        for segment in self.border.segments(profile) {
+        for segment in &self.border.segments(profile) {
             writer.write(segment);
         }
         writer.end(self.to);
@@ -104,7 +108,7 @@ impl<R: Real> Problem<R> {
     /// A writer that has written the way inside the limits.
     pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
         let mut writer = Writer::new(ctx, self.from);
-        for segment in self
+        for segment in &self
             .inside
             .segments(&self.border.limits, self.from.acceleration)
         {

@@ -72,5 +72,15 @@ pub(crate) struct Segment<R> {
     pub duration: R,
 }
 
+impl<R: Real> Segment<R> {
+    pub fn new(from: R, jerk: R, duration: R) -> Self {
+        Self {
+            from,
+            jerk,
+            duration,
+        }
+    }
+}
+
 /// The most segments of a motion on the border.
 pub(crate) const MOST_SEGMENTS: usize = 7;

@@ -156,11 +156,7 @@ fn easing<R: Real>(
 ) -> Option<Found<R>> {
     // A hold ends once at most.
     for _ in 0..2 {
-        let piece = if base.top > R::ZERO {
-            Piece::held(border, base)
-        } else {
-            Piece::free(border, base)
-        };
+        let piece = Piece::of(border, &base, base.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
         if let Some(x) = piece.first_over(lacks, end, false) {
             return Some(Found::Reached(piece.profile(x)));
@@ -192,7 +188,7 @@ fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R
         return Border::by_way_of_vmax(ramps, (h - displacement) / border.limits.vmax);
     }
     if !(base.top > R::ZERO || base.bottom > R::ZERO) {
-        let piece = Piece::free(border, base);
+        let piece = Piece::of(border, &base, false);
         let end = first_hold(border, &base) - base.fall;
         if end > R::ZERO {
             if let Some(x) = piece.first_over(lacks, end, true) {
@@ -225,7 +221,7 @@ fn first_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
 /// The highest acceleration holds, and at last the lowest one too.
 fn holding<R: Real>(border: &Border<R>, mut base: Profile<R>, lacks: R) -> Profile<R> {
     base.peak = border.limits.amax;
-    let piece = Piece::held(border, base);
+    let piece = Piece::of(border, &base, true);
     let end = (base.trough - border.limits.amin).at_least(R::ZERO);
     match piece.first_over(lacks, end, true) {
         Some(x) => piece.profile(x),

@@ -39,12 +39,12 @@ impl<'a, R: Real> Writer<'a, R> {
     }
 
     /// Adds a phase, if it has a duration.
-    pub fn write(&mut self, segment: Segment<R>) {
+    pub fn write(&mut self, segment: &Segment<R>) {
         let Segment {
             from,
             jerk,
             duration,
-        } = segment;
+        } = *segment;
         if !(duration > R::ZERO && self.count < MOST_PHASES) {
             return;
         }

@@ -86,15 +86,17 @@ impl<R: Real> Blend<R> {
         } else {
             ([&self.nearest, &self.farthest], share)
         };
-        let [mut one, mut other] =
-            motions.map(|profile| Cursor::new(t, problem.border.segments(profile)));
+        let (mut one, mut other) = (Cursor::new(t), Cursor::new(t));
+        for (cursor, profile) in [&mut one, &mut other].into_iter().zip(motions) {
+            cursor.fill(&problem.border.segments(profile));
+        }
         let mean = |x: R, y: R| x + weight * (y - x);
         let mut writer = problem.writer(ctx);
         let mut now = Instant::start(t);
         // Each round ends a segment of one motion, or of both.
         for _ in 1..one.count + other.count {
             let next = one.end().first(other.end());
-            writer.write(Segment {
+            writer.write(&Segment {
                 from: mean(one.acceleration(now), other.acceleration(now)),
                 jerk: mean(one.segment().jerk, other.segment().jerk),
                 duration: next.since(now),
@@ -182,24 +184,27 @@ struct Cursor<R> {
 
 impl<R: Real> Cursor<R> {
     /// At the start of a motion of the duration `t`.
-    fn new(t: R, segments: [Segment<R>; MOST_SEGMENTS]) -> Self {
-        let mut cursor = Self {
+    fn new(t: R) -> Self {
+        Self {
             t,
             segments: [Segment::default(); MOST_SEGMENTS],
             ends: [Instant::end(t); MOST_SEGMENTS],
             count: 0,
             current: 0,
             began: Instant::start(t),
-        };
-        for segment in segments {
-            cursor.add(segment);
         }
-        cursor.count_from_end();
-        cursor
+    }
+
+    /// Takes the segments of the motion.
+    fn fill(&mut self, segments: &[Segment<R>; MOST_SEGMENTS]) {
+        for segment in segments {
+            self.add(segment);
+        }
+        self.count_from_end();
     }
 
     /// Adds a segment, if it has a duration.
-    fn add(&mut self, segment: Segment<R>) {
+    fn add(&mut self, segment: &Segment<R>) {
         let before = self.ends.get(self.count.wrapping_sub(1));
         let began = before.map_or(R::ZERO, |end| end.since_start);
         let places = self
@@ -207,7 +212,7 @@ impl<R: Real> Cursor<R> {
             .get_mut(self.count)
             .zip(self.ends.get_mut(self.count));
         if let Some((place, end)) = places.filter(|_| segment.duration > R::ZERO) {
-            *place = segment;
+            *place = *segment;
             end.since_start = began + segment.duration;
             self.count += 1;
         }

@@ -19,12 +19,12 @@ pub(crate) struct Free<R> {
 }
 
 impl<R: Real> Free<R> {
-    pub fn new(border: &Border<R>, first: Profile<R>) -> Self {
+    pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
         Self {
-            first,
+            first: *first,
             per_jerk: border.per_jerk,
             u: first.fall,
-            s: border.slope(&first),
+            s: border.slope(first),
             r: first.peak + first.trough,
         }
     }

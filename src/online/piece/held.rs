@@ -21,17 +21,17 @@ pub(crate) struct Held<R> {
 }
 
 impl<R: Real> Held<R> {
-    pub fn new(border: &Border<R>, first: Profile<R>) -> Self {
+    pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
         let Profile {
             fall: u, trough: y, ..
-        } = first;
+        } = *first;
         let PerJerk { gu, gd } = border.per_jerk;
         Self {
-            first,
+            first: *first,
             per_jerk: border.per_jerk,
             bu: border.limits.amax,
             u,
-            s: border.slope(&first),
+            s: border.slope(first),
             k: R::HALF * gd * (u - y) - gu * y,
         }
     }

@@ -24,14 +24,13 @@ pub(super) enum Piece<R> {
 }
 
 impl<R: Real> Piece<R> {
-    /// The piece that begins with the motion `first`, in which no acceleration holds.
-    pub fn free(border: &Border<R>, first: Profile<R>) -> Self {
-        Self::Free(Free::new(border, first))
-    }
-
-    /// The piece that begins with the motion `first`, in which the highest acceleration holds.
-    pub fn held(border: &Border<R>, first: Profile<R>) -> Self {
-        Self::Held(Held::new(border, first))
+    /// The piece that begins with the motion `first`. `holds`: the highest acceleration holds in it, else none.
+    pub fn of(border: &Border<R>, first: &Profile<R>, holds: bool) -> Self {
+        if holds {
+            Self::Held(Held::new(border, first))
+        } else {
+            Self::Free(Free::new(border, first))
+        }
     }
 
     /// The displacement where the acceleration falls by `x` more, and its derivative with respect to `x`.
