@@ -361,8 +361,28 @@ static int reached(void)
     return 0;
 }
 
+/* Each code has a sentence of its own, a sum of findings has the one of the lowest, and any other number is unknown. */
+static int sentences(void)
+{
+    char const *unknown = atraj_message(64);
+    int code, other;
+    for (code = ATRAJ_ERR_UNREACHABLE; code < 0; ++code)
+    {
+        for (other = code + 1; other <= 0; ++other) { PROMISE(strcmp(atraj_message(code), atraj_message(other)) != 0); }
+        PROMISE(strcmp(atraj_message(code), unknown) != 0);
+    }
+    for (code = 1; code < 64; code *= 2)
+    {
+        PROMISE(strcmp(atraj_message(code), unknown) != 0);
+        PROMISE(strcmp(atraj_message(code | 32), atraj_message(code)) == 0);
+    }
+    PROMISE(strcmp(atraj_message(ATRAJ_ERR_UNREACHABLE - 1), unknown) == 0);
+    return 0;
+}
+
 int main(void)
 {
     return refused_numbers() || refused_pointers() || refused_targets() || limits() || plans() || starts_outside() ||
-           infinite_limits() || other_plans() || evaluation() || reached() || too_far();
+           infinite_limits() || other_plans() || evaluation() || reached() || too_far() ||
+           sentences();
 }
