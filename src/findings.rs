@@ -152,7 +152,7 @@ pub enum Error {
     /// The states of several axes do not lie on the straight line from their start to their end.
     Line = -6,
     /// liba finds no such move within the limits, or the move takes no time.
-    Unreachable = -7,
+    Unreachable = -9,
 }
 
 impl Error {

@@ -71,7 +71,7 @@ enum atraj_error {
     /**
      * for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
      */
-    ATRAJ_ERR_UNREACHABLE = -7
+    ATRAJ_ERR_UNREACHABLE = -9
 };
 
 #if defined(__cplusplus)

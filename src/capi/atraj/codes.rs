@@ -38,7 +38,7 @@ pub enum atraj_error {
     /// the states do not lie on the straight line from start to end
     ATRAJ_ERR_LINE = -6,
     /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
-    ATRAJ_ERR_UNREACHABLE = -7,
+    ATRAJ_ERR_UNREACHABLE = -9,
 }
 pub(super) use atraj_error::*;
 
