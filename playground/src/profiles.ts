@@ -74,7 +74,7 @@ const symmetric = (...highest: number[]): Quantities<Range | undefined> => [
 
 /** The bits of what a check finds. The first ones are faults, the later ones are properties of the move. */
 const [FAULTS, STARTS_OUTSIDE] = [1 | 2 | 4 | 8, 32];
-const [LIMITS, UNREACHABLE] = [-3, -7];
+const [LIMITS, UNREACHABLE] = [-3, -9];
 
 /** What a planner or a check returns, in words. */
 function findings(subject: string, code: number, clean: string): Remark[] {
