@@ -24,6 +24,10 @@ impl<R: Real> State<R> {
         }
     }
 
+    pub(crate) fn is_at_rest(self) -> bool {
+        self.velocity == R::ZERO && self.acceleration == R::ZERO
+    }
+
     pub(crate) fn is_finite(self) -> bool {
         self.position.is_finite() && self.velocity.is_finite() && self.acceleration.is_finite()
     }

@@ -21,7 +21,7 @@ mod phase;
 mod piece;
 pub(crate) mod problem;
 pub(crate) mod profile;
-mod ramp;
+pub(crate) mod ramp;
 pub(crate) mod search;
 mod write;
 

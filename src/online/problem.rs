@@ -122,9 +122,13 @@ impl<R: Real> Problem<R> {
         self.to
     }
 
+    /// Whether the axis starts outside the limits.
+    pub fn starts_outside(&self) -> Findings {
+        Findings::STARTS_OUTSIDE.when(self.inside.starts_outside)
+    }
+
     /// What there is to know of a written move.
     pub fn findings(&self, ctx: &Move<R>) -> Findings {
-        Findings::OVERSHOOTS.when(ctx.overshoots())
-            | Findings::STARTS_OUTSIDE.when(self.inside.starts_outside)
+        Findings::OVERSHOOTS.when(ctx.overshoots()) | self.starts_outside()
     }
 }

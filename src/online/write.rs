@@ -119,6 +119,21 @@ impl<R: Real> Move<R> {
         self.t = t;
     }
 
+    /// Lets a move from rest to rest take the longer duration `t`. In slow motion it keeps all limits and makes the same way.
+    pub(crate) fn slow_down(&mut self, t: R) {
+        let longer = t / self.t;
+        let rate = self.t / t;
+        let count = self.count();
+        for phase in self.phase.iter_mut().take(count) {
+            phase.t = phase.t * longer;
+            phase.duration = phase.duration * longer;
+            phase.velocity = phase.velocity * rate;
+            phase.acceleration = phase.acceleration * rate * rate;
+            phase.jerk = phase.jerk * rate * rate * rate;
+        }
+        self.end_at(t);
+    }
+
     /// Lets the move begin and end in these states, which its own are but for rounding.
     pub(crate) fn set_ends(&mut self, from: State<R>, to: State<R>) {
         let count = self.phase_count();

@@ -1,6 +1,7 @@
 //! One axis among several.
 
-use super::blend::Blend;
+use super::blend::{self, Blend};
+use super::cruise::Cruise;
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::online::Move;
@@ -29,27 +30,34 @@ pub(super) fn checked<'a, R: Real>(
     Ok(ends)
 }
 
-/// Duration of the fastest motion, if numbers are in range.
-pub(super) fn shortest<R: Real>(problem: &Problem<R>) -> Result<R, Error> {
-    let t = problem.duration(&problem.fastest());
-    let (h, positions) = problem.displacement();
-    if (t + h.abs() + positions).is_finite() {
-        Ok(t)
+/// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
+pub(super) fn next_duration<R: Real>((limits, (&from, &to)): Axis<R>, t: R) -> R {
+    // An axis can wait where it stands.
+    if to.is_at_rest() || from.is_at_rest() {
+        return t;
+    }
+    let problem = Problem::new(limits, from, to);
+    if Cruise::of(&problem, t).is_some() {
+        t
     } else {
-        Err(Error::NotFinite)
+        blend::next_duration(&problem, t)
     }
 }
 
-/// Writes the fastest motion if it takes as long as `t`, else a slower one.
-pub(super) fn write<R: Real>(problem: &Problem<R>, axis: &mut Move<R>, t: R) -> Result<(), Error> {
-    let fastest = problem.fastest();
-    let is_slower = problem.duration(&fastest) < t;
-    match Blend::of(problem, t).filter(|_| is_slower) {
-        Some(blend) => blend.write(problem, axis, t),
-        None => {
-            problem.write(axis, &fastest)?;
+/// Lets an axis that has made its fastest plan take the duration `t`, which is possible and not shorter.
+pub(super) fn stretch<R: Real>(axis: &mut Move<R>, t: R, (limits, (&from, &to)): Axis<R>) {
+    if t - axis.t <= R::from(4) * R::EPSILON * t {
+        axis.end_at(t);
+    } else if axis.t > R::ZERO && from.is_at_rest() && to.is_at_rest() {
+        axis.slow_down(t);
+    } else {
+        let problem = Problem::new(limits, from, to);
+        if let Some(cruise) = Cruise::of(&problem, t) {
+            cruise.write(&problem, axis, t);
+        } else if let Some(blend) = Blend::of(&problem, t) {
+            blend.write(&problem, axis, t);
+        } else {
             axis.end_at(t);
         }
     }
-    Ok(())
 }

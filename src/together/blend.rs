@@ -21,9 +21,6 @@ pub(super) struct Blend<R> {
 
 /// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s.
 pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
-    if Blend::slow(problem, duration).is_some() {
-        return duration;
-    }
     let t = problem.behind_inside(duration);
     let (h, positions) = problem.displacement();
     let next = search::next_duration(&problem.border, t, h, positions);

@@ -1,7 +1,6 @@
 //! Several axes on the straight line from their start to their end.
 
-use super::axis::{checked, shortest, write};
-use super::blend::next_duration;
+use super::axis::{checked, next_duration, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -29,10 +28,12 @@ pub fn line<R: Real>(
     let limits = line.tightest(limits, from, to)?;
     limits.check(line.from, line.to)?;
     let problem = Problem::new(&limits, line.from, line.to);
-    let slowest = shortest(&problem)?.at_least(duration);
-    let t = cycle.until_possible(1, slowest, |t| next_duration(&problem, t))?;
     let mut lead = Move::default();
-    write(&problem, &mut lead, t)?;
+    problem.write(&mut lead, &problem.fastest())?;
+    let ends_of_lead = (&limits, (&line.from, &line.to));
+    let slowest = duration.at_least(lead.t);
+    let t = cycle.until_possible(1, slowest, |t| next_duration(ends_of_lead, t))?;
+    stretch(&mut lead, t, ends_of_lead);
     for ((_, (from, to)), axis) in ends.zip(axes) {
         let share = line.share(from, to);
         *axis = lead.map(|phase| Phase {

@@ -5,6 +5,7 @@
 
 mod axis;
 mod blend;
+mod cruise;
 mod cycle;
 mod line;
 mod sync;

@@ -1,7 +1,6 @@
 //! Several axes in the same time.
 
-use super::axis::{checked, shortest, write};
-use super::blend::next_duration;
+use super::axis::{checked, next_duration, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -25,24 +24,21 @@ pub fn synchronise<R: Real>(
 ) -> Result<Findings, Error> {
     let cycle = Cycle::new(duration, cycle)?;
     let ends = checked(axes.len(), limits, from, to)?;
-    let problems = || {
-        ends.clone()
-            .map(|(limits, (&from, &to))| Problem::new(limits, from, to))
-    };
-
+    let mut found = Findings::default();
     let mut slowest = duration;
-    for problem in problems() {
-        slowest = slowest.at_least(shortest(&problem)?);
+    for ((limits, (&from, &to)), axis) in ends.clone().zip(axes.iter_mut()) {
+        let problem = Problem::new(limits, from, to);
+        problem.write(axis, &problem.fastest())?;
+        found |= problem.starts_outside();
+        slowest = slowest.at_least(axis.t);
     }
     let t = cycle.until_possible(axes.len(), slowest, |t| {
-        problems().fold(t, |latest, problem| {
-            latest.at_least(next_duration(&problem, t))
-        })
+        let next = ends.clone().map(|ends| next_duration(ends, t));
+        next.fold(t, R::at_least)
     })?;
-    let mut found = Findings::default();
-    for (problem, axis) in problems().zip(axes) {
-        write(&problem, axis, t)?;
-        found |= problem.findings(axis);
+    for (ends, axis) in ends.zip(axes) {
+        stretch(axis, t, ends);
+        found |= Findings::OVERSHOOTS.when(axis.overshoots());
     }
     Ok(found)
 }

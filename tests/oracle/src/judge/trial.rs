@@ -395,7 +395,7 @@ impl<R: Original> Trial<R> {
             unavoidable: -v0 + 0.5 * a0.min(0.0) * a0 / jmax,
         };
         let slack = 1.0 + doubt::<R>();
-        let jerks = planned.phase.iter().map(|phase| phase.jerk.widen());
+        let jerks = planned.phases().iter().map(|phase| phase.jerk.widen());
         above
             .left(&walk.knots, scale, doubt::<R>())
             .or_else(|| below.left(&walk.knots, scale, doubt::<R>()))
