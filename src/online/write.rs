@@ -123,9 +123,9 @@ impl<R: Real> Move<R> {
     pub(crate) fn slow_down(&mut self, t: R) {
         let longer = t / self.t;
         let rate = self.t / t;
-        let count = self.count();
+        let count = self.phase_count();
         for phase in self.phase.iter_mut().take(count) {
-            phase.t = phase.t * longer;
+            phase.start = phase.start * longer;
             phase.duration = phase.duration * longer;
             phase.velocity = phase.velocity * rate;
             phase.acceleration = phase.acceleration * rate * rate;

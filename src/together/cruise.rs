@@ -100,7 +100,7 @@ impl<R: Real> Cruise<R> {
     /// Writes the way inside the limits and the motion.
     pub fn write(&self, problem: &Problem<R>, axis: &mut Move<R>, duration: R) {
         let mut writer = problem.writer(axis);
-        for segment in self.segments(&problem.border) {
+        for segment in &self.segments(&problem.border) {
             writer.write(segment);
         }
         writer.end(problem.to());
