@@ -99,6 +99,7 @@ impl<R: Real> Free<R> {
             trough,
             ..
         } = first;
+        let trough = trough.at_least(R::ZERO); // by rounding
         let (change, sum, remains) = if rise < u {
             (rise, peak + a0, trough)
         } else {

@@ -1,0 +1,81 @@
+//! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
+
+use atraj::State;
+use atraj::online::{Limits, Move};
+use support::{Real, test_both_reals};
+
+/// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
+type Row = ([f64; 6], [f64; 3], [f64; 3]);
+
+fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
+    let [vmax, vmin, amax, amin, jmax, jmin] = limits.map(R::of);
+    Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    }
+}
+
+fn state<R: Real>(state: [f64; 3]) -> State<R> {
+    let [position, velocity, acceleration] = state.map(R::of);
+    State {
+        position,
+        velocity,
+        acceleration,
+    }
+}
+
+/// The farthest jump of the position between two phases, in roundings of the positions and of speed times duration.
+fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
+    let (mut position, mut speed, mut jump) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for (phase, next) in planned.phases().iter().zip(&planned.phase[1..]) {
+        let [p, v, a, j, z] = [
+            phase.position,
+            phase.velocity,
+            phase.acceleration,
+            phase.jerk,
+            phase.duration,
+        ]
+        .map(R::widen);
+        let end = p + z * (v + z * (a / 2.0 + z * j / 6.0));
+        jump = jump.max((next.position.widen() - end).abs());
+        position = position.max(end.abs());
+        speed = speed.max(v.abs());
+    }
+    let scale = position + speed * planned.t.widen();
+    jump / (R::MACHINE_EPSILON.widen() * scale)
+}
+
+/// Plans each row, and looks at the end and at the jumps.
+fn planned_without_a_jump<R: Real>(rows: &[Row]) {
+    for &(bounds, from, to) in rows {
+        let mut planned = Move::default();
+        let result = planned.plan(&limits(bounds), state(from), state::<R>(to));
+        assert!(result.is_ok(), "{result:?}: {bounds:?} {from:?} {to:?}");
+        let end = planned.state_at(planned.t);
+        assert_eq!(end, state(to));
+        let jump = worst_jump(&planned);
+        assert!(jump <= 64.0, "{jump} roundings: {bounds:?} {from:?} {to:?}");
+    }
+}
+
+/// The start is bound to leave the velocity, and the target is on the border of what can be held: a plan was refused.
+fn bound_to_leave<R: Real>() {
+    planned_without_a_jump::<R>(&[
+        (
+            [4.0, -4.0, 2.0, -2.0, 2.0, -3.0],
+            [0.0, -4.0, -2.0],
+            [-18.0, -3.0, 2.0],
+        ),
+        (
+            [1.0, f64::NEG_INFINITY, 2.0, -2.0, 1.0, -2.0],
+            [0.0, 3.0, -1.0],
+            [11.0, 0.0, -2.0],
+        ),
+    ]);
+}
+
+test_both_reals!(bound_to_leave);
