@@ -39,7 +39,7 @@ const MOST_HALVES: u32 = 64;
 /// leaves the range that holds the root, the range is halved.
 pub(crate) fn root_between<R: Real>(mut low: R, mut high: R, f: impl Fn(R) -> (R, R)) -> R {
     let mut x = high;
-    let mut before = R::ZERO;
+    let (mut before, mut shrank) = (R::ZERO, R::ONE);
     for _ in 0..MOST_HALVES {
         let (value, derivative) = f(x);
         if value > R::ZERO {
@@ -47,18 +47,27 @@ pub(crate) fn root_between<R: Real>(mut low: R, mut high: R, f: impl Fn(R) -> (R
         } else {
             low = x;
         }
-        let mut next = x - value / derivative;
-        if !(next >= low && next <= high) {
-            next = low + R::HALF * (high - low);
-        }
+        let newton = x - value / derivative;
+        let is_newton = newton >= low && newton <= high;
+        let next = if is_newton {
+            newton
+        } else {
+            low + R::HALF * (high - low)
+        };
         let step = (next - x).abs();
         x = next;
-        // As above. A step of half a range foretells nothing, but is not small beside the step before.
-        let shrinks = step / before;
-        if step == R::ZERO || step * (shrinks * shrinks) < R::EPSILON * x {
+        // As above, but a step may be small by chance: where the function bends the other way, or behind half a range. So three steps of
+        // Newton's method foretell the fourth one. Both factors between a step and the square of the step before are asked, and the larger one
+        // counts.
+        let shrinks = (step / before).at_most(R::ONE);
+        if step * shrinks * shrinks.at_least(shrank * shrank) <= R::EPSILON * x {
             break;
         }
-        before = step;
+        (before, shrank) = if is_newton {
+            (step, shrinks)
+        } else {
+            (R::ZERO, R::ONE)
+        };
     }
     x
 }
