@@ -2,7 +2,7 @@
 
 use atraj::State;
 use atraj::online::{Limits, Move};
-use support::{Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);
@@ -102,4 +102,36 @@ fn a_small_step<R: Real>() {
     )]);
 }
 
-test_both_reals!(bound_to_leave, a_small_step);
+/// Phase 1 begins a rounding beside the start. `time_at` missed a position between both and gave a later time. Some of its times were a
+/// rounding above `t`.
+fn times_of_positions<R: Real>() {
+    let mut random = Random::seeded(1);
+    let mut gaps = 0;
+    for number in 0..20_000 {
+        let (_, _, planned) = online::planned::<R>(&mut random);
+        let [start, first] = [planned.phase[0].position, planned.phase[1].position];
+        let beside = start.neighbour(if start < first { 1 } else { -1 });
+        let (low, high) = if start < first {
+            (start, first)
+        } else {
+            (first, start)
+        };
+        if low < beside && beside < high {
+            gaps += 1;
+            let x = planned.time_at(beside);
+            assert_eq!(x, Some(R::of(0.0)), "move {number}: {planned:?}");
+        }
+        for steps in -4..=4 {
+            let position = planned.position(planned.t).neighbour(steps);
+            let x = planned.time_at(position);
+            assert!(
+                x.is_none_or(|x| x <= planned.t),
+                "move {number}: {x:?} {planned:?}"
+            );
+        }
+    }
+    println!("{}: {gaps} gaps", R::NAME);
+    assert!(gaps > 100, "{gaps}");
+}
+
+test_both_reals!(bound_to_leave, a_small_step, times_of_positions);

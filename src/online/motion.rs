@@ -108,7 +108,9 @@ impl<R: Real> Move<R> {
 
     /// The first time at which the axis is at `position`, s; `None` if it never is.
     pub fn time_at(&self, position: R) -> Option<R> {
-        if self.phase[0].position == position {
+        // Phase 1 begins at the start up to rounding. A position in this gap is passed at once.
+        let [start, first] = [&self.phase[0], &self.phase[1]].map(|phase| phase.position);
+        if position >= start.at_most(first) && position <= start.at_least(first) {
             return Some(R::ZERO);
         }
         let following = self.phase.iter().skip(1);
@@ -123,7 +125,7 @@ impl<R: Real> Move<R> {
                         next.position
                     };
                     if let Some(z) = phase.time_between(from, to, far, position) {
-                        return Some(phase.start + z);
+                        return Some((phase.start + z).at_most(next.start));
                     }
                     from = to;
                 }
