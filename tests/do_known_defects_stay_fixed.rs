@@ -134,4 +134,29 @@ fn times_of_positions<R: Real>() {
     assert!(gaps > 100, "{gaps}");
 }
 
-test_both_reals!(bound_to_leave, a_small_step, times_of_positions);
+/// A state on the border of what can be held was outside by a rounding, and the way from it to itself took up to an hour.
+fn from_a_state_to_itself<R: Real>() {
+    let mut random = Random::seeded(1);
+    for _ in 0..100_000 {
+        let limits = online::limits(&mut random);
+        let mut state: State<R> = online::inside(&mut random, &limits);
+        let a = state.acceleration;
+        let (limit, jerk) = if a > R::of(0.0) {
+            (limits.vmax, limits.jmin)
+        } else {
+            (limits.vmin, limits.jmax)
+        };
+        state.velocity = limit + R::of(0.5) * a * a / jerk;
+        let mut planned = Move::default();
+        if planned.plan(&limits, state, state).is_ok() {
+            assert_eq!(planned.t, R::of(0.0), "{limits:?} {state:?}");
+        }
+    }
+}
+
+test_both_reals!(
+    bound_to_leave,
+    a_small_step,
+    times_of_positions,
+    from_a_state_to_itself
+);

@@ -39,11 +39,15 @@ impl<R: Real> Inside<R> {
         // The velocity after the acceleration is undone.
         let undone = v + per_jerk.straight(a, R::ZERO);
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
+        // A start beyond a velocity by rounding stays there. A way inside would be a detour for a target beside it.
+        let few = R::from(16) * R::EPSILON;
+        let rounding = few * (v.abs() + (undone - v).abs());
+        let (highest, lowest) = (vmax + rounding, vmin - rounding);
         // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
-        let (to, way, rises, hold) = if undone > vmax {
+        let (to, way, rises, hold) = if undone > highest {
             let ramp = Ramp::over(undone - vmax, (-a).at_most(-amin), R::ZERO, -amin, per_jerk);
             (-ramp.peak, ramp.rise + below, below > R::ZERO, ramp.hold)
-        } else if undone < vmin {
+        } else if undone < lowest {
             let ramp = Ramp::over(vmin - undone, a.at_most(amax), R::ZERO, amax, per_jerk);
             (ramp.peak, ramp.rise + above, above == R::ZERO, ramp.hold)
         } else {
@@ -54,10 +58,8 @@ impl<R: Real> Inside<R> {
         let mut change = Change::default();
         change.add(a, to, ramp);
         change.add(to, to, hold);
-        let few = R::from(16) * R::EPSILON;
-        let rounding = few * (v.abs() + (undone - v).abs());
-        let starts_outside = undone.at_least(v) > vmax + rounding
-            || undone.at_most(v) < vmin - rounding
+        let starts_outside = undone.at_least(v) > highest
+            || undone.at_most(v) < lowest
             || above > few * amax
             || -below < few * amin;
         Self {
