@@ -131,6 +131,7 @@ impl<R: Real> Move<R> {
             phase.acceleration = phase.acceleration * rate * rate;
             phase.jerk = phase.jerk * rate * rate * rate;
         }
+        self.t = self.t * longer;
         self.end_at(t);
     }
 
