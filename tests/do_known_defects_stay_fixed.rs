@@ -1,6 +1,7 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
 use atraj::State;
+use atraj::axes::synchronise;
 use atraj::online::{Limits, Move};
 use support::{Random, Real, online, test_both_reals};
 
@@ -121,13 +122,19 @@ fn times_of_positions<R: Real>() {
             let x = planned.time_at(beside);
             assert_eq!(x, Some(R::of(0.0)), "move {number}: {planned:?}");
         }
+        // An axis with time to spare.
+        let limits = online::limits(&mut random);
+        let from: State<R> = online::anywhere(&mut random, &limits);
+        let to = online::inside(&mut random, &limits);
+        let t = R::of(random.magnitude(-1.0, 2.0));
+        let mut axes = [Move::default()];
+        synchronise(&mut axes, &[limits], &[from], &[to], t, R::of(0.0)).expect("numbers");
+        let [axis] = axes;
         for steps in -4..=4 {
-            let position = planned.position(planned.t).neighbour(steps);
-            let x = planned.time_at(position);
-            assert!(
-                x.is_none_or(|x| x <= planned.t),
-                "move {number}: {x:?} {planned:?}"
-            );
+            let position = to.position.neighbour(steps);
+            let x = axis.time_at(position);
+            let in_time = x.is_none_or(|x| x <= axis.t);
+            assert!(in_time, "move {number}: {x:?} {axis:?}");
         }
     }
     println!("{}: {gaps} gaps", R::NAME);
