@@ -73,18 +73,6 @@ impl<R: Real> Problem<R> {
         search::fastest(&self.border, h, positions)
     }
 
-    /// Duration of a motion with the way inside the limits, s: the sum that [`Problem::write`] writes.
-    pub fn duration(&self, profile: &Profile<R>) -> R {
-        let mut t = R::ZERO;
-        for segment in &self.way_inside() {
-            t = t + segment.duration;
-        }
-        for segment in &self.border.segments(profile) {
-            t = t + segment.duration;
-        }
-        t
-    }
-
     fn way_inside(&self) -> [Segment<R>; 2] {
         self.inside
             .segments(&self.border.limits, self.from.acceleration)

@@ -10,8 +10,8 @@ use crate::real::Real;
 use crate::state::State;
 
 /// Plans all axes for the same duration: the shortest one that is possible for each, is at least `duration`, and is a multiple of `cycle`
-/// (0: any), s. An axis whose fastest move takes as long makes its fastest move. An axis with more time moves slowly: from rest to rest no
-/// faster than twice its mean velocity, if its jerks are equal.
+/// (0: any), s. An axis whose fastest move takes as long makes its fastest move. From rest to rest an axis with more time makes its fastest
+/// move in slow motion. Any other axis with more time cruises at one velocity, where this is possible.
 ///
 /// An error of any axis is returned, and then no axis is written.
 pub fn synchronise<R: Real>(
