@@ -1,8 +1,8 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::State;
 use atraj::axes::synchronise;
-use atraj::online::{Limits, Move};
+use atraj::online::{Limits, Move, Phase};
+use atraj::{Error, Findings, State};
 use support::{Random, Real, online, test_both_reals};
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
@@ -161,9 +161,110 @@ fn from_a_state_to_itself<R: Real>() {
     }
 }
 
+/// Whether all numbers of a move are finite.
+fn is_finite<R: Real>(planned: &Move<R>) -> bool {
+    planned.phase.iter().all(|phase| {
+        let Phase {
+            start,
+            duration,
+            position,
+            velocity,
+            acceleration,
+            jerk,
+        } = *phase;
+        let numbers = [start, duration, position, velocity, acceleration, jerk];
+        numbers.iter().all(|x| x.widen().is_finite())
+    })
+}
+
+/// Checks that an accepted move has finite numbers, and that a refused one is untouched.
+fn finite_or_untouched<R: Real>(
+    plan: impl Fn(&mut Move<R>) -> Result<Findings, Error>,
+) -> Result<Findings, Error> {
+    let mut planned = Move::default();
+    let result = plan(&mut planned);
+    match result {
+        Ok(_) => assert!(is_finite(&planned), "{planned:?}"),
+        Err(_) => assert_eq!(planned, Move::default()),
+    }
+    result
+}
+
+/// The largest positions, velocities and durations overflowed, and the move was accepted.
+fn beyond_the_range<R: Real>() {
+    // 1e160 in binary64, 1e20 in binary32.
+    let far = R::of(f64::from(R::EXPONENTS.1 * 17 / 32).exp2());
+    let (one, zero) = (R::of(1.0), R::of(0.0));
+    let limits = Limits::symmetric(one, one, far * far * far);
+    let moving = State {
+        velocity: far,
+        ..State::at(zero)
+    };
+    let refused = finite_or_untouched(|planned| planned.plan(&limits, moving, State::at(zero)));
+    assert_eq!(refused, Err(Error::NotFinite));
+    let refused = finite_or_untouched(|planned| planned.meet(&limits, State::at(zero), moving));
+    assert_eq!(refused, Err(Error::NotFinite));
+    let (limits, near) = ([Limits::symmetric(one, one, one), limits], State::at(one));
+    let mut axes = [Move::default(); 2];
+    let from = [State::at(zero), moving];
+    let refused = synchronise(&mut axes, &limits, &from, &[near, near], zero, zero);
+    assert_eq!(refused, Err(Error::NotFinite));
+    assert_eq!(axes, [Move::default(); 2]);
+}
+
+/// The same for numbers of all sizes.
+fn of_any_size<R: Real>() {
+    let mut random = Random::seeded(1);
+    let (mut planned, mut refused) = (0, 0);
+    for _ in 0..100_000 {
+        let most = f64::from(R::EXPONENTS.1) * random.pick(&[0.1, 0.2]);
+        let mut number = || R::of(random.magnitude(-most, most));
+        let limits = [(); 2].map(|()| {
+            let [vmax, v, amax, a, jmax, j] = [(); 6].map(|()| number());
+            let (vmin, amin, jmin) = (-v, -a, -j);
+            Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            }
+        });
+        let from = [(); 2].map(|()| State {
+            position: number(),
+            velocity: -number(),
+            acceleration: number(),
+        });
+        let to = [(); 2].map(|()| State::at(number()));
+        let (duration, cycle) = (number(), number());
+        let results = [
+            finite_or_untouched(|planned| planned.plan(&limits[0], from[0], to[0])),
+            finite_or_untouched(|planned| planned.meet(&limits[0], from[0], to[0])),
+            finite_or_untouched(|planned| planned.stop(&limits[0], from[0])),
+        ];
+        let mut axes = [Move::default(); 2];
+        let result = synchronise(&mut axes, &limits, &from, &to, duration, cycle);
+        match result {
+            Ok(_) => assert!(axes.iter().all(is_finite), "{axes:?}"),
+            Err(_) => assert_eq!(axes, [Move::default(); 2]),
+        }
+        for result in results.into_iter().chain([result]) {
+            match result {
+                Ok(_) => planned += 1,
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    println!("{}: {planned} planned, {refused} refused", R::NAME);
+    assert!(planned > 10_000 && refused > 10_000);
+}
+
 test_both_reals!(
     bound_to_leave,
     a_small_step,
     times_of_positions,
-    from_a_state_to_itself
+    from_a_state_to_itself,
+    beyond_the_range,
+    of_any_size
 );

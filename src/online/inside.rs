@@ -11,6 +11,8 @@ use crate::state::State;
 pub(crate) struct Inside<R> {
     /// The acceleration at the end of the way.
     acceleration: R,
+    /// Whether the acceleration rises. A slow jerk may change it by less than a rounding.
+    rises: bool,
     /// How long the acceleration changes, s.
     ramp: R,
     /// How long the acceleration holds, s.
@@ -64,6 +66,7 @@ impl<R: Real> Inside<R> {
             || -below < few * amin;
         Self {
             acceleration: to,
+            rises,
             ramp,
             hold,
             change,
@@ -96,7 +99,7 @@ impl<R: Real> Inside<R> {
     /// The segments of the way from the acceleration `from`, in order of time.
     pub fn segments(&self, limits: &Limits<R>, from: R) -> [Segment<R>; 2] {
         let to = self.acceleration;
-        let jerk = if to > from { limits.jmax } else { limits.jmin };
+        let jerk = if self.rises { limits.jmax } else { limits.jmin };
         [
             Segment::new(from, jerk, self.ramp),
             Segment::new(to, R::ZERO, self.hold),

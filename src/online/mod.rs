@@ -115,7 +115,10 @@ impl<R: Real> Move<R> {
             ..from
         };
         let problem = Problem::new(&seen, seen_from, State::at(R::ZERO));
-        problem.write(self, &problem.fastest())?;
+        let profile = problem.fastest();
+        let way = v.abs() * problem.duration(&profile);
+        problem.check(&profile, target.position.abs() + v.abs() + way)?;
+        problem.write(self, &profile)?;
         self.shift(from, target);
         Ok(problem.findings(self))
     }

@@ -152,6 +152,12 @@ impl<R: Real> Move<R> {
         })
     }
 
+    /// Whether a written move is within the range of the real type. Its states are sums from the end, in which no infinity gets lost.
+    pub(crate) fn is_finite(&self) -> bool {
+        let first = &self.phase[1];
+        (self.t + first.position.abs() + first.velocity.abs()).is_finite()
+    }
+
     /// The state at the end.
     fn end(&self) -> State<R> {
         let end = self.phase_at(R::INFINITY);

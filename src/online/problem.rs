@@ -78,13 +78,50 @@ impl<R: Real> Problem<R> {
             .segments(&self.border.limits, self.from.acceleration)
     }
 
+    /// Whether a motion, and `beside` added to any of its numbers, is within the range of the real type.
+    pub fn check(&self, profile: &Profile<R>, beside: R) -> Result<(), Error> {
+        let Self { from, to, .. } = self;
+        let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
+        let t = self.with_inside(profile.duration(per_jerk));
+        let a = from.acceleration.abs()
+            + self.border.a0.abs()
+            + profile.peak.abs()
+            + profile.trough.abs();
+        let v = from.velocity.abs() + to.velocity.abs() + a * t;
+        // Twice what the highest acceleration would reach in the whole time.
+        let bound = from.position.abs() + to.position.abs() + v * t;
+        let is_small = (bound + bound + beside).is_finite();
+        if is_small || (t + self.sum(profile) + beside).is_finite() {
+            Ok(())
+        } else {
+            Err(Error::NotFinite)
+        }
+    }
+
+    /// The sum of the magnitudes of all positions and velocities that [`Problem::write`] writes. No infinity gets lost in it.
+    #[cold]
+    fn sum(&self, profile: &Profile<R>) -> R {
+        let way = self
+            .inside
+            .segments(&self.border.limits, self.from.acceleration);
+        let motion = self.border.segments(profile);
+        let State {
+            mut position,
+            mut velocity,
+            ..
+        } = self.to;
+        let mut sum = position.abs() + velocity.abs();
+        let segments = way.iter().chain(&motion).rev();
+        for segment in segments.filter(|segment| segment.duration > R::ZERO) {
+            (position, velocity) = segment.start(position, velocity);
+            sum = sum + position.abs() + velocity.abs();
+        }
+        sum
+    }
+
     /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.
     pub fn write(&self, ctx: &mut Move<R>, profile: &Profile<R>) -> Result<(), Error> {
-        let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
-        let about = self.with_inside(profile.duration(per_jerk));
-        if !(about + self.displacement_inside().abs() + self.to.position.abs()).is_finite() {
-            return Err(Error::NotFinite);
-        }
+        self.check(profile, R::ZERO)?;
         let mut writer = self.writer(ctx);
         for segment in &self.border.segments(profile) {
             writer.write(segment);

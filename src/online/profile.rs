@@ -1,6 +1,6 @@
 //! The acceleration of a motion on the border.
 
-use super::ramp::PerJerk;
+use super::ramp::{Change, PerJerk};
 use crate::real::Real;
 
 /// The acceleration of a motion on the border: it rises, (holds), falls, (holds) and rises. Where the axis cruises, the fall pauses at 0.
@@ -79,6 +79,17 @@ impl<R: Real> Segment<R> {
             jerk,
             duration,
         }
+    }
+
+    /// Position and velocity at the start, from both at the end.
+    pub fn start(&self, position: R, velocity: R) -> (R, R) {
+        let from = self.from;
+        let to = from + self.jerk * self.duration;
+        // In the other order of time, accelerations have the other sign.
+        let mut change = Change::default();
+        change.add(-to, -from, self.duration);
+        let way = velocity * self.duration + change.displacement;
+        (position - way, velocity + change.velocity)
     }
 }
 

@@ -3,7 +3,6 @@
 use super::motion::{MOST_PHASES, Move};
 use super::phase::Phase;
 use super::profile::Segment;
-use super::ramp::Change;
 use crate::real::Real;
 use crate::state::State;
 
@@ -82,13 +81,12 @@ impl<'a, R: Real> Writer<'a, R> {
             .iter_mut()
             .rev()
         {
-            let from = phase.acceleration;
-            let to = from + phase.jerk * phase.duration;
-            // In the other order of time, accelerations have the other sign.
-            let mut change = Change::default();
-            change.add(-to, -from, phase.duration);
-            position = position - (velocity * phase.duration + change.displacement);
-            velocity = velocity + change.velocity;
+            let segment = Segment {
+                from: phase.acceleration,
+                jerk: phase.jerk,
+                duration: phase.duration,
+            };
+            (position, velocity) = segment.start(position, velocity);
             (phase.position, phase.velocity) = (position, velocity);
         }
         ctx.t = t;

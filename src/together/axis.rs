@@ -30,6 +30,27 @@ pub(super) fn checked<'a, R: Real>(
     Ok(ends)
 }
 
+/// Whether the numbers of all motions that take at most `duration` longer than necessary are surely below `ε⁻²`, far within the range of the
+/// real type: the way in which the axis brakes, and the time in which it comes back at the least limits.
+pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -> bool {
+    let Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = *limits;
+    let [per_v, per_a, per_j] =
+        [(vmax, vmin), (amax, amin), (jmax, jmin)].map(|(high, low)| R::ONE / high.at_most(-low));
+    let a = from.acceleration.abs() + to.acceleration.abs();
+    let v = from.velocity.abs() + to.velocity.abs() + a * a * per_j;
+    let t = R::ONE + v * (per_a + per_j) + a * per_j;
+    let way = from.position.abs() + to.position.abs() + v * t;
+    let t = t + duration + way * (per_v + per_a + per_j);
+    (way + (v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
+}
+
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
 pub(super) fn next_duration<R: Real>((limits, (&from, &to)): Axis<R>, t: R) -> R {
     // An axis can wait where it stands.
@@ -45,7 +66,11 @@ pub(super) fn next_duration<R: Real>((limits, (&from, &to)): Axis<R>, t: R) -> R
 }
 
 /// Lets an axis that has made its fastest plan take the duration `t`, which is possible and not shorter.
-pub(super) fn stretch<R: Real>(axis: &mut Move<R>, t: R, (limits, (&from, &to)): Axis<R>) {
+pub(super) fn stretch<R: Real>(
+    axis: &mut Move<R>,
+    t: R,
+    (limits, (&from, &to)): Axis<R>,
+) -> Result<(), Error> {
     if t - axis.t <= R::from(4) * R::EPSILON * t {
         axis.end_at(t);
     } else if axis.t > R::ZERO && from.is_at_rest() && to.is_at_rest() {
@@ -59,5 +84,10 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, t: R, (limits, (&from, &to)):
         } else {
             axis.end_at(t);
         }
+    }
+    if axis.is_finite() {
+        Ok(())
+    } else {
+        Err(Error::NotFinite)
     }
 }

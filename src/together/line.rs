@@ -33,7 +33,7 @@ pub fn line<R: Real>(
     let ends_of_lead = (&limits, (&line.from, &line.to));
     let slowest = duration.at_least(lead.t);
     let t = cycle.until_possible(1, slowest, |t| next_duration(ends_of_lead, t))?;
-    stretch(&mut lead, t, ends_of_lead);
+    stretch(&mut lead, t, ends_of_lead)?;
     for ((_, (from, to)), axis) in ends.zip(axes) {
         let share = line.share(from, to);
         *axis = lead.map(|phase| Phase {

@@ -1,6 +1,6 @@
 //! Several axes in the same time.
 
-use super::axis::{checked, next_duration, stretch};
+use super::axis::{Axis, checked, is_ordinary, next_duration, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -22,8 +22,12 @@ pub fn synchronise<R: Real>(
     duration: R,
     cycle: R,
 ) -> Result<Findings, Error> {
+    let until_tick = duration + cycle;
     let cycle = Cycle::new(duration, cycle)?;
     let ends = checked(axes.len(), limits, from, to)?;
+    if !ends.clone().all(|ends| is_ordinary(ends, until_tick)) {
+        rehearse(&cycle, duration, ends.clone())?;
+    }
     let mut found = Findings::default();
     let mut slowest = duration;
     for ((limits, (&from, &to)), axis) in ends.clone().zip(axes.iter_mut()) {
@@ -37,8 +41,32 @@ pub fn synchronise<R: Real>(
         next.fold(t, R::at_least)
     })?;
     for (ends, axis) in ends.zip(axes) {
-        stretch(axis, t, ends);
+        stretch(axis, t, ends)?;
         found |= Findings::OVERSHOOTS.when(axis.overshoots());
     }
     Ok(found)
+}
+
+/// Plans extreme axes one by one, to see whether all of them can be planned. So no axis is written on an error.
+#[cold]
+fn rehearse<'a, R: Real + 'a>(
+    cycle: &Cycle<R>,
+    duration: R,
+    axes: impl Iterator<Item = Axis<'a, R>> + Clone,
+) -> Result<(), Error> {
+    let mut axis = Move::default();
+    let mut slowest = duration;
+    for (limits, (&from, &to)) in axes.clone() {
+        axis.plan(limits, from, to)?;
+        slowest = slowest.at_least(axis.t);
+    }
+    let t = cycle.until_possible(axes.clone().count(), slowest, |t| {
+        let next = axes.clone().map(|ends| next_duration(ends, t));
+        next.fold(t, R::at_least)
+    })?;
+    for ends @ (limits, (&from, &to)) in axes {
+        axis.plan(limits, from, to)?;
+        stretch(&mut axis, t, ends)?;
+    }
+    Ok(())
 }
