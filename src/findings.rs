@@ -93,7 +93,8 @@ set! {
         EXCEEDS_VELOCITY = 4: c"the velocity is above its limit",
         /// Position or velocity is not continuous, or not where the struct says.
         JUMPS = 8: c"position or velocity is not continuous, or not where the struct says",
-        /// The move leaves the positions between its ends.
+        /// The move leaves the positions between its ends by more than rounding. A rounding is `ε (|p0| + |p1| + v t)`, with the highest speed
+        /// `v`. A plan between any states tolerates 128 of them where it turns, the check of a profile 64.
         OVERSHOOTS = 16: c"the move leaves the positions between its ends",
         /// The move starts outside its limits, or is bound to leave them.
         STARTS_OUTSIDE = 32: c"the move starts outside its limits, or is bound to leave them",

@@ -3,6 +3,8 @@
 use atraj::axes::synchronise;
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Error, Findings, State};
+use std::fs;
+use support::repository::root;
 use support::{Random, Real, online, test_both_reals};
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
@@ -260,11 +262,38 @@ fn of_any_size<R: Real>() {
     assert!(planned > 10_000 && refused > 10_000);
 }
 
+/// `OVERSHOOTS` had a tolerance that no header named.
+fn named_tolerance<R: Real>() {
+    let header = fs::read_to_string(root().join("include/atraj/codes.h")).expect("a header");
+    assert!(header.contains("128 roundings in a plan"), "{header}");
+    let (one, start) = (R::of(1.0), State::at(R::of(1.0)));
+    let limits = Limits::symmetric(one, one, one);
+    let (mut within, mut beyond) = (0, 0);
+    for exponent in 0..R::SIGNIFICAND_BITS {
+        let velocity = R::of((-f64::from(exponent)).exp2());
+        let mut planned = Move::default();
+        let found = planned.plan(&limits, State { velocity, ..start }, start);
+        let passes = planned.extremes().highest.position.widen() - 1.0;
+        let rounding = 2.0 + velocity.widen() * planned.t.widen();
+        let roundings = passes / (R::MACHINE_EPSILON.widen() * rounding);
+        let overshoots = found.expect("numbers").contains(Findings::OVERSHOOTS);
+        if roundings < 127.0 {
+            within += 1;
+            assert!(!overshoots, "{roundings} roundings");
+        } else if roundings > 129.0 {
+            beyond += 1;
+            assert!(overshoots, "{roundings} roundings");
+        }
+    }
+    assert!(within > 5 && beyond > 5, "{within} {beyond}");
+}
+
 test_both_reals!(
     bound_to_leave,
     a_small_step,
     times_of_positions,
     from_a_state_to_itself,
     beyond_the_range,
+    named_tolerance,
     of_any_size
 );

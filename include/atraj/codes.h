@@ -31,7 +31,8 @@ enum atraj_finding {
      */
     ATRAJ_JUMPS = 8,
     /**
-     * the move leaves the positions between its ends
+     * the move leaves the positions between its ends by more than rounding: by more than 128 roundings in a plan between any states, 64 in
+     * a check; a rounding is `a_float`'s epsilon times `|p0| + |p1| + v*t`, with the highest speed `v`
      */
     ATRAJ_OVERSHOOTS = 16,
     /**

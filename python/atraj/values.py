@@ -117,7 +117,7 @@ class Findings(IntFlag):
     JUMPS = 8
     """Position or velocity is not continuous, or not where the fields say."""
     OVERSHOOTS = 16
-    """The move leaves the positions between its ends."""
+    """The move leaves the positions between its ends by more than rounding: 128 roundings in a plan, 64 in a check."""
     STARTS_OUTSIDE = 32
     """The move starts outside its limits, or is bound to leave them."""
 

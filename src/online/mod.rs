@@ -39,7 +39,7 @@ impl<R: Real> Move<R> {
     /// Plans the fastest motion to a state, from any state: a start outside the limits comes inside in the fastest way, and then the limits
     /// are kept. The target may be behind, or nearer than the way to stop.
     ///
-    /// Returns [`Findings::OVERSHOOTS`] and [`Findings::STARTS_OUTSIDE`], if they are so. [`Error::NotFinite`] if a state is not made of
+    /// Returns [`Findings::OVERSHOOTS`] and [`Findings::STARTS_OUTSIDE`], if they are so by more than rounding. [`Error::NotFinite`] if a state is not made of
     /// numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the limits are not around 0; [`Error::Target`] if
     /// the target is outside the limits, or the axis must have left them before, or will. On an error the move stays as it is.
     ///
