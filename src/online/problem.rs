@@ -73,6 +73,12 @@ impl<R: Real> Problem<R> {
         search::fastest(&self.border, h, positions)
     }
 
+    /// Duration of a motion with the way inside the limits, up to rounding, s.
+    pub fn duration(&self, profile: &Profile<R>) -> R {
+        let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
+        self.with_inside(profile.duration(per_jerk))
+    }
+
     fn way_inside(&self) -> [Segment<R>; 2] {
         self.inside
             .segments(&self.border.limits, self.from.acceleration)
@@ -81,8 +87,7 @@ impl<R: Real> Problem<R> {
     /// Whether a motion, and `beside` added to any of its numbers, is within the range of the real type.
     pub fn check(&self, profile: &Profile<R>, beside: R) -> Result<(), Error> {
         let Self { from, to, .. } = self;
-        let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
-        let t = self.with_inside(profile.duration(per_jerk));
+        let t = self.duration(profile);
         let a = from.acceleration.abs()
             + self.border.a0.abs()
             + profile.peak.abs()
@@ -101,9 +106,7 @@ impl<R: Real> Problem<R> {
     /// The sum of the magnitudes of all positions and velocities that [`Problem::write`] writes. No infinity gets lost in it.
     #[cold]
     fn sum(&self, profile: &Profile<R>) -> R {
-        let way = self
-            .inside
-            .segments(&self.border.limits, self.from.acceleration);
+        let way = self.way_inside();
         let motion = self.border.segments(profile);
         let State {
             mut position,
@@ -133,10 +136,7 @@ impl<R: Real> Problem<R> {
     /// A writer that has written the way inside the limits.
     pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
         let mut writer = Writer::new(ctx, self.from);
-        for segment in &self
-            .inside
-            .segments(&self.border.limits, self.from.acceleration)
-        {
+        for segment in &self.way_inside() {
             writer.write(segment);
         }
         writer
