@@ -72,10 +72,17 @@ impl<R: Real> Phase<R> {
         }
     }
 
-    /// Whether the velocity may pass 0 in the phase.
+    /// Whether the velocity may pass 0 in the phase: between its ends, or on the way to the extreme `v - a²/2j` and back.
     pub(super) fn may_turn(&self) -> bool {
-        let heads_for_0 = self.acceleration * self.jerk < R::ZERO;
-        heads_for_0 || self.velocity * self.velocity(self.duration) < R::ZERO
+        let Self {
+            velocity: v,
+            acceleration: a,
+            jerk: j,
+            ..
+        } = *self;
+        let twice_extreme = (v + v) * j - a * a; // times the jerk
+        a * j < R::ZERO && v * j * twice_extreme <= R::ZERO
+            || v * self.velocity(self.duration) < R::ZERO
     }
 
     /// Whether `z` is a time inside the phase.
