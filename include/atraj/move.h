@@ -195,8 +195,9 @@ A_EXTERN a_float atraj_move_time_at(const struct atraj_move *ctx, a_float p);
 /**
  * @brief Plan several axes for the same duration: the shortest one that is possible for each.
  *
- * The duration is at least `duration` and a multiple of `cycle`, but for rounding. An axis whose fastest move takes as long makes its
- * fastest move. An axis with more time moves slowly: from rest to rest no faster than twice its mean velocity, if its jerks are equal.
+ * The duration is at least `duration` and a multiple of `cycle`, up to rounding. An axis whose fastest move takes as long makes its
+ * fastest move. From rest to rest an axis with more time makes its fastest move in slow motion. Any other axis with more time cruises at
+ * one velocity, where this is possible.
  * One axis alone is stretched, or ends on a tick of the clock.
  * @param axes points to `n` moves, which need not be initialised; all are untouched on an error
  * @param limits points to the limits of the `n` axes
