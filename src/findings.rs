@@ -78,11 +78,12 @@ set! {
     ///
     /// ```
     /// use atraj::{Boundary, Findings, Trap};
-    /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 }).expect("numbers");
-    /// let found = trap.check(3.0, 4.0, -2.0).expect("numbers");
+    /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 })?;
+    /// let found = trap.check(3.0, 4.0, -2.0)?;
     /// assert!(found.contains(Findings::OVERSHOOTS));
     /// assert_eq!(format!("{found:?}"), "Findings(EXCEEDS_VELOCITY | OVERSHOOTS)");
     /// assert_eq!(found.to_string(), "the velocity is above its limit; the move leaves the positions between its ends");
+    /// # Ok::<(), atraj::Error>(())
     /// ```
     Findings {
         /// The jerk is above its limit.

@@ -85,8 +85,9 @@ pub mod axes {
     //! let limits = [Limits::symmetric(30.0, 10.0, 5.0), Limits::symmetric(60.0, 20.0, 5.0)];
     //! let (from, to) = ([State::at(0.0), State::at(0.0)], [State::at(10.0), State::at(-1.0)]);
     //! let mut axes = [Move::default(); 2];
-    //! synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001).expect("numbers");
+    //! synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001)?;
     //! assert_eq!(axes[0].t, axes[1].t);
+    //! # Ok::<(), atraj::Error>(())
     //! ```
     pub use crate::together::{line, synchronise};
 }

@@ -10,13 +10,14 @@
 //! use atraj::claraty::{Target, Trajectory};
 //! let mut axis = Trajectory::default();
 //! let target = Target { position: 10.0, velocity: 2.0, acceleration: 4.0, deceleration: 4.0 };
-//! axis.set(target.into(), 0.0).expect("numbers in range");
+//! axis.set(target.into(), 0.0)?;
 //! axis.start(0.0);
 //! assert_eq!(axis.duration(), 5.5);
 //! let now = axis.setpoint(3.0);
 //! assert_eq!((now.position, now.velocity, now.acceleration), (5.5, 2.0, 0.0));
 //! axis.stop(3.0); // feed hold: brakes from here
 //! assert_eq!(axis.setpoint(3.5).position, 6.0);
+//! # Ok::<(), atraj::claraty::OutOfRange>(())
 //! ```
 
 mod clock;

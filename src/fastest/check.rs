@@ -20,8 +20,9 @@ impl<R: Real> Bell<R> {
     /// let boundary = Boundary { p0: 0.0, p1: 10.0, v0: 7.5, v1: 0.0 };
     /// let plan = Bell::new(30.0, 2.5, 10.0, boundary).expect("a plan");
     /// assert_eq!(plan.check(30.0, 2.5, 10.0), Ok(Findings::EXCEEDS_ACCELERATION));
-    /// let fastest = Bell::fastest(30.0, 2.5, 10.0, boundary).expect("numbers");
+    /// let fastest = Bell::fastest(30.0, 2.5, 10.0, boundary)?;
     /// assert_eq!(fastest.check(30.0, 2.5, 10.0), Ok(Findings::OVERSHOOTS));
+    /// # Ok::<(), atraj::Error>(())
     /// ```
     pub fn check(&self, jerk: R, acceleration: R, velocity: R) -> Result<Findings, Error> {
         let limits = [jerk, acceleration, velocity].map(|limit| limit.abs());

@@ -19,9 +19,10 @@ impl<R: Real> Trap<R> {
     /// ```
     /// use atraj::{Boundary, Trap};
     /// // 1 m to go at 4 m/s: too near to stop, so the axis passes the target and comes back.
-    /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 }).expect("numbers");
+    /// let trap = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0: 0.0, p1: 1.0, v0: 4.0, v1: 0.0 })?;
     /// assert_eq!((trap.a0, trap.a1), (-2.0, 4.0));
     /// assert_eq!((trap.position(trap.t), trap.velocity(trap.t)), (1.0, 0.0));
+    /// # Ok::<(), atraj::Error>(())
     /// ```
     #[inline(always)] // saves a copy of the struct, and the double-S, which wants the duration alone, the rest of the plan
     pub fn fastest(

@@ -7,11 +7,12 @@
 //! use atraj::online::{Limits, Move, State};
 //! let limits = Limits::symmetric(30.0, 10.0, 5.0);
 //! let mut axis = Move::default();
-//! axis.plan(&limits, State::at(0.0), State::at(10.0)).expect("numbers");
+//! axis.plan(&limits, State::at(0.0), State::at(10.0))?;
 //! // In mid-motion, another target.
 //! let now = axis.state_at(0.7);
-//! axis.plan(&limits, now, State::at(-2.0)).expect("numbers");
+//! axis.plan(&limits, now, State::at(-2.0))?;
 //! assert_eq!(axis.position(axis.t), -2.0);
+//! # Ok::<(), atraj::Error>(())
 //! ```
 
 pub(crate) mod border;
@@ -48,8 +49,9 @@ impl<R: Real> Move<R> {
     /// let limits = Limits { vmax: 2.0, vmin: -1.0, amax: 4.0, amin: -8.0, jmax: 50.0, jmin: -100.0 };
     /// let now = State { position: 0.0, velocity: 1.5, acceleration: 2.0 };
     /// let mut axis = Move::default();
-    /// axis.plan(&limits, now, State::at(3.0)).expect("numbers");
+    /// axis.plan(&limits, now, State::at(3.0))?;
     /// assert_eq!((axis.position(axis.t), axis.velocity(axis.t)), (3.0, 0.0));
+    /// # Ok::<(), atraj::Error>(())
     /// ```
     pub fn plan(
         &mut self,
