@@ -206,12 +206,12 @@ void axes()
     PROMISE(atraj::line(axes, limits, from, to, 2, 4, 0.5f) == 0 && axes[0].pos(1) == -2 * axes[1].pos(1));
 }
 
-// Every code has a sentence of its own.
+// Every finding and every error up to the one of a line has a sentence of its own.
 void messages()
 {
-    for (int code = ATRAJ_ERR_UNREACHABLE; code <= ATRAJ_STARTS_OUTSIDE; ++code)
+    for (int code = ATRAJ_ERR_LINE; code <= ATRAJ_STARTS_OUTSIDE; ++code)
     {
-        for (int other = ATRAJ_ERR_UNREACHABLE; other < code; ++other)
+        for (int other = ATRAJ_ERR_LINE; other < code; ++other)
         {
             const bool differ = std::strcmp(atraj::message(code), atraj::message(other)) != 0;
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
