@@ -124,11 +124,10 @@ fn cases() -> [(&'static str, Case); 6] {
 impl Case {
     /// The limits and the ends of an axis.
     fn axis(self, random: &mut Random) -> (atraj_limits, atraj_state, atraj_state) {
-        let case = self;
         let [jm, am, vm] =
             [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
         let mut part = || {
-            if case.asymmetric {
+            if self.asymmetric {
                 random.between(0.3, 1.0)
             } else {
                 1.0
@@ -141,7 +140,7 @@ impl Case {
                 let most = am.min(-amin).min((jm * vm.min(-vmin)).sqrt());
                 a = random.between(-0.9, 0.9) * most;
             }
-            if case.moving {
+            if self.moving {
                 // So the velocity stays inside while the acceleration comes from 0 or goes back to 0.
                 let room = 1.001 * a * a / (2.0 * jm);
                 v = random.between(vmin + room, vm - room);
@@ -152,8 +151,8 @@ impl Case {
                 a: (factor * a) as a_float,
             }
         };
-        let from = state(case.accelerated_start, if case.outside { 1.7 } else { 1.0 });
-        let mut to = state(case.accelerated_target, 1.0);
+        let from = state(self.accelerated_start, if self.outside { 1.7 } else { 1.0 });
+        let mut to = state(self.accelerated_target, 1.0);
         to.p = from.p + (random.sign() * random.between(0.1, 15.0)) as a_float;
         let [vmax, vmin, amax, amin, jmax, jmin] =
             [vm, vmin, am, amin, jm, -jm].map(|limit| limit as a_float);
