@@ -88,26 +88,43 @@ static void report(const char *function, int rows, int differing)
     failed |= differing != 0 || rows == 0;
 }
 
-/* Checks one column of an evaluation table with the function `evaluate`, on `moves` contexts of `size` bytes. */
-static void replay(const char *directory, const char *family, const char *function, int columns, int column,
-                   a_float (*evaluate)(const void *ctx, a_float x), const void *contexts, a_size size, int moves)
+/* A function of a struct and a time, which computes a column of an evaluation table. */
+struct evaluation {
+    const char *name;
+    a_float (*evaluate)(const void *ctx, a_float x);
+};
+
+/* Checks the first `count` of the `quantities` in an evaluation table, on `moves` contexts of `size` bytes. */
+static void replay(const char *directory, const char *family, int quantities, const struct evaluation *evaluations, int count,
+                   const void *contexts, a_size size, int moves)
 {
-    struct table table = open_table(directory, family);
-    int rows = 0, differing = 0;
-    while (next_row(&table, columns))
+    int i;
+    for (i = 0; i < count; ++i)
     {
-        const char *ctx = (const char *)contexts + size * (a_size)move_of(&table, moves);
-        a_float y = evaluate(ctx, real_of(table.cells[1]));
-        differing += differs(&table, function, column, &y, 1);
-        ++rows;
+        struct table table = open_table(directory, family);
+        int rows = 0, differing = 0;
+        while (next_row(&table, 2 + quantities))
+        {
+            const char *ctx = (const char *)contexts + size * (a_size)move_of(&table, moves);
+            a_float y = evaluations[i].evaluate(ctx, real_of(table.cells[1]));
+            differing += differs(&table, evaluations[i].name, 2 + i, &y, 1);
+            ++rows;
+        }
+        report(evaluations[i].name, rows, differing);
     }
-    report(function, rows, differing);
 }
 
-#define EVALUATE(f) \
-    static a_float f(const void *ctx, a_float x) { return a_##f(ctx, x); }
-#define REPLAY(family, columns, column, f, contexts, moves) \
-    replay(directory, family, "a_" #f, columns, column, f, contexts, sizeof((contexts)[0]), moves)
+/* What exists at each level of a family `t`, for the macro X: the order of the derivative, its coefficients in the struct of a
+   polynomial, its function, and the arguments that compute the coefficients. */
+#define LEVEL1(t, X) X(t, 0, p, pos, ARGUMENTS_##t)
+#define LEVEL2(t, X) LEVEL1(t, X) X(t, 1, v, vel, (ctx))
+#define LEVEL3(t, X) LEVEL2(t, X) X(t, 2, a, acc, (ctx))
+#define LEVEL4(t, X) LEVEL3(t, X) X(t, 3, j, jer, (ctx))
+#define EVALUATE(t, order, array, f, arguments) \
+    static a_float t##_##f(const void *ctx, a_float x) { return a_##t##_##f(ctx, x); }
+#define NAMED(t, order, array, f, arguments) {"a_" #t "_" #f, t##_##f},
+#define EVALUATIONS(t, levels) \
+    levels(t, EVALUATE) static const struct evaluation t##_evaluations[] = {levels(t, NAMED)};
 
 /* Whether liba since 2025 saturates a velocity in another way than 0.1.15 does. */
 static int depends_on_generation(a_float vm, a_float v0, a_float v1)
@@ -153,248 +170,117 @@ static int plan(const char *directory, const struct limited *family, int newest,
     return n;
 }
 
-/* Checks gen on all moves, and leaves the moves of 0.1.15 in `moves`. Returns their number. */
-static int plans(const char *directory, const struct limited *family, void *moves)
+/* Checks gen on all moves of a family, then each evaluation on the moves of 0.1.15. */
+static void limited(const char *directory, const struct limited *family, const char *evaluated,
+                    const struct evaluation *evaluations, int count)
 {
+    static a_float moves[MAX_MOVES * 14];
     int differing = 0;
     int newest = is_newest ? plan(directory, family, 1, moves, &differing) : 0;
     int n = plan(directory, family, 0, moves, &differing);
     report(family->function, newest + n, differing);
-    return n;
+    replay(directory, evaluated, count, evaluations, count, moves, (a_size)family->fields * sizeof(a_float), n);
 }
 
 static a_float gen_bell(void *ctx, const a_float *a) { return a_trajbell_gen(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
 static a_float gen_trap(void *ctx, const a_float *a) { return a_trajtrap_gen(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
-
-EVALUATE(trajbell_pos)
-EVALUATE(trajbell_vel)
-EVALUATE(trajbell_acc)
-EVALUATE(trajbell_jer)
-
-static void bell(const char *directory)
-{
-    static const struct limited family = {"bell_gen", "newest_bell_gen", "a_trajbell_gen", 2, 14, gen_bell};
-    static a_trajbell moves[MAX_MOVES];
-    int n = plans(directory, &family, moves);
-    REPLAY("bell_eval", 6, 2, trajbell_pos, moves, n);
-    REPLAY("bell_eval", 6, 3, trajbell_vel, moves, n);
-    REPLAY("bell_eval", 6, 4, trajbell_acc, moves, n);
-    REPLAY("bell_eval", 6, 5, trajbell_jer, moves, n);
-}
-
-EVALUATE(trajtrap_pos)
-EVALUATE(trajtrap_vel)
-EVALUATE(trajtrap_acc)
-
-static void trap(const char *directory)
-{
-    static const struct limited family = {"trap_gen", "newest_trap_gen", "a_trajtrap_gen", 0, 12, gen_trap};
-    static a_trajtrap moves[MAX_MOVES];
-    int n = plans(directory, &family, moves);
-    REPLAY("trap_eval", 5, 2, trajtrap_pos, moves, n);
-    REPLAY("trap_eval", 5, 3, trajtrap_vel, moves, n);
-    REPLAY("trap_eval", 5, 4, trajtrap_acc, moves, n);
-}
+static const struct limited bell = {"bell_gen", "newest_bell_gen", "a_trajbell_gen", 2, 14, gen_bell};
+static const struct limited trap = {"trap_gen", "newest_trap_gen", "a_trajtrap_gen", 0, 12, gen_trap};
+EVALUATIONS(trajbell, LEVEL4)
+EVALUATIONS(trajtrap, LEVEL3)
 
 /*
  A polynomial family. A golden row has the `arguments` of gen, then the coefficients of `orders` derivatives; `levels` of these
- exist in this build. The highest power of position is `degree`. `coefficients` writes the coefficients of one order, by the
- function for this order alone.
+ exist in this build. The highest power of position is `degree`. `write` writes the coefficients of one order, by the function for
+ this order alone; for the order -1 it plans and writes the whole struct of `size` bytes.
 */
 struct poly {
     int degree, arguments, orders, levels;
-    void (*gen)(void *ctx, const a_float *a);
-    void (*coefficients)(void *ctx, const a_float *a, int order, a_float *out);
+    a_size size;
+    void (*write)(void *ctx, const a_float *a, int order, a_float *out);
+    const struct evaluation *evaluations;
 };
 
+/* The array that a function must fill is poisoned before. */
 #if defined(A_TRAJPOLY_COMPACT)
 static const char part[] = "c";
+#define WRITE(t, order, array, f, arguments) \
+    case order: a_##t##_c##order(ctx, out); break;
 #else
 static const char part[] = "gen";
+#define WRITE(t, order, array, f, arguments) \
+    case order: \
+        memset(ctx->array, 0xFF, sizeof(ctx->array)); \
+        a_##t##_gen##order arguments; \
+        memcpy(out, ctx->array, sizeof(ctx->array)); \
+        break;
 #endif
 
-/* Checks gen on all moves, then each array. Leaves the moves planned and returns their number. */
-static int poly(const char *directory, const struct poly *poly, void *moves, a_size size)
+/* Checks gen on all moves, then each array, then each evaluation. */
+static void poly(const char *directory, const struct poly *poly)
 {
+    static a_float moves[MAX_MOVES * MAX_CELLS];
     char family[16], function[32];
-    int order, first = 1 + poly->arguments, columns = first, moves_read = 0;
+    int order, n = 0, first = 1 + poly->arguments, columns = first;
     snprintf(family, sizeof(family), "poly%d_gen", poly->degree);
+    snprintf(function, sizeof(function), "a_trajpoly%d_gen", poly->degree);
     for (order = 0; order < poly->orders; ++order) { columns += poly->degree + 1 - order; }
     for (order = -1; order < poly->levels; ++order)
     {
         struct table table = open_table(directory, family);
-        int n, differing = 0, width = poly->degree + 1 - order;
-        if (order < 0) { snprintf(function, sizeof(function), "a_trajpoly%d_gen", poly->degree); }
-        else { snprintf(function, sizeof(function), "a_trajpoly%d_%s%d", poly->degree, part, order); }
+        int differing = 0, width = order < 0 ? (int)(poly->size / sizeof(a_float)) : poly->degree + 1 - order;
+        if (order >= 0) { snprintf(function, sizeof(function), "a_trajpoly%d_%s%d", poly->degree, part, order); }
         for (n = 0; next_row(&table, columns) && n < MAX_MOVES; ++n)
         {
-            void *ctx = (char *)moves + size * (a_size)n;
             a_float a[9], out[MAX_CELLS];
             reals(&table, 1, poly->arguments, a);
-            if (order < 0)
-            {
-                poly->gen(ctx, a);
-                memcpy(out, ctx, size);
-                differing += differs(&table, function, first, out, (int)(size / sizeof(a_float)));
-            }
-            else
-            {
-                poly->coefficients(ctx, a, order, out);
-                differing += differs(&table, function, first, out, width);
-            }
+            poly->write((char *)moves + poly->size * (a_size)n, a, order, out);
+            differing += differs(&table, function, first, out, width);
         }
         report(function, n, differing);
-        moves_read = n;
         if (order >= 0) { first += width; }
     }
-    return moves_read;
+    snprintf(family, sizeof(family), "poly%d_eval", poly->degree);
+    replay(directory, family, poly->orders, poly->evaluations, poly->levels, moves, poly->size, n);
 }
 
-/* Write the coefficients of one order, by the function for this order alone. The array that it must fill is poisoned before. */
-#if defined(A_TRAJPOLY_COMPACT)
-#define FIRST(n, array, arguments) \
-    a_trajpoly##n##_gen arguments; \
-    a_trajpoly##n##_c0(ctx, out)
-#define NEXT(n, order, array) a_trajpoly##n##_c##order(ctx, out)
-#else
-#define FIRST(n, array, arguments) \
-    memset(ctx->array, 0xFF, sizeof(ctx->array)); \
-    a_trajpoly##n##_gen0 arguments; \
-    memcpy(out, ctx->array, sizeof(ctx->array))
-#define NEXT(n, order, array) \
-    memset(ctx->array, 0xFF, sizeof(ctx->array)); \
-    a_trajpoly##n##_gen##order(ctx); \
-    memcpy(out, ctx->array, sizeof(ctx->array))
-#endif
-
-#define ARGUMENTS3 (ctx, a[0], a[1], a[2], a[3], a[4])
-#define ARGUMENTS5 (ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6])
-#define ARGUMENTS7 (ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8])
-
-static void gen3(void *ctx, const a_float *a) { a_trajpoly3_gen ARGUMENTS3; }
-static void gen5(void *ctx, const a_float *a) { a_trajpoly5_gen ARGUMENTS5; }
-static void gen7(void *ctx, const a_float *a) { a_trajpoly7_gen ARGUMENTS7; }
-
-static void coefficients3(void *context, const a_float *a, int order, a_float *out)
-{
-    a_trajpoly3 *ctx = context;
-    if (order == 0) { FIRST(3, p, ARGUMENTS3); }
-#if A_TRAJPOLY3 > 1
-    if (order == 1) { NEXT(3, 1, v); }
-#endif
-#if A_TRAJPOLY3 > 2
-    if (order == 2) { NEXT(3, 2, a); }
-#endif
-}
-
-static void coefficients5(void *context, const a_float *a, int order, a_float *out)
-{
-    a_trajpoly5 *ctx = context;
-    if (order == 0) { FIRST(5, p, ARGUMENTS5); }
-#if A_TRAJPOLY5 > 1
-    if (order == 1) { NEXT(5, 1, v); }
-#endif
-#if A_TRAJPOLY5 > 2
-    if (order == 2) { NEXT(5, 2, a); }
-#endif
-}
-
-static void coefficients7(void *context, const a_float *a, int order, a_float *out)
-{
-    a_trajpoly7 *ctx = context;
-    if (order == 0) { FIRST(7, p, ARGUMENTS7); }
-#if A_TRAJPOLY7 > 1
-    if (order == 1) { NEXT(7, 1, v); }
-#endif
-#if A_TRAJPOLY7 > 2
-    if (order == 2) { NEXT(7, 2, a); }
-#endif
-#if A_TRAJPOLY7 > 3
-    if (order == 3) { NEXT(7, 3, j); }
-#endif
-}
-
-EVALUATE(trajpoly3_pos)
-EVALUATE(trajpoly5_pos)
-EVALUATE(trajpoly7_pos)
-#if A_TRAJPOLY3 > 1
-EVALUATE(trajpoly3_vel)
-#endif
-#if A_TRAJPOLY3 > 2
-EVALUATE(trajpoly3_acc)
-#endif
-#if A_TRAJPOLY5 > 1
-EVALUATE(trajpoly5_vel)
-#endif
-#if A_TRAJPOLY5 > 2
-EVALUATE(trajpoly5_acc)
-#endif
-#if A_TRAJPOLY7 > 1
-EVALUATE(trajpoly7_vel)
-#endif
-#if A_TRAJPOLY7 > 2
-EVALUATE(trajpoly7_acc)
-#endif
-#if A_TRAJPOLY7 > 3
-EVALUATE(trajpoly7_jer)
-#endif
-
-static void poly3(const char *directory)
-{
-    static const struct poly family = {3, 5, 3, A_TRAJPOLY3, gen3, coefficients3};
-    static a_trajpoly3 moves[MAX_MOVES];
-    int n = poly(directory, &family, moves, sizeof(moves[0]));
-    REPLAY("poly3_eval", 5, 2, trajpoly3_pos, moves, n);
-#if A_TRAJPOLY3 > 1
-    REPLAY("poly3_eval", 5, 3, trajpoly3_vel, moves, n);
-#endif
-#if A_TRAJPOLY3 > 2
-    REPLAY("poly3_eval", 5, 4, trajpoly3_acc, moves, n);
-#endif
-}
-
-static void poly5(const char *directory)
-{
-    static const struct poly family = {5, 7, 3, A_TRAJPOLY5, gen5, coefficients5};
-    static a_trajpoly5 moves[MAX_MOVES];
-    int n = poly(directory, &family, moves, sizeof(moves[0]));
-    REPLAY("poly5_eval", 5, 2, trajpoly5_pos, moves, n);
-#if A_TRAJPOLY5 > 1
-    REPLAY("poly5_eval", 5, 3, trajpoly5_vel, moves, n);
-#endif
-#if A_TRAJPOLY5 > 2
-    REPLAY("poly5_eval", 5, 4, trajpoly5_acc, moves, n);
-#endif
-}
-
-static void poly7(const char *directory)
-{
-    static const struct poly family = {7, 9, 4, A_TRAJPOLY7, gen7, coefficients7};
-    static a_trajpoly7 moves[MAX_MOVES];
-    int n = poly(directory, &family, moves, sizeof(moves[0]));
-    REPLAY("poly7_eval", 6, 2, trajpoly7_pos, moves, n);
-#if A_TRAJPOLY7 > 1
-    REPLAY("poly7_eval", 6, 3, trajpoly7_vel, moves, n);
-#endif
-#if A_TRAJPOLY7 > 2
-    REPLAY("poly7_eval", 6, 4, trajpoly7_acc, moves, n);
-#endif
-#if A_TRAJPOLY7 > 3
-    REPLAY("poly7_eval", 6, 5, trajpoly7_jer, moves, n);
-#endif
-}
+#define POLY(t, levels) \
+    EVALUATIONS(t, levels) \
+    static void t##_write(void *context, const a_float *a, int order, a_float *out) \
+    { \
+        a_##t *ctx = context; \
+        switch (order) \
+        { \
+            levels(t, WRITE) \
+        default: \
+            a_##t##_gen ARGUMENTS_##t; \
+            memcpy(out, ctx, sizeof(*ctx)); \
+        } \
+    }
+#define ARGUMENTS_trajpoly3 (ctx, a[0], a[1], a[2], a[3], a[4])
+#define ARGUMENTS_trajpoly5 (ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6])
+#define ARGUMENTS_trajpoly7 (ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8])
+#define LEVEL(n) LEVEL_(n)
+#define LEVEL_(n) LEVEL##n
+POLY(trajpoly3, LEVEL(A_TRAJPOLY3))
+POLY(trajpoly5, LEVEL(A_TRAJPOLY5))
+POLY(trajpoly7, LEVEL(A_TRAJPOLY7))
+static const struct poly polys[] = {
+    {3, 5, 3, A_TRAJPOLY3, sizeof(a_trajpoly3), trajpoly3_write, trajpoly3_evaluations},
+    {5, 7, 3, A_TRAJPOLY5, sizeof(a_trajpoly5), trajpoly5_write, trajpoly5_evaluations},
+    {7, 9, 4, A_TRAJPOLY7, sizeof(a_trajpoly7), trajpoly7_write, trajpoly7_evaluations},
+};
 
 int main(int argc, char **argv)
 {
+    int i;
     if (argc != 2)
     {
         fprintf(stderr, "usage: %s DIRECTORY\n", argv[0]);
         return 2;
     }
-    bell(argv[1]);
-    trap(argv[1]);
-    poly3(argv[1]);
-    poly5(argv[1]);
-    poly7(argv[1]);
+    limited(argv[1], &bell, "bell_eval", trajbell_evaluations, 4);
+    limited(argv[1], &trap, "trap_eval", trajtrap_evaluations, 3);
+    for (i = 0; i < 3; ++i) { poly(argv[1], &polys[i]); }
     return failed;
 }

@@ -6,25 +6,13 @@
 
 #![allow(clippy::useless_conversion)] // a_float may be f32
 
+use crate::race::{Pass, Race};
 use crate::{OPTIMISED, Row, WARM, bells, instructions, measure, median, plan_all, trap};
 use atraj::capi::a_float;
-use oracle::liba::abi::{FASTEST, Gen7};
+use oracle::liba::abi::FASTEST;
 use rsruckig::prelude::*;
 use std::cell::RefCell;
-use std::hint::black_box;
-use std::rc::Rc;
-use std::time::Instant;
 use support::{Family, Random, Real};
-
-/// How often each plan is timed alone. The shortest time counts, so no other work on the machine does.
-const REPEATS: usize = 41;
-
-/// A row, and its plans one by one.
-pub struct Race {
-    pub row: Row,
-    /// Lets the library of this number make the plan of this number.
-    pub one: Box<dyn FnMut(usize, usize)>,
-}
 
 pub fn print_table() {
     println!(
@@ -32,10 +20,11 @@ pub fn print_table() {
          worst/mean ours | instructions ours | -O2 | rsruckig |"
     );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
-    let all = races();
     let first = crate::rows(WARM).len();
-    for (index, (mut race, assert_agrees)) in (first..).zip(all) {
-        assert_agrees();
+    for (index, mut race) in (first..).zip(races()) {
+        // Both plan the fastest move, so both take the same time: a difference would be a mistake of this benchmark.
+        let tally = (race.compare)();
+        assert_eq!((tally.errors, tally.slower), (0, 0), "{}", race.row.case);
         let rounds = measure::<3>(&mut race.row);
         let [ns, o2, ruckig] =
             [0, 1, 2].map(|library| median(rounds.iter().map(|turns| turns[library])));
@@ -60,14 +49,11 @@ pub fn print_table() {
 }
 
 pub fn rows() -> Vec<Row> {
-    races().into_iter().map(|(race, _)| race.row).collect()
+    races().into_iter().map(|race| race.row).collect()
 }
 
-/// Fails if rsruckig's plans take another time than ours. It takes too long for every run under callgrind.
-type AssertAgrees = Box<dyn FnOnce()>;
-
 /// On the moves of `a_trajbell_gen` and of `a_trajtrap_gen`, and on moves whose ends have any velocity.
-fn races() -> Vec<(Race, AssertAgrees)> {
+fn races() -> Vec<Race> {
     let mut random = Random(1);
     let bells = bells(WARM, &mut random);
     let traps = (0..WARM).map(|_| trap(&mut random)).collect();
@@ -90,103 +76,28 @@ pub fn with_any_ends(random: &mut Random) -> Vec<a_float> {
     [jm, am, vm, 0.0, p1, v0, v1].map(|x| x as a_float).to_vec()
 }
 
-fn race(family: Family, case: &str, plans: Vec<Vec<a_float>>) -> (Race, AssertAgrees) {
-    let (ours, original) = match family {
-        Family::Bell => (FASTEST[0], OPTIMISED[0].bell),
-        _ => (FASTEST[1], OPTIMISED[0].trap),
+fn race(family: Family, case: &str, plans: Vec<Vec<a_float>>) -> Race {
+    let is_bell = family == Family::Bell;
+    let (ours, original) = if is_bell {
+        (FASTEST[0], OPTIMISED[0].bell)
+    } else {
+        (FASTEST[1], OPTIMISED[0].trap)
     };
-    let plans: Rc<[[a_float; 7]]> = plans
-        .iter()
-        .map(|plan| plan[..].try_into().expect("7 arguments"))
-        .collect();
-    let ruckig = Rc::new(RefCell::new(Planner::new(family)));
-    let assert_agrees = {
-        let (plans, ruckig) = (plans.clone(), ruckig.clone());
-        Box::new(move || ruckig.borrow_mut().assert_agrees(ours, &plans))
+    let plans = plans.iter().map(|p| p[..].try_into().expect("7 arguments"));
+    let fields = || RefCell::new(vec![[0.0; 14]; WARM]);
+    let [of_ours, of_original] = [fields(), fields()];
+    let passes: Vec<Pass<[a_float; 7]>> = vec![
+        Box::new(move |plans| plan_all::<0>(ours, plans, &mut of_ours.borrow_mut())),
+        Box::new(move |plans| plan_all::<1>(original, plans, &mut of_original.borrow_mut())),
+    ];
+    let duration = move |&[a, b, c, d, e, f, g]: &[a_float; 7]| {
+        let mut fields = [0.0; 14];
+        // SAFETY: no struct has more than 14 reals.
+        unsafe { ours(fields.as_mut_ptr(), a, b, c, d, e, f, g) }.widen()
     };
-    let calls = plans.len();
-    let run = {
-        let (plans, ruckig) = (plans.clone(), ruckig.clone());
-        let mut fields = vec![[0.0; 14]; calls];
-        Box::new(move |library: usize| match library {
-            0 => plan_all::<0>(ours, &plans, &mut fields),
-            1 => plan_all::<1>(original, &plans, &mut fields),
-            _ => ruckig.borrow_mut().plan_all(&plans),
-        })
-    };
-    let mut fields = [[0.0; 14]];
-    let race = Race {
-        row: Row {
-            function: format!("atraj_{}_gen", family.name()),
-            case: case.into(),
-            calls,
-            run,
-        },
-        one: Box::new(move |library, plan| {
-            let plan = &plans[plan..=plan];
-            match library {
-                0 => plan_all::<0>(ours, plan, &mut fields),
-                1 => plan_all::<1>(original, plan, &mut fields),
-                _ => ruckig.borrow_mut().plan_all(plan),
-            }
-        }),
-    };
-    (race, assert_agrees)
-}
-
-impl Race {
-    /// Nanoseconds of the longest of the plans. Passes over all plans time each one alone, so the processor cannot learn its
-    /// branches.
-    pub fn worst(&mut self, library: usize) -> f64 {
-        let mut shortest = vec![f64::INFINITY; self.row.calls];
-        for _ in 0..REPEATS {
-            for (plan, shortest) in shortest.iter_mut().enumerate() {
-                let start = Instant::now();
-                (self.one)(library, plan);
-                *shortest = shortest.min(start.elapsed().as_secs_f64() * 1e9);
-            }
-        }
-        shortest.into_iter().fold(0.0, f64::max) - clock()
-    }
-}
-
-/// Nanoseconds that reading the clock adds.
-fn clock() -> f64 {
-    (0..10_000)
-        .map(|_| Instant::now().elapsed().as_secs_f64() * 1e9)
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// rsruckig with one axis.
-struct Planner {
-    family: Family,
-    ruckig: Ruckig<1, ThrowErrorHandler>,
-    input: InputParameter<1>,
-    trajectory: Trajectory<1>,
-}
-
-impl Planner {
-    fn new(family: Family) -> Self {
-        Self {
-            family,
-            ruckig: Ruckig::new(None, 0.001),
-            input: InputParameter::new(None),
-            trajectory: Trajectory::new(None),
-        }
-    }
-
-    #[inline(never)]
-    fn plan_all(&mut self, plans: &[[a_float; 7]]) {
-        for plan in plans {
-            black_box(self.plan(plan));
-        }
-    }
-
-    /// The duration.
-    fn plan(&mut self, plan: &[a_float; 7]) -> f64 {
+    let ask = move |plan: &[a_float; 7], input: &mut InputParameter<1>| {
         let [first, second, third, p0, p1, v0, v1] = plan.map(f64::from);
-        let input = &mut self.input;
-        if self.family == Family::Bell {
+        if is_bell {
             (input.max_jerk[0], input.max_acceleration[0]) = (first, second);
             input.max_velocity[0] = third;
         } else {
@@ -197,22 +108,14 @@ impl Planner {
         }
         (input.current_position[0], input.target_position[0]) = (p0, p1);
         (input.current_velocity[0], input.target_velocity[0]) = (v0, v1);
-        self.ruckig
-            .calculate(input, &mut self.trajectory)
-            .expect("a plan");
-        self.trajectory.get_duration()
-    }
-
-    /// Both plan the fastest move, so both take the same time: a difference would be a mistake of this benchmark.
-    fn assert_agrees(&mut self, ours: Gen7<a_float>, plans: &[[a_float; 7]]) {
-        for plan in plans {
-            let &[a, b, c, d, e, f, g] = plan;
-            let mut fields = [0.0; 14];
-            // SAFETY: no struct has more than 14 reals.
-            let duration = unsafe { ours(fields.as_mut_ptr(), a, b, c, d, e, f, g) };
-            let difference = self.plan(plan) - duration.widen();
-            let rounding = a_float::EPSILON.widen().sqrt() * duration.widen();
-            assert!(difference.abs() <= rounding, "{plan:?}: {difference:e}");
-        }
-    }
+    };
+    let function = format!("atraj_{}_gen", family.name());
+    Race::new(
+        &function,
+        case.into(),
+        plans.collect(),
+        passes,
+        duration,
+        ask,
+    )
 }

@@ -13,11 +13,11 @@
 //! lucky turn decides nothing. Each library has its own copy of the loop. If one call reached all libraries in turn, the
 //! processor would look up its target, which costs some functions a nanosecond and others nothing.
 
-mod axes;
 mod fastest;
 #[cfg(target_arch = "x86_64")]
 mod levels;
 mod moves;
+mod race;
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
@@ -44,6 +44,22 @@ struct Row {
     calls: usize,
     /// Makes the calls to the library of this number.
     run: Box<dyn FnMut(usize)>,
+}
+
+impl Row {
+    fn new(
+        function: impl Into<String>,
+        case: impl Into<String>,
+        calls: usize,
+        run: impl FnMut(usize) + 'static,
+    ) -> Self {
+        Self {
+            function: function.into(),
+            case: case.into(),
+            calls,
+            run: Box::new(run),
+        }
+    }
 }
 
 static OPTIMISED: [Abi<a_float>; 2] = <a_float as Original>::OPTIMISED;
@@ -177,7 +193,6 @@ fn warm_rows() -> Vec<Row> {
     let mut rows = rows(WARM);
     rows.extend(fastest::rows());
     rows.extend(moves::rows());
-    rows.extend(axes::rows());
     rows
 }
 
@@ -187,12 +202,8 @@ fn rows(count: usize) -> Vec<Row> {
     let mut random = Random(1);
     let mut rows = Vec::new();
     for (case, plans) in bells(count, &mut random) {
-        rows.push(gen7(
-            "a_trajbell_gen",
-            format!("{case}, {place}"),
-            plans,
-            |abi| abi.bell,
-        ));
+        let case = format!("{case}, {place}");
+        rows.push(gen7("a_trajbell_gen", case, plans, |abi| abi.bell));
     }
     let plans = (0..count).map(|_| trap(&mut random)).collect();
     rows.push(gen7("a_trajtrap_gen", place.into(), plans, |abi| abi.trap));
@@ -200,31 +211,15 @@ fn rows(count: usize) -> Vec<Row> {
         rows.push(polynomials(family, place, count, &mut random));
     }
     let [_, _, (_, mixed)] = bells(count, &mut random);
-    let moves = planned(Family::Bell, &mixed);
-    evaluations(
-        Family::Bell,
-        place,
-        &moves,
-        |fields| fields[0],
-        &mut random,
-        &mut rows,
-    );
+    let first: Duration = |fields| fields[0];
+    evaluations(Family::Bell, place, &mixed, first, &mut random, &mut rows);
     let traps: Vec<_> = (0..count).map(|_| trap(&mut random)).collect();
-    let moves = planned(Family::Trap, &traps);
-    evaluations(
-        Family::Trap,
-        place,
-        &moves,
-        |fields| fields[0],
-        &mut random,
-        &mut rows,
-    );
+    evaluations(Family::Trap, place, &traps, first, &mut random, &mut rows);
     let septics: Vec<_> = (0..count).map(|_| septic(&mut random)).collect();
-    let moves = planned(Family::Poly7, &septics);
     evaluations(
         Family::Poly7,
         place,
-        &moves,
+        &septics,
         |_| 2.0,
         &mut random,
         &mut rows,
@@ -293,16 +288,10 @@ fn gen7(
     let plans: Vec<[a_float; 7]> = plans.iter().map(|p| p[..].try_into().expect("7")).collect();
     let calls = plans.len();
     let mut fields = vec![[0.0 as a_float; 14]; calls];
-    let run = Box::new(move |library: usize| {
+    Row::new(function, case, calls, move |library| {
         let pass = [plan_all::<0>, plan_all::<1>, plan_all::<2>][library];
         pass(of(LIBRARIES[library]), &plans, &mut fields);
-    });
-    Row {
-        function: function.into(),
-        case,
-        calls,
-        run,
-    }
+    })
 }
 
 /// Each library has its own copy of this loop.
@@ -335,17 +324,11 @@ fn polynomials(family: Family, place: &str, count: usize, random: &mut Random) -
     };
     let plans: Vec<Plan> = (0..count).map(|_| plan()).collect();
     let mut fields = vec![0.0; family.fields().len()];
-    let run = Box::new(move |library: usize| {
+    let function = format!("a_{}_gen", family.c_name());
+    Row::new(function, place, count, move |library| {
         let pass = [fit_all::<0>, fit_all::<1>, fit_all::<2>][library];
         pass(family, &plans, &mut fields);
-    });
-    let function = format!("a_{}_gen", family.c_name());
-    Row {
-        function,
-        case: place.into(),
-        calls: count,
-        run,
-    }
+    })
 }
 
 #[inline(never)]
@@ -358,19 +341,20 @@ fn fit_all<const LIBRARY: usize>(family: Family, plans: &[Plan], fields: &mut [a
     }
 }
 
-/// Each evaluation function at random times of `moves`, and in a sweep over the first move.
+/// The duration of a move, of which these are the fields.
+type Duration = fn(&[a_float]) -> a_float;
+
+/// Each evaluation function at random times of the moves of these plans, and in a sweep over the first move.
 fn evaluations(
     family: Family,
     place: &str,
-    moves: &[Plan],
-    duration: fn(&[a_float]) -> a_float,
+    plans: &[Plan],
+    duration: Duration,
     random: &mut Random,
     rows: &mut Vec<Row>,
 ) {
-    let moves: Vec<_> = moves
-        .iter()
-        .filter(|fields| duration(fields) > 0.0)
-        .collect();
+    let mut moves = planned(family, plans);
+    moves.retain(|fields| duration(fields) > 0.0);
     let at_random: Rc<[Moment]> = moves
         .iter()
         .map(|fields| {
@@ -390,31 +374,17 @@ fn evaluations(
         (format!("sweep, {place}"), sweep),
     ] {
         for (index, quantity) in family.quantities().iter().enumerate() {
-            rows.push(evaluation(
-                format!("a_{}_{}", family.c_name(), quantity.c),
-                &case,
-                moments.clone(),
-                (family, index),
-            ));
+            let function = format!("a_{}_{}", family.c_name(), quantity.c);
+            let moments = moments.clone();
+            rows.push(Row::new(function, &case, moments.len(), move |library| {
+                let pass = [evaluate_all::<0>, evaluate_all::<1>, evaluate_all::<2>][library];
+                pass((family, index), &moments);
+            }));
         }
     }
 }
 
 type Moment = (Rc<[a_float]>, a_float);
-
-fn evaluation(function: String, case: &str, moments: Rc<[Moment]>, which: (Family, usize)) -> Row {
-    let calls = moments.len();
-    let run = Box::new(move |library: usize| {
-        let pass = [evaluate_all::<0>, evaluate_all::<1>, evaluate_all::<2>][library];
-        pass(which, &moments);
-    });
-    Row {
-        function,
-        case: case.into(),
-        calls,
-        run,
-    }
-}
 
 #[inline(never)]
 fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments: &[Moment]) {
@@ -434,77 +404,84 @@ fn samples(n: usize) -> Row {
 
 /// Calls `sample` once.
 fn sampled(sample: Sample) -> impl Fn(&[a_float], a_float, Samples) {
-    move |fields, dt, out| {
-        let n = out[0].len();
-        let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
-        // SAFETY: these are the fields of a bell, and every output has `n` elements.
-        unsafe { black_box(sample)(fields.as_ptr().cast(), 0.0, dt, n, p, v, a, j) };
-    }
+    // These are the fields of a bell.
+    move |fields, dt, out| sample_all(sample, fields.as_ptr().cast(), dt, out)
+}
+
+#[inline(never)]
+fn sample_all<C>(sample: Sample<C>, context: *const C, dt: a_float, out: Samples) {
+    let n = out[0].len();
+    let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
+    // SAFETY: the function takes this struct, and every output has `n` elements.
+    unsafe { black_box(sample)(context, 0.0, dt, n, p, v, a, j) };
 }
 
 /// All four quantities at `n` times, one call for each time.
 fn states(n: usize) -> Row {
-    let ours = |fields: &[a_float], dt: a_float, [p, v, a, j]: Samples| {
-        let state = black_box(atraj_bell_state as State);
-        let all = p.iter_mut().zip(v).zip(a).zip(j);
-        for (k, (((p, v), a), j)) in all.enumerate() {
-            // SAFETY: these are the fields of a bell.
-            unsafe { state(fields.as_ptr().cast(), k as a_float * dt, p, v, a, j) };
-        }
+    let ours = |fields: &[a_float], dt: a_float, out: Samples| {
+        state_all(atraj_bell_state, fields.as_ptr().cast(), dt, out);
     };
     at_once("atraj_bell_state", n, ours, four_calls::<2>)
 }
 
-type Sample = unsafe extern "C" fn(
-    *const a_trajbell,
-    a_float,
-    a_float,
-    usize,
-    *mut a_float,
-    *mut a_float,
-    *mut a_float,
-    *mut a_float,
-) -> usize;
-type State = unsafe extern "C" fn(
-    *const a_trajbell,
-    a_float,
-    *mut a_float,
-    *mut a_float,
-    *mut a_float,
-    *mut a_float,
-);
+#[inline(always)]
+fn state_all<C>(state: State<C>, context: *const C, dt: a_float, [p, v, a, j]: Samples) {
+    let state = black_box(state);
+    align_code();
+    let all = p.iter_mut().zip(v).zip(a).zip(j);
+    for (k, (((p, v), a), j)) in all.enumerate() {
+        // SAFETY: the function takes this struct.
+        unsafe { state(context, k as a_float * dt, p, v, a, j) };
+    }
+}
+
+type Out = *mut a_float;
+type Sample<C = a_trajbell> =
+    unsafe extern "C" fn(*const C, a_float, a_float, usize, Out, Out, Out, Out) -> usize;
+type State<C> = unsafe extern "C" fn(*const C, a_float, Out, Out, Out, Out);
 
 /// Rows of positions, velocities, accelerations and jerks. The first row begins at a cache line.
 type Samples<'a> = [&'a mut [a_float]; 4];
 
-/// The double-S of the README's table, from 0 to 10 with an initial velocity: `ours` against four calls of the original at `-O2`
-/// for each time, and against a third one.
+/// The double-S of the README's table, from 0 to 10 with an initial velocity.
+const README: [a_float; 7] = [30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0];
+
+/// `ours` against four calls of the original at `-O2` for each time, and against a third one.
 fn at_once(
     function: &str,
     n: usize,
     ours: impl Fn(&[a_float], a_float, Samples) + 'static,
     third: impl Fn(&[a_float], a_float, Samples) + 'static,
 ) -> Row {
-    let fields = planned(Family::Bell, &[vec![30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]).remove(0);
-    let dt = fields[0] / (n - 1) as a_float;
-    let mut memory = vec![0.0; 4 * n + 16];
-    let start = memory.as_ptr().align_offset(64);
-    let run = Box::new(move |library: usize| {
-        let mut rows = memory[start..].chunks_exact_mut(n);
-        let out = [(); 4].map(|()| rows.next().expect("four rows"));
-        match library {
+    let fields = planned(Family::Bell, &[README.to_vec()]).remove(0);
+    sampling(
+        function,
+        n,
+        fields[0],
+        move |library, dt, out| match library {
             0 => ours(&fields, dt, out),
             1 => four_calls::<1>(&fields, dt, out),
             _ => third(&fields, dt, out),
-        }
+        },
+    )
+}
+
+/// Lets the library of a number fill `n` samples with this time between two.
+fn sampling(
+    function: &str,
+    n: usize,
+    duration: a_float,
+    fill: impl Fn(usize, a_float, Samples) + 'static,
+) -> Row {
+    let dt = duration / (n - 1) as a_float;
+    let mut memory = vec![0.0; 4 * n + 16];
+    let start = memory.as_ptr().align_offset(64);
+    Row::new(function, format!("{n} samples"), n, move |library| {
+        let mut rows = memory[start..].chunks_exact_mut(n);
+        let out = [(); 4].map(|()| rows.next().expect("four rows"));
+        fill(library, dt, out);
         black_box(&memory);
-    });
-    Row {
-        function: function.into(),
-        case: format!("{n} samples"),
-        calls: n,
-        run,
-    }
+    })
 }
 
 #[inline(never)]

@@ -1,17 +1,18 @@
-//! The moves from any state to any state: planned beside the crate rsruckig, evaluated beside the double-S, in the same rounds.
+//! The moves from any state to any state: planned beside the crate rsruckig, evaluated beside the double-S, in the same rounds. Then
+//! several axes that arrive together, beside rsruckig with as many axes.
 //!
-//! rsruckig plans one axis by its position interface, and computes in binary64 always. Its limit of the jerk is the same in both
-//! directions, so ours is here too.
+//! rsruckig's limit of the jerk is the same in both directions, so ours is here too.
 
 #![allow(clippy::useless_conversion)] // a_float may be f32
 
-use crate::fastest::Race;
-use crate::{Row, WARM, align_code, instructions, measure, median};
+use crate::race::{Pass, Race};
+use crate::{README, Row, Samples, WARM, align_code, instructions, measure, median};
+use crate::{sample_all, sampling, state_all};
 use atraj::capi::a_float;
 use atraj::capi::atraj::*;
 use atraj::capi::trajbell::*;
 use rsruckig::prelude::*;
-use std::cell::RefCell;
+use std::array::from_fn;
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 use std::rc::Rc;
@@ -19,43 +20,39 @@ use support::{Random, Real};
 
 pub fn print_tables() {
     let first = crate::rows(WARM).len() + crate::fastest::rows().len();
-    let races = races();
-    let evaluations = first + races.len();
+    let (races, together) = (races(), together());
+    let evaluated = first + races.len();
     print_plans(first, races);
     println!();
-    print_evaluations(evaluations);
+    print_evaluations(evaluated);
     println!();
-    crate::axes::print_table(first + rows().len());
+    print_plans(evaluated + evaluations().len(), together);
 }
 
-fn print_plans(first: usize, races: Vec<(Race, Compare)>) {
+fn print_plans(first: usize, races: Vec<Race>) {
     println!(
         "| function | case | ours ns | rsruckig ns | rsruckig/ours | worst ours ns | rsruckig | worst/mean ours | \
          instructions ours | rsruckig | errors of rsruckig | slower |"
     );
     println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
-    for (index, (race, compare)) in (first..).zip(races) {
-        print_race(index, race, &compare());
+    for (index, mut race) in (first..).zip(races) {
+        let tally = (race.compare)();
+        let ([ours, ruckig], ratio) = times(&mut race.row);
+        let worst = [0, 1].map(|library| race.worst(library));
+        let counts = [0, 1].map(|library| instructions(index, library, race.row.calls));
+        println!(
+            "| `{}` | {} | {ours:.2} | {ruckig:.2} | {ratio:.2} | {:.0} | {:.0} | {:.2} | {} | {} | {} | {} |",
+            race.row.function,
+            race.row.case,
+            worst[0],
+            worst[1],
+            worst[0] / ours,
+            counts[0],
+            counts[1],
+            tally.errors,
+            tally.slower,
+        );
     }
-}
-
-/// A row of a table of plans.
-pub fn print_race(index: usize, mut race: Race, tally: &Tally) {
-    let ([ours, ruckig], ratio) = times(&mut race.row);
-    let worst = [0, 1].map(|library| race.worst(library));
-    let counts = [0, 1].map(|library| instructions(index, library, race.row.calls));
-    println!(
-        "| `{}` | {} | {ours:.2} | {ruckig:.2} | {ratio:.2} | {:.0} | {:.0} | {:.2} | {} | {} | {} | {} |",
-        race.row.function,
-        race.row.case,
-        worst[0],
-        worst[1],
-        worst[0] / ours,
-        counts[0],
-        counts[1],
-        tally.errors,
-        tally.slower,
-    );
 }
 
 fn print_evaluations(first: usize) {
@@ -81,19 +78,21 @@ fn times(row: &mut Row) -> ([f64; 2], f64) {
 }
 
 pub fn rows() -> Vec<Row> {
-    let plans = races().into_iter().map(|(race, _)| race.row);
-    plans.chain(evaluations()).collect()
+    let of = |races: Vec<Race>| races.into_iter().map(|race| race.row);
+    let plans = of(races()).chain(evaluations());
+    plans.chain(of(together())).collect()
 }
 
-pub struct Problem {
-    pub limits: atraj_limits,
-    pub from: atraj_state,
-    pub to: atraj_state,
+/// The limits and the ends of so many axes.
+struct Problem<const N: usize> {
+    limits: [atraj_limits; N],
+    from: [atraj_state; N],
+    to: [atraj_state; N],
 }
 
 /// What problems have besides displacements.
 #[derive(Clone, Copy, Default)]
-pub struct Case {
+struct Case {
     moving: bool,
     accelerated_start: bool,
     accelerated_target: bool,
@@ -101,44 +100,34 @@ pub struct Case {
     outside: bool,
 }
 
-pub fn cases() -> [(&'static str, Case); 6] {
-    let rest = Case::default();
-    let moving = Case {
-        moving: true,
-        ..rest
-    };
-    let start = Case {
-        accelerated_start: true,
-        ..moving
-    };
-    let target = Case {
-        accelerated_target: true,
-        ..start
-    };
-    let asymmetric = Case {
-        asymmetric: true,
-        ..target
-    };
-    let outside = Case {
-        outside: true,
-        ..target
+/// Each case has what the one before has, but the last has symmetric limits.
+fn cases() -> [(&'static str, Case); 6] {
+    let mut case = Case::default();
+    let mut with = |name, change: fn(&mut Case)| {
+        change(&mut case);
+        (name, case)
     };
     [
-        ("at rest", rest),
-        ("moving", moving),
-        ("accelerated start", start),
-        ("accelerated start and target", target),
-        ("asymmetric", asymmetric),
-        ("outside", outside),
+        with("at rest", |_| ()),
+        with("moving", |case| case.moving = true),
+        with("accelerated start", |case| case.accelerated_start = true),
+        with("accelerated start and target", |case| {
+            case.accelerated_target = true
+        }),
+        with("asymmetric", |case| case.asymmetric = true),
+        with("outside", |case| {
+            (case.asymmetric, case.outside) = (false, true)
+        }),
     ]
 }
 
-impl Problem {
-    pub fn random(case: Case, random: &mut Random) -> Self {
+impl Case {
+    /// The limits and the ends of an axis.
+    fn axis(self, random: &mut Random) -> (atraj_limits, atraj_state, atraj_state) {
         let [jm, am, vm] =
             [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
         let mut part = || {
-            if case.asymmetric {
+            if self.asymmetric {
                 random.between(0.3, 1.0)
             } else {
                 1.0
@@ -151,7 +140,7 @@ impl Problem {
                 let most = am.min(-amin).min((jm * vm.min(-vmin)).sqrt());
                 a = random.between(-0.9, 0.9) * most;
             }
-            if case.moving {
+            if self.moving {
                 // So the velocity stays inside while the acceleration comes from 0 or goes back to 0.
                 let room = 1.001 * a * a / (2.0 * jm);
                 v = random.between(vmin + room, vm - room);
@@ -162,8 +151,8 @@ impl Problem {
                 a: (factor * a) as a_float,
             }
         };
-        let from = state(case.accelerated_start, if case.outside { 1.7 } else { 1.0 });
-        let mut to = state(case.accelerated_target, 1.0);
+        let from = state(self.accelerated_start, if self.outside { 1.7 } else { 1.0 });
+        let mut to = state(self.accelerated_target, 1.0);
         to.p = from.p + (random.sign() * random.between(0.1, 15.0)) as a_float;
         let [vmax, vmin, amax, amin, jmax, jmin] =
             [vm, vmin, am, amin, jm, -jm].map(|limit| limit as a_float);
@@ -175,173 +164,146 @@ impl Problem {
             jmax,
             jmin,
         };
-        Self { limits, from, to }
+        (limits, from, to)
     }
 
-    #[inline(always)]
-    fn plan(&self, plan: Plan, ctx: &mut MaybeUninit<atraj_move>) -> i32 {
-        // SAFETY: all pointers point to their structs.
-        unsafe { plan(ctx.as_mut_ptr(), &self.limits, &self.from, &self.to) }
-    }
-}
-
-type Plan = unsafe extern "C" fn(
-    *mut atraj_move,
-    *const atraj_limits,
-    *const atraj_state,
-    *const atraj_state,
-) -> i32;
-
-/// Plans of rsruckig that are errors, and plans that take longer than ours.
-#[derive(Default)]
-pub struct Tally {
-    errors: usize,
-    slower: usize,
-}
-
-impl Tally {
-    /// Notes our duration and that of rsruckig, which is nothing for an error. Ours is never longer.
-    pub fn note(&mut self, ours: f64, ruckig: Option<f64>) {
-        let Some(duration) = ruckig else {
-            self.errors += 1;
-            return;
+    fn problems<const N: usize>(self, count: usize, random: &mut Random) -> Rc<[Problem<N>]> {
+        let mut problem = || {
+            let axes = (0..N).map(|_| self.axis(random));
+            let (limits, from, to): (Vec<_>, Vec<_>, Vec<_>) = axes.collect();
+            Problem {
+                limits: array(limits),
+                from: array(from),
+                to: array(to),
+            }
         };
-        let rounding = a_float::EPSILON.widen().sqrt() * duration;
-        assert!(ours <= duration + rounding, "{ours:e} > {duration:e}");
-        self.slower += usize::from(duration > ours + rounding);
+        (0..count).map(|_| problem()).collect()
     }
 }
 
-/// Plans with both. It takes too long for every run under callgrind.
-pub type Compare = Box<dyn FnOnce() -> Tally>;
+fn array<T, const N: usize>(all: Vec<T>) -> [T; N] {
+    all.try_into().ok().expect("so many")
+}
 
-fn races() -> Vec<(Race, Compare)> {
+/// One axis.
+fn races() -> Vec<Race> {
+    type Plan = unsafe extern "C" fn(Ctx, Limits, State, State) -> i32;
     let mut random = Random::seeded(1);
-    cases()
-        .into_iter()
-        .map(|(name, case)| {
-            let problems = (0..WARM)
-                .map(|_| Problem::random(case, &mut random))
-                .collect();
-            race(name, problems)
-        })
-        .collect()
+    let plan = black_box(atraj_move_plan as Plan);
+    let race = |(name, case): (&str, Case)| {
+        let problems = case.problems::<1>(WARM, &mut random);
+        // SAFETY: all pointers point to their structs.
+        race(
+            "atraj_move_plan",
+            name.into(),
+            problems,
+            move |ctx, l, from, to| unsafe { plan(ctx, l, from, to) },
+        )
+    };
+    cases().map(race).into()
 }
 
-fn race(case: &str, problems: Rc<[Problem]>) -> (Race, Compare) {
-    let ruckig = Rc::new(RefCell::new(Planner::new()));
-    let compare = {
-        let (problems, ruckig) = (problems.clone(), ruckig.clone());
-        Box::new(move || ruckig.borrow_mut().compare(&problems))
-    };
-    let calls = problems.len();
-    let run = {
-        let (problems, ruckig) = (problems.clone(), ruckig.clone());
-        Box::new(move |library: usize| plan_all(library, &problems, &ruckig))
-    };
-    let race = Race {
-        row: Row {
-            function: "atraj_move_plan".into(),
-            case: case.into(),
-            calls,
-            run,
-        },
-        one: Box::new(move |library, plan| plan_all(library, &problems[plan..=plan], &ruckig)),
-    };
-    (race, compare)
-}
-
-/// Like a control loop, each library overwrites its last plan.
-fn plan_all(library: usize, problems: &[Problem], ruckig: &RefCell<Planner>) {
-    if library == 0 {
-        plan_ours(problems);
-    } else {
-        ruckig.borrow_mut().plan_all(problems);
+/// Several axes that arrive together.
+fn together() -> Vec<Race> {
+    let mut random = Random::seeded(3);
+    let [rest, _, _, accelerated, ..] = cases();
+    let mut races = Vec::new();
+    for case in [rest, accelerated] {
+        races.push(sync::<3>(case, &mut random));
+        races.push(sync::<6>(case, &mut random));
+        races.push(sync::<12>(case, &mut random));
     }
+    races
+}
+
+fn sync<const N: usize>((name, case): (&str, Case), random: &mut Random) -> Race {
+    type Plan = unsafe extern "C" fn(Ctx, Limits, State, State, usize, a_float, a_float) -> i32;
+    let plan = black_box(atraj_moves_sync as Plan);
+    let problems = case.problems::<N>(WARM / 4, random);
+    let case = format!("{N} axes, {name}");
+    // SAFETY: all pointers point to `N` structs.
+    race(
+        "atraj_moves_sync",
+        case,
+        problems,
+        move |ctx, l, from, to| unsafe { plan(ctx, l, from, to, N, 0.0, 0.0) },
+    )
+}
+
+type Ctx = *mut atraj_move;
+type Limits = *const atraj_limits;
+type State = *const atraj_state;
+
+/// `plan` beside rsruckig. Our plan is never an error.
+fn race<const N: usize>(
+    function: &str,
+    case: String,
+    problems: Rc<[Problem<N>]>,
+    plan: impl Fn(Ctx, Limits, State, State) -> i32 + Copy + 'static,
+) -> Race {
+    let ours: Pass<Problem<N>> = Box::new(move |problems| plan_ours(problems, plan));
+    let duration = move |problem: &Problem<N>| {
+        let mut axes = MaybeUninit::uninit();
+        let returned = problem.plan(plan, &mut axes);
+        assert!(returned >= 0, "{returned}: {:?}", problem.numbers());
+        // SAFETY: the plan is no error, so it has written the structs.
+        let axes = unsafe { axes.assume_init() };
+        axes[0].t.widen()
+    };
+    Race::new(function, case, problems, vec![ours], duration, Problem::ask)
 }
 
 #[inline(never)]
-fn plan_ours(problems: &[Problem]) {
-    let plan = black_box(atraj_move_plan as Plan);
-    let mut ctx = MaybeUninit::uninit();
+fn plan_ours<const N: usize>(
+    problems: &[Problem<N>],
+    plan: impl Fn(Ctx, Limits, State, State) -> i32 + Copy,
+) {
+    let mut axes = MaybeUninit::uninit();
     align_code();
     for problem in problems {
-        black_box(problem.plan(plan, &mut ctx));
+        black_box(problem.plan(plan, &mut axes));
     }
 }
 
-/// rsruckig with one axis.
-struct Planner {
-    ruckig: Ruckig<1, ThrowErrorHandler>,
-    input: InputParameter<1>,
-    trajectory: Trajectory<1>,
-}
+impl<const N: usize> Problem<N> {
+    #[inline(always)]
+    fn plan(
+        &self,
+        plan: impl Fn(Ctx, Limits, State, State) -> i32,
+        axes: &mut MaybeUninit<[atraj_move; N]>,
+    ) -> i32 {
+        let [from, to] = [&self.from, &self.to].map(|states| states.as_ptr());
+        plan(axes.as_mut_ptr().cast(), self.limits.as_ptr(), from, to)
+    }
 
-impl Planner {
-    fn new() -> Self {
-        Self {
-            ruckig: Ruckig::new(None, 0.001),
-            input: InputParameter::new(None),
-            trajectory: Trajectory::new(None),
+    fn ask(&self, input: &mut InputParameter<N>) {
+        let Self { limits, from, to } = self;
+        let lowest = |low: fn(&atraj_limits) -> a_float| {
+            Some(DataArrayOrVec::Stack(from_fn(|k| low(&limits[k]).into())))
+        };
+        input.min_velocity = lowest(|limits| limits.vmin);
+        input.min_acceleration = lowest(|limits| limits.amin);
+        for k in 0..N {
+            input.max_velocity[k] = limits[k].vmax.into();
+            input.max_acceleration[k] = limits[k].amax.into();
+            input.max_jerk[k] = limits[k].jmax.into();
+            input.current_position[k] = from[k].p.into();
+            input.current_velocity[k] = from[k].v.into();
+            input.current_acceleration[k] = from[k].a.into();
+            input.target_position[k] = to[k].p.into();
+            input.target_velocity[k] = to[k].v.into();
+            input.target_acceleration[k] = to[k].a.into();
         }
     }
 
-    #[inline(never)]
-    fn plan_all(&mut self, problems: &[Problem]) {
-        for problem in problems {
-            black_box(self.plan(problem));
-        }
-    }
-
-    /// The duration, or nothing for an error.
-    fn plan(&mut self, problem: &Problem) -> Option<f64> {
-        let Problem { limits, from, to } = problem;
-        let input = &mut self.input;
-        input.max_velocity[0] = limits.vmax.into();
-        input.min_velocity = Some(DataArrayOrVec::Stack([limits.vmin.into()]));
-        input.max_acceleration[0] = limits.amax.into();
-        input.min_acceleration = Some(DataArrayOrVec::Stack([limits.amin.into()]));
-        input.max_jerk[0] = limits.jmax.into();
-        input.current_position[0] = from.p.into();
-        input.current_velocity[0] = from.v.into();
-        input.current_acceleration[0] = from.a.into();
-        input.target_position[0] = to.p.into();
-        input.target_velocity[0] = to.v.into();
-        input.target_acceleration[0] = to.a.into();
-        match self.ruckig.calculate(input, &mut self.trajectory) {
-            Ok(RuckigResult::Working | RuckigResult::Finished) => {
-                Some(self.trajectory.get_duration())
-            }
-            _ => None,
-        }
-    }
-
-    /// Our plan is never an error, and never slower.
-    fn compare(&mut self, problems: &[Problem]) -> Tally {
-        let mut tally = Tally::default();
-        for problem in problems {
-            let mut ctx = MaybeUninit::uninit();
-            let returned = problem.plan(atraj_move_plan, &mut ctx);
-            assert!(returned >= 0, "{returned}: {problem:?}");
-            // SAFETY: the plan is no error, so it has written the struct.
-            let ours = unsafe { ctx.assume_init() }.t.widen();
-            tally.note(ours, self.plan(problem));
-        }
-        tally
-    }
-}
-
-impl std::fmt::Debug for Problem {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let l = &self.limits;
-        write!(
-            f,
-            "limits {:?}",
-            [l.vmax, l.vmin, l.amax, l.amin, l.jmax, l.jmin]
-        )?;
-        [("from", &self.from), ("to", &self.to)]
-            .iter()
-            .try_for_each(|(name, s)| write!(f, ", {name} {:?}", [s.p, s.v, s.a]))
+    /// The limits, the start and the target of each axis.
+    fn numbers(&self) -> Vec<([a_float; 6], [[a_float; 3]; 2])> {
+        let axis = |k: usize| {
+            let l = &self.limits[k];
+            let ends = [&self.from[k], &self.to[k]].map(|s| [s.p, s.v, s.a]);
+            ([l.vmax, l.vmin, l.amax, l.amin, l.jmax, l.jmin], ends)
+        };
+        (0..N).map(axis).collect()
     }
 }
 
@@ -377,18 +339,6 @@ impl Both {
 /// A move by its number, and a time.
 type Moment = (usize, a_float);
 type Evaluate<C> = unsafe extern "C" fn(*const C, a_float) -> a_float;
-type State<C> =
-    unsafe extern "C" fn(*const C, a_float, *mut a_float, *mut a_float, *mut a_float, *mut a_float);
-type Sample<C> = unsafe extern "C" fn(
-    *const C,
-    a_float,
-    a_float,
-    usize,
-    *mut a_float,
-    *mut a_float,
-    *mut a_float,
-    *mut a_float,
-) -> usize;
 
 const QUANTITIES: [(&str, Evaluate<atraj_move>, Evaluate<a_trajbell>); 4] = [
     ("atraj_move_pos", atraj_move_pos, a_trajbell_pos),
@@ -413,16 +363,15 @@ fn evaluations() -> Vec<Row> {
     for (case, moments) in [("random", at_random), ("sweep", sweep)] {
         for (function, ours, bell) in QUANTITIES {
             let (both, moments) = (both.clone(), moments.clone());
-            let run = Box::new(move |library: usize| match library {
-                0 => evaluate_all(ours, &both.moves, &moments),
-                _ => evaluate_all(bell, &both.bells, &moments),
-            });
-            rows.push(Row {
-                function: function.into(),
-                case: case.into(),
-                calls: EVALUATED,
-                run,
-            });
+            rows.push(Row::new(
+                function,
+                case,
+                EVALUATED,
+                move |library| match library {
+                    0 => evaluate_all(ours, &both.moves, &moments),
+                    _ => evaluate_all(bell, &both.bells, &moments),
+                },
+            ));
         }
     }
     rows.extend([states(1024), samples(1024)]);
@@ -450,17 +399,6 @@ fn states(n: usize) -> Row {
     )
 }
 
-#[inline(never)]
-fn state_all<C>(state: State<C>, context: &C, dt: a_float, [p, v, a, j]: [&mut [a_float]; 4]) {
-    let state = black_box(state);
-    align_code();
-    let all = p.iter_mut().zip(v).zip(a).zip(j);
-    for (k, (((p, v), a), j)) in all.enumerate() {
-        // SAFETY: the function takes this struct.
-        unsafe { state(context, k as a_float * dt, p, v, a, j) };
-    }
-}
-
 /// All four quantities at `n` times in one call.
 fn samples(n: usize) -> Row {
     at_once(
@@ -471,32 +409,11 @@ fn samples(n: usize) -> Row {
     )
 }
 
-#[inline(never)]
-fn sample_all<C>(sample: Sample<C>, context: &C, dt: a_float, out: [&mut [a_float]; 4]) {
-    let n = out[0].len();
-    let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
-    // SAFETY: the function takes this struct, and every output has `n` elements.
-    unsafe { black_box(sample)(context, 0.0, dt, n, p, v, a, j) };
-}
+type AtOnce = fn(&Both, a_float, Samples);
 
-type AtOnce = fn(&Both, a_float, [&mut [a_float]; 4]);
-
-/// The double-S of the README's table, from 0 to 10 with an initial velocity, into arrays that begin at cache lines.
 fn at_once(function: &str, n: usize, ours: AtOnce, bell: AtOnce) -> Row {
-    let both = Both::plan(&[[30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0]]);
-    let dt = both.moves[0].t / (n - 1) as a_float;
-    let mut memory = vec![0.0; 4 * n + 16];
-    let start = memory.as_ptr().align_offset(64);
-    let run = Box::new(move |library: usize| {
-        let mut rows = memory[start..].chunks_exact_mut(n);
-        let out = [(); 4].map(|()| rows.next().expect("four rows"));
+    let both = Both::plan(&[README]);
+    sampling(function, n, both.moves[0].t, move |library, dt, out| {
         [ours, bell][library](&both, dt, out);
-        black_box(&memory);
-    });
-    Row {
-        function: function.into(),
-        case: format!("{n} samples"),
-        calls: n,
-        run,
-    }
+    })
 }
