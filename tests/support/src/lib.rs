@@ -1,5 +1,6 @@
 //! What the tests share, here and in `tests/oracle`. The families of profiles are described here and nowhere else.
 
+pub mod claraty;
 pub mod comparison;
 pub mod documents;
 pub mod each_family;

@@ -1,0 +1,34 @@
+//! Moves of CLARAty's trapezoid, in few words.
+
+use atraj::State;
+use atraj::claraty::{Profile, Target, Warnings};
+
+/// A target and the limits on the way: position, velocity, acceleration and deceleration.
+pub fn target([position, velocity, acceleration, deceleration]: [f64; 4]) -> Target {
+    Target {
+        position,
+        velocity,
+        acceleration,
+        deceleration,
+    }
+}
+
+/// An axis at `position` that moves at `velocity`.
+pub fn moving(position: f64, velocity: f64) -> State<f64> {
+    State {
+        velocity,
+        ..State::at(position)
+    }
+}
+
+/// The corrected plan of a move, and its warnings.
+pub fn corrected(start: State<f64>, target: Target) -> (Profile, Warnings) {
+    let mut profile = Profile::default();
+    let warnings = profile.plan_corrected(start, target);
+    (profile, warnings)
+}
+
+/// The ends of the three phases, s.
+pub fn borders(profile: &Profile) -> [f64; 3] {
+    [profile.t1, profile.t2, profile.tf]
+}
