@@ -350,7 +350,11 @@ fn run_script(tally: &mut Tally, random: &mut Random) {
     let mut request = REQUESTS[0];
     for _ in 0..1 + random.bits() % 4 {
         let setpoint = axis.setpoint(now);
-        let start = axis.is_started().then_some(setpoint).unwrap_or_default();
+        let start = if axis.is_started() {
+            setpoint
+        } else {
+            State::default()
+        };
         if request == STOP && !axis.is_started() {
             request = "retarget anywhere";
         }

@@ -237,7 +237,11 @@ fn waypoints_are_the_sum_of_single_moves_at_any_time() {
     {
         let mut axis = started(mode, to(10.0));
         let present = axis.setpoint(now);
-        let mut from = axis.is_started().then_some(present).unwrap_or_default();
+        let mut from = if axis.is_started() {
+            present
+        } else {
+            State::default()
+        };
         from.acceleration = 0.0;
         axis.set(waypoints().into(), now).unwrap();
         assert_eq!(axis.setpoint(now), present, "set moves nothing");
