@@ -10,39 +10,24 @@ use support::{Random, Real, online, test_both_reals};
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);
 
+#[rustfmt::skip]
 fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
     let [vmax, vmin, amax, amin, jmax, jmin] = limits.map(R::of);
-    Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    }
+    Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
+#[rustfmt::skip]
 fn state<R: Real>(state: [f64; 3]) -> State<R> {
     let [position, velocity, acceleration] = state.map(R::of);
-    State {
-        position,
-        velocity,
-        acceleration,
-    }
+    State { position, velocity, acceleration }
 }
 
 /// The farthest jump of the position between two phases, in roundings of the positions and of speed times duration.
 fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
     let (mut position, mut speed, mut jump) = (0.0_f64, 0.0_f64, 0.0_f64);
     for (phase, next) in planned.phases().iter().zip(&planned.phase[1..]) {
-        let [p, v, a, j, z] = [
-            phase.position,
-            phase.velocity,
-            phase.acceleration,
-            phase.jerk,
-            phase.duration,
-        ]
-        .map(R::widen);
+        let [p, v, a] = [phase.position, phase.velocity, phase.acceleration].map(R::widen);
+        let [j, z] = [phase.jerk, phase.duration].map(R::widen);
         let end = p + z * (v + z * (a / 2.0 + z * j / 6.0));
         jump = jump.max((next.position.widen() - end).abs());
         position = position.max(end.abs());
@@ -66,43 +51,27 @@ fn planned_without_a_jump<R: Real>(rows: &[Row]) {
 }
 
 /// The start is bound to leave the velocity, and the target is on the border of what can be held: a plan was refused.
-fn bound_to_leave<R: Real>() {
-    planned_without_a_jump::<R>(&[
-        (
-            [4.0, -4.0, 2.0, -2.0, 2.0, -3.0],
-            [0.0, -4.0, -2.0],
-            [-18.0, -3.0, 2.0],
-        ),
-        (
-            [1.0, f64::NEG_INFINITY, 2.0, -2.0, 1.0, -2.0],
-            [0.0, 3.0, -1.0],
-            [11.0, 0.0, -2.0],
-        ),
-    ]);
-}
+#[rustfmt::skip]
+const BOUND_TO_LEAVE: [Row; 2] = [
+    ([4.0, -4.0, 2.0, -2.0, 2.0, -3.0], [0.0, -4.0, -2.0], [-18.0, -3.0, 2.0]),
+    ([1.0, f64::NEG_INFINITY, 2.0, -2.0, 1.0, -2.0], [0.0, 3.0, -1.0], [11.0, 0.0, -2.0]),
+];
 
 /// A step of Newton's method was small by chance, and the method ended 1,229 roundings beside the root.
+#[rustfmt::skip]
+const A_SMALL_STEP: [Row; 1] = [(
+    [4.136_690_485_661_108, -16.389_311_000_727_64, 0.369_790_753_285_136_05,
+     -0.164_783_910_486_751_12, 0.027_569_831_421_384_51, -0.175_499_922_548_862_35],
+    [-0.025_575_975_844_509_685, -1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
+    [-0.025_575_975_844_509_685, 1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
+)];
+
+fn bound_to_leave<R: Real>() {
+    planned_without_a_jump::<R>(&BOUND_TO_LEAVE);
+}
+
 fn a_small_step<R: Real>() {
-    planned_without_a_jump::<R>(&[(
-        [
-            4.136_690_485_661_108,
-            -16.389_311_000_727_64,
-            0.369_790_753_285_136_05,
-            -0.164_783_910_486_751_12,
-            0.027_569_831_421_384_51,
-            -0.175_499_922_548_862_35,
-        ],
-        [
-            -0.025_575_975_844_509_685,
-            -1.148_659_298_505_185_3,
-            0.114_875_298_035_480_52,
-        ],
-        [
-            -0.025_575_975_844_509_685,
-            1.148_659_298_505_185_3,
-            0.114_875_298_035_480_52,
-        ],
-    )]);
+    planned_without_a_jump::<R>(&A_SMALL_STEP);
 }
 
 /// Phase 1 begins a rounding beside the start. `time_at` missed a position between both and gave a later time. Some of its times were a
