@@ -105,7 +105,7 @@ impl<R: Real> Move<R> {
         (self.phase[0].position, self.phase[0].velocity) = (from.position, from.velocity);
     }
 
-    /// Lets the move end at `t`, which its duration is but for rounding. A short last phase may begin there.
+    /// Lets the move end at `t`. The two durations differ by rounding only. A short last phase may begin there.
     pub(crate) fn end_at(&mut self, t: R) {
         let count = self.phase_count();
         for phase in self.phase.iter_mut().take(count) {
@@ -133,7 +133,7 @@ impl<R: Real> Move<R> {
         self.end_at(t);
     }
 
-    /// Lets the move begin and end in these states, which its own are but for rounding.
+    /// Lets the move begin and end in these states. They differ from its own by rounding only.
     pub(crate) fn set_ends(&mut self, from: State<R>, to: State<R>) {
         let count = self.phase_count();
         for (index, state) in [(count, to), (0, from)] {

@@ -74,7 +74,7 @@ pub(super) fn stretch<R: Real>(
     if t - axis.t <= R::from(4) * R::EPSILON * t {
         axis.end_at(t);
     } else if axis.t > R::EPSILON * t && from.is_at_rest() && to.is_at_rest() {
-        // A third power of what is slower is within the range of the real type.
+        // The jerk falls by the third power of the factor. It stays within the range of the real type.
         axis.slow_down(t);
     } else {
         let problem = Problem::new(limits, from, to);

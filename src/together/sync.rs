@@ -36,10 +36,7 @@ pub fn synchronise<R: Real>(
         found |= problem.starts_outside();
         slowest = slowest.at_least(axis.t);
     }
-    let t = cycle.until_possible(axes.len(), slowest, |t| {
-        let next = ends.clone().map(|ends| next_duration(ends, t));
-        next.fold(t, R::at_least)
-    })?;
+    let t = common_duration(&cycle, slowest, ends.clone())?;
     for (ends, axis) in ends.zip(axes) {
         stretch(axis, t, ends)?;
         found |= Findings::OVERSHOOTS.when(axis.overshoots());
@@ -60,13 +57,22 @@ fn rehearse<'a, R: Real + 'a>(
         axis.plan(limits, from, to)?;
         slowest = slowest.at_least(axis.t);
     }
-    let t = cycle.until_possible(axes.clone().count(), slowest, |t| {
-        let next = axes.clone().map(|ends| next_duration(ends, t));
-        next.fold(t, R::at_least)
-    })?;
+    let t = common_duration(cycle, slowest, axes.clone())?;
     for ends @ (limits, (&from, &to)) in axes {
         axis.plan(limits, from, to)?;
         stretch(&mut axis, t, ends)?;
     }
     Ok(())
+}
+
+/// The shortest duration that is possible for every axis, after the fastest plans, s.
+fn common_duration<'a, R: Real + 'a>(
+    cycle: &Cycle<R>,
+    slowest: R,
+    axes: impl Iterator<Item = Axis<'a, R>> + Clone,
+) -> Result<R, Error> {
+    cycle.until_possible(axes.clone().count(), slowest, |t| {
+        let next = axes.clone().map(|ends| next_duration(ends, t));
+        next.fold(t, R::at_least)
+    })
 }
