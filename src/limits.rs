@@ -79,17 +79,34 @@ impl<R: Real> Limits<R> {
             jmax,
             jmin,
         } = *self;
-        let magnitudes = [vmax, -vmin, amax, -amin, jmax, -jmin];
-        let a_jerk_is_finite = jmax.at_most(-jmin) < R::INFINITY;
-        let accelerations_are_finite = amax.at_least(-amin) < R::INFINITY;
-        if magnitudes.iter().any(|x| x.partial_cmp(x).is_none()) {
-            Err(Error::NotFinite)
-        } else if magnitudes.iter().all(|&x| x > R::ZERO)
-            && (a_jerk_is_finite || accelerations_are_finite)
-        {
+        let are_around_0 = vmax > R::ZERO
+            && vmin < R::ZERO
+            && amax > R::ZERO
+            && amin < R::ZERO
+            && jmax > R::ZERO
+            && jmin < R::ZERO;
+        let a_jerk_is_finite = || jmax < R::INFINITY || -jmin < R::INFINITY;
+        let accelerations_are_finite = || amax < R::INFINITY && -amin < R::INFINITY;
+        if are_around_0 && (a_jerk_is_finite() || accelerations_are_finite()) {
             Ok(())
         } else {
-            Err(Error::Limits)
+            Err(self.fault())
+        }
+    }
+
+    /// What is wrong with limits that are none.
+    #[cold]
+    #[inline(never)]
+    fn fault(&self) -> Error {
+        let limits = [
+            self.vmax, self.vmin, self.amax, self.amin, self.jmax, self.jmin,
+        ];
+        // The magnitudes have no infinities of both signs, so their sum is NaN only for a NaN.
+        let sum = limits.into_iter().fold(R::ZERO, |sum, x| sum + x.abs());
+        if sum.partial_cmp(&sum).is_none() {
+            Error::NotFinite
+        } else {
+            Error::Limits
         }
     }
 
@@ -100,16 +117,25 @@ impl<R: Real> Limits<R> {
             acceleration,
             ..
         } = state;
-        let (up, down) = (R::ONE / self.jmax, -(R::ONE / self.jmin));
-        let half_square = R::HALF * acceleration * acceleration;
-        let (above, below) = (half_square * down, half_square * up);
-        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + above + below);
         acceleration <= self.amax
             && acceleration >= self.amin
             && velocity <= self.vmax
             && velocity >= self.vmin
-            && velocity + above <= self.vmax + rounding
-            && velocity - below >= self.vmin - rounding
+            && (acceleration == R::ZERO || self.hold_beside(state))
+    }
+
+    /// Whether the velocities before and behind a state with an acceleration are inside the limits.
+    fn hold_beside(&self, state: State<R>) -> bool {
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = state;
+        let (up, down) = (R::ONE / self.jmax, -(R::ONE / self.jmin));
+        let half_square = R::HALF * acceleration * acceleration;
+        let (above, below) = (half_square * down, half_square * up);
+        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + above + below);
+        velocity + above <= self.vmax + rounding && velocity - below >= self.vmin - rounding
     }
 
     /// Keeps the limits of another axis too, which moves `share` times as far.

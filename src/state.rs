@@ -29,7 +29,13 @@ impl<R: Real> State<R> {
     }
 
     pub(crate) fn is_finite(self) -> bool {
-        self.position.is_finite() && self.velocity.is_finite() && self.acceleration.is_finite()
+        // A product with 0 is 0 for finite numbers only.
+        let Self {
+            position,
+            velocity,
+            acceleration,
+        } = self;
+        (position * R::ZERO + velocity * R::ZERO) + acceleration * R::ZERO == R::ZERO
     }
 }
 

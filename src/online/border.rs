@@ -30,12 +30,15 @@ pub(crate) struct Border<R> {
     pub above: R,
     /// From the lowest velocity up to the one at the start. It is formed once, from the arguments.
     pub below: R,
+    /// The changes of velocity in which the accelerations at both ends are undone, in sum.
+    pub undone: R,
     pub limits: Limits<R>,
     pub per_jerk: PerJerk<R>,
 }
 
 impl<R: Real> Border<R> {
     /// The mirrored axis.
+    #[inline(never)]
     pub fn mirrored(self) -> Self {
         Self {
             v0: -self.v0,
@@ -45,6 +48,7 @@ impl<R: Real> Border<R> {
             dv: -self.dv,
             above: self.below,
             below: self.above,
+            undone: self.undone,
             limits: self.limits.mirrored(),
             per_jerk: self.per_jerk.mirrored(),
         }
@@ -56,6 +60,7 @@ impl<R: Real> Border<R> {
     }
 
     /// The motions in the other order of time, which have the same displacements.
+    #[inline(never)]
     pub fn reversed(self) -> Self {
         Self {
             v0: self.v1,
@@ -75,14 +80,8 @@ impl<R: Real> Border<R> {
     pub fn beyond_straight(&self) -> (R, bool) {
         let Self { v0, a0, v1, a1, .. } = *self;
         let beyond = self.dv - self.per_jerk.straight(a0, a1);
-        let rounding = R::from(16) * R::EPSILON * (v0.abs() + v1.abs() + self.undone());
+        let rounding = R::from(16) * R::EPSILON * (v0.abs() + v1.abs() + self.undone);
         (beyond, beyond.abs() > rounding)
-    }
-
-    /// The changes of velocity in which the accelerations at both ends are undone.
-    pub fn undone(&self) -> R {
-        self.per_jerk.straight(self.a0, R::ZERO).abs()
-            + self.per_jerk.straight(R::ZERO, self.a1).abs()
     }
 
     /// The fastest change of velocity: the direct ramp. Its duration allows no other displacement. The argument comes from
@@ -286,18 +285,15 @@ impl<R: Real> Border<R> {
             ..
         } = *profile;
         let PerJerk { gu, gd } = self.per_jerk;
-        let mut change = Change::default();
-        change.add(self.a0, peak, gu * first);
-        change.add(peak, peak, top);
-        if cruise > R::ZERO {
-            change.add(peak, R::ZERO, gd * peak);
-            change.add(R::ZERO, R::ZERO, cruise);
-            change.add(R::ZERO, trough, gd * -trough);
+        let rise = Change::of(self.a0, peak, gu * first).hold(peak, top);
+        let fall = if cruise > R::ZERO {
+            rise.then(peak, R::ZERO, gd * peak)
+                .hold(R::ZERO, cruise)
+                .then(R::ZERO, trough, gd * -trough)
         } else {
-            change.add(peak, trough, gd * fall);
-        }
-        change.add(trough, trough, bottom);
-        change.add(trough, self.a1, gu * last);
+            rise.then(peak, trough, gd * fall)
+        };
+        let change = fall.hold(trough, bottom).then(trough, self.a1, gu * last);
         self.v0 * change.duration + change.displacement
     }
 

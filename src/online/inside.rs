@@ -31,6 +31,28 @@ impl<R: Real> Inside<R> {
             acceleration: a,
             ..
         } = from;
+        // The velocity after the acceleration is undone.
+        let undone = v + per_jerk.straight(a, R::ZERO);
+        let is_inside = a <= limits.amax
+            && a >= limits.amin
+            && undone.at_least(v) <= limits.vmax
+            && undone.at_most(v) >= limits.vmin;
+        if is_inside {
+            Self {
+                acceleration: a,
+                rises: false,
+                ramp: R::ZERO,
+                hold: R::ZERO,
+                change: Change::default(),
+                starts_outside: false,
+            }
+        } else {
+            Self::way(limits, per_jerk, (v, a), undone)
+        }
+    }
+
+    /// The way from a velocity and an acceleration that may be outside.
+    fn way(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), undone: R) -> Self {
         let Limits {
             vmax,
             vmin,
@@ -38,8 +60,6 @@ impl<R: Real> Inside<R> {
             amin,
             ..
         } = *limits;
-        // The velocity after the acceleration is undone.
-        let undone = v + per_jerk.straight(a, R::ZERO);
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
         // A start beyond a velocity by rounding stays there. A way inside would be a detour for a target beside it.
         let few = R::from(16) * R::EPSILON;
@@ -57,9 +77,7 @@ impl<R: Real> Inside<R> {
             (limited, above + below, below > R::ZERO, R::ZERO)
         };
         let ramp = way * if rises { per_jerk.gu } else { per_jerk.gd };
-        let mut change = Change::default();
-        change.add(a, to, ramp);
-        change.add(to, to, hold);
+        let change = Change::of(a, to, ramp).hold(to, hold);
         let starts_outside = undone.at_least(v) > highest
             || undone.at_most(v) < lowest
             || above > few * amax
@@ -83,6 +101,9 @@ impl<R: Real> Inside<R> {
         to: State<R>,
     ) -> Border<R> {
         let change = self.change.velocity;
+        let [before, behind] = [self.acceleration, to.acceleration];
+        let undone =
+            per_jerk.straight(before, R::ZERO).abs() + per_jerk.straight(R::ZERO, behind).abs();
         Border {
             v0: from.velocity + change,
             a0: self.acceleration,
@@ -91,6 +112,7 @@ impl<R: Real> Inside<R> {
             dv: (to.velocity - from.velocity) - change,
             above: (limits.vmax - from.velocity) - change,
             below: (from.velocity - limits.vmin) + change,
+            undone,
             limits: *limits,
             per_jerk,
         }

@@ -136,20 +136,57 @@ impl<R: Real> Move<R> {
 
     /// Whether the move leaves the positions between its ends: where the axis turns, it is outside.
     pub(crate) fn overshoots(&self) -> bool {
+        // Phase 1 begins at the start up to rounding.
+        let [start, first, later @ ..] = &self.phase;
+        let count = self.phase_count().saturating_sub(1);
+        let later = later.get(..count).unwrap_or_default();
+        let direction = R::ONE.copysign(self.end().position - start.position);
+        let goes_back = |velocity: R| direction * velocity < R::ZERO;
+        let nearly = R::ONE - R::DOUBT;
+        let mut turns = goes_back(start.velocity);
+        let mut phase = first;
+        for next in later {
+            // The velocity may be lowest in the phase, if the acceleration passes 0 by more than rounding, or at its end.
+            let rise = phase.jerk * phase.duration;
+            let dips = goes_back(phase.acceleration)
+                && direction * (nearly * phase.acceleration + rise) > R::ZERO;
+            turns = turns || dips || goes_back(next.velocity);
+            phase = next;
+        }
+        turns && self.turns_outside(first, later)
+    }
+
+    /// Whether the axis turns outside the positions between its ends, in or after the phase `first`. `later` follows.
+    #[inline(never)]
+    fn turns_outside(&self, first: &Phase<R>, later: &[Phase<R>]) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
         let (near, far) = if from < to { (from, to) } else { (to, from) };
-        let phases = self.phases().iter();
-        let speed = phases
-            .clone()
-            .fold(R::ZERO, |speed, phase| speed.at_least(phase.velocity.abs()));
+        let mut speed = first.velocity.abs();
+        for phase in later {
+            speed = speed.at_least(phase.velocity.abs());
+        }
         let rounding = (R::DOUBT + R::DOUBT) * (near.abs() + far.abs() + speed * self.t);
-        let is_outside = |position| position < near - rounding || position > far + rounding;
-        phases.clone().any(|phase| {
-            let turns_outside = |&z: &R| phase.lasts_beyond(z) && is_outside(phase.position(z));
+        let (lowest, highest) = (near - rounding, far + rounding);
+        let mut phase = first;
+        for next in later {
             // An axis may also turn between two phases.
-            phase.start > R::ZERO && is_outside(phase.position)
-                || phase.may_turn() && phase.turns().iter().any(turns_outside)
-        })
+            let mut reached = [next.position; 3];
+            if phase.may_turn(next) {
+                for (z, reached) in phase.turns().into_iter().zip(&mut reached) {
+                    if phase.lasts_beyond(z) {
+                        *reached = phase.position(z);
+                    }
+                }
+            }
+            if reached
+                .iter()
+                .any(|&position| position < lowest || position > highest)
+            {
+                return true;
+            }
+            phase = next;
+        }
+        false
     }
 
     /// Whether a written move is within the range of the real type. Its states are sums from the end, in which no infinity gets lost.
@@ -160,7 +197,8 @@ impl<R: Real> Move<R> {
 
     /// The state at the end.
     fn end(&self) -> State<R> {
-        let end = self.phase_at(R::INFINITY);
+        let end = self.phase.get(self.phase_count());
+        let end = end.unwrap_or(&self.phase[0]);
         State {
             position: end.position,
             velocity: end.velocity,

@@ -72,17 +72,15 @@ impl<R: Real> Phase<R> {
         }
     }
 
-    /// Whether the velocity may pass 0 in the phase: between its ends, or on the way to the extreme `v - a²/2j` and back.
-    pub(super) fn may_turn(&self) -> bool {
+    /// Whether the velocity may pass 0 in the phase before `next`: between its ends, or on the way to an extreme and back.
+    pub(super) fn may_turn(&self, next: &Self) -> bool {
         let Self {
             velocity: v,
             acceleration: a,
-            jerk: j,
             ..
         } = *self;
-        let twice_extreme = (v + v) * j - a * a; // times the jerk
-        a * j < R::ZERO && v * j * twice_extreme <= R::ZERO
-            || v * self.velocity(self.duration) < R::ZERO
+        v * next.velocity <= R::ZERO
+            || v * a <= R::ZERO && a * self.acceleration(self.duration) < R::ZERO
     }
 
     /// Whether `z` is a time inside the phase.

@@ -1,6 +1,6 @@
 //! The acceleration of a motion on the border.
 
-use super::ramp::{Change, PerJerk};
+use super::ramp::PerJerk;
 use crate::real::Real;
 
 /// The acceleration of a motion on the border: it rises, (holds), falls, (holds) and rises. Where the axis cruises, the fall pauses at 0.
@@ -83,13 +83,16 @@ impl<R: Real> Segment<R> {
 
     /// Position and velocity at the start, from both at the end.
     pub fn start(&self, position: R, velocity: R) -> (R, R) {
-        let from = self.from;
-        let to = from + self.jerk * self.duration;
+        let Self {
+            from,
+            jerk,
+            duration: t,
+        } = *self;
+        let to = from + jerk * t;
+        let sum = from + to;
         // In the other order of time, accelerations have the other sign.
-        let mut change = Change::default();
-        change.add(-to, -from, self.duration);
-        let way = velocity * self.duration + change.displacement;
-        (position - way, velocity + change.velocity)
+        let way = t * (velocity - R::SIXTH * (t * (to + sum)));
+        (position - way, velocity - R::HALF * t * sum)
     }
 }
 

@@ -61,14 +61,36 @@ pub(crate) struct Change<R> {
 }
 
 impl<R: Real> Change<R> {
-    /// Adds a phase of the duration `t`, in which the acceleration goes from `from` to `to`.
-    pub fn add(&mut self, from: R, to: R, t: R) {
+    /// A phase of the duration `t`, in which the acceleration goes from `from` to `to`.
+    pub fn of(from: R, to: R, t: R) -> Self {
         let half = R::HALF * t;
         let third = (R::SIXTH + R::SIXTH) * t;
         let sum = from + to;
-        self.displacement = self.displacement + t * self.velocity + half * (third * (from + sum));
-        self.velocity = self.velocity + half * sum;
-        self.duration = self.duration + t;
+        Self {
+            duration: t,
+            velocity: half * sum,
+            displacement: half * (third * (from + sum)),
+        }
+    }
+
+    /// And then a phase of the duration `t`, in which the acceleration goes from `from` to `to`.
+    pub fn then(self, from: R, to: R, t: R) -> Self {
+        let phase = Self::of(from, to, t);
+        Self {
+            duration: self.duration + t,
+            velocity: self.velocity + phase.velocity,
+            displacement: self.displacement + t * self.velocity + phase.displacement,
+        }
+    }
+
+    /// And then a phase of the duration `t` with one acceleration.
+    pub fn hold(self, acceleration: R, t: R) -> Self {
+        let change = acceleration * t;
+        Self {
+            duration: self.duration + t,
+            velocity: self.velocity + change,
+            displacement: self.displacement + t * (self.velocity + R::HALF * change),
+        }
     }
 }
 
@@ -93,15 +115,14 @@ impl<R: Real> Ramp<R> {
         let q = per_jerk.q();
         let higher = a0.at_least(a1);
         let most = (limit - higher).at_least(R::ZERO);
-        let mut z = larger_root(higher, -(beyond / q));
-        let (mut peak, mut hold) = (limit, R::ZERO);
-        if z < most {
-            z = z.at_least(R::ZERO); // by rounding
-            peak = higher + z;
+        let without_hold = q * most * (higher + limit);
+        let (z, peak, hold) = if beyond < without_hold {
+            let z = larger_root(higher, -(beyond / q)).at_most(most);
+            let z = z.at_least(R::ZERO); // by rounding
+            (z, higher + z, R::ZERO)
         } else {
-            z = most;
-            hold = ((beyond - q * most * (higher + limit)) / limit).at_least(R::ZERO);
-        }
+            (most, limit, (beyond - without_hold) / limit)
+        };
         Self {
             mirrored: false,
             rise: higher - a0 + z,
@@ -133,10 +154,9 @@ impl<R: Real> Ramp<R> {
 
     /// Duration and displacement of the ramp from the velocity `v` and the acceleration `a0` to the acceleration `a1`, in the ramp's own axis.
     pub fn passed(&self, v: R, a0: R, a1: R, per_jerk: PerJerk<R>) -> (R, R) {
-        let mut change = Change::default();
-        change.add(a0, self.peak, per_jerk.gu * self.rise);
-        change.add(self.peak, self.peak, self.hold);
-        change.add(self.peak, a1, per_jerk.gd * self.fall);
+        let change = Change::of(a0, self.peak, per_jerk.gu * self.rise)
+            .hold(self.peak, self.hold)
+            .then(self.peak, a1, per_jerk.gd * self.fall);
         (change.duration, v * change.duration + change.displacement)
     }
 }

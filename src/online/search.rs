@@ -20,10 +20,13 @@ enum Found<R> {
 
 /// The fastest motion over the displacement `h`. `positions` is the sum of the magnitudes of both positions.
 pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profile<R> {
+    if border.a0 == R::ZERO && border.a1 == R::ZERO && border.dv == R::ZERO {
+        return from_steady(border, h, tie(border, R::ZERO, positions));
+    }
     let excess = border.beyond_straight();
     // What is left of a move may be a straight change of the acceleration, up to rounding.
-    let (_, is_real) = excess;
-    if !is_real {
+    let (beyond, is_real) = excess;
+    if beyond != R::ZERO && !is_real {
         let straight = Ramp::straight(border.a0, border.a1);
         let (lacks, tie) = lacking(border, &straight, h, positions);
         if lacks.abs() <= tie && tie.is_finite() {
@@ -51,6 +54,18 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profil
         }
     }
     border.profile(&ramp)
+}
+
+/// The fastest motion over `h` between equal velocities without acceleration: the direct ramp has no duration.
+fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
+    let mirrored = h < R::ZERO;
+    let way = h.abs();
+    let stay = border.profile(&Ramp::straight(border.a0, border.a1));
+    if way <= tie {
+        return stay;
+    }
+    let motion = turning(&border.mirrored_if(mirrored), stay, way, way);
+    Profile { mirrored, ..motion }
 }
 
 /// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
@@ -93,7 +108,7 @@ fn lacking<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, positions: R) -> (
 /// ends and to what the accelerations at the ends add. Between standstills every displacement is made, because it costs no detour.
 fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
     let (a0, a1) = (border.a0.abs(), border.a1.abs());
-    let added = border.undone().at_most(a0.at_least(a1) * duration);
+    let added = border.undone.at_most(a0.at_least(a1) * duration);
     let speed = border.v0.abs().at_least(border.v1.abs()) + added;
     if speed > R::ZERO {
         R::from(32) * R::EPSILON * (positions + speed * duration)
@@ -108,8 +123,10 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: Profile<R>) -> Profile<R> {
     if is_straight && border.a0 <= R::ZERO && border.a1 >= R::ZERO {
         Profile {
             first: -border.a0,
+            peak: R::ZERO,
+            trough: R::ZERO,
             last: border.a1,
-            ..Profile::default()
+            ..profile
         }
     } else {
         profile
@@ -158,10 +175,10 @@ fn easing<R: Real>(
     for _ in 0..2 {
         let piece = Piece::of(border, &base, base.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
-        if let Some(x) = piece.first_over(lacks, end, false) {
-            return Some(Found::Reached(piece.profile(x)));
+        match piece.first_over(lacks, end, false) {
+            Ok(x) => return Some(Found::Reached(piece.profile(x))),
+            Err(beyond) => lacks = beyond,
         }
-        lacks = lacks - piece.displacement(end).0;
         base = piece.profile(end);
         match what {
             Easing::HoldEnds => base.top = R::ZERO,
@@ -191,10 +208,10 @@ fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R
         let piece = Piece::of(border, &base, false);
         let end = first_hold(border, &base) - base.fall;
         if end > R::ZERO {
-            if let Some(x) = piece.first_over(lacks, end, true) {
-                return piece.profile(x);
+            match piece.first_over(lacks, end, true) {
+                Ok(x) => return piece.profile(x),
+                Err(beyond) => lacks = beyond,
             }
-            lacks = lacks - piece.displacement(end).0;
             base = piece.profile(end);
         }
     }
@@ -224,11 +241,8 @@ fn holding<R: Real>(border: &Border<R>, mut base: Profile<R>, lacks: R) -> Profi
     let piece = Piece::of(border, &base, true);
     let end = (base.trough - border.limits.amin).at_least(R::ZERO);
     match piece.first_over(lacks, end, true) {
-        Some(x) => piece.profile(x),
-        None => {
-            let lacks = lacks - piece.displacement(end).0;
-            both_hold(border, piece.profile(end), lacks)
-        }
+        Ok(x) => piece.profile(x),
+        Err(lacks) => both_hold(border, piece.profile(end), lacks),
     }
 }
 

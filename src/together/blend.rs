@@ -111,7 +111,7 @@ impl<R: Real> Blend<R> {
 /// slow motion are small, and with them their roundings.
 fn slower<R: Real>(border: &Border<R>, h: R, t: R) -> Border<R> {
     let mean = h.abs() / t;
-    let speed = mean + mean + border.v0.abs() + border.v1.abs() + border.undone();
+    let speed = mean + mean + border.v0.abs() + border.v1.abs() + border.undone;
     let mut slower = *border;
     slower.limits.vmax = border.limits.vmax.at_most(speed);
     slower.limits.vmin = border.limits.vmin.at_least(-speed);

@@ -47,7 +47,7 @@ impl<R: Real> Cruise<R> {
         let mean = h / t;
         let ends = border.v0.abs() + border.v1.abs();
         // The mean velocity of a ramp is at least half of the cruise's, beside what its own end adds. So the cruise is not faster.
-        let fastest = mean.abs() + mean.abs() + ends + border.undone();
+        let fastest = mean.abs() + mean.abs() + ends + border.undone;
         let mut low = border.limits.vmin.at_least(-fastest);
         let mut high = border.limits.vmax.at_most(fastest);
         let mut v = mean;

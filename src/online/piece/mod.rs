@@ -34,6 +34,7 @@ impl<R: Real> Piece<R> {
     }
 
     /// The displacement where the acceleration falls by `x` more, and its derivative with respect to `x`.
+    #[inline(never)] // for its size: it is asked in five places
     pub fn displacement(&self, x: R) -> (R, R) {
         match self {
             Self::Free(free) => free.displacement(x),
@@ -57,22 +58,28 @@ impl<R: Real> Piece<R> {
         }
     }
 
-    /// Where the displacement is `lacks` for the first time, if not beyond `end`. `turns`: the acceleration changes its sign in the
+    /// Where the displacement is `lacks` for the first time; else what it lacks at `end`. `turns`: the acceleration changes its sign in the
     /// middle of the motion. Then the displacement is convex wherever it rises.
-    pub fn first_over(&self, lacks: R, end: R, turns: bool) -> Option<R> {
+    pub fn first_over(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
         let beside = |x| {
             let (displacement, slope) = self.displacement(x);
             (displacement - lacks, slope)
         };
+        let rises = self.slope() >= R::ZERO;
         let mut low = R::ZERO;
-        if let Some(x) = self.turning_point().filter(|x| *x < end) {
-            if self.slope() > R::ZERO && beside(x).0 >= R::ZERO {
-                return Some(root_between(R::ZERO, x, beside));
+        if !(turns && rises) {
+            if let Some(x) = self.turning_point().filter(|x| *x < end) {
+                if rises && beside(x).0 >= R::ZERO {
+                    return Ok(root_between(R::ZERO, x, beside));
+                }
+                low = x;
             }
-            low = x;
         }
-        if end < R::INFINITY && beside(end).0 < R::ZERO {
-            return None;
+        if end < R::INFINITY {
+            let beyond = beside(end).0;
+            if beyond < R::ZERO {
+                return Err(-beyond);
+            }
         }
         let mut high = end;
         if turns {
@@ -83,7 +90,7 @@ impl<R: Real> Piece<R> {
             };
             high = bound.at_most(end);
         }
-        Some(root_between(low, high, beside))
+        Ok(root_between(low, high, beside))
     }
 
     /// The derivative of the displacement with respect to the duration, in the first motion.
