@@ -26,6 +26,8 @@ same_evaluations 8
 $BENCH --features float > $tables/2
 same_evaluations 4
 both fastest > $tables/3
+RUCKIG=$(tests/ruckig.sh) || echo 'SKIPPED: Ruckig in C++ was not built, so docs/performance.md tells nothing of it.' >&2
+export RUCKIG
 both moves > $tables/4
 # Cargo would rebuild the libraries for the flags of the benchmark.
 for real in double float; do env -u RUSTFLAGS make -s dist REAL=$real >&2; done

@@ -1,8 +1,8 @@
 //! `bench`: a table of ours against the original at `-O2` and `-O3`, all through the C ABI, in one process.
 //! `bench WORD…`: the rows of the table that contain all these words.
 //! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
-//! `bench moves`: tables of the moves from any state to any state, planned beside rsruckig and evaluated beside the double-S, and
-//! of several axes that arrive together.
+//! `bench moves`: tables of the moves from any state to any state, planned beside rsruckig and Ruckig's C++ and evaluated beside the
+//! double-S, and of several axes that arrive together.
 //! `bench levels`: a table of samples from the shared library of each level of x86-64, beside the original's at `-O2` and beside
 //! filling the arrays with a constant.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
@@ -18,6 +18,7 @@ mod fastest;
 mod levels;
 mod moves;
 mod race;
+mod ruckig;
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
@@ -36,7 +37,7 @@ const ROUNDS: usize = 99;
 const CALLS: usize = 4096;
 
 /// Calls that can go to three libraries: ours, the original at `-O2`, and the original at `-O3`. For a plan that never fails the
-/// third one is rsruckig. A move from any state to any state has two: ours and what stands beside it.
+/// third one is rsruckig. A move from any state to any state is planned by ours, Ruckig's C++ and rsruckig, and evaluated by two.
 struct Row {
     function: String,
     case: String,

@@ -1,11 +1,12 @@
-//! The moves from any state to any state: planned beside the crate rsruckig, evaluated beside the double-S, in the same rounds. Then
-//! several axes that arrive together, beside rsruckig with as many axes.
+//! The moves from any state to any state: planned beside the crate rsruckig and Ruckig's C++, evaluated beside the double-S, in the same
+//! rounds. Then several axes that arrive together, beside both with as many axes.
 //!
-//! rsruckig's limit of the jerk is the same in both directions, so ours is here too.
+//! Their limit of the jerk is the same in both directions, so ours is here too.
 
 #![allow(clippy::useless_conversion)] // a_float may be f32
 
 use crate::race::{Pass, Race};
+use crate::ruckig;
 use crate::{README, Row, Samples, WARM, align_code, instructions, measure, median};
 use crate::{sample_all, sampling, state_all};
 use atraj::capi::a_float;
@@ -29,24 +30,45 @@ pub fn print_tables() {
     print_plans(evaluated + evaluations().len(), together);
 }
 
+/// The libraries of a race.
+const OURS: usize = 0;
+const RUCKIG: usize = 1;
+const RSRUCKIG: usize = 2;
+
 fn print_plans(first: usize, races: Vec<Race>) {
+    let has_ruckig = ruckig::plan(1).is_some();
+    if !has_ruckig {
+        eprintln!("SKIPPED: Ruckig's C++ is not measured. RUCKIG=$(tests/ruckig.sh) builds it.");
+    }
     println!(
-        "| function | case | ours ns | rsruckig ns | rsruckig/ours | worst ours ns | rsruckig | worst/mean ours | \
-         instructions ours | rsruckig | errors of rsruckig | slower |"
+        "| function | case | ours ns | rsruckig ns | Ruckig ns | rsruckig/ours | Ruckig/ours | worst ours ns | rsruckig | \
+         worst/mean ours | instructions ours | rsruckig | errors of rsruckig | slower |"
     );
-    println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
+    println!("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
     for (index, mut race) in (first..).zip(races) {
         let tally = (race.compare)();
-        let ([ours, ruckig], ratio) = times(&mut race.row);
-        let worst = [0, 1].map(|library| race.worst(library));
-        let counts = [0, 1].map(|library| instructions(index, library, race.row.calls));
+        let (ns, ratios) = times::<3>(&mut race.row);
+        let worst = [OURS, RSRUCKIG].map(|library| race.worst(library));
+        let counts = [OURS, RSRUCKIG].map(|library| instructions(index, library, race.row.calls));
+        let of_ruckig = |x: f64| {
+            if has_ruckig {
+                format!("{x:.2}")
+            } else {
+                "skipped".into()
+            }
+        };
         println!(
-            "| `{}` | {} | {ours:.2} | {ruckig:.2} | {ratio:.2} | {:.0} | {:.0} | {:.2} | {} | {} | {} | {} |",
+            "| `{}` | {} | {:.2} | {:.2} | {} | {:.2} | {} | {:.0} | {:.0} | {:.2} | {} | {} | {} | {} |",
             race.row.function,
             race.row.case,
+            ns[OURS],
+            ns[RSRUCKIG],
+            of_ruckig(ns[RUCKIG]),
+            ratios[RSRUCKIG],
+            of_ruckig(ratios[RUCKIG]),
             worst[0],
             worst[1],
-            worst[0] / ours,
+            worst[0] / ns[OURS],
             counts[0],
             counts[1],
             tally.errors,
@@ -61,7 +83,7 @@ fn print_evaluations(first: usize) {
     );
     println!("|---|---|---:|---:|---:|---:|---:|");
     for (index, mut row) in (first..).zip(evaluations()) {
-        let ([ours, bell], ratio) = times(&mut row);
+        let ([ours, bell], [_, ratio]) = times(&mut row);
         let counts = [0, 1].map(|library| instructions(index, library, row.calls));
         println!(
             "| `{}` | {} | {ours:.2} | {bell:.2} | {ratio:.2} | {} | {} |",
@@ -70,11 +92,12 @@ fn print_evaluations(first: usize) {
     }
 }
 
-/// Nanoseconds of both, and the second one divided by ours.
-fn times(row: &mut Row) -> ([f64; 2], f64) {
-    let rounds = measure::<2>(row);
-    let ns = [0, 1].map(|library| median(rounds.iter().map(|turns| turns[library])));
-    (ns, median(rounds.iter().map(|[ours, other]| other / ours)))
+/// Nanoseconds of each library, and the same divided by ours.
+fn times<const LIBRARIES: usize>(row: &mut Row) -> ([f64; LIBRARIES], [f64; LIBRARIES]) {
+    let rounds = measure::<LIBRARIES>(row);
+    let ns = from_fn(|library| median(rounds.iter().map(|turns| turns[library])));
+    let ratio = |library| median(rounds.iter().map(|turns| turns[library] / turns[OURS]));
+    (ns, from_fn(ratio))
 }
 
 pub fn rows() -> Vec<Row> {
@@ -234,7 +257,7 @@ type Ctx = *mut atraj_move;
 type Limits = *const atraj_limits;
 type State = *const atraj_state;
 
-/// `plan` beside rsruckig. Our plan is never an error.
+/// `plan` beside Ruckig's C++ and rsruckig. Our plan is never an error.
 fn race<const N: usize>(
     function: &str,
     case: String,
@@ -250,7 +273,18 @@ fn race<const N: usize>(
         let axes = unsafe { axes.assume_init() };
         axes[0].t.widen()
     };
-    Race::new(function, case, problems, vec![ours], duration, Problem::ask)
+    let ruckig: Pass<Problem<N>> = match ruckig::plan(N) {
+        Some(plan) => Box::new(move |problems| plan_ruckig(problems, plan)),
+        None => Box::new(|_| ()),
+    };
+    Race::new(
+        function,
+        case,
+        problems,
+        vec![ours, ruckig],
+        duration,
+        Problem::ask,
+    )
 }
 
 #[inline(never)]
@@ -262,6 +296,15 @@ fn plan_ours<const N: usize>(
     align_code();
     for problem in problems {
         black_box(problem.plan(plan, &mut axes));
+    }
+}
+
+#[inline(never)]
+fn plan_ruckig<const N: usize>(problems: &[Problem<N>], plan: ruckig::Plan) {
+    for problem in problems {
+        let axes = problem.axes();
+        // SAFETY: the function takes `N` axes.
+        black_box(unsafe { plan(axes.as_ptr()) });
     }
 }
 
@@ -294,6 +337,17 @@ impl<const N: usize> Problem<N> {
             input.target_velocity[k] = to[k].v.into();
             input.target_acceleration[k] = to[k].a.into();
         }
+    }
+
+    /// Each axis as Ruckig's C++ takes it.
+    fn axes(&self) -> [ruckig::Axis; N] {
+        from_fn(|k| {
+            let (l, from, to) = (&self.limits[k], &self.from[k], &self.to[k]);
+            [
+                l.vmax, l.vmin, l.amax, l.amin, l.jmax, from.p, from.v, from.a, to.p, to.v, to.a,
+            ]
+            .map(f64::from)
+        })
     }
 
     /// The limits, the start and the target of each axis.
