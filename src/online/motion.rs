@@ -143,16 +143,21 @@ impl<R: Real> Move<R> {
         let direction = R::ONE.copysign(self.end().position - start.position);
         let goes_back = |velocity: R| direction * velocity < R::ZERO;
         let nearly = R::ONE - R::DOUBT;
-        let mut turns = goes_back(start.velocity);
         let mut phase = first;
-        for next in later {
-            // The velocity may be lowest in the phase, if the acceleration passes 0 by more than rounding, or at its end.
-            let rise = phase.jerk * phase.duration;
-            let dips = goes_back(phase.acceleration)
-                && direction * (nearly * phase.acceleration + rise) > R::ZERO;
-            turns = turns || dips || goes_back(next.velocity);
+        let turns_before = |next| {
+            let Phase {
+                acceleration,
+                jerk,
+                duration,
+                ..
+            } = *phase;
             phase = next;
-        }
+            // The velocity may be lowest in the phase, if the acceleration passes 0 by more than rounding, or at its end.
+            let dips = goes_back(acceleration)
+                && direction * (nearly * acceleration + jerk * duration) > R::ZERO;
+            dips || goes_back(next.velocity)
+        };
+        let turns = goes_back(start.velocity) || later.iter().any(turns_before);
         turns && self.turns_outside(first, later)
     }
 
@@ -167,26 +172,16 @@ impl<R: Real> Move<R> {
         }
         let rounding = (R::DOUBT + R::DOUBT) * (near.abs() + far.abs() + speed * self.t);
         let (lowest, highest) = (near - rounding, far + rounding);
+        let is_outside = |position: R| position < lowest || position > highest;
         let mut phase = first;
-        for next in later {
-            // An axis may also turn between two phases.
-            let mut reached = [next.position; 3];
-            if phase.may_turn(next) {
-                for (z, reached) in phase.turns().into_iter().zip(&mut reached) {
-                    if phase.lasts_beyond(z) {
-                        *reached = phase.position(z);
-                    }
-                }
-            }
-            if reached
-                .iter()
-                .any(|&position| position < lowest || position > highest)
-            {
-                return true;
-            }
+        later.iter().any(|next| {
+            let before = phase;
             phase = next;
-        }
-        false
+            let turns = |z: R| before.lasts_beyond(z) && is_outside(before.position(z));
+            // An axis may also turn between two phases.
+            is_outside(next.position)
+                || before.may_turn(next) && before.turns().into_iter().any(turns)
+        })
     }
 
     /// Whether a written move is within the range of the real type. Its states are sums from the end, in which no infinity gets lost.
