@@ -1,0 +1,77 @@
+//! Do moves have few phases? How many axes that arrive together need the mean of two motions, which has more?
+
+use atraj::axes::synchronise;
+use atraj::online::{Limits, Move, State};
+use support::{Random, Real};
+
+const SETS: u32 = 20_000;
+const AXES: usize = 3;
+
+/// The way inside the limits has two phases; a motion on the border, or one that cruises, has seven.
+const FEW: usize = 9;
+
+/// At rest, or moving with an acceleration at both ends. The start may be outside the limits.
+fn axis<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
+    let [j, a, v] = [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
+    let limits = Limits::symmetric(R::of(j), R::of(a), R::of(v));
+    let is_at_rest = random.one_in(4);
+    let mut state = |most: f64| {
+        let mut part = || {
+            if is_at_rest {
+                0.0
+            } else {
+                random.between(-most, most)
+            }
+        };
+        let acceleration = part() * a.min((j * v).sqrt());
+        let room = v - acceleration * acceleration / (2.0 * j);
+        let velocity = part() * room;
+        State {
+            position: R::of(random.between(-10.0, 10.0)),
+            velocity: R::of(velocity),
+            acceleration: R::of(acceleration),
+        }
+    };
+    (limits, state(1.2), state(0.9))
+}
+
+/// Phase 0 is the start, and lasts no time.
+fn phases<R: Real>(planned: &Move<R>) -> usize {
+    planned.phases().len() - 1
+}
+
+fn few<R: Real>() {
+    let mut random = Random::seeded(1);
+    let mut axes_by_phases = [0_u32; 16];
+    for _ in 0..SETS {
+        let axes = [(); AXES].map(|()| axis::<R>(&mut random));
+        let limits = axes.map(|(limits, ..)| limits);
+        let (from, to) = (axes.map(|(_, from, _)| from), axes.map(|(.., to)| to));
+        let mut planned = [Move::default(); AXES];
+        for (planned, (limits, from, to)) in planned.iter_mut().zip(axes) {
+            planned.plan(&limits, from, to).expect("a plan");
+            assert!(phases(planned) <= FEW, "{limits:?} {from:?} {to:?}");
+        }
+        let none = R::of(0.0);
+        synchronise(&mut planned, &limits, &from, &to, none, none).expect("a plan");
+        for planned in &planned {
+            axes_by_phases[phases(planned)] += 1;
+        }
+    }
+    let means: u32 = axes_by_phases[FEW + 1..].iter().sum();
+    let all = SETS * AXES as u32;
+    println!("axes by number of phases: {axes_by_phases:?}; {means} of {all} need a mean");
+    assert_eq!(axes_by_phases.iter().sum::<u32>(), all);
+    // A mean is needed only just above the fastest duration.
+    assert!(means > 0 && means * 1000 < all, "{means} of {all}");
+}
+
+#[test]
+fn phases_f64() {
+    few::<f64>();
+}
+
+#[test]
+fn phases_f32() {
+    few::<f32>();
+}
