@@ -238,7 +238,10 @@ impl<R: Real> Trap<R> {
                 self.acceleration(R::ZERO)
             },
         });
-        reached.include_position(self.p1);
+        // The ends of the cruise, because the clock may pass a short ramp, and its turn, in no time.
+        for position in [self.pa, self.pd, self.p1] {
+            reached.include_position(position);
+        }
         reached.include_velocity(vc);
         reached.include_velocity(self.v1);
         if cruise_end > ta {

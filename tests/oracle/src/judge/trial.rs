@@ -432,8 +432,7 @@ impl<R: Original> Trial<R> {
         if !outside && (accelerated || beyond > slack) {
             return Some("it starts outside");
         }
-        // The extremes of a trapezoid miss a turn if its ramp is shorter than a rounding of the time.
-        if matches!(self.problem.request, Request::Meet | Request::Trap) {
+        if matches!(self.problem.request, Request::Meet) {
             return None;
         }
         let [p1, ..] = plan.state(plan.planned.t).map(R::widen);
