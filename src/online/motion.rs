@@ -142,7 +142,7 @@ impl<R: Real> Move<R> {
         let later = later.get(..count).unwrap_or_default();
         let direction = R::ONE.copysign(self.end().position - start.position);
         let goes_back = |velocity: R| direction * velocity < R::ZERO;
-        let nearly = R::ONE - R::DOUBT;
+        let beyond = R::ONE + R::DOUBT;
         let mut phase = first;
         let turns_before = |next| {
             let Phase {
@@ -154,7 +154,7 @@ impl<R: Real> Move<R> {
             phase = next;
             // The velocity may be lowest in the phase, if the acceleration passes 0 by more than rounding, or at its end.
             let dips = goes_back(acceleration)
-                && direction * (nearly * acceleration + jerk * duration) > R::ZERO;
+                && direction * (beyond * acceleration + jerk * duration) > R::ZERO;
             dips || goes_back(next.velocity)
         };
         let turns = goes_back(start.velocity) || later.iter().any(turns_before);
