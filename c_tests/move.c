@@ -299,15 +299,18 @@ static int evaluation(void)
     PROMISE(atraj_move_plan(&ctx, &limits, &from, &to) >= 0);
     {
         const a_float before[] = {0, -A_FLOAT_MIN, -1, -endless};
-        const a_float after[] = {ctx.t, ctx.t + 1, endless, none};
+        const a_float ends[] = {ctx.t, endless, -none, none};
         for (i = 0; i < 4; ++i)
         {
             PROMISE(atraj_move_pos(&ctx, before[i]) == 1 && atraj_move_vel(&ctx, before[i]) == 2);
             PROMISE(atraj_move_acc(&ctx, before[i]) == 3 && (i == 0 || atraj_move_jer(&ctx, before[i]) == 0));
-            PROMISE(atraj_move_pos(&ctx, after[i]) == 10 && atraj_move_vel(&ctx, after[i]) == -1);
-            PROMISE(atraj_move_acc(&ctx, after[i]) == 2 && atraj_move_jer(&ctx, after[i]) == 0);
+            PROMISE(atraj_move_pos(&ctx, ends[i]) == 10 && atraj_move_vel(&ctx, ends[i]) == -1);
+            PROMISE(atraj_move_acc(&ctx, ends[i]) == 2 && atraj_move_jer(&ctx, ends[i]) == 0);
         }
     }
+    /* After the end the axis moves on: 3 s later it is at 10 - 3 + 9, with the velocity -1 + 6. */
+    PROMISE(near(atraj_move_pos(&ctx, ctx.t + 3), 16) && near(atraj_move_vel(&ctx, ctx.t + 3), 5));
+    PROMISE(atraj_move_acc(&ctx, ctx.t + 3) == 2 && atraj_move_jer(&ctx, ctx.t + 3) == 0);
     PROMISE(A_ABS(atraj_move_jer(&ctx, ctx.t / 1000)) == 30);
     PROMISE(isnan(atraj_move_pos(A_NULL, 0)) && isnan(atraj_move_vel(A_NULL, 0)));
     PROMISE(isnan(atraj_move_acc(A_NULL, 0)) && isnan(atraj_move_jer(A_NULL, 0)));

@@ -96,7 +96,8 @@ int atraj_move_meet(struct atraj_move *ctx,
  * @brief Position of a move.
  * @param ctx points to a planned instance of a move
  * @param x time since the start, s
- * @return position, unit: the first one before the start, the last one after the end and for a NaN `x`; NaN if `ctx` is NULL
+ * @return position, unit: the first one before the start, the last one for a NaN or infinite `x`, and after the end that of an axis that moves
+ * on; NaN if `ctx` is NULL
  */
 A_EXTERN
 a_float atraj_move_pos(const struct atraj_move *ctx,
@@ -106,7 +107,8 @@ a_float atraj_move_pos(const struct atraj_move *ctx,
  * @brief Velocity of a move.
  * @param ctx points to a planned instance of a move
  * @param x time since the start, s
- * @return velocity, unit/s: the first one before the start, the last one after the end and for a NaN `x`; NaN if `ctx` is NULL
+ * @return velocity, unit/s: the first one before the start, the last one for a NaN or infinite `x`, and after the end that of an axis that moves
+ * on; NaN if `ctx` is NULL
  */
 A_EXTERN
 a_float atraj_move_vel(const struct atraj_move *ctx,
@@ -174,7 +176,7 @@ size_t atraj_move_sample(const struct atraj_move *ctx,
                          a_float *jer);
 
 /**
- * @brief The lowest and the highest position, velocity and acceleration of a move, each at its own time.
+ * @brief The lowest and the highest position, velocity and acceleration of a move from its start to its end, each at its own time.
  * @param ctx points to a planned instance of a move; nothing happens if it is NULL
  * @param lowest NULL or the place for the lowest ones
  * @param highest NULL or the place for the highest ones
@@ -188,7 +190,7 @@ void atraj_move_extremes(const struct atraj_move *ctx,
  * @brief When a move is at a position for the first time.
  * @param ctx points to a planned instance of a move
  * @param p position, unit
- * @return time since the start, s; NaN if the axis never is at `p`, or if `ctx` is NULL
+ * @return time since the start, s, not after the end; NaN if the axis never is at `p` until then, or if `ctx` is NULL
  */
 A_EXTERN a_float atraj_move_time_at(const struct atraj_move *ctx, a_float p);
 
@@ -335,6 +337,9 @@ struct atraj_phase {
 
 /**
  * @brief A planned move of one axis: phases of constant jerk. It may be copied.
+ *
+ * Before the start the axis is at the start. After the end it moves on with the acceleration of the end: an axis that ends at rest stays,
+ * and an axis that ends with a velocity keeps it. So the state at any time is the start of another plan.
  */
 struct atraj_move {
     /**

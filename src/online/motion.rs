@@ -10,6 +10,21 @@ use crate::state::State;
 pub(crate) const MOST_PHASES: usize = 15;
 
 /// A move: phases of constant jerk from one state to another.
+///
+/// Before the start the axis is at the start. After the end it moves on with the acceleration of the end: an axis that ends at rest stays,
+/// and an axis that ends with a velocity keeps it. So the state at any time is the start of another plan. A NaN and an infinite time are at
+/// the end.
+///
+/// ```
+/// use atraj::State;
+/// use atraj::online::{Limits, Move};
+/// let mut jog = Move::default();
+/// jog.reach(&Limits::symmetric(30.0, 10.0, 5.0), State::at(0.0), 2.0, 0.0)?;
+/// let (end, later) = (jog.state_at(jog.t), jog.state_at(jog.t + 3.0));
+/// assert_eq!((later.velocity, later.acceleration), (2.0, 0.0));
+/// assert!((later.position - (end.position + 6.0_f64)).abs() < 1e-12);
+/// # Ok::<(), atraj::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Move<R> {
@@ -32,19 +47,19 @@ impl<R: Real> Default for Move<R> {
 }
 
 impl<R: Real> Move<R> {
-    /// Position at time `x`, s. Up to the start it is the initial one, after the end and for a NaN the final one.
+    /// Position at time `x`, s. Up to the start it is the initial one. After the end the axis moves on.
     pub fn position(&self, x: R) -> R {
         let phase = self.phase_at(x);
         phase.position(phase.time(x))
     }
 
-    /// Velocity at time `x`, s. Up to the start it is the initial one, after the end and for a NaN the final one.
+    /// Velocity at time `x`, s. Up to the start it is the initial one. After the end the axis moves on.
     pub fn velocity(&self, x: R) -> R {
         let phase = self.phase_at(x);
         phase.velocity(phase.time(x))
     }
 
-    /// Acceleration at time `x`, s. Up to the start it is the initial one, after the end and for a NaN the final one.
+    /// Acceleration at time `x`, s. Up to the start it is the initial one, after the end the final one.
     pub fn acceleration(&self, x: R) -> R {
         let phase = self.phase_at(x);
         phase.acceleration(phase.time(x))
@@ -106,7 +121,7 @@ impl<R: Real> Move<R> {
         reached
     }
 
-    /// The first time at which the axis is at `position`, s; `None` if it never is.
+    /// The first time from 0 to `t` at which the axis is at `position`, s; `None` if it never is. A motion after the end does not count.
     pub fn time_at(&self, position: R) -> Option<R> {
         // Phase 1 begins at the start up to rounding. A position in this gap is passed at once.
         let [start, first] = [&self.phase[0], &self.phase[1]].map(|phase| phase.position);

@@ -22,10 +22,18 @@ pub struct Phase<R> {
 }
 
 impl<R: Real> Phase<R> {
-    /// The time `x` of the move in the phase, s.
+    /// The time `x` of the move in the phase, s. The end has no duration: from there the axis moves on. A NaN and an infinite time are at
+    /// the end, where a setpoint is finite.
     #[inline(always)]
     pub(super) fn time(&self, x: R) -> R {
-        (x - self.start).at_least(R::ZERO).at_most(self.duration)
+        let passed = (x - self.start).at_least(R::ZERO);
+        if self.duration > R::ZERO {
+            passed.at_most(self.duration)
+        } else if passed < R::INFINITY {
+            passed
+        } else {
+            R::ZERO
+        }
     }
 
     #[inline(always)]

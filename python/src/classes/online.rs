@@ -19,7 +19,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// A move from any state to any state, planned in motion: phases of constant jerk.
 ///
 /// `Move.plan`, `reach`, `stop` and `meet` plan one axis, `synchronise` and `line` several. A move never changes: when the target
-/// changes, plan again from `state_at` of this moment. ValueError if an argument is no number, a limit is 0 or has the wrong sign, or the
+/// changes, plan again from `state_at` of this moment. After its end the axis moves on with the acceleration of the end. ValueError if an argument is no number, a limit is 0 or has the wrong sign, or the
 /// target is outside the limits.
 ///
 /// >>> import atraj
@@ -111,7 +111,7 @@ impl Move {
         Self::planned(py, |axis| axis.meet(&limits, start, target))
     }
 
-    /// The first time at which the axis is at `position`, s; None if it never is.
+    /// The first time from 0 to `t` at which the axis is at `position`, s; None if it never is.
     fn time_at(&self, position: Real) -> Option<Real> {
         self.inner.time_at(position)
     }

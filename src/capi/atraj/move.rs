@@ -71,6 +71,9 @@ assert_same_layout!(
 );
 
 /// @brief A planned move of one axis: phases of constant jerk. It may be copied.
+///
+/// Before the start the axis is at the start. After the end it moves on with the acceleration of the end: an axis that ends at rest stays,
+/// and an axis that ends with a velocity keeps it. So the state at any time is the start of another plan.
 #[repr(C)]
 pub struct atraj_move {
     /// total duration, s
@@ -195,7 +198,8 @@ pub unsafe extern "C" fn atraj_move_meet(
 /// @brief Position of a move.
 /// @param ctx points to a planned instance of a move
 /// @param x time since the start, s
-/// @return position, unit: the first one before the start, the last one after the end and for a NaN `x`; NaN if `ctx` is NULL
+/// @return position, unit: the first one before the start, the last one for a NaN or infinite `x`, and after the end that of an axis that moves
+/// on; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_pos(ctx: *const atraj_move, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
@@ -208,7 +212,8 @@ pub unsafe extern "C" fn atraj_move_pos(ctx: *const atraj_move, x: a_float) -> a
 /// @brief Velocity of a move.
 /// @param ctx points to a planned instance of a move
 /// @param x time since the start, s
-/// @return velocity, unit/s: the first one before the start, the last one after the end and for a NaN `x`; NaN if `ctx` is NULL
+/// @return velocity, unit/s: the first one before the start, the last one for a NaN or infinite `x`, and after the end that of an axis that moves
+/// on; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_vel(ctx: *const atraj_move, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
@@ -305,7 +310,7 @@ pub unsafe extern "C" fn atraj_move_sample(
     n
 }
 
-/// @brief The lowest and the highest position, velocity and acceleration of a move, each at its own time.
+/// @brief The lowest and the highest position, velocity and acceleration of a move from its start to its end, each at its own time.
 /// @param ctx points to a planned instance of a move; nothing happens if it is NULL
 /// @param lowest NULL or the place for the lowest ones
 /// @param highest NULL or the place for the highest ones
@@ -326,7 +331,7 @@ pub unsafe extern "C" fn atraj_move_extremes(
 /// @brief When a move is at a position for the first time.
 /// @param ctx points to a planned instance of a move
 /// @param p position, unit
-/// @return time since the start, s; NaN if the axis never is at `p`, or if `ctx` is NULL
+/// @return time since the start, s, not after the end; NaN if the axis never is at `p` until then, or if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_time_at(ctx: *const atraj_move, p: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.

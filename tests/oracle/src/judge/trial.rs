@@ -609,7 +609,9 @@ fn wrong_evaluation<R: Original>(
     let near = phases
         .iter()
         .map(|phase| phase.start.neighbour(random.steps(2)));
-    let times: Vec<R> = near.chain(within).collect();
+    // After its end a move goes on, and a profile stands.
+    let after = planned.t + planned.t * R::of(random.unit());
+    let times: Vec<R> = near.chain(within).chain([after]).collect();
     for x in times {
         // Phase 0 is the start.
         let under_way = phases.iter().rposition(|phase| phase.start <= x);
@@ -617,7 +619,9 @@ fn wrong_evaluation<R: Original>(
             .filter(|_| x > R::of(0.0) || t == 0.0)
             .unwrap_or(0);
         let phase = &phases[index];
-        let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());
+        let passed = x.widen() - phase.start.widen();
+        let goes_on = !is_profile && index == planned.count as usize;
+        let z = if goes_on { passed } else { passed.min(phase.duration.widen()) };
         let [p, v, _] = walk.borders[index];
         let [a, jerk] = [phase.acceleration, phase.jerk].map(R::widen);
         let state = plan.state(x);
