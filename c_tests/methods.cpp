@@ -124,6 +124,8 @@ void move()
     PROMISE(same(method, function) && method.acc(method.t) == 0);
     PROMISE(method.stop(limits, from) == atraj_move_stop(&function, &plain, &from));
     PROMISE(same(method, function) && method.vel(method.t) == 0);
+    PROMISE(method.within(limits, from, to, -9, 9) == atraj_move_within(&function, &plain, &from, &to, -9, 9));
+    PROMISE(method.within(limits, from, to, -99, 99) == atraj_move_within(&function, &plain, &from, &to, -99, 99) && same(method, function));
     PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &plain, &from, &part));
     PROMISE(same(method, function) && method.vel(method.t) == 1);
     PROMISE(method.meet(limits, from, to) == ATRAJ_ERR_TARGET && same(method, function));
@@ -209,7 +211,7 @@ void axes()
 // Every finding and every error up to the one of a line has a sentence of its own.
 void messages()
 {
-    for (int code = ATRAJ_ERR_LINE; code <= ATRAJ_STARTS_OUTSIDE; ++code)
+    for (int code = ATRAJ_ERR_LINE; code <= ATRAJ_ENDS_LEAVING; ++code)
     {
         for (int other = ATRAJ_ERR_LINE; other < code; ++other)
         {

@@ -31,13 +31,17 @@ static int stop(atraj_move *ctx, const atraj_limits *limits, const atraj_state *
     (void)to;
     return atraj_move_stop(ctx, limits, from);
 }
+static int within(atraj_move *ctx, const atraj_limits *limits, const atraj_state *from, const atraj_state *to)
+{
+    return atraj_move_within(ctx, limits, from, to, -endless, endless);
+}
 /* Each planner, and which of the last three numbers it is asked for: position, velocity, acceleration. */
 static const struct
 {
     planner *plan;
     int asks[3];
-} planners[] = {{atraj_move_plan, {1, 1, 1}}, {reach, {0, 1, 1}}, {stop, {0, 0, 0}}, {atraj_move_meet, {1, 1, 1}}};
-enum { MEET = 3 };
+} planners[] = {{atraj_move_plan, {1, 1, 1}}, {within, {1, 1, 1}}, {reach, {0, 1, 1}}, {stop, {0, 0, 0}}, {atraj_move_meet, {1, 1, 1}}};
+enum { MEET = 4 };
 
 /* Whether a move has this answer, and an error has left the context untouched. */
 static int answers(int expected, planner *plan, const struct problem *p)
@@ -112,7 +116,7 @@ static int refused_pointers(void)
     for (i = 0; i < (int)A_LEN(planners); ++i)
     {
         planner *const plan = planners[i].plan;
-        const int has_target = plan == atraj_move_plan || plan == atraj_move_meet;
+        const int has_target = plan == atraj_move_plan || plan == within || plan == atraj_move_meet;
         atraj_move before, ctx;
         memset(&before, 0x55, sizeof(before));
         ctx = before;
@@ -126,10 +130,10 @@ static int refused_pointers(void)
     return 0;
 }
 
-/* Targets outside the limits, which no planner takes. Then targets too fast to meet. */
+/* Targets outside the limits, or whose acceleration cannot have been built up, which no planner takes. Then targets too fast to meet. */
 static int refused_targets(void)
 {
-    static const a_float targets[][2] = {{6, 0}, {-5, 0}, {0, 11}, {0, -10}, {5, 1}, {-4, -1}, {5, 0}, {-4, 0}, {1, 1}, {1, -1}};
+    static const a_float targets[][2] = {{6, 0}, {-5, 0}, {0, 11}, {0, -10}, {5, -1}, {-4, 1}, {5, 0}, {-4, 0}, {1, 1}, {1, -1}};
     struct problem p = good;
     int i;
     for (i = 0; i < (int)A_LEN(targets); ++i)
@@ -140,6 +144,63 @@ static int refused_targets(void)
         PROMISE(i >= 6 || answers(ATRAJ_ERR_TARGET, reach, &p));
         PROMISE(answers(ATRAJ_ERR_TARGET, atraj_move_meet, &p));
     }
+    return 0;
+}
+
+/* What comes after a target is no reason to refuse it. */
+static int leaves_afterwards(void)
+{
+    static const a_float targets[][2] = {{5, 1}, {-4, -1}, {A_FLOAT_C(4.5), 9}, {4, 2}, {-3, -2}};
+    struct problem p = good;
+    int i;
+    PROMISE(ATRAJ_ENDS_LEAVING == 64);
+    for (i = 0; i < (int)A_LEN(targets); ++i)
+    {
+        const int expected = i < 3 ? ATRAJ_ENDS_LEAVING : 0;
+        atraj_move ctx;
+        p.to.v = targets[i][0];
+        p.to.a = targets[i][1];
+        PROMISE((atraj_move_plan(&ctx, &p.limits, &p.from, &p.to) & ~ATRAJ_OVERSHOOTS) == expected);
+        PROMISE(atraj_move_pos(&ctx, ctx.t) == p.to.p && atraj_move_vel(&ctx, ctx.t) == p.to.v && atraj_move_acc(&ctx, ctx.t) == p.to.a);
+        PROMISE((reach(&ctx, &p.limits, &p.from, &p.to) & ~ATRAJ_OVERSHOOTS) == expected);
+    }
+    return 0;
+}
+
+/* Between two positions: the fastest move or a refusal. */
+static int between(void)
+{
+    const struct problem p = good;
+    const a_float far[][2] = {{0, 11}, {-endless, 11}, {0, endless}, {-endless, endless}};
+    const a_float near_to[][2] = {{0, 10}, {2, 11}, {1, 9}, {-endless, 10}};
+    const a_float bad[][2] = {{10, 10}, {11, 0}, {endless, endless}, {-endless, -endless}, {endless, -endless}};
+    const a_float no_numbers[][2] = {{none, 11}, {0, none}, {none, none}};
+    atraj_move before, ctx, fastest;
+    int i;
+    memset(&before, 0x55, sizeof(before));
+    memset(&fastest, 0, sizeof(fastest));
+    PROMISE(ATRAJ_ERR_POSITION == -7 && atraj_move_plan(&fastest, &p.limits, &p.from, &p.to) >= 0);
+    for (i = 0; i < (int)A_LEN(far); ++i)
+    {
+        memset(&ctx, 0, sizeof(ctx));
+        PROMISE(atraj_move_within(&ctx, &p.limits, &p.from, &p.to, far[i][0], far[i][1]) >= 0);
+        PROMISE(ctx.t == fastest.t && ctx.phases == fastest.phases);
+    }
+    ctx = before;
+    /* The velocity at the end is below 0, so the axis comes to 10 from beyond. */
+    for (i = 0; i < (int)A_LEN(near_to); ++i)
+    {
+        PROMISE(atraj_move_within(&ctx, &p.limits, &p.from, &p.to, near_to[i][0], near_to[i][1]) == ATRAJ_ERR_POSITION);
+    }
+    for (i = 0; i < (int)A_LEN(bad); ++i)
+    {
+        PROMISE(atraj_move_within(&ctx, &p.limits, &p.from, &p.to, bad[i][0], bad[i][1]) == ATRAJ_ERR_LIMITS);
+    }
+    for (i = 0; i < (int)A_LEN(no_numbers); ++i)
+    {
+        PROMISE(atraj_move_within(&ctx, &p.limits, &p.from, &p.to, no_numbers[i][0], no_numbers[i][1]) == ATRAJ_ERR_NOT_FINITE);
+    }
+    PROMISE(memcmp(&ctx, &before, sizeof(ctx)) == 0);
     return 0;
 }
 
@@ -208,7 +269,7 @@ static int plans(void)
     PROMISE(atraj_move_plan(&ctx, &limits, &from, &to) >= 0);
     if (is_good(&ctx, &limits, &from, &to)) { return 1; }
     PROMISE(atraj_move_plan(&ctx, &limits, &to, &to) == 0 && ctx.t == 0);
-    PROMISE(atraj_move_pos(&ctx, 0) == -3 && atraj_move_vel(&ctx, 1) == -1 && atraj_move_acc(&ctx, none) == 2);
+    PROMISE(atraj_move_pos(&ctx, 0) == -3 && atraj_move_vel(&ctx, 1) == 1 && atraj_move_acc(&ctx, none) == 2);
     PROMISE(atraj_move_jer(&ctx, 0) == 0);
     return 0;
 }
@@ -360,21 +421,21 @@ static int reached(void)
 /* Each code has a sentence of its own, a sum of findings has the one of the lowest, and any other number is unknown. */
 static int sentences(void)
 {
-    int const codes[] = {0, ATRAJ_ERR_NULL, ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_LIMITS, ATRAJ_ERR_TARGET, ATRAJ_ERR_DURATION, ATRAJ_ERR_LINE,
-                         ATRAJ_ERR_UNREACHABLE, 1, 2, 4, 8, 16, 32, -100};
+    int const codes[] = {0, ATRAJ_ERR_NULL, ATRAJ_ERR_NOT_FINITE, ATRAJ_ERR_LIMITS, ATRAJ_ERR_TARGET, ATRAJ_ERR_DURATION, ATRAJ_ERR_LINE, ATRAJ_ERR_POSITION,
+                         ATRAJ_ERR_UNREACHABLE, 1, 2, 4, 8, 16, 32, 64, -100};
     size_t const count = sizeof codes / sizeof *codes;
     size_t k, other;
     for (k = 0; k < count; ++k)
     {
         for (other = k + 1; other < count; ++other) { PROMISE(strcmp(atraj_message(codes[k]), atraj_message(codes[other])) != 0); }
-        if (codes[k] > 0) { PROMISE(strcmp(atraj_message(codes[k] | 32), atraj_message(codes[k])) == 0); }
+        if (codes[k] > 0) { PROMISE(strcmp(atraj_message(codes[k] | 64), atraj_message(codes[k])) == 0); }
     }
     return 0;
 }
 
 int main(void)
 {
-    return refused_numbers() || refused_pointers() || refused_targets() || limits() || plans() || starts_outside() ||
+    return refused_numbers() || refused_pointers() || refused_targets() || leaves_afterwards() || between() || limits() || plans() || starts_outside() ||
            infinite_limits() || other_plans() || evaluation() || reached() || too_far() ||
            sentences();
 }

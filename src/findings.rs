@@ -99,6 +99,8 @@ set! {
         OVERSHOOTS = 16: c"the move leaves the positions between its ends",
         /// The move starts outside its limits, or is bound to leave them.
         STARTS_OUTSIDE = 32: c"the move starts outside its limits, or is bound to leave them",
+        /// The axis is bound to leave the limits after the move: the acceleration at the end does not vanish at once.
+        ENDS_LEAVING = 64: c"the axis is bound to leave its limits after the move",
     }
 }
 
@@ -145,14 +147,17 @@ pub enum Error {
     Axes = -1,
     /// A number is infinite or not a number, or the motion is beyond the range of the real type.
     NotFinite = -2,
-    /// A limit is 0 or has the wrong sign. Or neither a jerk nor both accelerations are finite.
+    /// A limit is 0 or has the wrong sign, or a lowest position is not below the highest. Or neither a jerk nor both accelerations are
+    /// finite.
     Limits = -3,
-    /// The target is outside the limits, or the axis must have left them before, or will.
+    /// The target is outside the limits, or the axis must have left them before.
     Target = -4,
     /// The duration or the cycle is negative, infinite or not a number, or a polynomial takes no time.
     Duration = -5,
     /// The states of several axes do not lie on the straight line from their start to their end.
     Line = -6,
+    /// The axis leaves the positions between which it has to stay.
+    Position = -7,
     /// liba finds no such move within the limits, or the move takes no time.
     Unreachable = -9,
 }
@@ -163,10 +168,11 @@ impl Error {
         match self {
             Self::Axes => c"there is no axis, a pointer is NULL, or the lists have different lengths",
             Self::NotFinite => c"a number is infinite or not a number, or the motion is beyond the range of the real type",
-            Self::Limits => c"a limit is 0 or has the wrong sign, or neither a jerk nor both accelerations are finite",
-            Self::Target => c"the target is outside the limits, or the axis must have left them before, or will",
+            Self::Limits => c"a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
+            Self::Target => c"the target is outside the limits, or the axis must have left them before",
             Self::Duration => c"the duration or the cycle is negative, infinite or not a number, or a polynomial takes no time",
             Self::Line => c"the states do not lie on the straight line from their start to their end",
+            Self::Position => c"the axis leaves the positions between which it has to stay",
             Self::Unreachable => c"liba finds no such move within the limits, or the move takes no time",
         }
     }

@@ -63,7 +63,7 @@ impl<R: Real> Limits<R> {
         self.are_limits()?;
         if !(from.is_finite() && to.is_finite()) {
             Err(Error::NotFinite)
-        } else if !self.hold(to) {
+        } else if !self.admit(to) {
             Err(Error::Target)
         } else {
             Ok(())
@@ -110,8 +110,8 @@ impl<R: Real> Limits<R> {
         }
     }
 
-    /// Whether an axis can be in this state without having left the limits before, and without being bound to leave them.
-    fn hold(&self, state: State<R>) -> bool {
+    /// Whether an axis can come to this state without leaving the limits. It built the acceleration up from 0.
+    fn admit(&self, state: State<R>) -> bool {
         let State {
             velocity,
             acceleration,
@@ -121,21 +121,39 @@ impl<R: Real> Limits<R> {
             && acceleration >= self.amin
             && velocity <= self.vmax
             && velocity >= self.vmin
-            && (acceleration == R::ZERO || self.hold_beside(state))
+            && (acceleration == R::ZERO
+                || self.keep(
+                    velocity,
+                    -self.change_per_jerk(acceleration, self.jmax, self.jmin),
+                ))
     }
 
-    /// Whether the velocities before and behind a state with an acceleration are inside the limits.
-    fn hold_beside(&self, state: State<R>) -> bool {
+    /// Whether an axis in this state is bound to leave the limits, because its acceleration does not vanish at once.
+    pub(crate) fn are_left_after(&self, state: State<R>) -> bool {
         let State {
             velocity,
             acceleration,
             ..
         } = state;
-        let (up, down) = (R::ONE / self.jmax, -(R::ONE / self.jmin));
-        let half_square = R::HALF * acceleration * acceleration;
-        let (above, below) = (half_square * down, half_square * up);
-        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + above + below);
-        velocity + above <= self.vmax + rounding && velocity - below >= self.vmin - rounding
+        let change = || self.change_per_jerk(acceleration, self.jmin, self.jmax);
+        acceleration != R::ZERO && !self.keep(velocity, change())
+    }
+
+    /// The change of velocity between this acceleration and 0: with the jerk `along` if it is above 0, else with the jerk `against`.
+    fn change_per_jerk(&self, acceleration: R, along: R, against: R) -> R {
+        let jerk = if acceleration > R::ZERO {
+            along
+        } else {
+            against
+        };
+        R::HALF * acceleration * acceleration.abs() * (R::ONE / jerk).abs()
+    }
+
+    /// Whether a velocity that changes by `change` is between the limits, up to rounding.
+    fn keep(&self, velocity: R, change: R) -> bool {
+        let rounding = R::from(4) * R::EPSILON * (velocity.abs() + change.abs());
+        let changed = velocity + change;
+        changed <= self.vmax + rounding && changed >= self.vmin - rounding
     }
 
     /// Keeps the limits of another axis too, which moves `share` times as far.

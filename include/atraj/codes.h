@@ -38,7 +38,11 @@ enum atraj_finding {
     /**
      * the move starts outside its limits, or is bound to leave them
      */
-    ATRAJ_STARTS_OUTSIDE = 32
+    ATRAJ_STARTS_OUTSIDE = 32,
+    /**
+     * the axis is bound to leave its limits after the move: the acceleration at the end does not vanish at once
+     */
+    ATRAJ_ENDS_LEAVING = 64
 };
 
 /**
@@ -54,11 +58,11 @@ enum atraj_error {
      */
     ATRAJ_ERR_NOT_FINITE = -2,
     /**
-     * a limit is 0 or has the wrong sign, or neither a jerk nor both accelerations are finite
+     * a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite
      */
     ATRAJ_ERR_LIMITS = -3,
     /**
-     * the target is outside the limits, or the axis must have left them before, or will
+     * the target is outside the limits, or the axis must have left them before
      */
     ATRAJ_ERR_TARGET = -4,
     /**
@@ -69,6 +73,10 @@ enum atraj_error {
      * the states do not lie on the straight line from start to end
      */
     ATRAJ_ERR_LINE = -6,
+    /**
+     * the axis leaves the positions between which it has to stay
+     */
+    ATRAJ_ERR_POSITION = -7,
     /**
      * for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
      */

@@ -41,15 +41,36 @@ A_EXTERN void atraj_limits_init(struct atraj_limits *limits, a_float jm, a_float
  * @param limits points to the limits
  * @param from points to the state at the start
  * @param to points to the state at the end
- * @return 0, or a sum of `ATRAJ_OVERSHOOTS` and `ATRAJ_STARTS_OUTSIDE`; else an `atraj_error`: `ATRAJ_ERR_NULL`,
- * `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_TARGET` if `to` is outside the limits or the axis must have left them
- * before, or will
+ * @return 0, or a sum of `ATRAJ_OVERSHOOTS`, `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else an `atraj_error`: `ATRAJ_ERR_NULL`,
+ * `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_TARGET` if `to` is outside the limits or the axis must have left them before
  */
 A_EXTERN
 int atraj_move_plan(struct atraj_move *ctx,
                     const struct atraj_limits *limits,
                     const struct atraj_state *from,
                     const struct atraj_state *to);
+
+/**
+ * @brief Plan the fastest move to a state, as `atraj_move_plan` does, if it stays between two positions until its end.
+ *
+ * If it does not, an axis in the state `from` cannot stop between the positions, or the state `to` cannot be reached from rest between
+ * them. An axis that can stop there, and that has a target at rest there, is never refused.
+ * @param ctx points to an instance of a move, which need not be initialised; untouched on an error
+ * @param limits points to the limits
+ * @param from points to the state at the start
+ * @param to points to the state at the end
+ * @param lowest lowest position, unit; minus infinity: none
+ * @param highest highest position, unit, above `lowest`; infinity: none
+ * @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if the fastest move leaves the positions by more than 128 roundings,
+ * `ATRAJ_ERR_NOT_FINITE` also if one of them is not a number, `ATRAJ_ERR_LIMITS` also if `lowest` is not below `highest`
+ */
+A_EXTERN
+int atraj_move_within(struct atraj_move *ctx,
+                      const struct atraj_limits *limits,
+                      const struct atraj_state *from,
+                      const struct atraj_state *to,
+                      a_float lowest,
+                      a_float highest);
 
 /**
  * @brief Plan the fastest move from any state to a velocity and an acceleration within the limits. The position is free.
@@ -208,8 +229,8 @@ A_EXTERN a_float atraj_move_time_at(const struct atraj_move *ctx, a_float p);
  * @param n number of axes
  * @param duration least duration, s; 0: as short as can be
  * @param cycle period of the clock, s; 0: any duration
- * @return 0, or a sum of `ATRAJ_OVERSHOOTS` and `ATRAJ_STARTS_OUTSIDE`; else the `atraj_error` of an axis, `ATRAJ_ERR_DURATION` if
- * `duration` or `cycle` is negative, infinite or not a number, or `ATRAJ_ERR_NULL` if a pointer is NULL or `n` is 0
+ * @return 0, or a sum of `ATRAJ_OVERSHOOTS`, `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis,
+ * `ATRAJ_ERR_DURATION` if `duration` or `cycle` is negative, infinite or not a number, or `ATRAJ_ERR_NULL` if a pointer is NULL or `n` is 0
  */
 A_EXTERN
 int atraj_moves_sync(atraj_move *axes,
@@ -358,6 +379,10 @@ struct atraj_move {
     int plan(const atraj_limits &limits, const atraj_state &from, const atraj_state &to)
     {
         return atraj_move_plan(this, &limits, &from, &to);
+    }
+    int within(const atraj_limits &limits, const atraj_state &from, const atraj_state &to, a_float lowest, a_float highest)
+    {
+        return atraj_move_within(this, &limits, &from, &to, lowest, highest);
     }
     int reach(const atraj_limits &limits, const atraj_state &from, a_float v1, a_float a1 = 0)
     {

@@ -220,6 +220,9 @@ def test_an_axis_is_retargeted(real):
         assert all(wanted in (None, reached) for wanted, reached in zip(end, other.state_at(other.t)))
         assert len(other.phases) > 1 and other.phases[-1].start + other.phases[-1].duration == pytest.approx(other.t)
     target = atraj.State(3, 0.5)
+    assert axis.within(LIMITS, now, target, -9, 9).t == axis.plan(LIMITS, now, target).t
+    with pytest.raises(ValueError, match="leaves the positions"):
+        axis.within(LIMITS, now, target, -9, target[0] - 0.1)
     meeting = axis.meet(LIMITS, now, target)
     reached = meeting.state_at(meeting.t)
     assert reached.velocity == 0.5 and reached.position == pytest.approx(3 + 0.5 * meeting.t)

@@ -40,9 +40,10 @@ impl<R: Real> Move<R> {
     /// Plans the fastest motion to a state, from any state: a start outside the limits comes inside in the fastest way, and then the limits
     /// are kept. The target may be behind, or nearer than the way to stop.
     ///
-    /// Returns [`Findings::OVERSHOOTS`] and [`Findings::STARTS_OUTSIDE`], if they are so by more than rounding. [`Error::NotFinite`] if a state is not made of
-    /// numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the limits are not around 0; [`Error::Target`] if
-    /// the target is outside the limits, or the axis must have left them before, or will. On an error the move stays as it is.
+    /// Returns [`Findings::OVERSHOOTS`], [`Findings::STARTS_OUTSIDE`] and [`Findings::ENDS_LEAVING`], if they are so by more than rounding.
+    /// [`Error::NotFinite`] if a state is not made of numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the
+    /// limits are not around 0; [`Error::Target`] if the target is outside the limits, or the axis must have left them before. On an error the
+    /// move stays as it is.
     ///
     /// ```
     /// use atraj::online::{Limits, Move, State};
@@ -63,6 +64,45 @@ impl<R: Real> Move<R> {
         let problem = Problem::new(limits, from, to);
         problem.write(self, &problem.fastest())?;
         Ok(problem.findings(self))
+    }
+
+    /// Plans the fastest motion to a state, as [`Move::plan`] does, if it stays between two positions until its end, up to 128 roundings. An
+    /// infinite position is no limit. Findings and errors are those of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
+    /// number, [`Error::Limits`] if `lowest` is not below `highest`.
+    ///
+    /// [`Error::Position`] if the fastest motion leaves the positions. Then the fastest stop from the start leaves them too, or the fastest
+    /// motion from rest to the target does: an axis that can stop between the positions, and whose target is at rest between them, is never refused.
+    ///
+    /// ```
+    /// use atraj::online::{Error, Limits, Move, State};
+    /// let limits = Limits::symmetric(30.0, 10.0, 5.0);
+    /// let mut axis = Move::default();
+    /// assert!(axis.within(&limits, State::at(0.0), State::at(8.0), -1.0, 8.0).is_ok());
+    /// let late = State { position: 7.9, velocity: 3.0, acceleration: 0.0 }; // 0.1 before the wall, at full speed
+    /// assert_eq!(axis.within(&limits, late, State::at(8.0), -1.0, 8.0), Err(Error::Position));
+    /// # Ok::<(), atraj::Error>(())
+    /// ```
+    pub fn within(
+        &mut self,
+        limits: &Limits<R>,
+        from: State<R>,
+        to: State<R>,
+        lowest: R,
+        highest: R,
+    ) -> Result<Findings, Error> {
+        if lowest.partial_cmp(&highest).is_none() {
+            return Err(Error::NotFinite);
+        }
+        let mut planned = Self::default();
+        let found = planned.plan(limits, from, to)?;
+        if lowest >= highest {
+            return Err(Error::Limits);
+        }
+        if planned.leaves(lowest, highest) {
+            return Err(Error::Position);
+        }
+        *self = planned;
+        Ok(found)
     }
 
     /// Plans the fastest motion to a velocity and an acceleration. The position is free. Findings and errors are those of [`Move::plan`].

@@ -151,13 +151,11 @@ impl<R: Real> Move<R> {
 
     /// Whether the move leaves the positions between its ends: where the axis turns, it is outside.
     pub(crate) fn overshoots(&self) -> bool {
-        // Phase 1 begins at the start up to rounding.
-        let [start, first, later @ ..] = &self.phase;
-        let count = self.phase_count().saturating_sub(1);
-        let later = later.get(..count).unwrap_or_default();
-        let direction = R::ONE.copysign(self.end().position - start.position);
+        let (from, to) = (self.phase[0].position, self.end().position);
+        let direction = R::ONE.copysign(to - from);
         let goes_back = |velocity: R| direction * velocity < R::ZERO;
         let beyond = R::ONE + R::DOUBT;
+        let (first, later) = self.moving();
         let mut phase = first;
         let turns_before = |next| {
             let Phase {
@@ -172,22 +170,25 @@ impl<R: Real> Move<R> {
                 && direction * (beyond * acceleration + jerk * duration) > R::ZERO;
             dips || goes_back(next.velocity)
         };
-        let turns = goes_back(start.velocity) || later.iter().any(turns_before);
-        turns && self.turns_outside(first, later)
+        let turns = goes_back(self.phase[0].velocity) || later.iter().any(turns_before);
+        turns && self.turns_outside(from.at_most(to), from.at_least(to))
     }
 
-    /// Whether the axis turns outside the positions between its ends, in or after the phase `first`. `later` follows.
-    #[inline(never)]
-    fn turns_outside(&self, first: &Phase<R>, later: &[Phase<R>]) -> bool {
+    /// Whether the axis is not between two positions all the time. The end is exact. The start may be the state of another move.
+    pub(super) fn leaves(&self, lowest: R, highest: R) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
-        let (near, far) = if from < to { (from, to) } else { (to, from) };
-        let mut speed = first.velocity.abs();
-        for phase in later {
-            speed = speed.at_least(phase.velocity.abs());
-        }
-        let rounding = (R::DOUBT + R::DOUBT) * (near.abs() + far.abs() + speed * self.t);
-        let (lowest, highest) = (near - rounding, far + rounding);
+        let rounding = self.rounding();
+        let starts_outside = from < lowest - rounding || from > highest + rounding;
+        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest)
+    }
+
+    /// Whether the axis turns outside of two positions.
+    #[inline(never)]
+    fn turns_outside(&self, lowest: R, highest: R) -> bool {
+        let rounding = self.rounding();
+        let (lowest, highest) = (lowest - rounding, highest + rounding);
         let is_outside = |position: R| position < lowest || position > highest;
+        let (first, later) = self.moving();
         let mut phase = first;
         later.iter().any(|next| {
             let before = phase;
@@ -199,6 +200,24 @@ impl<R: Real> Move<R> {
         })
     }
 
+    /// 128 roundings of a position of the move.
+    fn rounding(&self) -> R {
+        let ends = self.phase[0].position.abs() + self.end().position.abs();
+        let (first, later) = self.moving();
+        let mut speed = first.velocity.abs();
+        for phase in later {
+            speed = speed.at_least(phase.velocity.abs());
+        }
+        (R::DOUBT + R::DOUBT) * (ends + speed * self.t)
+    }
+
+    /// The first phase that lasts, which begins at the start up to rounding, and what follows: the other phases and the end.
+    fn moving(&self) -> (&Phase<R>, &[Phase<R>]) {
+        let [_, first, later @ ..] = &self.phase;
+        let count = self.phase_count().saturating_sub(1);
+        (first, later.get(..count).unwrap_or_default())
+    }
+
     /// Whether a written move is within the range of the real type. Its states are sums from the end, in which no infinity gets lost.
     pub(crate) fn is_finite(&self) -> bool {
         let first = &self.phase[1];
@@ -207,8 +226,8 @@ impl<R: Real> Move<R> {
 
     /// The state at the end.
     fn end(&self) -> State<R> {
-        let end = self.phase.get(self.phase_count());
-        let end = end.unwrap_or(&self.phase[0]);
+        let [start, ..] = &self.phase;
+        let end = self.phase.get(self.phase_count()).unwrap_or(start);
         State {
             position: end.position,
             velocity: end.velocity,

@@ -147,13 +147,15 @@ impl<R: Real> Problem<R> {
         self.to
     }
 
-    /// Whether the axis starts outside the limits.
-    pub fn starts_outside(&self) -> Findings {
+    /// What is outside the limits before or behind the move.
+    pub fn outside(&self) -> Findings {
+        let is_leaving = self.border.limits.are_left_after(self.to);
         Findings::STARTS_OUTSIDE.when(self.inside.starts_outside)
+            | Findings::ENDS_LEAVING.when(is_leaving)
     }
 
     /// What there is to know of a written move.
     pub fn findings(&self, ctx: &Move<R>) -> Findings {
-        Findings::OVERSHOOTS.when(ctx.overshoots()) | self.starts_outside()
+        Findings::OVERSHOOTS.when(ctx.overshoots()) | self.outside()
     }
 }

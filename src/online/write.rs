@@ -117,6 +117,17 @@ impl<R: Real> Move<R> {
         self.t = t;
     }
 
+    /// Lets a move that ends at rest wait there until `t`.
+    pub(crate) fn wait_until(&mut self, t: R) {
+        let count = self.phase_count();
+        if let Some([wait, end]) = self.phase.get_mut(count..count + 2) {
+            *end = Phase { start: t, ..*wait };
+            wait.duration = t - wait.start;
+            self.count += 1;
+            self.t = t;
+        }
+    }
+
     /// Lets a move from rest to rest take the longer duration `t`. In slow motion it keeps all limits and makes the same way.
     pub(crate) fn slow_down(&mut self, t: R) {
         let longer = t / self.t;

@@ -82,6 +82,9 @@ pub(super) fn stretch<R: Real>(
             cruise.write(&problem, axis, t);
         } else if let Some(blend) = Blend::of(&problem, t) {
             blend.write(&problem, axis, t);
+        } else if to.is_at_rest() {
+            // Where roundings hide the wait from both, the axis waits at its target.
+            axis.wait_until(t);
         } else {
             axis.end_at(t);
         }

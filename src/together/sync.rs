@@ -33,7 +33,7 @@ pub fn synchronise<R: Real>(
     for ((limits, (&from, &to)), axis) in ends.clone().zip(axes.iter_mut()) {
         let problem = Problem::new(limits, from, to);
         problem.write(axis, &problem.fastest())?;
-        found |= problem.starts_outside();
+        found |= problem.outside();
         slowest = slowest.at_least(axis.t);
     }
     let t = common_duration(&cycle, slowest, ends.clone())?;

@@ -71,6 +71,24 @@ impl Move {
         Self::planned(py, |axis| axis.plan(&limits, start, end))
     }
 
+    /// The fastest motion from the state `start` to the state `end`, if it stays between two positions until its end; `-inf` and `inf` are no
+    /// limits. ValueError also if the motion leaves the positions: then the axis cannot stop between them, or the state `end` cannot be
+    /// reached from rest between them.
+    #[staticmethod]
+    fn within(
+        py: Python<'_>,
+        limits: LimitsTuple<Real>,
+        start: StateTuple<Real>,
+        end: StateTuple<Real>,
+        lowest: Real,
+        highest: Real,
+    ) -> PyResult<Py<Self>> {
+        let (limits, start, end) = (from_limits(limits), from_state(start), from_state(end));
+        Self::planned(py, |axis| {
+            axis.within(&limits, start, end, lowest, highest)
+        })
+    }
+
     /// The fastest motion from the state `start` to a velocity and an acceleration; the position is free.
     #[staticmethod]
     #[pyo3(signature = (limits, start, velocity, acceleration=0.0))]
@@ -116,7 +134,7 @@ impl Move {
         self.inner.time_at(position)
     }
 
-    /// The `Findings` of the plan: OVERSHOOTS, STARTS_OUTSIDE, both or none. For several axes it is what any of them does.
+    /// The `Findings` of the plan: of OVERSHOOTS, STARTS_OUTSIDE and ENDS_LEAVING any or none. For several axes it is what any of them does.
     #[getter]
     fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         named(py, "Findings", (self.findings.bits(),))

@@ -31,8 +31,8 @@ type Plan = fn(
 /// @param n number of axes
 /// @param duration least duration, s; 0: as short as can be
 /// @param cycle period of the clock, s; 0: any duration
-/// @return 0, or a sum of `ATRAJ_OVERSHOOTS` and `ATRAJ_STARTS_OUTSIDE`; else the `atraj_error` of an axis, `ATRAJ_ERR_DURATION` if
-/// `duration` or `cycle` is negative, infinite or not a number, or `ATRAJ_ERR_NULL` if a pointer is NULL or `n` is 0
+/// @return 0, or a sum of `ATRAJ_OVERSHOOTS`, `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis,
+/// `ATRAJ_ERR_DURATION` if `duration` or `cycle` is negative, infinite or not a number, or `ATRAJ_ERR_NULL` if a pointer is NULL or `n` is 0
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_moves_sync(
     axes: *mut atraj_move,

@@ -19,6 +19,8 @@ pub enum atraj_finding {
     ATRAJ_OVERSHOOTS = 16,
     /// the move starts outside its limits, or is bound to leave them
     ATRAJ_STARTS_OUTSIDE = 32,
+    /// the axis is bound to leave its limits after the move: the acceleration at the end does not vanish at once
+    ATRAJ_ENDS_LEAVING = 64,
 }
 use atraj_finding::*;
 
@@ -30,14 +32,16 @@ pub enum atraj_error {
     ATRAJ_ERR_NULL = -1,
     /// a number is infinite or not a number, a limit is not a number, or the move is beyond the range of `a_float`
     ATRAJ_ERR_NOT_FINITE = -2,
-    /// a limit is 0 or has the wrong sign, or neither a jerk nor both accelerations are finite
+    /// a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite
     ATRAJ_ERR_LIMITS = -3,
-    /// the target is outside the limits, or the axis must have left them before, or will
+    /// the target is outside the limits, or the axis must have left them before
     ATRAJ_ERR_TARGET = -4,
     /// the duration or the cycle is negative, infinite or not a number
     ATRAJ_ERR_DURATION = -5,
     /// the states do not lie on the straight line from start to end
     ATRAJ_ERR_LINE = -6,
+    /// the axis leaves the positions between which it has to stay
+    ATRAJ_ERR_POSITION = -7,
     /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
     ATRAJ_ERR_UNREACHABLE = -9,
 }
@@ -50,6 +54,7 @@ const _: () = assert!(
         && ATRAJ_JUMPS as u8 == Findings::JUMPS.bits()
         && ATRAJ_OVERSHOOTS as u8 == Findings::OVERSHOOTS.bits()
         && ATRAJ_STARTS_OUTSIDE as u8 == Findings::STARTS_OUTSIDE.bits()
+        && ATRAJ_ENDS_LEAVING as u8 == Findings::ENDS_LEAVING.bits()
 );
 const _: () = assert!(
     ATRAJ_ERR_NULL as i8 == Error::Axes as i8
@@ -58,16 +63,18 @@ const _: () = assert!(
         && ATRAJ_ERR_TARGET as i8 == Error::Target as i8
         && ATRAJ_ERR_DURATION as i8 == Error::Duration as i8
         && ATRAJ_ERR_LINE as i8 == Error::Line as i8
+        && ATRAJ_ERR_POSITION as i8 == Error::Position as i8
         && ATRAJ_ERR_UNREACHABLE as i8 == Error::Unreachable as i8
 );
 
-const ERRORS: [Error; 7] = [
+const ERRORS: [Error; 8] = [
     Error::Axes,
     Error::NotFinite,
     Error::Limits,
     Error::Target,
     Error::Duration,
     Error::Line,
+    Error::Position,
     Error::Unreachable,
 ];
 

@@ -117,9 +117,8 @@ pub unsafe extern "C" fn atraj_limits_init(
 /// @param limits points to the limits
 /// @param from points to the state at the start
 /// @param to points to the state at the end
-/// @return 0, or a sum of `ATRAJ_OVERSHOOTS` and `ATRAJ_STARTS_OUTSIDE`; else an `atraj_error`: `ATRAJ_ERR_NULL`,
-/// `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_TARGET` if `to` is outside the limits or the axis must have left them
-/// before, or will
+/// @return 0, or a sum of `ATRAJ_OVERSHOOTS`, `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else an `atraj_error`: `ATRAJ_ERR_NULL`,
+/// `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_TARGET` if `to` is outside the limits or the axis must have left them before
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_plan(
     ctx: *mut atraj_move,
@@ -130,6 +129,36 @@ pub unsafe extern "C" fn atraj_move_plan(
     // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
     match unsafe { (moves(ctx), limits_of(limits), state(from), state(to)) } {
         (Some(ctx), Some(limits), Some(from), Some(to)) => code(ctx.plan(limits, from, to)),
+        _ => ATRAJ_ERR_NULL as c_int,
+    }
+}
+
+/// @brief Plan the fastest move to a state, as `atraj_move_plan` does, if it stays between two positions until its end.
+///
+/// If it does not, an axis in the state `from` cannot stop between the positions, or the state `to` cannot be reached from rest between
+/// them. An axis that can stop there, and that has a target at rest there, is never refused.
+/// @param ctx points to an instance of a move, which need not be initialised; untouched on an error
+/// @param limits points to the limits
+/// @param from points to the state at the start
+/// @param to points to the state at the end
+/// @param lowest lowest position, unit; minus infinity: none
+/// @param highest highest position, unit, above `lowest`; infinity: none
+/// @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if the fastest move leaves the positions by more than 128 roundings,
+/// `ATRAJ_ERR_NOT_FINITE` also if one of them is not a number, `ATRAJ_ERR_LIMITS` also if `lowest` is not below `highest`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_move_within(
+    ctx: *mut atraj_move,
+    limits: *const atraj_limits,
+    from: *const atraj_state,
+    to: *const atraj_state,
+    lowest: a_float,
+    highest: a_float,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { (moves(ctx), limits_of(limits), state(from), state(to)) } {
+        (Some(ctx), Some(limits), Some(from), Some(to)) => {
+            code(ctx.within(limits, from, to, lowest.into(), highest.into()))
+        }
         _ => ATRAJ_ERR_NULL as c_int,
     }
 }

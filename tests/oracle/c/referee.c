@@ -537,13 +537,14 @@ enum {
 
 /*
  What is wrong with the motion that was found: the largest relative error of its end and of its limits, and what phases of negative
- duration change of the velocity. A closed form outside of its range has a large error.
+ duration change of the velocity. A closed form outside of its range has a large error. The velocities on the way inside leave roundings
+ in those behind it.
 */
-static real wrong(const struct axis *axis, const struct motion *found, int mirror)
+static real wrong(const struct axis *axis, const struct inside *inside, const struct motion *found, int mirror)
 {
     const struct axis other = mirrored(axis);
     const struct axis *seen = mirror ? &other : axis;
-    const real v = larger(1e-4000L, speed(found) + found->variation);
+    const real v = larger(1e-4000L, larger(inside->speed, speed(found) + found->variation));
     const real a = larger(1e-4000L, larger(found->peak, -found->trough));
     real most = fabsl(found->velocity - seen->v1) / v;
     most = larger(most, fabsl(found->displacement - seen->h) / larger(1e-4000L, v * found->duration));
@@ -588,7 +589,7 @@ void referee_fastest(
     results[STRAIGHT] = (double)(inside.duration + line.duration);
     results[BESIDE_STRAIGHT] = (double)(axis.h - ramp.displacement);
     results[FASTER] = (double)(axis.dv - line.change);
-    results[WRONG] = axis.h == base->displacement ? 0 : (double)wrong(&axis, &found, axis.h < base->displacement);
+    results[WRONG] = axis.h == base->displacement ? 0 : (double)wrong(&axis, &inside, &found, axis.h < base->displacement);
     results[BESIDE_T0] = (double)(axis.h - pieces.at[0].displacement);
     results[BESIDE_T1] = gap ? (double)(axis.h - pieces.at[1].displacement) : INFINITY;
     results[BESIDE_T2] = gap ? (double)(axis.h - pieces.at[2].displacement) : INFINITY;

@@ -19,10 +19,9 @@ fn illegal<R: Real>(problem: &Problem<R>, random: &mut Random) -> Option<State<R
         0 => (vmax * more, 0.0),
         1 => (vmin * more, 0.0),
         2 => (0.0, random.pick(&[amax, amin]) * more),
-        _ => (
-            random.pick(&[vmax + 0.5 * a * a / jmin, vmin + 0.5 * a * a / jmax]) * more,
-            a,
-        ),
+        // The acceleration cannot have been built up.
+        _ if a > 0.0 => ((vmin + 0.5 * a * a / jmax) * more, a),
+        _ => ((vmax + 0.5 * a * a / jmin) * more, a),
     };
     let to = State {
         position: problem.to.position,

@@ -41,6 +41,7 @@ fn every_fault_is_seen<R: Original>() {
                 Fault::Refuses if request.profile().is_some() => 50,
                 Fault::Refuses | Fault::SilentStart | Fault::AbsoluteTime => 10,
                 Fault::VelocityAboveTheLimit | Fault::AccelerationAboveTheLimit => 10,
+                Fault::SilentEnd => 100,
                 _ => 4,
             };
             assert!(seen * few >= all, "{fault:?} of {request:?} in {}", R::NAME);

@@ -2,7 +2,7 @@
 
 use super::planner::{Fastest, Plan, Planner, Profile};
 use super::problem::{Problem, Request};
-use super::trial::Scale;
+use super::trial::{OF_A_MOVE, Scale};
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move, Phase};
 use support::{Family, Real};
@@ -44,11 +44,13 @@ pub enum Fault {
     SilentOvershoot,
     /// It does not say that the start is outside.
     SilentStart,
+    /// It does not say that the axis is bound to leave its limits afterwards.
+    SilentEnd,
 }
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Refuses,
         Self::Lengthened,
         Self::Detour,
@@ -66,6 +68,7 @@ impl Fault {
         Self::AbsoluteTime,
         Self::SilentOvershoot,
         Self::SilentStart,
+        Self::SilentEnd,
     ];
 
     /// The limits within which the planner plans.
@@ -90,9 +93,11 @@ impl Fault {
     /// Whether a plan of this request can have the fault.
     pub fn is_possible_in(self, request: Request) -> bool {
         match self {
-            Self::Detour | Self::DroppedPhase | Self::SilentOvershoot | Self::SilentStart => {
-                request.profile().is_none()
-            }
+            Self::Detour
+            | Self::DroppedPhase
+            | Self::SilentOvershoot
+            | Self::SilentStart
+            | Self::SilentEnd => request.profile().is_none(),
             Self::JerkAboveTheLimit => request != Request::Trap,
             _ => true,
         }
@@ -131,6 +136,7 @@ impl Fault {
             }
             Self::SilentOvershoot => *findings = without(*findings, Findings::OVERSHOOTS),
             Self::SilentStart => *findings = without(*findings, Findings::STARTS_OUTSIDE),
+            Self::SilentEnd => *findings = without(*findings, Findings::ENDS_LEAVING),
             _ => {}
         }
     }
@@ -182,8 +188,7 @@ fn shortened<R: Real>(t: R) -> R {
 
 /// The findings but for one.
 fn without(findings: Findings, one: Findings) -> Findings {
-    let others = [Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE];
-    let kept = others
+    let kept = OF_A_MOVE
         .into_iter()
         .filter(|other| *other != one && findings.bits() & other.bits() != 0);
     kept.fold(Findings::default(), |all, other| all | other)

@@ -58,14 +58,14 @@ pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
     [vmax, vmin, amax, amin, jmax, jmin].map(R::widen)
 }
 
-/// How much faster a target is than one that can have been reached within the limits and can be left within them; not above 0 if it is
-/// legal.
+/// How much faster a target is than one that can have been reached within the limits; not above 0 if it is legal. Its acceleration was built
+/// up from 0. The velocities after the target do not count.
 pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
     let [vmax, vmin, amax, amin, jmax, jmin] = widened(limits);
     let [v, a] = [to.velocity, to.acceleration].map(R::widen);
-    let half_square = 0.5 * a * a;
-    let high = v - half_square / jmin - vmax;
-    let low = vmin - (v - half_square / jmax);
+    let before = v - 0.5 * a * a.abs() / if a > 0.0 { jmax } else { -jmin };
+    let high = v.max(before) - vmax;
+    let low = vmin - v.min(before);
     if a > amax || a < amin {
         f64::INFINITY
     } else {

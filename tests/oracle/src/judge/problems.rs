@@ -115,7 +115,7 @@ kinds! {
     FullAcceleration,
     /// The accelerations are tiny.
     TinyAcceleration,
-    /// The target is just what an axis can have reached, or what it can be in without being bound to leave.
+    /// The target is just what an axis can have reached. Its acceleration may carry the axis beyond a limit afterwards.
     TargetOnTheBoundary,
     /// A tiny displacement between low velocities.
     Tiny,
@@ -709,15 +709,15 @@ impl Draft {
         self.v0 = self.v0.max(low).min(high);
     }
 
-    /// Changes the target so that it can have been reached within the limits and can be left within them. A side puts it on the boundary.
+    /// Changes the target so that it can have been reached within the limits. A side puts it on the boundary.
     fn make_target_legal(&mut self, side: Option<bool>) {
         self.a1 = self.a1.clamp(self.amin, self.amax);
-        let times = 1.0 / self.jmax - 1.0 / self.jmin;
-        let most = ((self.vmax - self.vmin) / times).sqrt();
+        let jerk = if self.a1 > 0.0 { self.jmax } else { -self.jmin };
+        let most = (2.0 * (self.vmax - self.vmin) * jerk).sqrt();
         self.a1 = self.a1.clamp(-most, most);
-        let half_square = 0.5 * self.a1 * self.a1;
-        let low = self.vmin + half_square / self.jmax;
-        let high = self.vmax + half_square / self.jmin;
+        let built_up = 0.5 * self.a1 * self.a1.abs() / jerk;
+        let low = (self.vmin + built_up.max(0.0)).min(self.vmax);
+        let high = (self.vmax + built_up.min(0.0)).max(self.vmin);
         self.v1 = self.v1.max(low).min(high);
         if let (Some(side), true) = (side, low.is_finite() && high.is_finite()) {
             self.v1 = if side { high } else { low };

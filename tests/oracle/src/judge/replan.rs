@@ -2,6 +2,7 @@
 
 use super::problem::{Problem, Request, beyond_legal, parts};
 use super::problems::Kind;
+use atraj::Findings;
 use atraj::online::{Move, State};
 use support::{Random, Real};
 
@@ -65,8 +66,10 @@ fn problem<R: Real>(random: &mut Random) -> Problem<R> {
         let legal = beyond_legal(&problem.limits, problem.to) <= 0.0;
         let mut planned = Move::default();
         let found = planned.plan(&problem.limits, problem.from, problem.to);
+        // On its last part such a move is bound to leave the limits, so a plan from there comes inside first.
+        let leaves = found.is_ok_and(|found| found.contains(Findings::ENDS_LEAVING));
         let moderate = (0.05..5.0).contains(&planned.t.widen());
-        if legal && (found.is_err() || moderate) {
+        if legal && !leaves && (found.is_err() || moderate) {
             return problem;
         }
     }

@@ -9,6 +9,22 @@ use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
 use support::{Random, Real};
 
+/// The findings that the plan of a move can have.
+pub const OF_A_MOVE: [Findings; 3] = [
+    Findings::OVERSHOOTS,
+    Findings::STARTS_OUTSIDE,
+    Findings::ENDS_LEAVING,
+];
+
+/// Whether there is no finding that the plan of a move cannot have.
+pub fn are_of_a_move(findings: Findings) -> bool {
+    let all = OF_A_MOVE.into_iter().reduce(|all, one| all | one);
+    all.is_some_and(|all| all.contains(findings))
+}
+
+/// The verdict if the finding is missing that the axis is bound to leave its limits after the target.
+pub const LEAVES: &str = "it leaves the limits afterwards";
+
 /// What the judge says of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
@@ -405,6 +421,16 @@ impl<R: Original> Trial<R> {
             })
     }
 
+    /// Whether the axis is bound to leave its limits after the target; `None` if roundings decide.
+    pub fn leaves_after(&self) -> Option<bool> {
+        let [vmax, vmin, _, _, jmax, jmin] = self.motion.limits;
+        let [_, v1, a1] = self.motion.target;
+        let change = 0.5 * a1 * a1.abs() / if a1 > 0.0 { -jmin } else { jmax };
+        let beyond = (v1 + change - vmax).max(vmin - v1 - change);
+        let sure = beyond.abs() > doubt::<R>() * (v1.abs() + change.abs());
+        (sure || a1 == 0.0).then_some(beyond > 0.0)
+    }
+
     /// What is wrong with the findings, if they are not those of the motion. Its numbers may be larger than its own scale by `more`.
     pub fn wrong_findings(
         &self,
@@ -414,9 +440,15 @@ impl<R: Original> Trial<R> {
     ) -> Option<&'static str> {
         let (walk, scale) = self.walk(plan, more);
         let found = |finding: Findings| findings.bits() & finding.bits() != 0;
-        let both = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE;
-        if findings.bits() & !both.bits() != 0 {
+        if !are_of_a_move(findings) {
             return Some("a finding is none of a move");
+        }
+        match self.leaves_after() {
+            Some(true) if !found(Findings::ENDS_LEAVING) => return Some(LEAVES),
+            Some(false) if found(Findings::ENDS_LEAVING) => {
+                return Some("it does not leave the limits afterwards");
+            }
+            _ => {}
         }
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [p0, v0, a0] = self.motion.start;
@@ -447,7 +479,9 @@ impl<R: Original> Trial<R> {
         let before = v1 - 0.5 * a1.abs() * a1 / if a1 > 0.0 { jmax } else { -jmin };
         let way = p1 - p0;
         let against = way == 0.0 || [v0, undone, v1, before].iter().any(|v| way * v < 0.0);
-        if overshoots && excess == 0.0 && !against {
+        // Beside the velocities that an acceleration leads to afterwards, those of the move may be as small as roundings.
+        let leaves = self.leaves_after() == Some(true);
+        if overshoots && excess == 0.0 && !(against || leaves) {
             return Some("it does not overshoot");
         }
         if !overshoots && excess > 4.0 * doubt * scale.position {
@@ -609,9 +643,9 @@ fn wrong_evaluation<R: Original>(
     let near = phases
         .iter()
         .map(|phase| phase.start.neighbour(random.steps(2)));
-    // After its end a move goes on, and a profile stands.
-    let after = planned.t + planned.t * R::of(random.unit());
-    let times: Vec<R> = near.chain(within).chain([after]).collect();
+    // `does_a_move_go_on.rs` asks what comes after the end.
+    let is_over = |x: &R| !is_profile && *x > planned.t;
+    let times: Vec<R> = near.chain(within).filter(|x| !is_over(x)).collect();
     for x in times {
         // Phase 0 is the start.
         let under_way = phases.iter().rposition(|phase| phase.start <= x);
@@ -619,9 +653,7 @@ fn wrong_evaluation<R: Original>(
             .filter(|_| x > R::of(0.0) || t == 0.0)
             .unwrap_or(0);
         let phase = &phases[index];
-        let passed = x.widen() - phase.start.widen();
-        let goes_on = !is_profile && index == planned.count as usize;
-        let z = if goes_on { passed } else { passed.min(phase.duration.widen()) };
+        let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());
         let [p, v, _] = walk.borders[index];
         let [a, jerk] = [phase.acceleration, phase.jerk].map(R::widen);
         let state = plan.state(x);

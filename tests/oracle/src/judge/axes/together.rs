@@ -3,7 +3,7 @@
 use super::problems::Set;
 use crate::judge::planner::Plan;
 use crate::judge::rivals::{fits_ruckig, ruckig};
-use crate::judge::trial::{Scale, Trial, Verdict, tolerance};
+use crate::judge::trial::{LEAVES, Scale, Trial, Verdict, are_of_a_move, tolerance};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
@@ -211,16 +211,23 @@ fn wrong_findings<R: Original>(
         trials[k].wrong_findings(&plan_of(&axes[k]), findings, &more)
     };
     let count = trials.len();
-    let both = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE;
-    if found.bits() & !both.bits() != 0 {
+    if !are_of_a_move(found) {
         return Some((0, Verdict::Wrong("a finding is none of a move")));
     }
     for k in 0..count {
-        if let Some(what @ ("it overshoots" | "it starts outside")) = of(k, found) {
+        if let Some(what @ ("it overshoots" | "it starts outside" | LEAVES)) = of(k, found) {
             return Some((k, Verdict::Wrong(what)));
         }
     }
     // A stretched axis may turn by a rounding of the mean, so a groundless `OVERSHOOTS` is not looked for.
+    let leaves = found.bits() & Findings::ENDS_LEAVING.bits() != 0;
+    if leaves
+        && trials
+            .iter()
+            .all(|trial| trial.leaves_after() == Some(false))
+    {
+        return Some((0, Verdict::Wrong("no axis leaves its limits afterwards")));
+    }
     let groundless = "it does not start outside";
     let outside = found.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
     let nobody = || (0..count).all(|k| of(k, Findings::STARTS_OUTSIDE) == Some(groundless));
