@@ -126,6 +126,7 @@ void move()
     PROMISE(same(method, function) && method.vel(method.t) == 0);
     PROMISE(method.within(limits, from, to, -9, 9) == atraj_move_within(&function, &plain, &from, &to, -9, 9));
     PROMISE(method.within(limits, from, to, -99, 99) == atraj_move_within(&function, &plain, &from, &to, -99, 99) && same(method, function));
+    PROMISE(method.check(limits) == atraj_move_check(&function, &plain) && method.check(limits) >= 0);
     PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &plain, &from, &part));
     PROMISE(same(method, function) && method.vel(method.t) == 1);
     PROMISE(method.meet(limits, from, to) == ATRAJ_ERR_TARGET && same(method, function));
@@ -219,7 +220,7 @@ void messages()
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
         }
     }
-    PROMISE(std::strcmp(atraj_message(64), "this code is unknown") == 0 && std::strcmp(atraj_message(-8), "this code is unknown") == 0);
+    PROMISE(std::strcmp(atraj_message(128), "this code is unknown") == 0 && std::strcmp(atraj_message(-8), "this code is unknown") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LINE), "the states do not lie on the straight line from their start to their end") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_JUMPS + ATRAJ_OVERSHOOTS), atraj_message(ATRAJ_JUMPS)) == 0);
 }

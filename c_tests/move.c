@@ -274,6 +274,40 @@ static int plans(void)
     return 0;
 }
 
+/* A plan passes the check, a spoiled one does not. `tests/is_a_bad_move_seen.rs` plants more faults. */
+static int checked(void)
+{
+    const atraj_state from = {0, 0, 0}, to = {10, 0, 0};
+    atraj_limits limits, bad;
+    atraj_move ctx, spoiled;
+    atraj_limits_init(&limits, 30, 10, 5);
+    PROMISE(atraj_move_plan(&ctx, &limits, &from, &to) == 0 && atraj_move_check(&ctx, &limits) == 0);
+    PROMISE(atraj_move_check(A_NULL, &limits) == ATRAJ_ERR_NULL && atraj_move_check(&ctx, A_NULL) == ATRAJ_ERR_NULL);
+    bad = limits;
+    bad.vmax = A_FLOAT_C(4.9);
+    PROMISE(atraj_move_check(&ctx, &bad) == ATRAJ_EXCEEDS_VELOCITY);
+    bad = limits;
+    bad.amin = A_FLOAT_C(-9.9);
+    PROMISE(atraj_move_check(&ctx, &bad) == ATRAJ_EXCEEDS_ACCELERATION);
+    bad = limits;
+    bad.jmax = 29;
+    PROMISE(atraj_move_check(&ctx, &bad) == ATRAJ_EXCEEDS_JERK);
+    bad.jmax = 0;
+    PROMISE(atraj_move_check(&ctx, &bad) == ATRAJ_ERR_LIMITS);
+    bad.jmax = none;
+    PROMISE(atraj_move_check(&ctx, &bad) == ATRAJ_ERR_NOT_FINITE);
+    spoiled = ctx;
+    spoiled.phase[spoiled.phases].p = 11;
+    PROMISE(atraj_move_check(&spoiled, &limits) == ATRAJ_JUMPS);
+    spoiled = ctx;
+    spoiled.phase[2].duration = none;
+    PROMISE(atraj_move_check(&spoiled, &limits) == ATRAJ_ERR_NOT_FINITE);
+    spoiled = ctx;
+    spoiled.phases = UINT_MAX;
+    PROMISE(atraj_move_check(&spoiled, &limits) == ATRAJ_ERR_NOT_FINITE || atraj_move_check(&spoiled, &limits) & ATRAJ_JUMPS);
+    return 0;
+}
+
 static int starts_outside(void)
 {
     static const atraj_state from[] = {{0, 6, 0}, {0, -6, 0}, {0, 0, 11}, {0, 5, 5}, {0, 9, 20}}, to = {1000, 0, 0};
@@ -435,7 +469,7 @@ static int sentences(void)
 
 int main(void)
 {
-    return refused_numbers() || refused_pointers() || refused_targets() || leaves_afterwards() || between() || limits() || plans() || starts_outside() ||
+    return refused_numbers() || refused_pointers() || refused_targets() || leaves_afterwards() || between() || limits() || plans() || checked() || starts_outside() ||
            infinite_limits() || other_plans() || evaluation() || reached() || too_far() ||
            sentences();
 }

@@ -208,6 +208,21 @@ void atraj_move_extremes(const struct atraj_move *ctx,
                          struct atraj_state *highest);
 
 /**
+ * @brief Examine a move against limits, before it runs: what it exceeds, whether it jumps or ends elsewhere than its phases lead.
+ *
+ * A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and has nothing in
+ * common with the planners. Up to 64 roundings are allowed: of `|p| + |v| t` for positions, of `|v|` and what the accelerations add for
+ * velocities, of `|a| + |j| t` for accelerations, of the limits for jerks.
+ * @param ctx points to a move
+ * @param limits points to the limits
+ * @return 0 or a sum of `atraj_finding`, those of a plan too; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
+ * number of the move is not finite or a limit is not a number
+ */
+A_EXTERN
+int atraj_move_check(const struct atraj_move *ctx,
+                     const struct atraj_limits *limits);
+
+/**
  * @brief When a move is at a position for the first time.
  * @param ctx points to a planned instance of a move
  * @param p position, unit
@@ -408,6 +423,7 @@ struct atraj_move {
         return atraj_move_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
     }
     void extremes(atraj_state &lowest, atraj_state &highest) const { atraj_move_extremes(this, &lowest, &highest); }
+    int check(const atraj_limits &limits) const { return atraj_move_check(this, &limits); }
     a_float time_at(a_float p) const { return atraj_move_time_at(this, p); }
 #endif /* __cplusplus */
 };

@@ -221,6 +221,7 @@ def test_an_axis_is_retargeted(real):
         assert len(other.phases) > 1 and other.phases[-1].start + other.phases[-1].duration == pytest.approx(other.t)
     target = atraj.State(3, 0.5)
     assert axis.within(LIMITS, now, target, -9, 9).t == axis.plan(LIMITS, now, target).t
+    assert not move.check(LIMITS) and move.check(atraj.Limits.symmetric(1e-3, 10, 5)) == atraj.Findings.EXCEEDS_JERK
     with pytest.raises(ValueError, match="leaves the positions"):
         axis.within(LIMITS, now, target, -9, target[0] - 0.1)
     meeting = axis.meet(LIMITS, now, target)

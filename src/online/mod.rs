@@ -16,6 +16,7 @@
 //! ```
 
 pub(crate) mod border;
+mod check;
 mod inside;
 mod motion;
 mod phase;

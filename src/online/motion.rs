@@ -225,7 +225,7 @@ impl<R: Real> Move<R> {
     }
 
     /// The state at the end.
-    fn end(&self) -> State<R> {
+    pub(super) fn end(&self) -> State<R> {
         let [start, ..] = &self.phase;
         let end = self.phase.get(self.phase_count()).unwrap_or(start);
         State {

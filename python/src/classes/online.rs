@@ -84,9 +84,7 @@ impl Move {
         highest: Real,
     ) -> PyResult<Py<Self>> {
         let (limits, start, end) = (from_limits(limits), from_state(start), from_state(end));
-        Self::planned(py, |axis| {
-            axis.within(&limits, start, end, lowest, highest)
-        })
+        Self::planned(py, |axis| axis.within(&limits, start, end, lowest, highest))
     }
 
     /// The fastest motion from the state `start` to a velocity and an acceleration; the position is free.
@@ -127,6 +125,16 @@ impl Move {
     ) -> PyResult<Py<Self>> {
         let (limits, start, target) = (from_limits(limits), from_state(start), from_state(target));
         Self::planned(py, |axis| axis.meet(&limits, start, target))
+    }
+
+    /// What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone.
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        limits: LimitsTuple<Real>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let found = self.inner.check(&from_limits(limits)).map_err(no_move)?;
+        named(py, "Findings", (found.bits(),))
     }
 
     /// The first time from 0 to `t` at which the axis is at `position`, s; None if it never is.

@@ -357,6 +357,27 @@ pub unsafe extern "C" fn atraj_move_extremes(
     }
 }
 
+/// @brief Examine a move against limits, before it runs: what it exceeds, whether it jumps or ends elsewhere than its phases lead.
+///
+/// A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and has nothing in
+/// common with the planners. Up to 64 roundings are allowed: of `|p| + |v| t` for positions, of `|v|` and what the accelerations add for
+/// velocities, of `|a| + |j| t` for accelerations, of the limits for jerks.
+/// @param ctx points to a move
+/// @param limits points to the limits
+/// @return 0 or a sum of `atraj_finding`, those of a plan too; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
+/// number of the move is not finite or a limit is not a number
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_move_check(
+    ctx: *const atraj_move,
+    limits: *const atraj_limits,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
+    match unsafe { (ctx.cast::<Move<Number>>().as_ref(), limits_of(limits)) } {
+        (Some(ctx), Some(limits)) => code(ctx.check(limits)),
+        _ => ATRAJ_ERR_NULL as c_int,
+    }
+}
+
 /// @brief When a move is at a position for the first time.
 /// @param ctx points to a planned instance of a move
 /// @param p position, unit

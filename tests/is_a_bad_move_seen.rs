@@ -1,0 +1,231 @@
+//! Does `check` see what is wrong with a move: what it exceeds, where it jumps, which phases are none?
+
+use atraj::online::{Error, Limits, Move, Phase};
+use atraj::{Findings, State};
+use support::{Random, Real, online, test_both_reals};
+
+const MOVES: usize = 2_000;
+
+/// A fault that is planted: what it is called, and what `check` has to find then.
+type Fault<R> = (&'static str, Findings, fn(&mut Move<R>, &mut Limits<R>));
+
+/// By how much a number is wrong: small, and far above roundings.
+fn off<R: Real>(x: R) -> R {
+    R::of(1e-2 * (1.0 + x.widen().abs()))
+}
+
+fn middle<R: Real>(planned: &mut Move<R>) -> &mut Phase<R> {
+    let middle = 1 + planned.count as usize / 2;
+    &mut planned.phase[middle]
+}
+
+fn faults<R: Real>() -> Vec<Fault<R>> {
+    let jumps = Findings::JUMPS;
+    vec![
+        (
+            "a velocity beyond its limit",
+            Findings::EXCEEDS_VELOCITY,
+            |planned, limits| {
+                let reached = planned.extremes();
+                let (low, high) = (reached.lowest.velocity, reached.highest.velocity);
+                if high > -low {
+                    limits.vmax = R::of(0.99) * high;
+                } else {
+                    limits.vmin = R::of(0.99) * low;
+                }
+            },
+        ),
+        (
+            "an acceleration above its limit",
+            Findings::EXCEEDS_ACCELERATION,
+            |planned, limits| {
+                limits.amax = R::of(0.99) * planned.extremes().highest.acceleration;
+            },
+        ),
+        (
+            "an acceleration below its limit",
+            Findings::EXCEEDS_ACCELERATION,
+            |planned, limits| {
+                limits.amin = R::of(0.99) * planned.extremes().lowest.acceleration;
+            },
+        ),
+        (
+            "a jerk above its limit",
+            Findings::EXCEEDS_JERK,
+            |_, limits| {
+                limits.jmax = R::of(0.99) * limits.jmax;
+            },
+        ),
+        (
+            "a jerk below its limit",
+            Findings::EXCEEDS_JERK,
+            |_, limits| {
+                limits.jmin = R::of(0.99) * limits.jmin;
+            },
+        ),
+        (
+            "a step of the acceleration",
+            Findings::EXCEEDS_JERK,
+            |planned, _| {
+                let phase = middle(planned);
+                phase.acceleration = phase.acceleration + off(phase.acceleration);
+            },
+        ),
+        ("a step of the velocity", jumps, |planned, _| {
+            let phase = middle(planned);
+            phase.velocity = phase.velocity + off(phase.velocity);
+        }),
+        ("a step of the position", jumps, |planned, _| {
+            let phase = middle(planned);
+            phase.position = phase.position + off(phase.position);
+        }),
+        ("another start", jumps, |planned, _| {
+            planned.phase[0].position = planned.phase[0].position + off(planned.phase[0].position);
+        }),
+        ("another end", jumps, |planned, _| {
+            let end = &mut planned.phase[planned.count as usize];
+            end.position = end.position + off(end.position);
+        }),
+        ("another velocity at the end", jumps, |planned, _| {
+            let end = &mut planned.phase[planned.count as usize];
+            end.velocity = end.velocity - off(end.velocity);
+        }),
+        ("a late end", jumps, |planned, _| {
+            planned.t = planned.t + off(planned.t)
+        }),
+        ("a late phase", jumps, |planned, _| {
+            let phase = middle(planned);
+            phase.start = phase.start + off(phase.start);
+        }),
+        (
+            "a phase that lasts less than no time",
+            jumps,
+            |planned, _| {
+                planned.phase[1].duration = -planned.phase[1].duration;
+            },
+        ),
+        ("a missing phase", jumps, |planned, _| planned.count -= 1),
+        ("too many phases", jumps, |planned, _| planned.count = 16),
+        ("an end that lasts", jumps, |planned, _| {
+            planned.phase[planned.count as usize].duration = R::of(1.0);
+        }),
+        ("a jerk after the end", jumps, |planned, _| {
+            planned.phase[planned.count as usize].jerk = R::of(1.0);
+        }),
+        ("a start that lasts", jumps, |planned, _| {
+            planned.phase[0].duration = R::of(1.0)
+        }),
+    ]
+}
+
+/// A plan within symmetric limits in which each limit is reached, so each fault spoils it.
+fn clean<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
+    let number = |random: &mut Random| R::of(random.between(1.0, 4.0));
+    let limits = Limits {
+        vmin: -number(random),
+        amin: -number(random),
+        jmin: -number(random),
+        ..Limits::symmetric(number(random), number(random), number(random))
+    };
+    let mut planned = Move::default();
+    let start = State {
+        position: R::of(random.between(-5.0, 5.0)),
+        velocity: R::of(random.between(-0.5, 0.5)),
+        acceleration: R::of(0.0),
+    };
+    let far = R::of(start.position.widen() + random.sign() * 50.0);
+    planned
+        .plan(&limits, start, State::at(far))
+        .expect("a plan");
+    (limits, planned)
+}
+
+fn every_fault_is_seen<R: Real>() {
+    let mut random = Random::seeded(1);
+    for _ in 0..MOVES {
+        let (limits, planned) = clean::<R>(&mut random);
+        let clean = planned.check(&limits).expect("an answer");
+        assert!(
+            (Findings::OVERSHOOTS).contains(clean),
+            "{clean:?} {planned:?}"
+        );
+        for (what, expected, plant) in faults::<R>() {
+            let (mut spoiled, mut within) = (planned, limits);
+            plant(&mut spoiled, &mut within);
+            let found = spoiled.check(&within).expect("an answer");
+            assert!(
+                found.contains(expected),
+                "{what}: {found:?} {spoiled:?} {within:?}"
+            );
+        }
+    }
+}
+
+test_both_reals!(every_fault_is_seen);
+
+/// Moves of every kind have no fault.
+fn plans_pass<R: Real>() {
+    let mut random = Random::seeded(2);
+    for _ in 0..MOVES {
+        let (limits, _, planned) = online::planned::<R>(&mut random);
+        let found = planned.check(&limits).expect("an answer");
+        let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
+        let allowed = if found.contains(Findings::STARTS_OUTSIDE) {
+            excess | Findings::STARTS_OUTSIDE | Findings::OVERSHOOTS
+        } else {
+            Findings::OVERSHOOTS
+        };
+        assert!(
+            (allowed | Findings::ENDS_LEAVING).contains(found),
+            "{found:?} {limits:?} {planned:?}"
+        );
+    }
+}
+
+test_both_reals!(plans_pass);
+
+fn what_is_no_number_is_refused<R: Real>() {
+    let (limits, planned) = clean::<R>(&mut Random::seeded(3));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let bad = R::of(bad);
+        assert_eq!(
+            Move { t: bad, ..planned }.check(&limits),
+            Err(Error::NotFinite)
+        );
+        for index in 0..16 {
+            let mut spoiled = [planned; 3];
+            spoiled[0].phase[index].duration = bad;
+            spoiled[1].phase[index].position = bad;
+            spoiled[2].phase[index].jerk = bad;
+            for spoiled in spoiled {
+                let expected = if index <= planned.count as usize {
+                    Err(Error::NotFinite)
+                } else {
+                    planned.check(&limits)
+                };
+                assert_eq!(spoiled.check(&limits), expected);
+            }
+        }
+    }
+    let zero = R::of(0.0);
+    let no_limits = [
+        Limits {
+            vmax: zero,
+            ..limits
+        },
+        Limits {
+            jmin: limits.jmax,
+            ..limits
+        },
+    ];
+    for within in no_limits {
+        assert_eq!(planned.check(&within), Err(Error::Limits));
+    }
+    let no_number = Limits {
+        amin: R::of(f64::NAN),
+        ..limits
+    };
+    assert_eq!(planned.check(&no_number), Err(Error::NotFinite));
+}
+
+test_both_reals!(what_is_no_number_is_refused);

@@ -1,0 +1,96 @@
+//! Does every plan, of one axis or of several, pass the check that reads its phases alone, and has it the findings of the plan?
+
+use atraj::Findings;
+use atraj::axes::{line, synchronise};
+use atraj::online::{Error, Limits, Move, State};
+use oracle::judge::axes::problems::Sets;
+use oracle::judge::planner::{Fastest, Planner};
+use oracle::judge::problems::Problems;
+use support::Real;
+
+const PROBLEMS: usize = 100_000;
+const SETS: usize = 4_000;
+
+/// What a check may find in a plan. A start outside the limits exceeds them, but never their jerks, and makes no step.
+fn allowed(found: Findings) -> Findings {
+    let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
+    let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
+    if found.contains(Findings::STARTS_OUTSIDE) {
+        ends | excess
+    } else {
+        ends
+    }
+}
+
+fn check<R: Real>(planned: &Move<R>, limits: &Limits<R>, found: Findings, what: &str) {
+    let checked = planned
+        .check(limits)
+        .unwrap_or_else(|error| panic!("{error:?} {what}"));
+    assert!(
+        allowed(found).contains(checked),
+        "{checked:?}, not {found:?}: {what}"
+    );
+}
+
+fn plans_of_one_axis_pass<R: Real>() {
+    let mut passed = 0;
+    for problem in Problems::<R>::new(13).take(PROBLEMS) {
+        let Ok(plan) = Fastest.plan(&problem) else {
+            continue;
+        };
+        let what = problem.to_string();
+        check(&plan.planned, &problem.limits, plan.findings, &what);
+        let checked = plan.planned.check(&problem.limits).unwrap_or_default();
+        for finding in [Findings::OVERSHOOTS, Findings::ENDS_LEAVING] {
+            let same = checked.contains(finding) == plan.findings.contains(finding);
+            assert!(same, "{checked:?}, not {:?}: {what}", plan.findings);
+        }
+        let outside = |found: Findings| found.contains(Findings::STARTS_OUTSIDE);
+        assert!(!outside(checked) || outside(plan.findings), "{what}");
+        passed += 1;
+    }
+    println!("{}: {passed} of {PROBLEMS} plans pass", R::NAME);
+    assert!(passed * 100 > PROBLEMS * 99);
+}
+
+#[test]
+fn plans_of_one_axis_pass_f64() {
+    plans_of_one_axis_pass::<f64>();
+}
+
+#[test]
+fn plans_of_one_axis_pass_f32() {
+    plans_of_one_axis_pass::<f32>();
+}
+
+type Together<R> =
+    fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
+
+fn plans_of_several_axes_pass<R: Real>() {
+    let mut passed = 0;
+    let apart = Sets::<R>::new(13).map(|set| (synchronise::<R> as Together<R>, set));
+    let on_lines = Sets::<R>::on_lines(13).map(|set| (line::<R> as Together<R>, set));
+    for (plan, set) in apart.take(SETS).chain(on_lines.take(SETS)) {
+        let (limits, from, to) = set.columns();
+        let mut axes = vec![Move::default(); limits.len()];
+        let Ok(found) = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle) else {
+            continue;
+        };
+        for (axis, problem) in axes.iter().zip(&set.axes) {
+            check(axis, &problem.limits, found, &problem.to_string());
+            passed += 1;
+        }
+    }
+    println!("{}: {passed} plans of {} sets pass", R::NAME, 2 * SETS);
+    assert!(passed > 2 * SETS);
+}
+
+#[test]
+fn plans_of_several_axes_pass_f64() {
+    plans_of_several_axes_pass::<f64>();
+}
+
+#[test]
+fn plans_of_several_axes_pass_f32() {
+    plans_of_several_axes_pass::<f32>();
+}
