@@ -127,6 +127,8 @@ void move()
     PROMISE(method.within(limits, from, to, -9, 9) == atraj_move_within(&function, &plain, &from, &to, -9, 9));
     PROMISE(method.within(limits, from, to, -99, 99) == atraj_move_within(&function, &plain, &from, &to, -99, 99) && same(method, function));
     PROMISE(method.check(limits) == atraj_move_check(&function, &plain) && method.check(limits) >= 0);
+    PROMISE(method.track(limits, from, part, a_float(0.5)) == atraj_move_track(&function, &plain, &from, &part, a_float(0.5)));
+    PROMISE(same(method, function));
     PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &plain, &from, &part));
     PROMISE(same(method, function) && method.vel(method.t) == 1);
     PROMISE(method.meet(limits, from, to) == ATRAJ_ERR_TARGET && same(method, function));

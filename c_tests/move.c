@@ -22,6 +22,10 @@ enum { LIMITS = 6, NUMBERS = 12 };
 static const struct problem good = {{5, -4, 10, -9, 30, -20}, {1, 2, 3}, {10, -1, 2}};
 
 typedef int planner(atraj_move *ctx, const atraj_limits *limits, const atraj_state *from, const atraj_state *to);
+static int track(atraj_move *ctx, const atraj_limits *limits, const atraj_state *from, const atraj_state *to)
+{
+    return atraj_move_track(ctx, limits, from, to, A_FLOAT_C(0.5));
+}
 static int reach(atraj_move *ctx, const atraj_limits *limits, const atraj_state *from, const atraj_state *to)
 {
     return atraj_move_reach(ctx, limits, from, to->v, to->a);
@@ -40,8 +44,8 @@ static const struct
 {
     planner *plan;
     int asks[3];
-} planners[] = {{atraj_move_plan, {1, 1, 1}}, {within, {1, 1, 1}}, {reach, {0, 1, 1}}, {stop, {0, 0, 0}}, {atraj_move_meet, {1, 1, 1}}};
-enum { MEET = 4 };
+} planners[] = {{atraj_move_plan, {1, 1, 1}}, {track, {1, 1, 1}}, {within, {1, 1, 1}}, {reach, {0, 1, 1}}, {stop, {0, 0, 0}}, {atraj_move_meet, {1, 1, 1}}};
+enum { MEET = 5 };
 
 /* Whether a move has this answer, and an error has left the context untouched. */
 static int answers(int expected, planner *plan, const struct problem *p)
@@ -116,7 +120,7 @@ static int refused_pointers(void)
     for (i = 0; i < (int)A_LEN(planners); ++i)
     {
         planner *const plan = planners[i].plan;
-        const int has_target = plan == atraj_move_plan || plan == within || plan == atraj_move_meet;
+        const int has_target = plan == atraj_move_plan || plan == within || plan == track || plan == atraj_move_meet;
         atraj_move before, ctx;
         memset(&before, 0x55, sizeof(before));
         ctx = before;
@@ -200,6 +204,29 @@ static int between(void)
     {
         PROMISE(atraj_move_within(&ctx, &p.limits, &p.from, &p.to, no_numbers[i][0], no_numbers[i][1]) == ATRAJ_ERR_NOT_FINITE);
     }
+    PROMISE(memcmp(&ctx, &before, sizeof(ctx)) == 0);
+    return 0;
+}
+
+/* Beside a signal after the horizon, or later; the horizon is a time above 0. */
+static int tracks(void)
+{
+    const atraj_state from = {1, 1, 0}, near_by = {A_FLOAT_C(1.01), 1, A_FLOAT_C(0.5)}, far = {9, 1, 2}, fast = {1, 20, 0};
+    const a_float h = A_FLOAT_C(0.5), bad[] = {0, -(a_float)0, -1, none, endless, -endless};
+    atraj_move before, ctx;
+    atraj_limits limits;
+    int i;
+    atraj_limits_init(&limits, 30, 10, 5);
+    PROMISE(atraj_move_track(&ctx, &limits, &from, &near_by, h) >= 0 && ctx.t == h);
+    PROMISE(near(atraj_move_pos(&ctx, h), near_by.p + h * near_by.v + near_by.a * h * h / 2));
+    PROMISE(near(atraj_move_vel(&ctx, h), near_by.v + near_by.a * h) && atraj_move_acc(&ctx, h) == near_by.a);
+    PROMISE(atraj_move_check(&ctx, &limits) == 0);
+    PROMISE(atraj_move_track(&ctx, &limits, &from, &far, h) >= 0 && ctx.t > h);
+    PROMISE(near(atraj_move_pos(&ctx, ctx.t), far.p + far.v * ctx.t) && atraj_move_acc(&ctx, ctx.t) == 0);
+    PROMISE(atraj_move_track(&ctx, &limits, &from, &fast, h) >= 0 && atraj_move_vel(&ctx, ctx.t) == 5);
+    memset(&before, 0x55, sizeof(before));
+    ctx = before;
+    for (i = 0; i < (int)A_LEN(bad); ++i) { PROMISE(atraj_move_track(&ctx, &limits, &from, &near_by, bad[i]) == ATRAJ_ERR_DURATION); }
     PROMISE(memcmp(&ctx, &before, sizeof(ctx)) == 0);
     return 0;
 }
@@ -469,7 +496,7 @@ static int sentences(void)
 
 int main(void)
 {
-    return refused_numbers() || refused_pointers() || refused_targets() || leaves_afterwards() || between() || limits() || plans() || checked() || starts_outside() ||
+    return refused_numbers() || refused_pointers() || refused_targets() || leaves_afterwards() || between() || tracks() || limits() || plans() || checked() || starts_outside() ||
            infinite_limits() || other_plans() || evaluation() || reached() || too_far() ||
            sentences();
 }

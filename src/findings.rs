@@ -152,7 +152,7 @@ pub enum Error {
     Limits = -3,
     /// The target is outside the limits, or the axis must have left them before.
     Target = -4,
-    /// The duration or the cycle is negative, infinite or not a number, or a polynomial takes no time.
+    /// The duration or the cycle is negative, infinite or not a number, or a polynomial takes no time. Or a horizon is not above 0.
     Duration = -5,
     /// The states of several axes do not lie on the straight line from their start to their end.
     Line = -6,

@@ -143,7 +143,7 @@ fn rust_has_the_names() {
             Extremes<f64>, Findings, Error, claraty::Trajectory, claraty::Warnings;
         values: Bell::<f64>::new, Bell::<f64>::fastest, Bell::<f64>::check, Bell::<f64>::extremes, Bell::<f64>::position,
             Bell::<f64>::velocity, Bell::<f64>::acceleration, Bell::<f64>::jerk, Bell::<f64>::state_at,
-            Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::check,
+            Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check,
             Move::<f64>::reach, Move::<f64>::stop, Move::<f64>::meet, Move::<f64>::time_at, Move::<f64>::phases,
             axes::synchronise::<f64>, axes::line::<f64>, claraty::Trajectory::start, claraty::Trajectory::stop,
             claraty::Trajectory::reset, Findings::EXCEEDS_JERK, Findings::EXCEEDS_ACCELERATION,

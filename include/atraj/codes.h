@@ -66,7 +66,7 @@ enum atraj_error {
      */
     ATRAJ_ERR_TARGET = -4,
     /**
-     * the duration or the cycle is negative, infinite or not a number
+     * the duration or the cycle is negative, infinite or not a number, or a horizon is not above 0
      */
     ATRAJ_ERR_DURATION = -5,
     /**

@@ -114,6 +114,27 @@ int atraj_move_meet(struct atraj_move *ctx,
                     const struct atraj_state *target);
 
 /**
+ * @brief Plan one tick of an axis that follows a signal: call it in every tick, drive one tick of the plan, and call it again.
+ *
+ * The signal is taken to go on with its acceleration. Where the axis can be beside it after the time `horizon`, the axis gets there in just
+ * this time, and `ctx->t` is `horizon`: the answer changes evenly with the signal, so noise does not switch the jerk. Where the signal is
+ * farther, the axis meets it as fast as it can, as `atraj_move_meet` does. A signal beyond the limits is followed as well as they allow.
+ * @param ctx points to an instance of a move, which need not be initialised; untouched on an error
+ * @param limits points to the limits
+ * @param from points to the state of the axis
+ * @param signal points to the state of the signal
+ * @param horizon time until the axis is to be beside the signal, s
+ * @return 0, or a sum of findings as `atraj_move_plan`; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or
+ * `ATRAJ_ERR_DURATION` if `horizon` is not above 0 or not finite
+ */
+A_EXTERN
+int atraj_move_track(struct atraj_move *ctx,
+                     const struct atraj_limits *limits,
+                     const struct atraj_state *from,
+                     const struct atraj_state *signal,
+                     a_float horizon);
+
+/**
  * @brief Position of a move.
  * @param ctx points to a planned instance of a move
  * @param x time since the start, s
@@ -211,8 +232,8 @@ void atraj_move_extremes(const struct atraj_move *ctx,
  * @brief Examine a move against limits, before it runs: what it exceeds, whether it jumps or ends elsewhere than its phases lead.
  *
  * A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and has nothing in
- * common with the planners. Up to 64 roundings are allowed: of `|p| + |v| t` for positions, of `|v|` and what the accelerations add for
- * velocities, of `|a| + |j| t` for accelerations, of the limits for jerks.
+ * common with the planners. Up to 64 roundings are allowed: of `|p| + |v| t` for positions; for velocities of `|v|`, what the accelerations
+ * add and what the limits allow in the time of the move; of `|a| + |j| t` for accelerations; of the limits for jerks.
  * @param ctx points to a move
  * @param limits points to the limits
  * @return 0 or a sum of `atraj_finding`, those of a plan too; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
@@ -407,6 +428,10 @@ struct atraj_move {
     int meet(const atraj_limits &limits, const atraj_state &from, const atraj_state &target)
     {
         return atraj_move_meet(this, &limits, &from, &target);
+    }
+    int track(const atraj_limits &limits, const atraj_state &from, const atraj_state &signal, a_float horizon)
+    {
+        return atraj_move_track(this, &limits, &from, &signal, horizon);
     }
     a_float pos(a_float x) const { return atraj_move_pos(this, x); }
     a_float vel(a_float x) const { return atraj_move_vel(this, x); }

@@ -224,6 +224,7 @@ def test_an_axis_is_retargeted(real):
     assert not move.check(LIMITS) and move.check(atraj.Limits.symmetric(1e-3, 10, 5)) == atraj.Findings.EXCEEDS_JERK
     with pytest.raises(ValueError, match="leaves the positions"):
         axis.within(LIMITS, now, target, -9, target[0] - 0.1)
+    assert axis.track(LIMITS, target, target, 0.125).t == 0.125
     meeting = axis.meet(LIMITS, now, target)
     reached = meeting.state_at(meeting.t)
     assert reached.velocity == 0.5 and reached.position == pytest.approx(3 + 0.5 * meeting.t)

@@ -21,8 +21,9 @@ impl<R: Real> Move<R> {
     /// A move that starts outside the limits has the finding of what it exceeds, and [`Findings::STARTS_OUTSIDE`]. [`Error::NotFinite`] if
     /// a number of the move is not finite or a limit is NaN, [`Error::Limits`] if the limits are not around 0.
     ///
-    /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| and what the accelerations add for velocities, of |a| + |j| T for
-    /// accelerations, of the limits for jerks; 128 where the move turns outside of its ends.
+    /// Up to 64 roundings are allowed: of |p| + |v| T for positions; for velocities of |v|, what the accelerations add and what the limits
+    /// allow in the time T of the move; of |a| + |j| T for accelerations, where a step counts the limit of the jerk; of the limits for
+    /// jerks; 128 where the move turns outside of its ends.
     ///
     /// ```
     /// use atraj::Findings;
@@ -92,13 +93,27 @@ impl<R: Real> Move<R> {
         let (a0, a1) = (self.phase[0].acceleration, self.end().acceleration);
         let per_jerk = R::ONE / limits.jmax - R::ONE / limits.jmin;
         let undone = R::HALF * (a0 * a0 + a1 * a1) * per_jerk;
-        let velocity = reached.speed() + changes + undone;
+        let velocity = reached.speed() + changes + undone + self.speed_within(limits);
         let positions = reached.lowest.position.abs() + reached.highest.position.abs();
         Scale {
             position: positions + velocity * self.t,
             velocity,
             acceleration: acceleration + jerk * self.t,
         }
+    }
+
+    /// The speed that the limits allow in the time of the move. A mean of two motions has their roundings, and they may use the limits fully.
+    fn speed_within(&self, limits: &Limits<R>) -> R {
+        let Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = *limits;
+        let acceleration = (jmax.at_most(-jmin) * self.t).at_most(amax.at_least(-amin));
+        (acceleration * self.t).at_most(vmax.at_least(-vmin))
     }
 
     /// Each two phases that follow each other, from the start to the end.
@@ -123,9 +138,9 @@ impl<R: Real> Move<R> {
             let jerk = if step > R::ZERO {
                 limits.jmax
             } else {
-                limits.jmin
+                -limits.jmin
             };
-            jerk.is_finite() && step.abs() > few * scale.acceleration
+            jerk.is_finite() && step.abs() > few * (scale.acceleration + jerk * self.t)
         });
         beyond || steps
     }

@@ -38,6 +38,15 @@ impl<R: Real> Blend<R> {
         Self::slow(problem, duration).or_else(|| Self::over(&problem.border, h, t))
     }
 
+    /// The mean of both motions on the border of this duration, if the interval of the duration holds the displacement.
+    pub fn within(problem: &Problem<R>, duration: R) -> Option<Self> {
+        let (h, t) = (problem.displacement().0, problem.behind_inside(duration));
+        let border = &problem.border;
+        let (shortest, _) = border.passed(&border.direct(border.beyond_straight()));
+        let lasts = t >= shortest && t > R::ZERO;
+        Self::over(border, h, lasts.then_some(t)?).filter(Self::keeps_limits)
+    }
+
     /// A slow motion of this duration, if there is one.
     fn slow(problem: &Problem<R>, duration: R) -> Option<Self> {
         let (h, t) = (problem.displacement().0, problem.behind_inside(duration));

@@ -1,7 +1,7 @@
 //! Several axes that move together.
 //!
 //! `sync` gives all axes one duration, and `line` puts them on one straight line. Both plan each axis as in `online`. An axis with time to
-//! spare makes a `blend` of two motions.
+//! spare makes a `blend` of two motions. `track` lets one axis follow a signal by such blends.
 
 mod axis;
 mod blend;
@@ -9,6 +9,7 @@ mod cruise;
 mod cycle;
 mod line;
 mod sync;
+mod track;
 
 pub use line::line;
 pub use sync::synchronise;

@@ -127,6 +127,20 @@ impl Move {
         Self::planned(py, |axis| axis.meet(&limits, start, target))
     }
 
+    /// The motion of one tick of an axis that follows `signal`, a state: call it in every tick. Where the axis can be beside the signal after
+    /// the time `horizon`, s, it gets there in just this time. Else it meets the signal as fast as it can.
+    #[staticmethod]
+    fn track(
+        py: Python<'_>,
+        limits: LimitsTuple<Real>,
+        start: StateTuple<Real>,
+        signal: StateTuple<Real>,
+        horizon: Real,
+    ) -> PyResult<Py<Self>> {
+        let (limits, start, signal) = (from_limits(limits), from_state(start), from_state(signal));
+        Self::planned(py, |axis| axis.track(&limits, start, signal, horizon))
+    }
+
     /// What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone.
     fn check<'py>(
         &self,

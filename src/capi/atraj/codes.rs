@@ -36,7 +36,7 @@ pub enum atraj_error {
     ATRAJ_ERR_LIMITS = -3,
     /// the target is outside the limits, or the axis must have left them before
     ATRAJ_ERR_TARGET = -4,
-    /// the duration or the cycle is negative, infinite or not a number
+    /// the duration or the cycle is negative, infinite or not a number, or a horizon is not above 0
     ATRAJ_ERR_DURATION = -5,
     /// the states do not lie on the straight line from start to end
     ATRAJ_ERR_LINE = -6,
