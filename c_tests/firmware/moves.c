@@ -89,9 +89,11 @@ enum {
     REACHES,
     STOPS,
     MEETS,                   /* the target does not accelerate */
+    STAYS_INSIDE,            /* between two positions, or refused */
+    TRACKS,                  /* the signal is near the axis */
     KINDS
 };
-enum { PROBLEMS = 24 * KINDS };
+enum { PROBLEMS = 20 * KINDS };
 
 /* A lower limit, which is nearer to 0 than the upper one if it is asymmetric. */
 static double below(double upper, int asymmetric)
@@ -115,6 +117,9 @@ static atraj_state inside(atraj_limits const *l, int accelerated)
 
 static problem problem_of(unsigned kind)
 {
+    static unsigned const functions[KINDS] = {
+        [REACHES] = REACH, [STOPS] = STOP, [MEETS] = MEET, [STAYS_INSIDE] = WITHIN, [TRACKS] = TRACK, /* else PLAN */
+    };
     problem q;
     int const any = kind >= OUTSIDE;
     double const jm = random_between(10, 50), am = random_between(4, 12), vm = random_between(2, 6);
@@ -126,8 +131,14 @@ static problem problem_of(unsigned kind)
     q.to = inside(&q.limits, kind >= ACCELERATED_TARGET && kind != MEETS);
     q.to.p = q.from.p + (a_float)(random_between(-1, 1) * random_between(0, 15));
     if (kind == AT_REST) { q.from.v = q.to.v = 0; }
-    if (any) { q.from.v *= (a_float)1.6, q.from.a *= (a_float)1.8; }
-    q.function = kind == REACHES ? REACH : kind == STOPS ? STOP : kind == MEETS ? MEET : PLAN;
+    if (kind == TRACKS) {
+        q.to = q.from;
+        q.to.p += (a_float)random_between(-0.01, 0.01);
+        q.to.v += (a_float)random_between(-0.05, 0.05);
+    } else if (any) {
+        q.from.v *= (a_float)1.6, q.from.a *= (a_float)1.8;
+    }
+    q.function = functions[kind];
     return q;
 }
 

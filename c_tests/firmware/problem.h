@@ -4,7 +4,7 @@
 
 #include "atraj/move.h"
 
-enum { PLAN, REACH, STOP, MEET };
+enum { PLAN, REACH, STOP, MEET, WITHIN, TRACK };
 typedef struct {
     unsigned function;
     atraj_limits limits;
@@ -17,6 +17,8 @@ static inline int solve(const problem *q, atraj_move *m)
     case REACH: return atraj_move_reach(m, &q->limits, &q->from, q->to.v, q->to.a);
     case STOP: return atraj_move_stop(m, &q->limits, &q->from);
     case MEET: return atraj_move_meet(m, &q->limits, &q->from, &q->to);
+    case WITHIN: return atraj_move_within(m, &q->limits, &q->from, &q->to, q->from.p - 1, q->to.p + 1);
+    case TRACK: return atraj_move_track(m, &q->limits, &q->from, &q->to, (a_float)0.125);
     default: return atraj_move_plan(m, &q->limits, &q->from, &q->to);
     }
 }

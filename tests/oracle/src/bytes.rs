@@ -2,7 +2,8 @@
 //!
 //! The first byte is the real type: odd for `f32`. The arguments of the family's `gen` follow in little endian, and then a
 //! byte and a number for each time. Missing bytes are 0. A problem for the planners of the fastest moves has no times. In a problem
-//! for `Move`, the first byte names the planner too, and the numbers are the limits, the start and the target.
+//! for `Move`, the first byte names the planner too, and the numbers are the limits, the start and the target, and two more: the
+//! positions between which it stays, or the horizon.
 
 use crate::judge::planner::{Fastest, Planner};
 use crate::judge::problem::{Problem, Request};
@@ -75,6 +76,9 @@ pub fn move_from_any_state(bytes: &[u8]) {
     }
 }
 
+/// How many planners of one axis there are.
+pub const PLANNERS: u8 = 6;
+
 fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
     let limits = Limits {
@@ -93,13 +97,17 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     let before = Move::default();
     let mut planned = before;
     let zero = R::of(0.0);
-    let result = match planner % 4 {
+    let [one, other] = [(); 2].map(|()| number::<R>(&mut bytes));
+    let planner = planner % PLANNERS;
+    let result = match planner {
         0 => planned.plan(&limits, from, to),
         1 => planned.reach(&limits, from, to.velocity, to.acceleration),
         2 => planned.stop(&limits, from),
-        _ => planned.meet(&limits, from, to),
+        3 => planned.meet(&limits, from, to),
+        4 => planned.within(&limits, from, to, one, other),
+        _ => planned.track(&limits, from, to, one),
     };
-    let problem = format!("planner {} {limits:?} {from:?} {to:?}", planner % 4);
+    let problem = format!("planner {planner} {limits:?} {from:?} {to:?} {one:?} {other:?}");
     if result.is_err() {
         assert!(planned == before, "{problem}: touched, {result:?}");
         return;
@@ -120,16 +128,17 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     assert!(last && lasts, "{problem}: {planned:?}");
     // A move without duration is at its start at 0.
     let end = planned.state_at(R::of(f64::INFINITY));
-    let (velocity, acceleration) = match planner % 4 {
+    let (velocity, acceleration) = match planner {
         2 => (zero, zero),
+        5 => (end.velocity, end.acceleration),
         _ => (to.velocity, to.acceleration),
     };
     assert!(
         end.velocity == velocity && end.acceleration == acceleration,
         "{problem}: ends at {end:?}"
     );
-    let there = match planner % 4 {
-        0 => to.position,
+    let there = match planner {
+        0 | 4 => to.position,
         3 => to.position + to.velocity * planned.t,
         _ => end.position,
     };
@@ -157,6 +166,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     );
     let _ = planned.time_at(reached.highest.position);
     let _ = planned.time_at(to.position);
+    let _ = planned.check(&limits);
     let mut positions = [zero; 16];
     planned.sample_into(
         zero,

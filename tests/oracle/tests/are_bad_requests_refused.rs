@@ -97,6 +97,46 @@ fn bad_limits_are_refused() {
     assert_eq!(plan.err(), Some(Error::Limits));
 }
 
+fn beside_plans<R: Real>() {
+    let mut random = Random::seeded(5);
+    for problem in Problems::<R>::new(5).take(PROBLEMS / 10) {
+        let Problem {
+            limits, from, to, ..
+        } = problem;
+        let p = to.position;
+        let before = Move {
+            t: R::of(-1.0),
+            ..Move::default()
+        };
+        let mut planned = before;
+        let infinite = R::of(f64::INFINITY);
+        let none = R::of(f64::NAN);
+        let is_planned = Move::default().plan(&limits, from, to).is_ok();
+        for (lowest, highest, error) in [
+            (p, p, Error::Limits),
+            (infinite, -infinite, Error::Limits),
+            (none, p, Error::NotFinite),
+            (p, none, Error::NotFinite),
+            // The target is outside.
+            (p + R::of(1.0 + p.widen().abs()), infinite, Error::Position),
+            (-infinite, p - R::of(1.0 + p.widen().abs()), Error::Position),
+        ] {
+            let within = planned.within(&limits, from, to, lowest, highest).err();
+            assert!(within == Some(error) || !is_planned, "{within:?} {problem}");
+        }
+        let horizon = R::of(random.pick(&[0.0, -1.0, f64::NAN, f64::INFINITY]));
+        let track = planned.track(&limits, from, to, horizon);
+        assert_eq!(track.err(), Some(Error::Duration), "{problem}");
+        assert_eq!(planned, before);
+    }
+}
+
+#[test]
+fn bad_positions_and_horizons_are_refused() {
+    beside_plans::<f64>();
+    beside_plans::<f32>();
+}
+
 #[test]
 fn states_that_are_not_finite_are_refused() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

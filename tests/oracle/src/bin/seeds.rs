@@ -2,7 +2,7 @@
 //! another, random problems of `Move` in a third, and of several axes in a fourth.
 
 use atraj::online::Limits;
-use oracle::bytes::encode;
+use oracle::bytes::{PLANNERS, encode};
 use oracle::judge::problems::{Kind, Problems};
 use oracle::liba::abi::Original;
 use std::io::Result;
@@ -43,8 +43,10 @@ fn write_moves<R: Real>(directory: &Path) -> Result<()> {
         for state in [from, to] {
             numbers.extend([state.position, state.velocity, state.acceleration]);
         }
+        // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
+        numbers.extend([R::of(0.5), R::of(50.0)]);
         let mut bytes = encode(&numbers, &[]);
-        bytes[0] += 2 * (case % 4);
+        bytes[0] += 2 * (case % PLANNERS);
         let file = directory.join(format!("random-{}-{case}", R::NAME));
         std::fs::write(file, bytes)?;
     }
