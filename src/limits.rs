@@ -135,8 +135,8 @@ impl<R: Real> Limits<R> {
             acceleration,
             ..
         } = state;
-        let change = || self.change_per_jerk(acceleration, self.jmin, self.jmax);
-        acceleration != R::ZERO && !self.keep(velocity, change())
+        let change = self.change_per_jerk(acceleration, self.jmin, self.jmax);
+        acceleration != R::ZERO && !self.keep(velocity, change)
     }
 
     /// The change of velocity between this acceleration and 0: with the jerk `along` if it is above 0, else with the jerk `against`.
