@@ -18,6 +18,7 @@
 #include "a/trajpoly3.h"
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
+#include "atraj/axis.h"
 #include "atraj/codes.h"
 #include "atraj/move.h"
 

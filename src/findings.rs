@@ -137,7 +137,7 @@ pub(crate) fn join<'a>(
 /// use atraj::online::{Error, Limits, Move, State};
 /// let why = Move::default().plan(&Limits::symmetric(0.0, 10.0, 5.0), State::at(0.0), State::at(1.0));
 /// assert_eq!(why, Err(Error::Limits));
-/// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial takes no time");
+/// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -152,12 +152,15 @@ pub enum Error {
     Limits = -3,
     /// The target is outside the limits, or the axis must have left them before.
     Target = -4,
-    /// The duration or the cycle is negative, infinite or not a number, or a polynomial takes no time. Or a horizon is not above 0.
+    /// The duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time. Or a horizon is not
+    /// above 0.
     Duration = -5,
     /// The states of several axes do not lie on the straight line from their start to their end.
     Line = -6,
     /// The axis leaves the positions between which it has to stay.
     Position = -7,
+    /// The tick at which a plan was to take over has begun. Or the plan was for no later tick, or for one that is too far ahead.
+    Late = -8,
     /// liba finds no such move within the limits, or the move takes no time.
     Unreachable = -9,
 }
@@ -170,9 +173,10 @@ impl Error {
             Self::NotFinite => c"a number is infinite or not a number, or the motion is beyond the range of the real type",
             Self::Limits => c"a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
             Self::Target => c"the target is outside the limits, or the axis must have left them before",
-            Self::Duration => c"the duration or the cycle is negative, infinite or not a number, or a polynomial takes no time",
+            Self::Duration => c"the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time",
             Self::Line => c"the states do not lie on the straight line from their start to their end",
             Self::Position => c"the axis leaves the positions between which it has to stay",
+            Self::Late => c"the tick at which the plan was to take over has begun, or is too far ahead",
             Self::Unreachable => c"liba finds no such move within the limits, or the move takes no time",
         }
     }

@@ -30,6 +30,7 @@
 //! | [`Poly3`], [`Poly5`], [`Poly7`] | nothing: the duration is given | a move must take a given time, with given derivatives at its ends |
 //! | [`online::Move`] | jerk, acceleration, velocity, each way | the axis is in motion, the target may change, or the limits differ each way |
 //! | [`axes::synchronise`], [`axes::line`] | the same for each axis | several axes arrive together, or on a straight line |
+//! | [`machine::Axis`] | the same | a timer interrupt needs a setpoint while the main loop plans |
 //! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!
 //! ## Double-S: [`Bell`]
@@ -99,6 +100,7 @@ mod fastest;
 mod findings;
 mod liba;
 mod limits;
+pub mod machine;
 pub mod online;
 mod real;
 mod roots;

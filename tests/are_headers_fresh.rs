@@ -49,6 +49,11 @@ fn move_header_is_fresh() {
 }
 
 #[test]
+fn axis_header_is_fresh() {
+    check_fresh("include/atraj/axis.h", &axis_header());
+}
+
+#[test]
 fn codes_header_is_fresh() {
     check_fresh("include/atraj/codes.h", &codes_header());
 }
@@ -72,6 +77,7 @@ fn atraj_header() -> String {
 #include \"a/a.h\"
 #include \"a/atraj_check.h\"
 {includes}
+#include \"atraj/axis.h\"
 #include \"atraj/codes.h\"
 #include \"atraj/move.h\"
 
@@ -146,6 +152,30 @@ fn move_header() -> String {
 ",
         forward.join("\n"),
         extern_c(&functions, &namespace("atraj", &names)),
+    )
+}
+
+fn axis_header() -> String {
+    let config = config("axis");
+    let about = config.header.clone().unwrap_or_default();
+    let functions = pass("atraj/axis", &config, ItemType::Functions);
+    let structs = pass("atraj/axis", &config, ItemType::Structs);
+    format!(
+        "{GENERATED}{about}
+#ifndef ATRAJ_AXIS_H
+#define ATRAJ_AXIS_H
+
+#include \"atraj/move.h\"
+
+typedef struct atraj_axis atraj_axis;
+
+{}
+
+{structs}
+
+#endif /* ATRAJ_AXIS_H */
+",
+        extern_c(&functions, &namespace("atraj", &["axis"]))
     )
 }
 

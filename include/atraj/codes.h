@@ -66,7 +66,7 @@ enum atraj_error {
      */
     ATRAJ_ERR_TARGET = -4,
     /**
-     * the duration or the cycle is negative, infinite or not a number, or a horizon is not above 0
+     * the duration, the cycle or a period is negative, infinite or not a number, or a period or a horizon is not above 0
      */
     ATRAJ_ERR_DURATION = -5,
     /**
@@ -77,6 +77,10 @@ enum atraj_error {
      * the axis leaves the positions between which it has to stay
      */
     ATRAJ_ERR_POSITION = -7,
+    /**
+     * the tick at which the plan was to take over has begun, or is too far ahead
+     */
+    ATRAJ_ERR_LATE = -8,
     /**
      * for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
      */

@@ -95,6 +95,11 @@ impl<'a, R: Real> Writer<'a, R> {
 }
 
 impl<R: Real> Move<R> {
+    /// Lets the move end where it starts.
+    pub(crate) fn stay(&mut self, state: State<R>) {
+        Writer::new(self, state).end(state);
+    }
+
     /// Lets a move that ends at rest at 0 end beside a moving target instead.
     pub(super) fn shift(&mut self, from: State<R>, target: State<R>) {
         let count = self.phase_count();

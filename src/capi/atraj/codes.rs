@@ -36,12 +36,14 @@ pub enum atraj_error {
     ATRAJ_ERR_LIMITS = -3,
     /// the target is outside the limits, or the axis must have left them before
     ATRAJ_ERR_TARGET = -4,
-    /// the duration or the cycle is negative, infinite or not a number, or a horizon is not above 0
+    /// the duration, the cycle or a period is negative, infinite or not a number, or a period or a horizon is not above 0
     ATRAJ_ERR_DURATION = -5,
     /// the states do not lie on the straight line from start to end
     ATRAJ_ERR_LINE = -6,
     /// the axis leaves the positions between which it has to stay
     ATRAJ_ERR_POSITION = -7,
+    /// the tick at which the plan was to take over has begun, or is too far ahead
+    ATRAJ_ERR_LATE = -8,
     /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
     ATRAJ_ERR_UNREACHABLE = -9,
 }
@@ -64,10 +66,11 @@ const _: () = assert!(
         && ATRAJ_ERR_DURATION as i8 == Error::Duration as i8
         && ATRAJ_ERR_LINE as i8 == Error::Line as i8
         && ATRAJ_ERR_POSITION as i8 == Error::Position as i8
+        && ATRAJ_ERR_LATE as i8 == Error::Late as i8
         && ATRAJ_ERR_UNREACHABLE as i8 == Error::Unreachable as i8
 );
 
-const ERRORS: [Error; 8] = [
+const ERRORS: [Error; 9] = [
     Error::Axes,
     Error::NotFinite,
     Error::Limits,
@@ -75,6 +78,7 @@ const ERRORS: [Error; 8] = [
     Error::Duration,
     Error::Line,
     Error::Position,
+    Error::Late,
     Error::Unreachable,
 ];
 

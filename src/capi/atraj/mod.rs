@@ -1,6 +1,7 @@
 //! `atraj.h`: what liba does not have.
 
 mod axes;
+mod axis;
 mod bell;
 mod codes;
 mod r#move;
@@ -8,6 +9,7 @@ mod poly;
 mod trap;
 
 pub use axes::*;
+pub use axis::*;
 pub use bell::*;
 pub use codes::*;
 pub use r#move::*;

@@ -427,14 +427,14 @@ unsafe fn moves<'a>(ctx: *mut atraj_move) -> Option<&'a mut Move<Number>> {
 
 /// # Safety
 /// `limits` is NULL or valid.
-unsafe fn limits_of<'a>(limits: *const atraj_limits) -> Option<&'a Limits<Number>> {
+pub(super) unsafe fn limits_of<'a>(limits: *const atraj_limits) -> Option<&'a Limits<Number>> {
     // SAFETY: by the contract of this function; the layouts are the same.
     unsafe { limits.cast::<Limits<Number>>().as_ref() }
 }
 
 /// # Safety
 /// `state` is NULL or valid.
-unsafe fn state(state: *const atraj_state) -> Option<State<Number>> {
+pub(super) unsafe fn state(state: *const atraj_state) -> Option<State<Number>> {
     // SAFETY: by the contract of this function; the layouts are the same.
     unsafe { state.cast::<State<Number>>().as_ref().copied() }
 }

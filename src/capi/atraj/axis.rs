@@ -1,0 +1,192 @@
+//! `atraj/axis.h`: an axis between main loop and interrupt.
+
+use super::r#move::{atraj_limits, atraj_move, atraj_state, limits_of, state};
+use super::{ATRAJ_ERR_NULL, code};
+use crate::capi::{Number, a_float, assert_same_layout};
+use crate::findings::{Error, Findings};
+use crate::machine::{Axis, elapsed, hand_over};
+use crate::online::Move;
+use crate::state::State;
+use core::ffi::{c_int, c_uint};
+
+/// @brief An axis between a main loop, which plans, and a timer interrupt, which asks for setpoints. Its members are the library's own.
+#[repr(C)]
+pub struct atraj_axis {
+    /// who may use which move, and when
+    pub words: [c_uint; 6],
+    /// from one tick to the next, s
+    pub period: a_float,
+    /// one is in force, one may wait for its tick, one is planned
+    pub moves: [atraj_move; 3],
+}
+assert_same_layout!(
+    atraj_axis,
+    Axis<Number>,
+    words = handover,
+    period = period,
+    moves = moves
+);
+
+/// @brief Put an axis in a state. It stays there until a plan takes over. Neither main loop nor interrupt may use the axis meanwhile.
+/// @param ctx points to an instance of an axis, which need not be initialised; untouched on an error
+/// @param period from one tick to the next, s
+/// @param now points to the state of the axis
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_DURATION` if the period is not above 0 or not finite, or
+/// `ATRAJ_ERR_NOT_FINITE`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_axis_init(
+    ctx: *mut atraj_axis,
+    period: a_float,
+    now: *const atraj_state,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module, and nobody else uses the axis now.
+    match unsafe { (ctx.cast::<Axis<Number>>().as_mut(), state(now)) } {
+        (Some(axis), Some(now)) => {
+            code(axis.init(period.into(), now).map(|()| Findings::default()))
+        }
+        _ => ATRAJ_ERR_NULL as c_int,
+    }
+}
+
+/// @brief The next setpoint. For the timer interrupt, once in each tick.
+///
+/// It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the bits of
+/// `atraj_move_state`.
+/// @param ctx points to an axis; if it is NULL, the state is not a number
+/// @param now NULL or the place for the state of the axis in this tick
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_state) {
+    let axis = ctx.cast::<Axis<Number>>();
+    let state = if axis.is_null() {
+        let nan = a_float::NAN.into();
+        State {
+            position: nan,
+            velocity: nan,
+            acceleration: nan,
+        }
+    } else {
+        // SAFETY: `axis` is valid by the contract of this module. The main loop uses the words as atomics too, and only reads the period.
+        let (handover, period) = unsafe { (&(*axis).handover, (*axis).period) };
+        let moment = handover.tick();
+        // SAFETY: the place is below 3. Nobody writes to the move in force: see `machine/handover.rs`.
+        let in_force = unsafe { &*place(axis, moment.place) };
+        in_force.state_at(elapsed(period, moment))
+    };
+    if !now.is_null() {
+        // SAFETY: `now` is writable by the contract of this module, and the layouts are the same.
+        unsafe { now.cast::<State<Number>>().write(state) };
+    }
+}
+
+/// @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop, while the interrupt ticks.
+///
+/// The plan starts from the state that the axis will have in tick `n + lead`, where `n` is the last tick before the call. Until that tick
+/// the axis goes on in its move. If another plan still waits for its tick, the new plan replaces it, and takes over in that tick or
+/// earlier.
+/// @param ctx points to an axis
+/// @param limits points to the limits
+/// @param to points to the state at the end
+/// @param lead number of ticks: those that a plan takes, and one more
+/// @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above 134217727. On an error the
+/// axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and is late.
+/// On several processors, `ATRAJ_ERR_LATE` may also come while another processor runs the very tick, and may then be wrong.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_axis_go(
+    ctx: *mut atraj_axis,
+    limits: *const atraj_limits,
+    to: *const atraj_state,
+    lead: c_uint,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    match unsafe { (limits_of(limits), state(to)) } {
+        // SAFETY: the contract of this function is the contract of that one.
+        (Some(limits), Some(to)) => unsafe {
+            plan(ctx, lead, |next, from| next.plan(limits, from, to))
+        },
+        _ => ATRAJ_ERR_NULL as c_int,
+    }
+}
+
+/// @brief Plan the fastest move to a velocity and an acceleration, and let it take over some ticks ahead. The position is free.
+/// @param ctx points to an axis
+/// @param limits points to the limits
+/// @param v1 velocity at the end, unit/s
+/// @param a1 acceleration at the end, unit/s^2
+/// @param lead number of ticks: those that a plan takes, and one more
+/// @return as `atraj_axis_go`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_axis_reach(
+    ctx: *mut atraj_axis,
+    limits: *const atraj_limits,
+    v1: a_float,
+    a1: a_float,
+    lead: c_uint,
+) -> c_int {
+    // SAFETY: `limits` is NULL or valid by the contract of this module.
+    match unsafe { limits_of(limits) } {
+        // SAFETY: the contract of this function is the contract of that one.
+        Some(limits) => unsafe {
+            plan(ctx, lead, |next, from| {
+                next.reach(limits, from, v1.into(), a1.into())
+            })
+        },
+        None => ATRAJ_ERR_NULL as c_int,
+    }
+}
+
+/// @brief Plan the fastest stop, and let it take over some ticks ahead. The position is free.
+/// @param ctx points to an axis
+/// @param limits points to the limits
+/// @param lead number of ticks: those that a plan takes, and one more
+/// @return as `atraj_axis_go`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_axis_stop(
+    ctx: *mut atraj_axis,
+    limits: *const atraj_limits,
+    lead: c_uint,
+) -> c_int {
+    // SAFETY: the contract of this function is the contract of that one.
+    unsafe { atraj_axis_reach(ctx, limits, 0.0, 0.0, lead) }
+}
+
+/// Plans from the state in which the next move takes over.
+///
+/// # Safety
+/// `ctx` is NULL or valid, and no other planner uses it.
+unsafe fn plan(
+    ctx: *mut atraj_axis,
+    lead: c_uint,
+    plan: impl FnOnce(&mut Move<Number>, State<Number>) -> Result<Findings, Error>,
+) -> c_int {
+    let axis = ctx.cast::<Axis<Number>>();
+    if axis.is_null() {
+        return ATRAJ_ERR_NULL as c_int;
+    }
+    // SAFETY: `axis` is valid. The interrupt uses the words as atomics too, and only reads the period.
+    let (handover, period) = unsafe { (&(*axis).handover, (*axis).period) };
+    code(hand_over(handover, lead, |takeover| {
+        let moment = takeover.from;
+        // SAFETY: both places are below 3 and differ. Nobody writes to the move in force, and the interrupt does not read the other one:
+        // see `machine/handover.rs`.
+        let (in_force, next) = unsafe {
+            (
+                &*place(axis, moment.place),
+                &mut *place(axis, takeover.place),
+            )
+        };
+        plan(next, in_force.state_at(elapsed(period, moment)))
+    }))
+}
+
+/// The move at a place, without a reference to the other two.
+///
+/// # Safety
+/// `axis` is valid.
+unsafe fn place(axis: *mut Axis<Number>, place: usize) -> *mut Move<Number> {
+    // SAFETY: by the contract of this function; the remainder is below 3.
+    unsafe {
+        (&raw mut (*axis).moves)
+            .cast::<Move<Number>>()
+            .add(place % 3)
+    }
+}

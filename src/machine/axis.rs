@@ -1,0 +1,125 @@
+//! An axis that goes on in its move while the next one is planned.
+
+use super::handover::{Handover, Moment, Takeover, at};
+use crate::findings::{Error, Findings};
+use crate::limits::Limits;
+use crate::online::Move;
+use crate::real::Real;
+use crate::state::State;
+
+/// An axis between a main loop, which plans, and a timer interrupt, which asks for a setpoint in each tick.
+///
+/// A plan starts from the state that the axis will have after `lead` ticks, and takes over in this tick. `lead` counts the ticks that the main
+/// loop needs to plan, and one more. Until then the axis goes on in its move. A plan that takes over later than planned would be a jump. So a plan that
+/// comes too late does not take over at all, and the main loop gets [`Error::Late`].
+///
+/// A plan that was accepted and still waits for its tick is replaced by the next one, which starts from the move in force. It takes over in the tick of the plan
+/// that waited, or earlier. So an axis that is planned anew in a hurry still follows.
+#[derive(Debug)]
+#[repr(C)]
+pub struct Axis<R> {
+    pub(crate) handover: Handover,
+    /// From one tick to the next, s.
+    pub(crate) period: R,
+    /// The moves at their places.
+    pub(crate) moves: [Move<R>; 3],
+}
+
+impl<R: Real> Axis<R> {
+    /// An axis in this state, which gets a tick every `period`, s. [`Error::Duration`] if the period is not above 0 or not finite;
+    /// [`Error::NotFinite`] if the state is not made of numbers.
+    pub fn new(period: R, state: State<R>) -> Result<Self, Error> {
+        let mut axis = Self {
+            handover: Handover::new(),
+            period,
+            moves: [Move::default(); 3],
+        };
+        axis.init(period, state)?;
+        Ok(axis)
+    }
+
+    /// Does what [`Axis::new`] does, in place. On an error the axis stays as it is.
+    pub(crate) fn init(&mut self, period: R, state: State<R>) -> Result<(), Error> {
+        if !(period > R::ZERO && period.is_finite()) {
+            return Err(Error::Duration);
+        }
+        if !state.is_finite() {
+            return Err(Error::NotFinite);
+        }
+        self.handover = Handover::new();
+        self.period = period;
+        self.moves[0].stay(state);
+        Ok(())
+    }
+
+    /// The next setpoint: the state of the move in force, as many periods after its start as there were ticks.
+    pub fn tick(&mut self) -> State<R> {
+        let moment = self.handover.tick();
+        at(&self.moves, moment.place).state_at(elapsed(self.period, moment))
+    }
+
+    /// Goes to a state, by [`Move::plan`], after `lead` ticks. Findings and errors are those of [`Move::plan`]; [`Error::Late`] if `lead` is 0, or
+    /// 134,217,728 or more. On an error the axis stays as it is.
+    pub fn go(&mut self, limits: &Limits<R>, to: State<R>, lead: u32) -> Result<Findings, Error> {
+        self.next(lead, |next, from| next.plan(limits, from, to))
+    }
+
+    /// Goes to a velocity and an acceleration, by [`Move::reach`], after `lead` ticks. Findings and errors are those of [`Axis::go`].
+    pub fn reach(
+        &mut self,
+        limits: &Limits<R>,
+        velocity: R,
+        acceleration: R,
+        lead: u32,
+    ) -> Result<Findings, Error> {
+        self.next(lead, |next, from| {
+            next.reach(limits, from, velocity, acceleration)
+        })
+    }
+
+    /// Stops, by [`Move::stop`], after `lead` ticks. Findings and errors are those of [`Axis::go`].
+    pub fn stop(&mut self, limits: &Limits<R>, lead: u32) -> Result<Findings, Error> {
+        self.next(lead, |next, from| next.stop(limits, from))
+    }
+
+    fn next(
+        &mut self,
+        lead: u32,
+        plan: impl FnOnce(&mut Move<R>, State<R>) -> Result<Findings, Error>,
+    ) -> Result<Findings, Error> {
+        let (period, moves) = (self.period, &mut self.moves);
+        hand_over(&self.handover, lead, |takeover| {
+            let from = at(moves, takeover.from.place).state_at(elapsed(period, takeover.from));
+            let [a, b, c] = moves;
+            let next = match takeover.place {
+                0 => a,
+                1 => b,
+                _ => c,
+            };
+            plan(next, from)
+        })
+    }
+}
+
+/// Plans a move and lets it take over.
+pub(crate) fn hand_over(
+    handover: &Handover,
+    lead: u32,
+    plan: impl FnOnce(&Takeover) -> Result<Findings, Error>,
+) -> Result<Findings, Error> {
+    let takeover = handover.prepare(lead).ok_or(Error::Late)?;
+    let findings = plan(&takeover)?;
+    if handover.publish(&takeover) {
+        Ok(findings)
+    } else {
+        Err(Error::Late)
+    }
+}
+
+/// The time since the start of the move, s: a product, because a sum of periods would drift.
+pub(crate) fn elapsed<R: Real>(period: R, moment: Moment) -> R {
+    const UPPER: i32 = 1 << 30;
+    let [upper, lower] = [moment.age >> 30, moment.age % UPPER as u64];
+    let ticks = R::from_index(upper as i32) * R::from_index(UPPER) + R::from_index(lower as i32);
+    period * ticks
+}
