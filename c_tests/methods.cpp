@@ -211,6 +211,27 @@ void axes()
     PROMISE(atraj::line(axes, limits, from, to, 2, 4, 0.5f) == 0 && axes[0].pos(1) == -2 * axes[1].pos(1));
 }
 
+void axis()
+{
+    atraj::limits limits;
+    limits.init(30, 10, 5);
+    const atraj::state from = {1, 0, 0}, to = {10, 0, 0};
+    atraj::axis method;
+    atraj_axis function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.init(0.001f, from) == 0 && atraj_axis_init(&function, 0.001f, &from) == 0 && same(method, function));
+    PROMISE(method.init(0, from) == ATRAJ_ERR_DURATION);
+    PROMISE(method.go(limits, to, 2) == 0 && atraj_axis_go(&function, &limits, &to, 2) == 0 && same(method, function));
+    atraj::state now;
+    for (int i = 0; i < 100; ++i) { atraj_axis_tick(&function, &now); }
+    for (int i = 1; i < 100; ++i) { method.tick(); }
+    PROMISE(same(method.tick(), now) && now.p > 1 && same(method, function));
+    PROMISE(method.reach(limits, -3, 2, 1) == atraj_axis_reach(&function, &limits, -3, 2, 1) && same(method, function));
+    PROMISE(method.stop(limits, 1) == atraj_axis_stop(&function, &limits, 1) && same(method, function));
+    PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
+}
+
 // Every finding and every error up to the one of a line has a sentence of its own.
 void messages()
 {
@@ -222,8 +243,9 @@ void messages()
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
         }
     }
-    PROMISE(std::strcmp(atraj_message(128), "this code is unknown") == 0 && std::strcmp(atraj_message(-8), "this code is unknown") == 0);
+    PROMISE(std::strcmp(atraj_message(128), "this code is unknown") == 0 && std::strcmp(atraj_message(-10), "this code is unknown") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LINE), "the states do not lie on the straight line from their start to their end") == 0);
+    PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LATE), "the tick at which the plan was to take over has begun, or is too far ahead") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_JUMPS + ATRAJ_OVERSHOOTS), atraj_message(ATRAJ_JUMPS)) == 0);
 }
 #endif
@@ -238,6 +260,7 @@ int main()
     move();
     profiles();
     axes();
+    axis();
     messages();
 #endif
     return broken;

@@ -147,7 +147,7 @@ fn layout_prelude_and_null() {
 }
 
 /// The programs that test the functions of `atraj.h`.
-const CONTRACTS: [&str; 4] = ["sample.c", "fastest.c", "move.c", "axes.c"];
+const CONTRACTS: [&str; 5] = ["sample.c", "fastest.c", "move.c", "axes.c", "axis.c"];
 
 #[test]
 fn contracts_of_our_own_functions() {
