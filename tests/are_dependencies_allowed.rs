@@ -29,7 +29,7 @@ const TEST_ONLY: [(&str, &str); 3] = [
 ];
 /// What ships in an archive or a dependent program.
 const SHIPPED: [&str; 2] = ["atraj", "libc"];
-const LOCKED: [&str; 4] = [".", "tests/oracle", "fuzz", "python"];
+const LOCKED: [&str; 5] = [".", "tests/oracle", "tests/handover", "fuzz", "python"];
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
 
 /// Whether an SPDX expression can be met with the allowed licences.

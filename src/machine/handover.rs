@@ -6,29 +6,30 @@
 //! | word | written by | holds |
 //! |---|---|---|
 //! | `now` | the interrupt | the tick, and the place of the move in force |
-//! | `halves` | the interrupt | for how many halves of the counter's range this move is in force, rounded down |
-//! | `due` | the main loop | the `now` at which a move takes over, and its place |
-//! | `starts` | the main loop | the tick at which each move takes over |
+//! | `halves` | the interrupt | for how many halves of the counter's range a move is in force, rounded down, and its place |
+//! | `due` | the main loop | the `now` at which a move takes over, and the place of this move |
+//! | `starts` | the main loop | the tick at which the move at each place takes over |
 //!
-//! **The interrupt decides.** It counts the tick, stores `now` and then loads `due`. If `due` is for this `now`, it stores `now` with the
-//! other place. So a plan takes over at its own tick or never, and never from another move than the one that it was planned from.
+//! **The interrupt decides.** It counts the tick, stores `now` and then loads `due`. If `due` is for this `now`, it stores `now` once more,
+//! with the other place. So a move takes over at its own tick or never, and from no move but the one that it was planned from.
 //!
-//! **The main loop learns.** It stores `due` and then loads `now`. A fence on either side lets at least one of them see the other's store. So if
-//! `now` is before the tick of the plan, then the interrupt will see the plan in time. If `now` has the place of the plan, then the
-//! interrupt has taken it. Else the plan is late, and the main loop withdraws it: at that tick, the move in force goes on.
-//! An interrupt is over before the main loop goes on, so on one processor the answer is always the truth. On two processors the
-//! interrupt may be deciding while the main loop looks. Nobody could tell then without a wait, and the answer is that the plan is late. Until the next
-//! tick the main loop touches no place, because `due` is for `now`.
+//! **The main loop learns.** It stores `due` and then loads `now`. With a fence on each side, at least one of them sees what the other
+//! has stored. If `now` is before the tick of the plan, the interrupt will see the plan in time. If `now` has the place of the plan, the
+//! interrupt has taken it. Else the plan is late. The main loop withdraws it: `due` says that the move in force goes on.
+//! On one processor an interrupt is over before the main loop goes on, so the answer is the truth. On two processors the interrupt
+//! may be deciding while the main loop looks. Without a wait nobody could tell, so the answer is that the plan is late. `due` is still
+//! for this `now`, and until the next tick the main loop plans nothing.
 //!
-//! **Nobody writes what another reads.** The interrupt reads the place in `now`, from the tick at which it takes over. The main loop writes the
-//! place that is neither in `now` nor in `due`. A place that leaves `due` was never in force: its tick was ahead. A place that leaves
-//! `now` is not read again: the interrupt stores the new `now` after its last look at the old place.
+//! **Nobody writes what the other one reads.** The interrupt reads the place in `now`. The main loop writes a place that is neither in
+//! `now` nor in a `due` that is ahead. A place that leaves `due` was never in force, because its tick was ahead. A place that leaves
+//! `now` is not read again, because the interrupt looks there before it stores the `now` of the next tick.
 //!
-//! **The counter wraps**, after 74 hours at 1 kHz. It starts shortly before, so every test passes the wrap. The age of a move has 59
-//! bits: its lower bits are a difference of ticks, its upper bits are `halves`. The main loop may see `halves` of a moment ago. The
-//! lowest bit of `halves` is also the highest of the difference, and tells whether one is missing.
+//! **The counter wraps**, after 74 hours at 1 kHz. It starts shortly before, so every test passes the wrap. The age of a move has 55 bits:
+//! the upper ones are `halves`, the lower ones are a difference of ticks. The main loop loads `halves` first, so it may miss
+//! the last half. The highest bit of the difference is also the lowest bit of `halves`, and tells. A `halves` of another place is for the
+//! move before, and the move in force is young.
 //!
-//! From its store of `due` to its look at `now`, the main loop must not be held up for 74 hours.
+//! Between its store of `due` and its look at `now`, the main loop must not be held up for 74 hours.
 
 use super::atomic::Ordering::{Acquire, Relaxed, Release, SeqCst};
 use super::atomic::{AtomicU32, fence};
@@ -63,19 +64,19 @@ pub(crate) struct Takeover {
     pub from: Moment,
     /// The place of the new move.
     pub place: usize,
-    time: Time,
+    time: About,
 }
 
-/// A tick, and the place of the move that is in force when it begins.
+/// A number, and the place that it is about: the words `now` and `halves`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Time(u32);
+struct About(u32);
 
-impl Time {
-    fn new(tick: u32, place: usize) -> Self {
-        Self((tick & TICKS) << PLACE_BITS | place as u32)
+impl About {
+    fn new(number: u32, place: usize) -> Self {
+        Self((number & TICKS) << PLACE_BITS | place as u32)
     }
 
-    fn tick(self) -> u32 {
+    fn number(self) -> u32 {
         self.0 >> PLACE_BITS
     }
 
@@ -84,10 +85,10 @@ impl Time {
     }
 
     fn after(self, ticks: u32) -> Self {
-        Self::new(self.tick().wrapping_add(ticks), self.place())
+        Self::new(self.number().wrapping_add(ticks), self.place())
     }
 
-    /// The word `due`: at this time the move at `place` takes over.
+    /// The word `due`: at this `now` the move at `place` takes over.
     fn due(self, place: usize) -> u32 {
         self.0 << PLACE_BITS | place as u32
     }
@@ -109,8 +110,8 @@ pub(crate) fn at<T>([a, b, c]: &[T; 3], place: usize) -> &T {
 impl Handover {
     /// The move at place 0 is in force.
     pub fn new() -> Self {
-        let first = Time::new(TICKS - 1000, 0);
-        let start = || AtomicU32::new(first.tick());
+        let first = About::new(TICKS - 1000, 0);
+        let start = || AtomicU32::new(first.number());
         Self {
             now: AtomicU32::new(first.0),
             halves: AtomicU32::new(0),
@@ -121,17 +122,16 @@ impl Handover {
 
     /// The interrupt: counts a tick. Returns the move in force.
     pub fn tick(&self) -> Moment {
-        let mut now = Time(self.now.load(Relaxed)).after(1);
+        let mut now = About(self.now.load(Relaxed)).after(1);
         self.now.store(now.0, Release);
         fence(SeqCst);
-        let (time, place) = Time::of_due(self.due.load(Acquire));
-        let mut halves = self.halves.load(Relaxed);
-        if time == now && place != now.place() {
-            now = Time::new(now.tick(), place);
-            halves = 0;
+        let (time, place) = About::of_due(self.due.load(Acquire));
+        if time == now {
+            now = About::new(now.number(), place);
         }
-        let age = self.age(halves, now);
-        self.halves.store((age / u64::from(HALF)) as u32, Relaxed);
+        let age = self.age(About(self.halves.load(Relaxed)), now);
+        let halves = About::new((age / u64::from(HALF)) as u32, now.place());
+        self.halves.store(halves.0, Release);
         self.now.store(now.0, Release);
         Moment {
             place: now.place(),
@@ -139,40 +139,40 @@ impl Handover {
         }
     }
 
-    /// The main loop, before it plans: where to plan to, and from where. The new move takes over after `lead` ticks. If a move waits, the new one
-    /// replaces it, and does not take over later. `None` if `lead` is 0 or half of the counter's range, or if the interrupt may be deciding.
+    /// The main loop, before it plans: where to plan to, and from where. The new move takes over after `lead` ticks. If a move waits for
+    /// its tick, the new one replaces it, and takes over in that tick or earlier. `None` if `lead` is 0 or half of the counter's range,
+    /// or if the interrupt may be deciding.
     pub fn prepare(&self, lead: u32) -> Option<Takeover> {
-        let now = Time(self.now.load(Acquire));
-        let halves = self.halves.load(Relaxed);
-        let (due, last) = Time::of_due(self.due.load(Relaxed));
+        let halves = About(self.halves.load(Acquire));
+        let now = About(self.now.load(Acquire));
+        let (due, last) = About::of_due(self.due.load(Relaxed));
         if lead == 0 || lead >= HALF || due == now {
             return None;
         }
         let waits = due.place() == now.place() && last != now.place();
-        let until = due.tick().wrapping_sub(now.tick()) & TICKS;
-        let time = now.after(if waits { lead.min(until) } else { lead });
+        let until = due.number().wrapping_sub(now.number()) & TICKS;
+        let ticks = if waits { lead.min(until) } else { lead };
+        let is_free = |&place: &usize| place != now.place() && !(waits && place == last);
         Some(Takeover {
             from: Moment {
                 place: now.place(),
-                age: self.age(halves, time),
+                age: self.age(halves, now) + u64::from(ticks),
             },
-            place: (0..2)
-                .find(|&place| place != now.place() && !(waits && place == last))
-                .unwrap_or(2),
-            time,
+            place: (0..2).find(is_free).unwrap_or(2),
+            time: now.after(ticks),
         })
     }
 
     /// The main loop, after it has planned: whether the move takes over.
     pub fn publish(&self, takeover: &Takeover) -> bool {
         let Takeover { from, place, time } = *takeover;
-        at(&self.starts, place).store(time.tick(), Relaxed);
+        at(&self.starts, place).store(time.number(), Relaxed);
         self.due.store(time.due(place), Release);
         fence(SeqCst);
-        // In this order: `halves` must not be newer than `now`.
-        let halves = self.halves.load(Acquire);
-        let now = Time(self.now.load(Acquire));
-        let waits = now.place() == from.place && self.age(halves, now) < from.age;
+        let halves = About(self.halves.load(Acquire));
+        let now = About(self.now.load(Acquire));
+        let goes_on = now.place() == from.place && halves.place() == from.place;
+        let waits = goes_on && self.age(halves, now) < from.age;
         let takes_over = waits || now.place() == place;
         if !takes_over {
             self.due.store(time.due(from.place), Release);
@@ -180,11 +180,16 @@ impl Handover {
         takes_over
     }
 
-    /// For how many ticks the move has been in force. `halves` are those of the age, or one less.
-    fn age(&self, halves: u32, time: Time) -> u64 {
-        let start = at(&self.starts, time.place()).load(Relaxed);
-        let ticks = time.tick().wrapping_sub(start) & TICKS;
-        let missing = ((ticks / HALF) ^ halves) & 1;
-        u64::from(halves.wrapping_add(missing)) * u64::from(HALF) + u64::from(ticks % HALF)
+    /// For how many ticks the move has been in force.
+    fn age(&self, halves: About, now: About) -> u64 {
+        let start = at(&self.starts, now.place()).load(Relaxed);
+        let ticks = now.number().wrapping_sub(start) & TICKS;
+        let known = if halves.place() == now.place() {
+            halves.number()
+        } else {
+            0
+        };
+        let missing = (known ^ (ticks / HALF)) & 1;
+        u64::from(known + missing) * u64::from(HALF) + u64::from(ticks % HALF)
     }
 }

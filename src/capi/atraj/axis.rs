@@ -183,7 +183,7 @@ unsafe fn plan(
 /// # Safety
 /// `axis` is valid.
 unsafe fn place(axis: *mut Axis<Number>, place: usize) -> *mut Move<Number> {
-    // SAFETY: by the contract of this function; the remainder is below 3.
+    // SAFETY: by the contract of this function; the place is at most 2.
     unsafe {
         (&raw mut (*axis).moves)
             .cast::<Move<Number>>()
