@@ -21,9 +21,8 @@
 //! This type has one owner. To share an axis between two contexts takes raw pointers, and the library keeps its `unsafe` at the C ABI.
 //! So Rust firmware shares an `atraj_axis` (feature `capi`): its functions need no lock and no critical section.
 
-mod axis;
+pub(crate) mod axis;
 mod handover;
 
 pub use axis::Axis;
-pub(crate) use axis::{elapsed, hand_over};
 use core::sync::atomic;

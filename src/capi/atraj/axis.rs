@@ -4,7 +4,7 @@ use super::r#move::{atraj_limits, atraj_move, atraj_state, limits_of, state};
 use super::{ATRAJ_ERR_NULL, code};
 use crate::capi::{Number, a_float, assert_same_layout};
 use crate::findings::{Error, Findings};
-use crate::machine::{Axis, elapsed, hand_over};
+use crate::machine::axis::{Axis, elapsed, hand_over};
 use crate::online::Move;
 use crate::state::State;
 use core::ffi::{c_int, c_uint};
@@ -187,6 +187,6 @@ unsafe fn place(axis: *mut Axis<Number>, place: usize) -> *mut Move<Number> {
     unsafe {
         (&raw mut (*axis).moves)
             .cast::<Move<Number>>()
-            .add(place % 3)
+            .add(place.min(2))
     }
 }
