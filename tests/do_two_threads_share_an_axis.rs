@@ -1,0 +1,128 @@
+//! Do two threads share an axis of the C ABI, one that plans and one that ticks, without a jump and without a data race?
+//!
+//! A plan that is published before it is whole is the planted fault. ThreadSanitizer needs the run-time library that rustup's compiler
+//! brings along; it does not know fences, so it wants each order from a store and a load.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use support::repository::root;
+use support::tools::{lines, run};
+use support::variant::{DOUBLE, FLOAT, Variant};
+
+const EARLY: &str = "-DPUBLISHED_EARLY";
+
+/// The compiler of C with the program `c_tests/threads.c` for a variant.
+fn compiler(variant: &Variant, flags: &[&str]) -> Command {
+    let mut command = Command::new("cc");
+    command.args([
+        "-std=c11",
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Werror",
+        "-O2",
+        "-pthread",
+    ]);
+    command.arg("-I").arg(variant.dist().join("include"));
+    command.arg(root().join("c_tests/threads.c")).args(flags);
+    command
+}
+
+fn program(variant: &Variant, flags: &[&str]) -> Output {
+    let program = variant.scratch().join(format!("threads{}", flags.concat()));
+    let mut command = compiler(variant, flags);
+    command.arg(variant.archive()).arg("-lm");
+    run(command.arg("-o").arg(&program));
+    Command::new(program).output().unwrap()
+}
+
+fn text(output: &Output) -> String {
+    String::from_utf8_lossy(&[&output.stdout[..], &output.stderr].concat()).into_owned()
+}
+
+#[test]
+fn without_a_jump() {
+    for variant in [&DOUBLE, &FLOAT] {
+        let output = program(variant, &[]);
+        println!("{}", text(&output));
+        assert!(output.status.success(), "{}", text(&output));
+    }
+    assert!(!program(&DOUBLE, &[EARLY]).status.success());
+}
+
+/// The archive, in which ThreadSanitizer watches each access.
+fn watched_archive() -> PathBuf {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo
+        .current_dir(root())
+        .args(["rustc", "--quiet", "--release", "--lib"]);
+    cargo.args([
+        "--crate-type",
+        "staticlib",
+        "--no-default-features",
+        "--features",
+        "capi",
+    ]);
+    // With --target, cargo compiles build.rs without these flags.
+    cargo.args([
+        "--target",
+        host().as_str(),
+        "--target-dir",
+        "target/watched",
+    ]);
+    cargo.env("RUSTC_BOOTSTRAP", "1");
+    cargo.env(
+        "RUSTFLAGS",
+        "-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer",
+    );
+    run(cargo.args(["--", "--cfg", "atraj_archive"]));
+    root()
+        .join("target/watched")
+        .join(host())
+        .join("release/libatraj.a")
+}
+
+fn host() -> String {
+    let facts = lines(Command::new("rustc").arg("-vV"));
+    let host = facts.iter().find_map(|fact| fact.strip_prefix("host: "));
+    host.expect("the host").to_owned()
+}
+
+fn watched_program(archive: &Path, library: &Path, flags: &[&str]) -> Output {
+    let program = DOUBLE.scratch().join(format!("watched{}", flags.concat()));
+    let object = program.with_extension("o");
+    let mut command = compiler(&DOUBLE, flags);
+    run(command.args(["-fsanitize=thread", "-c", "-o"]).arg(&object));
+    let mut link = Command::new("cc");
+    link.args(["-no-pie", "-rdynamic", "-pthread"])
+        .arg(object)
+        .arg(archive)
+        .arg(library);
+    run(link
+        .args(["-lm", "-ldl", "-lrt", "-lstdc++", "-o"])
+        .arg(&program));
+    Command::new(program).output().unwrap()
+}
+
+#[test]
+fn without_a_data_race() {
+    let sysroot = lines(Command::new("rustc").args(["--print", "sysroot"])).concat();
+    let libraries = Path::new(&sysroot)
+        .join("lib/rustlib")
+        .join(host())
+        .join("lib");
+    let library = libraries.join("librustc-stable_rt.tsan.a");
+    if !library.exists() {
+        println!(
+            "SKIPPED: {} is missing, so ThreadSanitizer watches nothing",
+            library.display()
+        );
+        return;
+    }
+    let archive = watched_archive();
+    let output = watched_program(&archive, &library, &[]);
+    println!("watched: {}", text(&output));
+    assert!(output.status.success(), "{}", text(&output));
+    let early = text(&watched_program(&archive, &library, &[EARLY]));
+    assert!(early.contains("data race"), "{early}");
+}
