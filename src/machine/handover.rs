@@ -5,20 +5,21 @@
 //!
 //! | word | written by | holds |
 //! |---|---|---|
-//! | `now` | the interrupt | the tick, and the place of the move in force |
+//! | `now` | the interrupt | the tick, the place of the move in force, and whether the interrupt is deciding |
 //! | `halves` | the interrupt | for how many halves of the counter's range a move is in force, rounded down, and its place |
 //! | `due` | the main loop | the `now` at which a move takes over, and the place of this move |
 //! | `starts` | the main loop | the tick at which the move at each place takes over |
 //!
-//! **The interrupt decides.** It counts the tick, stores `now` and then loads `due`. If `due` is for this `now`, it stores `now` once more,
-//! with the other place. So a move takes over at its own tick or never, and from no move but the one that it was planned from.
+//! **The interrupt decides.** It counts the tick, stores `now`, and then loads `due`. If `due` is for this `now`, the other move takes
+//! over. Then the interrupt stores `now` once more, with the place that it decided for. So a move takes over at its own tick or never, and
+//! from no move but the one that it was planned from.
 //!
 //! **The main loop learns.** It stores `due` and then loads `now`. With a fence on each side, at least one of them sees what the other
 //! has stored. If `now` is before the tick of the plan, the interrupt will see the plan in time. If `now` has the place of the plan, the
-//! interrupt has taken it. Else the plan is late. The main loop withdraws it: `due` says that the move in force goes on.
+//! interrupt has taken it. Else the plan is late, and the main loop withdraws it: `due` says that the move in force goes on.
 //! On one processor an interrupt is over before the main loop goes on, so the answer is the truth. On two processors the interrupt
-//! may be deciding while the main loop looks. Without a wait nobody could tell, so the answer is that the plan is late. `due` is still
-//! for this `now`, and until the next tick the main loop plans nothing.
+//! may be deciding while the main loop looks. Without a wait nobody could tell, so the answer is that the plan is late. And while the
+//! interrupt is deciding, the main loop plans nothing.
 //!
 //! **Nobody writes what the other one reads.** The interrupt reads the place in `now`. The main loop writes a place that is neither in
 //! `now` nor in a `due` that is ahead. A place that leaves `due` was never in force, because its tick was ahead. A place that leaves
@@ -39,6 +40,8 @@ const PLACE_BITS: u32 = 2;
 const TICK_BITS: u32 = 32 - 2 * PLACE_BITS;
 const HALF: u32 = 1 << (TICK_BITS - 1);
 const TICKS: u32 = 2 * HALF - 1;
+/// In `now`, above the tick and the place.
+const DECIDES: u32 = 1 << 31;
 
 /// The words.
 #[derive(Debug)]
@@ -77,7 +80,7 @@ impl About {
     }
 
     fn number(self) -> u32 {
-        self.0 >> PLACE_BITS
+        (self.0 >> PLACE_BITS) & TICKS
     }
 
     fn place(self) -> usize {
@@ -123,7 +126,7 @@ impl Handover {
     /// The interrupt: counts a tick. Returns the move in force.
     pub fn tick(&self) -> Moment {
         let mut now = About(self.now.load(Relaxed)).after(1);
-        self.now.store(now.0, Release);
+        self.now.store(now.0 | DECIDES, Release);
         fence(SeqCst);
         let (time, place) = About::of_due(self.due.load(Acquire));
         if time == now {
@@ -146,7 +149,7 @@ impl Handover {
         let halves = About(self.halves.load(Acquire));
         let now = About(self.now.load(Acquire));
         let (due, last) = About::of_due(self.due.load(Relaxed));
-        if lead == 0 || lead >= HALF || due == now {
+        if lead == 0 || lead >= HALF || now.0 & DECIDES != 0 {
             return None;
         }
         let waits = due.place() == now.place() && last != now.place();

@@ -6,7 +6,7 @@ use std::{env, fs};
 const SOURCE: &str = "../../src/machine/handover.rs";
 
 /// The name of each variant, what it changes, and into what.
-const VARIANTS: [(&str, &[(&str, &str)]); 13] = [
+const VARIANTS: [(&str, &[(&str, &str)]); 14] = [
     ("whole", &[]),
     (
         "unfenced_tick",
@@ -24,6 +24,7 @@ const VARIANTS: [(&str, &[(&str, &str)]); 13] = [
         "relaxed_tick",
         &[("self.due.load(Acquire)", "self.due.load(Relaxed)")],
     ),
+    ("while_it_decides", &[("|| now.0 & DECIDES != 0", "")]),
     (
         "relaxed_prepare",
         &[(

@@ -96,5 +96,5 @@ pub mod one_processor {
 pub mod two_processors {
     pub use loom::sync::atomic;
 
-    variants! { whole unfenced_tick unfenced_publish relaxed_store relaxed_tick relaxed_prepare }
+    variants! { whole unfenced_tick unfenced_publish relaxed_store relaxed_tick relaxed_prepare while_it_decides }
 }

@@ -95,6 +95,7 @@ fn all<H: Handover + Send + Sync + 'static>() {
     run::<H>(0, 3, &[2]);
     run::<H>(0, 3, &[1, 1]);
     run::<H>(0, 3, &[2, 1]);
+    run::<H>(0, 2, &[2, 1, 1]);
     run::<H>(0, 4, &[1, 1, 1]);
     // The age of the move passes half of the counter's range.
     run::<H>(6, 3, &[2]);
@@ -119,5 +120,6 @@ fn planted_faults_are_seen() {
     is_seen::<unfenced_publish::Variant>("no fence in the publication");
     is_seen::<relaxed_store::Variant>("a plan is published before it is whole");
     is_seen::<relaxed_tick::Variant>("a plan is read before it is whole");
+    is_seen::<while_it_decides::Variant>("a move is planned while it takes over");
     is_seen::<relaxed_prepare::Variant>("the look before the plan is not ordered");
 }
