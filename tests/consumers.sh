@@ -185,7 +185,7 @@ firmware() {
     grep ' T a_trajbell_gen$' symbols
     test -z "$(grep ' a_trajtrap_gen$' symbols)"
     arm-none-eabi-nm jog.elf > symbols
-    grep ' T atraj_move_plan$' symbols
+    grep ' T atraj_axis_go$' symbols
     test -z "$(grep ' a_trajbell_gen$' symbols)"
     for program in axis jog; do arm-none-eabi-readelf -A $program.elf | grep 'Tag_ABI_VFP_args: VFP registers'; done
 }
