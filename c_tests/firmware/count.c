@@ -173,6 +173,9 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #pragma weak atraj_move_jer
 #pragma weak atraj_moves_sync
 #pragma weak atraj_moves_line
+#pragma weak atraj_axis_init
+#pragma weak atraj_axis_tick
+#pragma weak atraj_axis_go
 
 static void fastest(void)
 {
@@ -203,7 +206,7 @@ static void pose_axes(void *ctx)
     ((planner *)posed_to)(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
 }
 
-static cost measure_planner(void (*pose)(void *), void (*f)(void), atraj_move *m)
+static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m)
 {
     a_float const none[9] = {0};
     posed_to = stub;
@@ -261,6 +264,37 @@ static void axes(void)
     print_costs("atraj_moves_line", sums[1]);
 }
 
+enum { LEAD = 4 };
+
+static void pose_go(void *ctx)
+{
+    typedef int planner(atraj_axis *, const atraj_limits *, const atraj_state *, unsigned);
+    ((planner *)posed_to)(ctx, &posed.limits, &posed.to, LEAD);
+}
+
+static void pose_tick(void *ctx)
+{
+    typedef void interrupt(atraj_axis *, atraj_state *);
+    ((interrupt *)posed_to)(ctx, &posed.from);
+}
+
+/* An axis that goes to each target of the table from the end before, with 100 ticks for each. */
+static void axis(void)
+{
+    static atraj_axis ctx;
+    atraj_state const start = {0};
+    costs plans = {0}, ticks = {0};
+    atraj_axis_init(&ctx, (a_float)0.01, &start);
+    for (size_t i = 0; i != ROWS(fastest_move); ++i) {
+        posed = problem_of(fastest_move[i]);
+        if (posed.function != PLAN) { continue; }
+        add(&plans, measure_planner(pose_go, (void (*)(void))atraj_axis_go, &ctx));
+        for (int n = 0; n != 100; ++n) { add(&ticks, measure_planner(pose_tick, (void (*)(void))atraj_axis_tick, &ctx)); }
+    }
+    print_costs("atraj_axis_tick", ticks);
+    print_costs("atraj_axis_go", plans);
+}
+
 static void trap(void)
 {
     a_trajtrap ctx;
@@ -302,5 +336,6 @@ int main(void)
     fastest();
     if (atraj_move_plan) { moves(); }
     if (atraj_moves_sync) { axes(); }
+    if (atraj_axis_tick) { axis(); }
     return 0;
 }

@@ -64,6 +64,7 @@ END {
         printf "\n`atraj_move_plan`, `_reach`, `_stop`, `_pos`, `_vel`, `_acc` and `_jer` together take %d bytes of flash.\n",
             value(build, "ours", "moves" SUBSEP "fastest-flash")
         planners(build, "Three axes", "atraj_moves_sync atraj_moves_line")
+        planners(build, "An axis between main loop and interrupt", "atraj_axis_tick atraj_axis_go")
         printf "\n### Stack, bytes with everything called\n\n| function | ours | C -Os | C -O2 |\n|---|---:|---:|---:|\n"
         for (k = 1; k <= key_count; ++k) {
             split(keys[k], part, SUBSEP)

@@ -35,8 +35,9 @@ int atraj_axis_init(struct atraj_axis *ctx,
 /**
  * @brief The next setpoint. For the timer interrupt, once in each tick.
  *
- * It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the bits of
- * `atraj_move_state`.
+ * It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the
+ * bits of `atraj_move_state`: nothing adds up. In `float` the number of ticks has 24 bits, so an axis that moves on after its end needs a new plan
+ * within 16 million ticks.
  * @param ctx points to an axis; if it is NULL, the state is not a number
  * @param now NULL or the place for the state of the axis in this tick
  */
@@ -53,9 +54,9 @@ void atraj_axis_tick(struct atraj_axis *ctx,
  * @param ctx points to an axis
  * @param limits points to the limits
  * @param to points to the state at the end
- * @param lead number of ticks: those that a plan takes, and one more
+ * @param lead number of ticks: those that a plan takes, rounded up, and one more
  * @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above 134217727. On an error the
- * axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and is late.
+ * axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and came late.
  * On several processors, `ATRAJ_ERR_LATE` may also come while another processor runs the very tick, and may then be wrong.
  */
 A_EXTERN
@@ -70,7 +71,7 @@ int atraj_axis_go(struct atraj_axis *ctx,
  * @param limits points to the limits
  * @param v1 velocity at the end, unit/s
  * @param a1 acceleration at the end, unit/s^2
- * @param lead number of ticks: those that a plan takes, and one more
+ * @param lead number of ticks: those that a plan takes, rounded up, and one more
  * @return as `atraj_axis_go`
  */
 A_EXTERN
@@ -84,7 +85,7 @@ int atraj_axis_reach(struct atraj_axis *ctx,
  * @brief Plan the fastest stop, and let it take over some ticks ahead. The position is free.
  * @param ctx points to an axis
  * @param limits points to the limits
- * @param lead number of ticks: those that a plan takes, and one more
+ * @param lead number of ticks: those that a plan takes, rounded up, and one more
  * @return as `atraj_axis_go`
  */
 A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits, unsigned int lead);

@@ -50,8 +50,9 @@ pub unsafe extern "C" fn atraj_axis_init(
 
 /// @brief The next setpoint. For the timer interrupt, once in each tick.
 ///
-/// It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the bits of
-/// `atraj_move_state`.
+/// It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the
+/// bits of `atraj_move_state`: nothing adds up. In `float` the number of ticks has 24 bits, so an axis that moves on after its end needs a new plan
+/// within 16 million ticks.
 /// @param ctx points to an axis; if it is NULL, the state is not a number
 /// @param now NULL or the place for the state of the axis in this tick
 #[unsafe(no_mangle)]
@@ -86,9 +87,9 @@ pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_s
 /// @param ctx points to an axis
 /// @param limits points to the limits
 /// @param to points to the state at the end
-/// @param lead number of ticks: those that a plan takes, and one more
+/// @param lead number of ticks: those that a plan takes, rounded up, and one more
 /// @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above 134217727. On an error the
-/// axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and is late.
+/// axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and came late.
 /// On several processors, `ATRAJ_ERR_LATE` may also come while another processor runs the very tick, and may then be wrong.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_go(
@@ -112,7 +113,7 @@ pub unsafe extern "C" fn atraj_axis_go(
 /// @param limits points to the limits
 /// @param v1 velocity at the end, unit/s
 /// @param a1 acceleration at the end, unit/s^2
-/// @param lead number of ticks: those that a plan takes, and one more
+/// @param lead number of ticks: those that a plan takes, rounded up, and one more
 /// @return as `atraj_axis_go`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_reach(
@@ -137,7 +138,7 @@ pub unsafe extern "C" fn atraj_axis_reach(
 /// @brief Plan the fastest stop, and let it take over some ticks ahead. The position is free.
 /// @param ctx points to an axis
 /// @param limits points to the limits
-/// @param lead number of ticks: those that a plan takes, and one more
+/// @param lead number of ticks: those that a plan takes, rounded up, and one more
 /// @return as `atraj_axis_go`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_stop(
