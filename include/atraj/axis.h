@@ -36,8 +36,8 @@ int atraj_axis_init(struct atraj_axis *ctx,
  * @brief The next setpoint. For the timer interrupt, once in each tick.
  *
  * It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the
- * bits of `atraj_move_state`: nothing adds up. In `float` the number of ticks has 24 bits, so an axis that moves on after its end needs a new plan
- * within 16 million ticks.
+ * bits of `atraj_move_state`: nothing adds up. In `float` the number of ticks has 24 bits, so an axis that moves on after its end needs
+ * a new plan within 16 million ticks.
  * @param ctx points to an axis; if it is NULL, the state is not a number
  * @param now NULL or the place for the state of the axis in this tick
  */

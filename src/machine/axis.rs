@@ -9,12 +9,12 @@ use crate::state::State;
 
 /// An axis between a main loop, which plans, and a timer interrupt, which asks for a setpoint in each tick.
 ///
-/// A plan starts from the state that the axis will have after `lead` ticks, and takes over in this tick. `lead` counts the ticks that the main
-/// loop needs to plan, and one more. Until then the axis goes on in its move. A plan that takes over later than planned would be a jump. So a plan that
-/// comes too late does not take over at all, and the main loop gets [`Error::Late`].
+/// A plan starts from the state that the axis will have after `lead` ticks, and takes over in this tick. `lead` counts the ticks that
+/// the main loop needs to plan, and one more. Until then the axis goes on in its move. A plan that takes over later than planned would
+/// be a jump. So a plan that comes too late does not take over at all, and the main loop gets [`Error::Late`].
 ///
-/// A plan that was accepted and still waits for its tick is replaced by the next one, which starts from the move in force. It takes over in the tick of the plan
-/// that waited, or earlier. So an axis that is planned anew in a hurry still follows.
+/// A plan that was accepted and still waits for its tick is replaced by the next one, which starts from the move in force. It takes over
+/// in the tick of the plan that waited, or earlier. So an axis that is planned anew in a hurry still follows.
 #[derive(Debug)]
 #[repr(C)]
 pub struct Axis<R> {
@@ -58,8 +58,8 @@ impl<R: Real> Axis<R> {
         at(&self.moves, moment.place).state_at(elapsed(self.period, moment))
     }
 
-    /// Goes to a state, by [`Move::plan`], after `lead` ticks. Findings and errors are those of [`Move::plan`]; [`Error::Late`] if `lead` is 0, or
-    /// 134,217,728 or more. On an error the axis stays as it is.
+    /// Goes to a state, by [`Move::plan`], after `lead` ticks. Findings and errors are those of [`Move::plan`]; [`Error::Late`] if
+    /// `lead` is 0, or 134,217,728 or more. On an error the axis stays as it is.
     pub fn go(&mut self, limits: &Limits<R>, to: State<R>, lead: u32) -> Result<Findings, Error> {
         self.next(lead, |next, from| next.plan(limits, from, to))
     }

@@ -11,8 +11,8 @@
 //! | `starts` | the main loop | the tick at which the move at each place takes over |
 //!
 //! **The interrupt decides.** It counts the tick, stores `now`, and then loads `due`. If `due` is for this `now`, the other move takes
-//! over. Then the interrupt stores `now` once more, with the place that it decided for. So a move takes over at its own tick or never, and
-//! from no move but the one that it was planned from.
+//! over. Then the interrupt stores `now` once more, with the place that it decided for. So a move takes over at its own tick or never,
+//! and from no move but the one that it was planned from.
 //!
 //! **The main loop learns.** It stores `due` and then loads `now`. With a fence on each side, at least one of them sees what the other
 //! has stored. If `now` is before the tick of the plan, the interrupt will see the plan in time. If `now` has the place of the plan, the
@@ -25,9 +25,9 @@
 //! `now` nor in a `due` that is ahead. A place that leaves `due` was never in force, because its tick was ahead. A place that leaves
 //! `now` is not read again, because the interrupt looks there before it stores the `now` of the next tick.
 //!
-//! **The counter wraps**, after 74 hours at 1 kHz. It starts shortly before, so every test passes the wrap. The age of a move has 55 bits:
-//! the upper ones are `halves`, the lower ones are a difference of ticks. The main loop loads `halves` first, so it may miss
-//! the last half. The highest bit of the difference is also the lowest bit of `halves`, and tells. A `halves` of another place is for the
+//! **The counter wraps**, after 74 hours at 1 kHz. It starts shortly before, so every test passes the wrap. The age of a move has 55
+//! bits: the upper ones are `halves`, the lower ones are a difference of ticks. The main loop loads `halves` first, so it may miss the
+//! last half. The highest bit of the difference is also the lowest bit of `halves`, and tells. A `halves` of another place is for the
 //! move before, and the move in force is young.
 //!
 //! Between its store of `due` and its look at `now`, the main loop must not be held up for 74 hours.
