@@ -90,6 +90,7 @@ pub mod axes {
     //! assert_eq!(axes[0].t, axes[1].t);
     //! # Ok::<(), atraj::Error>(())
     //! ```
+    pub use crate::together::path::{improve_path, path_size, plan_path};
     pub use crate::together::{line, synchronise};
 }
 #[cfg(feature = "capi")]

@@ -31,6 +31,8 @@ pub trait Primitives:
     const HUGE: Self;
     const INFINITY: Self;
     const NAN: Self;
+    /// The natural logarithm of 2, rounded once.
+    const LN_2: Self;
     /// The processor divides, and takes a root, in one instruction.
     const HAS_UNIT: bool;
 
@@ -45,6 +47,9 @@ pub trait Primitives:
 
     /// The cube root of `self`, which is not below 0, up to 3.5 %. A factor of 8 in `self` is a factor of 2 in the result, exactly.
     fn rough_cube_root(self) -> Self;
+
+    /// `self`, which is normal and above 0, as `(m, e)`: `m` times the `e`-th power of two, with `1 <= m < 2`.
+    fn split(self) -> (Self, i32);
 
     /// `k` rounded once.
     fn from_index(k: i32) -> Self;
@@ -83,6 +88,7 @@ impl Primitives for f32 {
     const HUGE: Self = 1.0 / (f32::EPSILON * f32::EPSILON * f32::EPSILON * f32::EPSILON);
     const INFINITY: Self = f32::INFINITY;
     const NAN: Self = f32::NAN;
+    const LN_2: Self = core::f32::consts::LN_2;
     const HAS_UNIT: bool = processor::HAS_BINARY32_UNIT;
 
     fn abs(self) -> Self {
@@ -99,6 +105,12 @@ impl Primitives for f32 {
 
     fn rough_cube_root(self) -> Self {
         f32::from_bits(third::<23>(self.to_bits()) + 0x2a51_4067)
+    }
+
+    fn split(self) -> (Self, i32) {
+        let bits = self.to_bits();
+        let significand = Self::from_bits(bits & 0x007f_ffff | 0x3f80_0000);
+        (significand, (bits >> 23) as i32 - 127)
     }
 
     fn from_index(k: i32) -> Self {
@@ -121,6 +133,7 @@ impl Primitives for f64 {
     const HUGE: Self = 1.0 / (f64::EPSILON * f64::EPSILON * f64::EPSILON * f64::EPSILON);
     const INFINITY: Self = f64::INFINITY;
     const NAN: Self = f64::NAN;
+    const LN_2: Self = core::f64::consts::LN_2;
     const HAS_UNIT: bool = processor::HAS_BINARY64_UNIT;
 
     fn abs(self) -> Self {
@@ -138,6 +151,12 @@ impl Primitives for f64 {
     fn rough_cube_root(self) -> Self {
         let upper_half = third::<20>((self.to_bits() >> 32) as u32) + 0x2a9f_7893;
         f64::from_bits(u64::from(upper_half) << 32)
+    }
+
+    fn split(self) -> (Self, i32) {
+        let bits = self.to_bits();
+        let significand = Self::from_bits(bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000);
+        (significand, (bits >> 52) as i32 - 1023)
     }
 
     fn from_index(k: i32) -> Self {

@@ -123,6 +123,7 @@ impl Primitives for Soft64 {
     const HUGE: Self = Self(<f64 as Primitives>::HUGE.to_bits());
     const INFINITY: Self = Self(f64::INFINITY.to_bits());
     const NAN: Self = Self(f64::NAN.to_bits());
+    const LN_2: Self = Self(core::f64::consts::LN_2.to_bits());
     const HAS_UNIT: bool = false;
 
     fn abs(self) -> Self {
@@ -141,6 +142,11 @@ impl Primitives for Soft64 {
 
     fn rough_cube_root(self) -> Self {
         f64::from(self).rough_cube_root().into()
+    }
+
+    fn split(self) -> (Self, i32) {
+        let (significand, exponent) = f64::from(self).split();
+        (significand.into(), exponent)
     }
 
     fn from_index(k: i32) -> Self {

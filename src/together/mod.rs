@@ -8,6 +8,7 @@ mod blend;
 mod cruise;
 mod cycle;
 mod line;
+pub mod path;
 mod sync;
 mod track;
 

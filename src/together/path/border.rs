@@ -1,0 +1,477 @@
+//! What a section can spare: how much farther the farthest motion of its duration gets, with gradient and Hessian.
+//!
+//! `docs/path.md` has the tables, in "The border" and "Its derivatives". A letter of theirs that is no name here stands in a comment.
+
+use crate::limits::Limits;
+use crate::online::ramp::{Change, PerJerk};
+use crate::real::Real;
+
+/// An axis in the direction of one border.
+#[derive(Clone, Copy)]
+pub(super) struct Frame<R> {
+    vmax: R,
+    /// The highest acceleration.
+    bu: R,
+    /// The highest deceleration.
+    bd: R,
+    /// In which the acceleration rises by 1, s³ per unit.
+    gu: R,
+    /// In which the acceleration falls by 1, s³ per unit.
+    gd: R,
+    /// The mean of both.
+    q: R,
+}
+
+impl<R: Real> Frame<R> {
+    /// The frames of the upper border and of the lower one, which is the upper border of the mirrored axis.
+    pub fn both(limits: &Limits<R>) -> [Self; 2] {
+        let per_jerk = PerJerk::of(limits);
+        let frame = |limits: &Limits<R>, PerJerk { gu, gd }| Self {
+            vmax: limits.vmax,
+            bu: limits.amax,
+            bd: -limits.amin,
+            gu,
+            gd,
+            q: per_jerk.q(),
+        };
+        [
+            frame(limits, per_jerk),
+            frame(&limits.mirrored(), per_jerk.mirrored()),
+        ]
+    }
+}
+
+/// Velocity and acceleration at both ends of a section.
+#[derive(Clone, Copy)]
+pub(super) struct Ends<R> {
+    pub v0: R,
+    pub a0: R,
+    pub v1: R,
+    pub a1: R,
+}
+
+impl<R: Real> Ends<R> {
+    pub fn mirrored(self) -> Self {
+        let Self { v0, a0, v1, a1 } = self;
+        let [v0, a0, v1, a1] = [v0, a0, v1, a1].map(R::neg);
+        Self { v0, a0, v1, a1 }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Shape {
+    NoHold,
+    TopHolds,
+    BottomHolds,
+    BothHold,
+    Cruise,
+}
+
+/// The motion of a duration that gets farthest.
+pub(super) struct Farthest<R> {
+    frame: Frame<R>,
+    ends: Ends<R>,
+    shape: Shape,
+    /// The acceleration after the first rise: `A`.
+    peak: R,
+    /// The acceleration after the fall: `y`.
+    trough: R,
+    /// How long the peak holds, s.
+    top: R,
+    /// How long the trough holds, s.
+    bottom: R,
+    /// How long the acceleration falls in the middle, counted from the start and from the end, s. Where the axis cruises, the fall pauses.
+    falls: [R; 2],
+    /// How much farther the motion gets than the section is long.
+    pub slack: R,
+}
+
+impl<R: Real> Farthest<R> {
+    /// The motion of the duration `t`, if there is one, and if it gets farther than `h`.
+    pub fn beyond(frame: &Frame<R>, ends: Ends<R>, t: R, h: R) -> Option<Self> {
+        let Frame { vmax, gu, q, .. } = *frame;
+        let Ends { v0, a0, .. } = ends;
+        let motion = Self::without_cruise(frame, ends, t, h);
+        let above = (vmax - v0) + R::HALF * gu * a0 * a0;
+        let is_motion = match &motion {
+            Some(Self {
+                peak, trough, top, ..
+            }) => {
+                // Where the velocity is highest, its change is more than what is left up to `vmax`.
+                if *peak > R::ZERO && *trough < R::ZERO && *peak * (q * *peak + *top) > above {
+                    return Self::cruise(frame, ends, t, h).filter(|cruise| cruise.slack > R::ZERO);
+                }
+                *peak >= a0 && *trough <= ends.a1
+            }
+            None => false,
+        };
+        motion.filter(|motion| is_motion && motion.slack > R::ZERO)
+    }
+
+    /// The row of the table that belongs to the duration `t`, without the highest velocity.
+    fn without_cruise(frame: &Frame<R>, ends: Ends<R>, t: R, h: R) -> Option<Self> {
+        let Frame {
+            bu, bd, gu, gd, q, ..
+        } = *frame;
+        let Ends { v0, a0, v1, a1 } = ends;
+        let rest = t - gu * (a1 - a0); // R
+        let change = (v1 - v0) + R::HALF * gu * (a0 - a1) * (a0 + a1); // c
+        let mut fall = rest / (q + q); // u
+        let sum = change / (q * fall); // r
+        let (mut peak, mut trough) = (R::HALF * (fall + sum), R::HALF * (sum - fall));
+        let (mut top, mut bottom) = (R::ZERO, R::ZERO);
+        let mut shape = Shape::NoHold;
+        if !(peak <= bu && trough >= -bd) {
+            let both = bu + bd;
+            let holds = rest - (q + q) * both; // H
+            let turned = change - q * (bu - bd) * both; // G
+            let (above, below) = ((turned + bd * holds) / both, (bu * holds - turned) / both);
+            let long = holds >= R::ZERO;
+            let top_holds = if long { above >= R::ZERO } else { peak > bu };
+            if long && above >= R::ZERO && below >= R::ZERO {
+                shape = Shape::BothHold;
+                (fall, peak, trough, top, bottom) = (both, bu, -bd, above, below);
+            } else if top_holds {
+                shape = Shape::TopHolds;
+                fall = ((bu * rest - change) / q).sqrt();
+                (peak, trough) = (bu, bu - fall);
+                top = (rest - (q + q) * fall).at_least(R::ZERO);
+            } else {
+                shape = Shape::BottomHolds;
+                fall = ((bd * rest + change) / q).sqrt();
+                (peak, trough) = (fall - bd, -bd);
+                bottom = (rest - (q + q) * fall).at_least(R::ZERO);
+            }
+        }
+        let mut way = Change::default();
+        way.add(a0, peak, gu * (peak - a0));
+        way.add(peak, peak, top);
+        way.add(peak, trough, gd * fall);
+        way.add(trough, trough, bottom);
+        way.add(trough, a1, gu * (a1 - trough));
+        (rest > R::ZERO).then_some(Self {
+            frame: *frame,
+            ends,
+            shape,
+            peak,
+            trough,
+            top,
+            bottom,
+            falls: [gd * fall; 2],
+            slack: (v0 * t - h) + way.displacement,
+        })
+    }
+
+    /// The motion that cruises at the highest velocity.
+    fn cruise(frame: &Frame<R>, ends: Ends<R>, t: R, h: R) -> Option<Self> {
+        let Frame { vmax, gu, gd, .. } = *frame;
+        let Ends { v0, a0, v1, a1 } = ends;
+        let (peak, top) = frame.ramp(vmax - v0, a0, frame.bu);
+        let (depth, bottom) = frame.ramp(vmax - v1, -a1, frame.bd);
+        let mut up = Change::default();
+        up.add(a0, peak, gu * (peak - a0));
+        up.add(peak, peak, top);
+        up.add(peak, R::ZERO, gd * peak);
+        let mut down = Change::default();
+        down.add(R::ZERO, -depth, gd * depth);
+        down.add(-depth, -depth, bottom);
+        down.add(-depth, a1, gu * (a1 + depth));
+        // By rounding the pause may be below 0.
+        let at_vmax = (t - up.duration - down.duration).at_least(R::ZERO) + down.duration;
+        Some(Self {
+            frame: *frame,
+            ends,
+            shape: Shape::Cruise,
+            peak,
+            trough: -depth,
+            top,
+            bottom,
+            falls: [gd * peak, gd * depth],
+            slack: (v0 * t - h) + ((vmax - v0) * at_vmax + (up.displacement + down.displacement)),
+        })
+    }
+
+    /// How long the acceleration rises at the start and at the end, s: `t1`, `t7`.
+    fn rises(&self) -> [R; 2] {
+        let gu = self.frame.gu;
+        [
+            gu * (self.peak - self.ends.a0),
+            gu * (self.ends.a1 - self.trough),
+        ]
+    }
+
+    /// From both ends to the middle of the fall, s: `c0`, `c1`.
+    fn middles(&self) -> [R; 2] {
+        let [first, last] = self.rises();
+        let [after, before] = self.falls;
+        [
+            first + self.top + R::HALF * after,
+            last + self.bottom + R::HALF * before,
+        ]
+    }
+
+    /// The derivatives of the slack with respect to the state at the start, the state at the end and the duration.
+    pub fn gradient(&self) -> Gradient<R> {
+        let Ends { v1, a1, .. } = self.ends;
+        let ([first, last], [c0, c1]) = (self.rises(), self.middles());
+        let t = if self.shape == Shape::Cruise {
+            self.frame.vmax
+        } else {
+            (v1 - c1 * a1) + (a1 - self.trough) * (c1 - R::HALF * last)
+        };
+        Gradient {
+            start: [c0, first * (c0 - R::HALF * first)],
+            end: [c1, -last * (c1 - R::HALF * last)],
+            t,
+        }
+    }
+
+    /// The second derivatives of the slack.
+    pub fn hessian(&self) -> Hessian<R> {
+        if self.shape == Shape::Cruise {
+            self.hessian_of_cruise()
+        } else {
+            self.hessian_without_cruise()
+        }
+    }
+
+    fn hessian_without_cruise(&self) -> Hessian<R> {
+        let Frame {
+            gu, gd, q, bu, bd, ..
+        } = self.frame;
+        let Ends { a0, a1, .. } = self.ends;
+        let ([first, last], [c0, c1]) = (self.rises(), self.middles());
+        let per_fall = R::ONE / (self.peak - self.trough); // 1/u
+        let half = R::HALF * per_fall / q; // 1/2qu
+        let zero = R::ZERO;
+        // The derivatives of `A`, `u` and `h1` with respect to `c`, then to `R`.
+        let ([peak_c, fall_c, top_c], [peak_r, fall_r, top_r]) = match self.shape {
+            Shape::NoHold => {
+                let fall = R::HALF / q;
+                let sum = self.peak + self.trough;
+                (
+                    [half, zero, zero],
+                    [R::HALF * (fall - sum * half), fall, zero],
+                )
+            }
+            Shape::TopHolds => (
+                [zero, -half, per_fall],
+                [zero, bu * half, R::ONE - bu * per_fall],
+            ),
+            Shape::BottomHolds => ([half, half, zero], [bd * half, bd * half, zero]),
+            Shape::BothHold | Shape::Cruise => {
+                ([zero, zero, per_fall], [zero, zero, bd * per_fall])
+            }
+        };
+        let alpha = gu * peak_c + top_c + R::HALF * gd * fall_c;
+        let beta = gu * peak_r + top_r + R::HALF * gd * fall_r;
+        let nu = R::ONE - beta;
+        let (k0, k1) = (c0 - first, c1 - last);
+        let (first_c, first_r) = (gu * peak_c, gu * peak_r);
+        let (last_c, last_r) = (gu * (fall_c - peak_c), gu * (fall_r - peak_r));
+        let p = gu * (alpha * a0 + beta - R::ONE);
+        let r = -gu * (alpha * a1 + beta);
+        Hessian {
+            start: [
+                -alpha,
+                p,
+                k0 * gu * (first_c * a0 + first_r - R::ONE) + first * p,
+            ],
+            cross: [alpha, r, -p, first * r - gu * k0 * (first_c * a1 + first_r)],
+            start_t: [beta, k0 * first_r + first * beta],
+            end: [
+                -alpha,
+                -r,
+                last * r - k1 * gu * (R::ONE - last_c * a1 - last_r),
+            ],
+            end_t: [nu, -(k1 * last_r + last * nu)],
+            t: k1 * (fall_r - peak_r) - self.trough * nu,
+        }
+    }
+
+    /// The two ramps know nothing of each other, and the duration adds to the cruise alone.
+    fn hessian_of_cruise(&self) -> Hessian<R> {
+        let Ends { a0, a1, .. } = self.ends;
+        let ([first, last], [c0, c1]) = (self.rises(), self.middles());
+        let zero = R::ZERO;
+        let ramp = |peak: R, limit: R, hold: R, a: R, rise: R, middle: R| {
+            let Frame { gu, gd, q, .. } = self.frame;
+            let (per_peak, per_hold) = if hold > zero {
+                (zero, R::ONE / limit)
+            } else if peak > zero {
+                (R::HALF / (q * peak), zero)
+            } else {
+                (zero, zero)
+            };
+            let alpha = (gu + R::HALF * gd) * per_peak + per_hold;
+            let mixed = gu * (alpha * a - R::ONE);
+            let of_a = (middle - rise) * gu * (gu * per_peak * a - R::ONE) + rise * mixed;
+            [-alpha, mixed, of_a]
+        };
+        let start = ramp(self.peak, self.frame.bu, self.top, a0, first, c0);
+        // In the other order of time the acceleration has the other sign.
+        let [vv, va, aa] = ramp(-self.trough, self.frame.bd, self.bottom, -a1, last, c1);
+        Hessian {
+            start,
+            end: [vv, -va, aa],
+            cross: [zero; 4],
+            start_t: [zero; 2],
+            end_t: [zero; 2],
+            t: zero,
+        }
+    }
+}
+
+impl<R: Real> Frame<R> {
+    /// The fastest ramp that raises the velocity by `above`, from the acceleration `a` to 0: its peak, and how long the peak holds, s.
+    fn ramp(&self, above: R, a: R, limit: R) -> (R, R) {
+        // An end may be beyond `vmax` by rounding.
+        let rise = (above + R::HALF * self.gu * a * a).at_least(R::ZERO);
+        let peak = if rise > R::ZERO {
+            (rise / self.q).sqrt()
+        } else {
+            rise
+        };
+        if peak > limit {
+            (limit, (rise - self.q * limit * limit) / limit)
+        } else {
+            (peak.at_least(a), R::ZERO)
+        }
+    }
+}
+
+/// The first derivatives by velocity and acceleration at the start and at the end, and by the duration.
+#[derive(Clone, Copy)]
+pub(super) struct Gradient<R> {
+    pub start: [R; 2],
+    pub end: [R; 2],
+    pub t: R,
+}
+
+/// The second derivatives. A symmetric block has its entries `vv`, `va`, `aa`.
+#[derive(Clone, Copy)]
+pub(super) struct Hessian<R> {
+    pub start: [R; 3],
+    pub end: [R; 3],
+    /// `v0 v1`, `v0 a1`, `a0 v1`, `a0 a1`
+    pub cross: [R; 4],
+    pub start_t: [R; 2],
+    pub end_t: [R; 2],
+    pub t: R,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ends, Farthest, Frame};
+    use crate::limits::Limits;
+
+    /// Numbers between 0 and 1.
+    struct Random(u64);
+
+    impl Random {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1);
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        }
+
+        fn limits(&mut self) -> Limits<f64> {
+            let [vmax, vmin, amax, amin, jmax, jmin] = [0; 6].map(|_| 0.3 + 2.0 * self.next());
+            let [vmin, amin, jmin] = [-vmin, -amin, -jmin];
+            Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            }
+        }
+    }
+
+    fn derivatives(frame: &Frame<f64>, x: [f64; 5]) -> Option<([f64; 6], [[f64; 5]; 5], u8)> {
+        let [v0, a0, v1, a1, t] = x;
+        let farthest = Farthest::beyond(frame, Ends { v0, a0, v1, a1 }, t, -1e3)?;
+        let (g, h) = (farthest.gradient(), farthest.hessian());
+        let [s, e, c] = [h.start, h.end, [h.t, 0.0, 0.0]];
+        let [x00, x01, x10, x11] = h.cross;
+        let matrix = [
+            [s[0], s[1], x00, x01, h.start_t[0]],
+            [s[1], s[2], x10, x11, h.start_t[1]],
+            [x00, x10, e[0], e[1], h.end_t[0]],
+            [x01, x11, e[1], e[2], h.end_t[1]],
+            [h.start_t[0], h.start_t[1], h.end_t[0], h.end_t[1], c[0]],
+        ];
+        let gradient = [g.start[0], g.start[1], g.end[0], g.end[1], g.t];
+        let [g0, g1, g2, g3, g4] = gradient;
+        Some((
+            [g0, g1, g2, g3, g4, farthest.slack],
+            matrix,
+            farthest.shape as u8,
+        ))
+    }
+
+    /// Central differences of a smooth function err by the square of the step and by roundings over the step.
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        let mut random = Random(1);
+        let mut seen = [0; 5];
+        let step = 1e-4;
+        while seen.iter().any(|&count| count < 500) {
+            let limits = random.limits();
+            let frame = Frame::both(&limits)[(random.next() < 0.5) as usize];
+            let mut x = [0; 4].map(|_| 2.0 * random.next() - 1.0);
+            for (k, x) in x.iter_mut().enumerate() {
+                *x *= if k % 2 == 0 {
+                    frame.vmax
+                } else {
+                    frame.bu.min(frame.bd)
+                };
+            }
+            // The axis can keep `vmax` behind the start, and has kept it before the end.
+            let undone = [x[1].max(0.0), x[3].min(0.0)].map(|a| a * a * frame.gd / 2.0);
+            if x[0] + undone[0] > frame.vmax || x[2] + undone[1] > frame.vmax {
+                continue;
+            }
+            let t = 6.0 * random.next();
+            let x = [x[0], x[1], x[2], x[3], t];
+            let Some((_, matrix, shape)) = derivatives(&frame, x) else {
+                continue;
+            };
+            let [.., slack] = derivatives(&frame, x).unwrap().0;
+            assert!(slack.is_finite());
+            for k in 0..5 {
+                let beside = [-step, step].map(|step| {
+                    let mut moved = x;
+                    moved[k] += step;
+                    derivatives(&frame, moved).filter(|beside| beside.2 == shape)
+                });
+                let [Some((lower, ..)), Some((upper, ..))] = beside else {
+                    continue;
+                };
+                seen[shape as usize] += 1;
+                let gradient = derivatives(&frame, x).unwrap().0;
+                let difference = (upper[5] - lower[5]) / (2.0 * step);
+                // Near a fall of length 0 the third derivatives are large.
+                let size = 1.0
+                    + matrix
+                        .as_flattened()
+                        .iter()
+                        .fold(0.0, |most: f64, x| most.max(x.abs()));
+                assert!(
+                    (gradient[k] - difference).abs() < 1e-6 * size * size,
+                    "{shape} {k}: {} {difference}",
+                    gradient[k]
+                );
+                for row in 0..5 {
+                    let difference = (upper[row] - lower[row]) / (2.0 * step);
+                    let error = (matrix[row][k] - difference).abs();
+                    assert!(
+                        error < 1e-5 * size * size * size,
+                        "{shape} {row} {k}: {} {difference}",
+                        matrix[row][k]
+                    );
+                }
+            }
+        }
+    }
+}

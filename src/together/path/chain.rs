@@ -1,0 +1,307 @@
+//! The sections of a path, one behind the other: what is given, and the plan as it stands.
+
+use super::border::{Ends, Farthest, Frame};
+use super::bounds::Bounds;
+use super::memory::Memory;
+use crate::findings::{Error, Findings};
+use crate::limits::Limits;
+use crate::online::problem::Problem;
+use crate::real::Real;
+use crate::state::State;
+
+/// What is asked for: points with their states, and limits.
+#[derive(Clone, Copy)]
+pub(super) struct Request<'a, R> {
+    pub axes: usize,
+    pub sections: usize,
+    /// The states of all axes, point by point. Between start and end the positions alone count.
+    pub states: &'a [State<R>],
+    /// The limits of all axes, or of all axes section by section.
+    pub limits: &'a [Limits<R>],
+}
+
+impl<'a, R: Real> Request<'a, R> {
+    pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
+        let first = if self.limits.len() == self.axes {
+            0
+        } else {
+            section * self.axes
+        };
+        self.limits.get(first + axis).ok_or(Error::Axes)
+    }
+
+    pub fn state(&self, point: usize, axis: usize) -> State<R> {
+        let state = self.states.get(point * self.axes + axis);
+        state.copied().unwrap_or_default()
+    }
+
+    /// Refuses what cannot be planned.
+    pub fn check(&self) -> Result<(), Error> {
+        let mut limits = self.limits.iter();
+        limits.try_for_each(Limits::are_limits)?;
+        for axis in 0..self.axes {
+            let end = self.state(self.sections, axis);
+            // The end lasts while nothing moves any more.
+            let mut section = self.sections - 1;
+            self.limits(section, axis)?
+                .check(self.state(0, axis), end)?;
+            while section > 0 && !self.moves(section) {
+                section -= 1;
+                self.limits(section, axis)?.check(end, end)?;
+            }
+        }
+        let mut ways = self.states.iter().zip(self.states.iter().skip(self.axes));
+        let is_finite = ways.all(|(from, to)| (to.position - from.position).is_finite());
+        is_finite.then_some(()).ok_or(Error::NotFinite)
+    }
+
+    /// Whether an axis moves in this section.
+    fn moves(&self, section: usize) -> bool {
+        let way =
+            |axis| self.state(section + 1, axis).position - self.state(section, axis).position;
+        (0..self.axes).any(|axis| way(axis) != R::ZERO)
+    }
+
+    /// Whether all axes can stay in the state of the start.
+    fn can_stay(&self, section: usize) -> bool {
+        let mut axes = 0..self.axes;
+        axes.all(|axis| {
+            let start = self.state(0, axis);
+            let limits = self.limits(section, axis);
+            limits.is_ok_and(|limits| limits.check(start, start).is_ok())
+        })
+    }
+
+    /// Which sections last: those in which an axis moves, and one in which the start comes inside its limits. If none does, the last one.
+    fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
+        let mut has_begun = false;
+        let last = self.sections - 1;
+        (0..self.sections).filter(move |&section| {
+            let begins = !has_begun && (section == last || !self.can_stay(section));
+            let lasts = begins || self.moves(section);
+            has_begun = has_begun || lasts;
+            lasts
+        })
+    }
+}
+
+/// A plan of the sections that last.
+pub(super) struct Chain<'a, 'w, R> {
+    pub request: Request<'a, R>,
+    pub axes: usize,
+    /// How many sections last.
+    pub sections: usize,
+    pub memory: Memory<'w, R>,
+    /// Whether an axis starts outside its limits.
+    pub findings: Findings,
+}
+
+impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
+    /// The sections that last, with no plan yet.
+    pub fn of(request: Request<'a, R>, work: &'w mut [R]) -> Result<Self, Error> {
+        let axes = request.axes;
+        let sections = request.lasting().count();
+        let mut memory = Memory::of(work, axes, sections).ok_or(Error::Axes)?;
+        for (section, place) in request.lasting().enumerate() {
+            memory.places.put(section, R::from_index(place as i32));
+        }
+        let mut chain = Self {
+            request,
+            axes,
+            sections,
+            memory,
+            findings: Findings::default(),
+        };
+        chain.memory.states.clear();
+        chain.memory.directions.clear();
+        for axis in 0..axes {
+            for section in 0..sections {
+                let (from, to) = chain.positions(section, axis);
+                let piece = section * axes + axis;
+                chain.memory.displacements.put(piece, to - from);
+            }
+            chain.start(axis)?;
+        }
+        Ok(chain)
+    }
+
+    /// Lets an axis come inside its limits in the first section, and sets the states of both ends.
+    fn start(&mut self, axis: usize) -> Result<(), Error> {
+        let target = State::at(self.positions(0, axis).1);
+        let start = self.request.state(0, axis);
+        let inside = Problem::new(self.limits(0, axis)?, start, target);
+        let (v0, a0) = (inside.border.v0, inside.border.a0);
+        self.memory.states.set(axis, [v0, a0]);
+        self.memory.inside.put(axis, inside.with_inside(R::ZERO));
+        self.memory.displacements.put(axis, inside.displacement().0);
+        self.findings |= inside.starts_outside();
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = self.request.state(self.request.sections, axis);
+        let end = self.sections * self.axes + axis;
+        self.memory.states.set(end, [velocity, acceleration]);
+        Ok(())
+    }
+
+    /// Which section of the caller this one is.
+    pub fn place(&self, section: usize) -> usize {
+        self.memory.places.at(section).to_index() as usize
+    }
+
+    pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
+        self.request.limits(self.place(section), axis)
+    }
+
+    /// Both borders of a section.
+    pub fn frames(&self, section: usize, axis: usize) -> Option<[Frame<R>; 2]> {
+        self.limits(section, axis).ok().map(Frame::both)
+    }
+
+    /// The limits of a way point: those of both sections, and of sections between them that do not last.
+    pub fn bounds(&self, point: usize, axis: usize) -> Bounds<R> {
+        let mut bounds = Bounds::default();
+        for place in self.place(point - 1)..=self.place(point) {
+            if let Ok(limits) = self.request.limits(place, axis) {
+                bounds.tighten(limits);
+            }
+        }
+        bounds
+    }
+
+    fn positions(&self, section: usize, axis: usize) -> (R, R) {
+        let from = self.place(section);
+        let [from, to] = [from, from + 1].map(|point| self.request.state(point, axis).position);
+        (from, to)
+    }
+
+    /// Velocity and acceleration at a point.
+    pub fn at(&self, point: usize, axis: usize) -> [R; 2] {
+        self.memory.states.row(point * self.axes + axis)
+    }
+
+    /// The states of an axis at both ends of a section, at the start as given.
+    pub fn ends(&self, section: usize, axis: usize) -> (State<R>, State<R>) {
+        let (from, to) = self.positions(section, axis);
+        let state = |point, position| {
+            let [velocity, acceleration] = self.at(point, axis);
+            State {
+                position,
+                velocity,
+                acceleration,
+            }
+        };
+        let start = if section == 0 {
+            let given = self.request.state(0, axis);
+            State {
+                position: from,
+                ..given
+            }
+        } else {
+            state(section, from)
+        };
+        (start, state(section + 1, to))
+    }
+
+    /// How long an axis moves inside its limits, if the section lasts `duration`, s.
+    pub fn inside(&self, section: usize, axis: usize, duration: R) -> R {
+        if section == 0 {
+            duration - self.memory.inside.at(axis)
+        } else {
+            duration
+        }
+    }
+
+    pub fn displacement(&self, section: usize, axis: usize) -> R {
+        self.memory.displacements.at(section * self.axes + axis)
+    }
+
+    /// The farthest motions of an axis to both sides, if the section can last `duration` between these states.
+    pub fn borders(
+        &self,
+        section: usize,
+        axis: usize,
+        [[v0, a0], [v1, a1]]: [[R; 2]; 2],
+        duration: R,
+    ) -> Option<[Farthest<R>; 2]> {
+        let [upper, lower] = self.frames(section, axis)?;
+        let t = self.inside(section, axis, duration);
+        let h = self.displacement(section, axis);
+        let ends = Ends { v0, a0, v1, a1 };
+        let upper = Farthest::beyond(&upper, ends, t, h)?;
+        let lower = Farthest::beyond(&lower, ends.mirrored(), t, -h)?;
+        Some([upper, lower])
+    }
+
+    /// Whether every axis can take `duration` for a section, with slack to both sides.
+    pub fn is_possible(&self, section: usize, duration: R) -> bool {
+        let mut axes = 0..self.axes;
+        axes.all(|axis| {
+            let ends = [section, section + 1].map(|point| self.at(point, axis));
+            self.borders(section, axis, ends, duration).is_some()
+        })
+    }
+
+    /// The sum of all durations, s.
+    pub fn duration(&self) -> R {
+        let durations = self.memory.durations.rows(self.sections);
+        durations.fold(R::ZERO, |sum, [t]| sum + t)
+    }
+}
+
+/// A plan that is done.
+pub(super) struct Planned<'w, R> {
+    axes: usize,
+    sections: usize,
+    memory: Memory<'w, R>,
+    findings: Findings,
+}
+
+impl<'w, R: Real> Chain<'_, 'w, R> {
+    /// The plan alone, if its numbers are within the range of the real type.
+    pub fn done(self) -> Result<Planned<'w, R>, Error> {
+        let Self {
+            axes,
+            sections,
+            memory,
+            findings,
+            ..
+        } = self;
+        let is_finite = memory.durations.numbers().iter().all(|t| t.is_finite());
+        let planned = Planned {
+            axes,
+            sections,
+            memory,
+            findings,
+        };
+        is_finite.then_some(planned).ok_or(Error::NotFinite)
+    }
+}
+
+impl<R: Real> Planned<'_, R> {
+    /// Writes the states of the way points and the durations of all sections. A section that does not last keeps the state.
+    pub fn write(self, states: &mut [State<R>], durations: &mut [R]) -> Findings {
+        let Self {
+            axes,
+            sections,
+            memory,
+            findings,
+        } = self;
+        let mut point = 0;
+        let ends = states.chunks_exact_mut(axes).skip(1);
+        for (place, (duration, end)) in durations.iter_mut().zip(ends).enumerate() {
+            let lasts = point < sections && memory.places.at(point).to_index() as usize == place;
+            *duration = if lasts {
+                memory.durations.at(point)
+            } else {
+                R::ZERO
+            };
+            point += usize::from(lasts);
+            for (axis, state) in end.iter_mut().enumerate() {
+                [state.velocity, state.acceleration] = memory.states.row(point * axes + axis);
+            }
+        }
+        findings
+    }
+}

@@ -1,0 +1,131 @@
+//! Way points without stops: several axes pass given points at the same times, and stop nowhere unless they must.
+//!
+//! `docs/path.md` has the theory. `border` says how far an axis gets in a section, `barrier` what the steps make small, `elimination` solves for
+//! one step, `steps` takes them. `start` and `warm` find the plan before the first step.
+
+mod barrier;
+mod bend;
+mod border;
+mod bounds;
+mod chain;
+mod elimination;
+mod memory;
+mod start;
+mod steps;
+mod warm;
+
+use crate::findings::{Error, Findings};
+use crate::limits::Limits;
+use crate::real::Real;
+use crate::state::State;
+use chain::{Chain, Request};
+
+/// Steps for paths of few sections.
+const FEW_STEPS: u32 = 16;
+/// Steps for paths of [`MANY_SECTIONS`], whose points may be close.
+const MANY_STEPS: u32 = 48;
+/// `docs/path.md` has the measurements, in "Close points".
+const MANY_SECTIONS: usize = 20;
+
+/// How many numbers [`plan_path`] and [`improve_path`] need to work with: `axes (21 sections - 5) + sections (sections + 12)`. `None` if there is no axis or no
+/// section, or the count is beyond the range.
+pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
+    if axes == 0 || sections == 0 {
+        None
+    } else {
+        memory::size(axes, sections)
+    }
+}
+
+/// Plans a path through way points: the velocities and accelerations at the way points, and the durations of the sections between them. No section
+/// is impossible, and the path is not longer than one that stops at every point.
+///
+/// `states` has a state for each axis, point by point: one point more than `durations` has sections. Every position is given, and the first and
+/// the last state; the states between are written, and the durations, s. A start outside the limits comes inside in the first section.
+/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work; 0: 16 steps, or 48 for 20 sections or
+/// more. `work` has [`path_size`] numbers, whatever they are.
+///
+/// [`synchronise`](crate::axes::synchronise) makes the motions of section `k`, with `durations[k]` as the least duration. A point whose state is
+/// given splits a path into two.
+///
+/// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits. [`Error::Axes`] if the lengths do not fit together; the others as for
+/// [`synchronise`](crate::axes::synchronise). On an error nothing but `work` is written.
+pub fn plan_path<R: Real>(
+    states: &mut [State<R>],
+    durations: &mut [R],
+    limits: &[Limits<R>],
+    steps: u32,
+    work: &mut [R],
+) -> Result<Findings, Error> {
+    let request = Request::of(states, durations, limits)?;
+    let mut chain = Chain::of(request, work)?;
+    chain.plan(steps)?;
+    Ok(chain.done()?.write(states, durations))
+}
+
+/// Improves a path that [`plan_path`] has planned, or this function. Call it as long as there is time: a path gets no longer, and is possible after
+/// every call.
+///
+/// A path may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of the duration of
+/// its section. Append points at rest, with sections of the duration 0: they are stretched until they are possible. If the states and durations
+/// are impossible otherwise, the path is planned anew. Arguments, findings and errors are those of [`plan_path`]; [`Error::NotFinite`] also
+/// if a state between is not made of numbers, [`Error::Duration`] if a duration is negative, infinite or not a number.
+pub fn improve_path<R: Real>(
+    states: &mut [State<R>],
+    durations: &mut [R],
+    limits: &[Limits<R>],
+    steps: u32,
+    work: &mut [R],
+) -> Result<Findings, Error> {
+    let request = Request::of(states, durations, limits)?;
+    let mut chain = Chain::of(request, work)?;
+    chain.improve(durations, steps)?;
+    Ok(chain.done()?.write(states, durations))
+}
+
+impl<'a, R: Real> Request<'a, R> {
+    fn of(states: &'a [State<R>], durations: &[R], limits: &'a [Limits<R>]) -> Result<Self, Error> {
+        let sections = durations.len();
+        let axes = states.len() / (sections + 1);
+        let has_limits = limits.len() == axes || Some(limits.len()) == axes.checked_mul(sections);
+        if path_size(axes, sections).is_none()
+            || states.len() != axes * (sections + 1)
+            || !has_limits
+        {
+            return Err(Error::Axes);
+        }
+        let request = Self {
+            axes,
+            sections,
+            states,
+            limits,
+        };
+        request.check()?;
+        Ok(request)
+    }
+}
+
+impl<R: Real> Chain<'_, '_, R> {
+    fn plan(&mut self, steps: u32) -> Result<(), Error> {
+        let stopping = self.stop_everywhere()?;
+        if self.sections > 1 {
+            self.roll()?;
+            if self.come_inside() {
+                self.shorten(self.steps(steps), 0);
+            }
+            if !(self.duration() < stopping) {
+                self.stop_everywhere()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The steps that are asked for, or as many as the path needs.
+    fn steps(&self, steps: u32) -> u32 {
+        match steps {
+            0 if self.sections < MANY_SECTIONS => FEW_STEPS,
+            0 => MANY_STEPS,
+            steps => steps,
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! The steps: Newton's method at a falling weight of the logarithms.
+//!
+//! `docs/path.md` has the reason of every number, in "The steps".
+
+use super::chain::Chain;
+use crate::real::Real;
+
+/// More steps have no effect that the real type could show.
+pub(super) const MOST_STEPS: u32 = 1024;
+/// Parts of a step that are tried: 1, 1/2, 1/4, …
+const MOST_HALVINGS: u32 = 10;
+/// How often the damping is raised for one step.
+const MOST_DAMPINGS: u32 = 24;
+/// By how many powers of two the weight of the logarithms falls.
+const OCTAVES: u8 = 13;
+
+/// The damping of a step: which part of the second derivatives is added to them.
+struct Damping<R> {
+    lambda: R,
+}
+
+impl<R: Real> Damping<R> {
+    /// 2⁻²⁴
+    fn least() -> R {
+        let square = R::SIXTEENTH * R::SIXTEENTH;
+        square * square * square
+    }
+
+    /// 2¹⁰
+    fn most() -> R {
+        R::from(4) * (R::ONE / (R::SIXTEENTH * R::SIXTEENTH))
+    }
+
+    fn new() -> Self {
+        Self {
+            lambda: R::ONE / Self::most(),
+        }
+    }
+
+    fn scale(&mut self, factor: R) {
+        self.lambda = (self.lambda * factor)
+            .at_least(Self::least())
+            .at_most(Self::most());
+    }
+
+    /// A full step shows that the model is right, a short one that it is not.
+    fn learn(&mut self, part: R) {
+        if part == R::ONE {
+            self.scale(R::HALF * R::HALF);
+        } else if part <= R::HALF * R::HALF * R::HALF {
+            self.scale(R::from(3));
+        }
+    }
+}
+
+/// `base` divided by two to the power of `octaves`, which is not below 0. Between whole powers the quotient falls linearly.
+fn fallen<R: Real>(base: R, octaves: R) -> R {
+    let whole = octaves.to_index();
+    let part = octaves - R::from_index(whole);
+    let halved = (0..whole).fold(base, |weight, _| R::HALF * weight);
+    halved * (R::ONE - R::HALF * part)
+}
+
+impl<R: Real> Chain<'_, '_, R> {
+    /// Makes the plan shorter, which is strictly inside and stays inside. `octaves` tells how near the plan is to the best one.
+    pub fn shorten(&mut self, steps: u32, octaves: u8) {
+        let scale = self.duration() / R::from_index(self.logarithms() as i32);
+        let base = R::from(11) * R::SIXTEENTH * scale;
+        let mut octaves = R::from(octaves);
+        let mut damping = Damping::new();
+        let mut last = R::ONE;
+        self.weigh();
+        let steps = steps.min(MOST_STEPS);
+        for step in 0..steps {
+            let left = steps - step;
+            // Behind a short step the weight waits, but not in the last two fifths of the steps.
+            let may_wait = 5 * left > 2 * steps;
+            if step > 0 && (last > R::HALF || !may_wait) {
+                octaves = octaves + (R::from(OCTAVES) - octaves) / R::from_index(left as i32);
+            }
+            match self.step(fallen(base, octaves), &mut damping) {
+                Some(part) => last = part,
+                None => break,
+            }
+        }
+    }
+
+    /// One step. Gives the part that was taken, 0 for none; `None` if no other step could be taken either.
+    fn step(&mut self, mu: R, damping: &mut Damping<R>) -> Option<R> {
+        self.assemble(mu)?;
+        let fall_of_states = self.eliminate(damping.lambda);
+        let mut tries = 0..MOST_DAMPINGS;
+        while self.solve_durations(damping.lambda).is_none() {
+            tries.next()?;
+            damping.scale(R::from(4));
+        }
+        self.solve_states();
+        let gradients = self
+            .memory
+            .gradient_t
+            .numbers()
+            .iter()
+            .zip(self.memory.changes.numbers());
+        let slope = gradients.fold(-fall_of_states, |slope, (g, change)| slope + *g * *change);
+        // At the centre of this weight roundings may hide the decrease, so being inside is enough.
+        let is_near = -slope < R::SIXTEENTH * R::HALF * R::HALF * mu;
+        let mut part = R::ONE;
+        for _ in 0..MOST_HALVINGS {
+            if self
+                .try_step(part, mu)
+                .is_some_and(|change| change < R::ZERO || is_near)
+            {
+                self.take_step(part);
+                damping.learn(part);
+                return Some(if is_near { R::ONE } else { part });
+            }
+            part = R::HALF * part;
+        }
+        damping.scale(R::from(10));
+        Some(R::ZERO)
+    }
+
+    fn take_step(&mut self, part: R) {
+        for point in 1..self.sections {
+            for axis in 0..self.axes {
+                let moved = self.moved(point, axis, part);
+                self.memory.states.set(point * self.axes + axis, moved);
+            }
+        }
+        for section in 0..self.sections {
+            let tried = self.memory.tried.at(section);
+            self.memory.durations.put(section, tried);
+        }
+    }
+}
