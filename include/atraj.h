@@ -21,6 +21,7 @@
 #include "atraj/axis.h"
 #include "atraj/codes.h"
 #include "atraj/move.h"
+#include "atraj/path.h"
 
 #if defined(__cplusplus)
 extern "C" {

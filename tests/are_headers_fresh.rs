@@ -54,6 +54,11 @@ fn axis_header_is_fresh() {
 }
 
 #[test]
+fn path_header_is_fresh() {
+    check_fresh("include/atraj/path.h", &path_header());
+}
+
+#[test]
 fn codes_header_is_fresh() {
     check_fresh("include/atraj/codes.h", &codes_header());
 }
@@ -80,6 +85,7 @@ fn atraj_header() -> String {
 #include \"atraj/axis.h\"
 #include \"atraj/codes.h\"
 #include \"atraj/move.h\"
+#include \"atraj/path.h\"
 
 {}
 {behind}
@@ -108,6 +114,28 @@ fn codes_header() -> String {
 {}
 {behind}
 #endif /* ATRAJ_CODES_H */
+",
+        extern_c(&functions, "")
+    )
+}
+
+fn path_header() -> String {
+    let config = config("path");
+    let about = config.header.clone().unwrap_or_default();
+    let functions = pass("atraj/path", &config, ItemType::Functions);
+    format!(
+        "{GENERATED}{about}
+#ifndef ATRAJ_PATH_H
+#define ATRAJ_PATH_H
+
+#include \"a/a.h\"
+#include \"a/atraj_check.h\"
+#include \"atraj/codes.h\"
+#include \"atraj/move.h\"
+
+{}
+
+#endif /* ATRAJ_PATH_H */
 ",
         extern_c(&functions, "")
     )

@@ -1,7 +1,7 @@
 //! Several axes that move together.
 //!
 //! `sync` gives all axes one duration, and `line` puts them on one straight line. Both plan each axis as in `online`. An axis with time to
-//! spare makes a `blend` of two motions. `track` lets one axis follow a signal by such blends.
+//! spare makes a `blend` of two motions. `track` lets one axis follow a signal by such blends. `path` passes way points without stops.
 
 mod axis;
 mod blend;

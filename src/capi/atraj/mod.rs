@@ -5,6 +5,7 @@ mod axis;
 mod bell;
 mod codes;
 mod r#move;
+mod path;
 mod poly;
 mod trap;
 
@@ -13,6 +14,7 @@ pub use axis::*;
 pub use bell::*;
 pub use codes::*;
 pub use r#move::*;
+pub use path::*;
 pub use poly::*;
 pub use trap::*;
 
