@@ -211,12 +211,13 @@ impl<R: Real> Chain<'_, '_, R> {
         let farthest = self.farthest(point - 1, axis, duration)?;
         let [upper, lower] = farthest.map(|motion| motion.state_at(duration));
         let position = self.ends(point - 1, axis).1.position;
-        let share = (position - lower.position) / (upper.position - lower.position);
-        let rest = R::ONE - share;
-        let is_between = share > R::ZERO && rest > R::ZERO;
+        // The weights of the mirrored axis are the same numbers.
+        let (below, above) = (position - lower.position, upper.position - position);
+        let mean = |upper: R, lower: R| (below * upper + above * lower) / (below + above);
+        let is_between = below > R::ZERO && above > R::ZERO;
         is_between.then_some([
-            share * upper.velocity + rest * lower.velocity,
-            share * upper.acceleration + rest * lower.acceleration,
+            mean(upper.velocity, lower.velocity),
+            mean(upper.acceleration, lower.acceleration),
         ])
     }
 }

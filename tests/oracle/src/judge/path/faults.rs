@@ -1,0 +1,101 @@
+//! Faults planted into the planner of paths. They show whether the judge sees a fault.
+
+use super::problems::Chain;
+use super::{Path, Paths, Planner};
+use atraj::Findings;
+use atraj::online::Error;
+use support::Real;
+
+/// The planner with one fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// It refuses paths of many points.
+    Refuses,
+    /// It stops at every point, and takes a little longer.
+    Waits,
+    /// It promises a little less than a section takes.
+    TooShort,
+    /// An axis passes a way point a little too fast.
+    TooFast,
+    /// The limits are a little wider.
+    WideLimits,
+    /// The limits of the first section hold everywhere.
+    NoZones,
+    /// A way point is a representable number beside the given one.
+    Beside,
+    /// The end has another velocity.
+    EndOff,
+    /// It finds nothing.
+    Silent,
+}
+
+impl Fault {
+    /// Every fault.
+    pub const ALL: [Self; 9] = [
+        Self::Refuses,
+        Self::Waits,
+        Self::TooShort,
+        Self::TooFast,
+        Self::WideLimits,
+        Self::NoZones,
+        Self::Beside,
+        Self::EndOff,
+        Self::Silent,
+    ];
+}
+
+impl<R: Real> Planner<R> for Fault {
+    fn plan(&self, chain: &Chain<R>, steps: u32) -> Result<(Path<R>, Findings), Error> {
+        let mut changed = chain.clone();
+        match self {
+            Self::Refuses if chain.sections() > 5 => return Err(Error::Axes),
+            Self::WideLimits => {
+                for limits in &mut changed.limits {
+                    limits.vmax = limits.vmax * R::of(1.01);
+                    limits.jmax = limits.jmax * R::of(1.01);
+                }
+            }
+            Self::NoZones => changed.limits.truncate(chain.axes),
+            _ => {}
+        }
+        let (mut path, found) = Paths.plan(&changed, steps)?;
+        let sections = chain.sections();
+        let middle = path.states.len() / 2;
+        match self {
+            Self::Waits => {
+                let way_points = chain.axes..sections * chain.axes;
+                for state in &mut path.states[way_points] {
+                    (state.velocity, state.acceleration) = (R::of(0.0), R::of(0.0));
+                }
+                for duration in &mut path.durations {
+                    *duration = R::of(1.01) * *duration;
+                }
+            }
+            Self::TooShort => {
+                path.durations
+                    .iter_mut()
+                    .for_each(|t| *t = *t * R::of(0.99));
+            }
+            Self::TooFast => {
+                path.states[middle].velocity = path.states[middle].velocity * R::of(1.05)
+            }
+            Self::Beside => {
+                path.states[middle].position = path.states[middle].position.neighbour(1)
+            }
+            Self::EndOff => {
+                let end = path.states.last_mut().expect("an end");
+                end.velocity = end.velocity + R::of(1e-3);
+            }
+            _ => {}
+        }
+        let is_silent = *self == Self::Silent;
+        Ok((
+            path,
+            if is_silent {
+                Findings::default()
+            } else {
+                found
+            },
+        ))
+    }
+}

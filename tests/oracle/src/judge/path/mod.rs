@@ -1,0 +1,162 @@
+//! The judge of paths: are all sections possible in their durations, and is the path not longer than one that stops?
+
+pub mod faults;
+pub mod problems;
+
+use super::axes::together::{plan_of, scale_of_short_ramps};
+use super::problem::{Problem, Request};
+use super::problems::Kind;
+use super::trial::Trial;
+use crate::liba::abi::Original;
+use atraj::axes::{improve_path, path_size, plan_path, synchronise};
+use atraj::online::{Error, Move};
+use atraj::{Findings, State};
+use problems::Chain;
+use support::{Random, Real};
+
+/// States, point by point, and durations of the sections, s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path<R> {
+    /// States, point by point.
+    pub states: Vec<State<R>>,
+    /// s
+    pub durations: Vec<R>,
+}
+
+impl<R: Real> Path<R> {
+    /// The sum of the durations, s.
+    pub fn duration(&self) -> f64 {
+        self.durations.iter().map(|t| t.widen()).sum()
+    }
+}
+
+/// Something that plans paths.
+pub trait Planner<R: Real> {
+    /// The path through the points.
+    fn plan(&self, chain: &Chain<R>, steps: u32) -> Result<(Path<R>, Findings), Error> {
+        let mut path = Path {
+            states: chain.states.clone(),
+            durations: vec![R::of(f64::NAN); chain.sections()],
+        };
+        let size = path_size(chain.axes, chain.sections()).expect("a size");
+        let mut work = vec![R::of(f64::NAN); size];
+        let found = plan_path(
+            &mut path.states,
+            &mut path.durations,
+            &chain.limits,
+            steps,
+            &mut work,
+        )?;
+        Ok((path, found))
+    }
+
+    /// A shorter path from one that is there.
+    fn improve(&self, chain: &Chain<R>, path: &mut Path<R>, steps: u32) -> Result<Findings, Error> {
+        let size = path_size(chain.axes, chain.sections()).expect("a size");
+        let mut work = vec![R::of(f64::NAN); size];
+        improve_path(
+            &mut path.states,
+            &mut path.durations,
+            &chain.limits,
+            steps,
+            &mut work,
+        )
+    }
+}
+
+/// The planner under test.
+pub struct Paths;
+
+impl<R: Real> Planner<R> for Paths {}
+
+/// How much longer than promised a section may last.
+pub fn promised<R: Real>() -> f64 {
+    if size_of::<R>() == 8 { 1e-6 } else { 1e-3 }
+}
+
+/// What is wrong with a path, if something is.
+pub fn wrong<R: Original>(
+    chain: &Chain<R>,
+    path: &Path<R>,
+    found: Findings,
+    random: &mut Random,
+) -> Option<String> {
+    let axes = chain.axes;
+    let last = chain.sections() * axes;
+    let ends = |states: &[State<R>]| [states[..axes].to_vec(), states[last..].to_vec()];
+    if ends(&path.states) != ends(&chain.states) {
+        return Some("an end is not the given one".into());
+    }
+    let positions = path.states.iter().zip(&chain.states);
+    if positions
+        .clone()
+        .any(|(x, y)| x.position.low_bits() != y.position.low_bits())
+    {
+        return Some("a position is not the given one".into());
+    }
+    for section in 0..chain.sections() {
+        if let Some(what) = wrong_section(chain, path, section, found, random) {
+            return Some(format!("section {section}: {what}"));
+        }
+    }
+    None
+}
+
+/// What is wrong with the motions of a section.
+fn wrong_section<R: Original>(
+    chain: &Chain<R>,
+    path: &Path<R>,
+    section: usize,
+    found: Findings,
+    random: &mut Random,
+) -> Option<String> {
+    let axes = chain.axes;
+    let limits = chain.limits(section);
+    let [from, to] = [section, section + 1].map(|point| &path.states[point * axes..][..axes]);
+    let promise = path.durations[section];
+    let mut moves = vec![Move::default(); axes];
+    let planned = match synchronise(&mut moves, limits, from, to, promise, R::of(0.0)) {
+        Ok(planned) => planned,
+        Err(error) => return Some(format!("{error:?}")),
+    };
+    let outside = |found: Findings| found.contains(Findings::STARTS_OUTSIDE);
+    if outside(planned) != (section == 0 && outside(found)) && (section > 0 || !outside(found)) {
+        return Some("STARTS_OUTSIDE is not what it finds".into());
+    }
+    let (t, promise) = (moves[0].t.widen(), promise.widen());
+    let tolerance = promised::<R>();
+    if !(t <= promise * (1.0 + tolerance) && t >= promise * (1.0 - tolerance)) {
+        return Some(format!("it takes {t:e} instead of {promise:e}"));
+    }
+    for (axis, planned) in moves.iter().enumerate() {
+        let trial = Trial::new(Problem {
+            kind: Kind::Accelerated,
+            request: Request::Plan,
+            limits: limits[axis],
+            from: from[axis],
+            to: to[axis],
+        });
+        let more = scale_of_short_ramps(&trial, t);
+        if let Some(what) = trial.wrong_states(&plan_of(planned), &more, random) {
+            return Some(format!("axis {axis}: {what}"));
+        }
+    }
+    None
+}
+
+/// How long the path takes that stops at every way point, s. A section in which nothing moves takes no time.
+pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
+    let (axes, sections) = (chain.axes, chain.sections());
+    let mut states = chain.states.clone();
+    for state in &mut states[axes..sections * axes] {
+        *state = State::at(state.position);
+    }
+    let duration = |section: usize| {
+        let [from, to] = [section, section + 1].map(|point| &states[point * axes..][..axes]);
+        let mut moves = vec![Move::default(); axes];
+        let zero = R::of(0.0);
+        let planned = synchronise(&mut moves, chain.limits(section), from, to, zero, zero);
+        planned.map_or(f64::INFINITY, |_| moves[0].t.widen())
+    };
+    (0..sections).map(duration).sum()
+}

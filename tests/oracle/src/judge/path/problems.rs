@@ -1,0 +1,394 @@
+//! Random paths, in families. The same seed gives the same paths.
+
+use atraj::State;
+use atraj::online::Limits;
+use support::{Random, Real};
+
+/// What is nasty about a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// From rest to rest.
+    AtRest,
+    /// One way point.
+    OnePoint,
+    /// All limits differ.
+    UnequalLimits,
+    /// The start is in motion.
+    InMotion,
+    /// Start and end are on their limits.
+    OnTheLimits,
+    /// The start is outside the limits.
+    Outside,
+    /// Limits for every section.
+    Zones,
+    /// Every axis turns at every point.
+    ToAndFro,
+    /// Many axes or many points.
+    Many,
+    /// The limits of the axes are a factor of 1000 apart.
+    UnlikeAxes,
+    /// Ways of 0.01 to 30.
+    UnevenWays,
+    /// Ways of 0.0001 to 1000.
+    NastyWays,
+    /// Ways of 0.0001 to 1000 in one direction.
+    OneDirection,
+    /// Axes that stay in some sections.
+    Staying,
+    /// Points that repeat.
+    Repeating,
+    /// Rows of close points.
+    Dense,
+    /// Some limits are infinite.
+    Unlimited,
+    /// No way point.
+    NoPoint,
+}
+
+impl Family {
+    /// Every family.
+    pub const ALL: [Self; 18] = [
+        Self::AtRest,
+        Self::OnePoint,
+        Self::UnequalLimits,
+        Self::InMotion,
+        Self::OnTheLimits,
+        Self::Outside,
+        Self::Zones,
+        Self::ToAndFro,
+        Self::Many,
+        Self::UnlikeAxes,
+        Self::UnevenWays,
+        Self::NastyWays,
+        Self::OneDirection,
+        Self::Staying,
+        Self::Repeating,
+        Self::Dense,
+        Self::Unlimited,
+        Self::NoPoint,
+    ];
+}
+
+/// A path to plan.
+#[derive(Clone, Debug)]
+pub struct Chain<R> {
+    /// What is nasty about it.
+    pub family: Family,
+    /// How many axes it has.
+    pub axes: usize,
+    /// The limits of the axes, or of the axes section by section.
+    pub limits: Vec<Limits<R>>,
+    /// Point by point. Between start and end the positions alone count.
+    pub states: Vec<State<R>>,
+}
+
+impl<R: Real> Chain<R> {
+    /// How many sections it has.
+    pub fn sections(&self) -> usize {
+        self.states.len() / self.axes - 1
+    }
+
+    /// The limits of a section.
+    pub fn limits(&self, section: usize) -> &[Limits<R>] {
+        let first = if self.limits.len() == self.axes {
+            0
+        } else {
+            section * self.axes
+        };
+        &self.limits[first..first + self.axes]
+    }
+
+    /// Position, velocity and acceleration of every state times these factors, and the limits to match.
+    pub fn scaled(&self, length: f64, time: f64) -> Self {
+        let mut scaled = self.clone();
+        let [p, v, a, j] = [0, 1, 2, 3].map(|power| R::of(length / time.powi(power)));
+        for state in &mut scaled.states {
+            *state = scale(state, [p, v, a]);
+        }
+        for limits in &mut scaled.limits {
+            let Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            } = *limits;
+            *limits = Limits {
+                vmax: vmax * v,
+                vmin: vmin * v,
+                amax: amax * a,
+                amin: amin * a,
+                jmax: jmax * j,
+                jmin: jmin * j,
+            };
+        }
+        scaled
+    }
+
+    /// The mirrored path.
+    pub fn mirrored(&self) -> Self {
+        let mut mirrored = self.scaled(-1.0, 1.0);
+        for limits in &mut mirrored.limits {
+            let Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            } = *limits;
+            *limits = Limits {
+                vmax: vmin,
+                vmin: vmax,
+                amax: amin,
+                amin: amax,
+                jmax: jmin,
+                jmin: jmax,
+            };
+        }
+        mirrored
+    }
+}
+
+/// A state with its numbers multiplied.
+pub fn scale<R: Real>(state: &State<R>, [p, v, a]: [R; 3]) -> State<R> {
+    let State {
+        position,
+        velocity,
+        acceleration,
+    } = *state;
+    State {
+        position: position * p,
+        velocity: velocity * v,
+        acceleration: acceleration * a,
+    }
+}
+
+/// An endless sequence of paths. The families take turns.
+pub struct Chains {
+    random: Random,
+    turn: usize,
+}
+
+impl Chains {
+    /// The sequence that belongs to `seed`.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            random: Random::seeded(seed ^ 0xc4a1),
+            turn: 0,
+        }
+    }
+
+    /// The next path.
+    pub fn next<R: Real>(&mut self) -> Chain<R> {
+        let family = Family::ALL[self.turn % Family::ALL.len()];
+        self.turn += 1;
+        self.of(family)
+    }
+
+    /// A path of this family.
+    pub fn of<R: Real>(&mut self, family: Family) -> Chain<R> {
+        let random = &mut self.random;
+        let (mut axes, mut points) = (1 + random.below(4), 1 + random.below(5));
+        match family {
+            Family::OnePoint => points = 1,
+            Family::NoPoint => points = 0,
+            Family::Many => (axes, points) = random.pick(&[(12, 8), (1, 40), (6, 16), (2, 30)]),
+            Family::Dense => (axes, points) = (1 + random.below(3), random.pick(&[10, 20, 40])),
+            _ => {}
+        }
+        let unequal = !matches!(family, Family::AtRest | Family::Dense | Family::OnePoint)
+            || random.one_in(2);
+        let sets = if family == Family::Zones {
+            points + 1
+        } else {
+            1
+        };
+        let mut limits: Vec<Limits<f64>> = Vec::new();
+        for _ in 0..sets {
+            for _ in 0..axes {
+                let scale = if family == Family::UnlikeAxes {
+                    random.magnitude(-1.5, 1.5)
+                } else {
+                    1.0
+                };
+                limits.push(random_limits(random, scale, unequal));
+            }
+        }
+        if family == Family::Unlimited {
+            limits
+                .iter_mut()
+                .for_each(|limits| unlimited(random, limits));
+        }
+        let mut states = vec![State::at(0.0); (points + 2) * axes];
+        for axis in 0..axes {
+            let ways = ways(random, family, points + 1, &limits[axis]);
+            let mut position = if random.one_in(2) {
+                0.0
+            } else {
+                random.between(-3.0, 3.0)
+            };
+            for (point, way) in [0.0].into_iter().chain(ways).enumerate() {
+                position += way;
+                states[point * axes + axis].position = position;
+            }
+            let last = limits.len() - axes + axis;
+            let end = (points + 1) * axes + axis;
+            ends(
+                random,
+                family,
+                [&limits[axis], &limits[last]],
+                &mut states,
+                [axis, end],
+            );
+        }
+        let is_dropped = matches!(family, Family::Staying | Family::Repeating);
+        for point in 1..points + 2 {
+            for axis in 0..axes {
+                let all = family == Family::Repeating && point % 3 == 1;
+                if is_dropped && (all || family == Family::Staying && random.one_in(2)) {
+                    states[point * axes + axis].position =
+                        states[(point - 1) * axes + axis].position;
+                }
+            }
+        }
+        Chain {
+            family,
+            axes,
+            limits: limits.iter().map(|limits| rounded(limits)).collect(),
+            states: states
+                .iter()
+                .map(|state| State {
+                    position: R::of(state.position),
+                    velocity: R::of(state.velocity),
+                    acceleration: R::of(state.acceleration),
+                })
+                .collect(),
+        }
+    }
+}
+
+fn rounded<R: Real>(limits: &Limits<f64>) -> Limits<R> {
+    let Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = *limits;
+    let [vmax, vmin, amax, amin, jmax, jmin] = [vmax, vmin, amax, amin, jmax, jmin].map(R::of);
+    Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    }
+}
+
+fn random_limits(random: &mut Random, scale: f64, unequal: bool) -> Limits<f64> {
+    let [v, a, j] =
+        [(-0.5, 0.5), (0.0, 1.0), (0.5, 2.0)].map(|(lo, hi)| scale * random.magnitude(lo, hi));
+    let mut limits = Limits::symmetric(j, a, v);
+    if unequal && random.one_in(2) {
+        limits.vmin *= random.magnitude(-0.5, 0.5);
+        limits.amin *= random.magnitude(-0.5, 0.5);
+        limits.jmin *= random.magnitude(-0.5, 0.5);
+    }
+    limits
+}
+
+fn unlimited(random: &mut Random, limits: &mut Limits<f64>) {
+    let endless = f64::INFINITY;
+    match random.below(4) {
+        0 => (limits.vmax, limits.vmin) = (endless, -endless),
+        1 => (limits.amax, limits.amin) = (endless, -endless),
+        2 => (limits.jmax, limits.jmin) = (endless, -endless),
+        _ => limits.jmax = endless,
+    }
+}
+
+/// The ways of an axis.
+fn ways(random: &mut Random, family: Family, sections: usize, limits: &Limits<f64>) -> Vec<f64> {
+    let turn = random.sign();
+    let spacing = random.magnitude(-4.0, -1.5);
+    let straight = random.one_in(2);
+    let mut way = |k: usize| match family {
+        Family::UnevenWays => random.sign() * random.magnitude(-2.0, 1.5),
+        Family::NastyWays => random.sign() * random.magnitude(-4.0, 3.0),
+        Family::OneDirection => turn * random.magnitude(-4.0, 3.0),
+        Family::ToAndFro => (if k % 2 == 0 { turn } else { -turn }) * random.magnitude(-1.0, 0.5),
+        Family::Dense if straight => turn * spacing,
+        Family::Dense => turn * spacing * (0.1 * k as f64).cos(),
+        // The way in which the axis reaches its highest velocity is about this long.
+        Family::Unlimited if limits.vmax.is_infinite() => random.between(-3.0, 3.0),
+        _ => random.between(-2.0, 2.0),
+    };
+    (0..sections).map(&mut way).collect()
+}
+
+/// Sets the states of both ends.
+fn ends(
+    random: &mut Random,
+    family: Family,
+    limits: [&Limits<f64>; 2],
+    states: &mut [State<f64>],
+    ends: [usize; 2],
+) {
+    let part = match family {
+        Family::InMotion
+        | Family::Zones
+        | Family::Unlimited
+        | Family::Repeating
+        | Family::Staying
+        | Family::NoPoint
+            if random.one_in(2) =>
+        {
+            0.9
+        }
+        Family::Many | Family::UnequalLimits if random.one_in(4) => 0.5,
+        Family::OnTheLimits => 1.0,
+        Family::Outside => 1.5,
+        _ => return,
+    };
+    for (which, (limits, end)) in limits.into_iter().zip(ends).enumerate() {
+        let state = &mut states[end];
+        let part = if which == 1 {
+            f64::min(part, 1.0)
+        } else {
+            part
+        };
+        let finite = |limit: f64, otherwise: f64| if limit.is_finite() { limit } else { otherwise };
+        let share = |random: &mut Random, high: f64, low: f64, otherwise: f64| {
+            let share = if part == 1.0 {
+                1.0
+            } else {
+                random.between(0.0, part)
+            };
+            share
+                * if random.one_in(2) {
+                    finite(high, otherwise)
+                } else {
+                    finite(low, -otherwise)
+                }
+        };
+        match random.below(3) {
+            0 => state.velocity = share(random, limits.vmax, limits.vmin, 2.0),
+            1 => state.acceleration = share(random, limits.amax, limits.amin, 3.0),
+            _ => {
+                state.velocity = 0.5 * share(random, limits.vmax, limits.vmin, 2.0);
+                state.acceleration = 0.5 * share(random, limits.amax, limits.amin, 3.0);
+            }
+        }
+        // An end whose acceleration must have left the velocities, or will.
+        let half_square = 0.5 * state.acceleration * state.acceleration;
+        let beyond = state.velocity - half_square / limits.jmin > limits.vmax
+            || state.velocity - half_square / limits.jmax < limits.vmin;
+        if beyond && (which == 1 || family != Family::Outside) {
+            state.acceleration = 0.0;
+        }
+    }
+}
