@@ -289,8 +289,7 @@ impl<R: Real> Planned<'_, R> {
             findings,
         } = self;
         let mut point = 0;
-        let ends = states.chunks_exact_mut(axes).skip(1);
-        for (place, (duration, end)) in durations.iter_mut().zip(ends).enumerate() {
+        for (place, duration) in durations.iter_mut().enumerate() {
             let lasts = point < sections && memory.places.at(point).to_index() as usize == place;
             *duration = if lasts {
                 memory.durations.at(point)
@@ -298,7 +297,8 @@ impl<R: Real> Planned<'_, R> {
                 R::ZERO
             };
             point += usize::from(lasts);
-            for (axis, state) in end.iter_mut().enumerate() {
+            let end = states.iter_mut().skip((place + 1) * axes).take(axes);
+            for (axis, state) in end.enumerate() {
                 [state.velocity, state.acceleration] = memory.states.row(point * axes + axis);
             }
         }

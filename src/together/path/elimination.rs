@@ -126,10 +126,8 @@ impl<R: Real> Chain<'_, '_, R> {
                 pivot = pivot - *entry * l;
                 *entry = l;
             }
-            if !(pivot > R::from(8) * R::EPSILON * size) {
-                return None;
-            }
-            *diagonal = pivot;
+            let is_positive = pivot > R::from(8) * R::EPSILON * size;
+            *diagonal = is_positive.then_some(pivot)?;
         }
         self.substitute()
     }

@@ -25,7 +25,7 @@ const FEW_STEPS: u32 = 16;
 /// Steps for paths of [`MANY_SECTIONS`], whose points may be close.
 const MANY_STEPS: u32 = 48;
 /// `docs/path.md` has the measurements, in "Close points".
-const MANY_SECTIONS: usize = 20;
+const MANY_SECTIONS: usize = 10;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `axes (21 sections - 5) + sections (sections + 12)`. `None` if there is no axis or no
 /// section, or the count is beyond the range.
@@ -42,7 +42,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 ///
 /// `states` has a state for each axis, point by point: one point more than `durations` has sections. Every position is given, and the first and
 /// the last state; the states between are written, and the durations, s. A start outside the limits comes inside in the first section.
-/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work; 0: 16 steps, or 48 for 20 sections or
+/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work; 0: 16 steps, or 48 for 10 sections or
 /// more. `work` has [`path_size`] numbers, whatever they are.
 ///
 /// [`synchronise`](crate::axes::synchronise) makes the motions of section `k`, with `durations[k]` as the least duration. A point whose state is
@@ -86,7 +86,7 @@ pub fn improve_path<R: Real>(
 impl<'a, R: Real> Request<'a, R> {
     fn of(states: &'a [State<R>], durations: &[R], limits: &'a [Limits<R>]) -> Result<Self, Error> {
         let sections = durations.len();
-        let axes = states.len() / (sections + 1);
+        let axes = states.len().checked_div(sections + 1).unwrap_or_default();
         let has_limits = limits.len() == axes || Some(limits.len()) == axes.checked_mul(sections);
         if path_size(axes, sections).is_none()
             || states.len() != axes * (sections + 1)
@@ -113,7 +113,8 @@ impl<R: Real> Chain<'_, '_, R> {
             if self.come_inside() {
                 self.shorten(self.steps(steps), 0);
             }
-            if !(self.duration() < stopping) {
+            let is_shorter = self.duration() < stopping;
+            if !is_shorter {
                 self.stop_everywhere()?;
             }
         }

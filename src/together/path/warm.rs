@@ -19,7 +19,8 @@ impl<R: Real> Chain<'_, '_, R> {
             Some(octaves) => self.shorten(steps, octaves),
             None => self.plan(steps)?,
         }
-        if before.is_some_and(|before| !(self.duration() < before)) {
+        let is_shorter = before.is_none_or(|before| self.duration() < before);
+        if !is_shorter {
             self.take_given(given)?;
         }
         Ok(())
