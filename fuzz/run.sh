@@ -24,9 +24,9 @@ flags=(
 RUSTC_BOOTSTRAP=1 RUSTFLAGS="${flags[*]}" cargo build --quiet --release --locked --target "$target"
 
 mkdir -p artifacts
-for family in bell trap poly3 poly5 poly7 fastest move axes; do
+for family in bell trap poly3 poly5 poly7 fastest move axes path; do
     log=artifacts/$family.log
-    if ! "target/$target/release/$family" -max_len=384 -max_total_time="$seconds" -artifact_prefix="artifacts/$family-" \
+    if ! "target/$target/release/$family" -max_len=640 -max_total_time="$seconds" -artifact_prefix="artifacts/$family-" \
         "corpus/$family" 2> "$log"; then
         cat "$log"
         exit 1

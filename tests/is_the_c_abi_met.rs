@@ -147,7 +147,9 @@ fn layout_prelude_and_null() {
 }
 
 /// The programs that test the functions of `atraj.h`.
-const CONTRACTS: [&str; 5] = ["sample.c", "fastest.c", "move.c", "axes.c", "axis.c"];
+const CONTRACTS: [&str; 6] = [
+    "sample.c", "fastest.c", "move.c", "axes.c", "axis.c", "path.c",
+];
 
 #[test]
 fn contracts_of_our_own_functions() {

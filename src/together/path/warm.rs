@@ -33,7 +33,8 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in 0..self.sections {
             let duration = self.given(section, given)?;
             let least = self.shortest(section, duration)?;
-            let is_kept = duration == R::ZERO || least <= duration + R::DOUBT * duration;
+            // The states have roundings, and a fast start has large ones.
+            let is_kept = duration == R::ZERO || least <= duration + R::EPSILON.sqrt() * duration;
             is_possible = is_possible && is_kept;
             let taken = if duration == R::ZERO { least } else { duration };
             self.memory.durations.put(section, taken);

@@ -255,6 +255,107 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
 }
 
+/// Plans a path through way points, and improves it. Panics if an error writes anything, or if a promised duration is refused.
+pub fn way_points(bytes: &[u8]) {
+    match bytes.split_first() {
+        Some((kind, case)) if kind % 2 == 1 => path_as::<f32>(kind / 2, case),
+        Some((kind, case)) => path_as::<f64>(kind / 2, case),
+        None => {}
+    }
+}
+
+/// The kind names the number of axes and of sections. The limits of each axis follow, the start and the end of each axis, and the positions
+/// between.
+fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
+    let (axes, sections) = (1 + usize::from(kind % 2), 1 + usize::from(kind / 2 % 4));
+    let mut limits = Vec::new();
+    for _ in 0..axes {
+        let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
+        limits.push(Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        });
+    }
+    let mut states = vec![State::default(); axes * (sections + 1)];
+    let ends = (0..axes).chain(sections * axes..(sections + 1) * axes);
+    for end in ends {
+        states[end] = State {
+            position: number(&mut bytes),
+            velocity: number(&mut bytes),
+            acceleration: number(&mut bytes),
+        };
+    }
+    for state in &mut states[axes..sections * axes] {
+        *state = State::at(number(&mut bytes));
+    }
+    let problem = format!("{limits:?} {states:?}");
+    let mut durations = vec![R::of(-1.0); sections];
+    let mut work = vec![R::of(f64::NAN); axes::path_size(axes, sections).expect("a size")];
+    let before = (states.clone(), durations.clone());
+    let planned = axes::plan_path(&mut states, &mut durations, &limits, 0, &mut work);
+    if planned.is_err() {
+        let untouched = durations == before.1 && format!("{:?}", before.0) == format!("{states:?}");
+        assert!(untouched, "{problem}: touched, {planned:?}");
+        return;
+    }
+    are_promises_kept(&problem, &states, &durations, &limits);
+    let before = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
+    let improved = axes::improve_path(&mut states, &mut durations, &limits, 4, &mut work);
+    assert!(improved.is_ok(), "{problem}: {improved:?}");
+    are_promises_kept(&problem, &states, &durations, &limits);
+    let after = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
+    assert!(after <= before, "{problem}: {after:?} after {before:?}");
+}
+
+/// Whether every section takes what was promised, where no power of a number is beyond the range.
+fn are_promises_kept<R: Real>(
+    problem: &str,
+    states: &[State<R>],
+    durations: &[R],
+    limits: &[Limits<R>],
+) {
+    let least = (f64::from(R::EXPONENTS.0) / 8.0).exp2();
+    let is_ordinary = |x: R| {
+        let size = x.widen().abs();
+        size == 0.0 || size == f64::INFINITY || (least..least.recip()).contains(&size)
+    };
+    let of_limits = limits.iter().flat_map(|limits| {
+        let Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = *limits;
+        [vmax, vmin, amax, amin, jmax, jmin]
+    });
+    let mut numbers = states.iter().map(|state| state.position).chain(of_limits);
+    let is_ordinary = numbers.all(is_ordinary);
+    let mut moves = vec![Move::default(); limits.len()];
+    for (section, &duration) in durations.iter().enumerate() {
+        let zero = R::of(0.0);
+        assert!(
+            duration >= zero && duration < R::of(f64::INFINITY),
+            "{problem}: {duration:?}"
+        );
+        let [from, to] =
+            [section, section + 1].map(|point| &states[point * limits.len()..][..limits.len()]);
+        let taken = axes::synchronise(&mut moves, limits, from, to, duration, zero);
+        let t = moves[0].t.widen();
+        let tolerance = if size_of::<R>() == 8 { 1e-6 } else { 1e-3 };
+        let is_kept = taken.is_ok() && t <= duration.widen() * (1.0 + tolerance);
+        assert!(
+            is_kept || !is_ordinary,
+            "{problem}: section {section} takes {t:e} instead of {duration:?}: {taken:?}"
+        );
+    }
+}
+
 fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
     let mut arguments = [R::of(0.0); MOST_ARGUMENTS];
     for argument in arguments.iter_mut().take(family.arguments().len()) {

@@ -1,5 +1,5 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
-//! another, random problems of `Move` in a third, and of several axes in a fourth.
+//! another, random problems of `Move` in a third, of several axes in a fourth, and of way points in a fifth.
 
 use atraj::online::Limits;
 use oracle::bytes::{PLANNERS, encode};
@@ -20,7 +20,45 @@ fn main() -> Result<()> {
     write_moves::<f64>(&directory.join("move"))?;
     write_moves::<f32>(&directory.join("move"))?;
     write_axes::<f64>(&directory.join("axes"))?;
-    write_axes::<f32>(&directory.join("axes"))
+    write_axes::<f32>(&directory.join("axes"))?;
+    write_paths::<f64>(&directory.join("path"))?;
+    write_paths::<f32>(&directory.join("path"))
+}
+
+/// Way points of one or two axes: the first byte holds the number of axes and that of sections above the real type.
+fn write_paths<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    let mut random = Random::seeded(2);
+    for case in 0..48 {
+        let [axes, sections] = [1 + case % 2, 1 + case / 2 % 4];
+        let mut numbers = Vec::new();
+        let mut ends = [Vec::new(), Vec::new()];
+        for _ in 0..axes {
+            let limits = online::limits::<R>(&mut random);
+            let Limits {
+                vmax,
+                vmin,
+                amax,
+                amin,
+                jmax,
+                jmin,
+            } = limits;
+            numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+            let states = [
+                online::anywhere(&mut random, &limits),
+                online::inside(&mut random, &limits),
+            ];
+            for (end, state) in ends.iter_mut().zip(states) {
+                end.extend([state.position, state.velocity, state.acceleration]);
+            }
+        }
+        numbers.extend(ends.concat());
+        numbers.extend((0..axes * (sections - 1)).map(|_| R::of(random.between(-10.0, 10.0))));
+        let mut bytes = encode(&numbers, &[]);
+        bytes[0] += 2 * (axes - 1 + 2 * (sections - 1));
+        std::fs::write(directory.join(format!("random-{}-{case}", R::NAME)), bytes)?;
+    }
+    Ok(())
 }
 
 /// Problems of each planner of `Move`: the first byte holds its number above the real type.
