@@ -187,7 +187,9 @@ impl<R: Real> Farthest<R> {
             top,
             bottom,
             falls: [gd * peak, gd * depth],
-            slack: (v0 * t - h) + ((vmax - v0) * at_vmax + (up.displacement + down.displacement)),
+            // The start counts while it lasts only: its velocity may be far beyond the highest one.
+            slack: (vmax * at_vmax - h)
+                + (v0 * up.duration + (up.displacement + down.displacement)),
         })
     }
 

@@ -113,6 +113,7 @@ impl<R: Real> Chain<'_, '_, R> {
             if self.come_inside() {
                 self.shorten(self.steps(steps), 0);
             }
+            self.promise()?;
             let is_shorter = self.duration() < stopping;
             if !is_shorter {
                 self.stop_everywhere()?;

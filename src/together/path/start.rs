@@ -69,6 +69,16 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(self.duration())
     }
 
+    /// Lets every section last until its end can be reached: the planner of the motions has the last word.
+    pub fn promise(&mut self) -> Result<(), Error> {
+        for section in 0..self.sections {
+            let duration = self.memory.durations.at(section);
+            let duration = self.shortest(section, duration)?;
+            self.memory.durations.put(section, duration);
+        }
+        Ok(())
+    }
+
     fn stop_at(&mut self, point: usize) {
         for axis in 0..self.axes {
             self.memory

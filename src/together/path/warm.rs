@@ -16,7 +16,10 @@ impl<R: Real> Chain<'_, '_, R> {
         let steps = self.steps(steps);
         let begun = self.slow_down(given);
         match begun {
-            Some(octaves) => self.shorten(steps, octaves),
+            Some(octaves) => {
+                self.shorten(steps, octaves);
+                self.promise()?;
+            }
             None => self.plan(steps)?,
         }
         let is_shorter = before.is_none_or(|before| self.duration() < before);
@@ -33,8 +36,7 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in 0..self.sections {
             let duration = self.given(section, given)?;
             let least = self.shortest(section, duration)?;
-            // The states have roundings, and a fast start has large ones.
-            let is_kept = duration == R::ZERO || least <= duration + R::EPSILON.sqrt() * duration;
+            let is_kept = duration == R::ZERO || least <= duration + R::DOUBT * duration;
             is_possible = is_possible && is_kept;
             let taken = if duration == R::ZERO { least } else { duration };
             self.memory.durations.put(section, taken);
