@@ -6,15 +6,23 @@ use super::chain::Chain;
 use crate::findings::Error;
 use crate::real::Real;
 
-/// How much slower than the plan that is there the first plan is, in thousandths, and by how many powers of two its logarithms weigh less.
-const SLOWER: [(u8, u8); 6] = [(200, 2), (100, 3), (50, 4), (20, 5), (5, 5), (0, 5)];
+/// How much slower than the plan that is there the first plan is, in thousandths; by how many powers of two its logarithms weigh less; and how
+/// many steps it takes at least to win back what is lost.
+const SLOWER: [(u8, u8, u32); 6] = [
+    (200, 2, 10),
+    (100, 3, 10),
+    (50, 4, 6),
+    (20, 5, 6),
+    (5, 5, 3),
+    (0, 5, 1),
+];
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Shortens a plan; if it is impossible, plans anew.
     pub fn improve(&mut self, given: &[R], steps: u32) -> Result<(), Error> {
         let before = self.take_given(given)?;
         let steps = self.steps(steps);
-        let begun = self.slow_down(given);
+        let begun = self.slow_down(given, steps);
         match begun {
             Some(octaves) => {
                 self.shorten(steps, octaves);
@@ -75,8 +83,9 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Takes over the slowest of some plans like the one that is there, if one is strictly inside. Gives the powers of two for the first step.
-    fn slow_down(&mut self, given: &[R]) -> Option<u8> {
-        SLOWER.into_iter().find_map(|(thousandths, octaves)| {
+    fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
+        let mut slower = SLOWER.into_iter().filter(|&(_, _, least)| least <= steps);
+        slower.find_map(|(thousandths, octaves, _)| {
             let slower = R::ONE + R::from(thousandths) / (R::from(250) * R::from(4));
             self.take_slower(slower, given).map(|()| octaves)
         })

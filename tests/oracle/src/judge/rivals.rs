@@ -1,5 +1,6 @@
 //! Other libraries beside ours: the crate rsruckig, which computes in binary64 always, and the original.
 
+use super::path::problems::Chain;
 use super::planner::Profile;
 use super::problem::{Problem, Request, parts, widened};
 use super::trial::{Trial, Verdict, tolerance};
@@ -45,6 +46,51 @@ pub fn ruckig<R: Real>(axes: &[Problem<R>], least: f64, cycle: f64) -> Option<f6
     }
     let mut ruckig = Ruckig::<0, ThrowErrorHandler>::new(Some(count), cycle.max(1e-9));
     let mut trajectory = Trajectory::<0>::new(Some(count));
+    match ruckig.calculate(&input, &mut trajectory) {
+        Ok(RuckigResult::Working | RuckigResult::Finished) => Some(trajectory.get_duration()),
+        _ => None,
+    }
+}
+
+/// Whether rsruckig takes this path: the same limits everywhere, and one limit of the jerk.
+pub fn path_fits_ruckig<R: Real>(chain: &Chain<R>) -> bool {
+    let moderate = |x: f64| x.abs() < 1e3 && (x.abs() > 1e-3 || x == 0.0);
+    let of_states = |state: &atraj::State<R>| parts(*state).map(R::widen).into_iter().all(moderate);
+    let of_limits = |limits: &atraj::online::Limits<R>| {
+        let limits = widened(limits);
+        limits.into_iter().all(moderate) && limits[4] == -limits[5]
+    };
+    chain.limits.len() == chain.axes
+        && chain.states.iter().all(of_states)
+        && chain.limits.iter().all(of_limits)
+}
+
+/// The duration that rsruckig finds for the path.
+pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
+    let axes = chain.axes;
+    let row = |number: &dyn Fn(usize) -> f64| {
+        let mut row = DataArrayOrVec::<f64, 0>::new(Some(axes), 0.0);
+        (0..axes).for_each(|axis| row[axis] = number(axis));
+        row
+    };
+    let of_point = |point: usize, part: usize| {
+        row(&|axis| parts(chain.states[point * axes + axis])[part].widen())
+    };
+    let limit = |which: usize| row(&|axis| widened(&chain.limits[axis])[which]);
+    let mut input = InputParameter::<0>::new(Some(axes));
+    let last = chain.sections();
+    input.current_position = of_point(0, 0);
+    input.current_velocity = of_point(0, 1);
+    input.current_acceleration = of_point(0, 2);
+    input.target_position = of_point(last, 0);
+    input.target_velocity = of_point(last, 1);
+    input.target_acceleration = of_point(last, 2);
+    (input.max_velocity, input.min_velocity) = (limit(0), Some(limit(1)));
+    (input.max_acceleration, input.min_acceleration) = (limit(2), Some(limit(3)));
+    input.max_jerk = limit(4);
+    input.intermediate_positions = (1..last).map(|point| of_point(point, 0)).collect();
+    let mut ruckig = Ruckig::<0, ThrowErrorHandler>::new(Some(axes), 1e-3);
+    let mut trajectory = Trajectory::<0>::new(Some(axes));
     match ruckig.calculate(&input, &mut trajectory) {
         Ok(RuckigResult::Working | RuckigResult::Finished) => Some(trajectory.get_duration()),
         _ => None,

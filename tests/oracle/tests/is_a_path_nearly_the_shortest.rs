@@ -1,0 +1,216 @@
+//! Is a path nearly the shortest: beside rsruckig's, beside long runs from random starts, and after improvements?
+
+use atraj::State;
+use atraj::online::Limits;
+use oracle::judge::path::problems::{Chain, Chains, Family};
+use oracle::judge::path::{Path, Paths, Planner, wrong};
+use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
+use oracle::liba::abi::Original;
+use support::{Random, Real};
+
+/// Way points that the documentation of Ruckig plans in its example 3.
+fn example_of_ruckig<R: Real>() -> Chain<R> {
+    let points = [
+        [0.2, 0.0, -0.3],
+        [1.4, -1.6, 1.0],
+        [-0.6, -0.5, 0.4],
+        [-0.4, -0.35, 0.0],
+        [0.8, 1.8, -0.1],
+        [0.5, 1.0, 0.0],
+    ];
+    let mut states: Vec<_> = points
+        .iter()
+        .flatten()
+        .map(|&p| State::at(R::of(p)))
+        .collect();
+    for (k, velocity, acceleration) in [
+        (1, 0.2, 0.6),
+        (15, 0.2, 0.0),
+        (16, 0.0, 0.1),
+        (17, 0.3, -0.1),
+    ] {
+        (states[k].velocity, states[k].acceleration) = (R::of(velocity), R::of(acceleration));
+    }
+    let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]];
+    let limits = limits.map(|[j, a, v]| Limits::symmetric(R::of(j), R::of(a), R::of(v)));
+    Chain {
+        family: Family::InMotion,
+        axes: 3,
+        limits: limits.into(),
+        states,
+    }
+}
+
+/// Ruckig's own plan takes 7.832 s, by the picture beside the example.
+#[test]
+fn beside_the_example_of_ruckig() {
+    fn duration<R: Real>() -> f64 {
+        Paths
+            .plan(&example_of_ruckig::<R>(), 0)
+            .expect("a plan")
+            .0
+            .duration()
+    }
+    let theirs = ruckig_path(&example_of_ruckig::<f64>());
+    let ours = [duration::<f64>(), duration::<f32>()];
+    println!("{ours:.4?} s, rsruckig {theirs:.4?}");
+    assert!(
+        ours.iter()
+            .all(|&duration| duration < 7.74 && duration > 7.73)
+    );
+    assert!(theirs.is_some_and(|theirs| theirs > 8.0));
+}
+
+/// How many paths rsruckig is asked: it takes about 10 ms for one.
+const ASKED: usize = 200;
+
+#[test]
+fn beside_rsruckig() {
+    let mut chains = Chains::new(2);
+    let (mut asked, mut refused, mut shorter) = (0, 0, 0);
+    let (mut most, mut least, mut sum) = (0.0, f64::INFINITY, 0.0);
+    while asked < ASKED {
+        let chain = chains.next::<f64>();
+        if !path_fits_ruckig(&chain) || chain.sections() > 6 || chain.sections() < 2 {
+            continue;
+        }
+        asked += 1;
+        let Some(theirs) = ruckig_path(&chain) else {
+            refused += 1;
+            continue;
+        };
+        let ours = Paths.plan(&chain, 0).expect("a plan").0.duration();
+        let part = theirs / ours;
+        shorter += usize::from(part < 1.0);
+        (most, least, sum) = (f64::max(most, part), f64::min(least, part), sum + part);
+    }
+    let mean = sum / (asked - refused) as f64;
+    println!(
+        "{asked} paths: rsruckig refuses {refused}, is shorter in {shorter}, and takes {mean:.4} times as long: {least:.6} to {most:.3}"
+    );
+    // Ours ends a little above the shortest path, where the weight of the logarithms ends.
+    assert!(least > 1.0 - 1e-3 && mean > 1.01);
+}
+
+/// A path with random states, so slow that it is probably possible.
+fn random_path<R: Real>(chain: &Chain<R>, planned: &Path<R>, random: &mut Random) -> Path<R> {
+    let mut path = planned.clone();
+    let slow = random.magnitude(0.0, 1.0);
+    path.durations
+        .iter_mut()
+        .for_each(|t| *t = *t * R::of(slow));
+    for (k, state) in path.states[chain.axes..chain.sections() * chain.axes]
+        .iter_mut()
+        .enumerate()
+    {
+        let Limits { vmax, amax, .. } = chain.limits[k % chain.axes];
+        state.velocity = vmax * R::of(random.between(-1.0, 1.0) / slow);
+        state.acceleration = amax * R::of(random.between(-1.0, 1.0) / (slow * slow));
+    }
+    path
+}
+
+/// The families whose best paths long runs find.
+const SAMPLED: [Family; 8] = [
+    Family::AtRest,
+    Family::OnePoint,
+    Family::UnequalLimits,
+    Family::InMotion,
+    Family::OnTheLimits,
+    Family::Zones,
+    Family::ToAndFro,
+    Family::UnlikeAxes,
+];
+
+#[test]
+fn beside_random_starts() {
+    let (mut chains, mut random) = (Chains::new(3), Random::seeded(3));
+    let mut parts = Vec::new();
+    for k in 0..80 {
+        let chain = chains.of::<f64>(SAMPLED[k % SAMPLED.len()]);
+        let planned = Paths.plan(&chain, 0).expect("a plan").0;
+        let runs = (0..12).map(|_| {
+            let mut path = random_path(&chain, &planned, &mut random);
+            Paths.improve(&chain, &mut path, 64).expect("a plan");
+            path.duration()
+        });
+        let best = runs.fold(f64::INFINITY, f64::min);
+        parts.push(planned.duration() / best);
+    }
+    parts.sort_by(f64::total_cmp);
+    let [mean, worst] = [
+        parts.iter().sum::<f64>() / parts.len() as f64,
+        parts[parts.len() - 1],
+    ];
+    println!(
+        "{} paths beside the best of 12 random starts: mean {mean:.6}, worst {worst:.6}",
+        parts.len()
+    );
+    assert!(mean < 1.0005 && worst < 1.02);
+}
+
+fn improvements_shorten<R: Original>() {
+    let (mut chains, mut random) = (Chains::new(4), Random::seeded(4));
+    let mut shorter = 0;
+    for k in 0..400 {
+        let chain = chains.next::<R>();
+        let (mut path, mut found) = Paths.plan(&chain, 4).expect("a plan");
+        for steps in [1, 2, 4, 8] {
+            let before = path.duration();
+            found = Paths.improve(&chain, &mut path, steps).expect("a plan");
+            let (after, what) = (path.duration(), wrong(&chain, &path, found, &mut random));
+            assert!(
+                what.is_none() && after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen()),
+                "{k} {:?}: {what:?}, {after} after {before}",
+                chain.family
+            );
+            shorter += usize::from(after < before);
+        }
+        goes_on(chain, path, found, &mut random);
+    }
+    println!(
+        "{}: {shorter} of 1600 improvements shorten the path",
+        R::NAME
+    );
+    assert!(shorter > 800);
+}
+
+/// Drops the first section, appends one, and goes on.
+fn goes_on<R: Original>(
+    mut chain: Chain<R>,
+    mut path: Path<R>,
+    found: atraj::Findings,
+    random: &mut Random,
+) {
+    let axes = chain.axes;
+    let is_at_rest = path.states[chain.sections() * axes..]
+        .iter()
+        .all(|end| *end == State::at(end.position));
+    if chain.limits.len() > axes || !is_at_rest {
+        return;
+    }
+    path.states.drain(..axes);
+    path.durations.remove(0);
+    for axis in 0..axes {
+        let last = path.states[path.states.len() - axes];
+        let way = R::of(random.between(-1.0, 1.0));
+        path.states.push(State::at(
+            last.position + if axis == 0 { way } else { R::of(0.0) },
+        ));
+    }
+    path.durations.push(R::of(0.0));
+    chain.states.clone_from(&path.states);
+    let improved = Paths.improve(&chain, &mut path, 4).expect("a plan");
+    let what = wrong(&chain, &path, improved, random);
+    assert!(what.is_none(), "{:?} {found:?}: {what:?}", chain.family);
+}
+
+#[test]
+fn improvements_shorten_f64() {
+    improvements_shorten::<f64>();
+}
+
+#[test]
+fn improvements_shorten_f32() {
+    improvements_shorten::<f32>();
+}
