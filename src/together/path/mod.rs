@@ -42,7 +42,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 ///
 /// `states` has a state for each axis, point by point: one point more than `durations` has sections. Every position is given, and the first and
 /// the last state; the states between are written, and the durations, s. A start outside the limits comes inside in the first section.
-/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work; 0: 16 steps, or 48 for 10 sections or
+/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: 16 steps, or 48 for 10 sections or
 /// more. `work` has [`path_size`] numbers, whatever they are.
 ///
 /// [`synchronise`](crate::axes::synchronise) makes the motions of section `k`, with `durations[k]` as the least duration. A point whose state is
@@ -50,6 +50,24 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 ///
 /// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits. [`Error::Axes`] if the lengths do not fit together; the others as for
 /// [`synchronise`](crate::axes::synchronise). On an error nothing but `work` is written.
+///
+/// ```
+/// use atraj::axes::{path_size, plan_path, synchronise};
+/// use atraj::online::{Limits, Move, State};
+/// let limits = [Limits::symmetric(30.0, 10.0, 5.0); 2];
+/// // From (0, 0) by way of (3, 1) to (4, 5).
+/// let mut states = [0.0, 0.0, 3.0, 1.0, 4.0, 5.0].map(State::at);
+/// let mut durations = [0.0; 2];
+/// let mut work = vec![0.0; path_size(2, 2).expect("two axes")];
+/// plan_path(&mut states, &mut durations, &limits, 0, &mut work)?;
+/// assert!(states[2].velocity > 3.0);
+/// let mut section = [Move::default(); 2];
+/// let [from, by, to] = [&states[0..2], &states[2..4], &states[4..6]];
+/// synchronise(&mut section, &limits, from, by, durations[0], 0.0)?;
+/// synchronise(&mut section, &limits, by, to, durations[1], 0.0)?;
+/// assert_eq!(section[1].position(durations[1]), 5.0);
+/// # Ok::<(), atraj::Error>(())
+/// ```
 pub fn plan_path<R: Real>(
     states: &mut [State<R>],
     durations: &mut [R],

@@ -1,13 +1,13 @@
 //! The first plan: it stops at every way point, or rolls past those at which an axis cannot stop in time.
 
-use super::super::axis::next_duration;
-use super::super::cycle::Cycle;
 use super::chain::Chain;
 use crate::findings::Error;
 use crate::online::Move;
 use crate::online::problem::Problem;
 use crate::real::Real;
 use crate::state::State;
+use crate::together::axis::next_duration;
+use crate::together::cycle::Cycle;
 
 /// Durations that are tried for a section in which an axis passes its way point.
 const TRIED: u8 = 8;

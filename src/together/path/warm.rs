@@ -82,8 +82,12 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(())
     }
 
-    /// Takes over the slowest of some plans like the one that is there, if one is strictly inside. Gives the powers of two for the first step.
+    /// Takes over the slowest of some plans like the one that is there, if one is strictly inside. Gives the powers of two for the first step. A
+    /// path of one section needs no step.
     fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
+        if self.sections == 1 {
+            return None;
+        }
         let mut slower = SLOWER.into_iter().filter(|&(_, _, least)| least <= steps);
         slower.find_map(|(thousandths, octaves, _)| {
             let slower = R::ONE + R::from(thousandths) / (R::from(250) * R::from(4));

@@ -37,7 +37,7 @@ fn paths_pass_their_points<R: Original>() {
     let mut parts: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     let mut bad = Vec::new();
     for k in 0..PATHS {
-        let chain = chains.next::<R>();
+        let chain = chains.draw::<R>();
         match judge(&Paths, &chain, &mut random) {
             Ok(part) => parts.entry(chain.family as usize).or_default().push(part),
             Err(what) => bad.push(format!("{k} {:?}: {what}", chain.family)),
@@ -87,7 +87,7 @@ fn bits<R: Real>(path: &Path<R>) -> Vec<u64> {
 fn units_change_no_bit<R: Original>() {
     let mut chains = Chains::new(1);
     for k in 0..PATHS / 4 {
-        let chain = chains.next::<R>();
+        let chain = chains.draw::<R>();
         let plan = |chain: &Chain<R>| Paths.plan(chain, 0).expect("a plan").0;
         let path = plan(&chain);
         let other = plan(&chain.mirrored());
@@ -145,7 +145,7 @@ fn every_fault_is_seen<R: Original>() {
         let (mut chains, mut random) = (Chains::new(0), Random::seeded(0));
         let mut seen = 0;
         for _ in 0..180 {
-            seen += usize::from(judge(&fault, &chains.next::<R>(), &mut random).is_err());
+            seen += usize::from(judge(&fault, &chains.draw::<R>(), &mut random).is_err());
         }
         println!("{} {fault:?}: {seen} of 180 paths seen", R::NAME);
         // One family has limits for every section, and one starts outside.

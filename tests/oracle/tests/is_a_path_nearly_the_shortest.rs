@@ -70,7 +70,7 @@ fn beside_rsruckig() {
     let (mut asked, mut refused, mut shorter) = (0, 0, 0);
     let (mut most, mut least, mut sum) = (0.0, f64::INFINITY, 0.0);
     while asked < ASKED {
-        let chain = chains.next::<f64>();
+        let chain = chains.draw::<f64>();
         if !path_fits_ruckig(&chain) || chain.sections() > 6 || chain.sections() < 2 {
             continue;
         }
@@ -149,11 +149,46 @@ fn beside_random_starts() {
     assert!(mean < 1.0005 && worst < 1.02);
 }
 
+/// Plans of the default number of steps beside plans of many steps, family by family.
+fn beside_more_steps<R: Original>() {
+    let mut chains = Chains::new(5);
+    let mut sum = 0.0;
+    for family in Family::ALL {
+        let part = |chain: Chain<R>| {
+            let duration = |steps| Paths.plan(&chain, steps).expect("a plan").0.duration();
+            let default = duration(0);
+            let best = [96, 200].map(duration).into_iter().fold(default, f64::min);
+            if best == 0.0 { 1.0 } else { default / best }
+        };
+        let parts: Vec<_> = (0..40).map(|_| part(chains.of(family))).collect();
+        let mean = parts.iter().sum::<f64>() / parts.len() as f64;
+        let worst = parts.into_iter().fold(1.0, f64::max);
+        println!(
+            "{} {family:?}: mean {mean:.5}, worst {worst:.4} of the best",
+            R::NAME
+        );
+        sum += mean;
+    }
+    let mean = sum / Family::ALL.len() as f64;
+    println!("{}: mean {mean:.5}", R::NAME);
+    assert!(mean < 1.003);
+}
+
+#[test]
+fn beside_more_steps_f64() {
+    beside_more_steps::<f64>();
+}
+
+#[test]
+fn beside_more_steps_f32() {
+    beside_more_steps::<f32>();
+}
+
 fn improvements_shorten<R: Original>() {
     let (mut chains, mut random) = (Chains::new(4), Random::seeded(4));
     let mut shorter = 0;
     for k in 0..400 {
-        let chain = chains.next::<R>();
+        let chain = chains.draw::<R>();
         let (mut path, mut found) = Paths.plan(&chain, 4).expect("a plan");
         for steps in [1, 2, 4, 8] {
             let before = path.duration();

@@ -3,6 +3,7 @@
 //! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
 //! `bench moves`: tables of the moves from any state to any state, planned beside rsruckig and Ruckig's C++ and evaluated beside the
 //! double-S, and of several axes that arrive together.
+//! `bench path`: a table of paths through way points, beside the crate rsruckig.
 //! `bench levels`: a table of samples from the shared library of each level of x86-64, beside the original's at `-O2` and beside
 //! filling the arrays with a constant.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
@@ -17,6 +18,7 @@ mod fastest;
 #[cfg(target_arch = "x86_64")]
 mod levels;
 mod moves;
+mod path;
 mod race;
 mod ruckig;
 
@@ -72,6 +74,7 @@ fn main() {
         ["instructions"] => print_instructions(),
         ["fastest"] => fastest::print_table(),
         ["moves"] => moves::print_tables(),
+        ["path"] => path::print_table(),
         #[cfg(target_arch = "x86_64")]
         ["levels"] => levels::print_table(),
         ["count", row, library] => count(warm_rows(), row, library),

@@ -181,7 +181,7 @@ impl Chains {
     }
 
     /// The next path.
-    pub fn next<R: Real>(&mut self) -> Chain<R> {
+    pub fn draw<R: Real>(&mut self) -> Chain<R> {
         let family = Family::ALL[self.turn % Family::ALL.len()];
         self.turn += 1;
         self.of(family)
@@ -320,7 +320,9 @@ fn ways(random: &mut Random, family: Family, sections: usize, limits: &Limits<f6
         Family::UnevenWays => random.sign() * random.magnitude(-2.0, 1.5),
         Family::NastyWays => random.sign() * random.magnitude(-4.0, 3.0),
         Family::OneDirection => turn * random.magnitude(-4.0, 3.0),
-        Family::ToAndFro => (if k % 2 == 0 { turn } else { -turn }) * random.magnitude(-1.0, 0.5),
+        Family::ToAndFro => {
+            (if k.is_multiple_of(2) { turn } else { -turn }) * random.magnitude(-1.0, 0.5)
+        }
         Family::Dense if straight => turn * spacing,
         Family::Dense => turn * spacing * (0.1 * k as f64).cos(),
         // The way in which the axis reaches its highest velocity is about this long.
