@@ -44,7 +44,7 @@ size_t atraj_path_size(size_t axes,
  * @param limits points to the limits of the axes
  * @param axes number of axes
  * @param sections number of sections: one less than points
- * @param steps how many steps the planner may take, at most 1024; 0: 16, or 48 for 10 sections or more
+ * @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
  * @param work points to `atraj_path_size(axes, sections)` numbers, whatever they are
  * @return 0, or `ATRAJ_STARTS_OUTSIDE`; else the `atraj_error` of an axis as `atraj_moves_sync` returns it, or `ATRAJ_ERR_NULL` if a pointer is
  * NULL, or `axes` or `sections` is 0. On an error nothing but `work` is written.
@@ -69,7 +69,7 @@ int atraj_path_plan(atraj_state *states,
  * @param limits points to the limits of the axes
  * @param axes number of axes
  * @param sections number of sections: one less than points
- * @param steps how many steps the planner may take, at most 1024; 0: 16, or 48 for 10 sections or more
+ * @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
  * @param work points to `atraj_path_size(axes, sections)` numbers, whatever they are
  * @return as `atraj_path_plan`; `ATRAJ_ERR_NOT_FINITE` also if a state between is not made of numbers, `ATRAJ_ERR_DURATION` if a duration is
  * negative, infinite or not a number
@@ -92,7 +92,7 @@ int atraj_path_improve(atraj_state *states,
  * @param limits points to `sections * axes` limits, section by section
  * @param axes number of axes
  * @param sections number of sections: one less than points
- * @param steps how many steps the planner may take, at most 1024; 0: 16, or 48 for 10 sections or more
+ * @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
  * @param work points to `atraj_path_size(axes, sections)` numbers, whatever they are
  * @return as `atraj_path_plan`
  */

@@ -19,13 +19,7 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
 use chain::{Chain, Request};
-
-/// Steps for paths of few sections.
-const FEW_STEPS: u32 = 16;
-/// Steps for paths of [`MANY_SECTIONS`], whose points may be close.
-const MANY_STEPS: u32 = 48;
-/// `docs/path.md` has the measurements, in "Close points".
-const MANY_SECTIONS: usize = 10;
+use steps::Steps;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `axes (21 sections - 5) + sections (sections + 12)`. `None` if there is no axis or no
 /// section, or the count is beyond the range.
@@ -42,8 +36,8 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 ///
 /// `states` has a state for each axis, point by point: one point more than `durations` has sections. Every position is given, and the first and
 /// the last state; the states between are written, and the durations, s. A start outside the limits comes inside in the first section.
-/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: 16 steps, or 48 for 10 sections or
-/// more. `work` has [`path_size`] numbers, whatever they are.
+/// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: as many as
+/// the path needs, at most 48. `work` has [`path_size`] numbers, whatever they are.
 ///
 /// [`synchronise`](crate::axes::synchronise) makes the motions of section `k`, with `durations[k]` as the least duration. A point whose state is
 /// given splits a path into two.
@@ -77,6 +71,7 @@ pub fn plan_path<R: Real>(
 ) -> Result<Findings, Error> {
     let request = Request::of(states, durations, limits)?;
     let mut chain = Chain::of(request, work)?;
+    let steps = Steps::of(steps, chain.sections);
     chain.plan(steps)?;
     Ok(chain.done()?.write(states, durations))
 }
@@ -97,6 +92,7 @@ pub fn improve_path<R: Real>(
 ) -> Result<Findings, Error> {
     let request = Request::of(states, durations, limits)?;
     let mut chain = Chain::of(request, work)?;
+    let steps = Steps::of(steps, chain.sections);
     chain.improve(durations, steps)?;
     Ok(chain.done()?.write(states, durations))
 }
@@ -124,12 +120,12 @@ impl<'a, R: Real> Request<'a, R> {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    fn plan(&mut self, steps: u32) -> Result<(), Error> {
+    fn plan(&mut self, steps: Steps) -> Result<(), Error> {
         let stopping = self.stop_everywhere()?;
         if self.sections > 1 {
             self.roll()?;
             if self.come_inside() {
-                self.shorten(self.steps(steps), 0);
+                self.shorten(steps, 0);
             }
             self.promise()?;
             let is_shorter = self.duration() < stopping;
@@ -138,14 +134,5 @@ impl<R: Real> Chain<'_, '_, R> {
             }
         }
         Ok(())
-    }
-
-    /// The steps that are asked for, or as many as the path needs.
-    fn steps(&self, steps: u32) -> u32 {
-        match steps {
-            0 if self.sections < MANY_SECTIONS => FEW_STEPS,
-            0 => MANY_STEPS,
-            steps => steps,
-        }
     }
 }

@@ -6,7 +6,34 @@ use super::chain::Chain;
 use crate::real::Real;
 
 /// More steps have no effect that the real type could show.
-pub(super) const MOST_STEPS: u32 = 1024;
+const MOST_STEPS: u32 = 1024;
+
+/// How many steps a path gets.
+#[derive(Clone, Copy)]
+pub(super) struct Steps {
+    pub most: u32,
+    /// How often the weight of the logarithms falls.
+    falls: u32,
+}
+
+impl Steps {
+    /// So many steps; 0: as many as a path of so many sections needs.
+    pub fn of(asked: u32, sections: usize) -> Self {
+        let (most, falls) = match asked.min(MOST_STEPS) {
+            0 if sections < MANY_SECTIONS => (MOST_BY_DEFAULT, FEW_FALLS),
+            0 => (MOST_BY_DEFAULT, MOST_BY_DEFAULT - 1),
+            asked => (asked, asked - 1),
+        };
+        Self { most, falls }
+    }
+}
+
+/// A path that is not asked for a number of steps gets at most so many.
+const MOST_BY_DEFAULT: u32 = 48;
+/// A path of this many sections gets them all, because its points may be close.
+const MANY_SECTIONS: usize = 10;
+/// The plan of a shorter path is done after so many falls of the weight. Each takes a full step.
+const FEW_FALLS: u32 = 10;
 /// Parts of a step that are tried: 1, 1/2, 1/4, …
 const MOST_HALVINGS: u32 = 10;
 /// How often the damping is raised for one step.
@@ -63,23 +90,27 @@ fn fallen<R: Real>(base: R, octaves: R) -> R {
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Makes the plan shorter, which is strictly inside and stays inside. `octaves` tells how near the plan is to the best one.
-    pub fn shorten(&mut self, steps: u32, octaves: u8) {
+    pub fn shorten(&mut self, Steps { most, mut falls }: Steps, octaves: u8) {
         let scale = self.duration() / R::from_index(self.logarithms() as i32);
         let base = R::from(11) * R::SIXTEENTH * scale;
         let mut octaves = R::from(octaves);
         let mut damping = Damping::new();
-        let mut last = R::ONE;
+        let mut is_full = false;
         self.weigh();
-        let steps = steps.min(MOST_STEPS);
-        for step in 0..steps {
-            let left = steps - step;
+        for step in 0..most {
+            let left = most - step;
             // Behind a short step the weight waits, but not in the last two fifths of the steps.
-            let may_wait = 5 * left > 2 * steps;
-            if step > 0 && (last > R::HALF || !may_wait) {
-                octaves = octaves + (R::from(OCTAVES) - octaves) / R::from_index(left as i32);
+            let may_wait = 5 * left > 2 * most;
+            if step > 0 && falls == 0 {
+                break;
+            }
+            if step > 0 && (is_full || !may_wait) {
+                let rounds = R::from_index(falls.min(left) as i32);
+                octaves = octaves + (R::from(OCTAVES) - octaves) / rounds;
+                falls -= 1;
             }
             match self.step(fallen(base, octaves), &mut damping) {
-                Some(part) => last = part,
+                Some(part) => is_full = part == R::ONE,
                 None => break,
             }
         }

@@ -3,6 +3,7 @@
 //! A slower plan is off all limits at once: with durations longer by the factor `s`, velocities are divided by `s` and accelerations by `s²`.
 
 use super::chain::Chain;
+use super::steps::Steps;
 use crate::findings::Error;
 use crate::real::Real;
 
@@ -19,10 +20,9 @@ const SLOWER: [(u8, u8, u32); 6] = [
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Shortens a plan; if it is impossible, plans anew.
-    pub fn improve(&mut self, given: &[R], steps: u32) -> Result<(), Error> {
+    pub fn improve(&mut self, given: &[R], steps: Steps) -> Result<(), Error> {
         let before = self.take_given(given)?;
-        let steps = self.steps(steps);
-        let begun = self.slow_down(given, steps);
+        let begun = self.slow_down(given, steps.most);
         match begun {
             Some(octaves) => {
                 self.shorten(steps, octaves);
