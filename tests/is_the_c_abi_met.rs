@@ -148,7 +148,12 @@ fn layout_prelude_and_null() {
 
 /// The programs that test the functions of `atraj.h`.
 const CONTRACTS: [&str; 6] = [
-    "sample.c", "fastest.c", "move.c", "axes.c", "axis.c", "path.c",
+    "sample.c",
+    "fastest.c",
+    "move.c",
+    "axes.c",
+    "axis.c",
+    "path.c",
 ];
 
 #[test]

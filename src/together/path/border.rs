@@ -143,12 +143,11 @@ impl<R: Real> Farthest<R> {
                 bottom = (rest - (q + q) * fall).at_least(R::ZERO);
             }
         }
-        let mut way = Change::default();
-        way.add(a0, peak, gu * (peak - a0));
-        way.add(peak, peak, top);
-        way.add(peak, trough, gd * fall);
-        way.add(trough, trough, bottom);
-        way.add(trough, a1, gu * (a1 - trough));
+        let way = Change::of(a0, peak, gu * (peak - a0))
+            .hold(peak, top)
+            .then(peak, trough, gd * fall)
+            .hold(trough, bottom)
+            .then(trough, a1, gu * (a1 - trough));
         (rest > R::ZERO).then_some(Self {
             frame: *frame,
             ends,
@@ -168,14 +167,13 @@ impl<R: Real> Farthest<R> {
         let Ends { v0, a0, v1, a1 } = ends;
         let (peak, top) = frame.ramp(vmax - v0, a0, frame.bu);
         let (depth, bottom) = frame.ramp(vmax - v1, -a1, frame.bd);
-        let mut up = Change::default();
-        up.add(a0, peak, gu * (peak - a0));
-        up.add(peak, peak, top);
-        up.add(peak, R::ZERO, gd * peak);
-        let mut down = Change::default();
-        down.add(R::ZERO, -depth, gd * depth);
-        down.add(-depth, -depth, bottom);
-        down.add(-depth, a1, gu * (a1 + depth));
+        let up =
+            Change::of(a0, peak, gu * (peak - a0))
+                .hold(peak, top)
+                .then(peak, R::ZERO, gd * peak);
+        let down = Change::of(R::ZERO, -depth, gd * depth)
+            .hold(-depth, bottom)
+            .then(-depth, a1, gu * (a1 + depth));
         // By rounding the pause may be below 0.
         let at_vmax = (t - up.duration - down.duration).at_least(R::ZERO) + down.duration;
         Some(Self {

@@ -68,7 +68,9 @@ impl<'a, R: Real> Request<'a, R> {
         axes.all(|axis| {
             let start = self.state(0, axis);
             let limits = self.limits(section, axis);
-            limits.is_ok_and(|limits| limits.check(start, start).is_ok())
+            limits.is_ok_and(|limits| {
+                limits.check(start, start).is_ok() && !limits.are_left_after(start)
+            })
         })
     }
 
@@ -92,7 +94,7 @@ pub(super) struct Chain<'a, 'w, R> {
     /// How many sections last.
     pub sections: usize,
     pub memory: Memory<'w, R>,
-    /// Whether an axis starts outside its limits.
+    /// Whether an axis starts outside its limits, or is bound to leave them at the end.
     pub findings: Findings,
 }
 
@@ -134,12 +136,15 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
         self.memory.states.set(axis, [v0, a0]);
         self.memory.inside.put(axis, inside.with_inside(R::ZERO));
         self.memory.displacements.put(axis, inside.displacement().0);
-        self.findings |= inside.starts_outside();
+        self.findings |= inside.outside();
+        let end = self.request.state(self.request.sections, axis);
+        let is_leaving = self.limits(self.sections - 1, axis)?.are_left_after(end);
+        self.findings |= Findings::ENDS_LEAVING.when(is_leaving);
         let State {
             velocity,
             acceleration,
             ..
-        } = self.request.state(self.request.sections, axis);
+        } = end;
         let end = self.sections * self.axes + axis;
         self.memory.states.set(end, [velocity, acceleration]);
         Ok(())

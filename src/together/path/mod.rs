@@ -42,8 +42,9 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// [`synchronise`](crate::axes::synchronise) makes the motions of section `k`, with `durations[k]` as the least duration. A point whose state is
 /// given splits a path into two.
 ///
-/// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits. [`Error::Axes`] if the lengths do not fit together; the others as for
-/// [`synchronise`](crate::axes::synchronise). On an error nothing but `work` is written.
+/// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits, and [`Findings::ENDS_LEAVING`] if an axis is bound to leave them
+/// after the end. [`Error::Axes`] if the lengths do not fit together; the others as for [`synchronise`](crate::axes::synchronise). On an error
+/// nothing but `work` is written.
 ///
 /// ```
 /// use atraj::axes::{path_size, plan_path, synchronise};
