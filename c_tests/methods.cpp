@@ -232,12 +232,12 @@ void axis()
     PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
 }
 
-// Every finding and every error up to the one of a line has a sentence of its own.
+// Every finding and every error has a sentence of its own.
 void messages()
 {
-    for (int code = ATRAJ_ERR_LINE; code <= ATRAJ_ENDS_LEAVING; ++code)
+    for (int code = ATRAJ_ERR_UNREACHABLE; code <= ATRAJ_ENDS_LEAVING; ++code)
     {
-        for (int other = ATRAJ_ERR_LINE; other < code; ++other)
+        for (int other = ATRAJ_ERR_UNREACHABLE; other < code; ++other)
         {
             const bool differ = std::strcmp(atraj::message(code), atraj::message(other)) != 0;
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));

@@ -124,6 +124,10 @@ static int refused_numbers(void)
             bad = asked;
             bad.states[k].v = 8;
             PROMISE(answers(ATRAJ_STARTS_OUTSIDE, plan, &bad));
+            bad = asked;
+            bad.states[SECTIONS * AXES + k].v = asked.limits[k].vmax;
+            bad.states[SECTIONS * AXES + k].a = asked.limits[k].amax / 2;
+            PROMISE(answers(ATRAJ_ENDS_LEAVING, plan, &bad));
         }
     }
     for (k = 0; k < SECTIONS; ++k)

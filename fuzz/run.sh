@@ -2,6 +2,7 @@
 # usage: run.sh [seconds]
 # Runs every fuzz target for this time, beginning with the golden moves. Does what `cargo fuzz run` does without cargo-fuzz
 # and without a nightly compiler. libFuzzer needs a C++ compiler.
+# FUZZ_SEED=n starts the random numbers at n, not at 1. libFuzzer would draw a seed, and the verdict of the gate would change by chance.
 set -euo pipefail
 cd "$(dirname "$0")"
 seconds=${1:-60}
@@ -26,8 +27,8 @@ RUSTC_BOOTSTRAP=1 RUSTFLAGS="${flags[*]}" cargo build --quiet --release --locked
 mkdir -p artifacts
 for family in bell trap poly3 poly5 poly7 fastest move axes path; do
     log=artifacts/$family.log
-    if ! "target/$target/release/$family" -max_len=640 -max_total_time="$seconds" -artifact_prefix="artifacts/$family-" \
-        "corpus/$family" 2> "$log"; then
+    if ! "target/$target/release/$family" -seed="${FUZZ_SEED:-1}" -max_len=640 -max_total_time="$seconds" \
+        -artifact_prefix="artifacts/$family-" "corpus/$family" 2> "$log"; then
         cat "$log"
         exit 1
     fi

@@ -138,8 +138,8 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
         self.memory.displacements.put(axis, inside.displacement().0);
         self.findings |= inside.outside();
         let end = self.request.state(self.request.sections, axis);
-        let is_leaving = self.limits(self.sections - 1, axis)?.are_left_after(end);
-        self.findings |= Findings::ENDS_LEAVING.when(is_leaving);
+        let last = self.request.limits(self.request.sections - 1, axis)?;
+        self.findings |= Findings::ENDS_LEAVING.when(last.are_left_after(end));
         let State {
             velocity,
             acceleration,

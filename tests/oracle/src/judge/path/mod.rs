@@ -123,6 +123,11 @@ fn wrong_section<R: Original>(
     if outside(planned) != (section == 0 && outside(found)) && (section > 0 || !outside(found)) {
         return Some("STARTS_OUTSIDE is not what it finds".into());
     }
+    let leaves = |found: Findings| found.contains(Findings::ENDS_LEAVING);
+    let is_last = section + 1 == chain.sections();
+    if leaves(planned) != (is_last && leaves(found)) {
+        return Some("ENDS_LEAVING is not what it finds".into());
+    }
     let (t, promise) = (moves[0].t.widen(), promise.widen());
     let tolerance = promised::<R>();
     if !(t <= promise * (1.0 + tolerance) && t >= promise * (1.0 - tolerance)) {

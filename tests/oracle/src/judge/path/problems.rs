@@ -385,10 +385,17 @@ fn ends(
                 state.acceleration = 0.5 * share(random, limits.amax, limits.amin, 3.0);
             }
         }
-        // An end whose acceleration must have left the velocities, or will.
+        // An acceleration that must have left the velocities, or will. The end of a path may leave them afterwards.
         let half_square = 0.5 * state.acceleration * state.acceleration;
-        let beyond = state.velocity - half_square / limits.jmin > limits.vmax
-            || state.velocity - half_square / limits.jmax < limits.vmin;
+        let above = state.velocity - half_square / limits.jmin > limits.vmax;
+        let below = state.velocity - half_square / limits.jmax < limits.vmin;
+        let beyond = if which == 0 {
+            above || below
+        } else if state.acceleration > 0.0 {
+            below
+        } else {
+            above
+        };
         if beyond && (which == 1 || family != Family::Outside) {
             state.acceleration = 0.0;
         }
