@@ -22,11 +22,9 @@ extern "C" {
  * @brief How many numbers of working memory a path needs: `axes * (21 * sections - 5) + sections * (sections + 12)`.
  * @param axes number of axes
  * @param sections number of sections: one less than points
- * @return how many `a_float` the array `work` has; 0 if `axes` or `sections` is 0, or if the count is beyond the range of `size_t`
+ * @return how many `a_float` the array `work` has; 0 if `axes` or `sections` is 0 or above 4,096
  */
-A_EXTERN
-size_t atraj_path_size(size_t axes,
-                       size_t sections);
+A_EXTERN size_t atraj_path_size(size_t axes, size_t sections);
 
 /**
  * @brief Plan a path: several axes pass given points at the same times, and stop nowhere unless they must.
@@ -47,7 +45,7 @@ size_t atraj_path_size(size_t axes,
  * @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
  * @param work points to `atraj_path_size(axes, sections)` numbers, whatever they are
  * @return 0, or a sum of `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis as `atraj_moves_sync` returns
- * it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `axes` or `sections` is 0. On an error nothing but `work` is written.
+ * it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `axes` or `sections` is 0 or above 4,096. On an error nothing but `work` is written.
  */
 A_EXTERN
 int atraj_path_plan(atraj_state *states,

@@ -12,7 +12,7 @@ use core::ffi::{c_int, c_uint};
 /// @brief How many numbers of working memory a path needs: `axes * (21 * sections - 5) + sections * (sections + 12)`.
 /// @param axes number of axes
 /// @param sections number of sections: one less than points
-/// @return how many `a_float` the array `work` has; 0 if `axes` or `sections` is 0, or if the count is beyond the range of `size_t`
+/// @return how many `a_float` the array `work` has; 0 if `axes` or `sections` is 0 or above 4,096
 #[unsafe(no_mangle)]
 pub extern "C" fn atraj_path_size(axes: usize, sections: usize) -> usize {
     path::path_size(axes, sections).unwrap_or(0)
@@ -36,7 +36,7 @@ pub extern "C" fn atraj_path_size(axes: usize, sections: usize) -> usize {
 /// @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
 /// @param work points to `atraj_path_size(axes, sections)` numbers, whatever they are
 /// @return 0, or a sum of `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis as `atraj_moves_sync` returns
-/// it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `axes` or `sections` is 0. On an error nothing but `work` is written.
+/// it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `axes` or `sections` is 0 or above 4,096. On an error nothing but `work` is written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_path_plan(
     states: *mut atraj_state,
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn atraj_path_plan_zones(
     steps: c_uint,
     work: *mut a_float,
 ) -> c_int {
-    let count = axes.saturating_mul(sections);
+    let count = axes.wrapping_mul(sections);
     // SAFETY: the contract of this function is the contract of that one.
     unsafe {
         plan(

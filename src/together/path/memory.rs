@@ -140,11 +140,15 @@ pub(super) struct Memory<'a, R> {
     pub factor: Triangle<'a, R>,
 }
 
-/// How many numbers the tables have. `None` if it is beyond the range.
+/// The most axes, and the most sections. So a count of numbers stays within 32 bits, and a processor without a long product or a divider
+/// counts it.
+const MOST: usize = 4096;
+
+/// How many numbers the tables have. `None` if there is no axis or no section, or more than 4,096.
 pub(super) fn size(axes: usize, sections: usize) -> Option<usize> {
-    let of_an_axis = sections.checked_mul(21)?.checked_sub(5)?;
-    let of_durations = sections.checked_mul(sections.checked_add(12)?)?;
-    axes.checked_mul(of_an_axis)?.checked_add(of_durations)
+    let is_count = |count: usize| count > 0 && count <= MOST;
+    let of_axes = |sections: usize| axes * (21 * sections - 5) + sections * (sections + 12);
+    (is_count(axes) && is_count(sections)).then(|| of_axes(sections))
 }
 
 /// Takes numbers off the front of the memory.

@@ -22,13 +22,9 @@ use chain::{Chain, Request};
 use steps::Steps;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `axes (21 sections - 5) + sections (sections + 12)`. `None` if there is no axis or no
-/// section, or the count is beyond the range.
+/// section, or more than 4,096 of them.
 pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
-    if axes == 0 || sections == 0 {
-        None
-    } else {
-        memory::size(axes, sections)
-    }
+    memory::size(axes, sections)
 }
 
 /// Plans a path through way points: the velocities and accelerations at the way points, and the durations of the sections between them. No section
@@ -101,14 +97,14 @@ pub fn improve_path<R: Real>(
 impl<'a, R: Real> Request<'a, R> {
     fn of(states: &'a [State<R>], durations: &[R], limits: &'a [Limits<R>]) -> Result<Self, Error> {
         let sections = durations.len();
-        let axes = states.len().checked_div(sections + 1).unwrap_or_default();
-        let has_limits = limits.len() == axes || Some(limits.len()) == axes.checked_mul(sections);
-        if path_size(axes, sections).is_none()
-            || states.len() != axes * (sections + 1)
-            || !has_limits
-        {
-            return Err(Error::Axes);
-        }
+        // The limits are those of the axes, or of the axes in every section.
+        let every = states.len().wrapping_sub(limits.len());
+        let fits = |axes: &usize| {
+            path_size(*axes, sections).is_some() && states.len() == axes * (sections + 1)
+        };
+        let has_limits = |axes: &usize| limits.len() == *axes || limits.len() == axes * sections;
+        let mut candidates = [limits.len(), every].into_iter().filter(fits);
+        let axes = candidates.find(has_limits).ok_or(Error::Axes)?;
         let request = Self {
             axes,
             sections,
