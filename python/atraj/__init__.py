@@ -28,6 +28,8 @@ Poly7 = f64.Poly7
 Move = f64.Move
 synchronise = f64.synchronise
 line = f64.line
+Path = f64.Path
+path = f64.path
 del f64
 
 __version__ = version("atraj")
@@ -38,6 +40,7 @@ __all__ = [
     "Findings",
     "Limits",
     "Move",
+    "Path",
     "Phase",
     "Poly3",
     "Poly5",
@@ -48,5 +51,6 @@ __all__ = [
     "Trap",
     "TrapFields",
     "line",
+    "path",
     "synchronise",
 ]

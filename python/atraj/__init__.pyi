@@ -21,6 +21,7 @@ _Times: TypeAlias = Sequence[float] | npt.NDArray[Any]
 _Out: TypeAlias = Samples[_Real] | tuple[_Array | None, _Array | None, _Array | None, _Array | None, _Array | None]
 _State: TypeAlias = State | tuple[float, float, float]
 _Limits: TypeAlias = Limits | tuple[float, float, float, float, float, float]
+_Points: TypeAlias = Sequence[Sequence[float | _State] | npt.NDArray[Any]] | npt.NDArray[Any]
 
 @disjoint_base
 class Profile:
@@ -190,6 +191,23 @@ def line(
     duration: float = 0.0,
     cycle: float = 0.0,
 ) -> list[Move]: ...
+@final
+class Path:
+    @property
+    def t(self) -> float: ...
+    @property
+    def times(self) -> _Array: ...
+    @property
+    def findings(self) -> Findings: ...
+    def position(self, x: float | _Times) -> _Array: ...
+    def velocity(self, x: float | _Times) -> _Array: ...
+    def acceleration(self, x: float | _Times) -> _Array: ...
+    def jerk(self, x: float | _Times) -> _Array: ...
+    def state_at(self, x: float) -> list[State]: ...
+    def sample(self, dt: float | None = None, *, n: int | None = None, start: float = 0.0) -> Samples[_Real]: ...
+    def plot(self) -> Figure: ...
+
+def path(points: _Points, limits: Sequence[_Limits], *, steps: int = 0) -> Path: ...
 
 __version__: str
 __all__ = [
@@ -199,6 +217,7 @@ __all__ = [
     "Findings",
     "Limits",
     "Move",
+    "Path",
     "Phase",
     "Poly3",
     "Poly5",
@@ -209,5 +228,6 @@ __all__ = [
     "Trap",
     "TrapFields",
     "line",
+    "path",
     "synchronise",
 ]

@@ -9,12 +9,12 @@ import numpy as np
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from . import Profile
+    from . import Path, Profile
 
 QUANTITIES = ["position", "velocity", "acceleration", "jerk"]
 
 
-def plot(profile: Profile) -> Figure:
+def plot(profile: Profile | Path) -> Figure:
     """Position, velocity, acceleration and jerk over time, under each other. A trapezoid has no jerk to show."""
     try:
         import matplotlib.pyplot as plt
@@ -29,4 +29,13 @@ def plot(profile: Profile) -> Figure:
         axis.grid(alpha=0.3)
     axes[-1].set_xlabel("time, s")
     figure.align_ylabels()
+    return figure
+
+
+def plot_path(path: Path) -> Figure:
+    """The same for several axes, in a colour each, with a dot at each way point."""
+    figure = plot(path)
+    positions = figure.axes[0]
+    positions.legend(positions.lines, [f"axis {k}" for k in range(len(positions.lines))])
+    positions.plot(path.times, path.position(path.times), "k.")
     return figure

@@ -19,6 +19,8 @@ Poly7 = f32.Poly7
 Move = f32.Move
 synchronise = f32.synchronise
 line = f32.line
+Path = f32.Path
+path = f32.path
 del f32
 
-__all__ = ["Bell", "Move", "Poly3", "Poly5", "Poly7", "Profile", "Trap", "line", "synchronise"]
+__all__ = ["Bell", "Move", "Path", "Poly3", "Poly5", "Poly7", "Profile", "Trap", "line", "path", "synchronise"]

@@ -14,12 +14,14 @@ use pyo3::types::PyString;
 mod binary64 {
     type Real = f64;
     pub mod online;
+    pub mod path;
     pub mod profiles;
 }
 #[path = "classes"]
 mod binary32 {
     type Real = f32;
     pub mod online;
+    pub mod path;
     pub mod profiles;
 }
 
@@ -27,11 +29,13 @@ mod binary32 {
 fn _atraj(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add_part(module, "f64", "atraj", |part| {
         binary64::profiles::add(part)?;
-        binary64::online::add(part)
+        binary64::online::add(part)?;
+        binary64::path::add(part)
     })?;
     add_part(module, "f32", "atraj.f32", |part| {
         binary32::profiles::add(part)?;
-        binary32::online::add(part)
+        binary32::online::add(part)?;
+        binary32::path::add(part)
     })?;
     add_part(module, "claraty", "atraj.claraty", |part| {
         part.add_class::<claraty::Trajectory>()

@@ -106,7 +106,9 @@ pub fn at<'py, R: Number>(
 
 /// The numbers as an aligned array of `R` in C order, which NumPy copies if it must. The crate `numpy` divides strides by the size of
 /// an item, so it reads a field of a packed record at wrong addresses.
-fn in_rows<'py, R: Number>(numbers: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, R>> {
+pub fn in_rows<'py, R: Number>(
+    numbers: &Bound<'py, PyAny>,
+) -> PyResult<PyReadonlyArrayDyn<'py, R>> {
     const ALIGNED_IN_C_ORDER: &str = "AC";
     if let Ok(array) = numbers.extract::<PyReadonlyArrayDyn<'py, R>>() {
         if array.is_aligned() && array.is_c_contiguous() {
@@ -156,6 +158,15 @@ impl<'py, R: Number> Request<'py, R> {
         named(py, "Samples", PyTuple::new(py, arrays)?)
     }
 
+    /// The times of the samples of a motion that lasts `t`, s.
+    pub fn times(&self, py: Python<'py>, t: R) -> PyResult<Bound<'py, PyAny>> {
+        let n = self.count(t)?;
+        let mut times: PyReadwriteArray1<R> = empty::<R>(py, n)?.extract()?;
+        let dt = self.dt.unwrap_or_else(|| self.spread(t, n));
+        write_times(times.as_slice_mut()?, self.start, dt);
+        Ok(times.as_any().clone())
+    }
+
     /// Number of samples: the given one, the length of the arrays, or as many as reach the end of the motion.
     fn count(&self, t: R) -> PyResult<usize> {
         let lengths = self.out.iter().flatten().flatten().map(|array| array.len());
@@ -190,24 +201,36 @@ impl<'py, R: Number> Request<'py, R> {
     }
 }
 
-/// Arrays for `n` samples. NumPy allocates them, and raises MemoryError if it cannot.
+/// Arrays for `n` samples.
 fn fresh<R: Number>(py: Python<'_>, n: usize) -> PyResult<Arrays<'_, R>> {
-    let empty = py.import("numpy")?.getattr("empty")?;
     let mut arrays = Arrays::default();
     for array in &mut arrays {
-        *array = Some(empty.call1((n, R::get_dtype(py)))?.extract()?);
+        *array = Some(empty::<R>(py, n)?.extract()?);
     }
     Ok(arrays)
+}
+
+/// An array of this shape. NumPy allocates it, and raises MemoryError if it cannot.
+pub fn empty<'py, R: Number>(
+    py: Python<'py>,
+    shape: impl IntoPyObject<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let empty = py.import("numpy")?.getattr("empty")?;
+    empty.call1((shape, R::get_dtype(py)))
 }
 
 fn fill<R: Number>(motion: &dyn Motion<R>, x0: R, dt: R, arrays: &mut Arrays<R>) -> PyResult<()> {
     let [t, p, v, a, j] = arrays;
     let [t, p, v, a, j] = [slice(t)?, slice(p)?, slice(v)?, slice(a)?, slice(j)?];
-    for (k, t) in (0..).zip(t) {
-        *t = x0 + R::from_index(k) * dt;
-    }
+    write_times(t, x0, dt);
     motion.sample_into(x0, dt, [p, v, a, j]);
     Ok(())
+}
+
+fn write_times<R: Number>(times: &mut [R], x0: R, dt: R) {
+    for (k, t) in (0..).zip(times) {
+        *t = x0 + R::from_index(k) * dt;
+    }
 }
 
 /// The numbers of an array; none if the array is left out.

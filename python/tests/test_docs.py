@@ -39,7 +39,7 @@ def test_examples(name):
 
 def test_the_page_runs():
     blocks = PAGE.read_text().split("```python\n")[1:]
-    assert len(blocks) == 2
+    assert len(blocks) == 3
     for block in blocks:
         exec(block.split("```")[0], {})
 
@@ -48,7 +48,7 @@ def test_everything_public_is_documented():
     for module in MODULES:
         for name in module.__all__:
             assert inspect.getdoc(getattr(module, name)), name
-    for name in ["Profile", "Bell", "Trap", "Move", "Poly3", "Poly5", "Poly7"]:
+    for name in ["Profile", "Bell", "Trap", "Move", "Path", "Poly3", "Poly5", "Poly7"]:
         members = [member for member in vars(getattr(atraj, name)) if not member.startswith("_")]
         assert members
         for member in members:

@@ -242,6 +242,91 @@ def test_axes_move_together(real):
     np.testing.assert_allclose(y.position(times), 1 - 0.2 * x.position(times), atol=1e-5)
 
 
+POINTS = [[0, 0, 1], [3, 1, 1], [4, 5, 1], [4, 5, 1], [-2, 4, 0]]
+
+
+@reals
+def test_a_path_passes_its_points(real):
+    limits = [LIMITS, atraj.Limits.symmetric(60, 20, 5), LIMITS]
+    for points in [POINTS, np.array(POINTS), np.array(POINTS, np.float32).tolist()]:
+        path = real.module.path(points, limits)
+        assert path.times.dtype == real.dtype and path.times[0] == 0 and path.times[-1] == path.t
+        assert path.position(path.times).tolist() == POINTS and path.findings == atraj.Findings(0)
+        # The third point is there twice. No axis stops at the second one but the axis that stays.
+        assert path.times[2] == path.times[3] and (abs(path.velocity(path.times[1]))[:2] > 1).all()
+    stops = [real.module.synchronise(limits, *pair)[0].t for pair in states(POINTS)]
+    assert path.t < 0.9 * sum(stops)
+    assert path.position([-1, path.t + 1]).tolist() == [POINTS[0], POINTS[-1]]
+    assert path.velocity(path.t).tolist() == path.acceleration(path.t).tolist() == [0, 0, 0]
+
+
+def states(points):
+    """The ends of each section, at rest."""
+    rest = [[atraj.State(p) for p in point] for point in points]
+    return zip(rest, rest[1:])
+
+
+@reals
+def test_a_path_keeps_its_limits_and_does_not_jump(real):
+    limits = [LIMITS, atraj.Limits(4, -5, 20, -15, 60, -50), LIMITS]
+    t, p, v, a, j = real.module.path(POINTS, limits).sample(0.001)
+    dt, rounding = np.diff(t)[:, None], 1e-2 if real.dtype == np.float32 else 1e-9
+    for axis, limit in enumerate(limits):
+        for values, high, low in [(v, limit.vmax, limit.vmin), (a, limit.amax, limit.amin), (j, limit.jmax, limit.jmin)]:
+            assert values[:, axis].max() <= high + rounding and values[:, axis].min() >= low - rounding
+    # A step is the mean of both ends, up to what a bend of the next quantity adds.
+    for values, rate, bend in [(p, v, 20), (v, a, 60)]:
+        assert np.allclose(np.diff(values, axis=0), dt * (rate[1:] + rate[:-1]) / 2, atol=bend * 1e-6 + rounding * 1e-3)
+
+
+@reals
+def test_a_path_starts_in_motion(real):
+    limits = [LIMITS] * 3
+    first = real.module.path(POINTS, limits)
+    now = first.state_at(0.5)
+    assert [state.velocity for state in now] == first.velocity(0.5).tolist()
+    path = real.module.path([now, *POINTS[1:]], limits)
+    assert path.state_at(0) == now
+    assert path.t == pytest.approx(first.t - 0.5, rel=1e-3)
+    assert real.module.path([[(0, 6, 0)], [9]], [LIMITS]).findings == atraj.Findings.STARTS_OUTSIDE
+
+
+@reals
+def test_times_of_a_path_have_any_shape_and_layout(real):
+    path = real.module.path(POINTS, [LIMITS] * 3)
+    one = path.position(0.5)
+    assert one.shape == (3,) and path.position(np.zeros((2, 4))).shape == (2, 4, 3) and path.position([]).shape == (0, 3)
+    for times in layouts(real.dtype):
+        for quantity in QUANTITIES:
+            values = getattr(path, quantity)
+            expected = [values(x).tolist() for x in np.array(times, float).ravel()]
+            assert values(times).dtype == real.dtype and values(times).reshape(-1, 3).tolist() == expected
+    samples = path.sample(n=5)
+    assert samples.t.tolist() == path.sample(float(samples.t[1])).t.tolist() and samples.j.shape == (5, 3)
+    assert path.sample(0.25, start=0.5).t[:2].tolist() == [0.5, 0.75]
+    with pytest.raises(ValueError, match="dt, n or out"):
+        path.sample()
+
+
+def test_paths_say_why_not():
+    two, rest = [LIMITS] * 2, atraj.State(0)
+    for message, call in {
+        "at least two points": lambda: atraj.path([[0, 0]], two),
+        "no axis": lambda: atraj.path([[], []], []),
+        "point 1 has 3 coordinates, and limits 2 axes": lambda: atraj.path([[0, 0], [1, 1, 1]], two),
+        "point 0 has 2 coordinates, and limits 1 axes": lambda: atraj.path([[0, 0], [1, 1]], [LIMITS]),
+        "point 1, axis 1: .*not a number": lambda: atraj.path([[0, 0], [0, math.nan], [1, 1]], two),
+        "point 2, axis 0: .*infinite": lambda: atraj.path([[0, 0], [1, 1], [math.inf, 0], [1, 1]], two),
+        "point 1, axis 0: only the first": lambda: atraj.path([[0, 0], [rest, 0], [1, 1]], two),
+        "point 0, axis 1: neither a number nor a state": lambda: atraj.path([[0, "0"], [1, 1]], two),
+        "axis 1: .*not a number": lambda: atraj.path([[0, math.nan], [1, 1]], two),
+        "axis 0: .*wrong sign": lambda: atraj.path([[0, 0], [1, 1]], [LIMITS._replace(jmin=1), LIMITS]),
+        "axis 1: .*outside the limits": lambda: atraj.path([[0, 0], [1, (1, 6, 0)]], two),
+    }.items():
+        with pytest.raises(ValueError, match=message):
+            call()
+
+
 def test_moves_say_why_not():
     plan, state = atraj.Move.plan, atraj.State(0)
     for message, call in {
@@ -275,6 +360,15 @@ def test_claraty_brakes_and_warns():
 def test_plot():
     for profile, axes in zip(profiles(atraj), [4, 3, 4, 4, 4, 4]):
         assert len(profile.plot().axes) == axes
+
+
+def test_plot_of_a_path():
+    path = atraj.path(POINTS, [LIMITS] * 3)
+    figure = path.plot()
+    curves = figure.axes[0].lines
+    assert len(figure.axes) == 4 and len(curves) == 6
+    assert [curve.get_ydata()[0] for curve in curves[:3]] == POINTS[0]
+    assert [dots.get_ydata().tolist() for dots in curves[3:]] == np.transpose(POINTS).tolist()
 
 
 def test_plot_without_matplotlib(monkeypatch):
