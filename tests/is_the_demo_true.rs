@@ -230,6 +230,74 @@ fn only_the_straight_line_is_straight() {
 #[test]
 fn the_joints_of_the_arm_stop_together() {
     let output = output(10);
+    assert_joints_keep_their_limits(output);
+    let after: Vec<_> = output.split(" -> ").skip(1).collect();
+    assert_eq!(after.len(), 4);
+    for text in &after[..3] {
+        assert_eq!(setpoints(text)[0][7..], [0.0; 6], "no stop");
+    }
+}
+
+#[test]
+fn the_arm_passes_its_way_points_sooner() {
+    let output = output(12);
+    assert_joints_keep_their_limits(output);
+    let after: Vec<_> = output.split(" -> ").skip(1).collect();
+    assert_eq!(after.len(), 4);
+    for text in &after[..3] {
+        let velocities = &setpoints(text)[0][7..];
+        assert!(velocities.iter().any(|v| v.abs() > 5.0), "a stop");
+    }
+    let last = output.lines().last().unwrap();
+    let words: Vec<_> = last.split(' ').collect();
+    let [stopping, passing] = [words[0], words[8]].map(|word| word.parse::<f64>().unwrap());
+    let saved = format!("{:.0} %", 100.0 * (1.0 - passing / stopping));
+    assert!(last.ends_with(&format!("{saved} saved")), "{last}");
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let row = format!("an arm arrives {saved} sooner");
+    assert!(readme.contains(&row), "{row}");
+}
+
+#[test]
+fn the_gantry_goes_round_the_obstacle() {
+    let (_, paths) = output(13).split_once("with stops:").unwrap();
+    let (stops, passes) = paths.split_once("without stops:").unwrap();
+    let is_inside = |p: &Vec<f64>| p[1] > 0.4 && p[1] < 0.6 && p[2] < 0.3;
+    let ends = [stops, passes].map(|path| {
+        let points = setpoints(path);
+        assert!(points.len() > 1500 && !points.iter().any(is_inside));
+        let last = points.last().unwrap().clone();
+        assert_eq!(last[1..], [1.0, 0.0]);
+        last[0]
+    });
+    assert!(ends[1] < 0.75 * ends[0], "{ends:?}");
+    // In the middle of the path, both pass above the obstacle.
+    assert!(setpoints(passes).iter().any(|p| p[1] > 0.45 && p[1] < 0.55));
+}
+
+#[test]
+fn the_horizon_moves_on_and_passes_its_points() {
+    let points = setpoints(output(14));
+    for pair in points.windows(2) {
+        let passed = pair[1][0] - pair[0][0];
+        for axis in 1..=2 {
+            let step = pair[1][axis] - pair[0][axis];
+            let mean = (pair[1][axis + 2] + pair[0][axis + 2]) / 2.0;
+            assert!((step - mean * passed).abs() < DIGIT, "{:?}", pair[1]);
+            assert!(pair[1][axis + 2].abs() <= 0.42 && pair[1][axis + 4].abs() <= 8.0);
+        }
+    }
+    // A setpoint lies within half a millisecond of each point.
+    for k in 0..=60 {
+        let (x, u) = (0.02 * f64::from(k), f64::from(k % 20) / 20.0);
+        let side = if k / 20 % 2 == 1 { -0.16 } else { 0.16 };
+        let y = side * u * (1.0 - u);
+        let near = |p: &Vec<f64>| (p[1] - x).abs() < 3e-4 && (p[2] - y).abs() < 3e-4;
+        assert!(points.iter().any(near), "point {k}");
+    }
+}
+
+fn assert_joints_keep_their_limits(output: &str) {
     let points = setpoints(output);
     for pair in points.windows(2) {
         let passed = pair[1][0] - pair[0][0];
@@ -239,11 +307,6 @@ fn the_joints_of_the_arm_stop_together() {
             assert!(pair[1][joint + 6].abs() <= limit, "{:?}", pair[1]);
             assert!(step <= limit * passed + 0.011, "{:?}", pair[1]);
         }
-    }
-    let after: Vec<_> = output.split(" -> ").skip(1).collect();
-    assert_eq!(after.len(), 4);
-    for text in &after[..3] {
-        assert_eq!(setpoints(text)[0][7..], [0.0; 6], "no stop");
     }
 }
 

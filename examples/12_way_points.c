@@ -1,0 +1,70 @@
+/*
+ The arm of example 10 passes its way points without stops. The planner finds the velocities and accelerations at the points, and how
+ long each section takes; `atraj_moves_sync` makes the motions of a section. This program prints one setpoint in 50 of a clock of
+ 4 ms: the positions, then the velocities. Then it prints how much time a stop at every point would cost.
+
+     make dist
+     cc -Itarget/dist/include examples/12_way_points.c target/dist/lib/libatraj.a -lm -o way_points
+*/
+#include "atraj/path.h"
+#include <stdio.h>
+
+#define CYCLE 0.004 /* s */
+#ifndef EVERY
+#define EVERY 50 /* one setpoint in so many is printed */
+#endif
+enum { AXES = 6, SECTIONS = 4, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+
+static atraj_state const points[SECTIONS + 1][AXES] = {
+    {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, /* degrees, and at rest */
+    {{30, 0, 0}, {-60, 0, 0}, {70, 0, 0}, {0, 0, 0}, {-40, 0, 0}, {90, 0, 0}},
+    {{30, 0, 0}, {-50, 0, 0}, {75, 0, 0}, {0, 0, 0}, {-55, 0, 0}, {90, 0, 0}}, /* down */
+    {{-45, 0, 0}, {-70, 0, 0}, {80, 0, 0}, {20, 0, 0}, {-30, 0, 0}, {-90, 0, 0}},
+    {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, /* home */
+};
+
+/* Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick behind the section. */
+static int follow(atraj_move const axes[], double start, int tick)
+{
+    for (; tick * CYCLE < start + axes[0].t; ++tick) {
+        if (tick % EVERY != 0) { continue; }
+        printf("%.3f s:", tick * CYCLE);
+        for (int i = 0; i < AXES; ++i) { printf(" %.2f", atraj_move_pos(&axes[i], tick * CYCLE - start)); }
+        printf(" deg,");
+        for (int i = 0; i < AXES; ++i) { printf(" %.2f", atraj_move_vel(&axes[i], tick * CYCLE - start)); }
+        printf(" deg/s\n");
+    }
+    return tick;
+}
+
+int main(void)
+{
+    atraj_limits limits[AXES];
+    for (int i = 0; i < AXES; ++i) { atraj_limits_init(&limits[i], i < 3 ? 4000 : 9000, i < 3 ? 500 : 1000, i < 3 ? 120 : 250); }
+    atraj_move axes[AXES];
+    double stopping = 0, start = 0;
+    for (int k = 0; k < SECTIONS; ++k) {
+        if (atraj_moves_sync(axes, limits, points[k], points[k + 1], AXES, 0, 0) < 0) { return 1; }
+        stopping += axes[0].t;
+    }
+    atraj_state states[SECTIONS + 1][AXES];
+    for (int k = 0; k <= SECTIONS; ++k) {
+        for (int i = 0; i < AXES; ++i) { states[k][i] = points[k][i]; }
+    }
+    double durations[SECTIONS], work[SIZE];
+    if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
+    puts("Arm through way points: six joints pass each together and do not stop");
+    puts("joints 1 to 3 within 120 deg/s");
+    puts("joints 4 to 6 within 250 deg/s");
+    for (int k = 0, tick = 0; k < SECTIONS; ++k) {
+        if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return 1; }
+        tick = follow(axes, start, tick);
+        start += axes[0].t;
+        printf("%.3f s -> point %d\n", start, k + 1);
+        for (int i = 0; i < AXES; ++i) {
+            if (atraj_move_pos(&axes[i], axes[0].t) != points[k + 1][i].p) { return 1; }
+        }
+    }
+    printf("%.3f s with a stop at every point, %.3f s without: %.0f %% saved\n", stopping, start, 100 * (1 - start / stopping));
+    return 0;
+}

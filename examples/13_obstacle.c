@@ -1,0 +1,71 @@
+/*
+ Moves the two axes of a gantry round an obstacle, by way of two points beside it: without stops, and with a stop at each point. Each
+ axis has limits of its own. This program prints one setpoint in 100 of a clock of 1 ms, and which part of its limits an axis uses.
+
+     make dist
+     cc -Itarget/dist/include examples/13_obstacle.c target/dist/lib/libatraj.a -lm -o obstacle
+*/
+#include "atraj/path.h"
+#include <math.h>
+#include <stdio.h>
+
+#define CYCLE 0.001 /* s */
+#ifndef EVERY
+#define EVERY 100 /* one setpoint in so many is printed */
+#endif
+enum { X, Y, AXES };
+enum { SECTIONS = 3, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+
+static double const left = 0.4, right = 0.6, top = 0.3; /* the obstacle stands at y = 0, m */
+static atraj_state const points[SECTIONS + 1][AXES] = {
+    {{0, 0, 0}, {0, 0, 0}},
+    {{0.36, 0, 0}, {0.32, 0, 0}},
+    {{0.64, 0, 0}, {0.32, 0, 0}},
+    {{1, 0, 0}, {0, 0, 0}},
+};
+
+/* Prints a path. The result is its duration, s, or infinite if the gantry hits the obstacle. */
+static double follow(char const *name, atraj_limits const limits[], atraj_state const states[][AXES], double const durations[])
+{
+    double start = 0, v[AXES] = {0}, a[AXES] = {0};
+    int tick = 0;
+    printf("%s\n", name);
+    for (int k = 0; k < SECTIONS; ++k) {
+        atraj_move axes[AXES];
+        if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return INFINITY; }
+        for (; tick * CYCLE < start + axes[X].t; ++tick) {
+            double const t = tick * CYCLE - start, x = atraj_move_pos(&axes[X], t), y = atraj_move_pos(&axes[Y], t);
+            if (tick % EVERY == 0) { printf("%.3f s: x %.4f m, y %.4f m\n", tick * CYCLE, x, y); }
+            if (x > left && x < right && y < top) { return INFINITY; }
+            for (int i = 0; i < AXES; ++i) {
+                v[i] = fmax(v[i], fabs(atraj_move_vel(&axes[i], t)) / limits[i].vmax);
+                a[i] = fmax(a[i], fabs(atraj_move_acc(&axes[i], t)) / limits[i].amax);
+            }
+        }
+        start += axes[X].t;
+    }
+    printf("%.3f s: x %.4f m, y %.4f m\n", start, points[SECTIONS][X].p, points[SECTIONS][Y].p);
+    for (int i = 0; i < AXES; ++i) {
+        printf("%c uses %.0f %% of %g m/s and %.0f %% of %g m/s^2\n", i == X ? 'x' : 'y', 100 * v[i], limits[i].vmax, 100 * a[i],
+            limits[i].amax);
+        if (v[i] > 1 + 1e-12 || a[i] > 1 + 1e-12) { return INFINITY; } /* a rounding */
+    }
+    return start;
+}
+
+int main(void)
+{
+    atraj_limits limits[AXES];
+    atraj_state states[SECTIONS + 1][AXES];
+    double durations[SECTIONS] = {0}, work[SIZE];
+    atraj_limits_init(&limits[X], 40, 4, 1); /* jerk, acceleration, velocity */
+    atraj_limits_init(&limits[Y], 20, 2, 0.8);
+    puts("Round an obstacle: a gantry passes two points beside it without stops");
+    printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
+    double const stopping = follow("with stops:", limits, points, durations);
+    for (int k = 0; k <= SECTIONS; ++k) { states[k][X] = points[k][X], states[k][Y] = points[k][Y]; }
+    if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
+    double const passing = follow("without stops:", limits, (atraj_state const(*)[AXES])states, durations);
+    printf("%.3f s with stops, %.3f s without\n", stopping, passing);
+    return !(passing < stopping);
+}

@@ -1,0 +1,74 @@
+/*
+ Moves the two axes of a gantry round an obstacle, by way of two points beside it: without stops, and with a stop at each point. Each
+ axis has limits of its own. This program prints one setpoint in 100 of a clock of 1 ms, and which part of its limits an axis uses.
+
+     make dist
+     c++ -Itarget/dist/include examples/13_obstacle.cpp target/dist/lib/libatraj.a -lm -o obstacle
+*/
+#include "atraj/path.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+static const double CYCLE = 0.001; // s
+enum { EVERY = 100 }; // one setpoint in so many is printed
+enum { X, Y, AXES };
+enum { SECTIONS = 3, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+
+static const double left = 0.4, right = 0.6, top = 0.3; // the obstacle stands at y = 0, m
+static const atraj::state points[SECTIONS + 1][AXES] = {
+    {{0, 0, 0}, {0, 0, 0}},
+    {{0.36, 0, 0}, {0.32, 0, 0}},
+    {{0.64, 0, 0}, {0.32, 0, 0}},
+    {{1, 0, 0}, {0, 0, 0}},
+};
+
+// Prints a path. The result is its duration, s, or infinite if the gantry hits the obstacle.
+static double follow(const char *name, const atraj::limits limits[], const atraj::state states[][AXES], const double durations[])
+{
+    double start = 0, v[AXES] = {0, 0}, a[AXES] = {0, 0};
+    int tick = 0;
+    std::printf("%s\n", name);
+    for (int k = 0; k < SECTIONS; ++k)
+    {
+        atraj::move axes[AXES];
+        if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return HUGE_VAL; }
+        for (; tick * CYCLE < start + axes[X].t; ++tick)
+        {
+            const double t = tick * CYCLE - start, x = axes[X].pos(t), y = axes[Y].pos(t);
+            if (tick % EVERY == 0) { std::printf("%.3f s: x %.4f m, y %.4f m\n", tick * CYCLE, x, y); }
+            if (x > left && x < right && y < top) { return HUGE_VAL; }
+            for (int i = 0; i < AXES; ++i)
+            {
+                v[i] = std::max(v[i], std::fabs(axes[i].vel(t)) / limits[i].vmax);
+                a[i] = std::max(a[i], std::fabs(axes[i].acc(t)) / limits[i].amax);
+            }
+        }
+        start += axes[X].t;
+    }
+    std::printf("%.3f s: x %.4f m, y %.4f m\n", start, points[SECTIONS][X].p, points[SECTIONS][Y].p);
+    for (int i = 0; i < AXES; ++i)
+    {
+        std::printf("%c uses %.0f %% of %g m/s and %.0f %% of %g m/s^2\n", i == X ? 'x' : 'y', 100 * v[i], limits[i].vmax, 100 * a[i],
+            limits[i].amax);
+        if (v[i] > 1 + 1e-12 || a[i] > 1 + 1e-12) { return HUGE_VAL; } // a rounding
+    }
+    return start;
+}
+
+int main()
+{
+    atraj::limits limits[AXES];
+    atraj::state states[SECTIONS + 1][AXES];
+    double durations[SECTIONS] = {0, 0, 0}, work[SIZE];
+    limits[X].init(40, 4, 1); // jerk, acceleration, velocity
+    limits[Y].init(20, 2, 0.8);
+    std::puts("Round an obstacle: a gantry passes two points beside it without stops");
+    std::printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
+    const double stopping = follow("with stops:", limits, points, durations);
+    for (int k = 0; k <= SECTIONS; ++k) { states[k][X] = points[k][X], states[k][Y] = points[k][Y]; }
+    if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
+    const double passing = follow("without stops:", limits, states, durations);
+    std::printf("%.3f s with stops, %.3f s without\n", stopping, passing);
+    return !(passing < stopping);
+}

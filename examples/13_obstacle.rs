@@ -1,0 +1,77 @@
+//! Moves the two axes of a gantry round an obstacle, by way of two points beside it: without stops, and with a stop at each point. Each
+//! axis has limits of its own. This program prints one setpoint in 100 of a clock of 1 ms, and which part of its limits an axis uses.
+//!
+//! ```sh
+//! cargo run --example 13_obstacle
+//! ```
+
+use atraj::State;
+use atraj::axes::{path_size, plan_path, synchronise};
+use atraj::online::{Error, Limits, Move};
+
+const CYCLE: f64 = 0.001; // s
+const LEFT: f64 = 0.4; // the obstacle stands at y = 0, m
+const RIGHT: f64 = 0.6;
+const TOP: f64 = 0.3;
+const POINTS: [[f64; 2]; 4] = [[0.0, 0.0], [0.36, 0.32], [0.64, 0.32], [1.0, 0.0]];
+
+/// Prints a path. The result is its duration, s.
+fn follow(
+    name: &str,
+    limits: &[Limits<f64>; 2],
+    states: &[State<f64>],
+    durations: &[f64; 3],
+) -> Result<f64, Error> {
+    let (mut start, mut tick) = (0.0, 0);
+    let (mut v, mut a) = ([0.0_f64; 2], [0.0_f64; 2]);
+    println!("{name}:");
+    for (k, &duration) in (0..).zip(durations) {
+        let mut axes = [Move::default(); 2];
+        let (from, to) = (&states[2 * k..2 * k + 2], &states[2 * k + 2..2 * k + 4]);
+        synchronise(&mut axes, limits, from, to, duration, 0.0)?;
+        while f64::from(tick) * CYCLE < start + axes[0].t {
+            let now = f64::from(tick) * CYCLE;
+            let [x, y] = axes.map(|axis| axis.position(now - start));
+            if tick % 100 == 0 {
+                println!("{now:.3} s: x {x:.4} m, y {y:.4} m");
+            }
+            assert!(!(x > LEFT && x < RIGHT && y < TOP), "hits the obstacle");
+            for i in 0..2 {
+                let state = axes[i].state_at(now - start);
+                v[i] = v[i].max(state.velocity.abs() / limits[i].vmax);
+                a[i] = a[i].max(state.acceleration.abs() / limits[i].amax);
+            }
+            tick += 1;
+        }
+        start += axes[0].t;
+    }
+    let [x, y] = POINTS[3];
+    println!("{start:.3} s: x {x:.4} m, y {y:.4} m");
+    for (i, name) in ["x", "y"].into_iter().enumerate() {
+        let Limits { vmax, amax, .. } = limits[i];
+        let (speed, rate) = (100.0 * v[i], 100.0 * a[i]);
+        println!("{name} uses {speed:.0} % of {vmax} m/s and {rate:.0} % of {amax} m/s^2");
+        assert!(v[i] <= 1.0 + 1e-12 && a[i] <= 1.0 + 1e-12); // a rounding
+    }
+    Ok(start)
+}
+
+fn main() -> Result<(), Error> {
+    let limits = [
+        Limits::symmetric(40.0, 4.0, 1.0),
+        Limits::symmetric(20.0, 2.0, 0.8),
+    ];
+    let positions = POINTS.iter().flatten();
+    let mut states: Vec<_> = positions.map(|&position| State::at(position)).collect();
+    let mut durations = [0.0; 3];
+    println!("Round an obstacle: a gantry passes two points beside it without stops");
+    println!("obstacle:\n0 s: x {LEFT} m, y 0 m\n0 s: x {LEFT} m, y {TOP} m");
+    println!("0 s: x {RIGHT} m, y {TOP} m\n0 s: x {RIGHT} m, y 0 m");
+    let stopping = follow("with stops", &limits, &states, &durations)?;
+    let mut work = vec![0.0; path_size(2, 3).expect("a short path")];
+    plan_path(&mut states, &mut durations, &limits, 0, &mut work)?;
+    let passing = follow("without stops", &limits, &states, &durations)?;
+    println!("{stopping:.3} s with stops, {passing:.3} s without");
+    assert!(passing < stopping);
+    Ok(())
+}
