@@ -176,6 +176,8 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #pragma weak atraj_axis_init
 #pragma weak atraj_axis_tick
 #pragma weak atraj_axis_go
+#pragma weak atraj_path_plan
+#pragma weak atraj_path_improve
 
 static void fastest(void)
 {
@@ -295,6 +297,27 @@ static void axis(void)
     print_costs("atraj_axis_go", plans);
 }
 
+static path_problem posed_path;
+
+static a_float plan_posed_path(void) { return (a_float)plan_path(&posed_path); }
+static a_float improve_posed_path(void) { return (a_float)improve_path(&posed_path); }
+
+/* The shims that pass the arguments count too: some ten instructions. */
+static void paths(void)
+{
+    a_float const none[9] = {0};
+    costs plans = {0}, updates = {0};
+    for (unsigned number = 0; number != PATHS; ++number) {
+        pose_path(&posed_path, number);
+        add(&plans, measure((void (*)(void))plan_posed_path, NULL, none));
+        move_window(&posed_path, number);
+        add(&updates, measure((void (*)(void))improve_posed_path, NULL, none));
+    }
+    print_costs("atraj_path_plan", plans);
+    print_costs("atraj_path_improve", updates);
+    print("path", "", "fastest-memory", sizeof(posed_path.work));
+}
+
 static void trap(void)
 {
     a_trajtrap ctx;
@@ -337,5 +360,6 @@ int main(void)
     if (atraj_move_plan) { moves(); }
     if (atraj_moves_sync) { axes(); }
     if (atraj_axis_tick) { axis(); }
+    if (atraj_path_plan) { paths(); }
     return 0;
 }

@@ -32,8 +32,9 @@ flash() {
 }
 evaluations='atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer'
 for function in atraj_bell_gen atraj_trap_gen a_trajbell_gen a_trajtrap_gen atraj_move_plan atraj_move_stop atraj_move_meet $evaluations \
-    atraj_moves_sync atraj_moves_line atraj_axis_tick atraj_axis_go; do
+    atraj_moves_sync atraj_moves_line atraj_axis_tick atraj_axis_go atraj_path_plan atraj_path_improve; do
     flash $function $function
 done
 flash moves "atraj_move_plan atraj_move_reach atraj_move_stop $evaluations"
+flash paths 'atraj_path_plan atraj_path_improve atraj_moves_sync'
 arm-none-eabi-size -A "$library" | awk '$1 ~ /^\.text\../ { sub(/^\.text\.(a_traj)?/, "", $1); print $1, "size", $2 }'

@@ -1,7 +1,7 @@
 /* Prints moves that this host plans, in the form of the golden tables: moves TABLE > FILE. The tables `bell` and `trap` are plans of
  * atraj.h. The tables `move`, `phase` and `eval` are plans of atraj/move.h, their phases and their evaluations. The tables `axes` and `stretched`
- * are sets of axes and the phases of their plans. The firmware must
- * compute the same bits. */
+ * are sets of axes and the phases of their plans. The table `path` has paths through way points. The firmware must compute the same
+ * bits. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -257,6 +257,33 @@ static void print_sets(int phases)
     }
 }
 
+/* What the planner and the window answer, and every number of both plans. */
+static void print_paths(void)
+{
+    static path_problem q;
+    printf("case,returned");
+    for (int i = 0; i != SECTIONS; ++i) { printf(",duration"); }
+    for (int i = 0; i != (SECTIONS + 1) * AXES; ++i) { printf(",p,v,a"); }
+    printf(",returned");
+    for (int i = 0; i != WINDOW; ++i) { printf(",duration"); }
+    for (int i = 0; i != (WINDOW + 1) * AXES; ++i) { printf(",p,v,a"); }
+    putchar('\n');
+    for (unsigned number = 0; number != PATHS; ++number) {
+        printf("%u", number);
+        pose_path(&q, number);
+        a_float returned = (a_float)plan_path(&q);
+        print_reals(&returned, 1);
+        print_reals(q.durations, SECTIONS);
+        print_reals((a_float const *)q.states, 3 * (SECTIONS + 1) * AXES);
+        move_window(&q, number);
+        returned = (a_float)improve_path(&q);
+        print_reals(&returned, 1);
+        print_reals(q.durations, WINDOW);
+        print_reals((a_float const *)q.states, 3 * (WINDOW + 1) * AXES);
+        putchar('\n');
+    }
+}
+
 int main(int argc, char *argv[])
 {
     if (argc != 2) { return 1; }
@@ -264,6 +291,8 @@ int main(int argc, char *argv[])
         print_profiles(*argv[1] == 'b');
     } else if (!strcmp(argv[1], "axes") || !strcmp(argv[1], "stretched")) {
         print_sets(*argv[1] == 's');
+    } else if (!strcmp(argv[1], "path")) {
+        print_paths();
     } else {
         print_moves(argv[1]);
     }

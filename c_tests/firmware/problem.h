@@ -1,8 +1,10 @@
-/* A problem for a planner of atraj/move.h. The host that plans it and the firmware that replays it share this file. */
+/* Problems for the planners of atraj/move.h and atraj/path.h. The host that plans them and the firmware that replays them share this file. */
 #ifndef PROBLEM_H
 #define PROBLEM_H
 
+#include <string.h>
 #include "atraj/move.h"
+#include "atraj/path.h"
 
 enum { PLAN, REACH, STOP, MEET, WITHIN, TRACK };
 typedef struct {
@@ -36,6 +38,49 @@ static inline int solve_axes(const axes_problem *q, atraj_move *axes)
 {
     return q->line ? atraj_moves_line(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle)
                    : atraj_moves_sync(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+}
+
+/* Axes that pass 4 way points, and a window that moves on: it has the last 2 of these sections and a new one, and 8 steps improve it. */
+enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+typedef struct {
+    atraj_limits limits[AXES];
+    atraj_state states[(SECTIONS + 1) * AXES];
+    a_float durations[SECTIONS], work[PATH_SIZE];
+} path_problem;
+
+/* A point of a path, at rest. The quarters are exact in both real types. */
+static inline void put_point(path_problem *q, unsigned number, unsigned point, unsigned place)
+{
+    for (unsigned i = 0; i != AXES; ++i) {
+        unsigned const quarters = (number * 5 + point * (3 + i) * (i + 2) + i) % 11;
+        q->states[place * AXES + i] = (atraj_state){(a_float)quarters / 4, 0, 0};
+    }
+}
+
+static inline void pose_path(path_problem *q, unsigned number)
+{
+    for (unsigned i = 0; i != AXES; ++i) { atraj_limits_init(&q->limits[i], 30 + 10 * (a_float)i, 10, 3); }
+    for (unsigned point = 0; point <= SECTIONS; ++point) { put_point(q, number, point, point); }
+}
+
+static inline int plan_path(path_problem *q)
+{
+    return atraj_path_plan(q->states, q->durations, q->limits, AXES, SECTIONS, 0, q->work);
+}
+
+/* Drops the sections that are passed, and appends a point. */
+static inline void move_window(path_problem *q, unsigned number)
+{
+    enum { PASSED = SECTIONS - (WINDOW - 1) };
+    memmove(q->states, q->states + PASSED * AXES, WINDOW * AXES * sizeof(atraj_state));
+    memmove(q->durations, q->durations + PASSED, (WINDOW - 1) * sizeof(a_float));
+    put_point(q, number, SECTIONS + 1, WINDOW);
+    q->durations[WINDOW - 1] = 0;
+}
+
+static inline int improve_path(path_problem *q)
+{
+    return atraj_path_improve(q->states, q->durations, q->limits, AXES, WINDOW, STEPS, q->work);
 }
 
 #endif

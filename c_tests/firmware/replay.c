@@ -208,6 +208,25 @@ static size_t replay_axes(void)
     return ROWS(fastest_stretched) - phase;
 }
 
+static void replay_paths(void)
+{
+    static path_problem q;
+    enum { PLANNED = 2 + SECTIONS + 3 * (SECTIONS + 1) * AXES };
+    for (size_t i = 0; i != ROWS(fastest_path); ++i) {
+        const real *r = fastest_path[i];
+        pose_path(&q, r[0].bits);
+        a_float returned = (a_float)plan_path(&q);
+        compare("path ", r, 1, 1, &returned);
+        compare("path ", r, 2, SECTIONS, q.durations);
+        compare("path ", r, 2 + SECTIONS, 3 * (SECTIONS + 1) * AXES, (const a_float *)q.states);
+        move_window(&q, r[0].bits);
+        returned = (a_float)improve_path(&q);
+        compare("window of path ", r, PLANNED, 1, &returned);
+        compare("window of path ", r, PLANNED + 1, WINDOW, q.durations);
+        compare("window of path ", r, PLANNED + 1 + WINDOW, 3 * (WINDOW + 1) * AXES, (const a_float *)q.states);
+    }
+}
+
 #if defined(NEIGHBOUR)
 /* From another Rust library in the same image: how many of `count` doubles lie below their mean. */
 uint32_t neighbour_below_mean(const double *values, uint32_t count);
@@ -225,6 +244,7 @@ int main(void)
 {
     size_t left = replay_moves() + replay_axes();
     for (size_t i = 0; i != ROWS(profiles); ++i) { left += replay_profile(&profiles[i]); }
+    replay_paths();
     replay_claraty();
     semihost_print_unsigned(rows, 10);
     semihost_print(" comparisons, ");
