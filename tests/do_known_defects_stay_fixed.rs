@@ -257,6 +257,23 @@ fn named_tolerance<R: Real>() {
     assert!(within > 5 && beyond > 5, "{within} {beyond}");
 }
 
+/// Axes were written before it was seen that one of them cannot last as long as the slowest, which takes 3e38 s.
+#[test]
+#[rustfmt::skip]
+fn one_axis_takes_ages() {
+    let limits = [
+        limits::<f32>([2.3151243e-38, -0.3973628, 7.8737273, -0.17148454, 0.24959783, -0.4852573]),
+        limits([0.1594967, -0.1594967, 4.6172705, -4.6172705, 5.0923038, -5.0923038]),
+        limits([1.2914495e31, -0.1062202, 0.1174253, -0.22771172, 2.79639, -0.66806126]),
+    ];
+    let from = [state([0.19678849, 0.0, 0.0]), state([13.556254, 0.04625052, 0.0]), state([8.36517e-39, 0.0, 0.0])];
+    let to = [state([7.461163, 1.6973358e-38, 0.0]), state([0.014831386, -0.049794506, 0.0]), state([0.0; 3])];
+    let mut axes = [Move::default(); 3];
+    let planned = synchronise(&mut axes, &limits, &from, &to, 0.0, 0.0);
+    assert_eq!(planned.err(), Some(Error::NotFinite));
+    assert_eq!(axes, [Move::default(); 3]);
+}
+
 test_both_reals!(
     bound_to_leave,
     a_small_step,

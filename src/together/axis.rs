@@ -48,7 +48,8 @@ pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -
     let t = R::ONE + v * (per_a + per_j) + a * per_j;
     let way = from.position.abs() + to.position.abs() + v * t;
     let t = t + duration + way * (per_v + per_a + per_j);
-    (way + (v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
+    // The other axes may have to take as long.
+    (way + (t + v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
 }
 
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
