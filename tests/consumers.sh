@@ -202,8 +202,8 @@ firmware_runs() {
     chip thumbv7em-none-eabihf
     make ATRAJ="$prefix" BOARD="$map"
     for program in axis.elf jog.elf; do emulate $program; done
-    # Half the limit of the acceleration's step, so that a setpoint jumps.
-    sed -i 's/0\.03003/0.01502/' jog.c
+    # Half the limit of the velocity's step, so that a setpoint jumps.
+    sed -i "s/0\.01001/0.00501/" jog.c
     make ATRAJ="$prefix" BOARD="$map"
     if emulate jog.elf; then return 1; fi
 }

@@ -16,13 +16,6 @@ const TRIED: u8 = 8;
 struct Free<R>(Move<R>);
 
 impl<R: Real> Free<R> {
-    fn state_at(&self, t: R) -> State<R> {
-        let Self(ramp) = self;
-        let state = ramp.state_at(t);
-        let position = state.position + state.velocity * (t - ramp.t).at_least(R::ZERO);
-        State { position, ..state }
-    }
-
     /// When the axis is at the position, s; infinite if it never is.
     fn time_at(&self, position: R) -> R {
         let Self(ramp) = self;
@@ -219,7 +212,7 @@ impl<R: Real> Chain<'_, '_, R> {
 
     fn mean(&self, point: usize, axis: usize, duration: R) -> Option<[R; 2]> {
         let farthest = self.farthest(point - 1, axis, duration)?;
-        let [upper, lower] = farthest.map(|motion| motion.state_at(duration));
+        let [upper, lower] = farthest.map(|Free(ramp)| ramp.state_at(duration));
         let position = self.ends(point - 1, axis).1.position;
         // The weights of the mirrored axis are the same numbers.
         let (below, above) = (position - lower.position, upper.position - position);
