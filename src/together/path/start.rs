@@ -12,23 +12,17 @@ use crate::together::cycle::Cycle;
 /// Durations that are tried for a section in which an axis passes its way point.
 const TRIED: u8 = 8;
 
-/// A motion whose end is free: a ramp to a velocity, which then stays.
-struct Free<R>(Move<R>);
-
-impl<R: Real> Free<R> {
-    /// When the axis is at the position, s; infinite if it never is.
-    fn time_at(&self, position: R) -> R {
-        let Self(ramp) = self;
-        ramp.time_at(position).unwrap_or_else(|| {
-            let end = ramp.state_at(ramp.t);
-            let after = (position - end.position) / end.velocity;
-            if after >= R::ZERO {
-                ramp.t + after
-            } else {
-                R::INFINITY
-            }
-        })
-    }
+/// When an axis that moves on after its ramp is at the position, s; infinite if it never is.
+fn time_at<R: Real>(ramp: &Move<R>, position: R) -> R {
+    ramp.time_at(position).unwrap_or_else(|| {
+        let end = ramp.state_at(ramp.t);
+        let after = (position - end.position) / end.velocity;
+        if after >= R::ZERO {
+            ramp.t + after
+        } else {
+            R::INFINITY
+        }
+    })
 }
 
 impl<R: Real> Chain<'_, '_, R> {
@@ -144,7 +138,7 @@ impl<R: Real> Chain<'_, '_, R> {
             let stopping = stop.state_at(stop.t).position - from.position;
             let overshoots = stopping * way >= R::ZERO && stopping.abs() > way.abs();
             if overshoots {
-                latest = latest.at_most(Free(stop).time_at(to.position));
+                latest = latest.at_most(time_at(&stop, to.position));
             }
             let forward = if overshoots {
                 stopping > R::ZERO
@@ -154,14 +148,14 @@ impl<R: Real> Chain<'_, '_, R> {
             if overshoots || way != R::ZERO {
                 let [upper, lower] = self.farthest(section, axis, far)?;
                 let farthest = if forward { upper } else { lower };
-                earliest = earliest.at_least(farthest.time_at(to.position));
+                earliest = earliest.at_least(time_at(&farthest, to.position));
             }
         }
         (latest < R::INFINITY && earliest < latest).then_some((earliest, latest))
     }
 
     /// The motions with free ends that get farthest to both sides, for times up to `t`.
-    fn farthest(&self, section: usize, axis: usize, t: R) -> Option<[Free<R>; 2]> {
+    fn farthest(&self, section: usize, axis: usize, t: R) -> Option<[Move<R>; 2]> {
         let limits = self.limits(section, axis).ok()?;
         let (from, _) = self.ends(section, axis);
         let State {
@@ -180,7 +174,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let ramp = |velocity| {
             let mut ramp = Move::default();
             ramp.reach(limits, from, velocity, R::ZERO).ok()?;
-            Some(Free(ramp))
+            Some(ramp)
         };
         Some([ramp(highest)?, ramp(lowest)?])
     }
@@ -212,7 +206,7 @@ impl<R: Real> Chain<'_, '_, R> {
 
     fn mean(&self, point: usize, axis: usize, duration: R) -> Option<[R; 2]> {
         let farthest = self.farthest(point - 1, axis, duration)?;
-        let [upper, lower] = farthest.map(|Free(ramp)| ramp.state_at(duration));
+        let [upper, lower] = farthest.map(|ramp| ramp.state_at(duration));
         let position = self.ends(point - 1, axis).1.position;
         // The weights of the mirrored axis are the same numbers.
         let (below, above) = (position - lower.position, upper.position - position);
