@@ -31,7 +31,8 @@
 # make soak                   compares a thousand million calls per real type with the original, and a thousand million
 #                             fastest plans with a referee; SOAK_SEED=n starts at seed n; SOAK=calls, plans, moves (from any
 #                             state to any state), replans or axes (several axes that move together) does one of these
-# make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family; FUZZ_SEED=n starts at seed n, not 1
+# make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
+#                             FUZZ_SEED=n starts at seed n, not 1
 # make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
 #                             KEY=<SSH key> signs the checksums. `make release-check` tries every file: docs/releasing.md
 #
@@ -306,7 +307,7 @@ instructions:
 
 FUZZ_SECONDS ?= 60
 fuzz:
-	fuzz/run.sh $(FUZZ_SECONDS)
+	fuzz/run.sh $(if $(FUZZ_RUNS),-runs=$(FUZZ_RUNS),-max_total_time=$(FUZZ_SECONDS))
 
 PYTHON ?= python3
 PYTHON_DIR := target/python

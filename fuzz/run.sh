@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# usage: run.sh [seconds]
-# Runs every fuzz target for this time, beginning with the golden moves. Does what `cargo fuzz run` does without cargo-fuzz
+# usage: run.sh [-runs=N | -max_total_time=SECONDS]
+# Runs every fuzz target so many times or so long, beginning with the golden moves. Does what `cargo fuzz run` does without cargo-fuzz
 # and without a nightly compiler. libFuzzer needs a C++ compiler.
-# FUZZ_SEED=n starts the random numbers at n, not at 1. libFuzzer would draw a seed, and the verdict of the gate would change by chance.
+# FUZZ_SEED=n starts the random numbers at n, not at 1. libFuzzer would draw a seed. A verdict repeats if seed and runs are the same.
 set -euo pipefail
 cd "$(dirname "$0")"
-seconds=${1:-60}
+limit=${1:--max_total_time=60}
 target=$(rustc -vV | sed -n 's/^host: //p')
 oracle=../tests/oracle/Cargo.toml
 
@@ -27,7 +27,7 @@ RUSTC_BOOTSTRAP=1 RUSTFLAGS="${flags[*]}" cargo build --quiet --release --locked
 mkdir -p artifacts
 for family in bell trap poly3 poly5 poly7 fastest move axes path; do
     log=artifacts/$family.log
-    if ! "target/$target/release/$family" -seed="${FUZZ_SEED:-1}" -max_len=640 -max_total_time="$seconds" \
+    if ! "target/$target/release/$family" -seed="${FUZZ_SEED:-1}" -max_len=640 "$limit" \
         -artifact_prefix="artifacts/$family-" "corpus/$family" 2> "$log"; then
         cat "$log"
         exit 1

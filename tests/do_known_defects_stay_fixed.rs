@@ -274,6 +274,22 @@ fn one_axis_takes_ages() {
     assert_eq!(axes, [Move::default(); 3]);
 }
 
+/// No axis is written when a number falls below the range of the real type.
+#[test]
+#[rustfmt::skip]
+fn one_axis_hardly_accelerates() {
+    let limits = [
+        limits::<f32>([1.7351184, -1.7351184, 0.90989995, -0.90989995, 2.0159128, -4.0318255]),
+        limits([0.19492649, -0.787795, 7.5052183e-31, -5.9859058e-36, 0.7470742, -8.548194]),
+    ];
+    let from = [state([9.404686, 0.0, 0.0]), state([4.20568e-40, 2.87e-42, 0.0])];
+    let to = [state([-7.4757643, -0.5209722, 0.10771317]), state([0.0, 0.0, 1.0403e-41])];
+    let mut axes = [Move::default(); 2];
+    let planned = synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001);
+    assert_eq!(planned.err(), Some(Error::NotFinite));
+    assert_eq!(axes, [Move::default(); 2]);
+}
+
 test_both_reals!(
     bound_to_leave,
     a_small_step,

@@ -30,8 +30,9 @@ pub(super) fn checked<'a, R: Real>(
     Ok(ends)
 }
 
-/// Whether the numbers of all motions that take at most `duration` longer than necessary are surely below `ε⁻²`, far within the range of the
-/// real type: the way in which the axis brakes, and the time in which it comes back at the least limits.
+/// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the
+/// range of the real type: the way in which the axis brakes, and the time in which it comes back, and one unit of length farther, at the
+/// least limits.
 pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -> bool {
     let Limits {
         vmax,
@@ -46,7 +47,7 @@ pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -
     let a = from.acceleration.abs() + to.acceleration.abs();
     let v = from.velocity.abs() + to.velocity.abs() + a * a * per_j;
     let t = R::ONE + v * (per_a + per_j) + a * per_j;
-    let way = from.position.abs() + to.position.abs() + v * t;
+    let way = R::ONE + from.position.abs() + to.position.abs() + v * t;
     let t = t + duration + way * (per_v + per_a + per_j);
     // The other axes may have to take as long.
     (way + (t + v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE

@@ -108,10 +108,13 @@ impl Scale {
         // The velocities with the acceleration undone at the start or at the end are the axis' own too.
         let [first, last] =
             [0, planned.count as usize].map(|k| planned.phase[k].acceleration.widen());
-        let mut velocity = most(2) + 0.25 * pace * (first * first + last * last);
+        let undone = 0.25 * pace * (first * first + last * last);
+        let mut fastest = most(2);
         let mut changes: f64 = 0.0;
         let mut most_jerk: f64 = 0.0;
         for phase in &planned.phase[..planned.count as usize] {
+            // A ramp that is shorter than the rounding of the duration takes no time, but the axis gets its velocity.
+            fastest = fastest.max(phase.velocity.widen().abs());
             let [duration, a, jerk] =
                 [phase.duration, phase.acceleration, phase.jerk].map(R::widen);
             // An acceleration that changes has an error in proportion to the highest one. An acceleration that holds is exact.
@@ -120,7 +123,7 @@ impl Scale {
         }
         // A profile counts from both of its ends: errors do not add up from phase to phase, but the time is rounded.
         let is_profile = plan.profile.is_some();
-        velocity += if is_profile { 0.0 } else { changes };
+        let velocity = fastest + undone + if is_profile { 0.0 } else { changes };
         Self {
             position: 2.0 * most(1) + velocity * t,
             velocity: velocity + if is_profile { most(3) * t } else { 0.0 },
