@@ -48,26 +48,28 @@ impl<R: Real> Trap<R> {
         let down_first = dips(h, direct, p0.abs() + p1.abs(), [v0, v1]);
 
         // In the axis in which the first ramp goes up.
-        let [h, v0_up, dv] = [h, v0, dv].map(|x| x.negate_if(down_first));
+        let [h, v0_up, v1_up] = [h, v0, v1].map(|x| x.negate_if(down_first));
         let (first, second) = if down_first {
             (fall, rise)
         } else {
             (rise, fall)
         };
         let mut up = (vm - v0_up) / first;
-        let mut down = (vm - v0_up - dv).at_least(R::ZERO) / second;
-        let by_way_of_vm = R::HALF * (v0_up + vm) * up + R::HALF * (v0_up + dv + vm) * down;
+        let mut down = (vm - v1_up) / second;
+        let by_way_of_vm = R::HALF * (v0_up + vm) * up + R::HALF * (v1_up + vm) * down;
         let (cruise, peak) = if h >= by_way_of_vm {
             ((h - by_way_of_vm) / vm, vm)
         } else {
             // The longer ramp is the unknown: the other one follows without losing digits.
-            [up, down] = if first < second {
-                meeting_ramps(h, v0_up, dv, first, second)
+            let peak;
+            if first < second {
+                [up, down] = meeting_ramps(h, [v0_up, v1_up], first, second);
+                peak = v0_up + first * up;
             } else {
-                let [down, up] = meeting_ramps(h, v0_up + dv, -dv, second, first);
-                [up, down]
-            };
-            (R::ZERO, v0_up + first * up)
+                [down, up] = meeting_ramps(h, [v1_up, v0_up], second, first);
+                peak = v1_up + second * down;
+            }
+            (R::ZERO, peak)
         };
         let [vc, a0, a1] = [peak, first, -second].map(|x| x.negate_if(down_first));
         let trap = Self {
@@ -93,10 +95,10 @@ impl<R: Real> Trap<R> {
 }
 
 /// Durations of two ramps that meet at their highest velocity and together cover the displacement `h`: the first one from the
-/// velocity `v` at the acceleration `first`, the second one to the velocity `v + dv` at the deceleration `second`. The duration of
-/// the first ramp is the root of a quadratic.
-fn meeting_ramps<R: Real>(h: R, v: R, dv: R, first: R, second: R) -> [R; 2] {
-    let ratio = first / second;
+/// velocity `v` at the acceleration `first`, the second one to the velocity `end` at the deceleration `second`. The duration of the first
+/// ramp is the root of a quadratic.
+fn meeting_ramps<R: Real>(h: R, [v, end]: [R; 2], first: R, second: R) -> [R; 2] {
+    let (ratio, dv) = (first / second, end - v);
     let offset = dv / second;
     let beyond = h + offset * (v + R::HALF * dv);
     let t = larger_root(v / first, -(beyond + beyond) / (first * (R::ONE + ratio)));
