@@ -309,6 +309,22 @@ names_of_an_abi() {
     test "$(find stage -name '*.a' | wc -l)" = 5
 }
 
+# --- what a checker of C says
+
+# The rules and the headers that docs/safety.md names are the ones that the addon of cppcheck finds.
+misra() {
+    printf '#include "%s"\n' $(cd "$root/include" && echo atraj.h atraj/*.h) > all.c
+    echo 'int main(void) { return 0; }' >> all.c
+    cppcheck --quiet --addon=misra --std=c99 -DA_SIZE_FLOAT=8 -D__GNUC__=12 -D__STDC_VERSION__=199901L -U__cplusplus \
+        -I"$root/include" all.c > said 2>&1
+    # 2.3 to 2.5: a header declares more than one program uses.
+    sed -n 's/^[^:]*include\/\([^:]*\):.*\[misra-c2012-\(.*\)\]$/\2 \1/p' said | grep -v '^2\.[345] ' | sort -u > found
+    sed -n '/^| rule/,/^$/s/^| \([0-9.]*\) | \([^|]*\) |.*/\1 \2/p' "$root/docs/safety.md" | tr -d '`,' |
+        awk '{ for (i = 2; i <= NF; i++) print $1, $i }' | sort -u > named
+    test -s found
+    diff found named
+}
+
 row "make help names every goal" help_names_the_goals
 row "make dist ends with the command that links" command_is_told
 row "a TARGET that does not exist, a choice for the default build" wrong_target
@@ -340,5 +356,6 @@ test "$cpu" = x86-64-v3 && row "levels of x86-64 come and go" levels
 row "another processor over an installation" another_machine CPU=$cpu
 have arm-none-eabi-gcc && row "Arm over an installation" another_machine TARGET=thumbv7em-none-eabihf
 have readelf && have pkg-config && row "names of every ABI" names_of_an_abi
+have cppcheck && have python3 && row "MISRA's rules" misra
 
 finish

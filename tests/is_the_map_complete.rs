@@ -1,4 +1,5 @@
-//! Does the map in `tests/README.md` name each test file, and does each file that it names exist?
+//! Does the map in `tests/README.md` name each test file, and does each file that it names exist? Does the page for safety engineers name
+//! tests on the map alone?
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -53,4 +54,26 @@ fn each_test_file_is_on_the_map() {
         let gone: Vec<_> = files.difference(&there).collect();
         assert!(gone.is_empty(), "{folder}: on the map only: {gone:?}");
     }
+}
+
+#[test]
+fn each_promise_has_a_test() {
+    let page = fs::read_to_string(root().join("docs/safety.md")).unwrap();
+    let (_, table) = page
+        .split_once("\n## Which test proves which promise\n")
+        .unwrap();
+    let map = on_the_map();
+    let mut promises = 0;
+    for row in table.lines().filter(|line| line.starts_with("| ")).skip(1) {
+        let tests = row.rsplit(" | ").next().unwrap();
+        let mut names = tests.split('`').skip(1).step_by(2).peekable();
+        assert!(names.peek().is_some(), "no test: {row}");
+        for name in names {
+            let file = format!("{name}.rs");
+            let is_known = map.iter().any(|(_, files)| files.contains(&file));
+            assert!(is_known, "no such test: {row}");
+        }
+        promises += 1;
+    }
+    assert!(promises > 10);
 }
