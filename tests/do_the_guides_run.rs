@@ -39,8 +39,15 @@ fn followed(reader: &str) -> String {
     }
     let commands = blocks(&page, "sh");
     assert!(written > 0 && commands.len() == 1, "{reader}");
+    let jobs = blocks(&page, "yaml");
+    let script = if jobs.is_empty() {
+        commands[0].clone()
+    } else {
+        write(&directory, &commands[0]);
+        jobs.iter().flat_map(|job| steps(job)).collect()
+    };
     let mut shell = Command::new("sh");
-    shell.args(["-euc", &commands[0]]).current_dir(&directory);
+    shell.args(["-euc", &script]).current_dir(&directory);
     // The repository's dependencies are there, and a test needs no network for others.
     shell
         .env_remove("MAKEFLAGS")
@@ -48,6 +55,19 @@ fn followed(reader: &str) -> String {
     let said = String::from_utf8(run(&mut shell).stdout).unwrap();
     fs::remove_dir_all(directory).unwrap();
     said
+}
+
+/// The lines of a job that a shell runs.
+fn steps(job: &str) -> Vec<String> {
+    let lines = job.lines().map(str::trim_start);
+    let commands = lines.filter_map(|line| {
+        let step = line.strip_prefix("- ")?;
+        let command = step.strip_prefix("run: ").unwrap_or(step);
+        command.starts_with("sh ").then(|| format!("{command}\n"))
+    });
+    let commands: Vec<_> = commands.collect();
+    assert!(!commands.is_empty(), "{job}");
+    commands
 }
 
 /// CONTRIBUTING.md names a file and an expression in it, whose change a test must see.

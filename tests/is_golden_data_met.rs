@@ -31,6 +31,24 @@ fn newest<R: Real>() {
 
 test_both_reals!(newest);
 
+/// A stranger compares without reading our code.
+#[test]
+fn each_file_is_described() {
+    let folder = support::repository::root().join("tests/golden");
+    let page = std::fs::read_to_string(folder.join("README.md")).unwrap();
+    let mut files = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let Some(table) = name.strip_suffix(".csv") else {
+            continue;
+        };
+        let (table, _) = table.rsplit_once("_f").unwrap();
+        assert!(page.contains(&format!("`{table}`")), "{name}");
+        files += 1;
+    }
+    assert!(files > 20);
+}
+
 #[test]
 #[should_panic(expected = "no_such_table_f64.csv")]
 fn a_missing_golden_file_fails() {
