@@ -110,6 +110,20 @@ impl<R: Real> Limits<R> {
         }
     }
 
+    /// Widens the limits for an axis which is in this state.
+    pub(crate) fn include(&mut self, state: State<R>) {
+        let State {
+            velocity,
+            acceleration,
+            ..
+        } = state;
+        let half_square = R::HALF * acceleration * acceleration;
+        self.vmax = self.vmax.at_least(velocity + half_square / -self.jmin);
+        self.vmin = self.vmin.at_most(velocity - half_square / self.jmax);
+        self.amax = self.amax.at_least(acceleration);
+        self.amin = self.amin.at_most(acceleration);
+    }
+
     /// Whether an axis can come to this state without leaving the limits. It built the acceleration up from 0.
     fn admit(&self, state: State<R>) -> bool {
         let State {

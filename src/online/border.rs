@@ -78,10 +78,13 @@ impl<R: Real> Border<R> {
     /// How much the change of velocity exceeds the one of the straight change of the acceleration, and whether by more than rounding. The
     /// roundings are those of the velocities at both ends, also of the velocities with the acceleration undone.
     pub fn beyond_straight(&self) -> (R, bool) {
-        let Self { v0, a0, v1, a1, .. } = *self;
+        let Self { a0, a1, .. } = *self;
         let beyond = self.dv - self.per_jerk.straight(a0, a1);
-        let rounding = R::from(16) * R::EPSILON * (v0.abs() + v1.abs() + self.undone);
-        (beyond, beyond.abs() > rounding)
+        (beyond, beyond.abs() > self.rounding_of_velocity())
+    }
+
+    pub fn rounding_of_velocity(&self) -> R {
+        R::from(16) * R::EPSILON * (self.v0.abs() + self.v1.abs() + self.undone)
     }
 
     /// The fastest change of velocity: the direct ramp. Its duration allows no other displacement. The argument comes from
@@ -111,6 +114,30 @@ impl<R: Real> Border<R> {
         };
         let ramp = Ramp::over(beyond, a0, a1, limit, self.per_jerk.mirrored_if(mirrored));
         ramp.mirrored_if(mirrored)
+    }
+
+    /// The straight change of the acceleration, in the mirrored axis if `mirrored`.
+    pub fn straight(&self, mirrored: bool) -> Ramp<R> {
+        let [a0, a1] = [self.a0, self.a1].map(|x| x.negate_if(mirrored));
+        Ramp::straight(a0, a1).mirrored_if(mirrored)
+    }
+
+    /// The ramp that makes up for what its displacement `lacks`, and the change of the velocity at the start with which it does. The end stays.
+    /// `None` if the change is more than rounding.
+    pub fn fitted(&self, ramp: &Ramp<R>, lacks: R) -> Option<(Ramp<R>, R)> {
+        let mirrored = ramp.mirrored;
+        let [v0, a0, lacks] = [self.v0, self.a0, lacks].map(|x| x.negate_if(mirrored));
+        let limit = if mirrored {
+            -self.limits.amin
+        } else {
+            self.limits.amax
+        };
+        let per_jerk = self.per_jerk.mirrored_if(mirrored);
+        // While the axis holds its highest acceleration longer, it travels at its velocity there, and before at a lower velocity.
+        let faster = v0 + per_jerk.straight(a0, ramp.peak) - ramp.peak * per_jerk.gu * ramp.rise;
+        let (fitted, change) = ramp.longer(lacks / faster, limit, per_jerk)?;
+        (change.abs() <= self.rounding_of_velocity())
+            .then_some((fitted, change.negate_if(mirrored)))
     }
 
     /// Duration and displacement of a ramp.
@@ -180,8 +207,8 @@ impl<R: Real> Border<R> {
     }
 
     /// The motion of the duration `t` that gets farthest. `None` if the end cannot be reached in this duration, which is not below that of
-    /// the direct ramp.
-    pub fn farthest(&self, t: R) -> Option<Profile<R>> {
+    /// the direct ramp. Roundings of the ends let the duration `slip`, s.
+    pub fn farthest(&self, t: R, slip: R) -> Option<Profile<R>> {
         let few = R::from(16) * R::EPSILON;
         let straight = self.profile(&Ramp::straight(self.a0, self.a1));
         let waits = t - straight.duration(self.per_jerk);
@@ -199,8 +226,9 @@ impl<R: Real> Border<R> {
             self.without_cruise(t)
         };
         let rounding = few * (self.a0.abs() + self.a1.abs() + profile.fall);
-        let is_motion = profile.first >= -rounding && profile.last >= -rounding;
-        is_motion.then_some(profile)
+        let gu = self.per_jerk.gu;
+        let is_rise = |rise: R| rise >= -rounding || gu * rise >= -slip;
+        (is_rise(profile.first) && is_rise(profile.last)).then_some(profile)
     }
 
     /// The motion of the duration `t` that gets farthest, if the duration is too short to cruise.

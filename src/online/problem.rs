@@ -18,9 +18,21 @@ use crate::state::State;
 pub(crate) struct Problem<R> {
     from: State<R>,
     to: State<R>,
+    /// The sum of the magnitudes of both positions, which tells their rounding.
+    positions: R,
     inside: Inside<R>,
     /// The motions behind the way inside the limits.
     pub border: Border<R>,
+}
+
+/// By how much a duration may slip, because the states at both ends have roundings.
+pub(crate) struct Slip<R> {
+    /// s
+    pub most: R,
+    /// So little that the acceleration changes by its roundings only, s.
+    pub little: R,
+    /// The part of a slip at the start. The rest is at the end. So both ends change by as many of their roundings.
+    pub at_start: R,
 }
 
 impl<R: Real> Problem<R> {
@@ -31,9 +43,15 @@ impl<R: Real> Problem<R> {
         Self {
             from,
             to,
+            positions: from.position.abs() + to.position.abs(),
             inside,
             border,
         }
+    }
+
+    /// The problem of an axis whose positions are counted from its end. The sum of the magnitudes of its true positions tells their rounding.
+    pub fn beside(self, positions: R) -> Self {
+        Self { positions, ..self }
     }
 
     /// The fastest change of velocity. The end of the problem moves to where this change ends.
@@ -53,8 +71,38 @@ impl<R: Real> Problem<R> {
 
     /// Displacement behind the way inside the limits, and the sum of the magnitudes of both positions, which tells their rounding.
     pub fn displacement(&self) -> (R, R) {
-        let (p0, p1) = (self.from.position, self.to.position);
-        ((p1 - p0) - self.displacement_inside(), p0.abs() + p1.abs())
+        let way = self.to.position - self.from.position;
+        (way - self.displacement_inside(), self.positions)
+    }
+
+    /// By how much a duration may slip.
+    pub fn slip(&self, duration: R) -> Slip<R> {
+        let border = &self.border;
+        let Border { v0, a0, v1, a1, .. } = *border;
+        let q = border.per_jerk.q();
+        let speed = v0.abs().at_least(v1.abs()) + border.undone;
+        let highest = border.limits.amax.at_least(-border.limits.amin);
+        let easing = (speed * q).sqrt().at_most(highest * q);
+        let position = search::tie(border, duration + easing, self.displacement().1);
+        let velocity = R::from(16) * border.rounding_of_velocity();
+        // A standstill is exact.
+        let of_end = |v: R, a: R| {
+            let roundings = v.abs() / position + a.abs() / velocity;
+            if roundings > R::ZERO {
+                R::ONE / roundings
+            } else {
+                R::ZERO
+            }
+        };
+        let (start, end) = (of_end(v0, a0), of_end(v1, a1));
+        let most = (start + end)
+            .at_most((velocity * q).sqrt())
+            .at_most(duration / R::from(64));
+        Slip {
+            most,
+            little: (R::HALF * R::HALF * most).at_most(R::from(8) * R::DOUBT * (duration + easing)),
+            at_start: start / (start + end),
+        }
     }
 
     /// A duration of the move on the clock of the border, s.
@@ -140,6 +188,11 @@ impl<R: Real> Problem<R> {
             writer.write(segment);
         }
         writer
+    }
+
+    /// Where the move begins.
+    pub fn from(&self) -> State<R> {
+        self.from
     }
 
     /// Where the move ends.

@@ -1,6 +1,6 @@
 //! The acceleration of a motion on the border.
 
-use super::ramp::PerJerk;
+use super::ramp::{PerJerk, Ramp};
 use crate::real::Real;
 
 /// The acceleration of a motion on the border: it rises, (holds), falls, (holds) and rises. Where the axis cruises, the fall pauses at 0.
@@ -40,6 +40,28 @@ impl<R: Real> Profile<R> {
             bottom: self.top,
             last: self.first,
         }
+    }
+
+    /// The ramp that the motion is, if one of its rises has no duration.
+    pub fn as_ramp(&self) -> Ramp<R> {
+        let ramp = if self.first > R::ZERO {
+            Ramp {
+                mirrored: false,
+                rise: self.first,
+                peak: self.peak,
+                hold: self.top,
+                fall: self.fall,
+            }
+        } else {
+            Ramp {
+                mirrored: true,
+                rise: self.fall,
+                peak: -self.trough,
+                hold: self.bottom,
+                fall: self.last,
+            }
+        };
+        ramp.mirrored_if(self.mirrored)
     }
 
     /// The motion with a fall that is longer than the one of `base` by `x`. What rises falls, so the sum of both rises grows by `x`: the

@@ -144,6 +144,32 @@ impl<R: Real> Ramp<R> {
         }
     }
 
+    /// Whether the acceleration only rises, or only falls.
+    pub fn is_straight(&self) -> bool {
+        self.hold == R::ZERO && (self.rise == R::ZERO || self.fall == R::ZERO)
+    }
+
+    /// The ramp that is `longer` at its highest acceleration, s, and what this adds to its change of velocity. `None` if there is none.
+    pub fn longer(self, longer: R, limit: R, per_jerk: PerJerk<R>) -> Option<(Self, R)> {
+        let q = per_jerk.q();
+        let z = R::HALF * longer / q;
+        if self.hold > R::ZERO {
+            let hold = self.hold + longer;
+            let changed = Self { hold, ..self };
+            (hold >= R::ZERO).then_some((changed, self.peak * longer))
+        } else {
+            let [rise, peak, fall] = [self.rise, self.peak, self.fall].map(|x| x + z);
+            let changed = Self {
+                rise,
+                peak,
+                fall,
+                ..self
+            };
+            let change = q * z * (self.peak + peak);
+            (rise >= R::ZERO && fall >= R::ZERO && peak <= limit).then_some((changed, change))
+        }
+    }
+
     /// The ramp as the mirrored axis sees it.
     pub fn mirrored_if(self, mirrored: bool) -> Self {
         Self {

@@ -33,27 +33,78 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profil
             return border.profile(&straight);
         }
     }
-    let mut ramp = border.direct(excess);
-    // One gap may follow the direct ramp.
-    for _ in 0..2 {
-        let (lacks, tie) = lacking(border, &ramp, h, positions);
-        if lacks.abs() <= tie && tie.is_finite() {
-            break;
-        }
-        let mirrored = lacks < R::ZERO;
-        let axis = border.mirrored_if(mirrored);
-        let base = split_at_0(&axis, axis.profile(&ramp.mirrored_if(mirrored)));
-        match first_over(&axis, base, h.negate_if(mirrored), lacks.abs(), tie) {
-            Some(profile) => {
-                return Profile {
-                    mirrored,
-                    ..profile
-                };
-            }
-            None => ramp = border.behind_gap(),
-        }
+    let direct = border.direct(excess);
+    let fitted = match first_from(border, &direct, h, positions) {
+        Ok(first) => return without_detour(border, first, &direct, h, positions),
+        Err(start_of_gap) => start_of_gap.as_ramp(),
+    };
+    let (lacks, tie) = lacking(border, &fitted, h, positions);
+    if lacks.abs() <= tie {
+        return border.profile(&fitted);
     }
-    border.profile(&ramp)
+    let behind = border.behind_gap();
+    let first = first_from(border, &behind, h, positions);
+    let first = first.unwrap_or_else(|_| border.profile(&behind));
+    let first = without_detour(border, first, &fitted, h, positions);
+    without_detour(border, first, &direct, h, positions)
+}
+
+/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only. If a gap comes first, the last motion before it.
+fn first_from<R: Real>(
+    border: &Border<R>,
+    ramp: &Ramp<R>,
+    h: R,
+    positions: R,
+) -> Result<Profile<R>, Profile<R>> {
+    let (lacks, tie) = lacking(border, ramp, h, positions);
+    if lacks.abs() <= tie && tie.is_finite() {
+        let exact = border.fitted(ramp, lacks).map(|(fitted, _)| fitted);
+        let is_near = |fitted: &Ramp<R>| {
+            let [from, to] = [ramp, fitted].map(|ramp| border.passed(ramp).0);
+            (to - from).abs() <= R::SIXTEENTH * from && !ramp.is_straight()
+        };
+        return Ok(border.profile(&exact.filter(is_near).unwrap_or(*ramp)));
+    }
+    let mirrored = lacks < R::ZERO;
+    let axis = border.mirrored_if(mirrored);
+    let base = split_at_0(&axis, axis.profile(&ramp.mirrored_if(mirrored)));
+    let of_border = |profile| Profile {
+        mirrored,
+        ..profile
+    };
+    first_over(&axis, base, h.negate_if(mirrored), lacks.abs())
+        .map(of_border)
+        .map_err(of_border)
+}
+
+/// The motion, or the ramp, if the motion is a detour only because of roundings of the velocities: with a change of the velocity at the start
+/// by its roundings, the ramp is the motion.
+fn without_detour<R: Real>(
+    border: &Border<R>,
+    motion: Profile<R>,
+    ramp: &Ramp<R>,
+    h: R,
+    positions: R,
+) -> Profile<R> {
+    let (lacks, _) = lacking(border, ramp, h, positions);
+    let ramp = if ramp.is_straight() {
+        border.straight(lacks < R::ZERO)
+    } else {
+        *ramp
+    };
+    let Some((fitted, change)) = border.fitted(&ramp, lacks) else {
+        return motion;
+    };
+    let (duration, displacement) = border.passed(&fitted);
+    let lacks = h - (displacement - change * duration);
+    let tie = tie(border, duration, positions);
+    let longest = duration + R::SIXTEENTH * duration;
+    let is_detour = motion.duration(border.per_jerk.mirrored_if(motion.mirrored)) > longest;
+    if is_detour && lacks.abs() <= tie {
+        border.profile(&fitted)
+    } else {
+        motion
+    }
 }
 
 /// The fastest motion over `h` between equal velocities without acceleration: the direct ramp has no duration.
@@ -69,11 +120,19 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
 }
 
 /// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
-pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positions: R) -> R {
+pub(crate) fn next_duration<R: Real>(
+    border: &Border<R>,
+    mut t: R,
+    h: R,
+    positions: R,
+    slip: R,
+) -> R {
     // A displacement may become impossible once, and a gap may follow, on each side.
     for _ in 0..4 {
         let mirrored = border.mirrored();
-        let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
+        let (Some(farthest), Some(nearest)) =
+            (border.farthest(t, slip), mirrored.farthest(t, slip))
+        else {
             t = border.passed(&border.behind_gap()).0;
             continue;
         };
@@ -90,9 +149,16 @@ pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positio
         } else {
             return t;
         };
-        t = match first_over(&axis, base, h, lacks, tie) {
-            Some(profile) => profile.duration(axis.per_jerk),
-            None => border.passed(&border.behind_gap()).0,
+        t = match first_over(&axis, base, h, lacks) {
+            Ok(profile) => profile.duration(axis.per_jerk),
+            Err(start_of_gap) => {
+                let start = axis.displacement(&start_of_gap);
+                if h - start <= tie {
+                    start_of_gap.duration(axis.per_jerk)
+                } else {
+                    border.passed(&border.behind_gap()).0
+                }
+            }
         };
     }
     t
@@ -106,7 +172,7 @@ fn lacking<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, positions: R) -> (
 
 /// Up to which rounding a motion of this duration reaches its displacement. Its velocities have roundings in proportion to those of both
 /// ends and to what the accelerations at the ends add. Between standstills every displacement is made, because it costs no detour.
-fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
+pub(super) fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
     let (a0, a1) = (border.a0.abs(), border.a1.abs());
     let added = border.undone.at_most(a0.at_least(a1) * duration);
     let speed = border.v0.abs().at_least(border.v1.abs()) + added;
@@ -133,34 +199,36 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: Profile<R>) -> Profile<R> {
     }
 }
 
-/// The first motion of the border over `h`: it gets `lacks` farther than `base`. `None` if a gap comes first.
+/// The first motion of the border over `h`: it gets `lacks` farther than `base`. If a gap comes first, the last motion before it.
 fn first_over<R: Real>(
     border: &Border<R>,
     base: Profile<R>,
     h: R,
     lacks: R,
-    tie: R,
-) -> Option<Profile<R>> {
-    Some(match before_gap(border, base, lacks, tie)? {
+) -> Result<Profile<R>, Profile<R>> {
+    Ok(match before_gap(border, base, lacks)? {
         Found::Reached(profile) => profile,
         Found::Lacking(base, lacks) => turning(border, base, h, lacks),
     })
 }
 
-/// The part of the border in which the acceleration keeps its sign in the middle of the motion. `None` if a gap follows: durations in which
-/// the end cannot be reached.
-fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R, tie: R) -> Option<Found<R>> {
+/// The part of the border in which the acceleration keeps its sign in the middle of the motion. A gap may follow: durations in which
+/// the end cannot be reached. Then the last motion before it.
+fn before_gap<R: Real>(
+    border: &Border<R>,
+    base: Profile<R>,
+    lacks: R,
+) -> Result<Found<R>, Profile<R>> {
     if base.trough > R::ZERO {
-        easing(border, base, lacks, tie)
+        easing(border, base, lacks)
     } else if base.peak < R::ZERO {
-        Some(
-            match easing(&border.reversed(), base.reversed(), lacks, tie)? {
-                Found::Reached(profile) => Found::Reached(profile.reversed()),
-                Found::Lacking(profile, lacks) => Found::Lacking(profile.reversed(), lacks),
-            },
-        )
+        match easing(&border.reversed(), base.reversed(), lacks) {
+            Ok(Found::Reached(profile)) => Ok(Found::Reached(profile.reversed())),
+            Ok(Found::Lacking(profile, lacks)) => Ok(Found::Lacking(profile.reversed(), lacks)),
+            Err(start_of_gap) => Err(start_of_gap.reversed()),
+        }
     } else {
-        Some(Found::Lacking(base, lacks))
+        Ok(Found::Lacking(base, lacks))
     }
 }
 
@@ -169,29 +237,28 @@ fn easing<R: Real>(
     border: &Border<R>,
     mut base: Profile<R>,
     mut lacks: R,
-    tie: R,
-) -> Option<Found<R>> {
+) -> Result<Found<R>, Profile<R>> {
     // A hold ends once at most.
     for _ in 0..2 {
         let piece = Piece::of(border, &base, base.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
         match piece.first_over(lacks, end, false) {
-            Ok(x) => return Some(Found::Reached(piece.profile(x))),
+            Ok(x) => return Ok(Found::Reached(piece.profile(x))),
             Err(beyond) => lacks = beyond,
         }
         base = piece.profile(end);
         match what {
             Easing::HoldEnds => base.top = R::ZERO,
-            Easing::Vanishes => return Some(Found::Lacking(base, lacks)),
+            Easing::Vanishes => return Ok(Found::Lacking(base, lacks)),
             Easing::IsFollowedByGap => {
                 base.last = base.last + base.first;
                 base.trough = base.trough - base.first;
                 (base.first, base.peak) = (R::ZERO, border.a0);
-                return (lacks <= tie).then_some(Found::Reached(base));
+                break;
             }
         }
     }
-    None
+    Err(base)
 }
 
 /// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it

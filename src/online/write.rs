@@ -133,6 +133,38 @@ impl<R: Real> Move<R> {
         }
     }
 
+    /// Lets the move take the duration `t`, which differs by roundings of the states at both ends. The part `at_start` of the slip lets the
+    /// move begin later or earlier on its way, the rest lets it end later or earlier.
+    pub(crate) fn slip(&mut self, t: R, at_start: R) {
+        let slip = self.t - t;
+        let count = self.phase_count();
+        // A few roundings of the time do not show.
+        if slip.abs() > R::from(8) * R::EPSILON * t {
+            let mut late = slip * at_start.at_least(R::ZERO);
+            let mut early = slip - late;
+            for phase in self.phase.iter_mut().take(count).skip(2) {
+                phase.start = (phase.start - late).at_least(R::ZERO);
+            }
+            for phase in self.phase.iter_mut().take(count).skip(1) {
+                let passed = late.at_most(phase.duration);
+                *phase = Phase {
+                    duration: phase.duration - passed,
+                    position: phase.position(passed),
+                    velocity: phase.velocity(passed),
+                    acceleration: phase.acceleration(passed),
+                    ..*phase
+                };
+                late = late - passed;
+            }
+            for phase in self.phase.iter_mut().take(count).skip(1).rev() {
+                let left_out = early.at_most(phase.duration);
+                phase.duration = phase.duration - left_out;
+                early = early - left_out;
+            }
+        }
+        self.end_at(t);
+    }
+
     /// Lets a move from rest to rest take the longer duration `t`. In slow motion it keeps all limits and makes the same way.
     pub(crate) fn slow_down(&mut self, t: R) {
         let longer = t / self.t;

@@ -54,41 +54,62 @@ pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -
 }
 
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
-pub(super) fn next_duration<R: Real>((limits, (&from, &to)): Axis<R>, t: R) -> R {
+pub(super) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
     // An axis can wait where it stands.
-    if to.is_at_rest() || from.is_at_rest() {
-        return t;
-    }
-    let problem = Problem::new(limits, from, to);
-    if Cruise::of(&problem, t).is_some() {
+    let can_wait = problem.from().is_at_rest() || problem.to().is_at_rest();
+    if can_wait || Cruise::of(problem, t).is_some() {
         t
     } else {
-        blend::next_duration(&problem, t)
+        blend::next_duration(problem, t, R::ZERO)
     }
 }
 
-/// Lets an axis that has made its fastest plan take the duration `t`, which is possible and not shorter.
+/// Whether an axis whose fastest plan is `axis` can take the duration `t`, up to roundings of its states at both ends. They may be larger
+/// if the axis else makes a detour.
+pub(super) fn may_slip<R: Real>(
+    axis: &Move<R>,
+    problem: &Problem<R>,
+    t: R,
+    is_detour: bool,
+) -> bool {
+    let slip = problem.slip(axis.t);
+    let most = if is_detour { slip.most } else { slip.little };
+    let is_later = t >= axis.t;
+    (t - axis.t).abs() <= most
+        || is_later && (next_duration(problem, t) <= t || Blend::nearly(problem, t).is_some())
+}
+
+/// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
 pub(super) fn stretch<R: Real>(
     axis: &mut Move<R>,
+    problem: &Problem<R>,
     t: R,
-    (limits, (&from, &to)): Axis<R>,
 ) -> Result<(), Error> {
-    if t - axis.t <= R::from(4) * R::EPSILON * t {
+    let is_slow = problem.from().is_at_rest() && problem.to().is_at_rest();
+    let longer = t - axis.t;
+    let slip = || problem.slip(axis.t);
+    if longer.abs() <= R::from(4) * R::EPSILON * t {
         axis.end_at(t);
-    } else if axis.t > R::EPSILON * t && from.is_at_rest() && to.is_at_rest() {
+    } else if longer < R::ZERO {
+        let slip = slip();
+        axis.slip(t, slip.at_start);
+    } else if is_slow && axis.t > R::EPSILON * t {
         // The jerk falls by the third power of the factor. It stays within the range of the real type.
         axis.slow_down(t);
+    } else if let Some(cruise) = Cruise::of(problem, t) {
+        cruise.write(problem, axis, t);
+    } else if let Some(blend) = Blend::of(problem, t) {
+        blend.write(problem, axis, t);
     } else {
-        let problem = Problem::new(limits, from, to);
-        if let Some(cruise) = Cruise::of(&problem, t) {
-            cruise.write(&problem, axis, t);
-        } else if let Some(blend) = Blend::of(&problem, t) {
-            blend.write(&problem, axis, t);
-        } else if to.is_at_rest() {
+        let slip = slip();
+        let nearly = Blend::nearly(problem, t).filter(|_| longer > slip.most);
+        if let Some(blend) = nearly {
+            blend.write(problem, axis, t);
+        } else if longer > slip.most && problem.to().is_at_rest() {
             // Where roundings hide the wait from both, the axis waits at its target.
             axis.wait_until(t);
         } else {
-            axis.end_at(t);
+            axis.slip(t, slip.at_start);
         }
     }
     if axis.is_finite() {

@@ -1,6 +1,6 @@
 //! Several axes on the straight line from their start to their end.
 
-use super::axis::{checked, next_duration, stretch};
+use super::axis::{Axis, checked, may_slip, next_duration, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -24,16 +24,20 @@ pub fn line<R: Real>(
 ) -> Result<Findings, Error> {
     let cycle = Cycle::new(duration, cycle)?;
     let ends = checked(axes.len(), limits, from, to)?;
-    let line = Line::through(from, to)?;
-    let limits = line.tightest(limits, from, to)?;
+    let line = Line::through(ends.clone())?;
+    let limits = line.tightest(ends.clone())?;
     limits.check(line.from, line.to)?;
-    let problem = Problem::new(&limits, line.from, line.to);
+    line.check(&limits, ends.clone())?;
+    let problem = Problem::new(&limits, line.from, line.to).beside(line.positions);
     let mut lead = Move::default();
     problem.write(&mut lead, &problem.fastest())?;
-    let ends_of_lead = (&limits, (&line.from, &line.to));
-    let slowest = duration.at_least(lead.t);
-    let t = cycle.until_possible(1, slowest, |t| next_duration(ends_of_lead, t))?;
-    stretch(&mut lead, t, ends_of_lead)?;
+    let t = cycle.until_possible(
+        1,
+        duration.at_least(lead.t),
+        |t| next_duration(&problem, t),
+        |t, is_detour| may_slip(&lead, &problem, t, is_detour),
+    )?;
+    stretch(&mut lead, &problem, t)?;
     for ((_, (from, to)), axis) in ends.zip(axes) {
         let share = line.share(from, to);
         *axis = lead.map(|phase| Phase {
@@ -55,76 +59,164 @@ struct Line<R> {
     from: State<R>,
     /// The lead at the end.
     to: State<R>,
+    /// The sum of the magnitudes of the lead's true positions, which tells their rounding.
+    positions: R,
+    /// How long the slowest axis takes to brake, s.
+    braking: R,
+    /// How far the velocities at both ends tell the direction of the line, beside the way, s. A way that is much shorter than the axis
+    /// takes to brake has the roundings of all the numbers before, so it tells the direction badly.
+    by_velocity: R,
 }
 
-impl<R: Real> Line<R> {
-    /// The line through both ends, if all velocities and accelerations point along it.
-    fn through(from: &[State<R>], to: &[State<R>]) -> Result<Self, Error> {
+impl<'a, R: Real + 'a> Line<R> {
+    /// The line along which the axis with the longest way leads.
+    fn through(ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Self, Error> {
+        let braking = ends.clone().map(braking).fold(R::ZERO, R::at_least);
         let mut line = Self {
             from: State::default(),
             to: State::default(),
+            positions: R::ZERO,
+            braking,
+            by_velocity: braking,
         };
-        for (from, to) in from.iter().zip(to) {
-            let way = to.position - from.position;
-            if way.abs() >= line.way().abs() {
-                let position = -way;
-                line.from = State { position, ..*from };
-                line.to = State {
+        for (_, (from, to)) in ends {
+            let lead = Self {
+                from: State {
+                    position: from.position - to.position,
+                    ..*from
+                },
+                to: State {
                     position: R::ZERO,
                     ..*to
-                };
+                },
+                positions: from.position.abs() + to.position.abs(),
+                ..line
+            };
+            if lead.reach() >= line.reach() {
+                line = lead;
             }
         }
-        if !line.way().is_finite() {
-            return Err(Error::NotFinite);
+        let way = line.from.position.abs();
+        if way > R::HALF * line.reach() {
+            line.by_velocity = R::ZERO;
         }
-        let mut ends = from.iter().zip(to);
-        let is_straight = ends.all(|(from, to)| {
-            let share = line.share(from, to);
-            lies_on(share, from, &line.from) && lies_on(share, to, &line.to)
-        });
-        if is_straight {
+        if line.reach().is_finite() {
             Ok(line)
         } else {
-            Err(Error::Line)
+            Err(Error::NotFinite)
         }
     }
 
-    fn way(&self) -> R {
-        self.to.position - self.from.position
+    /// The way, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
+    fn reach(&self) -> R {
+        self.from.position.abs() + self.braking * self.speeds()
+    }
+
+    fn speeds(&self) -> R {
+        self.from.velocity.abs() + self.to.velocity.abs()
     }
 
     /// How far an axis moves while the lead moves by 1; 0 if nothing moves.
     fn share(&self, from: &State<R>, to: &State<R>) -> R {
-        if self.way() == R::ZERO {
-            R::ZERO
+        let along = |x: R, lead: R| x * R::ONE.copysign(lead);
+        let speeds =
+            along(from.velocity, self.from.velocity) + along(to.velocity, self.to.velocity);
+        let way = along(from.position - to.position, self.from.position);
+        if self.base() > R::ZERO {
+            (way + self.by_velocity * speeds) / self.base()
         } else {
-            (to.position - from.position) / self.way()
+            R::ZERO
         }
+    }
+
+    /// What of the lead the shares of the axes are parts of.
+    fn base(&self) -> R {
+        self.from.position.abs() + self.by_velocity * self.speeds()
     }
 
     /// The limits of the lead that keep those of all axes.
     fn tightest(
         &self,
-        limits: &[Limits<R>],
-        from: &[State<R>],
-        to: &[State<R>],
+        ends: impl Iterator<Item = Axis<'a, R>> + Clone,
     ) -> Result<Limits<R>, Error> {
-        let first = *limits.first().ok_or(Error::Axes)?;
-        if self.way() == R::ZERO {
-            return Ok(first);
+        let (first, _) = ends.clone().next().ok_or(Error::Axes)?;
+        if self.reach() == R::ZERO {
+            return Ok(*first);
         }
         let endless = R::INFINITY;
         let mut tightest = Limits::symmetric(endless, endless, endless);
-        for (limits, (from, to)) in limits.iter().zip(from.iter().zip(to)) {
+        for (limits, (from, to)) in ends {
             tightest.tighten(limits, self.share(from, to));
         }
+        // Every axis may be in its target. So the lead may, and only roundings of the shares deny it.
+        tightest.include(self.to);
         Ok(tightest)
+    }
+
+    /// Whether all states lie on the line, up to rounding. Behind a phase, a small number has the roundings of the numbers in the phase.
+    fn check(
+        &self,
+        limits: &Limits<R>,
+        mut ends: impl Iterator<Item = Axis<'a, R>>,
+    ) -> Result<(), Error> {
+        let reach = self.reach();
+        // Where nothing moves, no share is uncertain.
+        let per_base = if self.base() > R::ZERO {
+            R::ONE / self.base()
+        } else {
+            R::ZERO
+        };
+        let jerk = limits.jmax.at_least(-limits.jmin);
+        let v = limits.vmax.at_least(-limits.vmin);
+        let a = limits
+            .amax
+            .at_least(-limits.amin)
+            .at_most(((v + v) * jerk).sqrt());
+        let a = if jerk.is_finite() {
+            a.at_most((jerk * jerk * reach).cube_root_above())
+        } else {
+            a
+        };
+        let v = v.at_most((a * reach).sqrt());
+        let is_straight = ends.all(|(_, (from, to))| {
+            let share = self.share(from, to);
+            let positions =
+                from.position.abs() + to.position.abs() + share.abs() * (self.positions + reach);
+            let agree = |x: R, y: R, scale: R| {
+                let of_share = R::from(16) * R::EPSILON * positions * per_base;
+                (x - share * y).abs() <= R::DOUBT * scale + of_share * y.abs()
+            };
+            let lies = |state: &State<R>, lead: &State<R>| {
+                let v = state.velocity.abs() + share.abs() * v.at_least(lead.velocity.abs());
+                let a =
+                    state.acceleration.abs() + share.abs() * a.at_least(lead.acceleration.abs());
+                agree(state.velocity, lead.velocity, v)
+                    && agree(state.acceleration, lead.acceleration, a)
+            };
+            let way = from.position - to.position;
+            agree(way, self.from.position, positions)
+                && lies(from, &self.from)
+                && lies(to, &self.to)
+        });
+        if is_straight {
+            Ok(())
+        } else {
+            Err(Error::Line)
+        }
     }
 }
 
-/// Whether velocity and acceleration are those of the lead times `share`.
-fn lies_on<R: Real>(share: R, state: &State<R>, lead: &State<R>) -> bool {
-    let agree = |x: R, y: R| (x - share * y).abs() <= R::DOUBT * (x.abs() + (share * y).abs());
-    agree(state.velocity, lead.velocity) && agree(state.acceleration, lead.acceleration)
+/// How long an axis takes to brake from the higher velocity of both ends, s.
+fn braking<R: Real>((limits, (from, to)): Axis<R>) -> R {
+    let speed = from.velocity.abs().at_least(to.velocity.abs());
+    let j = limits.jmax.at_most(-limits.jmin);
+    let a = limits
+        .amax
+        .at_most(-limits.amin)
+        .at_most((speed * j).sqrt());
+    if speed > R::ZERO {
+        speed / a + a / j
+    } else {
+        R::ZERO
+    }
 }

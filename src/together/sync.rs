@@ -1,6 +1,6 @@
 //! Several axes in the same time.
 
-use super::axis::{Axis, checked, is_ordinary, next_duration, stretch};
+use super::axis::{Axis, checked, is_ordinary, may_slip, next_duration, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -30,15 +30,21 @@ pub fn synchronise<R: Real>(
     }
     let mut found = Findings::default();
     let mut slowest = duration;
-    for ((limits, (&from, &to)), axis) in ends.clone().zip(axes.iter_mut()) {
-        let problem = Problem::new(limits, from, to);
+    for (ends, axis) in ends.clone().zip(axes.iter_mut()) {
+        let problem = problem(ends);
         problem.write(axis, &problem.fastest())?;
         found |= problem.outside();
         slowest = slowest.at_least(axis.t);
     }
-    let t = common_duration(&cycle, slowest, ends.clone())?;
+    let mut planned = ends.clone().zip(axes.iter());
+    let t = cycle.until_possible(
+        planned.clone().count(),
+        slowest,
+        |t| common_duration(ends.clone(), t),
+        |t, is_detour| planned.all(|(ends, axis)| may_slip(axis, &problem(ends), t, is_detour)),
+    )?;
     for (ends, axis) in ends.zip(axes) {
-        stretch(axis, t, ends)?;
+        stretch(axis, &problem(ends), t)?;
         found |= Findings::OVERSHOOTS.when(axis.overshoots());
     }
     Ok(found)
@@ -51,28 +57,36 @@ fn rehearse<'a, R: Real + 'a>(
     duration: R,
     axes: impl Iterator<Item = Axis<'a, R>> + Clone,
 ) -> Result<(), Error> {
-    let mut axis = Move::default();
+    let planned = |(limits, (&from, &to)): Axis<R>| {
+        let mut axis = Move::default();
+        axis.plan(limits, from, to).map(|_| axis)
+    };
     let mut slowest = duration;
-    for (limits, (&from, &to)) in axes.clone() {
-        axis.plan(limits, from, to)?;
-        slowest = slowest.at_least(axis.t);
+    for ends in axes.clone() {
+        slowest = slowest.at_least(planned(ends)?.t);
     }
-    let t = common_duration(cycle, slowest, axes.clone())?;
-    for ends @ (limits, (&from, &to)) in axes {
-        axis.plan(limits, from, to)?;
-        stretch(&mut axis, t, ends)?;
+    let t = cycle.until_possible(
+        axes.clone().count(),
+        slowest,
+        |t| common_duration(axes.clone(), t),
+        |t, is_detour| {
+            axes.clone().all(|ends| {
+                planned(ends).is_ok_and(|axis| may_slip(&axis, &problem(ends), t, is_detour))
+            })
+        },
+    )?;
+    for ends in axes {
+        stretch(&mut planned(ends)?, &problem(ends), t)?;
     }
     Ok(())
 }
 
-/// The shortest duration that is possible for every axis, after the fastest plans, s.
-fn common_duration<'a, R: Real + 'a>(
-    cycle: &Cycle<R>,
-    slowest: R,
-    axes: impl Iterator<Item = Axis<'a, R>> + Clone,
-) -> Result<R, Error> {
-    cycle.until_possible(axes.clone().count(), slowest, |t| {
-        let next = axes.clone().map(|ends| next_duration(ends, t));
-        next.fold(t, R::at_least)
-    })
+/// The shortest possible duration of the slowest axis from `t` on, s.
+fn common_duration<'a, R: Real + 'a>(axes: impl Iterator<Item = Axis<'a, R>>, t: R) -> R {
+    let next = axes.map(|ends| next_duration(&problem(ends), t));
+    next.fold(t, R::at_least)
+}
+
+fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
+    Problem::new(limits, from, to)
 }

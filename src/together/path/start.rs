@@ -34,14 +34,18 @@ impl<R: Real> Chain<'_, '_, R> {
             let problem = Problem::new(self.limits(section, axis)?, from, to);
             slowest = slowest.at_least(problem.duration(&problem.fastest()));
         }
-        Cycle::new(R::ZERO, R::ZERO)?.until_possible(self.axes, slowest, |t| {
+        let next_duration = |t| {
             let next = |axis| {
                 let (from, to) = self.ends(section, axis);
                 let limits = self.limits(section, axis);
-                limits.map_or(t, |limits| next_duration((limits, (&from, &to)), t))
+                limits.map_or(t, |limits| {
+                    next_duration(&Problem::new(limits, from, to), t)
+                })
             };
             (0..self.axes).map(next).fold(t, R::at_least)
-        })
+        };
+        let any_time = Cycle::new(R::ZERO, R::ZERO)?;
+        any_time.until_possible(self.axes, slowest, next_duration, |_, _| false)
     }
 
     /// Lets all axes stop at every way point. Gives the duration of the path, s.

@@ -1,8 +1,8 @@
 //! Are requests refused for which there is no move, of one axis or of several, each with its reason, and is nothing written then?
 
-use atraj::Findings;
 use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Limits, Move, State};
+use atraj::{Extremes, Findings};
 use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
@@ -220,26 +220,53 @@ fn bad_axes_are_refused() {
     lengths::<f32>();
 }
 
-/// A start that is beside the line by more than 64 roundings.
+/// A start that is beside the line by far more than the roundings of its motion.
 fn beside_the_line<R: Real>() {
     let mut random = Random::seeded(2);
+    let mut refused = 0;
     for mut set in Sets::<R>::on_lines(2).take(4_000) {
         let k = random.below(set.axes.len());
         let moves = |axis: usize| set.axes[axis].from.position != set.axes[axis].to.position;
         let has_other = (0..set.axes.len()).any(|axis| axis != k && moves(axis));
-        if !has_other {
+        let (limits, from, to) = set.columns();
+        let mut axes = vec![Move::default(); from.len()];
+        let planned = line(&mut axes, &limits, &from, &to, set.duration, set.cycle);
+        if !has_other || planned.is_err() {
             continue;
         }
-        let from = &mut set.axes[k].from;
-        let quantity = if random.one_in(2) {
-            &mut from.velocity
-        } else {
-            &mut from.acceleration
+        let Extremes { lowest, highest } = axes[k].extremes();
+        let most = |low: R, high: R| f64::max(-low.widen(), high.widen());
+        let velocity = most(lowest.velocity, highest.velocity);
+        let acceleration = most(lowest.acceleration, highest.acceleration);
+        // A short way between far positions has a rounded direction, and so has a long way there and back.
+        let mut roundings = 1e4;
+        for (axis, (from, to)) in axes.iter().zip(from.iter().zip(&to)) {
+            let [p0, p1] = [from, to].map(|end| end.position.widen());
+            let Extremes { lowest, highest } = axis.extremes();
+            let largest = most(lowest.position, highest.position);
+            roundings += if p0 == p1 {
+                0.0
+            } else {
+                256.0 * largest / (p1 - p0).abs()
+            };
+        }
+        let far = |most: f64| {
+            R::of(if most == 0.0 {
+                1.0
+            } else {
+                roundings * R::MACHINE_EPSILON.widen() * most
+            })
         };
-        let more = if quantity.widen() == 0.0 { 1.0 } else { 0.0 };
-        *quantity = R::of(quantity.widen() * (1.0 + 1e4 * R::MACHINE_EPSILON.widen()) + more);
+        let from = &mut set.axes[k].from;
+        if random.one_in(2) {
+            from.velocity = from.velocity + far(velocity);
+        } else {
+            from.acceleration = from.acceleration + far(acceleration);
+        }
         refuses(line, &set, Error::Line);
+        refused += 1;
     }
+    assert!(refused > 1_000);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What is wrong with axes on a straight line.
 
 use super::problems::Set;
-use super::together::{Bad, Planner, Timing, plan_of, scale_of_short_ramps};
+use super::together::{Bad, Planner, Timing, plan_of, scale_of_a_slip, scale_of_short_ramps};
 use crate::judge::problem::{Problem, parts, widened};
 use crate::judge::trial::{Scale, Trial, Verdict, doubt};
 use crate::liba::abi::Original;
@@ -89,7 +89,7 @@ pub fn judge<R: Original>(
         duration,
         cycle,
     };
-    wrong_motions(set, &shares, lead, &axes, random)
+    wrong_motions(set, &timing.axes[0], (&shares, lead), &axes, random)
         .filter(|bad| !is_excused(bad))
         .or_else(|| timing.wrong(axes[0].t.widen(), || None))
 }
@@ -97,12 +97,13 @@ pub fn judge<R: Original>(
 /// Whether a motion is none, or leaves the line.
 fn wrong_motions<R: Original>(
     set: &Set<R>,
-    shares: &[R],
-    lead: usize,
+    of_lead: &Trial<R>,
+    (shares, lead): (&[R], usize),
     axes: &[Move<R>],
     random: &mut Random,
 ) -> Option<Bad> {
     let t = axes[lead].t;
+    let of_lead = scale_of_a_slip(of_lead, &axes[lead], &axes[lead]);
     let [p0, p1] = [set.axes[lead].from, set.axes[lead].to].map(|end| end.position.widen().abs());
     for (k, problem) in set.axes.iter().enumerate() {
         if axes[k].t.low_bits() != t.low_bits() {
@@ -110,10 +111,12 @@ fn wrong_motions<R: Original>(
         }
         let trial = Trial::new(*problem);
         // The positions of the lead are rounded too.
-        let more = scale_of_short_ramps(&trial, t.widen()).and(&Scale {
-            position: shares[k].widen().abs() * (p0 + p1),
+        let positions = Scale {
+            position: p0 + p1,
             ..Scale::default()
-        });
+        };
+        let more = of_lead.and(&positions).times(shares[k].widen().abs());
+        let more = scale_of_short_ramps(&trial, t.widen()).and(&more);
         let what = trial
             .wrong_states(&plan_of(&axes[k]), &more, random)
             .or_else(|| leaves_line(set, [lead, k], shares[k], axes, random));
