@@ -110,18 +110,23 @@ impl<R: Real> Limits<R> {
         }
     }
 
-    /// Widens the limits for an axis which is in this state.
+    /// Widens the limits for an axis which has come to this state.
     pub(crate) fn include(&mut self, state: State<R>) {
         let State {
-            velocity,
-            acceleration,
+            velocity: v,
+            acceleration: a,
             ..
         } = state;
-        let half_square = R::HALF * acceleration * acceleration;
-        self.vmax = self.vmax.at_least(velocity + half_square / -self.jmin);
-        self.vmin = self.vmin.at_most(velocity - half_square / self.jmax);
-        self.amax = self.amax.at_least(acceleration);
-        self.amin = self.amin.at_most(acceleration);
+        let half_square = R::HALF * a * a;
+        let before = if a > R::ZERO {
+            v - half_square / self.jmax
+        } else {
+            v - half_square / self.jmin
+        };
+        self.vmax = self.vmax.at_least(v).at_least(before);
+        self.vmin = self.vmin.at_most(v).at_most(before);
+        self.amax = self.amax.at_least(a);
+        self.amin = self.amin.at_most(a);
     }
 
     /// Whether an axis can come to this state without leaving the limits. It built the acceleration up from 0.
