@@ -1,27 +1,44 @@
-//! Does a control loop that plans anew at every tick arrive when its first plan said? Targets are passed in motion, where an axis that is late
-//! by a rounding has a detour before it.
+//! Does a control loop that plans anew at every tick arrive when its first plan said, and is every state of its own motion accepted?
+//!
+//! Targets are passed in motion. There an axis that is late by a rounding has a detour before it: it turns and comes again.
 
 use atraj::axes::{line, synchronise};
 use atraj::online::{Limits, Move};
 use atraj::{Error, Findings, State};
 use support::{Random, Real, test_both_reals};
 
-fn loops() -> usize {
-    std::env::var("LOOPS").map_or(300, |x| x.parse().unwrap())
-}
+/// Loops of each kind of ends, each planner and each number of axes.
+const LOOPS: usize = 600;
+/// The longest first plan, s. Longer loops take longer to run, and do not come nearer to their end.
+const LONGEST: f64 = 1.5;
 /// s
 const CYCLE: f64 = 1e-3;
 /// How many ticks later than the first plan a loop may arrive.
 const SPARE: usize = 2;
+/// One of so many loops may be late: its roundings are larger than those that a plan takes for a tie. In binary64 and binary32, 0 and 1 of 778
+/// loops of one plan are late, 2 and 3 of 883 of axes, 4 and 3 of about 2,090 of lines.
+const ONE_LATE_OF: usize = 250;
 
 /// How a loop plans.
 type Plan<R> =
     fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Result<Findings, Error>;
 
+#[derive(Debug)]
 struct Problem<R> {
     limits: Vec<Limits<R>>,
     from: Vec<State<R>>,
     to: Vec<State<R>>,
+}
+
+impl<R: Real> Problem<R> {
+    /// Whether there is a first plan, no longer than [`LONGEST`]. `docs/moves.md` says what a target does to a loop which an axis is bound
+    /// to pass into velocities beyond its limits.
+    fn is_short(&self, plan: Plan<R>) -> bool {
+        let mut axes = vec![Move::default(); self.from.len()];
+        let planned = plan(&mut axes, &self.limits, &self.from, &self.to);
+        let stays = planned.is_ok_and(|found| !found.contains(Findings::ENDS_LEAVING));
+        stays && axes[0].t.widen() <= LONGEST
+    }
 }
 
 fn single<R: Real>(
@@ -52,7 +69,7 @@ fn straight<R: Real>(
 }
 
 /// What the ends of a problem are like.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 enum Ends {
     /// The target has a velocity.
     Moving,
@@ -60,6 +77,10 @@ enum Ends {
     AtZero,
     /// The target has a velocity and an acceleration.
     Accelerated,
+}
+
+impl Ends {
+    const ALL: [Self; 3] = [Self::Moving, Self::AtZero, Self::Accelerated];
 }
 
 /// One axis of a problem.
@@ -171,89 +192,147 @@ fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<
     }
 }
 
-/// How many ticks a loop takes longer than its first plan said. `None` if a plan is refused.
-fn late<R: Real>(plan: Plan<R>, problem: &Problem<R>) -> Option<usize> {
+/// Whether an axis steps from a setpoint to the next: its position or its velocity changes by more than its derivatives allow.
+fn steps<R: Real>(limits: &Limits<R>, from: &State<R>, to: &State<R>) -> bool {
+    let numbers =
+        |state: &State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
+    let ([p0, v0, a0], [p1, v1, a1]) = (numbers(from), numbers(to));
+    let jerk = f64::max(limits.jmax.widen(), -limits.jmin.widen());
+    // By the trapezoidal rule. Each plan may step by the roundings of both ends of a tie: 256 of the velocity.
+    let step = 256.0 * R::MACHINE_EPSILON.widen();
+    let of_positions = p1 - p0 - CYCLE * (v0 + v1) / 2.0;
+    let of_velocities = v1 - v0 - CYCLE * (a0 + a1) / 2.0;
+    // The velocities at both ends, and what undoing the accelerations adds.
+    let speed = 3.0 * f64::max(limits.vmax.widen(), -limits.vmin.widen());
+    of_positions.abs() > jerk * CYCLE.powi(3) / 12.0 + step * (p0.abs() + p1.abs() + speed)
+        || of_velocities.abs() > 1.5 * jerk * CYCLE.powi(2) / 4.0 + step * speed
+        // The nearest tick is half a tick away at most.
+        || (a1 - a0).abs() > 1.5 * jerk * CYCLE + step * (a0.abs() + a1.abs())
+}
+
+/// The ticks until the loop arrives, and the ticks that its first plan said. A loop that is late by more than [`SPARE`] ticks ends.
+fn ticks<R: Real>(plan: Plan<R>, problem: &Problem<R>) -> (usize, usize) {
     let Problem { limits, from, to } = problem;
     let mut from = from.clone();
     let mut axes = vec![Move::default(); from.len()];
-    let mut promised = 0;
-    for tick in 0.. {
-        if let Err(error) = plan(&mut axes, limits, &from, to) {
-            if tick > 0 && std::env::var("SHOW").is_ok() {
-                println!("  {error:?} at {tick} of {promised}: {limits:?} {from:?} {to:?}");
-            }
-            return None;
-        }
+    let mut promised = usize::MAX - SPARE;
+    let mut tick = 0;
+    loop {
+        let planned = plan(&mut axes, limits, &from, to);
+        assert!(planned.is_ok(), "{planned:?} at {tick}: {problem:?}");
+        let left = axes[0].t.widen() / CYCLE;
         if tick == 0 {
-            promised = (axes[0].t.widen() / CYCLE).ceil() as usize;
+            promised = left.ceil() as usize;
         }
-        if tick > promised + SPARE || axes[0].t.widen() <= 1.01 * CYCLE {
-            return Some((tick + 1).saturating_sub(promised));
+        if left <= 1.01 || tick > promised + SPARE {
+            return (tick + 1, promised);
         }
-        if std::env::var("SHOW").is_ok() {
-            let left = axes[0].t.widen() / CYCLE + tick as f64 - promised as f64;
-            if left > 2.0 {
-                if std::env::var("SHOW").unwrap() == "2" {
-                    println!("  tick {limits:?} {:?} {to:?}", problem.from);
-                    return Some(3);
-                }
-
-                println!("  tick {tick} of {promised}: {left} late: {limits:?} {from:?} {to:?}");
-                return Some(3);
-            }
+        for ((from, axis), limits) in from.iter_mut().zip(&axes).zip(limits) {
+            let next = axis.state_at(R::of(CYCLE));
+            assert!(
+                !steps(limits, from, &next),
+                "{tick}: {limits:?} {from:?} {next:?}"
+            );
+            *from = next;
         }
-        for (from, axis) in from.iter_mut().zip(&axes) {
-            *from = axis.state_at(R::of(CYCLE));
-        }
+        tick += 1;
     }
-    None
 }
 
-fn loops_arrive_in_time<R: Real>() {
+/// Runs loops with all kinds of ends: how many there are, and how many are late.
+fn late<R: Real>(
+    plan: Plan<R>,
+    counts: &[usize],
+    problem: fn(&mut Random, Ends, usize) -> Problem<R>,
+) -> (usize, usize) {
     let mut random = Random::seeded(24);
-    let mut bad = 0;
-    for ends in [Ends::Moving, Ends::AtZero, Ends::Accelerated] {
-        let plans: [(&str, Plan<R>, &[usize]); 3] = [
-            ("plan", single, &[1]),
-            ("together", together, &[1, 3, 6]),
-            ("line", straight, &[1, 3, 6]),
-        ];
-        for (name, plan, counts) in plans {
-            for &count in counts {
-                if std::env::var("ONLY").is_ok_and(|only| only != format!("{name}{count}")) {
-                    continue;
+    let (mut loops, mut late) = (0, 0);
+    for ends in Ends::ALL {
+        for &count in counts {
+            let problems = (0..LOOPS).map(|_| problem(&mut random, ends, count));
+            for problem in problems.filter(|problem| problem.is_short(plan)) {
+                let (ticks, promised) = ticks(plan, &problem);
+                loops += 1;
+                if ticks > promised + SPARE {
+                    late += 1;
+                    println!("late: {problem:?}");
                 }
-                let (mut refused, mut too_late) = (0, 0);
-                let mut worst = 0;
-                for _ in 0..loops() {
-                    let problem = if name == "line" {
-                        on_a_line(&mut random, ends, count)
-                    } else {
-                        free(&mut random, ends, count)
-                    };
-                    let mut axes = vec![Move::default(); count];
-                    let Problem { limits, from, to } = &problem;
-                    if plan(&mut axes, limits, from, to).is_err() || axes[0].t.widen() > 1.5 {
-                        continue;
-                    }
-                    match late(plan, &problem) {
-                        None => refused += 1,
-                        Some(ticks) if ticks > SPARE => {
-                            too_late += 1;
-                            worst = worst.max(ticks);
-                        }
-                        Some(_) => {}
-                    }
-                }
-                println!(
-                    "{ends:?} {name} {count}: {refused} refused, {too_late} late of {}",
-                    loops()
-                );
-                bad += refused + too_late;
             }
         }
     }
-    assert_eq!(bad, 0);
+    println!("{}: {late} of {loops} loops late", R::NAME);
+    assert!(loops > LOOPS);
+    (loops, late)
 }
 
-test_both_reals!(loops_arrive_in_time);
+fn plans_arrive_in_time<R: Real>() {
+    let (loops, late) = late::<R>(single, &[1], free);
+    assert!(late * ONE_LATE_OF <= loops);
+}
+
+fn axes_arrive_in_time<R: Real>() {
+    let (loops, late) = late::<R>(together, &[1, 3, 6], free);
+    assert!(late * ONE_LATE_OF <= loops);
+}
+
+fn lines_arrive_in_time<R: Real>() {
+    let (loops, late) = late::<R>(straight, &[1, 3, 6], on_a_line);
+    assert!(late * ONE_LATE_OF <= loops);
+}
+
+/// From rest, past a position with the velocity 1 m/s: 17,071 ticks were taken instead of 858.
+fn from_rest_past_a_position<R: Real>() {
+    let state = |position, velocity| State {
+        position: R::of(position),
+        velocity: R::of(velocity),
+        acceleration: R::of(0.0),
+    };
+    let problem = Problem {
+        limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))],
+        from: vec![state(0.0, 0.0)],
+        to: vec![state(1.0, 1.0)],
+    };
+    for plan in [single, together, straight] {
+        let (ticks, promised) = ticks::<R>(plan, &problem);
+        assert!(ticks == 858 && promised <= 859, "{ticks} {promised}");
+    }
+}
+
+/// States in the middle of a line's own motion were refused: of 2,000 lines all.
+fn states_of_a_line_lie_on_it<R: Real>() {
+    let mut random = Random::seeded(24);
+    let mut lines = 0;
+    for number in 0..LOOPS {
+        let ends = Ends::ALL[number % 3];
+        let mut problem = on_a_line::<R>(&mut random, ends, 3);
+        // As many lengths beside 0.
+        let offset = random.pick(&[0.0, 10.0, 1e4]);
+        let Problem { limits, from, to } = &mut problem;
+        for (from, to) in from.iter_mut().zip(to.iter_mut()) {
+            let offset = R::of(random.sign() * offset);
+            from.position = from.position + offset;
+            to.position = to.position + offset;
+        }
+        let mut axes = [Move::default(); 3];
+        if straight(&mut axes, limits, from, to).is_err() {
+            continue;
+        }
+        lines += 1;
+        for _ in 0..20 {
+            let x = R::of(random.unit()) * axes[0].t;
+            let on_the_way = axes.map(|axis| axis.state_at(x));
+            let planned = straight(&mut [Move::default(); 3], limits, &on_the_way, to);
+            assert!(planned.is_ok(), "{planned:?}: {on_the_way:?} {problem:?}");
+        }
+    }
+    println!("{}: {lines} lines", R::NAME);
+    assert!(2 * lines > LOOPS);
+}
+
+test_both_reals!(
+    plans_arrive_in_time,
+    axes_arrive_in_time,
+    lines_arrive_in_time,
+    from_rest_past_a_position,
+    states_of_a_line_lie_on_it
+);

@@ -207,8 +207,8 @@ impl<R: Real> Border<R> {
     }
 
     /// The motion of the duration `t` that gets farthest. `None` if the end cannot be reached in this duration, which is not below that of
-    /// the direct ramp. Roundings of the ends let the duration `slip`, s.
-    pub fn farthest(&self, t: R, slip: R) -> Option<Profile<R>> {
+    /// the direct ramp.
+    pub fn farthest(&self, t: R) -> Option<Profile<R>> {
         let few = R::from(16) * R::EPSILON;
         let straight = self.profile(&Ramp::straight(self.a0, self.a1));
         let waits = t - straight.duration(self.per_jerk);
@@ -226,8 +226,9 @@ impl<R: Real> Border<R> {
             self.without_cruise(t)
         };
         let rounding = few * (self.a0.abs() + self.a1.abs() + profile.fall);
-        let gu = self.per_jerk.gu;
-        let is_rise = |rise: R| rise >= -rounding || gu * rise >= -slip;
+        // A rise that is longer at one end of the fall and shorter at the other changes the velocity by twice the area of the fall.
+        let change = (self.per_jerk.q() + self.per_jerk.q()) * profile.fall;
+        let is_rise = |rise: R| rise >= -rounding || change * -rise <= self.rounding_of_velocity();
         (is_rise(profile.first) && is_rise(profile.last)).then_some(profile)
     }
 
@@ -357,10 +358,12 @@ impl<R: Real> Border<R> {
         let (rising, falling) = if mirrored { (jmin, jmax) } else { (jmax, jmin) };
         // A rise may come out below 0 by rounding. The sum of both stays, and with it the duration.
         let rises = first + last;
-        let first = first.at_least(R::ZERO).at_most(rises);
-        let last = rises - first;
-        // The accelerations at the ends are exact.
-        let [peak, trough] = [peak, trough].map(|a| a.negate_if(mirrored));
+        let first_rise = first.at_least(R::ZERO).at_most(rises);
+        let last = rises - first_rise;
+        // Then the fall begins and ends at other accelerations. Those at the ends of the motion are exact.
+        let moved = first_rise - first;
+        let first = first_rise;
+        let [peak, trough] = [peak, trough].map(|a| (a + moved).negate_if(mirrored));
         let peak = if first + top > R::ZERO { peak } else { self.a0 };
         let trough = if last + bottom > R::ZERO {
             trough

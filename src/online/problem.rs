@@ -100,7 +100,7 @@ impl<R: Real> Problem<R> {
             .at_most(duration / R::from(64));
         Slip {
             most,
-            little: (R::HALF * R::HALF * most).at_most(R::from(8) * R::DOUBT * (duration + easing)),
+            little: most.at_most(R::from(8) * R::DOUBT * (duration + easing)),
             at_start: start / (start + end),
         }
     }

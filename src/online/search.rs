@@ -34,22 +34,25 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profil
         }
     }
     let direct = border.direct(excess);
-    let fitted = match first_from(border, &direct, h, positions) {
+    let last_before_gap = match first_from(border, &direct, h, positions) {
         Ok(first) => return without_detour(border, first, &direct, h, positions),
         Err(start_of_gap) => start_of_gap.as_ramp(),
     };
-    let (lacks, tie) = lacking(border, &fitted, h, positions);
+    let (lacks, tie) = lacking(border, &last_before_gap, h, positions);
     if lacks.abs() <= tie {
-        return border.profile(&fitted);
+        return border.profile(&last_before_gap);
     }
     let behind = border.behind_gap();
     let first = first_from(border, &behind, h, positions);
     let first = first.unwrap_or_else(|_| border.profile(&behind));
-    let first = without_detour(border, first, &fitted, h, positions);
-    without_detour(border, first, &direct, h, positions)
+    // The fastest ramp is the last one that is tried.
+    let ramps = [behind, last_before_gap, direct];
+    let shorter = |first, ramp: &_| without_detour(border, first, ramp, h, positions);
+    ramps.iter().fold(first, shorter)
 }
 
-/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only. If a gap comes first, the last motion before it.
+/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only. If a gap comes first, the last
+/// motion before it.
 fn first_from<R: Real>(
     border: &Border<R>,
     ramp: &Ramp<R>,
@@ -98,7 +101,8 @@ fn without_detour<R: Real>(
     let (duration, displacement) = border.passed(&fitted);
     let lacks = h - (displacement - change * duration);
     let tie = tie(border, duration, positions);
-    let longest = duration + R::SIXTEENTH * duration;
+    // The ticks of a loop are no shorter than this.
+    let longest = duration + R::SIXTEENTH * R::SIXTEENTH * duration;
     let is_detour = motion.duration(border.per_jerk.mirrored_if(motion.mirrored)) > longest;
     if is_detour && lacks.abs() <= tie {
         border.profile(&fitted)
@@ -120,19 +124,11 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
 }
 
 /// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
-pub(crate) fn next_duration<R: Real>(
-    border: &Border<R>,
-    mut t: R,
-    h: R,
-    positions: R,
-    slip: R,
-) -> R {
+pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positions: R) -> R {
     // A displacement may become impossible once, and a gap may follow, on each side.
     for _ in 0..4 {
         let mirrored = border.mirrored();
-        let (Some(farthest), Some(nearest)) =
-            (border.farthest(t, slip), mirrored.farthest(t, slip))
-        else {
+        let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
             t = border.passed(&border.behind_gap()).0;
             continue;
         };

@@ -61,8 +61,8 @@ impl<'a, R: Real> Writer<'a, R> {
     pub fn end(self, to: State<R>) {
         let Self { ctx, t, count } = self;
         let State {
-            mut position,
-            mut velocity,
+            position,
+            velocity,
             acceleration,
         } = to;
         if let Some(end) = ctx.phase.get_mut(count) {
@@ -74,21 +74,7 @@ impl<'a, R: Real> Writer<'a, R> {
                 ..Phase::default()
             };
         }
-        for phase in ctx
-            .phase
-            .get_mut(1..count)
-            .unwrap_or_default()
-            .iter_mut()
-            .rev()
-        {
-            let segment = Segment {
-                from: phase.acceleration,
-                jerk: phase.jerk,
-                duration: phase.duration,
-            };
-            (position, velocity) = segment.start(position, velocity);
-            (phase.position, phase.velocity) = (position, velocity);
-        }
+        ctx.find_states(count);
         ctx.t = t;
         ctx.count = count as u32;
     }
@@ -134,26 +120,22 @@ impl<R: Real> Move<R> {
     }
 
     /// Lets the move take the duration `t`, which differs by roundings of the states at both ends. The part `at_start` of the slip lets the
-    /// move begin later or earlier on its way, the rest lets it end later or earlier.
+    /// move begin later or earlier on its way, the rest lets it end later or earlier. The states are found from the end again, so a loop
+    /// that plans anew in the next tick begins where the slip is over.
     pub(crate) fn slip(&mut self, t: R, at_start: R) {
         let slip = self.t - t;
         let count = self.phase_count();
         // A few roundings of the time do not show.
         if slip.abs() > R::from(8) * R::EPSILON * t {
-            let mut late = slip * at_start.at_least(R::ZERO);
+            let mut late = slip * at_start;
             let mut early = slip - late;
             for phase in self.phase.iter_mut().take(count).skip(2) {
                 phase.start = (phase.start - late).at_least(R::ZERO);
             }
             for phase in self.phase.iter_mut().take(count).skip(1) {
                 let passed = late.at_most(phase.duration);
-                *phase = Phase {
-                    duration: phase.duration - passed,
-                    position: phase.position(passed),
-                    velocity: phase.velocity(passed),
-                    acceleration: phase.acceleration(passed),
-                    ..*phase
-                };
+                phase.acceleration = phase.acceleration(passed);
+                phase.duration = phase.duration - passed;
                 late = late - passed;
             }
             for phase in self.phase.iter_mut().take(count).skip(1).rev() {
@@ -161,8 +143,25 @@ impl<R: Real> Move<R> {
                 phase.duration = phase.duration - left_out;
                 early = early - left_out;
             }
+            self.find_states(count);
         }
         self.end_at(t);
+    }
+
+    /// Finds the states at the start of each phase from the end.
+    fn find_states(&mut self, count: usize) {
+        let end = self.phase.get(count).copied().unwrap_or_default();
+        let (mut position, mut velocity) = (end.position, end.velocity);
+        let phases = self.phase.get_mut(1..count).unwrap_or_default();
+        for phase in phases.iter_mut().rev() {
+            let segment = Segment {
+                from: phase.acceleration,
+                jerk: phase.jerk,
+                duration: phase.duration,
+            };
+            (position, velocity) = segment.start(position, velocity);
+            (phase.position, phase.velocity) = (position, velocity);
+        }
     }
 
     /// Lets a move from rest to rest take the longer duration `t`. In slow motion it keeps all limits and makes the same way.

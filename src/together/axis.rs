@@ -60,7 +60,7 @@ pub(super) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
     if can_wait || Cruise::of(problem, t).is_some() {
         t
     } else {
-        blend::next_duration(problem, t, R::ZERO)
+        blend::next_duration(problem, t)
     }
 }
 
@@ -75,8 +75,7 @@ pub(super) fn may_slip<R: Real>(
     let slip = problem.slip(axis.t);
     let most = if is_detour { slip.most } else { slip.little };
     let is_later = t >= axis.t;
-    (t - axis.t).abs() <= most
-        || is_later && (next_duration(problem, t) <= t || Blend::nearly(problem, t).is_some())
+    (t - axis.t).abs() <= most || is_later && next_duration(problem, t) <= t
 }
 
 /// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
@@ -91,8 +90,7 @@ pub(super) fn stretch<R: Real>(
     if longer.abs() <= R::from(4) * R::EPSILON * t {
         axis.end_at(t);
     } else if longer < R::ZERO {
-        let slip = slip();
-        axis.slip(t, slip.at_start);
+        axis.slip(t, slip().at_start);
     } else if is_slow && axis.t > R::EPSILON * t {
         // The jerk falls by the third power of the factor. It stays within the range of the real type.
         axis.slow_down(t);
@@ -102,10 +100,7 @@ pub(super) fn stretch<R: Real>(
         blend.write(problem, axis, t);
     } else {
         let slip = slip();
-        let nearly = Blend::nearly(problem, t).filter(|_| longer > slip.most);
-        if let Some(blend) = nearly {
-            blend.write(problem, axis, t);
-        } else if longer > slip.most && problem.to().is_at_rest() {
+        if longer > slip.most && problem.to().is_at_rest() {
             // Where roundings hide the wait from both, the axis waits at its target.
             axis.wait_until(t);
         } else {

@@ -19,11 +19,11 @@ pub(super) struct Blend<R> {
     share: R,
 }
 
-/// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s. A gap may slip by `slip`, s.
-pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R, slip: R) -> R {
+/// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s.
+pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
     let t = problem.behind_inside(duration);
     let (h, positions) = problem.displacement();
-    let next = search::next_duration(&problem.border, t, h, positions, slip);
+    let next = search::next_duration(&problem.border, t, h, positions);
     if next > t {
         problem.with_inside(next)
     } else {
@@ -35,15 +35,7 @@ impl<R: Real> Blend<R> {
     /// A motion of this duration, if one is possible: a slow one if there is one.
     pub fn of(problem: &Problem<R>, duration: R) -> Option<Self> {
         let (h, t) = (problem.displacement().0, problem.behind_inside(duration));
-        Self::slow(problem, duration).or_else(|| Self::over(&problem.border, h, t, R::ZERO))
-    }
-
-    /// A motion of this duration, if roundings of the states at both ends make one possible.
-    pub fn nearly(problem: &Problem<R>, duration: R) -> Option<Self> {
-        let (h, t) = (problem.displacement().0, problem.behind_inside(duration));
-        let slip = problem.slip(duration).most;
-        let nearly = Self::over(&problem.border, h, t, slip)?;
-        (next_duration(problem, duration, slip) <= duration).then_some(nearly)
+        Self::slow(problem, duration).or_else(|| Self::over(&problem.border, h, t))
     }
 
     /// The mean of both motions on the border of this duration, if the interval of the duration holds the displacement.
@@ -52,22 +44,22 @@ impl<R: Real> Blend<R> {
         let border = &problem.border;
         let (shortest, _) = border.passed(&border.direct(border.beyond_straight()));
         let lasts = t >= shortest && t > R::ZERO;
-        Self::over(border, h, lasts.then_some(t)?, R::ZERO).filter(Self::keeps_limits)
+        Self::over(border, h, lasts.then_some(t)?).filter(Self::keeps_limits)
     }
 
     /// A slow motion of this duration, if there is one.
     fn slow(problem: &Problem<R>, duration: R) -> Option<Self> {
         let (h, t) = (problem.displacement().0, problem.behind_inside(duration));
-        Self::over(&slower(&problem.border, h, t), h, t, R::ZERO).filter(Self::keeps_limits)
+        Self::over(&slower(&problem.border, h, t), h, t).filter(Self::keeps_limits)
     }
 
     /// The mean over `h` of the motions of the duration `t`. `None` if the end cannot be reached in this duration.
-    fn over(border: &Border<R>, h: R, t: R, slip: R) -> Option<Self> {
+    fn over(border: &Border<R>, h: R, t: R) -> Option<Self> {
         let mirrored = border.mirrored();
-        let farthest = border.farthest(t, slip)?;
+        let farthest = border.farthest(t)?;
         let nearest = Profile {
             mirrored: true,
-            ..mirrored.farthest(t, slip)?
+            ..mirrored.farthest(t)?
         };
         let most = border.displacement(&farthest);
         let least = -mirrored.displacement(&nearest);
