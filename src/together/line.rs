@@ -52,8 +52,8 @@ pub fn line<R: Real>(
     Ok(problem.findings(&lead))
 }
 
-/// A straight line in the space of all axes. The axis with the longest way leads. Its positions are counted from its end, so they have the
-/// roundings of the way alone.
+/// A straight line in the space of all axes. The axis with the longest way leads; of ways that are as long, the one with the finest
+/// roundings. Its positions are counted from its end, so they have the roundings of the way alone.
 struct Line<R> {
     /// The lead at the start.
     from: State<R>,
@@ -72,30 +72,27 @@ impl<'a, R: Real + 'a> Line<R> {
     /// The line along which the axis with the longest way leads.
     fn through(ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Self, Error> {
         let braking = ends.clone().map(braking).fold(R::ZERO, R::at_least);
-        let mut line = Self {
-            from: State::default(),
-            to: State::default(),
-            positions: R::ZERO,
+        let leads = ends.map(|(_, (from, to))| Self {
+            from: State {
+                position: from.position - to.position,
+                ..*from
+            },
+            to: State {
+                position: R::ZERO,
+                ..*to
+            },
+            positions: from.position.abs() + to.position.abs(),
             braking,
             by_velocity: braking,
-        };
-        for (_, (from, to)) in ends {
-            let lead = Self {
-                from: State {
-                    position: from.position - to.position,
-                    ..*from
-                },
-                to: State {
-                    position: R::ZERO,
-                    ..*to
-                },
-                positions: from.position.abs() + to.position.abs(),
-                ..line
-            };
-            if lead.reach() >= line.reach() {
-                line = lead;
+        });
+        let longer = |one: Self, other: Self| {
+            if other.certain() >= one.certain() {
+                other
+            } else {
+                one
             }
-        }
+        };
+        let mut line = leads.reduce(longer).ok_or(Error::Axes)?;
         let way = line.from.position.abs();
         if way > R::HALF * line.reach() {
             line.by_velocity = R::ZERO;
@@ -110,6 +107,15 @@ impl<'a, R: Real + 'a> Line<R> {
     /// The way, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
     fn reach(&self) -> R {
         self.from.position.abs() + self.braking * self.speeds()
+    }
+
+    /// The reach without the part that the roundings of the positions make uncertain.
+    fn certain(&self) -> R {
+        let reach = self.reach();
+        // Both positions and their difference are rounded.
+        let uncertain = R::from(4) * R::EPSILON * self.positions;
+        let part = reach / (reach + uncertain);
+        if part > R::ZERO { reach * part } else { reach }
     }
 
     fn speeds(&self) -> R {

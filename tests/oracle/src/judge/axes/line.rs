@@ -84,12 +84,15 @@ pub fn judge<R: Original>(
     };
     let (shares, lead) = shares(set);
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
+    let of_lead = Trial::new(lead_of(set, &shares, lead));
+    let scale = scale_of_a_slip(&of_lead, &axes[lead], &axes[lead]);
     let timing = Timing {
-        axes: &[Trial::new(lead_of(set, &shares, lead))],
+        axes: &[of_lead],
+        scales: &[scale],
         duration,
         cycle,
     };
-    wrong_motions(set, &timing.axes[0], (&shares, lead), &axes, random)
+    wrong_motions(set, &scale, (&shares, lead), &axes, random)
         .filter(|bad| !is_excused(bad))
         .or_else(|| timing.wrong(axes[0].t.widen(), || None))
 }
@@ -97,13 +100,12 @@ pub fn judge<R: Original>(
 /// Whether a motion is none, or leaves the line.
 fn wrong_motions<R: Original>(
     set: &Set<R>,
-    of_lead: &Trial<R>,
+    of_lead: &Scale,
     (shares, lead): (&[R], usize),
     axes: &[Move<R>],
     random: &mut Random,
 ) -> Option<Bad> {
     let t = axes[lead].t;
-    let of_lead = scale_of_a_slip(of_lead, &axes[lead], &axes[lead]);
     let [p0, p1] = [set.axes[lead].from, set.axes[lead].to].map(|end| end.position.widen().abs());
     for (k, problem) in set.axes.iter().enumerate() {
         if axes[k].t.low_bits() != t.low_bits() {

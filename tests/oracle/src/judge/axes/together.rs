@@ -84,6 +84,8 @@ pub fn slips<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> bool {
 pub struct Timing<'a, R> {
     /// The axes that share the duration.
     pub axes: &'a [Trial<R>],
+    /// How much larger than their own scale the numbers of each axis may be.
+    pub scales: &'a [Scale],
     /// The least duration, s.
     pub duration: f64,
     /// The period of the clock, s; 0: none.
@@ -107,7 +109,8 @@ impl<R: Original> Timing<'_, R> {
             let what = "the duration is not a multiple of the cycle";
             return Some((0, Verdict::Wrong(what)));
         }
-        let impossible = self.axes.iter().position(|axis| !axis.is_possible(t));
+        let mut axes = self.axes.iter().zip(self.scales);
+        let impossible = axes.position(|(axis, more)| !axis.is_possible(t, more));
         if let Some(axis) = impossible {
             return Some((axis, Verdict::Impossible));
         }
@@ -168,12 +171,18 @@ pub fn judge<R: Original>(
     };
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
+    let scales: Vec<_> = trials
+        .iter()
+        .zip(&axes)
+        .map(|(trial, axis)| scale_of_a_slip(trial, axis, axis))
+        .collect();
     let timing = Timing {
         axes: &trials,
+        scales: &scales,
         duration,
         cycle,
     };
-    wrong_motions(&trials, &axes, random)
+    wrong_motions(&trials, &scales, &axes, random)
         .or_else(|| wrong_fastest(set, &axes))
         .or_else(|| wrong_findings(&trials, &axes, found))
         .or_else(|| {
@@ -192,6 +201,7 @@ pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
 /// Whether a motion is none, or the axes do not arrive together.
 fn wrong_motions<R: Original>(
     trials: &[Trial<R>],
+    scales: &[Scale],
     axes: &[Move<R>],
     random: &mut Random,
 ) -> Option<Bad> {
@@ -200,8 +210,7 @@ fn wrong_motions<R: Original>(
         if axis.t.low_bits() != t.low_bits() {
             return Some((k, Verdict::Wrong("the axes do not arrive together")));
         }
-        let more = scale_of_a_slip(trial, axis, axis);
-        if let Some(what) = trial.wrong_states(&plan_of(axis), &more, random) {
+        if let Some(what) = trial.wrong_states(&plan_of(axis), &scales[k], random) {
             return Some((k, Verdict::Wrong(what)));
         }
     }
