@@ -80,6 +80,7 @@ impl<R: Real> Problem<R> {
         let border = &self.border;
         let Border { v0, a0, v1, a1, .. } = *border;
         let q = border.per_jerk.q();
+        let steepest = border.per_jerk.gu.at_most(border.per_jerk.gd);
         let speed = v0.abs().at_least(v1.abs()) + border.undone;
         let highest = border.limits.amax.at_least(-border.limits.amin);
         let easing = (speed * q).sqrt().at_most(highest * q);
@@ -96,7 +97,7 @@ impl<R: Real> Problem<R> {
         };
         let (start, end) = (of_end(v0, a0), of_end(v1, a1));
         let most = (start + end)
-            .at_most((velocity * q).sqrt())
+            .at_most((velocity * steepest).sqrt())
             .at_most(duration / R::from(64));
         Slip {
             most,

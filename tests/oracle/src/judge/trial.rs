@@ -227,13 +227,10 @@ impl<R: Original> Trial<R> {
             .chain(others.map(|(_, duration)| duration))
     }
 
-    /// Whether the target, but for a few roundings of both ends, can be reached in this duration. The ends may be larger than the motion's own
-    /// scale by `more`.
-    pub fn is_possible(&self, duration: f64, more: &Scale) -> bool {
+    /// Whether the target, but for a few roundings of both ends, can be reached in this duration.
+    pub fn is_possible(&self, duration: f64) -> bool {
         let tolerance = tolerance::<R>();
         let [position, velocity] = self.roundings(duration);
-        let position = position + doubt::<R>() * more.position;
-        let velocity = velocity + doubt::<R>() * more.velocity;
         let reached = |t: f64, beside| self.motion.lacks(t, beside).abs() <= position;
         let times = [1.0, 1.0 + tolerance, 1.0 - tolerance].map(|factor| factor * duration);
         times.iter().any(|&t| reached(t, [0.0; 3]))

@@ -1,7 +1,7 @@
 //! What is wrong with axes on a straight line.
 
 use super::problems::Set;
-use super::together::{Bad, Planner, Timing, plan_of, scale_of_a_slip, scale_of_short_ramps};
+use super::together::{Bad, Planner, Timing, plan_of, scale_of_a_slip, scale_of_short_ramps, slip};
 use crate::judge::problem::{Problem, parts, widened};
 use crate::judge::trial::{Scale, Trial, Verdict, doubt};
 use crate::liba::abi::Original;
@@ -85,10 +85,11 @@ pub fn judge<R: Original>(
     let (shares, lead) = shares(set);
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
     let of_lead = Trial::new(lead_of(set, &shares, lead));
-    let scale = scale_of_a_slip(&of_lead, &axes[lead], &axes[lead]);
+    let slip = slip(of_lead.problem(), &axes[lead]);
+    let scale = scale_of_a_slip(&of_lead, &axes[lead], slip);
     let timing = Timing {
         axes: &[of_lead],
-        scales: &[scale],
+        slips: &[slip],
         duration,
         cycle,
     };

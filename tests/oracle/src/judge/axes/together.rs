@@ -4,7 +4,7 @@ use super::problems::Set;
 use crate::judge::planner::Plan;
 use crate::judge::problem::Problem;
 use crate::judge::rivals::{fits_ruckig, ruckig};
-use crate::judge::trial::{LEAVES, Scale, Trial, Verdict, are_of_a_move, tolerance};
+use crate::judge::trial::{LEAVES, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
@@ -58,34 +58,43 @@ pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scal
     }
 }
 
-/// What the numbers of an axis may be larger, beside their own scale. The duration may be that of a missed tick, shorter than the fastest
-/// motion of `planned`, its lead, by roundings. Then both ends change by up to eight times as many roundings.
-pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, lead: &Move<R>, axis: &Move<R>) -> Scale {
-    let t = lead.t.widen();
-    let more = scale_of_short_ramps(planned, t);
-    let slips = slips(planned.problem(), lead);
-    let own = Scale::of(planned.problem(), &plan_of(axis));
-    if slips {
-        more.and(&own).times(8.0)
-    } else {
-        more
+/// By how much the numbers of an axis may be larger than their own scale. The axis may slip, s: it arrives at a tick that its fastest motion
+/// misses by roundings.
+///
+/// Then both ends change by up to eight times as many roundings of positions and velocities. A slip is a shift in time, so the acceleration
+/// changes by what the jerk changes in the slip. The positions and the velocities limit the slip.
+pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f64) -> Scale {
+    let more = scale_of_short_ramps(planned, axis.t.widen());
+    if slip == 0.0 {
+        return more;
     }
+    let [.., jmax, jmin] = planned.motion().limits;
+    let own = Scale::of(planned.problem(), &plan_of(axis));
+    more.and(&own).times(8.0).and(&Scale {
+        acceleration: jmax.max(-jmin) * slip / doubt::<R>(),
+        ..Scale::default()
+    })
 }
 
-/// Whether an axis arrives earlier than its fastest move does, at a tick which the move misses by roundings.
-pub fn slips<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> bool {
+/// By how much an axis arrives earlier than its fastest move does, at a tick which the move misses by roundings, s; 0 if it does not.
+pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let mut fastest = Move::default();
     let planned = fastest.plan(&problem.limits, problem.from, problem.to);
     let t = axis.t.widen();
-    planned.is_ok() && fastest.t.widen() - t > 8.0 * R::MACHINE_EPSILON.widen() * t
+    let slip = fastest.t.widen() - t;
+    if planned.is_ok() && slip > 8.0 * R::MACHINE_EPSILON.widen() * t {
+        slip
+    } else {
+        0.0
+    }
 }
 
 /// The durations of a set.
 pub struct Timing<'a, R> {
     /// The axes that share the duration.
     pub axes: &'a [Trial<R>],
-    /// How much larger than their own scale the numbers of each axis may be.
-    pub scales: &'a [Scale],
+    /// By how much each axis arrives before its fastest move, s.
+    pub slips: &'a [f64],
     /// The least duration, s.
     pub duration: f64,
     /// The period of the clock, s; 0: none.
@@ -109,8 +118,9 @@ impl<R: Original> Timing<'_, R> {
             let what = "the duration is not a multiple of the cycle";
             return Some((0, Verdict::Wrong(what)));
         }
-        let mut axes = self.axes.iter().zip(self.scales);
-        let impossible = axes.position(|(axis, more)| !axis.is_possible(t, more));
+        // The states of an axis that slips are judged by themselves.
+        let mut axes = self.axes.iter().zip(self.slips);
+        let impossible = axes.position(|(axis, slip)| !axis.is_possible(t + slip));
         if let Some(axis) = impossible {
             return Some((axis, Verdict::Impossible));
         }
@@ -171,18 +181,19 @@ pub fn judge<R: Original>(
     };
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
-    let scales: Vec<_> = trials
+    let slips: Vec<_> = set
+        .axes
         .iter()
         .zip(&axes)
-        .map(|(trial, axis)| scale_of_a_slip(trial, axis, axis))
+        .map(|(problem, axis)| slip(problem, axis))
         .collect();
     let timing = Timing {
         axes: &trials,
-        scales: &scales,
+        slips: &slips,
         duration,
         cycle,
     };
-    wrong_motions(&trials, &scales, &axes, random)
+    wrong_motions(&trials, &slips, &axes, random)
         .or_else(|| wrong_fastest(set, &axes))
         .or_else(|| wrong_findings(&trials, &axes, found))
         .or_else(|| {
@@ -201,7 +212,7 @@ pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
 /// Whether a motion is none, or the axes do not arrive together.
 fn wrong_motions<R: Original>(
     trials: &[Trial<R>],
-    scales: &[Scale],
+    slips: &[f64],
     axes: &[Move<R>],
     random: &mut Random,
 ) -> Option<Bad> {
@@ -210,7 +221,8 @@ fn wrong_motions<R: Original>(
         if axis.t.low_bits() != t.low_bits() {
             return Some((k, Verdict::Wrong("the axes do not arrive together")));
         }
-        if let Some(what) = trial.wrong_states(&plan_of(axis), &scales[k], random) {
+        let more = scale_of_a_slip(trial, axis, slips[k]);
+        if let Some(what) = trial.wrong_states(&plan_of(axis), &more, random) {
             return Some((k, Verdict::Wrong(what)));
         }
     }
@@ -223,7 +235,7 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
         let mut fastest = Move::default();
         let planned = fastest.plan(&problem.limits, problem.from, problem.to);
         // An axis that slips begins and ends beside its fastest move by roundings, and is judged like any other.
-        let is_slowest = planned.is_ok() && fastest.t >= axis.t && !slips(problem, axis);
+        let is_slowest = planned.is_ok() && fastest.t >= axis.t && slip(problem, axis) == 0.0;
         // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
         for phase in &mut fastest.phase {
             phase.start = if phase.start > axis.t {
