@@ -230,25 +230,49 @@ fn beside_the_line<R: Real>() {
         let has_other = (0..set.axes.len()).any(|axis| axis != k && moves(axis));
         let (limits, from, to) = set.columns();
         let mut axes = vec![Move::default(); from.len()];
-        let planned = line(&mut axes, &limits, &from, &to, set.duration, set.cycle);
+        // The fastest motion has the largest numbers.
+        let any = R::of(0.0);
+        let planned = line(&mut axes, &limits, &from, &to, any, any);
         if !has_other || planned.is_err() {
             continue;
         }
         let Extremes { lowest, highest } = axes[k].extremes();
         let most = |low: R, high: R| f64::max(-low.widen(), high.widen());
-        let velocity = most(lowest.velocity, highest.velocity);
-        let acceleration = most(lowest.acceleration, highest.acceleration);
+        // A motion may have passed the largest numbers within its limits, and has their roundings. Without a limit, none of these sets gets
+        // beyond 1e3 roundings of 1e3.
+        let within = |reached: f64, limit: f64| {
+            if limit.is_finite() {
+                reached.max(limit)
+            } else {
+                reached.max(1e3)
+            }
+        };
+        let own = &limits[k];
+        let velocity = within(
+            most(lowest.velocity, highest.velocity),
+            most(own.vmin, own.vmax),
+        );
+        let acceleration = within(
+            most(lowest.acceleration, highest.acceleration),
+            most(own.amin, own.amax),
+        );
         // A short way between far positions has a rounded direction, and so has a long way there and back.
+        let ways = from
+            .iter()
+            .zip(&to)
+            .map(|(from, to)| (to.position - from.position).widen().abs());
+        let longest = ways.fold(0.0, f64::max);
         let mut roundings = 1e4;
         for (axis, (from, to)) in axes.iter().zip(from.iter().zip(&to)) {
             let [p0, p1] = [from, to].map(|end| end.position.widen());
             let Extremes { lowest, highest } = axis.extremes();
             let largest = most(lowest.position, highest.position);
-            roundings += if p0 == p1 {
-                0.0
-            } else {
-                256.0 * largest / (p1 - p0).abs()
-            };
+            let way = if p0 == p1 { longest } else { (p1 - p0).abs() };
+            roundings += 256.0 * largest / way;
+        }
+        // A way that is lost in these roundings tells no direction. Then the velocity alone does, and any velocity is right.
+        if roundings * R::MACHINE_EPSILON.widen() > 1e-2 {
+            continue;
         }
         let far = |most: f64| {
             R::of(if most == 0.0 {
