@@ -29,7 +29,7 @@ pub(crate) struct Problem<R> {
 pub(crate) struct Slip<R> {
     /// s
     pub most: R,
-    /// So little that the acceleration changes by its roundings only, s.
+    /// So little that the acceleration changes by its roundings only, eight times those of a check, s.
     pub little: R,
     /// The part of a slip at the start. The rest is at the end. So both ends change by as many of their roundings.
     pub at_start: R,
@@ -85,6 +85,7 @@ impl<R: Real> Problem<R> {
         let highest = border.limits.amax.at_least(-border.limits.amin);
         let easing = (speed * q).sqrt().at_most(highest * q);
         let position = search::tie(border, duration + easing, self.displacement().1);
+        // The roundings of 16 plans.
         let velocity = R::from(16) * border.rounding_of_velocity();
         // A standstill is exact.
         let of_end = |v: R, a: R| {
@@ -96,6 +97,7 @@ impl<R: Real> Problem<R> {
             }
         };
         let (start, end) = (of_end(v0, a0), of_end(v1, a1));
+        // The jerk changes the velocity by its roundings only, and the phases stay.
         let most = (start + end)
             .at_most((velocity * steepest).sqrt())
             .at_most(duration / R::from(64));
