@@ -86,11 +86,11 @@ impl<R: Real> Sweep<R> {
             return count as usize;
         }
         let rate = R::ONE / self.dt;
-        let crossings = borders.map(|border| self.crossing(border, rate, count));
+        let crossings = sorted(borders.map(|border| self.crossing(border, rate, count)));
+        let mut starts = crossings.into_iter().rev();
         let mut end = count;
         while end > 0 {
-            let behind = crossings.map(|crossing| if crossing < end { crossing } else { 0 });
-            let start = behind.into_iter().fold(0, i32::max);
+            let start = starts.next().unwrap_or(0);
             if target::samples_are_few(end - start, Self::VECTOR) {
                 self.sample_each(start..end, &mut outputs, profile);
             } else {
@@ -205,6 +205,19 @@ impl<R: Real> Sweep<R> {
     fn time(self, k: i32) -> R {
         self.x0 + R::from_index(k) * self.dt
     }
+}
+
+/// The numbers in ascending order. They come nearly in order, or nearly in the opposite one.
+fn sorted<const N: usize>(mut numbers: [i32; N]) -> [i32; N] {
+    for end in 1..N {
+        for place in (0..end).rev() {
+            match numbers.get_mut(place..) {
+                Some([one, other, ..]) if *one > *other => core::mem::swap(one, other),
+                _ => break,
+            }
+        }
+    }
+    numbers
 }
 
 /// A comparison of time with a constant: true before it, false after it and for a NaN.

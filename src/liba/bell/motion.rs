@@ -205,16 +205,24 @@ impl<R: Real> Bell<R> {
     /// Acceleration in the caller's axis.
     #[inline(always)]
     fn acceleration_in(&self, phase: Phase, x: R) -> R {
-        let acceleration = match phase {
-            Phase::Before | Phase::Cruise | Phase::After => return R::ZERO,
+        match phase {
+            Phase::Before | Phase::Cruise | Phase::After => R::ZERO,
+            _ => self.orient(self.forward_acceleration_in(phase, x)),
+        }
+    }
+
+    /// Acceleration in the forward axis.
+    #[inline(always)]
+    fn forward_acceleration_in(&self, phase: Phase, x: R) -> R {
+        match phase {
+            Phase::Before | Phase::Cruise | Phase::After => R::ZERO,
             Phase::AccelerationRises => self.jm * x,
             Phase::AccelerationHolds => self.am,
             Phase::AccelerationFalls => -self.jm * (x - self.ta),
             Phase::DecelerationRises => -self.jm * (x - self.t + self.td),
             Phase::DecelerationHolds => self.dm,
             Phase::DecelerationFalls => self.jm * (x - self.t),
-        };
-        self.orient(acceleration)
+        }
     }
 
     /// Position and velocity in the forward axis, acceleration and jerk in the caller's axis.
@@ -281,14 +289,17 @@ impl<R: Real> Sampled<R, 4, 10> for Bell<R> {
         if phase != bell.phase(run.x, is_not_from) {
             return run.fill(|x| bell.each(x));
         }
-        let backward = bell.is_backward();
-        let [p0, p1, v0, v1] = [bell.p0, bell.p1, bell.v0, bell.v1].map(|y| y.negate_if(backward));
+        // Products with the direction turn the ends once, and the results without a branch. The factors of accelerations are turned once.
+        let direction = bell.orient(R::ONE);
+        let [p0, p1, v0, v1] = [bell.p0, bell.p1, bell.v0, bell.v1].map(|y| direction * y);
+        let [jm, am, dm] = [bell.jm, bell.am, bell.dm].map(|y| direction * y);
+        let turned = Self { jm, am, dm, ..bell };
         let jerk = bell.jerk(run.x);
         in_phase!(phase, PHASE of Before AccelerationRises AccelerationHolds AccelerationFalls Cruise
             DecelerationRises DecelerationHolds DecelerationFalls After => run.fill(|x| [
-            bell.position_in(PHASE, x, p0, p1, v0, v1).negate_if(backward),
-            bell.velocity_in(PHASE, x, v0, v1).negate_if(backward),
-            bell.acceleration_in(PHASE, x),
+            direction * bell.position_in(PHASE, x, p0, p1, v0, v1),
+            direction * bell.velocity_in(PHASE, x, v0, v1),
+            turned.forward_acceleration_in(PHASE, x),
             jerk,
         ]))
     }
