@@ -40,8 +40,8 @@ impl<R: Real> Cruise<R> {
         Self::over(&problem.border, h, t)
     }
 
-    /// The slope of the displacement is positive wherever the axis cruises. A step of Newton's method fits a quadratic. A step that leaves the
-    /// range which holds the velocity becomes a halving of the range.
+    /// The slope of the displacement is positive wherever the axis cruises. A step of Newton's method fits a quadratic. The first step that
+    /// leaves the range that holds the velocity becomes a step to its end, and each later one becomes a halving of the range.
     fn over(border: &Border<R>, h: R, t: R) -> Option<Self> {
         let reversed = border.reversed();
         let mean = h / t;
@@ -51,6 +51,7 @@ impl<R: Real> Cruise<R> {
         let mut low = border.limits.vmin.at_least(-fastest);
         let mut high = border.limits.vmax.at_most(fastest);
         let mut v = mean;
+        let mut is_end_asked = false;
         for _ in 0..MOST_ROUNDS {
             let cruise = Self::at(border, &reversed, v, t);
             let beyond = cruise.displacement() - h;
@@ -58,19 +59,24 @@ impl<R: Real> Cruise<R> {
             if beyond.abs() <= R::from(4) * rounding {
                 return (cruise.c >= R::ZERO).then_some(cruise);
             }
-            if beyond > R::ZERO {
+            let end = if beyond > R::ZERO { low } else { high };
+            let is_end = v == end;
+            if is_end {
+                // The velocity is between the end and the velocities before.
+            } else if beyond > R::ZERO {
                 high = v;
             } else {
                 low = v;
             }
             let next = v - cruise.step(beyond);
-            let halved = low + R::HALF * (high - low);
-            let next = if next > low && next < high {
+            v = if !is_end && next > low && next < high {
                 next
+            } else if is_end_asked {
+                low + R::HALF * (high - low)
             } else {
-                halved
+                is_end_asked = true;
+                end
             };
-            v = next;
         }
         None
     }
