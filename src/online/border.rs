@@ -126,7 +126,7 @@ impl<R: Real> Border<R> {
     /// `None` if the change is more than rounding.
     pub fn fitted(&self, ramp: &Ramp<R>, lacks: R) -> Option<(Ramp<R>, R)> {
         let mirrored = ramp.mirrored;
-        let [v0, a0, lacks] = [self.v0, self.a0, lacks].map(|x| x.negate_if(mirrored));
+        let [v0, lacks] = [self.v0, lacks].map(|x| x.negate_if(mirrored));
         let limit = if mirrored {
             -self.limits.amin
         } else {
@@ -134,10 +134,10 @@ impl<R: Real> Border<R> {
         };
         let per_jerk = self.per_jerk.mirrored_if(mirrored);
         // While the axis holds its highest acceleration longer, it travels at its velocity there, and before at a lower velocity.
-        let faster = v0 + per_jerk.straight(a0, ramp.peak) - ramp.peak * per_jerk.gu * ramp.rise;
-        let (fitted, change) = ramp.longer(lacks / faster, limit, per_jerk)?;
-        (change.abs() <= self.rounding_of_velocity())
-            .then_some((fitted, change.negate_if(mirrored)))
+        let faster = v0 - R::HALF * per_jerk.gu * ramp.rise * ramp.rise;
+        let most = self.rounding_of_velocity();
+        let (fitted, change) = ramp.longer(lacks / faster, limit, most, per_jerk)?;
+        Some((fitted, change.negate_if(mirrored)))
     }
 
     /// Duration and displacement of a ramp.

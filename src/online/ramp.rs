@@ -149,25 +149,30 @@ impl<R: Real> Ramp<R> {
         self.hold == R::ZERO && (self.rise == R::ZERO || self.fall == R::ZERO)
     }
 
-    /// The ramp that is `longer` at its highest acceleration, s, and what this adds to its change of velocity. `None` if there is none.
-    pub fn longer(self, longer: R, limit: R, per_jerk: PerJerk<R>) -> Option<(Self, R)> {
-        let q = per_jerk.q();
-        let z = R::HALF * longer / q;
-        if self.hold > R::ZERO {
-            let hold = self.hold + longer;
-            let changed = Self { hold, ..self };
-            (hold >= R::ZERO).then_some((changed, self.peak * longer))
+    /// The ramp that is `longer` at its highest acceleration, s, and what this adds to its change of velocity. `None` if there is none, or if
+    /// it adds more than `most`.
+    pub fn longer(self, longer: R, limit: R, most: R, per_jerk: PerJerk<R>) -> Option<(Self, R)> {
+        let holds = self.hold > R::ZERO;
+        let z = if holds {
+            R::ZERO
         } else {
-            let [rise, peak, fall] = [self.rise, self.peak, self.fall].map(|x| x + z);
-            let changed = Self {
-                rise,
-                peak,
-                fall,
-                ..self
-            };
-            let change = q * z * (self.peak + peak);
-            (rise >= R::ZERO && fall >= R::ZERO && peak <= limit).then_some((changed, change))
+            R::HALF * longer / per_jerk.q()
+        };
+        let change = longer * (self.peak + R::HALF * z);
+        if change.abs() > most {
+            return None;
         }
+        let [rise, peak, fall] = [self.rise, self.peak, self.fall].map(|x| x + z);
+        let hold = if holds { self.hold + longer } else { R::ZERO };
+        let changed = Self {
+            rise,
+            peak,
+            hold,
+            fall,
+            ..self
+        };
+        let exists = rise >= R::ZERO && fall >= R::ZERO && hold >= R::ZERO;
+        (exists && (holds || peak <= limit)).then_some((changed, change))
     }
 
     /// The ramp as the mirrored axis sees it.

@@ -34,8 +34,9 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profil
         }
     }
     let direct = border.direct(excess);
-    let last_before_gap = match first_from(border, &direct, h, positions) {
-        Ok(first) => return without_detour(border, first, &direct, h, positions),
+    let lacks @ (of_direct, _) = lacking(border, &direct, h, positions);
+    let last_before_gap = match first_from(border, &direct, h, lacks) {
+        Ok(first) => return without_detour(border, first, &direct, of_direct, h, positions),
         Err(start_of_gap) => start_of_gap.as_ramp(),
     };
     let (lacks, tie) = lacking(border, &last_before_gap, h, positions);
@@ -43,23 +44,25 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profil
         return border.profile(&last_before_gap);
     }
     let behind = border.behind_gap();
-    let first = first_from(border, &behind, h, positions);
+    let first = first_from(border, &behind, h, lacking(border, &behind, h, positions));
     let first = first.unwrap_or_else(|_| border.profile(&behind));
     // The fastest ramp is the last one that is tried.
     let ramps = [behind, last_before_gap, direct];
-    let shorter = |first, ramp: &_| without_detour(border, first, ramp, h, positions);
+    let shorter = |first, ramp: &_| {
+        let (lacks, _) = lacking(border, ramp, h, positions);
+        without_detour(border, first, ramp, lacks, h, positions)
+    };
     ramps.iter().fold(first, shorter)
 }
 
-/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only. If a gap comes first, the last
-/// motion before it.
+/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only, which lacks `lacks` of `h` and
+/// reaches it up to `tie`. If a gap comes first, the last motion before it.
 fn first_from<R: Real>(
     border: &Border<R>,
     ramp: &Ramp<R>,
     h: R,
-    positions: R,
+    (lacks, tie): (R, R),
 ) -> Result<Profile<R>, Profile<R>> {
-    let (lacks, tie) = lacking(border, ramp, h, positions);
     if lacks.abs() <= tie && tie.is_finite() {
         let exact = border.fitted(ramp, lacks).map(|(fitted, _)| fitted);
         let is_near = |fitted: &Ramp<R>| {
@@ -81,15 +84,15 @@ fn first_from<R: Real>(
 }
 
 /// The motion, or the ramp, if the motion is a detour only because of roundings of the velocities: with a change of the velocity at the start
-/// by its roundings, the ramp is the motion.
+/// by its roundings, the ramp, whose displacement lacks `lacks` of `h`, is the motion.
 fn without_detour<R: Real>(
     border: &Border<R>,
     motion: Profile<R>,
     ramp: &Ramp<R>,
+    lacks: R,
     h: R,
     positions: R,
 ) -> Profile<R> {
-    let (lacks, _) = lacking(border, ramp, h, positions);
     let ramp = if ramp.is_straight() {
         border.straight(lacks < R::ZERO)
     } else {

@@ -56,11 +56,15 @@ pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
 pub(super) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
     // An axis can wait where it stands.
-    let can_wait = problem.from().is_at_rest() || problem.to().is_at_rest();
-    if can_wait || Cruise::of(problem, t).is_some() {
-        t
+    if problem.from().is_at_rest() || problem.to().is_at_rest() {
+        return t;
+    }
+    let next = blend::next_duration(problem, t);
+    // Roundings may hide a duration in which the axis cruises.
+    if next > t && Cruise::of(problem, t).is_none() {
+        next
     } else {
-        blend::next_duration(problem, t)
+        t
     }
 }
 
