@@ -8,6 +8,7 @@ use crate::real::Real;
 use crate::state::State;
 
 /// The way inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
+#[derive(Clone, Copy)]
 pub(crate) struct Inside<R> {
     /// The acceleration at the end of the way.
     acceleration: R,

@@ -1,7 +1,7 @@
 //! A planned move as phases of constant jerk, and its evaluation.
 
 use super::phase::Phase;
-use crate::findings::Extremes;
+use crate::findings::{Extremes, Findings};
 use crate::real::Real;
 use crate::sampling::{Edge, Run, Sampled, Sweep};
 use crate::state::State;
@@ -149,6 +149,12 @@ impl<R: Real> Move<R> {
         (self.end().position == position).then_some(self.t)
     }
 
+    /// What there is to know of the turns of a plan. From rest to rest a planned axis does not turn.
+    pub(crate) fn turn_findings(&self) -> Findings {
+        let may_turn = !(self.start().is_at_rest() && self.end().is_at_rest());
+        Findings::OVERSHOOTS.when(may_turn && self.overshoots())
+    }
+
     /// Whether the move leaves the positions between its ends: where the axis turns, it is outside.
     pub(crate) fn overshoots(&self) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
@@ -224,8 +230,18 @@ impl<R: Real> Move<R> {
         (self.t + first.position.abs() + first.velocity.abs()).is_finite()
     }
 
+    /// The state at the start.
+    pub(crate) fn start(&self) -> State<R> {
+        let [start, ..] = &self.phase;
+        State {
+            position: start.position,
+            velocity: start.velocity,
+            acceleration: start.acceleration,
+        }
+    }
+
     /// The state at the end.
-    pub(super) fn end(&self) -> State<R> {
+    pub(crate) fn end(&self) -> State<R> {
         let [start, ..] = &self.phase;
         let end = self.phase.get(self.phase_count()).unwrap_or(start);
         State {

@@ -15,6 +15,7 @@ use crate::real::Real;
 use crate::state::State;
 
 /// A motion from a state to a state within the limits.
+#[derive(Clone, Copy)]
 pub(crate) struct Problem<R> {
     from: State<R>,
     to: State<R>,
@@ -212,6 +213,6 @@ impl<R: Real> Problem<R> {
 
     /// What there is to know of a written move.
     pub fn findings(&self, ctx: &Move<R>) -> Findings {
-        Findings::OVERSHOOTS.when(ctx.overshoots()) | self.outside()
+        ctx.turn_findings() | self.outside()
     }
 }

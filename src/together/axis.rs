@@ -68,7 +68,25 @@ pub(super) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
     }
 }
 
-/// Whether an axis whose fastest plan is `axis` can take the duration `t`, up to roundings of its states at both ends. They may be larger
+/// The shortest possible duration from `t` on of an axis that has made its fastest plan, s.
+pub(super) fn next_of_plan<R: Real>(
+    axis: &Move<R>,
+    problem: impl FnOnce() -> Problem<R>,
+    t: R,
+) -> R {
+    if takes(axis, t) || axis.start().is_at_rest() || axis.end().is_at_rest() {
+        t
+    } else {
+        next_duration(&problem(), t)
+    }
+}
+
+/// Whether a plan takes the duration `t` up to rounding.
+fn takes<R: Real>(axis: &Move<R>, t: R) -> bool {
+    (t - axis.t).abs() <= R::from(4) * R::EPSILON * t
+}
+
+/// Whether an axis that has made its fastest plan can take the duration `t`, up to roundings of its states at both ends. They may be larger
 /// if the axis else makes a detour.
 pub(super) fn may_slip<R: Real>(
     axis: &Move<R>,
@@ -85,19 +103,31 @@ pub(super) fn may_slip<R: Real>(
 /// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
 pub(super) fn stretch<R: Real>(
     axis: &mut Move<R>,
-    problem: &Problem<R>,
+    problem: impl FnOnce() -> Problem<R>,
     t: R,
 ) -> Result<(), Error> {
-    let is_slow = problem.from().is_at_rest() && problem.to().is_at_rest();
-    let longer = t - axis.t;
-    let slip = || problem.slip(axis.t);
-    if longer.abs() <= R::from(4) * R::EPSILON * t {
+    let is_slow = axis.start().is_at_rest() && axis.end().is_at_rest();
+    if takes(axis, t) {
         axis.end_at(t);
-    } else if longer < R::ZERO {
-        axis.slip(t, slip().at_start);
-    } else if is_slow && axis.t > R::EPSILON * t {
+    } else if is_slow && t > axis.t && axis.t > R::EPSILON * t {
         // The jerk falls by the third power of the factor. It stays within the range of the real type.
         axis.slow_down(t);
+    } else {
+        fill(axis, &problem(), t);
+    }
+    if axis.is_finite() {
+        Ok(())
+    } else {
+        Err(Error::NotFinite)
+    }
+}
+
+/// Lets an axis in motion that has made its fastest plan take the duration `t`.
+fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
+    let longer = t - axis.t;
+    let slip = || problem.slip(axis.t);
+    if longer < R::ZERO {
+        axis.slip(t, slip().at_start);
     } else if let Some(cruise) = Cruise::of(problem, t) {
         cruise.write(problem, axis, t);
     } else if let Some(blend) = Blend::of(problem, t) {
@@ -110,10 +140,5 @@ pub(super) fn stretch<R: Real>(
         } else {
             axis.slip(t, slip.at_start);
         }
-    }
-    if axis.is_finite() {
-        Ok(())
-    } else {
-        Err(Error::NotFinite)
     }
 }

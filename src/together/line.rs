@@ -1,6 +1,6 @@
 //! Several axes on the straight line from their start to their end.
 
-use super::axis::{Axis, checked, may_slip, next_duration, stretch};
+use super::axis::{Axis, checked, may_slip, next_of_plan, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -34,10 +34,10 @@ pub fn line<R: Real>(
     let t = cycle.until_possible(
         1,
         duration.at_least(lead.t),
-        |t| next_duration(&problem, t),
+        |t| next_of_plan(&lead, || problem, t),
         |t, is_detour| may_slip(&lead, &problem, t, is_detour),
     )?;
-    stretch(&mut lead, &problem, t)?;
+    stretch(&mut lead, || problem, t)?;
     for ((_, (from, to)), axis) in ends.zip(axes) {
         let share = line.share(from, to);
         *axis = lead.map(|phase| Phase {

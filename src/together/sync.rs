@@ -1,6 +1,6 @@
 //! Several axes in the same time.
 
-use super::axis::{Axis, checked, is_ordinary, may_slip, next_duration, stretch};
+use super::axis::{Axis, checked, is_ordinary, may_slip, next_of_plan, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -36,16 +36,23 @@ pub fn synchronise<R: Real>(
         found |= problem.outside();
         slowest = slowest.at_least(axis.t);
     }
-    let mut planned = ends.clone().zip(axes.iter());
+    let planned = ends.clone().zip(axes.iter());
     let t = cycle.until_possible(
         planned.clone().count(),
         slowest,
-        |t| common_duration(ends.clone(), t),
-        |t, is_detour| planned.all(|(ends, axis)| may_slip(axis, &problem(ends), t, is_detour)),
+        |t| {
+            let next = |(ends, axis)| next_of_plan(axis, || problem(ends), t);
+            planned.clone().map(next).fold(t, R::at_least)
+        },
+        |t, is_detour| {
+            planned
+                .clone()
+                .all(|(ends, axis)| may_slip(axis, &problem(ends), t, is_detour))
+        },
     )?;
     for (ends, axis) in ends.zip(axes) {
-        stretch(axis, &problem(ends), t)?;
-        found |= Findings::OVERSHOOTS.when(axis.overshoots());
+        stretch(axis, || problem(ends), t)?;
+        found |= axis.turn_findings();
     }
     Ok(found)
 }
@@ -68,7 +75,11 @@ fn rehearse<'a, R: Real + 'a>(
     let t = cycle.until_possible(
         axes.clone().count(),
         slowest,
-        |t| common_duration(axes.clone(), t),
+        |t| {
+            let next =
+                |ends| planned(ends).map_or(t, |axis| next_of_plan(&axis, || problem(ends), t));
+            axes.clone().map(next).fold(t, R::at_least)
+        },
         |t, is_detour| {
             axes.clone().all(|ends| {
                 planned(ends).is_ok_and(|axis| may_slip(&axis, &problem(ends), t, is_detour))
@@ -76,15 +87,9 @@ fn rehearse<'a, R: Real + 'a>(
         },
     )?;
     for ends in axes {
-        stretch(&mut planned(ends)?, &problem(ends), t)?;
+        stretch(&mut planned(ends)?, || problem(ends), t)?;
     }
     Ok(())
-}
-
-/// The shortest possible duration of the slowest axis from `t` on, s.
-fn common_duration<'a, R: Real + 'a>(axes: impl Iterator<Item = Axis<'a, R>>, t: R) -> R {
-    let next = axes.map(|ends| next_duration(&problem(ends), t));
-    next.fold(t, R::at_least)
 }
 
 fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
