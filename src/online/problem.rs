@@ -188,8 +188,10 @@ impl<R: Real> Problem<R> {
     /// A writer that has written the way inside the limits.
     pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
         let mut writer = Writer::new(ctx, self.from);
-        for segment in &self.way_inside() {
-            writer.write(segment);
+        if self.inside.change.duration > R::ZERO {
+            for segment in &self.way_inside() {
+                writer.write(segment);
+            }
         }
         writer
     }

@@ -198,37 +198,29 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: Profile<R>) -> Profile<R> {
     }
 }
 
-/// The first motion of the border over `h`: it gets `lacks` farther than `base`. If a gap comes first, the last motion before it.
+/// The first motion of the border over `h`: it gets `lacks` farther than `base`. Where the acceleration keeps its sign in the middle of the
+/// motion, a gap may come first: durations in which the end cannot be reached. Then the last motion before it.
 fn first_over<R: Real>(
     border: &Border<R>,
     base: Profile<R>,
     h: R,
     lacks: R,
 ) -> Result<Profile<R>, Profile<R>> {
-    Ok(match before_gap(border, base, lacks)? {
+    let eased = if base.trough > R::ZERO {
+        easing(border, base, lacks)?
+    } else if base.peak < R::ZERO {
+        match easing(&border.reversed(), base.reversed(), lacks) {
+            Ok(Found::Reached(profile)) => Found::Reached(profile.reversed()),
+            Ok(Found::Lacking(profile, lacks)) => Found::Lacking(profile.reversed(), lacks),
+            Err(start_of_gap) => return Err(start_of_gap.reversed()),
+        }
+    } else {
+        return Ok(turning(border, base, h, lacks));
+    };
+    Ok(match eased {
         Found::Reached(profile) => profile,
         Found::Lacking(base, lacks) => turning(border, base, h, lacks),
     })
-}
-
-/// The part of the border in which the acceleration keeps its sign in the middle of the motion. A gap may follow: durations in which
-/// the end cannot be reached. Then the last motion before it.
-fn before_gap<R: Real>(
-    border: &Border<R>,
-    base: Profile<R>,
-    lacks: R,
-) -> Result<Found<R>, Profile<R>> {
-    if base.trough > R::ZERO {
-        easing(border, base, lacks)
-    } else if base.peak < R::ZERO {
-        match easing(&border.reversed(), base.reversed(), lacks) {
-            Ok(Found::Reached(profile)) => Ok(Found::Reached(profile.reversed())),
-            Ok(Found::Lacking(profile, lacks)) => Ok(Found::Lacking(profile.reversed(), lacks)),
-            Err(start_of_gap) => Err(start_of_gap.reversed()),
-        }
-    } else {
-        Ok(Found::Lacking(base, lacks))
-    }
 }
 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
