@@ -69,11 +69,7 @@ pub(super) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
 }
 
 /// The shortest possible duration from `t` on of an axis that has made its fastest plan, s.
-pub(super) fn next_of_plan<R: Real>(
-    axis: &Move<R>,
-    problem: impl FnOnce() -> Problem<R>,
-    t: R,
-) -> R {
+pub(super) fn next_of_plan<R: Real>(axis: &Move<R>, problem: &dyn Fn() -> Problem<R>, t: R) -> R {
     if takes(axis, t) || axis.start().is_at_rest() || axis.end().is_at_rest() {
         t
     } else {
@@ -103,7 +99,7 @@ pub(super) fn may_slip<R: Real>(
 /// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
 pub(super) fn stretch<R: Real>(
     axis: &mut Move<R>,
-    problem: impl FnOnce() -> Problem<R>,
+    problem: &dyn Fn() -> Problem<R>,
     t: R,
 ) -> Result<(), Error> {
     let is_slow = axis.start().is_at_rest() && axis.end().is_at_rest();

@@ -34,10 +34,10 @@ pub fn line<R: Real>(
     let t = cycle.until_possible(
         1,
         duration.at_least(lead.t),
-        |t| next_of_plan(&lead, || problem, t),
+        |t| next_of_plan(&lead, &|| problem, t),
         |t, is_detour| may_slip(&lead, &problem, t, is_detour),
     )?;
-    stretch(&mut lead, || problem, t)?;
+    stretch(&mut lead, &|| problem, t)?;
     for ((_, (from, to)), axis) in ends.zip(axes) {
         let share = line.share(from, to);
         *axis = lead.map(|phase| Phase {

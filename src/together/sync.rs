@@ -41,17 +41,19 @@ pub fn synchronise<R: Real>(
         planned.clone().count(),
         slowest,
         |t| {
-            let next = |(ends, axis)| next_of_plan(axis, || problem(ends), t);
+            let next = |(ends, axis)| next_of_plan(axis, &|| problem(ends), t);
             planned.clone().map(next).fold(t, R::at_least)
         },
         |t, is_detour| {
-            planned
-                .clone()
-                .all(|(ends, axis)| may_slip(axis, &problem(ends), t, is_detour))
+            // An axis that would have to hurry is asked first. It says no at once.
+            let hurry = planned.clone().filter(|(_, axis)| axis.t > t);
+            let others = planned.clone().filter(|(_, axis)| axis.t <= t);
+            let mut axes = hurry.chain(others);
+            axes.all(|(ends, axis)| may_slip(axis, &problem(ends), t, is_detour))
         },
     )?;
     for (ends, axis) in ends.zip(axes) {
-        stretch(axis, || problem(ends), t)?;
+        stretch(axis, &|| problem(ends), t)?;
         found |= axis.turn_findings();
     }
     Ok(found)
@@ -77,7 +79,7 @@ fn rehearse<'a, R: Real + 'a>(
         slowest,
         |t| {
             let next =
-                |ends| planned(ends).map_or(t, |axis| next_of_plan(&axis, || problem(ends), t));
+                |ends| planned(ends).map_or(t, |axis| next_of_plan(&axis, &|| problem(ends), t));
             axes.clone().map(next).fold(t, R::at_least)
         },
         |t, is_detour| {
@@ -87,7 +89,7 @@ fn rehearse<'a, R: Real + 'a>(
         },
     )?;
     for ends in axes {
-        stretch(&mut planned(ends)?, || problem(ends), t)?;
+        stretch(&mut planned(ends)?, &|| problem(ends), t)?;
     }
     Ok(())
 }
