@@ -206,21 +206,31 @@ fn first_over<R: Real>(
     h: R,
     lacks: R,
 ) -> Result<Profile<R>, Profile<R>> {
-    let eased = if base.trough > R::ZERO {
-        easing(border, base, lacks)?
-    } else if base.peak < R::ZERO {
-        match easing(&border.reversed(), base.reversed(), lacks) {
-            Ok(Found::Reached(profile)) => Found::Reached(profile.reversed()),
-            Ok(Found::Lacking(profile, lacks)) => Found::Lacking(profile.reversed(), lacks),
-            Err(start_of_gap) => return Err(start_of_gap.reversed()),
+    let (base, lacks) = if base.trough > R::ZERO || base.peak < R::ZERO {
+        match before_gap(border, base, lacks)? {
+            Found::Reached(profile) => return Ok(profile),
+            Found::Lacking(base, lacks) => (base, lacks),
         }
     } else {
-        return Ok(turning(border, base, h, lacks));
+        (base, lacks)
     };
-    Ok(match eased {
-        Found::Reached(profile) => profile,
-        Found::Lacking(base, lacks) => turning(border, base, h, lacks),
-    })
+    Ok(turning(border, base, h, lacks))
+}
+
+/// The part of the border in which the acceleration keeps its sign in the middle of the motion.
+fn before_gap<R: Real>(
+    border: &Border<R>,
+    base: Profile<R>,
+    lacks: R,
+) -> Result<Found<R>, Profile<R>> {
+    if base.trough > R::ZERO {
+        return easing(border, base, lacks);
+    }
+    match easing(&border.reversed(), base.reversed(), lacks) {
+        Ok(Found::Reached(profile)) => Ok(Found::Reached(profile.reversed())),
+        Ok(Found::Lacking(profile, lacks)) => Ok(Found::Lacking(profile.reversed(), lacks)),
+        Err(start_of_gap) => Err(start_of_gap.reversed()),
+    }
 }
 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
