@@ -129,16 +129,22 @@ impl<R: Real> Move<R> {
         if slip.abs() > R::from(8) * R::EPSILON * t {
             let mut late = slip * at_start;
             let mut early = slip - late;
-            for phase in self.phase.iter_mut().take(count).skip(2) {
+            for phase in self.phase.get_mut(2..count).unwrap_or_default() {
                 phase.start = (phase.start - late).at_least(R::ZERO);
             }
-            for phase in self.phase.iter_mut().take(count).skip(1) {
+            for phase in self.phase.get_mut(1..count).unwrap_or_default() {
                 let passed = late.at_most(phase.duration);
                 phase.acceleration = phase.acceleration(passed);
                 phase.duration = phase.duration - passed;
                 late = late - passed;
             }
-            for phase in self.phase.iter_mut().take(count).skip(1).rev() {
+            for phase in self
+                .phase
+                .get_mut(1..count)
+                .unwrap_or_default()
+                .iter_mut()
+                .rev()
+            {
                 let left_out = early.at_most(phase.duration);
                 phase.duration = phase.duration - left_out;
                 early = early - left_out;
