@@ -9,7 +9,7 @@
 
 static const atraj_limits limits = {5, -4, 10, -9, 30, -20};
 static const atraj_state start = {1, 0, 0}, target = {9, 0, 0};
-static const a_float period = A_FLOAT_C(0.001);
+static const a_float period = A_FLOAT_C(0.0009765625); /* with it, the times of few ticks are exact */
 enum { TOO_FAR_AHEAD = 1 << 27 };
 
 static atraj_axis axis, before;
@@ -59,8 +59,10 @@ static int refused_plans(void)
 {
     static const atraj_limits no_limits = {0, -4, 10, -9, 30, -20};
     const atraj_limits no_numbers = {none, -4, 10, -9, 30, -20};
-    const atraj_state nowhere = {none, 0, 0}, too_fast = {9, 6, 0};
+    const atraj_state nowhere = {none, 0, 0}, too_fast = {9, 6, 0}, beyond_range = {A_FLOAT_MAX, A_FLOAT_MAX, A_FLOAT_MAX};
+    const a_float no_horizons[] = {0, -(a_float)0, -1, endless, -endless, none};
     atraj_state no_state = start;
+    int i;
     PROMISE(ATRAJ_ERR_LATE == -8);
     PROMISE(atraj_axis_init(&axis, period, &start) == 0);
     before = axis;
@@ -72,6 +74,10 @@ static int refused_plans(void)
     PROMISE(atraj_axis_stop(A_NULL, &limits, 1) == ATRAJ_ERR_NULL);
     PROMISE(atraj_axis_stop(&axis, A_NULL, 1) == ATRAJ_ERR_NULL);
 
+    PROMISE(atraj_axis_track(A_NULL, &limits, &target, 1, 1) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_axis_track(&axis, A_NULL, &target, 1, 1) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_axis_track(&axis, &limits, A_NULL, 1, 1) == ATRAJ_ERR_NULL);
+
     PROMISE(atraj_axis_go(&axis, &no_limits, &target, 1) == ATRAJ_ERR_LIMITS);
     PROMISE(atraj_axis_go(&axis, &no_numbers, &target, 1) == ATRAJ_ERR_NOT_FINITE);
     PROMISE(atraj_axis_go(&axis, &limits, &nowhere, 1) == ATRAJ_ERR_NOT_FINITE);
@@ -80,11 +86,21 @@ static int refused_plans(void)
     PROMISE(atraj_axis_reach(&axis, &limits, 0, endless, 1) == ATRAJ_ERR_NOT_FINITE);
     PROMISE(atraj_axis_reach(&axis, &limits, 6, 0, 1) == ATRAJ_ERR_TARGET);
     PROMISE(atraj_axis_stop(&axis, &no_limits, 1) == ATRAJ_ERR_LIMITS);
+    PROMISE(atraj_axis_track(&axis, &no_limits, &target, 1, 1) == ATRAJ_ERR_LIMITS);
+    PROMISE(atraj_axis_track(&axis, &no_numbers, &target, 1, 1) == ATRAJ_ERR_NOT_FINITE);
+    PROMISE(atraj_axis_track(&axis, &limits, &nowhere, 1, 1) == ATRAJ_ERR_NOT_FINITE);
+    PROMISE(atraj_axis_track(&axis, &limits, &beyond_range, 1, 2) == ATRAJ_ERR_NOT_FINITE);
+    for (i = 0; i < (int)A_LEN(no_horizons); ++i)
+    {
+        PROMISE(atraj_axis_track(&axis, &limits, &target, no_horizons[i], 1) == ATRAJ_ERR_DURATION);
+    }
 
     PROMISE(atraj_axis_go(&axis, &limits, &target, 0) == ATRAJ_ERR_LATE);
     PROMISE(atraj_axis_go(&axis, &limits, &target, TOO_FAR_AHEAD) == ATRAJ_ERR_LATE);
     PROMISE(atraj_axis_reach(&axis, &limits, 1, 0, ~0u) == ATRAJ_ERR_LATE);
     PROMISE(atraj_axis_stop(&axis, &limits, 0) == ATRAJ_ERR_LATE);
+    PROMISE(atraj_axis_track(&axis, &limits, &target, 1, 0) == ATRAJ_ERR_LATE);
+    PROMISE(atraj_axis_track(&axis, &limits, &target, 1, TOO_FAR_AHEAD) == ATRAJ_ERR_LATE);
     PROMISE(untouched());
 
     atraj_axis_tick(A_NULL, A_NULL);
@@ -163,4 +179,29 @@ static int replaced(void)
     return 0;
 }
 
-int main(void) { return refused_init() || refused_plans() || takes_over() || replaced(); }
+/* The signal goes on until the plan takes over: at the lead, or earlier in the tick of a plan that waits. */
+static int tracked(void)
+{
+    static const atraj_state signal = {A_FLOAT_C(1.5), 2, 3};
+    static const unsigned leads[][2] = {{1, 1}, {8, 8}, {3, 8}};
+    const a_float horizon = A_FLOAT_C(0.5);
+    atraj_move move;
+    int i;
+    for (i = 0; i < (int)A_LEN(leads); ++i)
+    {
+        const a_float ahead = period * (a_float)leads[i][0];
+        atraj_state later = signal;
+        unsigned k;
+        later.p = signal.p + ahead * (signal.v + A_FLOAT_C(0.5) * ahead * signal.a);
+        later.v = signal.v + ahead * signal.a;
+        PROMISE(atraj_move_track(&move, &limits, &start, &later, horizon) >= 0);
+        PROMISE(atraj_axis_init(&axis, period, &start) == 0);
+        if (leads[i][0] < leads[i][1]) { PROMISE(atraj_axis_go(&axis, &limits, &target, leads[i][0]) == 0); }
+        PROMISE(atraj_axis_track(&axis, &limits, &signal, horizon, leads[i][1]) >= 0);
+        for (k = 1; k < leads[i][0]; ++k) { PROMISE(same(tick(), start)); }
+        PROMISE(!follows(&move, 0, 600));
+    }
+    return 0;
+}
+
+int main(void) { return refused_init() || refused_plans() || takes_over() || replaced() || tracked(); }

@@ -229,6 +229,7 @@ void axis()
     PROMISE(same(method.tick(), now) && now.p > 1 && same(method, function));
     PROMISE(method.reach(limits, -3, 2, 1) == atraj_axis_reach(&function, &limits, -3, 2, 1) && same(method, function));
     PROMISE(method.stop(limits, 1) == atraj_axis_stop(&function, &limits, 1) && same(method, function));
+    PROMISE(method.track(limits, to, 0.5f, 1) == atraj_axis_track(&function, &limits, &to, 0.5f, 1) && same(method, function));
     PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
 }
 

@@ -24,6 +24,20 @@ impl<R: Real> State<R> {
         }
     }
 
+    /// The state after the time `t`, s, if the acceleration stays.
+    pub(crate) fn after(self, t: R) -> Self {
+        let Self {
+            position,
+            velocity,
+            acceleration,
+        } = self;
+        Self {
+            position: position + t * (velocity + R::HALF * t * acceleration),
+            velocity: velocity + t * acceleration,
+            acceleration,
+        }
+    }
+
     pub(crate) fn is_at_rest(self) -> bool {
         self.velocity == R::ZERO && self.acceleration == R::ZERO
     }

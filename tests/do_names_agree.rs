@@ -147,7 +147,7 @@ fn rust_has_the_names() {
             Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check,
             Move::<f64>::reach, Move::<f64>::stop, Move::<f64>::meet, Move::<f64>::time_at, Move::<f64>::phases,
             axes::synchronise::<f64>, axes::line::<f64>, axes::path_size, axes::plan_path::<f64>, axes::improve_path::<f64>,
-            Axis::<f64>::new, Axis::<f64>::tick, Axis::<f64>::go, Axis::<f64>::reach, Axis::<f64>::stop,
+            Axis::<f64>::new, Axis::<f64>::tick, Axis::<f64>::go, Axis::<f64>::reach, Axis::<f64>::track, Axis::<f64>::stop,
             claraty::Trajectory::start, claraty::Trajectory::stop,
             claraty::Trajectory::reset, Findings::EXCEEDS_JERK, Findings::EXCEEDS_ACCELERATION,
             Findings::EXCEEDS_VELOCITY, Findings::JUMPS, Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING, Error::Axes,

@@ -1,5 +1,6 @@
 //! Does an axis follow a signal by `track`: how near, how smoothly, and never beyond its limits?
 
+use atraj::machine::Axis;
 use atraj::online::{Error, Limits, Move};
 use atraj::{Findings, State};
 use support::{Random, Real, online, test_both_reals};
@@ -109,6 +110,30 @@ fn noise_does_not_switch_the_jerk() {
     });
     println!("with noise, plans to the signal: {planned:?}");
     assert!(planned.error > 0.1 && planned.jerk > 100.0);
+}
+
+/// A main loop that plans in every third tick, some ticks ahead, follows nearly as closely as one that plans for the very tick: the signal
+/// goes on until the plan takes over.
+#[test]
+fn a_plan_ahead_follows_too() {
+    let limits = Limits::symmetric(150.0, 15.0, 3.0);
+    let mut signal = Signal::with_noise([0.0; 3]);
+    for (lead, error) in [(1, 1e-5), (4, 4e-5), (10, 4e-5)] {
+        let mut axis = Axis::new(TICK, State::at(0.5)).expect("an axis");
+        let mut farthest = 0.0_f64;
+        for tick in 0..8000 {
+            let now = axis.tick();
+            let there = signal.at(f64::from(tick) * TICK);
+            if tick >= 2000 {
+                farthest = farthest.max((now.position - there.position).abs());
+            }
+            if tick % 3 == 0 {
+                axis.track(&limits, there, 0.03, lead).expect("a plan");
+            }
+        }
+        println!("{lead} ticks ahead: {farthest:.1e}");
+        assert!(farthest < error, "{lead}: {farthest}");
+    }
 }
 
 /// A signal that makes a step is met again, and one that is too fast is followed with the highest velocity.

@@ -90,6 +90,25 @@ int atraj_axis_reach(struct atraj_axis *ctx,
  */
 A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits, unsigned int lead);
 
+/**
+ * @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. Call it in every round of the main loop.
+ *
+ * The signal is taken to go on with its acceleration until the plan takes over, and for the time `horizon` from then on. The answer is
+ * the closer, the earlier the next call.
+ * @param ctx points to an axis
+ * @param limits points to the limits
+ * @param signal points to the state of the signal in the last tick before the call
+ * @param horizon time from the takeover until the axis is to be beside the signal, s
+ * @param lead number of ticks: those that a plan takes, rounded up, and one more
+ * @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the range of `a_float`
+ */
+A_EXTERN
+int atraj_axis_track(struct atraj_axis *ctx,
+                     const atraj_limits *limits,
+                     const atraj_state *signal,
+                     a_float horizon,
+                     unsigned int lead);
+
 #if defined(__cplusplus)
 } /* extern "C" */
 namespace atraj
@@ -126,6 +145,10 @@ struct atraj_axis {
     int reach(const atraj_limits &limits, a_float v1, a_float a1, unsigned lead)
     {
         return atraj_axis_reach(this, &limits, v1, a1, lead);
+    }
+    int track(const atraj_limits &limits, const atraj_state &signal, a_float horizon, unsigned lead)
+    {
+        return atraj_axis_track(this, &limits, &signal, horizon, lead);
     }
     int stop(const atraj_limits &limits, unsigned lead) { return atraj_axis_stop(this, &limits, lead); }
 #endif /* __cplusplus */

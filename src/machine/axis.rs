@@ -61,7 +61,7 @@ impl<R: Real> Axis<R> {
     /// Goes to a state, by [`Move::plan`], after `lead` ticks. Findings and errors are those of [`Move::plan`]; [`Error::Late`] if
     /// `lead` is 0, or 134,217,728 or more. On an error the axis stays as it is.
     pub fn go(&mut self, limits: &Limits<R>, to: State<R>, lead: u32) -> Result<Findings, Error> {
-        self.next(lead, |next, from| next.plan(limits, from, to))
+        self.next(lead, |next, from, _| next.plan(limits, from, to))
     }
 
     /// Goes to a velocity and an acceleration, by [`Move::reach`], after `lead` ticks. Findings and errors are those of [`Axis::go`].
@@ -72,20 +72,37 @@ impl<R: Real> Axis<R> {
         acceleration: R,
         lead: u32,
     ) -> Result<Findings, Error> {
-        self.next(lead, |next, from| {
+        self.next(lead, |next, from, _| {
             next.reach(limits, from, velocity, acceleration)
         })
     }
 
     /// Stops, by [`Move::stop`], after `lead` ticks. Findings and errors are those of [`Axis::go`].
     pub fn stop(&mut self, limits: &Limits<R>, lead: u32) -> Result<Findings, Error> {
-        self.next(lead, |next, from| next.stop(limits, from))
+        self.next(lead, |next, from, _| next.stop(limits, from))
     }
 
+    /// Follows a signal, by [`Move::track`], after `lead` ticks. Call it in every round of the main loop. `signal` is the state of the signal
+    /// in the last tick before the call. It is taken to go on with its acceleration until the plan takes over, and for the time `horizon`, s,
+    /// from then on. Findings and errors are those of [`Move::track`] and [`Axis::go`]; [`Error::NotFinite`] also if the signal goes on
+    /// beyond the range of the real type.
+    pub fn track(
+        &mut self,
+        limits: &Limits<R>,
+        signal: State<R>,
+        horizon: R,
+        lead: u32,
+    ) -> Result<Findings, Error> {
+        self.next(lead, |next, from, ahead| {
+            next.track(limits, from, signal.after(ahead), horizon)
+        })
+    }
+
+    /// `plan` gets the state and the time in which the next move takes over, s from the last tick.
     fn next(
         &mut self,
         lead: u32,
-        plan: impl FnOnce(&mut Move<R>, State<R>) -> Result<Findings, Error>,
+        plan: impl FnOnce(&mut Move<R>, State<R>, R) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         let (period, moves) = (self.period, &mut self.moves);
         hand_over(&self.handover, lead, |takeover| {
@@ -96,7 +113,7 @@ impl<R: Real> Axis<R> {
                 1 => b,
                 _ => c,
             };
-            plan(next, from)
+            plan(next, from, ahead(period, takeover))
         })
     }
 }
@@ -122,4 +139,9 @@ pub(crate) fn elapsed<R: Real>(period: R, moment: Moment) -> R {
     let [upper, lower] = [moment.age >> 30, moment.age % UPPER as u64];
     let ticks = R::from_index(upper as i32) * R::from_index(UPPER) + R::from_index(lower as i32);
     period * ticks
+}
+
+/// The time until the next move takes over, s from the last tick.
+pub(crate) fn ahead<R: Real>(period: R, takeover: &Takeover) -> R {
+    period * R::from_index(takeover.ticks as i32)
 }

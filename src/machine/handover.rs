@@ -67,6 +67,8 @@ pub(crate) struct Takeover {
     pub from: Moment,
     /// The place of the new move.
     pub place: usize,
+    /// In how many ticks the new move takes over.
+    pub ticks: u32,
     time: About,
 }
 
@@ -162,13 +164,16 @@ impl Handover {
                 age: self.age(halves, now) + u64::from(ticks),
             },
             place: (0..2).find(is_free).unwrap_or(2),
+            ticks,
             time: now.after(ticks),
         })
     }
 
     /// The main loop, after it has planned: whether the move takes over.
     pub fn publish(&self, takeover: &Takeover) -> bool {
-        let Takeover { from, place, time } = *takeover;
+        let Takeover {
+            from, place, time, ..
+        } = *takeover;
         at(&self.starts, place).store(time.number(), Relaxed);
         self.due.store(time.due(place), Release);
         fence(SeqCst);

@@ -74,16 +74,7 @@ impl<R: Real> Move<R> {
         signal: State<R>,
         horizon: R,
     ) -> Option<Findings> {
-        let State {
-            position: p,
-            velocity: v,
-            acceleration: a,
-        } = signal;
-        let to = State {
-            position: p + horizon * (v + R::HALF * horizon * a),
-            velocity: v + horizon * a,
-            ..signal
-        };
+        let to = signal.after(horizon);
         limits.check(from, to).ok()?;
         let problem = Problem::new(limits, from, to);
         let mut planned = Self::default();

@@ -4,7 +4,7 @@ use super::r#move::{atraj_limits, atraj_move, atraj_state, limits_of, state};
 use super::{ATRAJ_ERR_NULL, code};
 use crate::capi::{Number, a_float, assert_same_layout};
 use crate::findings::{Error, Findings};
-use crate::machine::axis::{Axis, elapsed, hand_over};
+use crate::machine::axis::{Axis, ahead, elapsed, hand_over};
 use crate::online::Move;
 use crate::state::State;
 use core::ffi::{c_int, c_uint};
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn atraj_axis_go(
     match unsafe { (limits_of(limits), state(to)) } {
         // SAFETY: the contract of this function is the contract of that one.
         (Some(limits), Some(to)) => unsafe {
-            plan(ctx, lead, |next, from| next.plan(limits, from, to))
+            plan(ctx, lead, |next, from, _| next.plan(limits, from, to))
         },
         _ => ATRAJ_ERR_NULL as c_int,
     }
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn atraj_axis_reach(
     match unsafe { limits_of(limits) } {
         // SAFETY: the contract of this function is the contract of that one.
         Some(limits) => unsafe {
-            plan(ctx, lead, |next, from| {
+            plan(ctx, lead, |next, from, _| {
                 next.reach(limits, from, v1.into(), a1.into())
             })
         },
@@ -150,14 +150,44 @@ pub unsafe extern "C" fn atraj_axis_stop(
     unsafe { atraj_axis_reach(ctx, limits, 0.0, 0.0, lead) }
 }
 
-/// Plans from the state in which the next move takes over.
+/// @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. Call it in every round of the main loop.
+///
+/// The signal is taken to go on with its acceleration until the plan takes over, and for the time `horizon` from then on. The answer is
+/// the closer, the earlier the next call.
+/// @param ctx points to an axis
+/// @param limits points to the limits
+/// @param signal points to the state of the signal in the last tick before the call
+/// @param horizon time from the takeover until the axis is to be beside the signal, s
+/// @param lead number of ticks: those that a plan takes, rounded up, and one more
+/// @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the range of `a_float`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_axis_track(
+    ctx: *mut atraj_axis,
+    limits: *const atraj_limits,
+    signal: *const atraj_state,
+    horizon: a_float,
+    lead: c_uint,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    match unsafe { (limits_of(limits), state(signal)) } {
+        // SAFETY: the contract of this function is the contract of that one.
+        (Some(limits), Some(signal)) => unsafe {
+            plan(ctx, lead, |next, from, ahead| {
+                next.track(limits, from, signal.after(ahead), horizon.into())
+            })
+        },
+        _ => ATRAJ_ERR_NULL as c_int,
+    }
+}
+
+/// Plans from the state in which the next move takes over, and from the time until then.
 ///
 /// # Safety
 /// `ctx` is NULL or valid, and no other planner uses it.
 unsafe fn plan(
     ctx: *mut atraj_axis,
     lead: c_uint,
-    plan: impl FnOnce(&mut Move<Number>, State<Number>) -> Result<Findings, Error>,
+    plan: impl FnOnce(&mut Move<Number>, State<Number>, Number) -> Result<Findings, Error>,
 ) -> c_int {
     let axis = ctx.cast::<Axis<Number>>();
     if axis.is_null() {
@@ -175,7 +205,8 @@ unsafe fn plan(
                 &mut *place(axis, takeover.place),
             )
         };
-        plan(next, in_force.state_at(elapsed(period, moment)))
+        let from = in_force.state_at(elapsed(period, moment));
+        plan(next, from, ahead(period, takeover))
     }))
 }
 
