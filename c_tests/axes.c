@@ -1,7 +1,7 @@
 /*
- Tests the contract of atraj_moves_sync and atraj_moves_line. Each pointer is once NULL, each time and each number once wrong; a
- refusal leaves all moves untouched, also if the last axis is the one refused. Then the arguments that reach the planner: the duration,
- the cycle, the findings. `tests/oracle` judges the motions.
+ Tests the contract of atraj_moves_sync, atraj_moves_sync_within and atraj_moves_line. Each pointer is once NULL, each time and each
+ number once wrong; a refusal leaves all moves untouched, also if the last axis is the one refused. Then the arguments that reach the
+ planner: the duration, the cycle, the walls, the findings. `tests/oracle` judges the motions.
  Prints the line of the first broken promise and fails.
 */
 #include "atraj/move.h"
@@ -9,10 +9,17 @@
 
 typedef int planner(atraj_move *axes, const atraj_limits *limits, const atraj_state *from, const atraj_state *to, size_t n,
                     a_float duration, a_float cycle);
-static planner *const planners[] = {atraj_moves_sync, atraj_moves_line};
-enum { PLANNERS = 2 };
-
 enum { AXES = 3, NUMBERS = 12 };
+
+/* Between no walls. */
+static int sync_within(atraj_move *axes, const atraj_limits *limits, const atraj_state *from, const atraj_state *to, size_t n,
+                       a_float duration, a_float cycle)
+{
+    const a_float lowest[AXES] = {-endless, -endless, -endless}, highest[AXES] = {endless, endless, endless};
+    return atraj_moves_sync_within(axes, limits, from, to, lowest, highest, n, duration, cycle);
+}
+static planner *const planners[] = {atraj_moves_sync, atraj_moves_line, sync_within};
+enum { PLANNERS = 3 };
 
 /* What one axis is asked for, as twelve numbers: limits, start, end. */
 struct axis
@@ -150,6 +157,51 @@ static int refused_ends(void)
     return 0;
 }
 
+/* Each axis has a wall at its own index: at an end, beyond it, wrong, and no number. */
+static int positions(void)
+{
+    const struct set set = set_of(good);
+    const a_float lowest[AXES] = {-3, -3, -3}, highest[AXES] = {12, 4, 3};
+    const struct
+    {
+        a_float low, high;
+        int answer;
+    } walls[] = {{-endless, endless, 0},
+                 {-3, A_FLOAT_C(-2.5), ATRAJ_ERR_POSITION},
+                 {A_FLOAT_C(9.5), 12, ATRAJ_ERR_POSITION},
+                 {12, -3, ATRAJ_ERR_LIMITS},
+                 {endless, -endless, ATRAJ_ERR_LIMITS},
+                 {2, 2, ATRAJ_ERR_LIMITS},
+                 {none, 12, ATRAJ_ERR_NOT_FINITE},
+                 {-3, none, ATRAJ_ERR_NOT_FINITE}};
+    atraj_move before[AXES], axes[AXES];
+    int axis, i, k;
+    memset(before, 0x55, sizeof(before));
+    memcpy(axes, before, sizeof(axes));
+    PROMISE(atraj_moves_sync_within(axes, set.limits, set.from, set.to, A_NULL, highest, AXES, 0, 0) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_moves_sync_within(axes, set.limits, set.from, set.to, lowest, A_NULL, AXES, 0, 0) == ATRAJ_ERR_NULL);
+    PROMISE(memcmp(axes, before, sizeof(axes)) == 0);
+    PROMISE(atraj_moves_sync_within(axes, set.limits, set.from, set.to, lowest, highest, AXES, 30, 0) == 0 && axes[0].t == 30);
+    for (axis = 0; axis < AXES; ++axis)
+    {
+        atraj_state low, high;
+        atraj_move_extremes(&axes[axis], &low, &high);
+        PROMISE(low.p >= lowest[axis] && high.p <= highest[axis]);
+    }
+    for (i = 0; i < AXES * (int)A_LEN(walls); ++i)
+    {
+        a_float lows[AXES], highs[AXES];
+        axis = i % AXES, k = i / AXES;
+        memcpy(lows, lowest, sizeof(lows));
+        memcpy(highs, highest, sizeof(highs));
+        lows[axis] = walls[k].low, highs[axis] = walls[k].high;
+        memcpy(axes, before, sizeof(axes));
+        PROMISE(atraj_moves_sync_within(axes, set.limits, set.from, set.to, lows, highs, AXES, 0, 0) == walls[k].answer);
+        PROMISE((walls[k].answer < 0) == (memcmp(axes, before, sizeof(axes)) == 0));
+    }
+    return 0;
+}
+
 /* A way beyond the range of the real type. */
 static int too_far(void)
 {
@@ -220,6 +272,6 @@ static int findings(void)
 
 int main(void)
 {
-    return refused_pointers() || refused_times() || refused_numbers() || refused_ends() || too_far() || one_axis() || several_axes() ||
+    return refused_pointers() || refused_times() || refused_numbers() || refused_ends() || positions() || too_far() || one_axis() || several_axes() ||
            findings();
 }

@@ -208,6 +208,9 @@ void axes()
     atraj::move axes[2];
     PROMISE(atraj::sync(axes, limits, from, to, 2) == 0 && axes[0].t == axes[1].t);
     PROMISE(atraj::sync(axes, limits, from, to, 2, 4) == 0 && axes[0].t == 4);
+    const a_float lowest[2] = {0, -5}, highest[2] = {10, 0};
+    PROMISE(atraj::sync_within(axes, limits, from, to, lowest, highest, 2, 4) == 0 && axes[1].t == 4);
+    PROMISE(atraj::sync_within(axes, limits, from, to, lowest, lowest, 2) == ATRAJ_ERR_LIMITS);
     PROMISE(atraj::line(axes, limits, from, to, 2, 4, 0.5f) == 0 && axes[0].pos(1) == -2 * axes[1].pos(1));
 }
 

@@ -92,7 +92,7 @@ pub mod axes {
     //! # Ok::<(), atraj::Error>(())
     //! ```
     pub use crate::together::path::{improve_path, path_size, plan_path};
-    pub use crate::together::{line, synchronise};
+    pub use crate::together::{line, synchronise, synchronise_within};
 }
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]

@@ -146,7 +146,7 @@ fn rust_has_the_names() {
             Bell::<f64>::velocity, Bell::<f64>::acceleration, Bell::<f64>::jerk, Bell::<f64>::state_at,
             Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check,
             Move::<f64>::reach, Move::<f64>::stop, Move::<f64>::meet, Move::<f64>::time_at, Move::<f64>::phases,
-            axes::synchronise::<f64>, axes::line::<f64>, axes::path_size, axes::plan_path::<f64>, axes::improve_path::<f64>,
+            axes::synchronise::<f64>, axes::synchronise_within::<f64>, axes::line::<f64>, axes::path_size, axes::plan_path::<f64>, axes::improve_path::<f64>,
             Axis::<f64>::new, Axis::<f64>::tick, Axis::<f64>::go, Axis::<f64>::reach, Axis::<f64>::track, Axis::<f64>::stop,
             claraty::Trajectory::start, claraty::Trajectory::stop,
             claraty::Trajectory::reset, Findings::EXCEEDS_JERK, Findings::EXCEEDS_ACCELERATION,

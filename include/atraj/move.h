@@ -300,6 +300,34 @@ int atraj_moves_line(atraj_move *axes,
                      a_float duration,
                      a_float cycle);
 
+/**
+ * @brief Plan several axes for the same duration, each between its own lowest and highest position.
+ *
+ * As `atraj_moves_sync`. An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and
+ * goes. Where it has no time to stop on its way, all axes take longer.
+ * @param axes points to `n` moves, which need not be initialised; all are untouched on an error
+ * @param limits points to the limits of the `n` axes
+ * @param from points to the `n` states at the start
+ * @param to points to the `n` states at the end
+ * @param lowest points to the `n` lowest positions, unit; an infinite one is no limit
+ * @param highest points to the `n` highest positions, unit; an infinite one is no limit
+ * @param n number of axes
+ * @param duration least duration, s; 0: as short as can be
+ * @param cycle period of the clock, s; 0: any duration
+ * @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if the fastest move of an axis leaves its positions, or if the
+ * axis cannot stop between them
+ */
+A_EXTERN
+int atraj_moves_sync_within(atraj_move *axes,
+                            const atraj_limits *limits,
+                            const atraj_state *from,
+                            const atraj_state *to,
+                            const a_float *lowest,
+                            const a_float *highest,
+                            size_t n,
+                            a_float duration,
+                            a_float cycle);
+
 #if defined(__cplusplus)
 } /* extern "C" */
 namespace atraj
@@ -460,6 +488,11 @@ inline int sync(move *axes, const limits *within, const state *from, const state
                 a_float cycle = 0)
 {
     return atraj_moves_sync(axes, within, from, to, n, duration, cycle);
+}
+inline int sync_within(move *axes, const limits *within, const state *from, const state *to, const a_float *lowest,
+                       const a_float *highest, size_t n, a_float duration = 0, a_float cycle = 0)
+{
+    return atraj_moves_sync_within(axes, within, from, to, lowest, highest, n, duration, cycle);
 }
 inline int line(move *axes, const limits *within, const state *from, const state *to, size_t n, a_float duration = 0,
                 a_float cycle = 0)

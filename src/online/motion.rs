@@ -181,7 +181,7 @@ impl<R: Real> Move<R> {
     }
 
     /// Whether the axis is not between two positions all the time. The end is exact. The start may be the state of another move.
-    pub(super) fn leaves(&self, lowest: R, highest: R) -> bool {
+    pub(crate) fn leaves(&self, lowest: R, highest: R) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
         let rounding = self.rounding();
         let starts_outside = from < lowest - rounding || from > highest + rounding;

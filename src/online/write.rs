@@ -119,6 +119,18 @@ impl<R: Real> Move<R> {
         }
     }
 
+    /// Lets a move that ends at rest go on with another one, which starts there.
+    pub(crate) fn go_on(&mut self, next: &Self) {
+        let (count, following) = (self.phase_count(), next.phase_count());
+        let places = self.phase.iter_mut().skip(count);
+        for (place, phase) in places.zip(next.phase.iter().skip(1).take(following)) {
+            *place = *phase;
+            place.start = self.t + phase.start;
+        }
+        self.count = (count + following).saturating_sub(1) as u32;
+        self.t = self.t + next.t;
+    }
+
     /// Lets the move take the duration `t`, which differs by roundings of the states at both ends. The part `at_start` of the slip lets the
     /// move begin later or earlier on its way, the rest lets it end later or earlier. The states are found from the end again, so a loop
     /// that plans anew in the next tick begins where the slip is over.

@@ -1,7 +1,7 @@
 //! Several axes that move together.
 //!
-//! `sync` gives all axes one duration, and `line` puts them on one straight line. Both plan each axis as in `online`. An axis with time to
-//! spare makes a `blend` of two motions. `track` lets one axis follow a signal by such blends. `path` passes way points without stops.
+//! `sync` gives all axes one duration, `within` also keeps each axis between two positions, and `line` puts them on one straight line. All
+//! plan each axis as in `online`. An axis with time to spare makes a `blend` of two motions. `track` lets one axis follow a signal by such blends. `path` passes way points without stops.
 
 mod axis;
 mod blend;
@@ -11,6 +11,8 @@ mod line;
 pub mod path;
 mod sync;
 mod track;
+mod within;
 
 pub use line::line;
 pub use sync::synchronise;
+pub use within::synchronise_within;

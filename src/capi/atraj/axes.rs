@@ -8,16 +8,6 @@ use crate::online::{Error, Limits, Move, State};
 use crate::together;
 use core::ffi::c_int;
 
-/// How several axes are planned.
-type Plan = fn(
-    &mut [Move<Number>],
-    &[Limits<Number>],
-    &[State<Number>],
-    &[State<Number>],
-    Number,
-    Number,
-) -> Result<Findings, Error>;
-
 /// @brief Plan several axes for the same duration: the shortest one that is possible for each.
 ///
 /// The duration is at least `duration` and a multiple of `cycle`, up to rounding. An axis whose fastest move takes as long makes its
@@ -84,10 +74,68 @@ pub unsafe extern "C" fn atraj_moves_line(
     unsafe { plan(together::line, axes, limits, from, to, n, duration, cycle) }
 }
 
+/// @brief Plan several axes for the same duration, each between its own lowest and highest position.
+///
+/// As `atraj_moves_sync`. An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and
+/// goes. Where it has no time to stop on its way, all axes take longer.
+/// @param axes points to `n` moves, which need not be initialised; all are untouched on an error
+/// @param limits points to the limits of the `n` axes
+/// @param from points to the `n` states at the start
+/// @param to points to the `n` states at the end
+/// @param lowest points to the `n` lowest positions, unit; an infinite one is no limit
+/// @param highest points to the `n` highest positions, unit; an infinite one is no limit
+/// @param n number of axes
+/// @param duration least duration, s; 0: as short as can be
+/// @param cycle period of the clock, s; 0: any duration
+/// @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if the fastest move of an axis leaves its positions, or if the
+/// axis cannot stop between them
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_moves_sync_within(
+    axes: *mut atraj_move,
+    limits: *const atraj_limits,
+    from: *const atraj_state,
+    to: *const atraj_state,
+    lowest: *const a_float,
+    highest: *const a_float,
+    n: usize,
+    duration: a_float,
+    cycle: a_float,
+) -> c_int {
+    if lowest.is_null() || highest.is_null() {
+        return ATRAJ_ERR_NULL as c_int;
+    }
+    // SAFETY: not NULL, so each points to `n` numbers by the contract of this module; the layouts are the same.
+    let positions = unsafe {
+        [lowest, highest].map(|list| core::slice::from_raw_parts(list.cast::<Number>(), n))
+    };
+    // SAFETY: the contract of this function is the contract of that one.
+    unsafe {
+        plan(
+            |axes, limits, from, to, duration, cycle| {
+                together::synchronise_within(axes, limits, from, to, positions, duration, cycle)
+            },
+            axes,
+            limits,
+            from,
+            to,
+            n,
+            duration,
+            cycle,
+        )
+    }
+}
+
 /// # Safety
 /// Each pointer is NULL or points to `n` values.
 unsafe fn plan(
-    plan: Plan,
+    plan: impl FnOnce(
+        &mut [Move<Number>],
+        &[Limits<Number>],
+        &[State<Number>],
+        &[State<Number>],
+        Number,
+        Number,
+    ) -> Result<Findings, Error>,
     axes: *mut atraj_move,
     limits: *const atraj_limits,
     from: *const atraj_state,

@@ -10,8 +10,9 @@ use crate::judge::problem::{Problem, Request};
 use crate::judge::trial::{Trial, Verdict};
 use crate::liba::abi::Original;
 use crate::liba::comparison::{Case, MOMENTS, Moment, Report};
-use atraj::online::{Limits, Move};
-use atraj::{State, axes};
+use atraj::machine::Axis;
+use atraj::online::{Error, Limits, Move, Phase};
+use atraj::{Findings, State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours, Random, Real};
 
@@ -184,17 +185,17 @@ pub fn several_axes(bytes: &[u8]) {
     }
 }
 
-/// The kind names the planner and the number of axes. The duration, the cycle, and the limits, start and end of each axis follow.
+/// How many planners of several axes there are.
+pub const PLANNERS_OF_AXES: u8 = 3;
+
+/// The kind names the planner and the number of axes. The duration, the cycle, and the limits, start, end and positions of each axis follow.
 fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
-    let plan = if kind & 1 == 0 {
-        axes::synchronise::<R>
-    } else {
-        axes::line::<R>
-    };
-    let count = 1 + usize::from(kind / 2 % 3);
+    let planner = kind % PLANNERS_OF_AXES;
+    let count = 1 + usize::from(kind / PLANNERS_OF_AXES % 3);
     let [duration, cycle] = [(); 2].map(|()| number::<R>(&mut bytes));
     let mut limits = Vec::new();
     let mut ends = [Vec::new(), Vec::new()];
+    let mut walls = [Vec::new(), Vec::new()];
     for _ in 0..count {
         let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
         limits.push(Limits {
@@ -212,18 +213,28 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
                 acceleration: number(&mut bytes),
             });
         }
+        for wall in &mut walls {
+            wall.push(number(&mut bytes));
+        }
     }
     let [from, to] = ends;
+    let [lowest, highest] = walls;
     let zero = R::of(0.0);
     let before = Move {
         t: R::of(-1.0),
         ..Move::default()
     };
     let mut moves = vec![before; count];
-    let result = plan(&mut moves, &limits, &from, &to, duration, cycle);
+    let result = match planner {
+        0 => axes::synchronise(&mut moves, &limits, &from, &to, duration, cycle),
+        1 => axes::line(&mut moves, &limits, &from, &to, duration, cycle),
+        _ => {
+            let walls = [&lowest[..], &highest];
+            axes::synchronise_within(&mut moves, &limits, &from, &to, walls, duration, cycle)
+        }
+    };
     let problem = format!(
-        "planner {} {limits:?} {from:?} {to:?} {duration:?} {cycle:?}",
-        kind % 2
+        "planner {planner} {limits:?} {from:?} {to:?} {lowest:?} {highest:?} {duration:?} {cycle:?}"
     );
     if result.is_err() {
         let untouched = moves.iter().all(|axis| *axis == before);
@@ -252,6 +263,173 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         );
         // Nothing here may panic.
         let _ = axis.time_at(axis.extremes().highest.position);
+    }
+}
+
+/// Lets an axis tick between nonsensical plans. Panics if an answer or a setpoint is another than that of moves planned one by one, or if a
+/// move does not begin where the one before it is at the takeover.
+pub fn axis_in_a_machine(bytes: &[u8]) {
+    match bytes.split_first() {
+        Some((kind, case)) if kind % 2 == 1 => axis_as::<f32>(case),
+        Some((_, case)) => axis_as::<f64>(case),
+        None => {}
+    }
+}
+
+/// How many requests an axis gets: four plans, other limits, and ticks.
+pub const REQUESTS: u8 = 6;
+
+/// What an axis does, told without words between two contexts.
+struct Model<R> {
+    period: R,
+    in_force: Move<R>,
+    /// For how many ticks the move is in force.
+    age: u16,
+    /// The move that waits, and for how many ticks.
+    next: Option<(Move<R>, u16)>,
+}
+
+impl<R: Real> Model<R> {
+    fn state_after(&self, ticks: u16) -> State<R> {
+        let age = f64::from(self.age) + f64::from(ticks);
+        self.in_force.state_at(self.period * R::of(age))
+    }
+
+    fn tick(&mut self) -> State<R> {
+        self.age += 1;
+        match &mut self.next {
+            Some((next, 1)) => {
+                (self.in_force, self.age) = (*next, 0);
+                self.next = None;
+            }
+            Some((_, until)) => *until -= 1,
+            None => {}
+        }
+        self.state_after(0)
+    }
+
+    /// Plans from the state in which the move takes over. `plan` also gets the time until then.
+    fn plan(
+        &mut self,
+        lead: u16,
+        plan: impl FnOnce(&mut Move<R>, State<R>, R) -> Result<Findings, Error>,
+    ) -> Result<Findings, Error> {
+        if lead == 0 {
+            return Err(Error::Late);
+        }
+        let ticks = self.next.map_or(lead, |(_, until)| lead.min(until));
+        let from = self.state_after(ticks);
+        let mut planned = Move::default();
+        let found = plan(&mut planned, from, self.period * R::of(f64::from(ticks)))?;
+        // A move that takes no time is at its end.
+        let begins = planned.t == R::of(0.0) || planned.state_at(R::of(0.0)) == from;
+        assert!(begins, "{planned:?} does not begin at {from:?}");
+        self.next = Some((planned, ticks));
+        Ok(found)
+    }
+}
+
+/// Period, start and limits. Then requests: a byte for what and for the lead, or for the number of ticks, and its numbers.
+fn axis_as<R: Real>(mut bytes: &[u8]) {
+    let period = number::<R>(&mut bytes);
+    let start = state(&mut bytes);
+    let mut limits = limits_of(&mut bytes);
+    let Ok(mut axis) = Axis::new(period, start) else {
+        return;
+    };
+    let mut in_force = Move::default();
+    // A plan to where the axis stands takes no time. So does the move of a new axis, which may have any velocity.
+    in_force.phase[1] = Phase {
+        position: start.position,
+        velocity: start.velocity,
+        acceleration: start.acceleration,
+        ..Phase::default()
+    };
+    in_force.count = 1;
+    let mut model = Model {
+        period,
+        in_force,
+        age: 0,
+        next: None,
+    };
+    while !bytes.is_empty() {
+        let byte = take(&mut bytes, 1) as u8;
+        let (request, lead) = (byte % REQUESTS, u16::from(byte / REQUESTS));
+        let to = if request < 4 {
+            state(&mut bytes)
+        } else {
+            State::default()
+        };
+        let ahead = u32::from(lead);
+        let [answer, expected] = match request {
+            0 => [
+                axis.go(&limits, to, ahead),
+                model.plan(lead, |next, from, _| next.plan(&limits, from, to)),
+            ],
+            1 => {
+                let (v, a) = (to.velocity, to.acceleration);
+                [
+                    axis.reach(&limits, v, a, ahead),
+                    model.plan(lead, |next, from, _| next.reach(&limits, from, v, a)),
+                ]
+            }
+            2 => [
+                axis.stop(&limits, ahead),
+                model.plan(lead, |next, from, _| next.stop(&limits, from)),
+            ],
+            3 => {
+                let horizon = number::<R>(&mut bytes);
+                let State {
+                    position,
+                    velocity,
+                    acceleration,
+                } = to;
+                [
+                    axis.track(&limits, to, horizon, ahead),
+                    model.plan(lead, |next, from, t| {
+                        let signal = State {
+                            position: position + t * (velocity + R::of(0.5) * t * acceleration),
+                            velocity: velocity + t * acceleration,
+                            acceleration,
+                        };
+                        next.track(&limits, from, signal, horizon)
+                    }),
+                ]
+            }
+            4 => {
+                limits = limits_of(&mut bytes);
+                continue;
+            }
+            _ => {
+                for _ in 0..lead {
+                    let (now, expected) = (axis.tick(), model.tick());
+                    let is_number = expected.position - expected.position == R::of(0.0);
+                    assert!(now == expected || !is_number, "{now:?} is not {expected:?}");
+                }
+                continue;
+            }
+        };
+        assert_eq!(answer, expected, "request {request} {to:?} {limits:?}");
+    }
+}
+
+fn limits_of<R: Real>(bytes: &mut &[u8]) -> Limits<R> {
+    let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(bytes));
+    Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    }
+}
+
+fn state<R: Real>(bytes: &mut &[u8]) -> State<R> {
+    State {
+        position: number(bytes),
+        velocity: number(bytes),
+        acceleration: number(bytes),
     }
 }
 

@@ -1,50 +1,16 @@
 //! Does a move that is planned between two positions stay between them, and is it refused only where the axis cannot stop there, or the
 //! target cannot be reached from rest there?
 
-use atraj::online::{Error, Limits, Move, State};
+use atraj::online::{Error, Move};
+use oracle::judge::inside::{launch, span, stop};
 use oracle::judge::planner::Plan;
 use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Problems;
-use oracle::judge::referee::Walk;
 use oracle::judge::trial::{Scale, doubt};
 use oracle::liba::abi::Original;
-use support::{Random, Real};
+use support::Random;
 
 const PROBLEMS: usize = 60_000;
-
-/// The lowest and the highest position of a move that begins in this state, by integration of its phases.
-fn span<R: Real>(from: State<R>, planned: &Move<R>) -> [f64; 2] {
-    let end = planned.position(planned.t).widen();
-    let knots = Walk::of(from, planned).knots;
-    let positions = || knots.iter().map(|knot| knot[1]).chain([end]);
-    [
-        positions().fold(f64::INFINITY, f64::min),
-        positions().fold(f64::NEG_INFINITY, f64::max),
-    ]
-}
-
-/// The positions of the fastest stop from the start.
-fn stop<R: Real>(limits: &Limits<R>, from: State<R>) -> Option<[f64; 2]> {
-    let mut planned = Move::default();
-    planned.stop(limits, from).ok()?;
-    Some(span(from, &planned))
-}
-
-/// The positions of the fastest motion from rest to the target. In the other order of time, and mirrored, it is a stop.
-fn launch<R: Real>(limits: &Limits<R>, to: State<R>) -> Option<[f64; 2]> {
-    let reversed = Limits {
-        amax: -limits.amin,
-        amin: -limits.amax,
-        ..*limits
-    };
-    let state = State {
-        position: -to.position,
-        acceleration: -to.acceleration,
-        ..to
-    };
-    let [lowest, highest] = stop(&reversed, state)?;
-    Some([-highest, -lowest])
-}
 
 /// A position near one of these, or far.
 fn near(random: &mut Random, spans: &[[f64; 2]; 3]) -> f64 {

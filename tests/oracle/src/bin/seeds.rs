@@ -1,8 +1,8 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
-//! another, random problems of `Move` in a third, of several axes in a fourth, and of way points in a fifth.
+//! another, random problems of `Move` in a third, of several axes in a fourth, of way points in a fifth, and requests to an axis in a sixth.
 
-use atraj::online::Limits;
-use oracle::bytes::{PLANNERS, encode};
+use atraj::online::{Limits, State};
+use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
 use oracle::judge::problems::{Kind, Problems};
 use oracle::liba::abi::Original;
 use std::io::Result;
@@ -22,7 +22,53 @@ fn main() -> Result<()> {
     write_axes::<f64>(&directory.join("axes"))?;
     write_axes::<f32>(&directory.join("axes"))?;
     write_paths::<f64>(&directory.join("path"))?;
-    write_paths::<f32>(&directory.join("path"))
+    write_paths::<f32>(&directory.join("path"))?;
+    write_requests::<f64>(&directory.join("axis"))?;
+    write_requests::<f32>(&directory.join("axis"))
+}
+
+/// Requests to an axis: period, start and limits, then a byte for each request and its lead or ticks, and its numbers.
+fn write_requests<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    let mut random = Random::seeded(3);
+    for case in 0..32 {
+        let limits = online::limits::<R>(&mut random);
+        let start = online::anywhere(&mut random, &limits);
+        let mut bytes = encode(&[R::of(0.001)], &[]);
+        bytes.extend(&encode(&numbers_of_state(start), &[])[1..]);
+        bytes.extend(&encode(&numbers_of_limits(limits), &[])[1..]);
+        for _ in 0..10 {
+            let request = random.below(usize::from(REQUESTS)) as u8;
+            let other = online::limits::<R>(&mut random);
+            let target = online::inside(&mut random, &limits);
+            bytes.push(request + REQUESTS * random.pick(&[0, 1, 2, 5, 40]));
+            let numbers = match request {
+                0..3 => numbers_of_state(target),
+                3 => [numbers_of_state(target), vec![R::of(0.1)]].concat(),
+                4 => numbers_of_limits(other),
+                _ => Vec::new(),
+            };
+            bytes.extend(&encode(&numbers, &[])[1..]);
+        }
+        std::fs::write(directory.join(format!("random-{}-{case}", R::NAME)), bytes)?;
+    }
+    Ok(())
+}
+
+fn numbers_of_state<R: Real>(state: State<R>) -> Vec<R> {
+    vec![state.position, state.velocity, state.acceleration]
+}
+
+fn numbers_of_limits<R: Real>(limits: Limits<R>) -> Vec<R> {
+    let Limits {
+        vmax,
+        vmin,
+        amax,
+        amin,
+        jmax,
+        jmin,
+    } = limits;
+    vec![vmax, vmin, amax, amin, jmax, jmin]
 }
 
 /// Way points of one or two axes: the first byte holds the number of axes and that of sections above the real type.
@@ -96,7 +142,7 @@ fn write_axes<R: Real>(directory: &Path) -> Result<()> {
     std::fs::create_dir_all(directory)?;
     let mut random = Random::seeded(1);
     for case in 0..48 {
-        let [planner, more] = [case % 2, case / 2 % 3];
+        let [planner, more] = [case % PLANNERS_OF_AXES, case / PLANNERS_OF_AXES % 3];
         let zero = R::of(0.0);
         let mut numbers = vec![zero, R::of(random.pick(&[0.0, 0.001]))];
         for _ in 0..=more {
@@ -116,9 +162,13 @@ fn write_axes<R: Real>(directory: &Path) -> Result<()> {
                 let of = |x: R| if planner == 1 { zero } else { x };
                 numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);
             }
+            let (p0, p1) = (from.position, to.position);
+            let (low, high) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
+            let beside = R::of(random.magnitude(-3.0, 2.0));
+            numbers.extend([low - beside, high + beside]);
         }
         let mut bytes = encode(&numbers, &[]);
-        bytes[0] += 2 * (planner + 2 * more);
+        bytes[0] += 2 * (planner + PLANNERS_OF_AXES * more);
         std::fs::write(directory.join(format!("random-{}-{case}", R::NAME)), bytes)?;
     }
     Ok(())

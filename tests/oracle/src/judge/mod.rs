@@ -6,6 +6,7 @@
 
 pub mod axes;
 pub mod faults;
+pub mod inside;
 pub mod path;
 pub mod planner;
 pub mod problem;

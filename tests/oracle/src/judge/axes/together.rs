@@ -210,7 +210,7 @@ pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
 }
 
 /// Whether a motion is none, or the axes do not arrive together.
-fn wrong_motions<R: Original>(
+pub fn wrong_motions<R: Original>(
     trials: &[Trial<R>],
     slips: &[f64],
     axes: &[Move<R>],

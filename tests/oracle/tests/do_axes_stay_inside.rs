@@ -1,0 +1,220 @@
+//! Do axes that arrive together stay between their positions, and are they refused only where one of them cannot stop there, or cannot come
+//! to its target from rest there?
+
+use atraj::axes::synchronise_within;
+use atraj::online::{Error, Move, State};
+use oracle::judge::axes::problems::{Set, Sets};
+use oracle::judge::axes::together::{slip, wrong_motions};
+use oracle::judge::inside::{launch, stop};
+use oracle::judge::planner::Plan;
+use oracle::judge::problem::Problem;
+use oracle::judge::trial::{Scale, Trial, doubt};
+use oracle::liba::abi::Original;
+use std::fmt;
+use support::{Random, Real};
+
+const SETS: usize = 20_000;
+
+/// An axis and its walls.
+struct Walled<R> {
+    problem: Problem<R>,
+    walls: [R; 2],
+    /// What the axis cannot avoid, if it has time to stop.
+    hull: [f64; 2],
+    /// Roundings of its positions.
+    slack: f64,
+}
+
+impl<R: Original> Walled<R> {
+    /// Walls at the positions that the axis cannot avoid, or somewhere beside.
+    fn new(problem: Problem<R>, random: &mut Random) -> Option<Self> {
+        let Problem {
+            limits, from, to, ..
+        } = problem;
+        let mut fastest = Move::default();
+        let found = fastest.plan(&limits, from, to).ok()?;
+        let ends = [from, to].map(|end| end.position.widen());
+        let spans = [stop(&limits, from)?, launch(&limits, to)?, ends];
+        let positions = || spans.iter().flatten().copied();
+        let hull = [
+            positions().fold(f64::INFINITY, f64::min),
+            positions().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        let scale = Scale::of(&problem, &Plan::of_move(fastest, found));
+        let slack = 4.0 * doubt::<R>() * (scale.position + hull[0].abs() + hull[1].abs());
+        let width = hull[1] - hull[0] + slack;
+        let mut wall = |side: usize| {
+            let outwards = [-1.0, 1.0][side];
+            let beside = match random.below(40) {
+                0 => -0.01 * width,
+                1..10 => f64::INFINITY,
+                10..20 => width * random.magnitude(-3.0, 0.0),
+                _ => 2.0 * slack,
+            };
+            R::of(hull[side] + outwards * beside)
+        };
+        let walls = [wall(0), wall(1)];
+        (walls[0] < walls[1]).then_some(Self {
+            problem,
+            walls,
+            hull,
+            slack,
+        })
+    }
+
+    /// Whether positions are beyond a wall, by more than this.
+    fn leaves(&self, [least, most]: [f64; 2], by: f64) -> bool {
+        let [low, high] = self.walls.map(R::widen);
+        least < low - by || most > high + by
+    }
+
+    /// Whether the setpoints of a move leave the walls, or nearly.
+    fn is_left(&self, axis: &Move<R>, by: f64) -> bool {
+        let reached = axis.extremes();
+        let span = [reached.lowest, reached.highest].map(|state| state.position.widen());
+        self.leaves(span, by)
+    }
+
+    /// What a move may leave the walls by: 128 roundings of its positions and of speed times duration, and those of the hull.
+    fn rounding(&self, axis: &Move<R>) -> f64 {
+        let reached = axis.extremes();
+        let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
+        2.0 * doubt::<R>() * speeds[0].max(speeds[1]) * axis.t.widen() + self.slack
+    }
+
+    /// How long the axis takes if it stops on its way, s.
+    fn with_a_stop(&self) -> f64 {
+        let Problem {
+            limits, from, to, ..
+        } = self.problem;
+        let [mut before, mut behind] = [Move::default(); 2];
+        before.stop(&limits, from).expect("a stop");
+        let rest = State::at(before.position(before.t));
+        behind.plan(&limits, rest, to).expect("a plan");
+        before.t.widen() + behind.t.widen()
+    }
+}
+
+impl<R: Real> fmt::Display for Walled<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} walls {:?} hull {:?}",
+            self.problem, self.walls, self.hull
+        )
+    }
+}
+
+/// What became of the sets.
+#[derive(Debug, Default)]
+struct Counts {
+    inside: u32,
+    /// Without walls an axis would leave them. The axes arrive as early all the same.
+    kept: u32,
+    /// The axes arrive later than without walls.
+    later: u32,
+    /// The largest factor of a duration.
+    factor: f64,
+    refused: u32,
+}
+
+fn axes_stay_inside<R: Original>() {
+    let mut random = Random::seeded(26);
+    let mut counts = Counts::default();
+    for set in Sets::<R>::new(26).take(SETS) {
+        let axes: Option<Vec<_>> = set
+            .axes
+            .iter()
+            .map(|axis| Walled::new(*axis, &mut random))
+            .collect();
+        if let Some(axes) = axes {
+            judge(&set, &axes, &mut counts, &mut random);
+        }
+    }
+    println!("{}: {counts:?}", R::NAME);
+    let Counts {
+        inside,
+        kept,
+        later,
+        refused,
+        ..
+    } = counts;
+    assert!(
+        inside > SETS as u32 / 2 && kept > 50 && later > 5 && refused > 1_000,
+        "{counts:?}"
+    );
+}
+
+fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, random: &mut Random) {
+    let (limits, from, to) = set.columns();
+    let [lowest, highest]: [Vec<R>; 2] =
+        [0, 1].map(|side| axes.iter().map(|axis| axis.walls[side]).collect());
+    let before = Move {
+        t: R::of(-1.0),
+        ..Move::default()
+    };
+    let mut planned = vec![before; axes.len()];
+    let (duration, cycle) = (set.duration, set.cycle);
+    let walls = [&lowest[..], &highest];
+    let answer = synchronise_within(&mut planned, &limits, &from, &to, walls, duration, cycle);
+    let what = || {
+        axes.iter()
+            .map(|axis| format!("\n    {axis}"))
+            .collect::<String>()
+            + &set.show()
+    };
+    if let Err(error) = answer {
+        assert_eq!(error, Error::Position, "{}", what());
+        assert!(planned.iter().all(|axis| *axis == before));
+        let is_reason = |axis: &Walled<R>| axis.leaves(axis.hull, -axis.slack);
+        assert!(axes.iter().any(is_reason), "{}", what());
+        counts.refused += 1;
+        return;
+    }
+    for (k, (axis, planned)) in axes.iter().zip(&planned).enumerate() {
+        let rounding = axis.rounding(planned);
+        assert!(
+            !axis.is_left(planned, rounding),
+            "axis {k} leaves by more than {rounding}: {}",
+            what()
+        );
+    }
+    let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
+    let moves = set.axes.iter().zip(&planned);
+    let slips: Vec<_> = moves.map(|(problem, axis)| slip(problem, axis)).collect();
+    let wrong = wrong_motions(&trials, &slips, &planned, random);
+    assert!(wrong.is_none(), "{wrong:?} {}", what());
+    let mut free = vec![before; axes.len()];
+    let none = [R::of(f64::NEG_INFINITY), R::of(f64::INFINITY)].map(|wall| vec![wall; axes.len()]);
+    let no_walls = [&none[0][..], &none[1]];
+    synchronise_within(&mut free, &limits, &from, &to, no_walls, duration, cycle).expect("plans");
+    let [t, least] = [&planned, &free].map(|axes| axes[0].t.widen());
+    let is_left = |by: &dyn Fn(&Walled<R>, &Move<R>) -> f64| {
+        let mut moves = axes.iter().zip(&free);
+        moves.any(|(axis, free)| axis.is_left(free, by(axis, free)))
+    };
+    let is_nearly_left = is_left(&|axis, _| -axis.slack);
+    let is_left = is_left(&Walled::rounding);
+    counts.inside += 1;
+    assert!(t >= least, "{}", what());
+    if t > least {
+        assert!(is_nearly_left, "later without a reason: {}", what());
+        let latest = axes.iter().map(Walled::with_a_stop).fold(least, f64::max);
+        let tick = cycle.widen().max(1e-6 * latest);
+        assert!(t <= latest + tick, "{t} instead of {latest}: {}", what());
+        counts.later += 1;
+        counts.factor = counts.factor.max(t / least);
+    } else if is_left {
+        counts.kept += 1;
+    }
+}
+
+#[test]
+fn f64() {
+    axes_stay_inside::<f64>();
+}
+
+#[test]
+fn f32() {
+    axes_stay_inside::<f32>();
+}
