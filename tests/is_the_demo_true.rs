@@ -142,7 +142,7 @@ const DIGIT: f64 = 1.01e-4;
 
 #[test]
 fn the_motions_are_smooth_and_keep_their_limits() {
-    for example in [2, 3, 6, 7, 8, 11] {
+    for example in [2, 3, 6, 7, 8, 11, 15, 16, 17, 18] {
         let output = output(example);
         let points = setpoints(output);
         assert!(points.len() > 900, "{example}");
@@ -295,6 +295,63 @@ fn the_horizon_moves_on_and_passes_its_points() {
         let near = |p: &Vec<f64>| (p[1] - x).abs() < 3e-4 && (p[2] - y).abs() < 3e-4;
         assert!(points.iter().any(near), "point {k}");
     }
+}
+
+#[test]
+fn the_jog_stands_at_the_soft_stops() {
+    let points = setpoints(output(15));
+    assert!(points.iter().all(|p| (-0.2..=1.0).contains(&p[1])));
+    for stop in [0.4, 1.0, -0.2] {
+        let stands = |p: &&Vec<f64>| p[1] == stop && p[2..] == [0.0, 0.0];
+        assert!(points.iter().filter(stands).count() > 300, "{stop}");
+    }
+}
+
+#[test]
+fn the_switch_is_found_slowly() {
+    let output = output(16);
+    let times = output.lines().filter_map(|line| line.split_once(" s -> "));
+    let times: Vec<f64> = times.map(|(time, _)| time.parse().unwrap()).collect();
+    let points = setpoints(output);
+    let at = |time: f64| points.iter().find(|p| p[0] == time).unwrap();
+    let velocities = [at(times[0])[2], at(times[1])[2], at(times[2])[2]];
+    assert_eq!(velocities, [-0.2, 0.05, -0.01]);
+    assert!(output.contains("the switch is at -0.31274 m"));
+    assert_eq!(points.last().unwrap()[1..], [-0.2127, 0.0, 0.0]);
+}
+
+#[test]
+fn the_limit_switch_stops_harder_than_the_work() {
+    let points = setpoints(output(17));
+    let farthest = points.iter().map(|p| p[1]).fold(0.0, f64::max);
+    assert!(farthest > 0.8 && farthest < 0.86, "{farthest}");
+    let hardest = |p: &&Vec<f64>| p[3] < -10.0 && p[1] > 0.8;
+    assert!(points.iter().filter(hardest).count() > 20);
+    assert_eq!(points.last().unwrap()[1..], [0.7, 0.0, 0.0]);
+}
+
+#[test]
+fn the_feed_is_overridden_and_held() {
+    let points = setpoints(output(18));
+    for feed in [0.5, 0.2, 0.6, 0.0] {
+        let runs = |p: &&Vec<f64>| p[2] == feed && p[4] == feed;
+        assert!(points.iter().filter(runs).count() > 400, "{feed}");
+    }
+    // Soon after each turn of the knob, the axis is no faster than it may be.
+    let turned = |time: f64| [1.0, 3.2].iter().any(|t| (*t..t + 0.4).contains(&time));
+    assert!(points.iter().all(|p| turned(p[0]) || p[2] <= p[4]));
+    assert_eq!(points.last().unwrap()[1..4], [2.0, 0.0, 0.0]);
+}
+
+#[test]
+fn each_step_has_its_pulse() {
+    let points = setpoints(output(19));
+    let steps: Vec<_> = points.iter().map(|p| (p[1] / 1.8).round()).collect();
+    let there_and_back: Vec<_> = (1..=100).chain((50..100).rev()).map(f64::from).collect();
+    assert_eq!(steps, there_and_back);
+    assert!(points.windows(2).all(|pair| pair[0][0] < pair[1][0]));
+    let fastest = points.iter().map(|p| p[2].abs()).fold(0.0, f64::max);
+    assert!(fastest > 999.0 && fastest <= 1000.0, "{fastest}");
 }
 
 fn assert_joints_keep_their_limits(output: &str) {

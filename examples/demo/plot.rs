@@ -268,10 +268,12 @@ impl Picture {
 
 /// Names the curves, unless there is one alone, and the limits.
 fn draw_legend(area: &Area, panels: &[Panel]) -> Result<()> {
-    let curves = panels[0].curves.iter();
+    let curves = panels.iter().flat_map(|panel| &panel.curves);
     let mut entries: Vec<_> = curves
         .map(|(curve, color)| (&*curve.name, *color))
         .collect();
+    let mut named = HashSet::new();
+    entries.retain(|(name, _)| named.insert(*name));
     if panels.iter().any(|panel| !panel.limits.is_empty()) {
         entries.push(("limit", LIMIT));
     }
