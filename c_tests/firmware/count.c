@@ -173,9 +173,11 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #pragma weak atraj_move_jer
 #pragma weak atraj_moves_sync
 #pragma weak atraj_moves_line
+#pragma weak atraj_moves_sync_within
 #pragma weak atraj_axis_init
 #pragma weak atraj_axis_tick
 #pragma weak atraj_axis_go
+#pragma weak atraj_axis_track
 #pragma weak atraj_path_plan
 #pragma weak atraj_path_improve
 
@@ -206,6 +208,16 @@ static void pose_axes(void *ctx)
     typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float);
     const axes_problem *q = &posed_axes;
     ((planner *)posed_to)(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+}
+
+static void pose_within(void *ctx)
+{
+    typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, const a_float *, const a_float *, size_t,
+                        a_float, a_float);
+    const axes_problem *q = &posed_axes;
+    a_float lowest[AXES], highest[AXES];
+    put_walls(q, lowest, highest);
+    ((planner *)posed_to)(ctx, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
 }
 
 static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m)
@@ -252,18 +264,24 @@ static void moves(void)
     for (int k = 0; k != 4; ++k) { print_costs(evaluations[k].name, evaluations[k].sum); }
 }
 
-/* Both planners of axes over the sets of the table that they plan. */
+/* Each planner of axes over the sets of the table that it plans. */
 static void axes(void)
 {
     static atraj_move planned[AXES];
-    costs sums[2] = {{0}};
+    static void (*const planners[])(void) = {
+        [SYNC] = (void (*)(void))atraj_moves_sync,
+        [LINE] = (void (*)(void))atraj_moves_line,
+        [SYNC_WITHIN] = (void (*)(void))atraj_moves_sync_within,
+    };
+    costs sums[3] = {{0}};
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
         posed_axes = axes_of(fastest_axes[i]);
-        void (*const f)(void) = posed_axes.line ? (void (*)(void))atraj_moves_line : (void (*)(void))atraj_moves_sync;
-        add(&sums[posed_axes.line], measure_planner(pose_axes, f, planned));
+        unsigned const function = posed_axes.function;
+        add(&sums[function], measure_planner(function == SYNC_WITHIN ? pose_within : pose_axes, planners[function], planned));
     }
-    print_costs("atraj_moves_sync", sums[0]);
-    print_costs("atraj_moves_line", sums[1]);
+    print_costs("atraj_moves_sync", sums[SYNC]);
+    print_costs("atraj_moves_line", sums[LINE]);
+    print_costs("atraj_moves_sync_within", sums[SYNC_WITHIN]);
 }
 
 enum { LEAD = 4 };
@@ -272,6 +290,12 @@ static void pose_go(void *ctx)
 {
     typedef int planner(atraj_axis *, const atraj_limits *, const atraj_state *, unsigned);
     ((planner *)posed_to)(ctx, &posed.limits, &posed.to, LEAD);
+}
+
+static void pose_track(void *ctx)
+{
+    typedef int planner(atraj_axis *, const atraj_limits *, const atraj_state *, a_float, unsigned);
+    ((planner *)posed_to)(ctx, &posed.limits, &posed.to, (a_float)0.125, LEAD);
 }
 
 static void pose_tick(void *ctx)
@@ -285,16 +309,18 @@ static void axis(void)
 {
     static atraj_axis ctx;
     atraj_state const start = {0};
-    costs plans = {0}, ticks = {0};
+    costs plans = {0}, tracks = {0}, ticks = {0};
     atraj_axis_init(&ctx, (a_float)0.01, &start);
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         posed = problem_of(fastest_move[i]);
         if (posed.function != PLAN) { continue; }
-        add(&plans, measure_planner(pose_go, (void (*)(void))atraj_axis_go, &ctx));
+        add(&tracks, measure_planner(pose_track, (void (*)(void))atraj_axis_track, &ctx));
+        add(&plans, measure_planner(pose_go, (void (*)(void))atraj_axis_go, &ctx)); /* it replaces the plan that waits */
         for (int n = 0; n != 100; ++n) { add(&ticks, measure_planner(pose_tick, (void (*)(void))atraj_axis_tick, &ctx)); }
     }
     print_costs("atraj_axis_tick", ticks);
     print_costs("atraj_axis_go", plans);
+    print_costs("atraj_axis_track", tracks);
 }
 
 static path_problem posed_path;

@@ -43,7 +43,7 @@ static inline problem problem_of(const real *r)
 /* The axes in a row of fastest_axes. */
 static inline axes_problem axes_of(const real *r)
 {
-    axes_problem q = {.line = (unsigned)r[1].value, .duration = r[2].value, .cycle = r[3].value};
+    axes_problem q = {.function = (unsigned)r[1].value, .duration = r[2].value, .cycle = r[3].value};
     for (int i = 0; i != AXES; ++i) {
         const real *axis = r + 4 + 12 * i;
         q.limits[i] = (atraj_limits){axis[0].value, axis[1].value, axis[2].value, axis[3].value, axis[4].value, axis[5].value};

@@ -201,21 +201,22 @@ static void print_moves(char const *table)
     }
 }
 
-enum { SETS = 28 };
+enum { PAIRS = 28, SETS = PAIRS + 14 };
 
-/* Axes that move together, some of them for a given duration and on a clock. Every other set lies on a straight line. */
+/* Axes that move together, some of them for a given duration and on a clock. Of each pair of sets, one lies on a straight line. The last sets
+ * stay between two positions. */
 static axes_problem axes_of(unsigned number)
 {
     static unsigned const kinds[] = {AT_REST, MOVING, ACCELERATED_TARGET, OUTSIDE};
     axes_problem q;
     problem const lead = problem_of(kinds[number / 2 % 4]);
-    q.line = number % 2;
+    q.function = number >= PAIRS ? SYNC_WITHIN : number % 2 ? LINE : SYNC;
     q.duration = number % 3 ? 0 : (a_float)random_between(1, 20);
     q.cycle = number % 4 < 2 ? 0 : (a_float)0.001;
     for (int i = 0; i != AXES; ++i) {
         problem axis = i ? problem_of(kinds[number / 2 % 4]) : lead;
         a_float const part = i == 0 ? 1 : i == 1 ? (a_float)-0.5 : (a_float)0.25;
-        if (q.line) {
+        if (q.function == LINE) {
             axis = lead;
             axis.from.v *= part, axis.from.a *= part, axis.to.v *= part, axis.to.a *= part;
             axis.from.p = i ? 0 : lead.from.p;
@@ -229,7 +230,7 @@ static axes_problem axes_of(unsigned number)
 /* The problem, what the planner returned, the duration, the number of phases. */
 static void print_axes(unsigned number, axes_problem const *q, int returned, atraj_move const *axes)
 {
-    a_float const times[] = {(a_float)q->line, q->duration, q->cycle};
+    a_float const times[] = {(a_float)q->function, q->duration, q->cycle};
     printf("%u", number);
     print_reals(times, 3);
     for (int i = 0; i != AXES; ++i) {
@@ -244,13 +245,13 @@ static void print_axes(unsigned number, axes_problem const *q, int returned, atr
 
 static void print_sets(int phases)
 {
-    printf(phases ? "case,t,duration,p,v,a,j\n" : "case,line,duration,cycle");
+    printf(phases ? "case,t,duration,p,v,a,j\n" : "case,function,duration,cycle");
     for (int i = 0; !phases && i != AXES; ++i) { printf(",vmax,vmin,amax,amin,jmax,jmin,p0,v0,a0,p1,v1,a1"); }
     if (!phases) { puts(",returned,t"); }
     for (unsigned number = 0; number != SETS; ++number) {
         static atraj_move axes[AXES];
         axes_problem const q = axes_of(number);
-        for (int i = 0; i != AXES; ++i) { axes[i].phases = 0; }
+        memset(axes, 0, sizeof(axes)); /* a refused set writes no axis */
         int const returned = solve_axes(&q, axes);
         if (!phases) { print_axes(number, &q, returned, axes); }
         for (int i = 0; phases && i != AXES; ++i) { print_phases(number, &axes[i]); }

@@ -25,19 +25,37 @@ static inline int solve(const problem *q, atraj_move *m)
     }
 }
 
-/* Axes that move together, or on a straight line. */
+/* Axes that move together, on a straight line, or each between two positions. */
 enum { AXES = 3 };
+enum { SYNC, LINE, SYNC_WITHIN };
 typedef struct {
-    unsigned line;
+    unsigned function;
     atraj_limits limits[AXES];
     atraj_state from[AXES], to[AXES];
     a_float duration, cycle;
 } axes_problem;
 
+/* Walls near the ends: some axes have to wait, some cannot stop in time. */
+static inline void put_walls(const axes_problem *q, a_float *lowest, a_float *highest)
+{
+    for (int i = 0; i != AXES; ++i) {
+        a_float const p0 = q->from[i].p, p1 = q->to[i].p;
+        lowest[i] = (p0 < p1 ? p0 : p1) - 3;
+        highest[i] = (p0 < p1 ? p1 : p0) + 3;
+    }
+}
+
 static inline int solve_axes(const axes_problem *q, atraj_move *axes)
 {
-    return q->line ? atraj_moves_line(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle)
-                   : atraj_moves_sync(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+    switch (q->function) {
+    case LINE: return atraj_moves_line(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+    case SYNC_WITHIN: {
+        a_float lowest[AXES], highest[AXES];
+        put_walls(q, lowest, highest);
+        return atraj_moves_sync_within(axes, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
+    }
+    default: return atraj_moves_sync(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
+    }
 }
 
 /* Axes that pass 4 way points, and a window that moves on: it has the last 2 of these sections and a new one, and 8 steps improve it. */

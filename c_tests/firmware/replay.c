@@ -195,6 +195,7 @@ static size_t replay_axes(void)
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
         const real *r = fastest_axes[i];
         axes_problem const q = axes_of(r);
+        memset(axes, 0, sizeof(axes));
         int const returned = solve_axes(&q, axes);
         a_float const result[] = {(a_float)returned, axes->t};
         compare("axes ", r, 40, 2, result);

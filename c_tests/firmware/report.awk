@@ -63,8 +63,8 @@ END {
             "atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer")
         printf "\n`atraj_move_plan`, `_reach`, `_stop`, `_pos`, `_vel`, `_acc` and `_jer` together take %d bytes of flash.\n",
             value(build, "ours", "moves" SUBSEP "fastest-flash")
-        planners(build, "Three axes", "atraj_moves_sync atraj_moves_line")
-        planners(build, "An axis between main loop and interrupt", "atraj_axis_tick atraj_axis_go")
+        planners(build, "Three axes", "atraj_moves_sync atraj_moves_line atraj_moves_sync_within")
+        planners(build, "An axis between main loop and interrupt", "atraj_axis_tick atraj_axis_go atraj_axis_track")
         planners(build, "Paths of three axes", "atraj_path_plan atraj_path_improve")
         printf "\nBoth take %d bytes of working memory. With `atraj_moves_sync`, which makes the motions, they take %d bytes of flash.\n",
             value(build, "ours", "path" SUBSEP "fastest-memory"), value(build, "ours", "paths" SUBSEP "fastest-flash")
