@@ -103,7 +103,72 @@ fn times<const LIBRARIES: usize>(row: &mut Row) -> ([f64; LIBRARIES], [f64; LIBR
 pub fn rows() -> Vec<Row> {
     let of = |races: Vec<Race>| races.into_iter().map(|race| race.row);
     let plans = of(races()).chain(evaluations());
-    plans.chain(of(together())).collect()
+    plans.chain(of(together())).chain(alone()).collect()
+}
+
+/// Planners that have no rival. Their instructions are counted, and no table has them.
+fn alone() -> Vec<Row> {
+    const FAR: a_float = a_float::INFINITY;
+    let mut random = Random::seeded(4);
+    let [_, _, _, (name, case), ..] = cases();
+    let one = case.problems::<1>(WARM / 4, &mut random);
+    let three = case.problems::<3>(WARM / 4, &mut random);
+    let start = atraj_state {
+        p: 0.0,
+        v: 0.0,
+        a: 0.0,
+    };
+    let mut axis = MaybeUninit::uninit();
+    // SAFETY: both pointers point to their structs, and the function writes the axis.
+    let mut axis = unsafe {
+        assert_eq!(atraj_axis_init(axis.as_mut_ptr(), 0.001, &start), 0);
+        axis.assume_init()
+    };
+    // SAFETY of each call: all pointers point to as many structs and numbers as the planner takes.
+    vec![
+        lone(
+            "atraj_move_within",
+            name.into(),
+            &one,
+            |ctx, l, from, to| unsafe { atraj_move_within(ctx, l, from, to, -FAR, FAR) },
+        ),
+        lone(
+            "atraj_move_track",
+            name.into(),
+            &one,
+            |ctx, l, from, to| unsafe { atraj_move_track(ctx, l, from, to, 0.125) },
+        ),
+        lone(
+            "atraj_axis_track",
+            name.into(),
+            &one,
+            move |_, l, _, to| unsafe { atraj_axis_track(&mut axis, l, to, 0.125, 1) },
+        ),
+        lone(
+            "atraj_moves_sync_within",
+            format!("3 axes, {name}"),
+            &three,
+            |ctx, l, from, to| unsafe {
+                let (low, high) = ([-FAR; 3], [FAR; 3]);
+                atraj_moves_sync_within(ctx, l, from, to, low.as_ptr(), high.as_ptr(), 3, 0.0, 0.0)
+            },
+        ),
+    ]
+}
+
+fn lone<const N: usize>(
+    function: &str,
+    case: String,
+    problems: &Rc<[Problem<N>]>,
+    mut plan: impl FnMut(Ctx, Limits, State, State) -> i32 + 'static,
+) -> Row {
+    let problems = problems.clone();
+    Row::new(function, case, problems.len(), move |_| {
+        let mut axes = MaybeUninit::uninit();
+        for problem in &*problems {
+            black_box(problem.plan(&mut plan, &mut axes));
+        }
+    })
 }
 
 /// The limits and the ends of so many axes.
@@ -312,7 +377,7 @@ impl<const N: usize> Problem<N> {
     #[inline(always)]
     fn plan(
         &self,
-        plan: impl Fn(Ctx, Limits, State, State) -> i32,
+        plan: impl FnOnce(Ctx, Limits, State, State) -> i32,
         axes: &mut MaybeUninit<[atraj_move; N]>,
     ) -> i32 {
         let [from, to] = [&self.from, &self.to].map(|states| states.as_ptr());
