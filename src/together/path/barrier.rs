@@ -2,87 +2,44 @@
 //!
 //! `docs/path.md` has the theory, in "The barrier".
 
-use super::border::{Farthest, Gradient, Hessian};
+use super::border::{Border, Derivatives, Farthest};
 use super::chain::Chain;
 use crate::real::Real;
 
-/// Gradient and Hessian of a term of the barrier in the states and the duration of one section.
-struct Term<R> {
-    gradient: Gradient<R>,
-    hessian: Hessian<R>,
+/// Derivatives of terms of the barrier in the states and the duration of one section.
+struct Terms<R> {
+    derivatives: Derivatives<R>,
     /// The part of the second derivative by the duration that is never negative.
     damping: R,
 }
 
-impl<R: Real> Term<R> {
-    /// `-mu` times the logarithm of a slack.
-    fn of(farthest: &Farthest<R>, mu: R) -> Self {
-        let (g, h) = (farthest.gradient(), farthest.hessian());
-        let per = R::ONE / farthest.slack;
-        let [v0, a0] = g.start.map(|x| x * per);
-        let [v1, a1] = g.end.map(|x| x * per);
-        let t = g.t * per;
-        let second = |product: R, second: R| mu * (product - second * per);
-        let [s_vv, s_va, s_aa] = h.start;
-        let [e_vv, e_va, e_aa] = h.end;
-        let [vv, va, av, aa] = h.cross;
+impl<R: Real> Terms<R> {
+    fn none() -> Self {
         Self {
-            gradient: Gradient {
-                start: [-mu * v0, -mu * a0],
-                end: [-mu * v1, -mu * a1],
-                t: -mu * t,
+            derivatives: Derivatives {
+                first: [R::ZERO; 5],
+                second: [R::ZERO; 15],
             },
-            hessian: Hessian {
-                start: [
-                    second(v0 * v0, s_vv),
-                    second(v0 * a0, s_va),
-                    second(a0 * a0, s_aa),
-                ],
-                end: [
-                    second(v1 * v1, e_vv),
-                    second(v1 * a1, e_va),
-                    second(a1 * a1, e_aa),
-                ],
-                cross: [
-                    second(v0 * v1, vv),
-                    second(v0 * a1, va),
-                    second(a0 * v1, av),
-                    second(a0 * a1, aa),
-                ],
-                start_t: [second(v0 * t, h.start_t[0]), second(a0 * t, h.start_t[1])],
-                end_t: [second(v1 * t, h.end_t[0]), second(a1 * t, h.end_t[1])],
-                t: second(t * t, h.t),
-            },
-            damping: mu * t * t,
+            damping: R::ZERO,
         }
     }
 
-    /// The sum with a term of the mirrored axis.
-    fn with_mirrored(self, other: Self) -> Self {
-        fn sum<R: Real, const N: usize>(mut x: [R; N], y: [R; N]) -> [R; N] {
-            for (x, y) in x.iter_mut().zip(y) {
-                *x = *x + y;
+    /// Adds `-mu` times the logarithm of the slack.
+    fn add(&mut self, border: &Border<R>, farthest: &Farthest<R>, mu: R) {
+        let Derivatives { first, second } = border.derivatives(farthest);
+        let per = R::ONE / farthest.slack;
+        let first = first.map(|x| x * per);
+        let sums = &mut self.derivatives;
+        let mut entries = sums.second.iter_mut().zip(&second);
+        for (k, (sum, x)) in sums.first.iter_mut().zip(&first).enumerate() {
+            *sum = *sum - mu * *x;
+            let row = entries.by_ref().zip(first.iter().take(k + 1));
+            for ((sum, second), y) in row {
+                *sum = *sum + mu * (*x * *y - *second * per);
             }
-            x
         }
-        let (g, h) = (self.gradient, self.hessian);
-        let (g1, h1) = (other.gradient, other.hessian);
-        Self {
-            gradient: Gradient {
-                start: sum(g.start, g1.start.map(R::neg)),
-                end: sum(g.end, g1.end.map(R::neg)),
-                t: g.t + g1.t,
-            },
-            hessian: Hessian {
-                start: sum(h.start, h1.start),
-                end: sum(h.end, h1.end),
-                cross: sum(h.cross, h1.cross),
-                start_t: sum(h.start_t, h1.start_t.map(R::neg)),
-                end_t: sum(h.end_t, h1.end_t.map(R::neg)),
-                t: h.t + h1.t,
-            },
-            damping: self.damping + other.damping,
-        }
+        let [.., t] = first;
+        self.damping = self.damping + mu * t * t;
     }
 }
 
@@ -112,8 +69,6 @@ impl<R: Real> Chain<'_, '_, R> {
         self.memory.matrix.clear();
         self.memory.damping.clear();
         self.memory.gradient_t.numbers_mut().fill(R::ONE);
-        self.memory.diagonal.clear();
-        self.memory.gradient.clear();
         for axis in 0..self.axes {
             for section in 0..self.sections {
                 self.assemble_section(section, axis, mu)?;
@@ -128,32 +83,53 @@ impl<R: Real> Chain<'_, '_, R> {
     fn assemble_section(&mut self, section: usize, axis: usize, mu: R) -> Option<()> {
         let ends = [section, section + 1].map(|point| self.at(point, axis));
         let duration = self.memory.durations.at(section);
-        let [upper, lower] = self.borders(section, axis, ends, duration)?;
         let mu = mu * self.memory.weights.at(section);
-        let term = Term::of(&upper, mu).with_mirrored(Term::of(&lower, mu));
-        let Term {
-            gradient,
-            hessian,
+        let limits = self.limits(section, axis).ok()?;
+        let borders = self.borders(limits, (section, axis), ends, duration);
+        let mut terms = Terms::none();
+        let mut slacks = [R::ZERO; 2];
+        for (border, slack) in borders.iter().zip(&mut slacks) {
+            let farthest = border.farthest()?;
+            *slack = farthest.slack;
+            terms.add(border, &farthest, mu);
+        }
+        let Terms {
+            derivatives: Derivatives { first, second },
             damping,
-        } = term;
+        } = &terms;
+        let [g_v0, g_a0, g_v1, g_a1, g_t] = *first;
+        let [
+            v0v0,
+            a0v0,
+            a0a0,
+            v1v0,
+            v1a0,
+            v1v1,
+            a1v0,
+            a1a0,
+            a1v1,
+            a1a1,
+            tv0,
+            ta0,
+            tv1,
+            ta1,
+            tt,
+        ] = *second;
         let piece = section * self.axes + axis;
         let memory = &mut self.memory;
-        memory.slacks.set(piece, [upper.slack, lower.slack]);
-        memory.gradient_t.add(section, [gradient.t]);
-        memory.matrix.add(section, section, hessian.t);
-        memory.damping.add(section, [damping]);
-        let [[v0, a0], [v1, a1]] = [hessian.start_t, hessian.end_t];
-        memory.to_duration.set(piece, [v0, a0, v1, a1]);
+        memory.slacks.set(piece, slacks);
+        memory.gradient_t.add(section, [g_t]);
+        memory.matrix.add(section, section, tt);
+        memory.damping.add(section, [*damping]);
+        memory.to_duration.set(piece, [tv0, ta0, tv1, ta1]);
         // Way point `k` has the row before that of section `k`.
         if let Some(start) = piece.checked_sub(self.axes) {
-            memory.gradient.add(start, gradient.start);
-            memory.diagonal.add(start, hessian.start);
-            memory.coupling.set(start, hessian.cross);
+            memory.gradient.add(start, [g_v0, g_a0]);
+            memory.diagonal.add(start, [v0v0, a0v0, a0a0]);
+            memory.coupling.set(start, [v1v0, a1v0, v1a0, a1a0]);
         }
-        if section + 1 < self.sections {
-            memory.gradient.add(piece, gradient.end);
-            memory.diagonal.add(piece, hessian.end);
-        }
+        memory.gradient.set(piece, [g_v1, g_a1]);
+        memory.diagonal.set(piece, [v1v1, a1v1, a1a1]);
         Some(())
     }
 
@@ -198,9 +174,9 @@ impl<R: Real> Chain<'_, '_, R> {
                     logarithms = logarithms + self.weight_of_point(point) * ratio.ln();
                 }
                 let tried = self.memory.tried.at(section);
-                let [upper, lower] = self.borders(section, axis, [start, end], tried)?;
+                let [upper, lower] = self.slacks(section, axis, [start, end], tried)?;
                 let [was_upper, was_lower] = self.memory.slacks.row(piece);
-                let ratio = (upper.slack / was_upper) * (lower.slack / was_lower);
+                let ratio = (upper / was_upper) * (lower / was_lower);
                 logarithms = logarithms + self.memory.weights.at(section) * ratio.ln();
                 start = end;
             }

@@ -8,7 +8,7 @@ use crate::real::Real;
 
 /// An axis in the direction of one border.
 #[derive(Clone, Copy)]
-pub(super) struct Frame<R> {
+struct Frame<R> {
     vmax: R,
     /// The highest acceleration.
     bu: R,
@@ -23,8 +23,7 @@ pub(super) struct Frame<R> {
 }
 
 impl<R: Real> Frame<R> {
-    /// The frames of the upper border and of the lower one, which is the upper border of the mirrored axis.
-    pub fn both(limits: &Limits<R>) -> [Self; 2] {
+    fn both(limits: &Limits<R>) -> [Self; 2] {
         let per_jerk = PerJerk::of(limits);
         let frame = |limits: &Limits<R>, PerJerk { gu, gd }| Self {
             vmax: limits.vmax,
@@ -51,11 +50,27 @@ pub(super) struct Ends<R> {
 }
 
 impl<R: Real> Ends<R> {
-    pub fn mirrored(self) -> Self {
+    fn mirrored(self) -> Self {
         let Self { v0, a0, v1, a1 } = self;
-        let [v0, a0, v1, a1] = [v0, a0, v1, a1].map(R::neg);
-        Self { v0, a0, v1, a1 }
+        Self {
+            v0: -v0,
+            a0: -a0,
+            v1: -v1,
+            a1: -a1,
+        }
     }
+}
+
+/// One border of a section of an axis.
+pub(super) struct Border<R> {
+    frame: Frame<R>,
+    ends: Ends<R>,
+    /// The duration, s.
+    t: R,
+    /// How long the section is.
+    h: R,
+    /// This is the lower border.
+    is_mirrored: bool,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -69,8 +84,6 @@ enum Shape {
 
 /// The motion of a duration that gets farthest.
 pub(super) struct Farthest<R> {
-    frame: Frame<R>,
-    ends: Ends<R>,
     shape: Shape,
     /// The acceleration after the first rise: `A`.
     peak: R,
@@ -86,35 +99,55 @@ pub(super) struct Farthest<R> {
     pub slack: R,
 }
 
-impl<R: Real> Farthest<R> {
-    /// The motion of the duration `t`, if there is one, and if it gets farther than `h`.
-    pub fn beyond(frame: &Frame<R>, ends: Ends<R>, t: R, h: R) -> Option<Self> {
-        let Frame { vmax, gu, q, .. } = *frame;
-        let Ends { v0, a0, .. } = ends;
-        let motion = Self::without_cruise(frame, ends, t, h);
-        let above = (vmax - v0) + R::HALF * gu * a0 * a0;
-        let is_motion = match &motion {
-            Some(Self {
-                peak, trough, top, ..
-            }) => {
-                // Where the velocity is highest, its change is more than what is left up to `vmax`.
-                if *peak > R::ZERO && *trough < R::ZERO && *peak * (q * *peak + *top) > above {
-                    return Self::cruise(frame, ends, t, h).filter(|cruise| cruise.slack > R::ZERO);
-                }
-                *peak >= a0 && *trough <= ends.a1
-            }
-            None => false,
-        };
-        motion.filter(|motion| is_motion && motion.slack > R::ZERO)
+impl<R: Real> Border<R> {
+    /// The upper border and the lower one, which is the upper border of the mirrored axis.
+    pub fn both(limits: &Limits<R>, ends: Ends<R>, t: R, h: R) -> [Self; 2] {
+        let [upper, lower] = Frame::both(limits);
+        [
+            Self {
+                frame: upper,
+                ends,
+                t,
+                h,
+                is_mirrored: false,
+            },
+            Self {
+                frame: lower,
+                ends: ends.mirrored(),
+                t,
+                h: -h,
+                is_mirrored: true,
+            },
+        ]
     }
 
-    /// The row of the table that belongs to the duration `t`, without the highest velocity.
-    fn without_cruise(frame: &Frame<R>, ends: Ends<R>, t: R, h: R) -> Option<Self> {
+    /// The farthest motion, if there is one, and if it gets farther than the section is long.
+    pub fn farthest(&self) -> Option<Farthest<R>> {
+        let Frame { vmax, gu, q, .. } = self.frame;
+        let Ends { v0, a0, a1, .. } = self.ends;
+        let mut farthest = self.without_cruise()?;
+        let Farthest {
+            peak, trough, top, ..
+        } = farthest;
+        // Where the velocity is highest, its change is more than what is left up to `vmax`.
+        let above = (vmax - v0) + R::HALF * gu * a0 * a0;
+        if peak > R::ZERO && trough < R::ZERO && peak * (q * peak + top) > above {
+            farthest = self.cruise();
+        } else if !(peak >= a0 && trough <= a1) {
+            return None;
+        }
+        (farthest.slack > R::ZERO).then_some(farthest)
+    }
+
+    /// The row of the table that belongs to the duration, without the highest velocity.
+    fn without_cruise(&self) -> Option<Farthest<R>> {
         let Frame {
             bu, bd, gu, gd, q, ..
-        } = *frame;
-        let Ends { v0, a0, v1, a1 } = ends;
-        let rest = t - gu * (a1 - a0); // R
+        } = self.frame;
+        let Ends { v0, a0, v1, a1 } = self.ends;
+        let rest = self.t - gu * (a1 - a0); // R
+        let is_motion = rest > R::ZERO;
+        is_motion.then_some(())?;
         let change = (v1 - v0) + R::HALF * gu * (a0 - a1) * (a0 + a1); // c
         let mut fall = rest / (q + q); // u
         let sum = change / (q * fall); // r
@@ -148,25 +181,30 @@ impl<R: Real> Farthest<R> {
             .then(peak, trough, gd * fall)
             .hold(trough, bottom)
             .then(trough, a1, gu * (a1 - trough));
-        (rest > R::ZERO).then_some(Self {
-            frame: *frame,
-            ends,
+        Some(Farthest {
             shape,
             peak,
             trough,
             top,
             bottom,
             falls: [gd * fall; 2],
-            slack: (v0 * t - h) + way.displacement,
+            slack: (v0 * self.t - self.h) + way.displacement,
         })
     }
 
     /// The motion that cruises at the highest velocity.
-    fn cruise(frame: &Frame<R>, ends: Ends<R>, t: R, h: R) -> Option<Self> {
-        let Frame { vmax, gu, gd, .. } = *frame;
-        let Ends { v0, a0, v1, a1 } = ends;
-        let (peak, top) = frame.ramp(vmax - v0, a0, frame.bu);
-        let (depth, bottom) = frame.ramp(vmax - v1, -a1, frame.bd);
+    fn cruise(&self) -> Farthest<R> {
+        let Frame {
+            vmax,
+            bu,
+            bd,
+            gu,
+            gd,
+            ..
+        } = self.frame;
+        let Ends { v0, a0, v1, a1 } = self.ends;
+        let (peak, top) = self.frame.ramp(vmax - v0, a0, bu);
+        let (depth, bottom) = self.frame.ramp(vmax - v1, -a1, bd);
         let up =
             Change::of(a0, peak, gu * (peak - a0))
                 .hold(peak, top)
@@ -175,10 +213,8 @@ impl<R: Real> Farthest<R> {
             .hold(-depth, bottom)
             .then(-depth, a1, gu * (a1 + depth));
         // By rounding the pause may be below 0.
-        let at_vmax = (t - up.duration - down.duration).at_least(R::ZERO) + down.duration;
-        Some(Self {
-            frame: *frame,
-            ends,
+        let at_vmax = (self.t - up.duration - down.duration).at_least(R::ZERO) + down.duration;
+        Farthest {
             shape: Shape::Cruise,
             peak,
             trough: -depth,
@@ -186,69 +222,62 @@ impl<R: Real> Farthest<R> {
             bottom,
             falls: [gd * peak, gd * depth],
             // The start counts while it lasts only: its velocity may be far beyond the highest one.
-            slack: (vmax * at_vmax - h)
+            slack: (vmax * at_vmax - self.h)
                 + (v0 * up.duration + (up.displacement + down.displacement)),
-        })
+        }
     }
 
     /// How long the acceleration rises at the start and at the end, s: `t1`, `t7`.
-    fn rises(&self) -> [R; 2] {
+    fn rises(&self, farthest: &Farthest<R>) -> [R; 2] {
         let gu = self.frame.gu;
         [
-            gu * (self.peak - self.ends.a0),
-            gu * (self.ends.a1 - self.trough),
+            gu * (farthest.peak - self.ends.a0),
+            gu * (self.ends.a1 - farthest.trough),
         ]
     }
 
     /// From both ends to the middle of the fall, s: `c0`, `c1`.
-    fn middles(&self) -> [R; 2] {
-        let [first, last] = self.rises();
-        let [after, before] = self.falls;
+    fn middles(&self, farthest: &Farthest<R>) -> [R; 2] {
+        let [first, last] = self.rises(farthest);
+        let [after, before] = farthest.falls;
         [
-            first + self.top + R::HALF * after,
-            last + self.bottom + R::HALF * before,
+            first + farthest.top + R::HALF * after,
+            last + farthest.bottom + R::HALF * before,
         ]
     }
 
-    /// The derivatives of the slack with respect to the state at the start, the state at the end and the duration.
-    pub fn gradient(&self) -> Gradient<R> {
-        let Ends { v1, a1, .. } = self.ends;
-        let ([first, last], [c0, c1]) = (self.rises(), self.middles());
-        let t = if self.shape == Shape::Cruise {
-            self.frame.vmax
+    /// The derivatives of the slack.
+    pub fn derivatives(&self, farthest: &Farthest<R>) -> Derivatives<R> {
+        let mut derivatives = if farthest.shape == Shape::Cruise {
+            self.derivatives_of_cruise(farthest)
         } else {
-            (v1 - c1 * a1) + (a1 - self.trough) * (c1 - R::HALF * last)
+            self.derivatives_without_cruise(farthest)
         };
-        Gradient {
-            start: [c0, first * (c0 - R::HALF * first)],
-            end: [c1, -last * (c1 - R::HALF * last)],
-            t,
+        if self.is_mirrored {
+            let Derivatives { first, second } = &mut derivatives;
+            let [v0, a0, v1, a1, _] = first;
+            let [.., tv0, ta0, tv1, ta1, _] = second;
+            for odd in [v0, a0, v1, a1, tv0, ta0, tv1, ta1] {
+                *odd = -*odd;
+            }
         }
+        derivatives
     }
 
-    /// The second derivatives of the slack.
-    pub fn hessian(&self) -> Hessian<R> {
-        if self.shape == Shape::Cruise {
-            self.hessian_of_cruise()
-        } else {
-            self.hessian_without_cruise()
-        }
-    }
-
-    fn hessian_without_cruise(&self) -> Hessian<R> {
+    fn derivatives_without_cruise(&self, farthest: &Farthest<R>) -> Derivatives<R> {
         let Frame {
             gu, gd, q, bu, bd, ..
         } = self.frame;
-        let Ends { a0, a1, .. } = self.ends;
-        let ([first, last], [c0, c1]) = (self.rises(), self.middles());
-        let per_fall = R::ONE / (self.peak - self.trough); // 1/u
+        let Ends { a0, v1, a1, .. } = self.ends;
+        let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
+        let per_fall = R::ONE / (farthest.peak - farthest.trough); // 1/u
         let half = R::HALF * per_fall / q; // 1/2qu
         let zero = R::ZERO;
         // The derivatives of `A`, `u` and `h1` with respect to `c`, then to `R`.
-        let ([peak_c, fall_c, top_c], [peak_r, fall_r, top_r]) = match self.shape {
+        let ([peak_c, fall_c, top_c], [peak_r, fall_r, top_r]) = match farthest.shape {
             Shape::NoHold => {
                 let fall = R::HALF / q;
-                let sum = self.peak + self.trough;
+                let sum = farthest.peak + farthest.trough;
                 (
                     [half, zero, zero],
                     [R::HALF * (fall - sum * half), fall, zero],
@@ -271,28 +300,26 @@ impl<R: Real> Farthest<R> {
         let (last_c, last_r) = (gu * (fall_c - peak_c), gu * (fall_r - peak_r));
         let p = gu * (alpha * a0 + beta - R::ONE);
         let r = -gu * (alpha * a1 + beta);
-        Hessian {
-            start: [
+        let by_t = (v1 - c1 * a1) + (a1 - farthest.trough) * (c1 - R::HALF * last);
+        Derivatives {
+            first: self.first(farthest, by_t),
+            #[rustfmt::skip]
+            second: [
                 -alpha,
-                p,
-                k0 * gu * (first_c * a0 + first_r - R::ONE) + first * p,
+                p, k0 * gu * (first_c * a0 + first_r - R::ONE) + first * p,
+                alpha, -p, -alpha,
+                r, first * r - gu * k0 * (first_c * a1 + first_r),
+                    -r, last * r - k1 * gu * (R::ONE - last_c * a1 - last_r),
+                beta, k0 * first_r + first * beta,
+                    nu, -(k1 * last_r + last * nu), k1 * (fall_r - peak_r) - farthest.trough * nu,
             ],
-            cross: [alpha, r, -p, first * r - gu * k0 * (first_c * a1 + first_r)],
-            start_t: [beta, k0 * first_r + first * beta],
-            end: [
-                -alpha,
-                -r,
-                last * r - k1 * gu * (R::ONE - last_c * a1 - last_r),
-            ],
-            end_t: [nu, -(k1 * last_r + last * nu)],
-            t: k1 * (fall_r - peak_r) - self.trough * nu,
         }
     }
 
     /// The two ramps know nothing of each other, and the duration adds to the cruise alone.
-    fn hessian_of_cruise(&self) -> Hessian<R> {
+    fn derivatives_of_cruise(&self, farthest: &Farthest<R>) -> Derivatives<R> {
         let Ends { a0, a1, .. } = self.ends;
-        let ([first, last], [c0, c1]) = (self.rises(), self.middles());
+        let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
         let zero = R::ZERO;
         let ramp = |peak: R, limit: R, hold: R, a: R, rise: R, middle: R| {
             let Frame { gu, gd, q, .. } = self.frame;
@@ -308,17 +335,39 @@ impl<R: Real> Farthest<R> {
             let of_a = (middle - rise) * gu * (gu * per_peak * a - R::ONE) + rise * mixed;
             [-alpha, mixed, of_a]
         };
-        let start = ramp(self.peak, self.frame.bu, self.top, a0, first, c0);
+        let start = ramp(farthest.peak, self.frame.bu, farthest.top, a0, first, c0);
         // In the other order of time the acceleration has the other sign.
-        let [vv, va, aa] = ramp(-self.trough, self.frame.bd, self.bottom, -a1, last, c1);
-        Hessian {
-            start,
-            end: [vv, -va, aa],
-            cross: [zero; 4],
-            start_t: [zero; 2],
-            end_t: [zero; 2],
-            t: zero,
+        let [vv, va, aa] = ramp(
+            -farthest.trough,
+            self.frame.bd,
+            farthest.bottom,
+            -a1,
+            last,
+            c1,
+        );
+        let [v0v0, a0v0, a0a0] = start;
+        Derivatives {
+            first: self.first(farthest, self.frame.vmax),
+            #[rustfmt::skip]
+            second: [
+                v0v0,
+                a0v0, a0a0,
+                zero, zero, vv,
+                zero, zero, -va, aa,
+                zero, zero, zero, zero, zero,
+            ],
         }
+    }
+
+    fn first(&self, farthest: &Farthest<R>, by_t: R) -> [R; 5] {
+        let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
+        [
+            c0,
+            first * (c0 - R::HALF * first),
+            c1,
+            -last * (c1 - R::HALF * last),
+            by_t,
+        ]
     }
 }
 
@@ -340,29 +389,17 @@ impl<R: Real> Frame<R> {
     }
 }
 
-/// The first derivatives by velocity and acceleration at the start and at the end, and by the duration.
-#[derive(Clone, Copy)]
-pub(super) struct Gradient<R> {
-    pub start: [R; 2],
-    pub end: [R; 2],
-    pub t: R,
-}
-
-/// The second derivatives. A symmetric block has its entries `vv`, `va`, `aa`.
-#[derive(Clone, Copy)]
-pub(super) struct Hessian<R> {
-    pub start: [R; 3],
-    pub end: [R; 3],
-    /// `v0 v1`, `v0 a1`, `a0 v1`, `a0 a1`
-    pub cross: [R; 4],
-    pub start_t: [R; 2],
-    pub end_t: [R; 2],
-    pub t: R,
+/// The derivatives by velocity and acceleration at the start and at the end, and by the duration.
+pub(super) struct Derivatives<R> {
+    /// By `v0`, `a0`, `v1`, `a1`, `t`.
+    pub first: [R; 5],
+    /// By two of them, row by row up to the diagonal.
+    pub second: [R; 15],
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Ends, Farthest, Frame};
+    use super::{Border, Derivatives, Ends, Frame};
     use crate::limits::Limits;
 
     /// Numbers between 0 and 1.
@@ -390,19 +427,21 @@ mod tests {
 
     fn derivatives(frame: &Frame<f64>, x: [f64; 5]) -> Option<([f64; 6], [[f64; 5]; 5], u8)> {
         let [v0, a0, v1, a1, t] = x;
-        let farthest = Farthest::beyond(frame, Ends { v0, a0, v1, a1 }, t, -1e3)?;
-        let (g, h) = (farthest.gradient(), farthest.hessian());
-        let [s, e, c] = [h.start, h.end, [h.t, 0.0, 0.0]];
-        let [x00, x01, x10, x11] = h.cross;
-        let matrix = [
-            [s[0], s[1], x00, x01, h.start_t[0]],
-            [s[1], s[2], x10, x11, h.start_t[1]],
-            [x00, x10, e[0], e[1], h.end_t[0]],
-            [x01, x11, e[1], e[2], h.end_t[1]],
-            [h.start_t[0], h.start_t[1], h.end_t[0], h.end_t[1], c[0]],
-        ];
-        let gradient = [g.start[0], g.start[1], g.end[0], g.end[1], g.t];
-        let [g0, g1, g2, g3, g4] = gradient;
+        let border = Border {
+            frame: *frame,
+            ends: Ends { v0, a0, v1, a1 },
+            t,
+            h: -1e3,
+            is_mirrored: false,
+        };
+        let farthest = border.farthest()?;
+        let Derivatives { first, second } = border.derivatives(&farthest);
+        let entry = |row: usize, column: usize| {
+            let (first, last) = (row.min(column), row.max(column));
+            second[last * (last + 1) / 2 + first]
+        };
+        let matrix = [0, 1, 2, 3, 4].map(|row| [0, 1, 2, 3, 4].map(|column| entry(row, column)));
+        let [g0, g1, g2, g3, g4] = first;
         Some((
             [g0, g1, g2, g3, g4, farthest.slack],
             matrix,

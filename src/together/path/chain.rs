@@ -1,6 +1,6 @@
 //! The sections of a path, one behind the other: what is given, and the plan as it stands.
 
-use super::border::{Ends, Farthest, Frame};
+use super::border::{Border, Ends};
 use super::bounds::Bounds;
 use super::memory::Memory;
 use crate::findings::{Error, Findings};
@@ -159,11 +159,6 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
         self.request.limits(self.place(section), axis)
     }
 
-    /// Both borders of a section.
-    pub fn frames(&self, section: usize, axis: usize) -> Option<[Frame<R>; 2]> {
-        self.limits(section, axis).ok().map(Frame::both)
-    }
-
     /// The limits of a way point: those of both sections, and of sections between them that do not last.
     pub fn bounds(&self, point: usize, axis: usize) -> Bounds<R> {
         let mut bounds = Bounds::default();
@@ -222,21 +217,30 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
         self.memory.displacements.at(section * self.axes + axis)
     }
 
-    /// The farthest motions of an axis to both sides, if the section can last `duration` between these states.
-    pub fn borders(
+    /// How much farther than the section an axis gets to both sides, if the section can last `duration` between these states.
+    pub fn slacks(
         &self,
         section: usize,
         axis: usize,
+        ends: [[R; 2]; 2],
+        duration: R,
+    ) -> Option<[R; 2]> {
+        let limits = self.limits(section, axis).ok()?;
+        let [upper, lower] = self.borders(limits, (section, axis), ends, duration);
+        Some([upper.farthest()?.slack, lower.farthest()?.slack])
+    }
+
+    /// Both borders of a section between these states.
+    pub fn borders(
+        &self,
+        limits: &Limits<R>,
+        (section, axis): (usize, usize),
         [[v0, a0], [v1, a1]]: [[R; 2]; 2],
         duration: R,
-    ) -> Option<[Farthest<R>; 2]> {
-        let [upper, lower] = self.frames(section, axis)?;
+    ) -> [Border<R>; 2] {
         let t = self.inside(section, axis, duration);
         let h = self.displacement(section, axis);
-        let ends = Ends { v0, a0, v1, a1 };
-        let upper = Farthest::beyond(&upper, ends, t, h)?;
-        let lower = Farthest::beyond(&lower, ends.mirrored(), t, -h)?;
-        Some([upper, lower])
+        Border::both(limits, Ends { v0, a0, v1, a1 }, t, h)
     }
 
     /// Whether every axis can take `duration` for a section, with slack to both sides.
@@ -244,7 +248,7 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
         let mut axes = 0..self.axes;
         axes.all(|axis| {
             let ends = [section, section + 1].map(|point| self.at(point, axis));
-            self.borders(section, axis, ends, duration).is_some()
+            self.slacks(section, axis, ends, duration).is_some()
         })
     }
 

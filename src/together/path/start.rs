@@ -205,7 +205,7 @@ impl<R: Real> Chain<'_, '_, R> {
             .bounds(point, axis)
             .product(self.at(point, axis))
             .is_some();
-        is_inside && self.borders(point - 1, axis, ends, duration).is_some()
+        is_inside && self.slacks(point - 1, axis, ends, duration).is_some()
     }
 
     fn mean(&self, point: usize, axis: usize, duration: R) -> Option<[R; 2]> {
