@@ -12,7 +12,7 @@ typedef int planner(atraj_state *states, a_float *durations, const atraj_limits 
 static planner *const planners[] = {atraj_path_plan, atraj_path_improve, atraj_path_plan_zones};
 enum { PLANNERS = 3 };
 
-enum { AXES = 3, SECTIONS = 5, STATES = (SECTIONS + 1) * AXES, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+enum { AXES = 3, SECTIONS = 5, STATES = (SECTIONS + 1) * AXES, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
 
 /* The way points of example 3 of Ruckig, with the limits of every section. */
 struct path

@@ -59,7 +59,7 @@ static inline int solve_axes(const axes_problem *q, atraj_move *axes)
 }
 
 /* Axes that pass 4 way points, and a window that moves on: it has the last 2 of these sections and a new one, and 8 steps improve it. */
-enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
 typedef struct {
     atraj_limits limits[AXES];
     atraj_state states[(SECTIONS + 1) * AXES];

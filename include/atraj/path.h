@@ -19,7 +19,7 @@ extern "C" {
 #endif /* __cplusplus */
 
 /**
- * @brief How many numbers of working memory a path needs: `axes * (21 * sections - 5) + sections * (sections + 12)`.
+ * @brief How many numbers of working memory a path needs: `axes * (28 * sections - 12) + sections * (sections + 12)`.
  * @param axes number of axes
  * @param sections number of sections: one less than points
  * @return how many `a_float` the array `work` has; 0 if `axes` or `sections` is 0 or above 4,096

@@ -2,44 +2,79 @@
 //!
 //! `docs/path.md` has the theory, in "The barrier".
 
-use super::border::{Border, Derivatives, Farthest};
+use super::border::Derivatives;
 use super::chain::Chain;
 use crate::real::Real;
 
-/// Derivatives of terms of the barrier in the states and the duration of one section.
-struct Terms<R> {
-    derivatives: Derivatives<R>,
-    /// The part of the second derivative by the duration that is never negative.
-    damping: R,
+/// The products of two numbers each, row by row up to the diagonal.
+#[rustfmt::skip]
+fn products<R: Real>([v0, a0, v1, a1, t]: [R; 5]) -> [R; 15] {
+    [
+        v0 * v0,
+        a0 * v0, a0 * a0,
+        v1 * v0, v1 * a0, v1 * v1,
+        a1 * v0, a1 * a0, a1 * v1, a1 * a1,
+        t * v0, t * a0, t * v1, t * a1, t * t,
+    ]
 }
 
-impl<R: Real> Terms<R> {
+fn scaled<R: Real>([v0, a0, v1, a1, t]: [R; 5], by: R) -> [R; 5] {
+    [by * v0, by * a0, by * v1, by * a1, by * t]
+}
+
+/// Makes the derivatives of a slack and of the opposite one the sum of those of `-mu` times their logarithms. Gives the part of the second
+/// derivative by the duration that is never negative.
+fn take_logarithms<R: Real>(
+    [above, below]: [R; 2],
+    upper: &mut Derivatives<R>,
+    lower: &Derivatives<R>,
+    mu: R,
+) -> R {
+    let (per_above, per_below) = (R::ONE / above, R::ONE / below);
+    let (x, z) = (
+        scaled(upper.first, per_above),
+        scaled(lower.first, per_below),
+    );
+    let products = products(x).into_iter().zip(products(z));
+    let entries = upper.second.iter_mut().zip(&lower.second);
+    for ((entry, other), (xx, zz)) in entries.zip(products) {
+        *entry = mu * ((xx - per_above * *entry) + (zz - per_below * *other));
+    }
+    let ([x0, x1, x2, x3, x_t], [z0, z1, z2, z3, z_t]) = (x, z);
+    let sums = [x0 + z0, x1 + z1, x2 + z2, x3 + z3, x_t + z_t];
+    upper.first = scaled(sums, -mu);
+    mu * (x_t * x_t + z_t * z_t)
+}
+
+/// A sum of logarithms: products, and few logarithms.
+struct Logarithms<R> {
+    sum: R,
+    product: R,
+}
+
+impl<R: Real> Logarithms<R> {
     fn none() -> Self {
         Self {
-            derivatives: Derivatives {
-                first: [R::ZERO; 5],
-                second: [R::ZERO; 15],
-            },
-            damping: R::ZERO,
+            sum: R::ZERO,
+            product: R::ONE,
         }
     }
 
-    /// Adds `-mu` times the logarithm of the slack.
-    fn add(&mut self, border: &Border<R>, farthest: &Farthest<R>, mu: R) {
-        let Derivatives { first, second } = border.derivatives(farthest);
-        let per = R::ONE / farthest.slack;
-        let first = first.map(|x| x * per);
-        let sums = &mut self.derivatives;
-        let mut entries = sums.second.iter_mut().zip(&second);
-        for (k, (sum, x)) in sums.first.iter_mut().zip(&first).enumerate() {
-            *sum = *sum - mu * *x;
-            let row = entries.by_ref().zip(first.iter().take(k + 1));
-            for ((sum, second), y) in row {
-                *sum = *sum + mu * (*x * *y - *second * per);
-            }
+    fn add(&mut self, factor: R) {
+        self.product = self.product * factor;
+        // The next factor must not leave the range of binary32.
+        let most = R::from(1 << 7) * R::from(1 << 7) * R::from(1 << 7);
+        let is_small = self.product < most && self.product * most > R::ONE;
+        if !is_small {
+            *self = Self {
+                sum: self.sum(),
+                product: R::ONE,
+            };
         }
-        let [.., t] = first;
-        self.damping = self.damping + mu * t * t;
+    }
+
+    fn sum(&self) -> R {
+        self.sum + self.product.ln()
     }
 }
 
@@ -85,18 +120,12 @@ impl<R: Real> Chain<'_, '_, R> {
         let duration = self.memory.durations.at(section);
         let mu = mu * self.memory.weights.at(section);
         let limits = self.limits(section, axis).ok()?;
-        let borders = self.borders(limits, (section, axis), ends, duration);
-        let mut terms = Terms::none();
-        let mut slacks = [R::ZERO; 2];
-        for (border, slack) in borders.iter().zip(&mut slacks) {
-            let farthest = border.farthest()?;
-            *slack = farthest.slack;
-            terms.add(border, &farthest, mu);
-        }
-        let Terms {
-            derivatives: Derivatives { first, second },
-            damping,
-        } = &terms;
+        let [upper, lower] = &self.borders(limits, (section, axis), ends, duration);
+        let (above, below) = (upper.farthest()?, lower.farthest()?);
+        let slacks = [above.slack, below.slack];
+        let mut terms = upper.derivatives(&above);
+        let damping = take_logarithms(slacks, &mut terms, &lower.derivatives(&below), mu);
+        let Derivatives { first, second } = &terms;
         let [g_v0, g_a0, g_v1, g_a1, g_t] = *first;
         let [
             v0v0,
@@ -120,7 +149,7 @@ impl<R: Real> Chain<'_, '_, R> {
         memory.slacks.set(piece, slacks);
         memory.gradient_t.add(section, [g_t]);
         memory.matrix.add(section, section, tt);
-        memory.damping.add(section, [*damping]);
+        memory.damping.add(section, [damping]);
         memory.to_duration.set(piece, [tv0, ta0, tv1, ta1]);
         // Way point `k` has the row before that of section `k`.
         if let Some(start) = piece.checked_sub(self.axes) {
@@ -137,7 +166,6 @@ impl<R: Real> Chain<'_, '_, R> {
         let row = (point - 1) * self.axes + axis;
         let (bounds, state) = (self.bounds(point, axis), self.at(point, axis));
         let (gradient, hessian) = bounds.barrier(state, mu * self.weight_of_point(point));
-        self.memory.products.put(row, bounds.product(state)?);
         self.memory.gradient.add(row, gradient);
         self.memory.diagonal.add(row, hessian);
         if self.is_narrow(point, axis) {
@@ -161,26 +189,46 @@ impl<R: Real> Chain<'_, '_, R> {
             self.memory.tried.put(section, tried);
             change = change + (tried - duration);
         }
-        let mut logarithms = R::ZERO;
-        for axis in 0..self.axes {
-            let mut start = self.moved(0, axis, part);
-            for section in 0..self.sections {
-                let point = section + 1;
-                let end = self.moved(point, axis, part);
-                let piece = section * self.axes + axis;
-                if point < self.sections {
-                    let product = self.bounds(point, axis).product(end)?;
-                    let ratio = product / self.memory.products.at(piece);
-                    logarithms = logarithms + self.weight_of_point(point) * ratio.ln();
-                }
-                let tried = self.memory.tried.at(section);
-                let [upper, lower] = self.slacks(section, axis, [start, end], tried)?;
-                let [was_upper, was_lower] = self.memory.slacks.row(piece);
-                let ratio = (upper / was_upper) * (lower / was_lower);
-                logarithms = logarithms + self.memory.weights.at(section) * ratio.ln();
-                start = end;
+        for point in 1..self.sections {
+            for axis in 0..self.axes {
+                let moved = self.moved(point, axis, part);
+                let row = point * self.axes + axis;
+                self.memory.tried_states.set(row, moved);
             }
         }
+        let mut logarithms = R::ZERO;
+        for section in 0..self.sections {
+            let weight = self.memory.weights.at(section);
+            logarithms = logarithms + weight * self.try_section(section)?;
+        }
+        for point in 1..self.sections {
+            logarithms = logarithms + self.weight_of_point(point) * self.try_point(point)?;
+        }
         Some(change - mu * logarithms)
+    }
+
+    /// The change of the logarithms of a section's slacks.
+    fn try_section(&self, section: usize) -> Option<R> {
+        let tried = self.memory.tried.at(section);
+        let mut logarithms = Logarithms::none();
+        for axis in 0..self.axes {
+            let piece = section * self.axes + axis;
+            let ends = [piece, piece + self.axes].map(|row| self.memory.tried_states.row(row));
+            let [upper, lower] = self.slacks(section, axis, ends, tried)?;
+            let [was_upper, was_lower] = self.memory.slacks.row(piece);
+            logarithms.add((upper / was_upper) * (lower / was_lower));
+        }
+        Some(logarithms.sum())
+    }
+
+    /// The change of the logarithms of a way point's slacks.
+    fn try_point(&self, point: usize) -> Option<R> {
+        let mut logarithms = Logarithms::none();
+        for axis in 0..self.axes {
+            let bounds = self.bounds(point, axis);
+            let tried = self.memory.tried_states.row(point * self.axes + axis);
+            logarithms.add(bounds.product(tried)? / bounds.product(self.at(point, axis))?);
+        }
+        Some(logarithms.sum())
     }
 }

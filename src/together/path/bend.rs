@@ -57,12 +57,12 @@ impl<R: Real> Parabola<R> {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// The state at a point, moved by the part `part` of the step.
+    /// The state at a way point, moved by the part `part` of the step.
     pub fn moved(&self, point: usize, axis: usize, part: R) -> [R; 2] {
         let [v, a] = self.at(point, axis);
-        let [dv, da] = self.memory.directions.row(point * self.axes + axis);
+        let [dv, da] = self.memory.directions.row((point - 1) * self.axes + axis);
         let straight = [v + part * dv, a + part * da];
-        if point == 0 || point == self.sections || !self.is_narrow(point, axis) {
+        if !self.is_narrow(point, axis) {
             return straight;
         }
         let now = self.parabola(point, axis, &self.memory.durations);

@@ -69,8 +69,8 @@ pub(super) struct Border<R> {
     t: R,
     /// How long the section is.
     h: R,
-    /// This is the lower border.
-    is_mirrored: bool,
+    /// 1, and -1 in the mirrored axis.
+    sign: R,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -109,14 +109,14 @@ impl<R: Real> Border<R> {
                 ends,
                 t,
                 h,
-                is_mirrored: false,
+                sign: R::ONE,
             },
             Self {
                 frame: lower,
                 ends: ends.mirrored(),
                 t,
                 h: -h,
-                is_mirrored: true,
+                sign: -R::ONE,
             },
         ]
     }
@@ -248,20 +248,11 @@ impl<R: Real> Border<R> {
 
     /// The derivatives of the slack.
     pub fn derivatives(&self, farthest: &Farthest<R>) -> Derivatives<R> {
-        let mut derivatives = if farthest.shape == Shape::Cruise {
+        if farthest.shape == Shape::Cruise {
             self.derivatives_of_cruise(farthest)
         } else {
             self.derivatives_without_cruise(farthest)
-        };
-        if self.is_mirrored {
-            let Derivatives { first, second } = &mut derivatives;
-            let [v0, a0, v1, a1, _] = first;
-            let [.., tv0, ta0, tv1, ta1, _] = second;
-            for odd in [v0, a0, v1, a1, tv0, ta0, tv1, ta1] {
-                *odd = -*odd;
-            }
         }
-        derivatives
     }
 
     fn derivatives_without_cruise(&self, farthest: &Farthest<R>) -> Derivatives<R> {
@@ -300,6 +291,7 @@ impl<R: Real> Border<R> {
         let (last_c, last_r) = (gu * (fall_c - peak_c), gu * (fall_r - peak_r));
         let p = gu * (alpha * a0 + beta - R::ONE);
         let r = -gu * (alpha * a1 + beta);
+        let sign = self.sign;
         let by_t = (v1 - c1 * a1) + (a1 - farthest.trough) * (c1 - R::HALF * last);
         Derivatives {
             first: self.first(farthest, by_t),
@@ -310,8 +302,8 @@ impl<R: Real> Border<R> {
                 alpha, -p, -alpha,
                 r, first * r - gu * k0 * (first_c * a1 + first_r),
                     -r, last * r - k1 * gu * (R::ONE - last_c * a1 - last_r),
-                beta, k0 * first_r + first * beta,
-                    nu, -(k1 * last_r + last * nu), k1 * (fall_r - peak_r) - farthest.trough * nu,
+                sign * beta, sign * (k0 * first_r + first * beta),
+                    sign * nu, -sign * (k1 * last_r + last * nu), k1 * (fall_r - peak_r) - farthest.trough * nu,
             ],
         }
     }
@@ -361,11 +353,12 @@ impl<R: Real> Border<R> {
 
     fn first(&self, farthest: &Farthest<R>, by_t: R) -> [R; 5] {
         let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
+        let sign = self.sign;
         [
-            c0,
-            first * (c0 - R::HALF * first),
-            c1,
-            -last * (c1 - R::HALF * last),
+            sign * c0,
+            sign * first * (c0 - R::HALF * first),
+            sign * c1,
+            -sign * last * (c1 - R::HALF * last),
             by_t,
         ]
     }
@@ -432,7 +425,7 @@ mod tests {
             ends: Ends { v0, a0, v1, a1 },
             t,
             h: -1e3,
-            is_mirrored: false,
+            sign: 1.0,
         };
         let farthest = border.farthest()?;
         let Derivatives { first, second } = border.derivatives(&farthest);

@@ -5,7 +5,7 @@ use crate::online::ramp::PerJerk;
 use crate::real::Real;
 
 /// The tightest limits of the sections at a way point.
-pub(super) struct Bounds<R> {
+struct Tightest<R> {
     vmax: R,
     vmin: R,
     amax: R,
@@ -16,40 +16,72 @@ pub(super) struct Bounds<R> {
     gd: R,
 }
 
-impl<R: Real> Default for Bounds<R> {
-    fn default() -> Self {
-        let endless = R::INFINITY;
-        Self {
-            vmax: endless,
-            vmin: -endless,
-            amax: endless,
-            amin: -endless,
+impl<R: Real> Tightest<R> {
+    fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
+    where
+        R: 'a,
+    {
+        let mut tightest = Self {
+            vmax: R::INFINITY,
+            vmin: -R::INFINITY,
+            amax: R::INFINITY,
+            amin: -R::INFINITY,
             gu: R::ZERO,
             gd: R::ZERO,
+        };
+        for limits in all {
+            let PerJerk { gu, gd } = PerJerk::of(limits);
+            tightest = Self {
+                vmax: tightest.vmax.at_most(limits.vmax),
+                vmin: tightest.vmin.at_least(limits.vmin),
+                amax: tightest.amax.at_most(limits.amax),
+                amin: tightest.amin.at_least(limits.amin),
+                gu: tightest.gu.at_least(gu),
+                gd: tightest.gd.at_least(gd),
+            };
         }
+        tightest
     }
 }
 
+/// The limits of a way point as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite
+/// limit is 0.
+pub(super) struct Bounds<R>(pub [R; 6]);
+
 impl<R: Real> Bounds<R> {
-    pub fn tighten(&mut self, limits: &Limits<R>) {
-        let PerJerk { gu, gd } = PerJerk::of(limits);
-        self.vmax = self.vmax.at_most(limits.vmax);
-        self.vmin = self.vmin.at_least(limits.vmin);
-        self.amax = self.amax.at_most(limits.amax);
-        self.amin = self.amin.at_least(limits.amin);
-        self.gu = self.gu.at_least(gu);
-        self.gd = self.gd.at_least(gd);
+    pub fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
+    where
+        R: 'a,
+    {
+        let Tightest {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            gu,
+            gd,
+        } = Tightest::of(all);
+        let [amax, amin, vmax, vmin] = [amax, amin, vmax, vmin].map(|limit| R::ONE / limit);
+        Self([
+            amax,
+            amin,
+            vmax,
+            vmin,
+            R::HALF * gd * vmax,
+            -R::HALF * gu * vmin,
+        ])
     }
 
     /// What the acceleration, and the velocity after the acceleration is undone, leave of both limits: parts of the limits. An infinite limit
     /// leaves 1.
     fn slacks(&self, [v, a]: [R; 2]) -> [R; 4] {
-        let half_square = R::HALF * a * a;
+        let Self([amax, amin, vmax, vmin, down, up]) = *self;
+        let square = a * a;
         [
-            R::ONE - a / self.amax,
-            R::ONE - a / self.amin,
-            R::ONE - (v + self.gd * half_square) / self.vmax,
-            R::ONE - (v - self.gu * half_square) / self.vmin,
+            R::ONE - a * amax,
+            R::ONE - a * amin,
+            R::ONE - (v * vmax + square * down),
+            R::ONE - (v * vmin + square * up),
         ]
     }
 
@@ -67,29 +99,27 @@ impl<R: Real> Bounds<R> {
 
     /// Gradient and Hessian of `-mu` times the logarithm of the product, as `v, a` and `vv, va, aa`.
     pub fn barrier(&self, state @ [_, a]: [R; 2], mu: R) -> ([R; 2], [R; 3]) {
-        let [amax, amin, vmax, vmin] = self.slacks(state);
-        let zero = R::ZERO;
-        let term = |slack: R, v: R, a: R, aa: R| {
-            let [v, a] = [v / slack, a / slack];
-            (
-                [-mu * v, -mu * a],
-                [mu * v * v, mu * v * a, mu * (a * a - aa / slack)],
-            )
-        };
-        let both = |(f, e): ([R; 2], [R; 3]), (g, h): ([R; 2], [R; 3])| {
-            let ([v, a], [vv, va, aa]) = (f, e);
-            ([v + g[0], a + g[1]], [vv + h[0], va + h[1], aa + h[2]])
-        };
-        // The upper and the lower limit are summed first, so the mirrored axis has the same roundings.
-        let accelerations = both(
-            term(amax, zero, -(R::ONE / self.amax), zero),
-            term(amin, zero, -(R::ONE / self.amin), zero),
-        );
-        let (up, down) = (self.gu / self.vmin, -(self.gd / self.vmax));
-        let velocities = both(
-            term(vmax, -(R::ONE / self.vmax), a * down, down),
-            term(vmin, -(R::ONE / self.vmin), a * up, up),
-        );
-        both(accelerations, velocities)
+        let Self([amax, amin, vmax, vmin, down, up]) = *self;
+        let [of_amax, of_amin, of_vmax, of_vmin] = self.slacks(state).map(|slack| R::ONE / slack);
+        let accelerations = [amax * of_amax, amin * of_amin];
+        let velocities = [vmax * of_vmax, vmin * of_vmin];
+        // What an acceleration changes of the velocity after it is undone.
+        let (down, up) = (down * of_vmax, up * of_vmin);
+        let undone = [(a + a) * down, (a + a) * up];
+        // Terms of the upper and the lower limit are summed first, so the mirrored axis has the same roundings.
+        let sum = |[x, y]: [R; 2]| x + y;
+        let dot = |[x, y]: [R; 2], [z, w]: [R; 2]| x * z + y * w;
+        (
+            [
+                mu * sum(velocities),
+                mu * (sum(accelerations) + sum(undone)),
+            ],
+            [
+                mu * dot(velocities, velocities),
+                mu * dot(velocities, undone),
+                mu * (dot(accelerations, accelerations)
+                    + (dot(undone, undone) + ((down + up) + (down + up)))),
+            ],
+        )
     }
 }

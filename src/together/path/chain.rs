@@ -21,11 +21,16 @@ pub(super) struct Request<'a, R> {
 }
 
 impl<'a, R: Real> Request<'a, R> {
+    /// Whether the sections have limits of their own.
+    fn has_zones(&self) -> bool {
+        self.limits.len() > self.axes
+    }
+
     pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
-        let first = if self.limits.len() == self.axes {
-            0
-        } else {
+        let first = if self.has_zones() {
             section * self.axes
+        } else {
+            0
         };
         self.limits.get(first + axis).ok_or(Error::Axes)
     }
@@ -115,12 +120,14 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
             findings: Findings::default(),
         };
         chain.memory.states.clear();
-        chain.memory.directions.clear();
         for axis in 0..axes {
             for section in 0..sections {
                 let (from, to) = chain.positions(section, axis);
                 let piece = section * axes + axis;
                 chain.memory.displacements.put(piece, to - from);
+            }
+            for point in 1..sections {
+                chain.set_bounds(point, axis);
             }
             chain.start(axis)?;
         }
@@ -156,18 +163,24 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
     }
 
     pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
-        self.request.limits(self.place(section), axis)
+        let place = if self.request.has_zones() {
+            self.place(section)
+        } else {
+            0
+        };
+        self.request.limits(place, axis)
     }
 
     /// The limits of a way point: those of both sections, and of sections between them that do not last.
     pub fn bounds(&self, point: usize, axis: usize) -> Bounds<R> {
-        let mut bounds = Bounds::default();
-        for place in self.place(point - 1)..=self.place(point) {
-            if let Ok(limits) = self.request.limits(place, axis) {
-                bounds.tighten(limits);
-            }
-        }
-        bounds
+        Bounds(self.memory.bounds.row((point - 1) * self.axes + axis))
+    }
+
+    fn set_bounds(&mut self, point: usize, axis: usize) {
+        let places = self.place(point - 1)..=self.place(point);
+        let limits = places.flat_map(|place| self.request.limits(place, axis));
+        let Bounds(row) = Bounds::of(limits);
+        self.memory.bounds.set((point - 1) * self.axes + axis, row);
     }
 
     fn positions(&self, section: usize, axis: usize) -> (R, R) {

@@ -184,7 +184,7 @@ impl<R: Real> Chain<'_, '_, R> {
         }
         let [per_0, l, per_1] = memory.diagonal.row(row);
         let scaled = [right[0] * per_0, (right[1] - l * right[0]) * per_1];
-        memory.directions.set(point * self.axes + axis, scaled);
+        memory.directions.set(row, scaled);
         scaled
     }
 
@@ -192,7 +192,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let memory = &mut self.memory;
         let row = (point - 1) * self.axes + axis;
         let [per_0, l, per_1] = memory.diagonal.row(row);
-        let mut scaled = memory.directions.row(row + self.axes);
+        let mut scaled = memory.directions.row(row);
         if point + 1 < self.sections {
             let [vv, va, av, aa] = memory.coupling.row(row);
             scaled = [
@@ -202,7 +202,7 @@ impl<R: Real> Chain<'_, '_, R> {
         }
         let [z0, z1] = scaled;
         let direction = [z0 - l * z1, z1];
-        memory.directions.set(row + self.axes, direction);
+        memory.directions.set(row, direction);
         direction
     }
 }

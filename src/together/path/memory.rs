@@ -29,6 +29,12 @@ impl<R: Real, const W: usize> Table<'_, R, W> {
         self.0.fill(R::ZERO);
     }
 
+    pub fn copy(&mut self, other: &Self) {
+        for (number, other) in self.0.iter_mut().zip(&*other.0) {
+            *number = *other;
+        }
+    }
+
     /// The first `count` rows.
     pub fn rows(
         &self,
@@ -100,6 +106,8 @@ impl<R: Real> Triangle<'_, R> {
 pub(super) struct Memory<'a, R> {
     /// Velocity and acceleration at each point, those of the start and of the end too.
     pub states: Table<'a, R, 2>,
+    /// The states of a step that is tried, those of the start and of the end too.
+    pub tried_states: Table<'a, R, 2>,
     /// The step of the states.
     pub directions: Table<'a, R, 2>,
     /// Displacements of the sections; in the first section behind the way inside the limits.
@@ -108,8 +116,8 @@ pub(super) struct Memory<'a, R> {
     pub inside: Column<'a, R>,
     /// The slacks of both borders.
     pub slacks: Table<'a, R, 2>,
-    /// The product of the slacks of each way point.
-    pub products: Column<'a, R>,
+    /// The limits of the way points.
+    pub bounds: Table<'a, R, 6>,
     /// `D`: the blocks of the way points, as `vv`, `va`, `aa`; later their factors.
     pub diagonal: Table<'a, R, 3>,
     /// `E`: the blocks between a way point and the next one, by rows.
@@ -147,7 +155,7 @@ const MOST: usize = 4096;
 /// How many numbers the tables have. `None` if there is no axis or no section, or more than 4,096.
 pub(super) fn size(axes: usize, sections: usize) -> Option<usize> {
     let is_count = |count: usize| count > 0 && count <= MOST;
-    let of_axes = |sections: usize| axes * (21 * sections - 5) + sections * (sections + 12);
+    let of_axes = |sections: usize| axes * (28 * sections - 12) + sections * (sections + 12);
     (is_count(axes) && is_count(sections)).then(|| of_axes(sections))
 }
 
@@ -167,11 +175,12 @@ impl<'a, R: Real> Memory<'a, R> {
         let mut table = |numbers| take(&mut work, numbers);
         Some(Self {
             states: Table(table(2 * points)?),
-            directions: Table(table(2 * points)?),
+            tried_states: Table(table(2 * points)?),
+            directions: Table(table(2 * way_points)?),
             displacements: Table(table(pieces)?),
             inside: Table(table(axes)?),
             slacks: Table(table(2 * pieces)?),
-            products: Table(table(way_points)?),
+            bounds: Table(table(6 * way_points)?),
             diagonal: Table(table(3 * way_points)?),
             coupling: Table(table(4 * way_points)?),
             to_duration: Table(table(4 * pieces)?),

@@ -21,7 +21,7 @@ use crate::state::State;
 use chain::{Chain, Request};
 use steps::Steps;
 
-/// How many numbers [`plan_path`] and [`improve_path`] need to work with: `axes (21 sections - 5) + sections (sections + 12)`. `None` if there is no axis or no
+/// How many numbers [`plan_path`] and [`improve_path`] need to work with: `axes (28 sections - 12) + sections (sections + 12)`. `None` if there is no axis or no
 /// section, or more than 4,096 of them.
 pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
     memory::size(axes, sections)

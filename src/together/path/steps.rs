@@ -97,6 +97,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let mut damping = Damping::new();
         let mut is_full = false;
         self.weigh();
+        self.memory.tried_states.copy(&self.memory.states);
         for step in 0..most {
             let left = most - step;
             // Behind a short step the weight waits, but not in the last two fifths of the steps.
@@ -141,7 +142,7 @@ impl<R: Real> Chain<'_, '_, R> {
                 .try_step(part, mu)
                 .is_some_and(|change| change < R::ZERO || is_near)
             {
-                self.take_step(part);
+                self.take_step();
                 damping.learn(part);
                 return Some(if is_near { R::ONE } else { part });
             }
@@ -151,16 +152,10 @@ impl<R: Real> Chain<'_, '_, R> {
         Some(R::ZERO)
     }
 
-    fn take_step(&mut self, part: R) {
-        for point in 1..self.sections {
-            for axis in 0..self.axes {
-                let moved = self.moved(point, axis, part);
-                self.memory.states.set(point * self.axes + axis, moved);
-            }
-        }
-        for section in 0..self.sections {
-            let tried = self.memory.tried.at(section);
-            self.memory.durations.put(section, tried);
-        }
+    /// Takes the step that was tried last.
+    fn take_step(&mut self) {
+        let memory = &mut self.memory;
+        core::mem::swap(&mut memory.states, &mut memory.tried_states);
+        core::mem::swap(&mut memory.durations, &mut memory.tried);
     }
 }
