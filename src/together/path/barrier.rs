@@ -116,7 +116,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn assemble_section(&mut self, section: usize, axis: usize, mu: R) -> Option<()> {
-        let ends = [section, section + 1].map(|point| self.at(point, axis));
+        let ends = [self.at(section, axis), self.at(section + 1, axis)];
         let duration = self.memory.durations.at(section);
         let mu = mu * self.memory.weights.at(section);
         let limits = self.limits(section, axis).ok()?;
@@ -213,7 +213,8 @@ impl<R: Real> Chain<'_, '_, R> {
         let mut logarithms = Logarithms::none();
         for axis in 0..self.axes {
             let piece = section * self.axes + axis;
-            let ends = [piece, piece + self.axes].map(|row| self.memory.tried_states.row(row));
+            let states = &self.memory.tried_states;
+            let ends = [states.row(piece), states.row(piece + self.axes)];
             let [upper, lower] = self.slacks(section, axis, ends, tried)?;
             let [was_upper, was_lower] = self.memory.slacks.row(piece);
             logarithms.add((upper / was_upper) * (lower / was_lower));

@@ -26,10 +26,13 @@ impl<R: Real> Chain<'_, '_, R> {
                 let [vv, va, aa] = self.memory.diagonal.row(row);
                 let (mut block, mut right) =
                     ([vv * more, va, aa * more], self.memory.gradient.row(row));
-                self.own_blocks(point, axis);
-                if let Some(previous) = row.checked_sub(self.axes) {
-                    self.subtract(point, previous, solved, &mut block, &mut right);
+                match row.checked_sub(self.axes) {
+                    Some(previous) => {
+                        self.subtract(point, previous, solved, &mut block, &mut right);
+                    }
+                    None => self.memory.blocks[0].set(0, [R::ZERO; 2]),
                 }
+                self.add_own_blocks(point, axis);
                 let [per_0, l, per_1] = factors(block);
                 self.memory.diagonal.set(row, [per_0, l, per_1]);
                 solved = [right[0], right[1] - l * right[0]];
@@ -42,20 +45,18 @@ impl<R: Real> Chain<'_, '_, R> {
         fall
     }
 
-    /// The blocks between a way point and the durations: those of both sections, zeros else.
-    fn own_blocks(&mut self, point: usize, axis: usize) {
+    /// The blocks between a way point and the durations of both its sections.
+    fn add_own_blocks(&mut self, point: usize, axis: usize) {
         let memory = &mut self.memory;
         let [blocks, _] = &mut memory.blocks;
-        for column in 0..point - 1 {
-            blocks.set(column, [R::ZERO; 2]);
-        }
-        let [.., v1, a1] = memory.to_duration.row((point - 1) * self.axes + axis);
-        let [v0, a0, ..] = memory.to_duration.row(point * self.axes + axis);
-        blocks.set(point - 1, [v1, a1]);
+        let row = (point - 1) * self.axes + axis;
+        let [.., v1, a1] = memory.to_duration.row(row);
+        let [v0, a0, ..] = memory.to_duration.row(row + self.axes);
+        blocks.add(point - 1, [v1, a1]);
         blocks.set(point, [v0, a0]);
     }
 
-    /// Subtracts what the way point before adds to the block, to the right side and to the blocks of the durations.
+    /// Subtracts what the way point before adds to the block and to the right side, and begins the blocks of the durations with it.
     fn subtract(
         &mut self,
         point: usize,
@@ -82,7 +83,7 @@ impl<R: Real> Chain<'_, '_, R> {
         *right = less(*right, solved);
         let [blocks, before] = &mut memory.blocks;
         for (column, rows) in before.rows(point).enumerate() {
-            blocks.set(column, less(blocks.row(column), rows));
+            blocks.set(column, less([R::ZERO; 2], rows));
         }
     }
 

@@ -7,8 +7,10 @@ pub(super) struct Table<'a, R, const W: usize>(&'a mut [R]);
 
 impl<R: Real, const W: usize> Table<'_, R, W> {
     pub fn row(&self, k: usize) -> [R; W] {
-        let row = self.0.get(k * W..).and_then(<[R]>::first_chunk);
-        row.copied().unwrap_or([R::ZERO; W])
+        match self.0.get(k * W..).and_then(<[R]>::first_chunk) {
+            Some(row) => *row,
+            None => [R::ZERO; W],
+        }
     }
 
     pub fn set(&mut self, k: usize, row: [R; W]) {

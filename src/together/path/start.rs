@@ -130,32 +130,46 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Between which durations all axes are at the end of the section, if one cannot stop before, s.
     fn passing(&self, section: usize) -> Option<(R, R)> {
-        let (mut earliest, mut latest) = (R::ZERO, R::INFINITY);
+        let mut latest = R::INFINITY;
+        for axis in 0..self.axes {
+            latest = latest.at_most(self.overshoot(section, axis)?.1);
+        }
+        let is_passed = latest < R::INFINITY;
+        is_passed.then_some(())?;
+        let far = self.memory.durations.at(section);
+        let mut earliest = R::ZERO;
         for axis in 0..self.axes {
             let (from, to) = self.ends(section, axis);
-            let (way, far) = (
-                to.position - from.position,
-                self.memory.durations.at(section),
-            );
-            let mut stop = Move::default();
-            stop.stop(self.limits(section, axis).ok()?, from).ok()?;
-            let stopping = stop.state_at(stop.t).position - from.position;
-            let overshoots = stopping * way >= R::ZERO && stopping.abs() > way.abs();
-            if overshoots {
-                latest = latest.at_most(time_at(&stop, to.position));
-            }
-            let forward = if overshoots {
-                stopping > R::ZERO
+            let (stopping, time) = self.overshoot(section, axis)?;
+            let way = to.position - from.position;
+            let (side, moves) = if time < R::INFINITY {
+                (stopping, true)
             } else {
-                way > R::ZERO
+                (way, way != R::ZERO)
             };
-            if overshoots || way != R::ZERO {
+            if moves {
                 let [upper, lower] = self.farthest(section, axis, far)?;
-                let farthest = if forward { upper } else { lower };
+                let farthest = if side > R::ZERO { upper } else { lower };
                 earliest = earliest.at_least(time_at(&farthest, to.position));
             }
         }
-        (latest < R::INFINITY && earliest < latest).then_some((earliest, latest))
+        (earliest < latest).then_some((earliest, latest))
+    }
+
+    /// The way to stop, and when an axis that brakes has passed the end of the section, s; infinite if it can stop before.
+    fn overshoot(&self, section: usize, axis: usize) -> Option<(R, R)> {
+        let (from, to) = self.ends(section, axis);
+        let way = to.position - from.position;
+        let mut stop = Move::default();
+        stop.stop(self.limits(section, axis).ok()?, from).ok()?;
+        let stopping = stop.state_at(stop.t).position - from.position;
+        let overshoots = stopping * way >= R::ZERO && stopping.abs() > way.abs();
+        let time = if overshoots {
+            time_at(&stop, to.position)
+        } else {
+            R::INFINITY
+        };
+        Some((stopping, time))
     }
 
     /// The motions with free ends that get farthest to both sides, for times up to `t`.

@@ -32,9 +32,9 @@ impl Steps {
 const MOST_BY_DEFAULT: u32 = 48;
 /// A path of this many sections gets them all, because its points may be close.
 const MANY_SECTIONS: usize = 10;
-/// The plan of a shorter path is done after so many falls of the weight. Each takes a full step.
-const FEW_FALLS: u32 = 10;
-/// Parts of a step that are tried: 1, 1/2, 1/4, …
+/// The plan of a shorter path is done after so many falls of the weight. Behind each a step is not halved.
+const FEW_FALLS: u32 = 11;
+/// Parts of a step that are tried: the first, its half, its quarter, …
 const MOST_HALVINGS: u32 = 10;
 /// How often the damping is raised for one step.
 const MOST_DAMPINGS: u32 = 24;
@@ -70,11 +70,11 @@ impl<R: Real> Damping<R> {
             .at_most(Self::most());
     }
 
-    /// A full step shows that the model is right, a short one that it is not.
-    fn learn(&mut self, part: R) {
-        if part == R::ONE {
+    /// A step that is not halved shows that the model is right, a short one that it is not.
+    fn learn(&mut self, halvings: u32) {
+        if halvings == 0 {
             self.scale(R::HALF * R::HALF);
-        } else if part <= R::HALF * R::HALF * R::HALF {
+        } else if halvings >= 3 {
             self.scale(R::from(3));
         }
     }
@@ -94,6 +94,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let scale = self.duration() / R::from_index(self.logarithms() as i32);
         let base = R::from(11) * R::SIXTEENTH * scale;
         let mut octaves = R::from(octaves);
+        let mut mu = fallen(base, octaves);
         let mut damping = Damping::new();
         let mut is_full = false;
         self.weigh();
@@ -110,15 +111,17 @@ impl<R: Real> Chain<'_, '_, R> {
                 octaves = octaves + (R::from(OCTAVES) - octaves) / rounds;
                 falls -= 1;
             }
-            match self.step(fallen(base, octaves), &mut damping) {
-                Some(part) => is_full = part == R::ONE,
+            let before = mu;
+            mu = fallen(base, octaves);
+            match self.step(mu, mu / before, &mut damping) {
+                Some(is_first) => is_full = is_first,
                 None => break,
             }
         }
     }
 
-    /// One step. Gives the part that was taken, 0 for none; `None` if no other step could be taken either.
-    fn step(&mut self, mu: R, damping: &mut Damping<R>) -> Option<R> {
+    /// One step, of which `first` is the first part that is tried. Gives whether this part was taken; `None` if no step can be taken any more.
+    fn step(&mut self, mu: R, first: R, damping: &mut Damping<R>) -> Option<bool> {
         self.assemble(mu)?;
         let fall_of_states = self.eliminate(damping.lambda);
         let mut tries = 0..MOST_DAMPINGS;
@@ -136,20 +139,20 @@ impl<R: Real> Chain<'_, '_, R> {
         let slope = gradients.fold(-fall_of_states, |slope, (g, change)| slope + *g * *change);
         // At the centre of this weight roundings may hide the decrease, so being inside is enough.
         let is_near = -slope < R::SIXTEENTH * R::HALF * R::HALF * mu;
-        let mut part = R::ONE;
-        for _ in 0..MOST_HALVINGS {
+        let mut part = first;
+        for halvings in 0..MOST_HALVINGS {
             if self
                 .try_step(part, mu)
                 .is_some_and(|change| change < R::ZERO || is_near)
             {
                 self.take_step();
-                damping.learn(part);
-                return Some(if is_near { R::ONE } else { part });
+                damping.learn(halvings);
+                return Some(halvings == 0 || is_near);
             }
             part = R::HALF * part;
         }
         damping.scale(R::from(10));
-        Some(R::ZERO)
+        Some(false)
     }
 
     /// Takes the step that was tried last.
