@@ -96,17 +96,17 @@ impl<R: Real> Chain<'_, '_, R> {
         let mut octaves = R::from(octaves);
         let mut mu = fallen(base, octaves);
         let mut damping = Damping::new();
-        let mut is_full = false;
+        let mut is_done = false;
         self.weigh();
         self.memory.tried_states.copy(&self.memory.states);
         for step in 0..most {
             let left = most - step;
             // Behind a short step the weight waits, but not in the last two fifths of the steps.
             let may_wait = 5 * left > 2 * most;
-            if step > 0 && falls == 0 {
+            if step > 0 && falls == 0 && is_done {
                 break;
             }
-            if step > 0 && (is_full || !may_wait) {
+            if step > 0 && falls > 0 && (is_done || !may_wait) {
                 let rounds = R::from_index(falls.min(left) as i32);
                 octaves = octaves + (R::from(OCTAVES) - octaves) / rounds;
                 falls -= 1;
@@ -114,13 +114,14 @@ impl<R: Real> Chain<'_, '_, R> {
             let before = mu;
             mu = fallen(base, octaves);
             match self.step(mu, mu / before, &mut damping) {
-                Some(is_first) => is_full = is_first,
+                Some(is_centred) => is_done = is_centred,
                 None => break,
             }
         }
     }
 
-    /// One step, of which `first` is the first part that is tried. Gives whether this part was taken; `None` if no step can be taken any more.
+    /// One step, of which `first` is the first part that is tried. Gives whether the weight may fall; `None` if no step can be
+    /// taken any more.
     fn step(&mut self, mu: R, first: R, damping: &mut Damping<R>) -> Option<bool> {
         self.assemble(mu)?;
         let fall_of_states = self.eliminate(damping.lambda);
@@ -147,7 +148,8 @@ impl<R: Real> Chain<'_, '_, R> {
             {
                 self.take_step();
                 damping.learn(halvings);
-                return Some(halvings == 0 || is_near);
+                // In a zigzag where a shape changes, steps stay short near the centre too.
+                return Some(halvings == 0 || -slope < mu);
             }
             part = R::HALF * part;
         }
