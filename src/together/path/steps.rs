@@ -80,6 +80,24 @@ impl<R: Real> Damping<R> {
     }
 }
 
+/// What a step was.
+struct Taken<R> {
+    /// The first part that was tried was taken.
+    is_first: bool,
+    /// How far the objective fell in the quadratic model, in weights of the logarithms: twice.
+    distance: R,
+}
+
+impl<R: Real> Taken<R> {
+    /// Whether the weight may fall.
+    fn is_done(&self, octaves: R) -> bool {
+        // While the weight is large, the plan chooses between several best ones, and must stay near the centre.
+        let is_near = self.distance < R::from(10) || octaves >= R::from(4);
+        // In a zigzag where a shape changes, steps stay short at the centre too.
+        self.is_first && is_near || self.distance < R::ONE
+    }
+}
+
 /// `base` divided by two to the power of `octaves`, which is not below 0. Between whole powers the quotient falls linearly.
 fn fallen<R: Real>(base: R, octaves: R) -> R {
     let whole = octaves.to_index();
@@ -114,15 +132,14 @@ impl<R: Real> Chain<'_, '_, R> {
             let before = mu;
             mu = fallen(base, octaves);
             match self.step(mu, mu / before, &mut damping) {
-                Some(is_centred) => is_done = is_centred,
+                Some(taken) => is_done = taken.is_done(octaves),
                 None => break,
             }
         }
     }
 
-    /// One step, of which `first` is the first part that is tried. Gives whether the weight may fall; `None` if no step can be
-    /// taken any more.
-    fn step(&mut self, mu: R, first: R, damping: &mut Damping<R>) -> Option<bool> {
+    /// One step, of which `first` is the first part that is tried. `None` if no step can be taken any more.
+    fn step(&mut self, mu: R, first: R, damping: &mut Damping<R>) -> Option<Taken<R>> {
         self.assemble(mu)?;
         let fall_of_states = self.eliminate(damping.lambda);
         let mut tries = 0..MOST_DAMPINGS;
@@ -138,8 +155,9 @@ impl<R: Real> Chain<'_, '_, R> {
             .iter()
             .zip(self.memory.changes.numbers());
         let slope = gradients.fold(-fall_of_states, |slope, (g, change)| slope + *g * *change);
+        let distance = -slope / mu;
         // At the centre of this weight roundings may hide the decrease, so being inside is enough.
-        let is_near = -slope < R::SIXTEENTH * R::HALF * R::HALF * mu;
+        let is_near = distance < R::SIXTEENTH * R::HALF * R::HALF;
         let mut part = first;
         for halvings in 0..MOST_HALVINGS {
             if self
@@ -148,13 +166,16 @@ impl<R: Real> Chain<'_, '_, R> {
             {
                 self.take_step();
                 damping.learn(halvings);
-                // In a zigzag where a shape changes, steps stay short near the centre too.
-                return Some(halvings == 0 || -slope < mu);
+                let is_first = halvings == 0;
+                return Some(Taken { is_first, distance });
             }
             part = R::HALF * part;
         }
         damping.scale(R::from(10));
-        Some(false)
+        Some(Taken {
+            is_first: false,
+            distance: R::INFINITY,
+        })
     }
 
     /// Takes the step that was tried last.
