@@ -745,3 +745,78 @@ int referee_walk(
     }
     return noted;
 }
+
+/* Velocity and acceleration at both ends, and the duration. */
+enum { POINT = 5 };
+
+/* How far a motion gets from the state `point[0], point[1]` to `point[2], point[3]` in the duration `point[4]`, and the shape of the motion. */
+static real farthest(struct axis axis, const real point[POINT], int *shape)
+{
+    real cruise;
+    struct motion motion;
+    axis.v0 = point[0], axis.a0 = point[1], axis.v1 = point[2], axis.a1 = point[3];
+    axis.dv = axis.v1 - axis.v0;
+    cruise = cruise_begins(&axis);
+    motion = border(&axis, point[4], cruise);
+    *shape = point[4] < cruise ? motion.shape : 4 + 2 * (motion.peak >= axis.rise) + (motion.trough <= -axis.fall);
+    return motion.displacement;
+}
+
+/* The same beside a point: `i` is `x` larger, and then `j` is `y` larger. Clears `same` if the shape is another one. */
+static real beside(const struct axis *axis, const real point[POINT], int i, real x, int j, real y, int shape, int *same)
+{
+    real moved[POINT], displacement;
+    int k, found;
+    for (k = 0; k < POINT; ++k) { moved[k] = point[k]; }
+    moved[i] += x;
+    moved[j] += y;
+    displacement = farthest(*axis, moved, &found);
+    *same = *same && found == shape;
+    return displacement;
+}
+
+/*
+ The derivatives of how far the upper border is from the start, or the lower one in the other direction, by velocity and acceleration at
+ the start, at the end, and by the duration; and those by two of them, row by row up to the diagonal. They are differences. Returns the
+ shape, or -1 where it changes or no motion has this duration.
+*/
+int referee_derivatives(
+    const double limits[6], const double start[3], const double target[3], double duration, int lower, double first[5], double second[15])
+{
+    static const double none[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, none, 0);
+    const struct pieces pieces = pieces_of(&axis);
+    const real sign = lower ? -1 : 1, step = 1 / 32768.0L;
+    real point[POINT];
+    int i, j, shape, same = 1, entry = 0;
+    if (bring_inside(&axis).duration > 0 || duration < pieces.t0) { return -1; }
+    if (!isinf(pieces.t1) && duration > pieces.t1 && duration < pieces.t2) { return -1; }
+    if (lower) { axis = mirrored(&axis); }
+    point[0] = axis.v0, point[1] = axis.a0, point[2] = axis.v1, point[3] = axis.a1, point[4] = duration;
+    farthest(axis, point, &shape);
+    for (i = 0; i < POINT; ++i)
+    {
+        real slopes[2];
+        for (j = 0; j < 2; ++j)
+        {
+            const real x = step / (1 + j);
+            slopes[j] = (beside(&axis, point, i, x, i, 0, shape, &same) - beside(&axis, point, i, -x, i, 0, shape, &same)) / (2 * x);
+        }
+        /* The error of a difference is about a multiple of the square of the step. */
+        first[i] = (double)((i < 4 ? sign : 1) * (4 * slopes[1] - slopes[0]) / 3);
+        for (j = 0; j <= i; ++j, ++entry)
+        {
+            real bends[2];
+            int k;
+            for (k = 0; k < 2; ++k)
+            {
+                const real x = step / (1 + k);
+                const real up = beside(&axis, point, i, x, j, x, shape, &same) - beside(&axis, point, i, x, j, -x, shape, &same);
+                const real down = beside(&axis, point, i, -x, j, x, shape, &same) - beside(&axis, point, i, -x, j, -x, shape, &same);
+                bends[k] = (up - down) / (4 * x * x);
+            }
+            second[entry] = (double)((i == 4 && j < 4 ? sign : 1) * (4 * bends[1] - bends[0]) / 3);
+        }
+    }
+    return same ? shape : -1;
+}

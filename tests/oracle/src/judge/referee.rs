@@ -126,6 +126,15 @@ unsafe extern "C" {
         lower: i32,
         knees: &mut [f64; 8],
     ) -> i32;
+    safe fn referee_derivatives(
+        limits: &[f64; 6],
+        start: &[f64; 3],
+        target: &[f64; 3],
+        duration: f64,
+        lower: i32,
+        first: &mut [f64; 5],
+        second: &mut [f64; 15],
+    ) -> i32;
     safe fn referee_walk(
         start: &[f64; 3],
         phases: &[[f64; 3]; 17],
@@ -201,6 +210,31 @@ impl Motion {
         } = self;
         let possible = referee_interval(limits, start, target, duration, &mut interval);
         (possible != 0).then_some(interval)
+    }
+
+    /// The shape of the upper or the lower border at this duration, with the derivatives of its distance from the start: by velocity and
+    /// acceleration at the start, at the end, and by the duration; then by two of them, row by row up to the diagonal. `None` near a change
+    /// of shape.
+    pub fn derivatives(&self, duration: f64, lower: bool) -> Option<(usize, [f64; 5], [f64; 15])> {
+        let (mut first, mut second) = ([0.0; 5], [0.0; 15]);
+        let Self {
+            limits,
+            start,
+            target,
+            ..
+        } = self;
+        let lower = i32::from(lower);
+        let shape = referee_derivatives(
+            limits,
+            start,
+            target,
+            duration,
+            lower,
+            &mut first,
+            &mut second,
+        );
+        let shape = usize::try_from(shape).ok()?;
+        Some((shape, first, second))
     }
 
     /// The displacements at which the upper or the lower border changes its shape. The last one is where the axis begins to cruise.
