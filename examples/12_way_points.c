@@ -13,7 +13,7 @@
 #ifndef EVERY
 #define EVERY 50 /* one setpoint in so many is printed */
 #endif
-enum { AXES = 6, SECTIONS = 4, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+enum { AXES = 6, SECTIONS = 4, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
 
 static atraj_state const points[SECTIONS + 1][AXES] = {
     {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, /* degrees, and at rest */

@@ -11,7 +11,7 @@
 
 static const double CYCLE = 0.004; // s
 enum { EVERY = 50 }; // one setpoint in so many is printed
-enum { AXES = 6, SECTIONS = 4, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+enum { AXES = 6, SECTIONS = 4, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
 
 static const atraj::state points[SECTIONS + 1][AXES] = {
     {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, // degrees, and at rest

@@ -14,7 +14,7 @@
 #define EVERY 100 /* one setpoint in so many is printed */
 #endif
 enum { X, Y, AXES };
-enum { SECTIONS = 3, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+enum { SECTIONS = 3, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
 
 static double const left = 0.4, right = 0.6, top = 0.3; /* the obstacle stands at y = 0, m */
 static atraj_state const points[SECTIONS + 1][AXES] = {

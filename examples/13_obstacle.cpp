@@ -13,7 +13,7 @@
 static const double CYCLE = 0.001; // s
 enum { EVERY = 100 }; // one setpoint in so many is printed
 enum { X, Y, AXES };
-enum { SECTIONS = 3, SIZE = AXES * (21 * SECTIONS - 5) + SECTIONS * (SECTIONS + 12) };
+enum { SECTIONS = 3, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
 
 static const double left = 0.4, right = 0.6, top = 0.3; // the obstacle stands at y = 0, m
 static const atraj::state points[SECTIONS + 1][AXES] = {

@@ -16,7 +16,7 @@
 static const double CYCLE = 0.001; // s
 enum { EVERY = 50 }; // one setpoint in so many is printed
 enum { AXES = 2, POINTS = 60, AHEAD = 6, PERIOD = 50, STEPS = 8 };
-enum { MOST = 12, SIZE = AXES * (21 * MOST - 5) + MOST * (MOST + 12) };
+enum { MOST = 12, SIZE = AXES * (28 * MOST - 12) + MOST * (MOST + 12) };
 
 // The plan. Its first section is under way.
 static atraj::limits limits[AXES];
