@@ -29,9 +29,10 @@ both fastest > $tables/3
 RUCKIG=$(tests/ruckig.sh) || echo 'SKIPPED: Ruckig in C++ was not built, so docs/performance.md tells nothing of it.' >&2
 export RUCKIG
 both moves > $tables/4
+both path > $tables/5
 # Cargo would rebuild the libraries for the flags of the benchmark.
 for real in double float; do env -u RUSTFLAGS make -s dist REAL=$real >&2; done
-both levels > $tables/5
+both levels > $tables/6
 
 awk -v tables=$tables -v machine="$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
     -v compilers="$(rustc --version); $(cc --version | head -1)" '

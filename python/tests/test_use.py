@@ -292,6 +292,30 @@ def test_a_path_starts_in_motion(real):
 
 
 @reals
+def test_a_path_is_improved(real):
+    hasty = real.module.path(POINTS, [LIMITS] * 3, steps=3)
+    better = hasty.improve()
+    assert better.t < hasty.t and better.improve(steps=8).t <= better.t
+    assert better.position(better.times).tolist() == POINTS
+    assert better.t == pytest.approx(real.module.path(POINTS, [LIMITS] * 3).t, rel=1e-3)
+
+
+@reals
+def test_sections_of_a_path_have_limits_of_their_own(real):
+    points, slow = [[0, 0], [3, 1], [4, 5]], LIMITS._replace(vmax=0.5, vmin=-0.5)
+    fast = real.module.path(points, [LIMITS] * 2)
+    zones = [[LIMITS] * 2, [slow] * 2]
+    path = real.module.path(points, zones)
+    assert path.position(path.times).tolist() == points and path.t > fast.t
+    t, _, v, _, _ = path.sample(0.01)
+    behind = abs(v[t > path.times[1]])
+    assert behind.max() <= 0.5 + 1e-6 and abs(v).max() > 1
+    assert path.improve().t <= path.t
+    # The end counts in the last section alone.
+    assert real.module.path([[0], [3], [(4, 1, 0)]], [[slow], [LIMITS]]).velocity(99) == 1
+
+
+@reals
 def test_times_of_a_path_have_any_shape_and_layout(real):
     path = real.module.path(POINTS, [LIMITS] * 3)
     one = path.position(0.5)
@@ -313,6 +337,7 @@ def test_paths_say_why_not():
     for message, call in {
         "at least two points": lambda: atraj.path([[0, 0]], two),
         "no axis": lambda: atraj.path([[], []], []),
+        "limits has 1 lists, and the path 2 sections": lambda: atraj.path([[0, 0], [1, 1], [2, 2]], [two]),
         "point 1 has 3 coordinates, and limits 2 axes": lambda: atraj.path([[0, 0], [1, 1, 1]], two),
         "point 0 has 2 coordinates, and limits 1 axes": lambda: atraj.path([[0, 0], [1, 1]], [LIMITS]),
         "point 1, axis 1: .*not a number": lambda: atraj.path([[0, 0], [0, math.nan], [1, 1]], two),

@@ -1,6 +1,6 @@
 //! Way points without stops.
 
-use atraj::axes::{path_size, plan_path, synchronise};
+use atraj::axes::{improve_path, path_size, plan_path, synchronise};
 use atraj::online::{Limits, Move};
 use atraj::{Findings, State};
 use numpy::{PyArray1, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods};
@@ -31,6 +31,10 @@ pub struct Path {
     /// When each point is passed, s.
     times: Vec<Real>,
     findings: Findings,
+    /// The states of all axes, point by point.
+    states: Vec<State<Real>>,
+    /// Those of the axes, or of the axes section by section.
+    limits: Vec<Limits<Real>>,
 }
 
 /// A quantity of a motion at a time.
@@ -42,7 +46,62 @@ const QUANTITIES: [Quantity; 4] = [
     Move::jerk,
 ];
 
+/// `plan_path` or `improve_path`.
+type Planner = fn(
+    &mut [State<Real>],
+    &mut [Real],
+    &[Limits<Real>],
+    u32,
+    &mut [Real],
+) -> Result<Findings, atraj::Error>;
+
 impl Path {
+    fn plan(
+        planner: Planner,
+        axes: usize,
+        mut states: Vec<State<Real>>,
+        mut durations: Vec<Real>,
+        limits: Vec<Limits<Real>>,
+        steps: u32,
+    ) -> PyResult<Self> {
+        let sections = durations.len();
+        let mut work = Vec::new();
+        path_size(axes, sections)
+            .and_then(|size| {
+                work.try_reserve_exact(size)
+                    .ok()
+                    .map(|()| work.resize(size, 0.0))
+            })
+            .ok_or_else(|| PyMemoryError::new_err(format!("no memory for {sections} sections")))?;
+        let findings =
+            planner(&mut states, &mut durations, &limits, steps, &mut work).map_err(no_move)?;
+        let mut path = Self {
+            axes,
+            sections: Vec::new(),
+            times: vec![0.0],
+            findings,
+            states,
+            limits,
+        };
+        let mut passed = 0.0;
+        for (section, duration) in durations.into_iter().enumerate() {
+            let mut motions = vec![Move::default(); axes];
+            let [from, to] =
+                [section, section + 1].map(|point| &path.states[point * axes..(point + 1) * axes]);
+            let zone = if path.limits.len() == axes {
+                0
+            } else {
+                section
+            };
+            let limits = &path.limits[zone * axes..(zone + 1) * axes];
+            synchronise(&mut motions, limits, from, to, duration, 0.0).map_err(no_move)?;
+            passed += motions[0].t;
+            path.times.push(passed);
+            path.sections.push(motions);
+        }
+        Ok(path)
+    }
+
     /// The motions at the time `x`, s, and the time since the start of their section, s.
     fn at(&self, x: Real) -> (&[Move<Real>], Real) {
         let begun = self.times.partition_point(|&start| start <= x);
@@ -160,6 +219,20 @@ impl Path {
         py.import("atraj._plot")?.call_method1("plot_path", (slf,))
     }
 
+    /// A path through the same points that is not longer, from at most `steps` steps (0: as many as the path needs, at most 48).
+    ///
+    /// >>> import atraj
+    /// >>> limits = [atraj.Limits.symmetric(30, 10, 5)] * 2
+    /// >>> hasty = atraj.path([[0, 0], [3, 1], [4, 5]], limits, steps=4)
+    /// >>> hasty.improve().t < hasty.t
+    /// True
+    #[pyo3(signature = (*, steps=0))]
+    fn improve(&self, steps: u32) -> PyResult<Self> {
+        let durations = self.sections.iter().map(|motions| motions[0].t).collect();
+        let (states, limits) = (self.states.clone(), self.limits.clone());
+        Self::plan(improve_path, self.axes, states, durations, limits, steps)
+    }
+
     fn __repr__(&self) -> String {
         let Self { axes, times, .. } = self;
         format!(
@@ -191,10 +264,17 @@ impl Coordinate {
     }
 }
 
+/// Limits of the axes, or of the axes section by section.
+#[derive(FromPyObject)]
+pub enum PathLimits {
+    Axes(Vec<LimitsTuple<Real>>),
+    Sections(Vec<Vec<LimitsTuple<Real>>>),
+}
+
 /// A fast path of several axes through points, which all axes pass at the same times. They stop nowhere between the first point and
 /// the last one unless they must.
 ///
-/// A point has a position for each axis, and `limits` has an item for each axis. The path starts and ends at rest; the first and the last
+/// A point has a position for each axis, and `limits` has an item for each axis, or for each section a list of them. The path starts and ends at rest; the first and the last
 /// point may have a `State` in the place of a position. The planner takes at most `steps` steps (0: as many as the path needs, at most 48).
 /// ValueError says which point or axis is wrong.
 ///
@@ -209,43 +289,30 @@ impl Coordinate {
 /// True
 #[pyfunction]
 #[pyo3(signature = (points, limits, *, steps=0))]
-pub fn path(
-    points: Vec<Vec<Bound<'_, PyAny>>>,
-    limits: Vec<LimitsTuple<Real>>,
-    steps: u32,
-) -> PyResult<Path> {
-    let limits: Vec<_> = limits.into_iter().map(from_limits).collect();
+pub fn path(points: Vec<Vec<Bound<'_, PyAny>>>, limits: PathLimits, steps: u32) -> PyResult<Path> {
     let points = coordinates(&points)?;
-    check(&points, &limits)?;
-    let (axes, sections) = (limits.len(), points.len() - 1);
-    let mut states: Vec<_> = points.iter().flatten().map(Coordinate::state).collect();
-    let mut durations = vec![0.0; sections];
-    let mut work = Vec::new();
-    path_size(axes, sections)
-        .and_then(|size| {
-            work.try_reserve_exact(size)
-                .ok()
-                .map(|()| work.resize(size, 0.0))
-        })
-        .ok_or_else(|| PyMemoryError::new_err(format!("no memory for {sections} sections")))?;
-    let findings =
-        plan_path(&mut states, &mut durations, &limits, steps, &mut work).map_err(no_move)?;
-    let mut path = Path {
-        axes,
-        sections: Vec::new(),
-        times: vec![0.0],
-        findings,
+    let sections = points.len().saturating_sub(1);
+    let zones = match limits {
+        PathLimits::Axes(limits) => vec![limits],
+        PathLimits::Sections(zones) if zones.len() == sections => zones,
+        PathLimits::Sections(zones) => {
+            let count = zones.len();
+            return Err(error(&format!(
+                "limits has {count} lists, and the path {sections} sections"
+            )));
+        }
     };
-    let mut passed = 0.0;
-    let points: Vec<_> = states.chunks(axes).collect();
-    for (ends, duration) in points.windows(2).zip(durations) {
-        let mut motions = vec![Move::default(); axes];
-        synchronise(&mut motions, &limits, ends[0], ends[1], duration, 0.0).map_err(no_move)?;
-        passed += motions[0].t;
-        path.times.push(passed);
-        path.sections.push(motions);
+    let zones: Vec<Vec<_>> = zones
+        .into_iter()
+        .map(|limits| limits.into_iter().map(from_limits).collect())
+        .collect();
+    for (k, limits) in zones.iter().enumerate() {
+        check(&points, limits, k + 1 == zones.len())?;
     }
-    Ok(path)
+    let axes = zones.first().map_or(0, Vec::len);
+    let states = points.iter().flatten().map(Coordinate::state).collect();
+    let durations = vec![0.0; sections];
+    Path::plan(plan_path, axes, states, durations, zones.concat(), steps)
 }
 
 fn coordinates(points: &[Vec<Bound<'_, PyAny>>]) -> PyResult<Vec<Vec<Coordinate>>> {
@@ -264,8 +331,8 @@ fn wrong(point: usize, axis: usize, why: &str) -> PyErr {
     error(&format!("point {point}, axis {axis}: {why}"))
 }
 
-/// A `ValueError` that names the point or the axis, if there is no path.
-fn check(points: &[Vec<Coordinate>], limits: &[Limits<Real>]) -> PyResult<()> {
+/// A `ValueError` that names the point or the axis, if there is no path. The path ends within its last limits.
+fn check(points: &[Vec<Coordinate>], limits: &[Limits<Real>], are_last: bool) -> PyResult<()> {
     let [first, between @ .., last] = points else {
         return Err(error("a path has at least two points"));
     };
@@ -281,7 +348,11 @@ fn check(points: &[Vec<Coordinate>], limits: &[Limits<Real>]) -> PyResult<()> {
         }
     }
     for (axis, limits) in limits.iter().enumerate() {
-        let plan = Move::default().plan(limits, first[axis].state(), last[axis].state());
+        let mut end = last[axis].state();
+        if !are_last {
+            end = State::at(end.position);
+        }
+        let plan = Move::default().plan(limits, first[axis].state(), end);
         plan.map_err(|why| error(&format!("axis {axis}: {why}")))?;
     }
     for (k, point) in (1..).zip(between) {
