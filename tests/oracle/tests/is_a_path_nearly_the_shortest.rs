@@ -67,7 +67,7 @@ const ASKED: usize = 200;
 #[test]
 fn beside_rsruckig() {
     let mut chains = Chains::new(2);
-    let (mut asked, mut refused, mut shorter, mut clearly) = (0, 0, 0, 0);
+    let (mut asked, mut refused, mut shorter) = (0, 0, 0);
     let (mut most, mut least, mut sum) = (0.0, f64::INFINITY, 0.0);
     while asked < ASKED {
         let chain = chains.draw::<f64>();
@@ -82,15 +82,14 @@ fn beside_rsruckig() {
         let ours = Paths.plan(&chain, 0).expect("a plan").0.duration();
         let part = theirs / ours;
         shorter += usize::from(part < 1.0);
-        clearly += usize::from(part < 1.0 - 1e-3);
         (most, least, sum) = (f64::max(most, part), f64::min(least, part), sum + part);
     }
     let mean = sum / (asked - refused) as f64;
     println!(
         "{asked} paths: rsruckig refuses {refused}, is shorter in {shorter}, and takes {mean:.4} times as long: {least:.6} to {most:.3}"
     );
-    // Ours ends a little above the shortest path, where the weight of the logarithms ends. One path is not done after 48 steps.
-    assert!(clearly <= 1 && least > 1.0 - 1e-2 && mean > 1.01);
+    // Ours ends a little above the shortest path, where the weight of the logarithms ends.
+    assert!(least > 1.0 - 5e-4 && mean > 1.01);
 }
 
 /// A path with random states, so slow that it is probably possible.
@@ -147,7 +146,7 @@ fn beside_random_starts() {
         "{} paths beside the best of 12 random starts: mean {mean:.6}, worst {worst:.6}",
         parts.len()
     );
-    assert!(mean < 1.0005 && worst < 1.02);
+    assert!(mean < 1.0001 && worst < 1.005);
 }
 
 /// Plans of the default number of steps beside plans of many steps, family by family.
