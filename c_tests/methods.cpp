@@ -232,6 +232,24 @@ void axis()
     PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
 }
 
+void steps()
+{
+    atraj::limits limits;
+    limits.init(30, 10, 5);
+    const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
+    atraj::move move;
+    PROMISE(move.plan(limits, from, to) == 0);
+    atraj::steps method;
+    atraj_steps function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.init(move, 0, 0.5f) == 0 && atraj_steps_init(&function, &move, 0, 0.5f) == 0 && same(method, function));
+    a_float time = 0, other = 0;
+    PROMISE(method.next(move, time) == 1 && atraj_steps_next(&function, &move, &other) == 1 && time == other && same(method, function));
+    PROMISE(method.follow(move) == 0 && atraj_steps_follow(&function, &move) == 0 && same(method, function));
+    PROMISE(method.init(move, 0, 0) == ATRAJ_ERR_LIMITS);
+}
+
 // Every finding and every error has a sentence of its own.
 void messages()
 {
@@ -261,6 +279,7 @@ int main()
     profiles();
     axes();
     axis();
+    steps();
     messages();
 #endif
     return broken;

@@ -23,6 +23,8 @@
 
 pub(crate) mod axis;
 mod handover;
+pub(crate) mod steps;
 
 pub use axis::Axis;
 use core::sync::atomic;
+pub use steps::{Step, Steps};

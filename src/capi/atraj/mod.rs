@@ -7,6 +7,7 @@ mod codes;
 mod r#move;
 mod path;
 mod poly;
+mod steps;
 mod trap;
 
 pub use axes::*;
@@ -16,6 +17,7 @@ pub use codes::*;
 pub use r#move::*;
 pub use path::*;
 pub use poly::*;
+pub use steps::*;
 pub use trap::*;
 
 use super::{Number, a_float};
