@@ -250,6 +250,28 @@ void steps()
     PROMISE(method.init(move, 0, 0) == ATRAJ_ERR_LIMITS);
 }
 
+void shaper()
+{
+    atraj::limits limits;
+    limits.init(30, 10, 5);
+    const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
+    atraj::move move;
+    a::trajbell bell;
+    PROMISE(move.plan(limits, from, to) == 0 && bell.gen(30, 10, 5, 0, 1) > 0);
+    atraj::shaper method;
+    atraj_shaper function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.smooth(0.1f) == 0 && atraj_shaper_smooth(&function, 0.1f) == 0 && same(method, function));
+    PROMISE(method.add(ATRAJ_SHAPER_EI, 5, 0) == 0 && atraj_shaper_add(&function, ATRAJ_SHAPER_EI, 5, 0) == 0 && same(method, function));
+    atraj::state now;
+    atraj_shaper_state(&function, &move, 0.3f, &now);
+    PROMISE(same(method.state(move, 0.3f), now) && now.p > 0);
+    atraj_shaper_bell_state(&function, &bell, 0.3f, &now);
+    PROMISE(same(method.bell_state(bell, 0.3f), now) && now.p > 0);
+    PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && same(method, function));
+}
+
 // Every finding and every error has a sentence of its own.
 void messages()
 {
@@ -280,6 +302,7 @@ int main()
     axes();
     axis();
     steps();
+    shaper();
     messages();
 #endif
     return broken;

@@ -22,6 +22,7 @@
 #include "atraj/codes.h"
 #include "atraj/move.h"
 #include "atraj/path.h"
+#include "atraj/shaper.h"
 #include "atraj/steps.h"
 
 #if defined(__cplusplus)

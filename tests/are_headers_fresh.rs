@@ -50,7 +50,7 @@ fn move_header_is_fresh() {
 
 #[test]
 fn machine_headers_are_fresh() {
-    for name in ["axis", "steps"] {
+    for name in ["axis", "shaper", "steps"] {
         check_fresh(&format!("include/atraj/{name}.h"), &machine_header(name));
     }
 }
@@ -88,6 +88,7 @@ fn atraj_header() -> String {
 #include \"atraj/codes.h\"
 #include \"atraj/move.h\"
 #include \"atraj/path.h\"
+#include \"atraj/shaper.h\"
 #include \"atraj/steps.h\"
 
 {}
@@ -192,22 +193,31 @@ fn machine_header(name: &str) -> String {
     let about = config.header.clone().unwrap_or_default();
     let functions = pass(&format!("atraj/{name}"), &config, ItemType::Functions);
     let structs = pass(&format!("atraj/{name}"), &config, ItemType::Structs);
+    let enumerations = pass(&format!("atraj/{name}"), &config, ItemType::Enums);
+    let enumerations = match enumerations.replace(",\n};", "\n};") {
+        none if none.is_empty() => none,
+        some => format!("{some}\n\n"),
+    };
     let guard = format!("ATRAJ_{}_H", name.to_uppercase());
     format!(
         "{GENERATED}{about}
 #ifndef {guard}
 #define {guard}
 
-#include \"atraj/move.h\"
+{}#include \"atraj/move.h\"
 
 typedef struct atraj_{name} atraj_{name};
 
-{}
+{enumerations}{}
 
 {structs}
 
 #endif /* {guard} */
 ",
+        match name {
+            "shaper" => "#include \"a/trajbell.h\"\n",
+            _ => "",
+        },
         extern_c(&functions, &namespace("atraj", &[name]))
     )
 }

@@ -23,8 +23,10 @@
 
 pub(crate) mod axis;
 mod handover;
+pub(crate) mod shaper;
 pub(crate) mod steps;
 
 pub use axis::Axis;
 use core::sync::atomic;
+pub use shaper::{Shaper, ShaperKind};
 pub use steps::{Step, Steps};

@@ -7,6 +7,7 @@ mod codes;
 mod r#move;
 mod path;
 mod poly;
+mod shaper;
 mod steps;
 mod trap;
 
@@ -17,6 +18,7 @@ pub use codes::*;
 pub use r#move::*;
 pub use path::*;
 pub use poly::*;
+pub use shaper::*;
 pub use steps::*;
 pub use trap::*;
 
