@@ -32,6 +32,8 @@
 //! | [`axes::synchronise`], [`axes::line`] | the same for each axis | several axes arrive together, or on a straight line |
 //! | [`axes::plan_path`] | the same for each axis | several axes pass way points without stops |
 //! | [`machine::Axis`] | the same | a timer interrupt needs a setpoint while the main loop plans |
+//! | [`machine::Shaper`] | keeps those of a move | a load must not swing at a known frequency |
+//! | [`machine::Steps`] | | a stepper motor follows a move |
 //! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!
 //! ## Double-S: [`Bell`]
@@ -118,3 +120,7 @@ pub use state::{Boundary, Saturation, State};
 #[cfg(doctest)]
 #[doc = include_str!("../docs/moves.md")]
 mod moves {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/machine.md")]
+mod what_a_loop_holds {}

@@ -37,13 +37,19 @@ const MOST_HALVES: u32 = 64;
 
 /// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `high`.
 pub(crate) fn root_between<R: Real>(low: R, high: R, f: impl Fn(R) -> (R, R)) -> R {
-    root_near(low, high, high, f)
+    root_near(low, high, high, R::ZERO, f)
 }
 
-/// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `x`. Where its step
-/// leaves the range that holds the root, the range is halved.
-pub(crate) fn root_near<R: Real>(mut low: R, mut high: R, mut x: R, f: impl Fn(R) -> (R, R)) -> R {
-    let (mut before, mut shrank) = (R::ZERO, R::ONE);
+/// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `x`, to which the step
+/// `before` led, 0 if none did. Where a step leaves the range that holds the root, the range is halved.
+pub(crate) fn root_near<R: Real>(
+    mut low: R,
+    mut high: R,
+    mut x: R,
+    mut before: R,
+    f: impl Fn(R) -> (R, R),
+) -> R {
+    let mut shrank = R::ONE;
     for _ in 0..MOST_HALVES {
         let (value, derivative) = f(x);
         if value > R::ZERO {

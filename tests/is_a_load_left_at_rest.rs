@@ -327,6 +327,65 @@ fn a_bell_is_shaped_as_a_move<R: Real>() {
     }
 }
 
+/// The axis of `python/examples/vibration.py`: its fastest move with this jerk, and what it leaves of a vibration in m.
+fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
+    let mut planned = Move::default();
+    planned
+        .plan(
+            &Limits::symmetric(jerk, 4.0, 1.0),
+            State::at(0.0),
+            State::at(0.5),
+        )
+        .expect("a plan");
+    let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start).collect();
+    borders.push(planned.t);
+    let delays = shaper_delays(shaper);
+    let times = corners(&borders, &delays);
+    let mut worst = 0.0_f64;
+    for k in -10..=10 {
+        let load = [5.0 * (1.0 + 0.1 * wrong * f64::from(k)), 0.01];
+        let swing = 2.0 * PI * load[0] * (1.0_f64 - load[1] * load[1]).sqrt();
+        let left = residual(&times, |x| shaper.state(&planned, x).acceleration, load) / swing;
+        worst = worst.max(left);
+    }
+    (planned.t + shaper.duration(), worst)
+}
+
+/// The delays of a shaper of one frequency, 5 Hz with a damping of 0.01.
+fn shaper_delays(shaper: &Shaper<f64>) -> Vec<f64> {
+    let kinds = KINDS.map(|kind| (kind, Shaper::new(kind, 5.0, 0.01).expect("a shaper")));
+    let found = kinds.into_iter().find(|(_, of_kind)| of_kind == shaper);
+    found.map_or(vec![0.0], |(kind, _)| delays(kind, [5.0, 0.01]))
+}
+
+/// For the same residual vibration a lower jerk takes longer than a shaper, if the frequency may be wrong.
+#[test]
+fn a_lower_jerk_costs_more() {
+    let none = Shaper::default();
+    for wrong in [0.05, 0.2] {
+        let (alone, swings) = servo(f64::INFINITY, &none, wrong);
+        println!(
+            "without: {alone:.3} s, {:.2} mm, wrong by {wrong}",
+            1e3 * swings
+        );
+        for kind in KINDS {
+            let shaper = Shaper::new(kind, 5.0, 0.01).expect("a shaper");
+            let (shaped, left) = servo(f64::INFINITY, &shaper, wrong);
+            // Every lower jerk is tried, because what is left does not fall evenly.
+            let jerks = (0..2500).map(|k| 4000.0 * 0.995_f64.powi(k));
+            let lower = jerks
+                .map(|jerk| servo(jerk, &none, wrong))
+                .find(|found| found.1 <= left);
+            let (slowed, _) = lower.expect("a slow move swings little");
+            println!(
+                "{kind:?}: {shaped:.3} s, {:.2} mm; lower jerk: {slowed:.3} s",
+                1e3 * left
+            );
+            assert!(left < swings && slowed > 0.9 * shaped, "{kind:?}");
+        }
+    }
+}
+
 /// A refusal leaves the shaper.
 fn nonsense_is_refused<R: Real>() {
     let before = Shaper::new(ShaperKind::Ei2, R::of(2.0), R::of(0.1)).expect("a shaper");

@@ -155,7 +155,7 @@ impl<R: Real> Steps<R> {
         let root = (v * v - (s + s) * a).at_least(R::ZERO).sqrt();
         let guess = self.from - (s + s) / (v + root);
         let guess = guess.at_least(self.from).at_most(self.to);
-        root_near(self.from, self.to, guess, beyond)
+        root_near(self.from, self.to, guess, guess - self.from, beyond)
     }
 
     /// The last line that is not above a position.
