@@ -94,7 +94,7 @@ pub mod axes {
     //! # Ok::<(), atraj::Error>(())
     //! ```
     pub use crate::together::path::{improve_path, path_size, plan_path};
-    pub use crate::together::{line, synchronise};
+    pub use crate::together::{line, line_stop, synchronise};
 }
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]

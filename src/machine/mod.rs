@@ -23,11 +23,13 @@
 //! So Rust firmware shares an `atraj_axis` (feature `capi`): its functions need no lock and no critical section.
 
 pub(crate) mod axis;
+pub(crate) mod clock;
 mod handover;
 pub(crate) mod shaper;
 pub(crate) mod steps;
 
 pub use axis::Axis;
+pub use clock::Clock;
 use core::sync::atomic;
 pub use shaper::{Shaper, ShaperKind};
 pub use steps::{Step, Steps};

@@ -147,28 +147,36 @@ impl<R: Real> Shaper<R> {
 
     /// The shaped motion at time `x`, s, since the start of the move.
     pub fn state(&self, of: &Move<R>, x: R) -> State<R> {
-        self.mean(of, x, |x| beyond(of.state_at(x), x.at_most(R::ZERO)))
+        self.mean(
+            x,
+            || of.borders().map(|border| border.time()),
+            |x| beyond(of.state_at(x), x.at_most(R::ZERO)),
+        )
     }
 
     /// The shaped motion of a double-S at time `x`, s.
     pub fn bell_state(&self, of: &Bell<R>, x: R) -> State<R> {
-        self.mean(of, x, |x| {
-            let after = (x - of.t).at_least(R::ZERO);
-            beyond(of.state_at(x), x.at_most(R::ZERO) + after)
-        })
+        self.mean(
+            x,
+            || of.borders().map(|border| border.time()),
+            |x| {
+                let after = (x - of.t).at_least(R::ZERO);
+                beyond(of.state_at(x), x.at_most(R::ZERO) + after)
+            },
+        )
     }
 
     /// The mean over the impulses, counted from the last one: where all are equal, it is exact.
     fn mean<const N: usize>(
         &self,
-        of: &impl Sampled<R, 4, N>,
         x: R,
+        borders: impl Fn() -> [R; N],
         state: impl Fn(R) -> State<R>,
     ) -> State<R> {
-        let last = self.window(of, x - (self.duration - self.smoothing), &state);
+        let last = self.window(x - (self.duration - self.smoothing), &borders, &state);
         let mut mean = last;
         for (weight, delay) in self.impulses() {
-            let one = self.window(of, x - delay, &state);
+            let one = self.window(x - delay, &borders, &state);
             mean.position = mean.position + weight * (one.position - last.position);
             mean.velocity = mean.velocity + weight * (one.velocity - last.velocity);
             mean.acceleration = mean.acceleration + weight * (one.acceleration - last.acceleration);
@@ -180,8 +188,8 @@ impl<R: Real> Shaper<R> {
     /// third degree at most.
     fn window<const N: usize>(
         &self,
-        of: &impl Sampled<R, 4, N>,
         x: R,
+        borders: &impl Fn() -> [R; N],
         state: &impl Fn(R) -> State<R>,
     ) -> State<R> {
         let (end, mut from) = (state(x), x - self.smoothing);
@@ -190,9 +198,9 @@ impl<R: Real> Shaper<R> {
         }
         let begin = state(from);
         let (mut position, mut velocity, mut left) = (R::ZERO, R::ZERO, begin);
+        let borders = borders();
         // Each round passes a border.
         for _ in 0..=N {
-            let borders = of.borders().map(|border| border.time());
             let ahead = borders.into_iter().filter(|border| *border > from);
             let to = ahead.fold(x, R::at_most);
             let (middle, right) = (state(from + R::HALF * (to - from)), state(to));

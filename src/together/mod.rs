@@ -8,9 +8,11 @@ mod blend;
 mod cruise;
 mod cycle;
 mod line;
+mod line_stop;
 pub mod path;
 mod sync;
 mod track;
 
 pub use line::line;
+pub use line_stop::line_stop;
 pub use sync::synchronise;

@@ -271,8 +271,7 @@ const STEPS: usize = 1_000;
 
 /// The kind names the kind of the shaper. Offset and step, frequency, damping and smoothing, and the move follow.
 fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
-    let [offset, step, frequency, damping, smoothing] =
-        [(); 5].map(|()| number::<R>(&mut bytes));
+    let [offset, step, frequency, damping, smoothing] = [(); 5].map(|()| number::<R>(&mut bytes));
     let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
     let limits = Limits {
         vmax,
@@ -291,19 +290,27 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     if planned.plan(&limits, from, to).is_err() {
         return;
     }
-    let problem = format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
+    let problem =
+        format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
     if let Ok(mut steps) = Steps::new(&planned, offset, step) {
         let (mut count, mut last) = (steps.count(), R::of(0.0));
-        let taken = (0..STEPS).map_while(|_| steps.next(&planned).map(|taken| (taken, steps.count())));
+        let taken =
+            (0..STEPS).map_while(|_| steps.next(&planned).map(|taken| (taken, steps.count())));
         for (Step { time, direction }, now) in taken {
             count += direction;
-            assert!(count == now && time >= last && time <= planned.t, "{problem}: {time:?}");
+            assert!(
+                count == now && time >= last && time <= planned.t,
+                "{problem}: {time:?}"
+            );
             last = time;
         }
         if steps.next(&planned).is_none() {
             let end = planned.position(R::of(f64::INFINITY));
             let there = Move {
-                phase: [Phase { position: end, ..Phase::default() }; 16],
+                phase: [Phase {
+                    position: end,
+                    ..Phase::default()
+                }; 16],
                 ..Move::default()
             };
             let wanted = Steps::new(&there, offset, step).map(|steps| steps.count());

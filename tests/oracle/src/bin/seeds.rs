@@ -22,7 +22,39 @@ fn main() -> Result<()> {
     write_axes::<f64>(&directory.join("axes"))?;
     write_axes::<f32>(&directory.join("axes"))?;
     write_paths::<f64>(&directory.join("path"))?;
-    write_paths::<f32>(&directory.join("path"))
+    write_paths::<f32>(&directory.join("path"))?;
+    write_machines::<f64>(&directory.join("machine"))?;
+    write_machines::<f32>(&directory.join("machine"))
+}
+
+/// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
+fn write_machines<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    let mut random = Random::seeded(3);
+    for case in 0..48 {
+        let limits = online::limits::<R>(&mut random);
+        let from = online::anywhere(&mut random, &limits);
+        let to = online::inside(&mut random, &limits);
+        let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1]
+            .map(R::of)
+            .to_vec();
+        let Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = limits;
+        numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+        for state in [from, to] {
+            numbers.extend([state.position, state.velocity, state.acceleration]);
+        }
+        let mut bytes = encode(&numbers, &[]);
+        bytes[0] += 2 * (case % 25);
+        std::fs::write(directory.join(format!("random-{}-{case}", R::NAME)), bytes)?;
+    }
+    Ok(())
 }
 
 /// Way points of one or two axes: the first byte holds the number of axes and that of sections above the real type.

@@ -45,7 +45,11 @@ pub fn wrong<R: Real>(
         [reached.lowest.position, reached.highest.position],
         [reached.lowest.velocity, reached.highest.velocity],
     ]
-    .map(|ends| ends.map(|x| x.widen().abs()).into_iter().fold(0.0, f64::max));
+    .map(|ends| {
+        ends.map(|x| x.widen().abs())
+            .into_iter()
+            .fold(0.0, f64::max)
+    });
     let [offset, step] = lines.map(R::widen);
     let (t, rounding) = (of.t.widen(), ROUNDINGS * R::MACHINE_EPSILON.widen());
     let roundings = [rounding * t, rounding * (far + offset.abs() + fast * t)];
