@@ -9,7 +9,7 @@ use crate::real::Real;
 use crate::state::State;
 
 /// The parts in which a phase of the clock is examined. A bound over a part is too large by about a part of the change of the rate in it.
-const PARTS: i32 = 16;
+const PARTS: i32 = 64;
 
 /// The limits of the clock are tried from the highest one on, each half of the one before, and then halved between the last two.
 const HIGHEST_TRIAL: u8 = 16;
