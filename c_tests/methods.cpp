@@ -272,6 +272,28 @@ void shaper()
     PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && same(method, function));
 }
 
+void clock_of_a_path()
+{
+    atraj::limits limits, reserve;
+    limits.init(24, 8, 4);
+    reserve.init(30, 10, 5);
+    const atraj::state from = {0, 0, 0}, to = {10, 0, 0};
+    atraj::move move;
+    PROMISE(move.plan(limits, from, to) == 0);
+    atraj::clock method;
+    atraj_clock function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    method.start();
+    atraj_clock_start(&function);
+    PROMISE(method.rate(&move, &reserve, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &reserve, 1, 1, 0) == 0);
+    PROMISE(method.until() == atraj_clock_until(&function) && method.until() > 1);
+    atraj::state now;
+    atraj_clock_state(&function, &move, 1.5f, &now.p, &now.v, &now.a, A_NULL);
+    PROMISE(same(method.state(move, 1.5f), now));
+    PROMISE(atraj::line_stop(&move, &reserve, 1, 1) == 0 && move.vel(move.t) == 0);
+}
+
 // Every finding and every error has a sentence of its own.
 void messages()
 {
@@ -303,6 +325,7 @@ int main()
     axis();
     steps();
     shaper();
+    clock_of_a_path();
     messages();
 #endif
     return broken;

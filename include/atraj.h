@@ -19,6 +19,7 @@
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "atraj/axis.h"
+#include "atraj/clock.h"
 #include "atraj/codes.h"
 #include "atraj/move.h"
 #include "atraj/path.h"

@@ -50,7 +50,7 @@ fn move_header_is_fresh() {
 
 #[test]
 fn machine_headers_are_fresh() {
-    for name in ["axis", "shaper", "steps"] {
+    for name in ["axis", "clock", "shaper", "steps"] {
         check_fresh(&format!("include/atraj/{name}.h"), &machine_header(name));
     }
 }
@@ -85,6 +85,7 @@ fn atraj_header() -> String {
 #include \"a/atraj_check.h\"
 {includes}
 #include \"atraj/axis.h\"
+#include \"atraj/clock.h\"
 #include \"atraj/codes.h\"
 #include \"atraj/move.h\"
 #include \"atraj/path.h\"

@@ -9,11 +9,12 @@ use crate::real::Real;
 use crate::state::State;
 
 /// The parts in which a phase of the clock is examined. A bound over a part is too large by about a part of the change of the rate in it.
-const PARTS: i32 = 64;
+const PARTS: i32 = 16;
 
-/// The limits of the clock are tried from the highest one on, each half of the one before, and then halved between the last two.
+/// The limits of the clock are tried from the highest one on, in units of those that the path has at its highest speed. Each is half of the one before, down to
+/// 1/256: a slower change is no hold. Then the range between the last two is halved, until the change takes 1/16 longer than it must at most.
 const HIGHEST_TRIAL: u8 = 16;
-const TRIALS: u32 = 20;
+const TRIALS: u32 = 12;
 const HALVES: u32 = 4;
 
 /// The time of a path as a move itself.
@@ -222,6 +223,7 @@ impl<R: Real> Trial<'_, R> {
         } = *self.limits;
         let three = Range::of(R::from(3), R::from(3));
         let after = self.axis.phase.iter().skip(1).map(|next| next.start);
+        let after = after.chain([R::INFINITY]);
         let phases = self.axis.phase.iter().zip(after);
         let count = self.axis.phases().len();
         phases

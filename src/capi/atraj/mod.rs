@@ -3,6 +3,7 @@
 mod axes;
 mod axis;
 mod bell;
+mod clock;
 mod codes;
 mod r#move;
 mod path;
@@ -14,6 +15,7 @@ mod trap;
 pub use axes::*;
 pub use axis::*;
 pub use bell::*;
+pub use clock::*;
 pub use codes::*;
 pub use r#move::*;
 pub use path::*;
