@@ -10,7 +10,7 @@ use crate::judge::problem::{Problem, Request};
 use crate::judge::trial::{Trial, Verdict};
 use crate::liba::abi::Original;
 use crate::liba::comparison::{Case, MOMENTS, Moment, Report};
-use atraj::machine::{Shaper, ShaperKind, Step, Steps};
+use atraj::machine::{Clock, Shaper, ShaperKind, Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
@@ -330,7 +330,12 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         let added = shaper.add(kind, frequency, damping);
         assert!(added.is_ok() || shaper == before, "{problem}");
     }
+    let mut clock = Clock::new();
+    let before = clock;
+    let changed = clock.rate(&[planned], &[limits], offset, step);
+    assert!(changed.is_ok() || clock == before, "{problem}");
     // Nothing here may panic.
+    let _ = clock.state(&planned, smoothing);
     let _ = shaper.state(&planned, frequency);
     if to.velocity == R::of(0.0) && to.acceleration == R::of(0.0) {
         let end = shaper.state(&planned, R::of(f64::INFINITY));
