@@ -270,8 +270,34 @@ static int findings(void)
     return 0;
 }
 
+/* Axes on a line stop on it. A refusal leaves them. */
+static int stops_on_the_line(void)
+{
+    static const atraj_limits limits[2] = {{5, -5, 10, -10, 30, -30}, {5, -5, 10, -10, 60, -60}};
+    static const atraj_limits no_limits[2] = {{5, -5, 10, -10, 30, -30}, {0, -5, 10, -10, 60, -60}};
+    static const atraj_state from[2] = {{0, 0, 0}, {0, 0, 0}}, to[2] = {{10, 0, 0}, {-5, 0, 0}};
+    atraj_move axes[2], before[2];
+    a_float p;
+    memset(axes, 0, sizeof(axes));
+    PROMISE(atraj_moves_line(axes, limits, from, to, 2, 0, 0) == 0);
+    memcpy(before, axes, sizeof(axes));
+    PROMISE(atraj_moves_line_stop(A_NULL, limits, 2, 1) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_moves_line_stop(axes, A_NULL, 2, 1) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_moves_line_stop(axes, limits, 0, 1) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_moves_line_stop(axes, no_limits, 2, 1) == ATRAJ_ERR_LIMITS);
+    axes[1] = axes[0], axes[1].phase[1].a = axes[1].phase[1].j = 1;
+    PROMISE(atraj_moves_line_stop(axes, limits, 2, 1) == ATRAJ_ERR_LINE);
+    axes[1] = before[1];
+    PROMISE(memcmp(axes, before, sizeof(axes)) == 0);
+    p = atraj_move_pos(axes, 1);
+    PROMISE(atraj_moves_line_stop(axes, limits, 2, 1) == 0);
+    PROMISE(axes[0].phase[0].p == p && axes[0].t == axes[1].t && atraj_move_vel(axes, axes[0].t) == 0);
+    PROMISE(fabs((double)(atraj_move_pos(&axes[0], axes[0].t) + 2 * atraj_move_pos(&axes[1], axes[0].t))) < 1e-5);
+    return 0;
+}
+
 int main(void)
 {
     return refused_pointers() || refused_times() || refused_numbers() || refused_ends() || positions() || too_far() || one_axis() || several_axes() ||
-           findings();
+           findings() || stops_on_the_line();
 }

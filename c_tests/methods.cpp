@@ -236,6 +236,68 @@ void axis()
     PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
 }
 
+void steps()
+{
+    atraj::limits limits;
+    limits.init(30, 10, 5);
+    const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
+    atraj::move move;
+    PROMISE(move.plan(limits, from, to) == 0);
+    atraj::steps method;
+    atraj_steps function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.init(move, 0, 0.5f) == 0 && atraj_steps_init(&function, &move, 0, 0.5f) == 0 && same(method, function));
+    a_float time = 0, other = 0;
+    PROMISE(method.next(move, time) == 1 && atraj_steps_next(&function, &move, &other) == 1 && time == other && same(method, function));
+    PROMISE(method.follow(move) == 0 && atraj_steps_follow(&function, &move) == 0 && same(method, function));
+    PROMISE(method.init(move, 0, 0) == ATRAJ_ERR_LIMITS);
+}
+
+void shaper()
+{
+    atraj::limits limits;
+    limits.init(30, 10, 5);
+    const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
+    atraj::move move;
+    a::trajbell bell;
+    PROMISE(move.plan(limits, from, to) == 0 && bell.gen(30, 10, 5, 0, 1) > 0);
+    atraj::shaper method;
+    atraj_shaper function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    PROMISE(method.smooth(0.1f) == 0 && atraj_shaper_smooth(&function, 0.1f) == 0 && same(method, function));
+    PROMISE(method.add(ATRAJ_SHAPER_EI, 5, 0) == 0 && atraj_shaper_add(&function, ATRAJ_SHAPER_EI, 5, 0) == 0 && same(method, function));
+    atraj::state now;
+    atraj_shaper_state(&function, &move, 0.3f, &now);
+    PROMISE(same(method.state(move, 0.3f), now) && now.p > 0);
+    atraj_shaper_bell_state(&function, &bell, 0.3f, &now);
+    PROMISE(same(method.bell_state(bell, 0.3f), now) && now.p > 0);
+    PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && same(method, function));
+}
+
+void clock_of_a_path()
+{
+    atraj::limits limits, reserve;
+    limits.init(24, 8, 4);
+    reserve.init(30, 10, 5);
+    const atraj::state from = {0, 0, 0}, to = {10, 0, 0};
+    atraj::move move;
+    PROMISE(move.plan(limits, from, to) == 0);
+    atraj::clock method;
+    atraj_clock function;
+    std::memset(&method, 0, sizeof(method));
+    std::memset(&function, 0, sizeof(function));
+    method.start();
+    atraj_clock_start(&function);
+    PROMISE(method.rate(&move, &reserve, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &reserve, 1, 1, 0) == 0);
+    PROMISE(method.until() == atraj_clock_until(&function) && method.until() > 1);
+    atraj::state now;
+    atraj_clock_state(&function, &move, 1.5f, &now.p, &now.v, &now.a, A_NULL);
+    PROMISE(same(method.state(move, 1.5f), now));
+    PROMISE(atraj::line_stop(&move, &reserve, 1, 1) == 0 && move.vel(move.t) == 0);
+}
+
 // Every finding and every error has a sentence of its own.
 void messages()
 {
@@ -265,6 +327,9 @@ int main()
     profiles();
     axes();
     axis();
+    steps();
+    shaper();
+    clock_of_a_path();
     messages();
 #endif
     return broken;

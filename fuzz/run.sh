@@ -25,7 +25,7 @@ flags=(
 RUSTC_BOOTSTRAP=1 RUSTFLAGS="${flags[*]}" cargo build --quiet --release --locked --target "$target"
 
 mkdir -p artifacts
-for family in bell trap poly3 poly5 poly7 fastest move axes path axis; do
+for family in bell trap poly3 poly5 poly7 fastest move axes path axis machine; do
     log=artifacts/$family.log
     if ! "target/$target/release/$family" -seed="${FUZZ_SEED:-1}" -max_len=640 "$limit" \
         -artifact_prefix="artifacts/$family-" "corpus/$family" 2> "$log"; then

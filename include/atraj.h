@@ -19,9 +19,12 @@
 #include "a/trajpoly5.h"
 #include "a/trajpoly7.h"
 #include "atraj/axis.h"
+#include "atraj/clock.h"
 #include "atraj/codes.h"
 #include "atraj/move.h"
 #include "atraj/path.h"
+#include "atraj/shaper.h"
+#include "atraj/steps.h"
 
 #if defined(__cplusplus)
 extern "C" {

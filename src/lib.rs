@@ -32,6 +32,9 @@
 //! | [`axes::synchronise`], [`axes::line`] | the same for each axis | several axes arrive together, or on a straight line |
 //! | [`axes::plan_path`] | the same for each axis | several axes pass way points without stops |
 //! | [`machine::Axis`] | the same | a timer interrupt needs a setpoint while the main loop plans |
+//! | [`machine::Clock`] | the same, with a reserve | planned axes must hold, slow down or go back on their path |
+//! | [`machine::Shaper`] | keeps those of a move | a load must not swing at a known frequency |
+//! | [`machine::Steps`] | | a stepper motor follows a move |
 //! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!
 //! ## Double-S: [`Bell`]
@@ -92,7 +95,7 @@ pub mod axes {
     //! # Ok::<(), atraj::Error>(())
     //! ```
     pub use crate::together::path::{improve_path, path_size, plan_path};
-    pub use crate::together::{line, synchronise, synchronise_within};
+    pub use crate::together::{line, line_stop, synchronise, synchronise_within};
 }
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
@@ -118,3 +121,7 @@ pub use state::{Boundary, Saturation, State};
 #[cfg(doctest)]
 #[doc = include_str!("../docs/moves.md")]
 mod moves {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/machine.md")]
+mod what_a_loop_holds {}

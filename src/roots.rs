@@ -35,11 +35,21 @@ pub(crate) fn convex_root<R: Real>(least: R, mut x: R, f: impl Fn(R) -> (R, R)) 
 /// Enough to halve a range until nothing is left of it.
 const MOST_HALVES: u32 = 64;
 
-/// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `high`. Where its step
-/// leaves the range that holds the root, the range is halved.
-pub(crate) fn root_between<R: Real>(mut low: R, mut high: R, f: impl Fn(R) -> (R, R)) -> R {
-    let mut x = high;
-    let (mut before, mut shrank) = (R::ZERO, R::ONE);
+/// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `high`.
+pub(crate) fn root_between<R: Real>(low: R, high: R, f: impl Fn(R) -> (R, R)) -> R {
+    root_near(low, high, high, R::ZERO, f)
+}
+
+/// The root of an increasing function, `(value, derivative)`, between `low` and `high`. Newton's method begins at `x`, to which the step
+/// `before` led, 0 if none did. Where a step leaves the range that holds the root, the range is halved.
+pub(crate) fn root_near<R: Real>(
+    mut low: R,
+    mut high: R,
+    mut x: R,
+    mut before: R,
+    f: impl Fn(R) -> (R, R),
+) -> R {
+    let mut shrank = R::ONE;
     for _ in 0..MOST_HALVES {
         let (value, derivative) = f(x);
         if value > R::ZERO {
@@ -58,9 +68,14 @@ pub(crate) fn root_between<R: Real>(mut low: R, mut high: R, f: impl Fn(R) -> (R
         x = next;
         // As above, but a step may be small by chance: where the function bends the other way, or behind half a range. So three steps of
         // Newton's method foretell the fourth one. Both factors between a step and the square of the step before are asked, and the larger one
-        // counts.
+        // counts. Half a range foretells nothing.
         let shrinks = (step / before).at_most(R::ONE);
-        if step * shrinks * shrinks.at_least(shrank * shrank) <= R::EPSILON * x {
+        let foretold = if is_newton {
+            step * shrinks * shrinks.at_least(shrank * shrank)
+        } else {
+            step
+        };
+        if foretold <= R::EPSILON * x {
             break;
         }
         (before, shrank) = if is_newton {

@@ -237,7 +237,7 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    fn time(self) -> R {
+    pub(crate) fn time(self) -> R {
         match self {
             Self::Below(border) | Self::UpTo(border) => border,
         }

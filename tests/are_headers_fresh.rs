@@ -49,8 +49,10 @@ fn move_header_is_fresh() {
 }
 
 #[test]
-fn axis_header_is_fresh() {
-    check_fresh("include/atraj/axis.h", &axis_header());
+fn machine_headers_are_fresh() {
+    for name in ["axis", "clock", "shaper", "steps"] {
+        check_fresh(&format!("include/atraj/{name}.h"), &machine_header(name));
+    }
 }
 
 #[test]
@@ -83,9 +85,12 @@ fn atraj_header() -> String {
 #include \"a/atraj_check.h\"
 {includes}
 #include \"atraj/axis.h\"
+#include \"atraj/clock.h\"
 #include \"atraj/codes.h\"
 #include \"atraj/move.h\"
 #include \"atraj/path.h\"
+#include \"atraj/shaper.h\"
+#include \"atraj/steps.h\"
 
 {}
 {behind}
@@ -183,27 +188,38 @@ fn move_header() -> String {
     )
 }
 
-fn axis_header() -> String {
-    let config = config("axis");
+/// A header with one struct and its functions.
+fn machine_header(name: &str) -> String {
+    let config = config(name);
     let about = config.header.clone().unwrap_or_default();
-    let functions = pass("atraj/axis", &config, ItemType::Functions);
-    let structs = pass("atraj/axis", &config, ItemType::Structs);
+    let functions = pass(&format!("atraj/{name}"), &config, ItemType::Functions);
+    let structs = pass(&format!("atraj/{name}"), &config, ItemType::Structs);
+    let enumerations = pass(&format!("atraj/{name}"), &config, ItemType::Enums);
+    let enumerations = match enumerations.replace(",\n};", "\n};") {
+        none if none.is_empty() => none,
+        some => format!("{some}\n\n"),
+    };
+    let guard = format!("ATRAJ_{}_H", name.to_uppercase());
     format!(
         "{GENERATED}{about}
-#ifndef ATRAJ_AXIS_H
-#define ATRAJ_AXIS_H
+#ifndef {guard}
+#define {guard}
 
-#include \"atraj/move.h\"
+{}#include \"atraj/move.h\"
 
-typedef struct atraj_axis atraj_axis;
+typedef struct atraj_{name} atraj_{name};
 
-{}
+{enumerations}{}
 
 {structs}
 
-#endif /* ATRAJ_AXIS_H */
+#endif /* {guard} */
 ",
-        extern_c(&functions, &namespace("atraj", &["axis"]))
+        match name {
+            "shaper" => "#include \"a/trajbell.h\"\n",
+            _ => "",
+        },
+        extern_c(&functions, &namespace("atraj", &[name]))
     )
 }
 

@@ -147,13 +147,16 @@ fn layout_prelude_and_null() {
 }
 
 /// The programs that test the functions of `atraj.h`.
-const CONTRACTS: [&str; 6] = [
+const CONTRACTS: [&str; 9] = [
     "sample.c",
     "fastest.c",
     "move.c",
     "axes.c",
     "axis.c",
     "path.c",
+    "clock.c",
+    "shaper.c",
+    "steps.c",
 ];
 
 #[test]

@@ -178,6 +178,12 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #pragma weak atraj_axis_tick
 #pragma weak atraj_axis_go
 #pragma weak atraj_axis_track
+#pragma weak atraj_steps_init
+#pragma weak atraj_steps_next
+#pragma weak atraj_shaper_init
+#pragma weak atraj_shaper_smooth
+#pragma weak atraj_shaper_add
+#pragma weak atraj_shaper_state
 #pragma weak atraj_path_plan
 #pragma weak atraj_path_improve
 
@@ -323,6 +329,48 @@ static void axis(void)
     print_costs("atraj_axis_track", tracks);
 }
 
+static atraj_steps posed_steps;
+static atraj_shaper posed_shaper;
+static atraj_move posed_move;
+
+static void pose_step(void *ctx)
+{
+    typedef int iterator(atraj_steps *, const atraj_move *, a_float *);
+    a_float time;
+    ((iterator *)posed_to)(ctx, &posed_move, &time);
+}
+
+static void pose_shape(void *ctx)
+{
+    typedef void evaluation(const atraj_shaper *, const atraj_move *, a_float, atraj_state *);
+    ((evaluation *)posed_to)(ctx, &posed_move, posed_axes.duration, &posed.from);
+}
+
+/* All steps of each move of the table, and 11 states of each move behind a shaper of 3 impulses. */
+static void machine(void)
+{
+    costs steps = {0}, shaped = {0};
+    atraj_shaper_init(&posed_shaper, ATRAJ_SHAPER_EI, 5, 0);
+    for (size_t i = 0; i != ROWS(fastest_move); ++i) {
+        if (i % 8) { continue; } /* steps are many */
+        problem const q = problem_of(fastest_move[i]);
+        posed_move.phases = 0;
+        solve(&q, &posed_move);
+        if (atraj_steps_init(&posed_steps, &posed_move, q.from.p, (a_float)1 / 64) != 0) { continue; }
+        while (1) {
+            atraj_steps ahead = posed_steps;
+            if (!atraj_steps_next(&ahead, &posed_move, NULL)) { break; }
+            add(&steps, measure_planner(pose_step, (void (*)(void))atraj_steps_next, &posed_steps));
+        }
+        for (int k = 0; k <= 10; ++k) {
+            posed_axes.duration = posed_move.t * (a_float)k / 10;
+            add(&shaped, measure_planner(pose_shape, (void (*)(void))atraj_shaper_state, &posed_shaper));
+        }
+    }
+    print_costs("atraj_steps_next", steps);
+    print_costs("atraj_shaper_state", shaped);
+}
+
 static path_problem posed_path;
 
 static a_float plan_posed_path(void) { return (a_float)plan_path(&posed_path); }
@@ -386,6 +434,7 @@ int main(void)
     if (atraj_move_plan) { moves(); }
     if (atraj_moves_sync) { axes(); }
     if (atraj_axis_tick) { axis(); }
+    if (atraj_steps_next) { machine(); }
     if (atraj_path_plan) { paths(); }
     return 0;
 }

@@ -5,6 +5,8 @@
 #include <string.h>
 #include "atraj/move.h"
 #include "atraj/path.h"
+#include "atraj/shaper.h"
+#include "atraj/steps.h"
 
 enum { PLAN, REACH, STOP, MEET, WITHIN, TRACK };
 typedef struct {
@@ -23,6 +25,27 @@ static inline int solve(const problem *q, atraj_move *m)
     case TRACK: return atraj_move_track(m, &q->limits, &q->from, &q->to, (a_float)0.125);
     default: return atraj_move_plan(m, &q->limits, &q->from, &q->to);
     }
+}
+
+/* All steps of a motor that follows a move, which stands between two lines in the beginning: how many, the line of the end, the last time, and the
+ * sum of all times, in which the bits of each count. */
+static inline void step_through(const atraj_move *m, a_float results[5])
+{
+    atraj_steps steps;
+    a_float time = 0, sum = 0, count = 0;
+    results[0] = (a_float)atraj_steps_init(&steps, m, m->phase[0].p - (a_float)0.0625, (a_float)0.125);
+    if (results[0] == 0) {
+        for (; atraj_steps_next(&steps, m, &time); ++count) { sum += time; }
+        results[1] = count, results[2] = (a_float)steps.count, results[3] = time, results[4] = sum;
+    }
+}
+
+/* A shaper of each kind in turn, every third one smooth, every fourth one for a second frequency too. */
+static inline void pose_shaper(atraj_shaper *shaper, unsigned number)
+{
+    atraj_shaper_smooth(shaper, number % 3 ? 0 : (a_float)0.25);
+    atraj_shaper_add(shaper, (int)(number % 5), 2 + (a_float)(number % 7), (a_float)(number % 4) / 16);
+    if (number % 4 == 0) { atraj_shaper_add(shaper, ATRAJ_SHAPER_ZV, 5, 0); }
 }
 
 /* Axes that move together, on a straight line, or each between two positions. */

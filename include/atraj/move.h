@@ -328,6 +328,22 @@ int atraj_moves_sync_within(atraj_move *axes,
                             a_float duration,
                             a_float cycle);
 
+/**
+ * @brief Stop axes that move on a straight line, on this line: a feed hold. Each move becomes its stop, which begins at its time 0.
+ *
+ * The axis with the longest way makes its fastest stop within the tightest limits of all. So no reserve is needed.
+ * @param axes points to `n` planned moves on a straight line; all are untouched on an error
+ * @param limits points to the limits of the `n` axes
+ * @param n number of axes
+ * @param x time since the start of the moves, s
+ * @return as `atraj_move_stop`; `ATRAJ_ERR_LINE` if the moves are not on one straight line, `ATRAJ_ERR_NULL` also if `n` is 0
+ */
+A_EXTERN
+int atraj_moves_line_stop(atraj_move *axes,
+                          const atraj_limits *limits,
+                          size_t n,
+                          a_float x);
+
 #if defined(__cplusplus)
 } /* extern "C" */
 namespace atraj
@@ -499,6 +515,7 @@ inline int line(move *axes, const limits *within, const state *from, const state
 {
     return atraj_moves_line(axes, within, from, to, n, duration, cycle);
 }
+inline int line_stop(move *axes, const limits *within, size_t n, a_float x) { return atraj_moves_line_stop(axes, within, n, x); }
 } /* namespace atraj */
 #endif /* __cplusplus */
 

@@ -1,4 +1,5 @@
-//! What a control loop holds: an axis whose plans come from the main loop and whose setpoints go to a timer interrupt.
+//! What a control loop holds: an axis whose plans come from the main loop and whose setpoints go to a timer interrupt, the [`Clock`] of
+//! a path, the [`Steps`] of a motor, and the [`Shaper`] of a load.
 //!
 //! A plan takes long: 138,494 instructions on a Cortex-M0 in `double`, nearly three milliseconds at 48 MHz. The setpoint of the next
 //! millisecond cannot wait for it. So the interrupt follows the move in force while the main loop plans the next one, from the state
@@ -22,7 +23,13 @@
 //! So Rust firmware shares an `atraj_axis` (feature `capi`): its functions need no lock and no critical section.
 
 pub(crate) mod axis;
+pub(crate) mod clock;
 mod handover;
+pub(crate) mod shaper;
+pub(crate) mod steps;
 
 pub use axis::Axis;
+pub use clock::Clock;
 use core::sync::atomic;
+pub use shaper::{Shaper, ShaperKind};
+pub use steps::{Step, Steps};

@@ -256,6 +256,12 @@ impl<R: Real> Move<R> {
         self.phase.get(..self.phase_count()).unwrap_or_default()
     }
 
+    /// A phase and the one behind it, which tells where it ends.
+    pub(crate) fn phase_and_next(&self, index: usize) -> Option<(&Phase<R>, &Phase<R>)> {
+        let phase = self.phases().get(index)?;
+        Some((phase, self.phase.get(index + 1)?))
+    }
+
     /// Number of phases, whatever a foreign struct says.
     pub(super) fn phase_count(&self) -> usize {
         (self.count as usize).min(MOST_PHASES)

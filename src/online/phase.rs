@@ -37,7 +37,7 @@ impl<R: Real> Phase<R> {
     }
 
     #[inline(always)]
-    pub(super) fn position(&self, z: R) -> R {
+    pub(crate) fn position(&self, z: R) -> R {
         let Self {
             position,
             velocity,
@@ -49,7 +49,7 @@ impl<R: Real> Phase<R> {
     }
 
     #[inline(always)]
-    pub(super) fn velocity(&self, z: R) -> R {
+    pub(crate) fn velocity(&self, z: R) -> R {
         let Self {
             velocity,
             acceleration,
@@ -60,7 +60,7 @@ impl<R: Real> Phase<R> {
     }
 
     #[inline(always)]
-    pub(super) fn acceleration(&self, z: R) -> R {
+    pub(crate) fn acceleration(&self, z: R) -> R {
         self.acceleration + z * self.jerk
     }
 
@@ -97,7 +97,7 @@ impl<R: Real> Phase<R> {
     }
 
     /// Where the axis turns, in order: the times in the phase at which its velocity passes 0. Other values mean nothing.
-    pub(super) fn turns(&self) -> [R; 2] {
+    pub(crate) fn turns(&self) -> [R; 2] {
         let Self {
             velocity,
             acceleration,

@@ -33,6 +33,8 @@ pub trait Primitives:
     const NAN: Self;
     /// The natural logarithm of 2, rounded once.
     const LN_2: Self;
+    /// Half of the circumference of a circle of radius 1, rounded once.
+    const PI: Self;
     /// The processor divides, and takes a root, in one instruction.
     const HAS_UNIT: bool;
 
@@ -89,6 +91,7 @@ impl Primitives for f32 {
     const INFINITY: Self = f32::INFINITY;
     const NAN: Self = f32::NAN;
     const LN_2: Self = core::f32::consts::LN_2;
+    const PI: Self = core::f32::consts::PI;
     const HAS_UNIT: bool = processor::HAS_BINARY32_UNIT;
 
     fn abs(self) -> Self {
@@ -134,6 +137,7 @@ impl Primitives for f64 {
     const INFINITY: Self = f64::INFINITY;
     const NAN: Self = f64::NAN;
     const LN_2: Self = core::f64::consts::LN_2;
+    const PI: Self = core::f64::consts::PI;
     const HAS_UNIT: bool = processor::HAS_BINARY64_UNIT;
 
     fn abs(self) -> Self {

@@ -124,6 +124,7 @@ impl Primitives for Soft64 {
     const INFINITY: Self = Self(f64::INFINITY.to_bits());
     const NAN: Self = Self(f64::NAN.to_bits());
     const LN_2: Self = Self(core::f64::consts::LN_2.to_bits());
+    const PI: Self = Self(core::f64::consts::PI.to_bits());
     const HAS_UNIT: bool = false;
 
     fn abs(self) -> Self {

@@ -8,11 +8,13 @@ mod blend;
 mod cruise;
 mod cycle;
 mod line;
+mod line_stop;
 pub mod path;
 mod sync;
 mod track;
 mod within;
 
 pub use line::line;
+pub use line_stop::line_stop;
 pub use sync::synchronise;
 pub use within::synchronise_within;

@@ -141,7 +141,7 @@ impl<R: Real> Within<'_, R> {
     fn plan(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
         let (limits, (&from, &to)) = self.ends;
         axis.plan(limits, from, to)?;
-        stretch(axis, &self.problem(), t)?;
+        stretch(axis, &|| self.problem(), t)?;
         if axis.leaves(self.lowest, self.highest) {
             self.plan_wait(axis, t)?;
         }

@@ -47,8 +47,10 @@ fn main() {
         .flag("-Wextra")
         .warnings_into_errors(true)
         .file("c/referee.c")
+        .file("c/steps.c")
         .compile("referee");
     println!("cargo:rerun-if-changed=c/referee.c");
+    println!("cargo:rerun-if-changed=c/steps.c");
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rustc-env=LIBA={}", liba.display());
 }

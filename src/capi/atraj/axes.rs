@@ -125,6 +125,34 @@ pub unsafe extern "C" fn atraj_moves_sync_within(
     }
 }
 
+/// @brief Stop axes that move on a straight line, on this line: a feed hold. Each move becomes its stop, which begins at its time 0.
+///
+/// The axis with the longest way makes its fastest stop within the tightest limits of all. So no reserve is needed.
+/// @param axes points to `n` planned moves on a straight line; all are untouched on an error
+/// @param limits points to the limits of the `n` axes
+/// @param n number of axes
+/// @param x time since the start of the moves, s
+/// @return as `atraj_move_stop`; `ATRAJ_ERR_LINE` if the moves are not on one straight line, `ATRAJ_ERR_NULL` also if `n` is 0
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_moves_line_stop(
+    axes: *mut atraj_move,
+    limits: *const atraj_limits,
+    n: usize,
+    x: a_float,
+) -> c_int {
+    if axes.is_null() || limits.is_null() {
+        return ATRAJ_ERR_NULL as c_int;
+    }
+    // SAFETY: not NULL, so each points to `n` values by the contract of this module; the layouts are the same.
+    let (axes, limits) = unsafe {
+        (
+            array::<Move<Number>>(axes.cast(), n),
+            core::slice::from_raw_parts(limits.cast::<Limits<Number>>(), n),
+        )
+    };
+    code(together::line_stop(axes, limits, x.into()))
+}
+
 /// # Safety
 /// Each pointer is NULL or points to `n` values.
 unsafe fn plan(

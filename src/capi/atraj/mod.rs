@@ -3,19 +3,25 @@
 mod axes;
 mod axis;
 mod bell;
+mod clock;
 mod codes;
 mod r#move;
 mod path;
 mod poly;
+mod shaper;
+mod steps;
 mod trap;
 
 pub use axes::*;
 pub use axis::*;
 pub use bell::*;
+pub use clock::*;
 pub use codes::*;
 pub use r#move::*;
 pub use path::*;
 pub use poly::*;
+pub use shaper::*;
+pub use steps::*;
 pub use trap::*;
 
 use super::{Number, a_float};

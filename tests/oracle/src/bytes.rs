@@ -10,7 +10,7 @@ use crate::judge::problem::{Problem, Request};
 use crate::judge::trial::{Trial, Verdict};
 use crate::liba::abi::Original;
 use crate::liba::comparison::{Case, MOMENTS, Moment, Report};
-use atraj::machine::Axis;
+use atraj::machine::{Axis, Clock, Shaper, ShaperKind, Step, Steps};
 use atraj::online::{Error, Limits, Move, Phase};
 use atraj::{Findings, State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
@@ -430,6 +430,81 @@ fn state<R: Real>(bytes: &mut &[u8]) -> State<R> {
         position: number(bytes),
         velocity: number(bytes),
         acceleration: number(bytes),
+    }
+}
+
+/// Plans a move from any state, counts its steps and shapes it. Panics if a step is lost, if the shaped motion ends elsewhere, or if a refusal
+/// leaves a trace.
+pub fn steps_and_shapes(bytes: &[u8]) {
+    match bytes.split_first() {
+        Some((kind, case)) if kind % 2 == 1 => machine_as::<f32>(kind / 2, case),
+        Some((kind, case)) => machine_as::<f64>(kind / 2, case),
+        None => {}
+    }
+}
+
+/// More steps than this are not asked for.
+const STEPS: usize = 1_000;
+
+/// The kind names the kind of the shaper. Offset and step, frequency, damping and smoothing, and the move follow.
+fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
+    let [offset, step, frequency, damping, smoothing] = [(); 5].map(|()| number::<R>(&mut bytes));
+    let limits = limits_of(&mut bytes);
+    let [from, to] = [(); 2].map(|()| state(&mut bytes));
+    let mut planned = Move::default();
+    if planned.plan(&limits, from, to).is_err() {
+        return;
+    }
+    let problem =
+        format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
+    if let Ok(mut steps) = Steps::new(&planned, offset, step) {
+        let (mut count, mut last) = (steps.count(), R::of(0.0));
+        let taken =
+            (0..STEPS).map_while(|_| steps.next(&planned).map(|taken| (taken, steps.count())));
+        for (Step { time, direction }, now) in taken {
+            count += direction;
+            assert!(
+                count == now && time >= last && time <= planned.t,
+                "{problem}: {time:?}"
+            );
+            last = time;
+        }
+        if steps.next(&planned).is_none() {
+            let end = planned.position(R::of(f64::INFINITY));
+            let there = Move {
+                phase: [Phase {
+                    position: end,
+                    ..Phase::default()
+                }; 16],
+                ..Move::default()
+            };
+            let wanted = Steps::new(&there, offset, step).map(|steps| steps.count());
+            assert_eq!(wanted, Ok(steps.count()), "{problem}");
+        }
+    }
+    let kinds = [
+        ShaperKind::Zv,
+        ShaperKind::Zvd,
+        ShaperKind::Mzv,
+        ShaperKind::Ei,
+        ShaperKind::Ei2,
+    ];
+    let mut shaper = Shaper::smooth(smoothing).unwrap_or_default();
+    for kind in [kind, kind / 5].map(|kind| kinds[usize::from(kind) % kinds.len()]) {
+        let before = shaper;
+        let added = shaper.add(kind, frequency, damping);
+        assert!(added.is_ok() || shaper == before, "{problem}");
+    }
+    let mut clock = Clock::new();
+    let before = clock;
+    let changed = clock.rate(&[planned], &[limits], offset, step);
+    assert!(changed.is_ok() || clock == before, "{problem}");
+    // Nothing here may panic.
+    let _ = clock.state(&planned, smoothing);
+    let _ = shaper.state(&planned, frequency);
+    if to.velocity == R::of(0.0) && to.acceleration == R::of(0.0) {
+        let end = shaper.state(&planned, R::of(f64::INFINITY));
+        assert!(end == to, "{problem}: ends at {end:?}");
     }
 }
 

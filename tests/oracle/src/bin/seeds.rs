@@ -24,7 +24,9 @@ fn main() -> Result<()> {
     write_paths::<f64>(&directory.join("path"))?;
     write_paths::<f32>(&directory.join("path"))?;
     write_requests::<f64>(&directory.join("axis"))?;
-    write_requests::<f32>(&directory.join("axis"))
+    write_requests::<f32>(&directory.join("axis"))?;
+    write_machines::<f64>(&directory.join("machine"))?;
+    write_machines::<f32>(&directory.join("machine"))
 }
 
 /// Requests to an axis: period, start and limits, then a byte for each request and its lead or ticks, and its numbers.
@@ -69,6 +71,36 @@ fn numbers_of_limits<R: Real>(limits: Limits<R>) -> Vec<R> {
         jmin,
     } = limits;
     vec![vmax, vmin, amax, amin, jmax, jmin]
+}
+
+/// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
+fn write_machines<R: Real>(directory: &Path) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    let mut random = Random::seeded(3);
+    for case in 0..48 {
+        let limits = online::limits::<R>(&mut random);
+        let from = online::anywhere(&mut random, &limits);
+        let to = online::inside(&mut random, &limits);
+        let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1]
+            .map(R::of)
+            .to_vec();
+        let Limits {
+            vmax,
+            vmin,
+            amax,
+            amin,
+            jmax,
+            jmin,
+        } = limits;
+        numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+        for state in [from, to] {
+            numbers.extend([state.position, state.velocity, state.acceleration]);
+        }
+        let mut bytes = encode(&numbers, &[]);
+        bytes[0] += 2 * (case % 25);
+        std::fs::write(directory.join(format!("random-{}-{case}", R::NAME)), bytes)?;
+    }
+    Ok(())
 }
 
 /// Way points of one or two axes: the first byte holds the number of axes and that of sections above the real type.

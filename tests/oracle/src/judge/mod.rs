@@ -14,5 +14,6 @@ pub mod problems;
 pub mod referee;
 pub mod replan;
 pub mod rivals;
+pub mod steps;
 pub mod tally;
 pub mod trial;

@@ -103,7 +103,11 @@ fn times<const LIBRARIES: usize>(row: &mut Row) -> ([f64; LIBRARIES], [f64; LIBR
 pub fn rows() -> Vec<Row> {
     let of = |races: Vec<Race>| races.into_iter().map(|race| race.row);
     let plans = of(races()).chain(evaluations());
-    plans.chain(of(together())).chain(alone()).collect()
+    plans
+        .chain(of(together()))
+        .chain(alone())
+        .chain(machine())
+        .collect()
 }
 
 /// Planners that have no rival. Their instructions are counted, and no table has them.
@@ -495,6 +499,42 @@ fn evaluations() -> Vec<Row> {
     }
     rows.extend([states(1024), samples(1024)]);
     rows
+}
+
+/// The steps of a motor, and a shaper of three impulses, over the move of the README. There is no other library.
+fn machine() -> [Row; 2] {
+    const STEPS: usize = 1024;
+    let both = Rc::new(Both::plan(&[README]));
+    let planned = both.clone();
+    let steps = Row::new("atraj_steps_next", "1024 steps", STEPS, move |_| {
+        let (of, mut steps, mut time) = (&planned.moves[0], MaybeUninit::uninit(), 0.0);
+        let step = (of.phase[of.phases as usize].p - of.phase[0].p) / STEPS as a_float;
+        // SAFETY: all pointers point to their structs, and `init` fills the steps.
+        unsafe {
+            atraj_steps_init(steps.as_mut_ptr(), of, of.phase[0].p, step);
+            while black_box(atraj_steps_next(steps.as_mut_ptr(), of, &mut time)) != 0 {}
+        }
+    });
+    let shaped = Row::new(
+        "atraj_shaper_state",
+        "3 impulses, 1024 times",
+        STEPS,
+        move |_| {
+            let (of, mut shaper, mut now) =
+                (&both.moves[0], MaybeUninit::uninit(), MaybeUninit::uninit());
+            let kind = atraj_shaper_kind::ATRAJ_SHAPER_EI as i32;
+            // SAFETY: all pointers point to their structs, and `init` fills the shaper.
+            unsafe {
+                atraj_shaper_init(shaper.as_mut_ptr(), kind, 5.0, 0.0);
+                for k in 0..STEPS {
+                    let x = of.t * k as a_float / STEPS as a_float;
+                    atraj_shaper_state(shaper.as_ptr(), of, x, now.as_mut_ptr());
+                    black_box(&now);
+                }
+            }
+        },
+    );
+    [steps, shaped]
 }
 
 /// Each library has its own copy of this loop.

@@ -1,0 +1,174 @@
+//! The times at which a stepper motor steps.
+
+use crate::findings::{Error, Extremes};
+use crate::online::{Move, Phase};
+use crate::real::Real;
+use crate::roots::root_near;
+
+/// The steps of a motor that follows a move.
+///
+/// Line `k` is the position `offset + k * step`. The motor stands at the line `count` while the axis is between this line and the next
+/// one. So it steps up when the axis passes the next line, and down when the axis passes the line of the motor on its way back.
+/// With an offset of half a step the motor is never farther than half a step from the axis.
+///
+/// ```
+/// use atraj::machine::{Step, Steps};
+/// use atraj::online::{Limits, Move, State};
+/// let mut axis = Move::default();
+/// axis.plan(&Limits::symmetric(30.0, 10.0, 5.0), State::at(0.0), State::at(10.0))?;
+/// let mut steps = Steps::new(&axis, 0.0, 0.5)?;
+/// let (mut last, mut sum) = (0.0, 0);
+/// while let Some(Step { time, direction }) = steps.next(&axis) {
+///     assert!(time >= last && (axis.position(time) - 0.5 * f64::from(steps.count())).abs() < 1e-12);
+///     (last, sum) = (time, sum + direction);
+/// }
+/// assert_eq!((sum, steps.count()), (20, 20));
+/// # Ok::<(), atraj::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Steps<R> {
+    pub(crate) offset: R,
+    pub(crate) step: R,
+    /// The part of a phase in which the axis does not turn, on the clock of the phase, s. Its steps up to `from` are taken.
+    pub(crate) from: R,
+    pub(crate) to: R,
+    /// The line of the motor.
+    pub(crate) count: i32,
+    /// The line of the motor at the end of the part.
+    pub(crate) far: i32,
+    /// Number of the phase; phase 0 is the start.
+    pub(crate) phase: u32,
+}
+
+/// A step of a motor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<R> {
+    /// Since the start of the move, s.
+    pub time: R,
+    /// 1 towards larger positions, else -1.
+    pub direction: i32,
+}
+
+impl<R: Real> Steps<R> {
+    /// The steps of a move. The motor stands at the last line that is not above the start.
+    ///
+    /// [`Error::Limits`] if `step` is not above 0; [`Error::NotFinite`] if a number is not finite, or if a position of the move is more
+    /// than `1/ε` steps (8,388,608 in `f32`) or 1,000,000,000 steps away from the offset.
+    pub fn new(of: &Move<R>, offset: R, step: R) -> Result<Self, Error> {
+        if !(offset.is_finite() && step < R::INFINITY) {
+            return Err(Error::NotFinite);
+        }
+        if step <= R::ZERO {
+            return Err(Error::Limits);
+        }
+        let mut steps = Self {
+            offset,
+            step,
+            from: R::ZERO,
+            to: R::ZERO,
+            count: 0,
+            far: 0,
+            phase: 0,
+        };
+        steps.follow(of)?;
+        steps.count = steps.line_below(of.position(R::ZERO));
+        steps.far = steps.count;
+        Ok(steps)
+    }
+
+    /// Goes on with another move from its start, and keeps the motor where it is. So no step is lost where the moves meet: a line between
+    /// the motor and the start is passed at once. [`Error::NotFinite`] as in [`Steps::new`]; then nothing changes.
+    pub fn follow(&mut self, next: &Move<R>) -> Result<(), Error> {
+        let Extremes { lowest, highest } = next.extremes();
+        let start = next.position(R::ZERO);
+        let most = (R::ONE / R::EPSILON).at_most(R::from_index(MOST_STEPS));
+        let is_countable = |p: R| ((p - self.offset) / self.step).abs() <= most;
+        if ![start, lowest.position, highest.position]
+            .into_iter()
+            .all(is_countable)
+        {
+            return Err(Error::NotFinite);
+        }
+        (self.phase, self.from, self.to) = (0, R::ZERO, R::ZERO);
+        self.far = self.count;
+        Ok(())
+    }
+
+    /// The line of the motor after the steps so far: the steps up less the steps down, from the line at the start on.
+    pub fn count(&self) -> i32 {
+        self.count
+    }
+
+    /// The next step until the end of the move, for the move that the steps belong to. Each has its time up to rounding, and no time is
+    /// before the time of the step before. The count after the last step is the line of the end, whatever is rounded on the way.
+    pub fn next(&mut self, of: &Move<R>) -> Option<Step<R>> {
+        while self.count == self.far {
+            self.enter_next_part(of)?;
+        }
+        let (phase, next) = of.phase_and_next(self.phase as usize)?;
+        let direction = if self.far > self.count { 1 } else { -1 };
+        let line = self.count.max(self.count + direction);
+        self.count += direction;
+        self.from = self.time_at(phase, line, R::from_index(direction));
+        Some(Step {
+            time: (phase.start + self.from).at_most(next.start),
+            direction,
+        })
+    }
+
+    /// Goes on to where the axis turns next in the phase, else to the end of the phase.
+    fn enter_next_part(&mut self, of: &Move<R>) -> Option<()> {
+        let (phase, next) = of.phase_and_next(self.phase as usize)?;
+        let lasts = self.to < phase.duration; // not if a number is none
+        let (phase, next) = if lasts {
+            (phase, next)
+        } else {
+            self.phase += 1;
+            self.to = R::ZERO;
+            of.phase_and_next(self.phase as usize)?
+        };
+        self.from = self.to;
+        let is_ahead = |z: &R| *z > self.from && *z < phase.duration;
+        let turn = phase.turns().into_iter().find(is_ahead);
+        self.to = turn.unwrap_or(phase.duration);
+        self.far = self.line_below(turn.map_or(next.position, |z| phase.position(z)));
+        Some(())
+    }
+
+    /// When the axis is at a line, on the clock of the phase, s. It does not turn between `from` and `to`.
+    fn time_at(&self, phase: &Phase<R>, line: i32, direction: R) -> R {
+        let line = self.offset + R::from_index(line) * self.step;
+        // Positions counted from the line have the roundings of the way alone.
+        let seen = Phase {
+            position: phase.position - line,
+            ..*phase
+        };
+        let beyond = |z: R| (direction * seen.position(z), direction * seen.velocity(z));
+        // The part may end at the line.
+        if self.count == self.far && beyond(self.to).0 <= R::ZERO {
+            return self.to;
+        }
+        // The quadratic part of the way from here on.
+        let (s, v) = beyond(self.from);
+        let a = direction * phase.acceleration(self.from);
+        let root = (v * v - (s + s) * a).at_least(R::ZERO).sqrt();
+        let guess = self.from - (s + s) / (v + root);
+        let guess = guess.at_least(self.from).at_most(self.to);
+        root_near(self.from, self.to, guess, guess - self.from, beyond)
+    }
+
+    /// The last line that is not above a position.
+    fn line_below(&self, position: R) -> i32 {
+        let steps = (position - self.offset) / self.step;
+        let towards_0 = steps.to_index();
+        if steps < R::from_index(towards_0) {
+            towards_0.saturating_sub(1)
+        } else {
+            towards_0
+        }
+    }
+}
+
+/// Far within the range of the count.
+const MOST_STEPS: i32 = 1_000_000_000;

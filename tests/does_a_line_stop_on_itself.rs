@@ -1,0 +1,116 @@
+//! Do axes that stop on a straight line stay on the line, within the limits of each, as fast as the lead can?
+
+use atraj::axes::{line, line_stop};
+use atraj::online::{Error, Limits, Move, State};
+use support::{Random, Real, online, test_both_reals};
+
+const LINES: usize = 10_000;
+
+fn stops_stay_on_the_line<R: Real>() {
+    let mut random = Random::seeded(5);
+    let (epsilon, zero) = (R::MACHINE_EPSILON.widen(), R::of(0.0));
+    for number in 0..LINES {
+        let n = 1 + random.below(6);
+        let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(&mut random)).collect();
+        let mut ends = || -> Vec<State<R>> {
+            let position = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
+            (0..n).map(position).collect()
+        };
+        let (from, to) = (ends(), ends());
+        let mut axes = vec![Move::default(); n];
+        line(&mut axes, &limits, &from, &to, zero, zero).expect("a line");
+        let x = R::of(axes[0].t.widen() * random.between(-0.1, 1.1));
+        let now: Vec<State<R>> = axes.iter().map(|axis| axis.state_at(x)).collect();
+        let speeds: Vec<f64> = axes
+            .iter()
+            .map(|axis| {
+                let reached = axis.extremes();
+                reached
+                    .highest
+                    .velocity
+                    .widen()
+                    .max(-reached.lowest.velocity.widen())
+            })
+            .collect();
+        line_stop(&mut axes, &limits, x).expect("a stop");
+        let t = axes[0].t.widen();
+        let lead = (0..n)
+            .max_by(|&i, &k| {
+                let way = |i: usize| (to[i].position.widen() - from[i].position.widen()).abs();
+                way(i).total_cmp(&way(k))
+            })
+            .expect("an axis");
+        for (i, axis) in axes.iter().enumerate() {
+            let begin = axis.state_at(zero);
+            let off = (begin.velocity.widen() - now[i].velocity.widen()).abs();
+            let goes_on = begin.position == now[i].position && off <= 64.0 * epsilon * speeds[i];
+            assert!(
+                axis.t == axes[0].t && goes_on,
+                "line {number}, axis {i}: {begin:?} {:?}",
+                now[i]
+            );
+            let end = axis.state_at(axis.t);
+            assert!(
+                end.velocity == zero && end.acceleration == zero,
+                "line {number}, axis {i}"
+            );
+            let found = axis.check(&limits[i]).expect("numbers");
+            assert!(
+                found.is_empty(),
+                "line {number}, axis {i}: {found:?} {axis:?}"
+            );
+            for _ in 0..8 {
+                let z = R::of(t * random.between(0.0, 1.0));
+                let part = |k: usize| axes[k].position(z).widen() - from[k].position.widen();
+                let way = |k: usize| to[k].position.widen() - from[k].position.widen();
+                let off = part(i) - part(lead) * way(i) / way(lead);
+                let size = from[i].position.widen().abs()
+                    + to[i].position.widen().abs()
+                    + way(lead).abs()
+                    + from[lead].position.widen().abs();
+                assert!(
+                    off.abs() <= 64.0 * epsilon * size,
+                    "line {number}, axis {i}: {off:e}"
+                );
+            }
+        }
+        // Nothing stops sooner on the line: one axis alone is bound to its limits.
+        if n == 1 {
+            let mut stop = Move::default();
+            stop.stop(&limits[0], now[0]).expect("a stop");
+            assert!(
+                (stop.t.widen() - t).abs() <= 64.0 * epsilon * t,
+                "line {number}: {t} {:?}",
+                stop.t
+            );
+        }
+    }
+}
+
+fn nonsense_is_refused<R: Real>() {
+    let [zero, half] = [0.0, 0.5].map(R::of);
+    let limits = [30.0, 60.0].map(|j| Limits::symmetric(R::of(j), R::of(10.0), R::of(5.0)));
+    let mut axes = [Move::default(); 2];
+    let to = [10.0, -3.0].map(|p| State::at(R::of(p)));
+    line(&mut axes, &limits, &[State::at(zero); 2], &to, zero, zero).expect("a line");
+    let before = axes;
+    let no_limits = [
+        limits[0],
+        Limits {
+            vmax: zero,
+            ..limits[1]
+        },
+    ];
+    assert_eq!(line_stop::<R>(&mut [], &[], half), Err(Error::Axes));
+    assert_eq!(line_stop(&mut axes, &limits[..1], half), Err(Error::Axes));
+    assert_eq!(line_stop(&mut axes, &no_limits, half), Err(Error::Limits));
+    let mut other = Move::default();
+    other
+        .plan(&limits[0], State::at(zero), State::at(R::of(9.0)))
+        .expect("a plan");
+    let mut bent = [axes[0], other];
+    assert_eq!(line_stop(&mut bent, &limits, half), Err(Error::Line));
+    assert_eq!((axes, bent), (before, [before[0], other]));
+}
+
+test_both_reals!(stops_stay_on_the_line, nonsense_is_refused);

@@ -1,0 +1,89 @@
+//! What is wrong with the steps of a motor, in 80 bits: `c/steps.c`.
+
+use atraj::machine::{Step, Steps};
+use atraj::online::Move;
+use support::Real;
+
+unsafe extern "C" {
+    fn steps_wrong(
+        phases: *const [f64; 6],
+        count: i32,
+        lines: &[f64; 2],
+        first: i64,
+        times: *const f64,
+        directions: *const i32,
+        n: i64,
+        samples: i32,
+        roundings: &[f64; 2],
+    ) -> i32;
+}
+
+/// How often the judge looks at each phase, besides the ends and the turns.
+const SAMPLES: i32 = 8;
+
+/// A rounding of a time is one of the whole duration. A position has those of its phases, of the line and of the way in the phase.
+const ROUNDINGS: f64 = 8.0;
+
+/// All steps of a move.
+pub fn all<R: Real>(of: &Move<R>, mut steps: Steps<R>) -> Vec<Step<R>> {
+    std::iter::from_fn(|| steps.next(of)).collect()
+}
+
+/// What is wrong with these steps of a move, whose motor starts at the line `first`.
+pub fn wrong<R: Real>(
+    of: &Move<R>,
+    lines: [R; 2],
+    first: i32,
+    steps: &[Step<R>],
+) -> Option<&'static str> {
+    // The end too.
+    let phases: Vec<[f64; 6]> = of.phase[..=of.phases().len()].iter().map(numbers).collect();
+    let times: Vec<f64> = steps.iter().map(|step| step.time.widen()).collect();
+    let directions: Vec<i32> = steps.iter().map(|step| step.direction).collect();
+    let reached = of.extremes();
+    let [far, fast] = [
+        [reached.lowest.position, reached.highest.position],
+        [reached.lowest.velocity, reached.highest.velocity],
+    ]
+    .map(|ends| {
+        ends.map(|x| x.widen().abs())
+            .into_iter()
+            .fold(0.0, f64::max)
+    });
+    let [offset, step] = lines.map(R::widen);
+    let (t, rounding) = (of.t.widen(), ROUNDINGS * R::MACHINE_EPSILON.widen());
+    let roundings = [rounding * t, rounding * (far + offset.abs() + fast * t)];
+    // SAFETY: each pointer has as many values as the count behind it says.
+    let verdict = unsafe {
+        steps_wrong(
+            phases.as_ptr(),
+            phases.len() as i32,
+            &[offset, step],
+            first.into(),
+            times.as_ptr(),
+            directions.as_ptr(),
+            times.len() as i64,
+            SAMPLES,
+            &roundings,
+        )
+    };
+    match verdict {
+        0 => None,
+        1 => Some("a step at another place"),
+        2 => Some("a step before the one before"),
+        3 => Some("the axis is not beside the motor"),
+        _ => Some("a step after the end"),
+    }
+}
+
+fn numbers<R: Real>(phase: &atraj::online::Phase<R>) -> [f64; 6] {
+    [
+        phase.start,
+        phase.duration,
+        phase.position,
+        phase.velocity,
+        phase.acceleration,
+        phase.jerk,
+    ]
+    .map(R::widen)
+}
