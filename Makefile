@@ -30,7 +30,7 @@
 #                             `make instructions-update` rewrites tests/instructions.txt
 # make soak                   compares a thousand million calls per real type with the original, and a thousand million
 #                             fastest plans with a referee; SOAK_SEED=n starts at seed n; SOAK=calls, plans, moves (from any
-#                             state to any state), replans or axes (several axes that move together) does one of these
+#                             state to any state), replans, axes (several axes that move together) or paths does one of these
 # make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
 #                             FUZZ_SEED=n starts at seed n, not 1
 # make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and

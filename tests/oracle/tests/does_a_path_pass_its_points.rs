@@ -2,34 +2,13 @@
 
 use oracle::judge::path::faults::Fault;
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, stopping, wrong};
+use oracle::judge::path::{Path, Paths, Planner, judge};
 use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
 use support::{Random, Real};
 
 const PATHS: usize = 2_000;
-
-/// What is wrong with the plan of a path, and how long it takes beside stops.
-fn judge<R: Original>(
-    planner: &impl Planner<R>,
-    chain: &Chain<R>,
-    random: &mut Random,
-) -> Result<f64, String> {
-    let (path, found) = planner
-        .plan(chain, 0)
-        .map_err(|error| format!("{error:?}"))?;
-    if let Some(what) = wrong(chain, &path, found, random) {
-        return Err(what);
-    }
-    let part = path.duration() / stopping(chain);
-    // Sums have roundings, and the shortest duration of a section is known up to some.
-    let roundings = 64.0 * R::MACHINE_EPSILON.widen();
-    if part > 1.0 + roundings {
-        return Err(format!("it takes {part} of the path with stops"));
-    }
-    Ok(if part.is_nan() { 1.0 } else { part })
-}
 
 fn paths_pass_their_points<R: Original>() {
     let start = Instant::now();

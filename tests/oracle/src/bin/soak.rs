@@ -1,10 +1,12 @@
-//! `soak [first seed] [seeds] [calls|plans|moves|replans|axes]`: a million calls per seed and real type against the original, a million
+//! `soak [first seed] [seeds] [calls|plans|moves|replans|axes|paths]`: a million calls per seed and real type against the original, a million
 //! motions without acceleration at their ends against the referee, a quarter of a million moves from any state to any state, a thousand
-//! moves that are planned anew in every millisecond, and ten thousand sets of axes that move together. An interrupted run goes on from
-//! the seed after the one in its last progress line.
+//! moves that are planned anew in every millisecond, ten thousand sets of axes that move together, and a thousand paths through way points.
+//! An interrupted run goes on from the seed after the one in its last progress line.
 
 use oracle::judge::axes::together::Together;
 use oracle::judge::axes::{self, SETS_PER_SEED};
+use oracle::judge::path::problems::Chains;
+use oracle::judge::path::{self, Paths};
 use oracle::judge::planner::Fastest;
 use oracle::judge::problems::Problems;
 use oracle::judge::replan::Replans;
@@ -16,7 +18,7 @@ use std::io::{IsTerminal, Write, stderr};
 use std::ops::Range;
 use std::process::ExitCode;
 use std::time::Instant;
-use support::{Ours, Real};
+use support::{Ours, Random, Real};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         ("moves", soak_moves::<f64>, soak_moves::<f32>),
         ("replans", soak_replans::<f64>, soak_replans::<f32>),
         ("axes", soak_axes::<f64>, soak_axes::<f32>),
+        ("paths", soak_paths::<f64>, soak_paths::<f32>),
     ];
     let mut clean = true;
     for (what, of_f64, of_f32) in soaks {
@@ -109,6 +112,30 @@ fn soak_replans<R: Real>(seeds: Range<u64>) -> bool {
     println!("{}: {replans:#?}", heading::<R>("replans", seeds, start));
     replans.moves > 0 && replans.refused == 0 && !replans.has_too_many_bad()
 }
+
+fn soak_paths<R: Original>(seeds: Range<u64>) -> bool {
+    let start = Instant::now();
+    let (mut paths, mut bad) = (0, 0);
+    for seed in seeds.clone() {
+        let (mut chains, mut random) = (Chains::new(seed), Random::seeded(seed));
+        for k in 0..PATHS_PER_SEED {
+            let chain = chains.draw::<R>();
+            if let Err(what) = path::judge(&Paths, &chain, &mut random) {
+                println!("seed {seed}, path {k}, {:?}: {what}", chain.family);
+                bad += 1;
+            }
+            paths += 1;
+        }
+        progress::<R>(seed, paths, &format!("paths, {bad} bad"), start);
+    }
+    println!(
+        "{}: {bad} of {paths} are bad",
+        heading::<R>("paths", seeds, start)
+    );
+    paths > 0 && bad == 0
+}
+
+const PATHS_PER_SEED: u64 = 1000;
 
 fn heading<R: Real>(what: &str, seeds: Range<u64>, start: Instant) -> String {
     let seconds = start.elapsed().as_secs_f64();

@@ -165,3 +165,24 @@ pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
     };
     (0..sections).map(duration).sum()
 }
+
+/// What is wrong with the plan of a path, and how long it takes beside stops.
+pub fn judge<R: Original>(
+    planner: &impl Planner<R>,
+    chain: &Chain<R>,
+    random: &mut Random,
+) -> Result<f64, String> {
+    let (path, found) = planner
+        .plan(chain, 0)
+        .map_err(|error| format!("{error:?}"))?;
+    if let Some(what) = wrong(chain, &path, found, random) {
+        return Err(what);
+    }
+    let part = path.duration() / stopping(chain);
+    // Sums have roundings, and the shortest duration of a section is known up to some.
+    let roundings = 64.0 * R::MACHINE_EPSILON.widen();
+    if part > 1.0 + roundings {
+        return Err(format!("it takes {part} of the path with stops"));
+    }
+    Ok(if part.is_nan() { 1.0 } else { part })
+}
