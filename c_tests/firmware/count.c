@@ -165,12 +165,16 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #pragma weak atraj_bell_gen
 #pragma weak atraj_trap_gen
 #pragma weak atraj_move_plan
+#pragma weak atraj_move_reach
 #pragma weak atraj_move_stop
 #pragma weak atraj_move_meet
+#pragma weak atraj_move_within
+#pragma weak atraj_move_track
 #pragma weak atraj_move_pos
 #pragma weak atraj_move_vel
 #pragma weak atraj_move_acc
 #pragma weak atraj_move_jer
+#pragma weak atraj_limits_init
 #pragma weak atraj_moves_sync
 #pragma weak atraj_moves_line
 #pragma weak atraj_moves_sync_within
