@@ -90,11 +90,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         jmax,
         jmin,
     };
-    let [from, to] = [(); 2].map(|()| State {
-        position: number(&mut bytes),
-        velocity: number(&mut bytes),
-        acceleration: number(&mut bytes),
-    });
+    let [from, to] = [(); 2].map(|()| state(&mut bytes));
     let before = Move::default();
     let mut planned = before;
     let zero = R::of(0.0);
@@ -197,21 +193,9 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let mut ends = [Vec::new(), Vec::new()];
     let mut walls = [Vec::new(), Vec::new()];
     for _ in 0..count {
-        let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
-        limits.push(Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        });
+        limits.push(limits_of(&mut bytes));
         for end in &mut ends {
-            end.push(State {
-                position: number(&mut bytes),
-                velocity: number(&mut bytes),
-                acceleration: number(&mut bytes),
-            });
+            end.push(state(&mut bytes));
         }
         for wall in &mut walls {
             wall.push(number(&mut bytes));
@@ -523,15 +507,7 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let (axes, sections) = (1 + usize::from(kind % 2), 1 + usize::from(kind / 2 % 4));
     let mut limits = Vec::new();
     for _ in 0..axes {
-        let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
-        limits.push(Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        });
+        limits.push(limits_of(&mut bytes));
     }
     let mut states = vec![State::default(); axes * (sections + 1)];
     let ends = (0..axes).chain(sections * axes..(sections + 1) * axes);

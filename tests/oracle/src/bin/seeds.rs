@@ -84,17 +84,9 @@ fn write_machines<R: Real>(directory: &Path) -> Result<()> {
         let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1]
             .map(R::of)
             .to_vec();
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = limits;
-        numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+        numbers.extend(numbers_of_limits(limits));
         for state in [from, to] {
-            numbers.extend([state.position, state.velocity, state.acceleration]);
+            numbers.extend(numbers_of_state(state));
         }
         let mut bytes = encode(&numbers, &[]);
         bytes[0] += 2 * (case % 25);
@@ -113,21 +105,13 @@ fn write_paths<R: Real>(directory: &Path) -> Result<()> {
         let mut ends = [Vec::new(), Vec::new()];
         for _ in 0..axes {
             let limits = online::limits::<R>(&mut random);
-            let Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            } = limits;
-            numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+            numbers.extend(numbers_of_limits(limits));
             let states = [
                 online::anywhere(&mut random, &limits),
                 online::inside(&mut random, &limits),
             ];
             for (end, state) in ends.iter_mut().zip(states) {
-                end.extend([state.position, state.velocity, state.acceleration]);
+                end.extend(numbers_of_state(state));
             }
         }
         numbers.extend(ends.concat());
@@ -147,17 +131,9 @@ fn write_moves<R: Real>(directory: &Path) -> Result<()> {
         let limits = online::limits::<R>(&mut random);
         let from = online::anywhere(&mut random, &limits);
         let to = online::inside(&mut random, &limits);
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = limits;
-        let mut numbers = vec![vmax, vmin, amax, amin, jmax, jmin];
+        let mut numbers = numbers_of_limits(limits);
         for state in [from, to] {
-            numbers.extend([state.position, state.velocity, state.acceleration]);
+            numbers.extend(numbers_of_state(state));
         }
         // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
         numbers.extend([R::of(0.5), R::of(50.0)]);
@@ -181,15 +157,7 @@ fn write_axes<R: Real>(directory: &Path) -> Result<()> {
             let limits = online::limits::<R>(&mut random);
             let from = online::anywhere(&mut random, &limits);
             let to = online::inside(&mut random, &limits);
-            let Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            } = limits;
-            numbers.extend([vmax, vmin, amax, amin, jmax, jmin]);
+            numbers.extend(numbers_of_limits(limits));
             for state in [from, to] {
                 let of = |x: R| if planner == 1 { zero } else { x };
                 numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);
