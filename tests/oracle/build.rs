@@ -59,7 +59,7 @@ fn main() {
 fn liba() -> PathBuf {
     let manifest = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap()).join("Cargo.toml");
     let output = Command::new(env::var_os("CARGO").unwrap())
-        .args(["metadata", "--format-version=1", "--offline", "--locked"])
+        .args(["metadata", "--format-version=1", "--locked"])
         .args(["--filter-platform", &env::var("HOST").unwrap()])
         .arg("--manifest-path")
         .arg(manifest)
