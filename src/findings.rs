@@ -251,7 +251,7 @@ impl<R: Real> Extremes<R> {
             .at_least(self.highest.acceleration.abs())
     }
 
-    /// Whether the positions leave those between `p0` and `p1` by more than `rounding`.
+    /// Whether the positions leave the range from `p0` to `p1` by more than `rounding`.
     pub(crate) fn overshoots(&self, p0: R, p1: R, rounding: R) -> bool {
         let (near, far) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
         self.lowest.position < near - rounding || self.highest.position > far + rounding

@@ -33,7 +33,7 @@
 //! | [`axes::plan_path`] | the same for each axis | several axes pass way points without stops |
 //! | [`machine::Axis`] | the same | a timer interrupt needs a setpoint while the main loop plans |
 //! | [`machine::Clock`] | the same, with a reserve | planned axes must hold, slow down or go back on their path |
-//! | [`machine::Shaper`] | keeps those of a move | a load must not swing at a known frequency |
+//! | [`machine::Shaper`] | keeps the limits of a move | a load must not swing at a known frequency |
 //! | [`machine::Steps`] | | a stepper motor follows a move |
 //! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!

@@ -94,7 +94,7 @@ impl<R: Real> Limits<R> {
         }
     }
 
-    /// What is wrong with limits that are none.
+    /// What is wrong with limits that are not around 0.
     #[cold]
     #[inline(never)]
     fn fault(&self) -> Error {

@@ -8,7 +8,7 @@ const MOST_ROUNDS: u32 = 16;
 /// The root of an increasing convex function, `(value, derivative)`, from `x` on downwards but not below `least`. `x` is not below
 /// the root.
 ///
-/// Near the root a step is as large as the square of the step before, but for a factor. So two steps foretell the third one. If the
+/// Near the root a step is as large as the square of the step before, up to a factor. So two steps foretell the third one. If the
 /// third one would have no effect, it is not taken.
 pub(crate) fn convex_root<R: Real>(least: R, mut x: R, f: impl Fn(R) -> (R, R)) -> R {
     let mut before = R::ZERO;

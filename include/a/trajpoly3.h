@@ -132,7 +132,7 @@ typedef struct a_trajpoly3 trajpoly3;
  * @brief Cubic polynomial trajectory.
  *
  * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
- * stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY3` of the arrays `p`, `v` and `a`.
+ * stores the coefficients of the position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY3` of the arrays `p`, `v` and `a`.
  */
 struct a_trajpoly3 {
 #if defined(A_TRAJPOLY_COMPACT)

@@ -187,7 +187,7 @@ typedef struct a_trajpoly7 trajpoly7;
  * @brief Septic polynomial trajectory.
  *
  * Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
- * stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY7` of the arrays `p`, `v`, `a` and `j`.
+ * stores the coefficients of the position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY7` of the arrays `p`, `v`, `a` and `j`.
  */
 struct a_trajpoly7 {
 #if defined(A_TRAJPOLY_COMPACT)

@@ -54,7 +54,7 @@ void atraj_axis_tick(struct atraj_axis *ctx,
  * @param ctx points to an axis
  * @param limits points to the limits
  * @param to points to the state at the end
- * @param lead number of ticks: those that a plan takes, rounded up, and one more
+ * @param lead number of ticks: as many as a plan takes, rounded up, and one more
  * @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above 134217727. On an error the
  * axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and came late.
  * On several processors, `ATRAJ_ERR_LATE` may also come while another processor runs the very tick, and may then be wrong.
@@ -71,7 +71,7 @@ int atraj_axis_go(struct atraj_axis *ctx,
  * @param limits points to the limits
  * @param v1 velocity at the end, unit/s
  * @param a1 acceleration at the end, unit/s^2
- * @param lead number of ticks: those that a plan takes, rounded up, and one more
+ * @param lead number of ticks: as many as a plan takes, rounded up, and one more
  * @return as `atraj_axis_go`
  */
 A_EXTERN
@@ -85,7 +85,7 @@ int atraj_axis_reach(struct atraj_axis *ctx,
  * @brief Plan the fastest stop, and let it take over some ticks ahead. The position is free.
  * @param ctx points to an axis
  * @param limits points to the limits
- * @param lead number of ticks: those that a plan takes, rounded up, and one more
+ * @param lead number of ticks: as many as a plan takes, rounded up, and one more
  * @return as `atraj_axis_go`
  */
 A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits, unsigned int lead);
@@ -99,7 +99,7 @@ A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits,
  * @param limits points to the limits
  * @param signal points to the state of the signal in the last tick before the call
  * @param horizon time from the takeover until the axis is to be beside the signal, s
- * @param lead number of ticks: those that a plan takes, rounded up, and one more
+ * @param lead number of ticks: as many as a plan takes, rounded up, and one more
  * @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the range of `a_float`
  */
 A_EXTERN

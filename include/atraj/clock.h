@@ -27,10 +27,10 @@ A_EXTERN void atraj_clock_start(struct atraj_clock *ctx);
  * @brief Go to another rate: 1 as planned, 0 hold, 1/2 override, -1 back along the path.
  *
  * Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits, nothing jumps, and the path is kept. This is proved
- * for each part of the motion, not sampled. So the limits must be larger than those of the plans, by a reserve for the clock.
+ * for each part of the motion, not sampled. So the limits must be larger than the limits of the plans, by a reserve for the clock.
  * @param ctx points to a clock; untouched on an error
  * @param axes points to the `n` planned moves of the path
- * @param limits points to the limits of the `n` axes, which are those of their plans and a reserve
+ * @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
  * @param n number of axes
  * @param x time since the start of the clock, s, not before the last change
  * @param rate of the time of the path

@@ -236,7 +236,7 @@ void atraj_move_extremes(const struct atraj_move *ctx,
  * add and what the limits allow in the time of the move; of `|a| + |j| t` for accelerations; of the limits for jerks.
  * @param ctx points to a move
  * @param limits points to the limits
- * @return 0 or a sum of `atraj_finding`, those of a plan too; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
+ * @return 0 or a sum of `atraj_finding`, also the ones of a plan; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
  * number of the move is not finite or a limit is not a number
  */
 A_EXTERN

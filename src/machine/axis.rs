@@ -58,13 +58,13 @@ impl<R: Real> Axis<R> {
         at(&self.moves, moment.place).state_at(elapsed(self.period, moment))
     }
 
-    /// Goes to a state, by [`Move::plan`], after `lead` ticks. Findings and errors are those of [`Move::plan`]; [`Error::Late`] if
+    /// Goes to a state, by [`Move::plan`], after `lead` ticks. It returns the findings and errors of [`Move::plan`]; [`Error::Late`] if
     /// `lead` is 0, or 134,217,728 or more. On an error the axis stays as it is.
     pub fn go(&mut self, limits: &Limits<R>, to: State<R>, lead: u32) -> Result<Findings, Error> {
         self.next(lead, |next, from, _| next.plan(limits, from, to))
     }
 
-    /// Goes to a velocity and an acceleration, by [`Move::reach`], after `lead` ticks. Findings and errors are those of [`Axis::go`].
+    /// Goes to a velocity and an acceleration, by [`Move::reach`], after `lead` ticks. It returns the findings and errors of [`Axis::go`].
     pub fn reach(
         &mut self,
         limits: &Limits<R>,
@@ -77,14 +77,14 @@ impl<R: Real> Axis<R> {
         })
     }
 
-    /// Stops, by [`Move::stop`], after `lead` ticks. Findings and errors are those of [`Axis::go`].
+    /// Stops, by [`Move::stop`], after `lead` ticks. It returns the findings and errors of [`Axis::go`].
     pub fn stop(&mut self, limits: &Limits<R>, lead: u32) -> Result<Findings, Error> {
         self.next(lead, |next, from, _| next.stop(limits, from))
     }
 
     /// Follows a signal, by [`Move::track`], after `lead` ticks. Call it in every round of the main loop. `signal` is the state of the signal
     /// in the last tick before the call. It is taken to go on with its acceleration until the plan takes over, and for the time `horizon`, s,
-    /// from then on. Findings and errors are those of [`Move::track`] and [`Axis::go`]; [`Error::NotFinite`] also if the signal goes on
+    /// from then on. It returns the findings and errors of [`Move::track`] and [`Axis::go`]; [`Error::NotFinite`] also if the signal goes on
     /// beyond the range of the real type.
     pub fn track(
         &mut self,

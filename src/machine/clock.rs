@@ -11,7 +11,7 @@ use crate::state::State;
 /// The parts in which a phase of the clock is examined. A bound over a part is too large by about a part of the change of the rate in it.
 const PARTS: i32 = 16;
 
-/// The limits of the clock are tried from the highest one on, in units of those that the path has at its highest speed. Each is half of the one before, down to
+/// The limits of the clock are tried from the highest one on, in units of the limits that the path has at its highest speed. Each is half of the one before, down to
 /// 1/256: a slower change is no hold. Then the range between the last two is halved, until the change takes 1/16 longer than it must at most.
 const HIGHEST_TRIAL: u8 = 16;
 const TRIALS: u32 = 12;
@@ -67,7 +67,7 @@ impl<R: Real> Clock<R> {
     }
 
     /// Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, -1 back along the path. The axes have the limits
-    /// in `limits`, which are those of their plans and a reserve.
+    /// in `limits`: the limits of their plans and a reserve.
     ///
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
     /// sampled. [`Error::Target`] if no change of the rate within the limits is found; then the clock goes on as it did. [`Error::Axes`] if there is no

@@ -76,7 +76,7 @@ impl<R: Real> Border<R> {
     }
 
     /// How much the change of velocity exceeds the one of the straight change of the acceleration, and whether by more than rounding. The
-    /// roundings are those of the velocities at both ends, also of the velocities with the acceleration undone.
+    /// rounding is the sum of the roundings of the velocities at both ends, also with the acceleration undone.
     pub fn beyond_straight(&self) -> (R, bool) {
         let Self { a0, a1, .. } = *self;
         let beyond = self.dv - self.per_jerk.straight(a0, a1);
@@ -362,7 +362,7 @@ impl<R: Real> Border<R> {
         let rises = first + last;
         let first_rise = first.at_least(R::ZERO).at_most(rises);
         let last = rises - first_rise;
-        // Then the fall begins and ends at other accelerations. Those at the ends of the motion are exact.
+        // Then the fall begins and ends at other accelerations. The accelerations at the ends of the motion are exact.
         let moved = first_rise - first;
         let first = first_rise;
         let [peak, trough] = [peak, trough].map(|a| (a + moved).negate_if(mirrored));

@@ -41,7 +41,7 @@ impl<R: Real> Move<R> {
     /// Plans the fastest motion to a state, from any state: a start outside the limits comes inside in the fastest way, and then the limits
     /// are kept. The target may be behind, or nearer than the way to stop.
     ///
-    /// Returns [`Findings::OVERSHOOTS`], [`Findings::STARTS_OUTSIDE`] and [`Findings::ENDS_LEAVING`], if they are so by more than rounding.
+    /// Returns [`Findings::OVERSHOOTS`], [`Findings::STARTS_OUTSIDE`] and [`Findings::ENDS_LEAVING`], each if it exceeds the rounding.
     /// [`Error::NotFinite`] if a state is not made of numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the
     /// limits are not around 0; [`Error::Target`] if the target is outside the limits, or the axis must have left them before. On an error the
     /// move stays as it is.
@@ -68,7 +68,7 @@ impl<R: Real> Move<R> {
     }
 
     /// Plans the fastest motion to a state, as [`Move::plan`] does, if it stays between two positions until its end, up to 128 roundings. An
-    /// infinite position is no limit. Findings and errors are those of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
+    /// infinite position is no limit. It returns the findings and errors of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
     /// number, [`Error::Limits`] if `lowest` is not below `highest`.
     ///
     /// [`Error::Position`] if the fastest motion leaves the positions. Then the fastest stop from the start leaves them too, or the fastest
@@ -106,7 +106,7 @@ impl<R: Real> Move<R> {
         Ok(found)
     }
 
-    /// Plans the fastest motion to a velocity and an acceleration. The position is free. Findings and errors are those of [`Move::plan`].
+    /// Plans the fastest motion to a velocity and an acceleration. The position is free. It returns the findings and errors of [`Move::plan`].
     pub fn reach(
         &mut self,
         limits: &Limits<R>,
@@ -126,13 +126,13 @@ impl<R: Real> Move<R> {
         Ok(problem.findings(self))
     }
 
-    /// Plans the fastest stop. The position is free. Findings and errors are those of [`Move::plan`].
+    /// Plans the fastest stop. The position is free. It returns the findings and errors of [`Move::plan`].
     pub fn stop(&mut self, limits: &Limits<R>, from: State<R>) -> Result<Findings, Error> {
         self.reach(limits, from, R::ZERO, R::ZERO)
     }
 
     /// Plans the fastest motion to a target that moves on at its velocity. The motion ends beside the target, with its velocity, at the
-    /// position `target.position + t * target.velocity`. Findings and errors are those of [`Move::plan`]; [`Error::Target`] also if the
+    /// position `target.position + t * target.velocity`. It returns the findings and errors of [`Move::plan`]; [`Error::Target`] also if the
     /// target accelerates, or if its velocity is on a limit.
     ///
     /// Seen from the target, the limits of the velocity are shifted and the target is at rest.

@@ -30,7 +30,7 @@ pub(crate) struct Problem<R> {
 pub(crate) struct Slip<R> {
     /// s
     pub most: R,
-    /// So little that the acceleration changes by its roundings only, eight times those of a check, s.
+    /// So little that the acceleration changes by its roundings only: eight times the roundings that a check allows, s.
     pub little: R,
     /// The part of a slip at the start. The rest is at the end. So both ends change by as many of their roundings.
     pub at_start: R,

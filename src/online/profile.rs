@@ -76,7 +76,7 @@ impl<R: Real> Profile<R> {
         }
     }
 
-    /// Duration of the motion, s. The jerks are those of the profile's axis.
+    /// Duration of the motion, s. The jerks belong to the profile's axis.
     pub fn duration(&self, per_jerk: PerJerk<R>) -> R {
         per_jerk.gu * (self.first + self.last)
             + per_jerk.gd * self.fall

@@ -169,7 +169,7 @@ fn lacking<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, positions: R) -> (
     (h - displacement, tie(border, duration, positions))
 }
 
-/// Up to which rounding a motion of this duration reaches its displacement. Its velocities have roundings in proportion to those of both
+/// Up to which rounding a motion of this duration reaches its displacement. Its velocities have roundings in proportion to the velocities of both
 /// ends and to what the accelerations at the ends add. Between standstills every displacement is made, because it costs no detour.
 pub(super) fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
     let (a0, a1) = (border.a0.abs(), border.a1.abs());

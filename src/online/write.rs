@@ -210,7 +210,7 @@ impl<R: Real> Move<R> {
         }
     }
 
-    /// Replaces every state and jerk, those of the start and of the end too.
+    /// Replaces every state and jerk, also of the start and of the end.
     pub(crate) fn map(&self, state: impl Fn(&Phase<R>) -> Phase<R>) -> Self {
         let mut mapped = *self;
         let count = self.phase_count();

@@ -140,7 +140,7 @@ impl<'a, R: Real + 'a> Line<R> {
         self.from.position.abs() + self.by_velocity * self.speeds()
     }
 
-    /// The limits of the lead that keep those of all axes.
+    /// The limits of the lead that keep the limits of all axes.
     fn tightest(
         &self,
         ends: impl Iterator<Item = Axis<'a, R>> + Clone,

@@ -9,7 +9,7 @@ use crate::state::State;
 /// Stops axes that move on a straight line, on this line, from the time `x` on, s: a feed hold. Each move becomes its stop, which begins at its
 /// time 0. The lead makes its fastest stop within the tightest limits of all, so no reserve is needed.
 ///
-/// [`Error::Line`] if the moves are not on one straight line. Findings and other errors are those of [`Move::stop`], and
+/// [`Error::Line`] if the moves are not on one straight line. It returns the findings and the other errors of [`Move::stop`], and
 /// [`Error::Axes`] if there is no axis or the slices have different lengths. On an error no axis is written.
 pub fn line_stop<R: Real>(
     axes: &mut [Move<R>],
@@ -82,7 +82,7 @@ fn goes_beside<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
     are_beside && axis.count == lead.count
 }
 
-/// Whether velocity and acceleration are those of the lead times `share`.
+/// Whether velocity and acceleration are the lead's, times `share`.
 fn lies_on<R: Real>(share: R, state: &State<R>, lead: &State<R>) -> bool {
     let agree = |x: R, y: R| (x - share * y).abs() <= R::DOUBT * (x.abs() + (share * y).abs());
     agree(state.velocity, lead.velocity) && agree(state.acceleration, lead.acceleration)

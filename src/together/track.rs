@@ -17,7 +17,7 @@ impl<R: Real> Move<R> {
     /// is farther, the axis meets it as fast as it can, as [`Move::meet`] does. A signal beyond the limits is followed as well as
     /// they allow.
     ///
-    /// Findings are those of [`Move::plan`]. [`Error::Duration`] if `horizon` is not above 0 and finite, [`Error::Limits`] and
+    /// It returns the findings of [`Move::plan`]. [`Error::Duration`] if `horizon` is not above 0 and finite, [`Error::Limits`] and
     /// [`Error::NotFinite`] as in [`Move::plan`]. Any other signal is followed. On an error the move stays as it is.
     ///
     /// ```

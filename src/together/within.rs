@@ -22,7 +22,7 @@ const DOUBLINGS: u32 = 12;
 /// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. Where it has no
 /// time to stop on its way, all axes take longer.
 ///
-/// [`Error::Position`] if the fastest move of an axis leaves its positions, as [`Move::within`] says. Other findings and errors are those of
+/// [`Error::Position`] if the fastest move of an axis leaves its positions, as [`Move::within`] says. It returns the other findings and errors of
 /// [`synchronise`](super::synchronise) and [`Move::within`]. On an error no axis is written.
 ///
 /// ```

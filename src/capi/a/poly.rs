@@ -1,6 +1,6 @@
 //! What the shims of all polynomials have in common.
 //!
-//! The struct of liba 0.1.15 stores the coefficients of position and, up to the level of the build, those of its derivatives, one
+//! The struct of liba 0.1.15 stores the coefficients of position and, up to the level of the build, the coefficients of its derivatives, one
 //! array behind the other. The struct of liba since 2025-03 stores the coefficients of position alone.
 
 #[cfg(feature = "poly-compact")]
@@ -46,7 +46,7 @@ pub unsafe fn evaluate<const N: usize, const ORDER: usize>(
     ctx: *const Number,
     x: a_float,
 ) -> a_float {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { evaluate_at(ctx, const { Place::new(N, ORDER) }, x) }
 }
 
@@ -79,19 +79,19 @@ pub unsafe fn evaluate<const N: usize, const ORDER: usize>(
     }
 }
 
-/// Writes the coefficients of the derivative of order `ORDER + 1` from those of order `ORDER`; nothing for a NULL context.
+/// Writes the coefficients of the derivative of order `ORDER + 1` from the coefficients of order `ORDER`; nothing for a NULL context.
 ///
 /// # Safety
 /// `ctx` is NULL or points to a struct that stores a polynomial with `N` coefficients, and its derivatives up to order `ORDER + 1`.
 #[cfg(not(feature = "poly-compact"))]
 #[allow(dead_code, reason = "the lowest level has no derivatives")]
 pub unsafe fn differentiate<const N: usize, const ORDER: usize>(ctx: *mut Number) {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { differentiate_at(ctx, const { Place::new(N, ORDER) }) };
 }
 
 /// # Safety
-/// `ctx` is NULL or points to a struct that stores these coefficients and, behind them, those of the derivative.
+/// `ctx` is NULL or points to a struct that stores these coefficients and, behind them, the coefficients of the derivative.
 #[cfg(not(feature = "poly-compact"))]
 #[cfg_attr(target_os = "none", inline(never))] // one copy for all polynomials
 unsafe fn differentiate_at(ctx: *mut Number, place: Place) {

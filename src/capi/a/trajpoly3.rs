@@ -11,7 +11,7 @@ use crate::liba::{Poly, Poly3};
 /// @brief Cubic polynomial trajectory.
 ///
 /// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
-/// stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY3` of the arrays `p`, `v` and `a`.
+/// stores the coefficients of the position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY3` of the arrays `p`, `v` and `a`.
 #[repr(C)]
 pub struct a_trajpoly3 {
     /// coefficients of position
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
     v0: a_float,
     v1: a_float,
 ) {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { plan(ctx, false, ts, p0, p1, v0, v1) };
 }
 

@@ -11,7 +11,7 @@ use crate::liba::{Poly, Poly5};
 /// @brief Quintic polynomial trajectory.
 ///
 /// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
-/// stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY5` of the arrays `p`, `v` and `a`.
+/// stores the coefficients of the position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY5` of the arrays `p`, `v` and `a`.
 #[repr(C)]
 pub struct a_trajpoly5 {
     /// coefficients of position
@@ -114,7 +114,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen0(
     a0: a_float,
     a1: a_float,
 ) {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { plan(ctx, false, ts, p0, p1, v0, v1, a0, a1) };
 }
 

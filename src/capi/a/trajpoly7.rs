@@ -9,7 +9,7 @@ use crate::liba::{Poly, Poly7};
 /// @brief Septic polynomial trajectory.
 ///
 /// Coefficients stand in ascending powers of time: `c[0] + c[1]*x + ...`. The struct of liba since 2025-03 (`A_TRAJPOLY_COMPACT`)
-/// stores those of position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY7` of the arrays `p`, `v`, `a` and `j`.
+/// stores the coefficients of the position alone. The struct of liba 0.1.15 stores `A_TRAJPOLY7` of the arrays `p`, `v`, `a` and `j`.
 #[repr(C)]
 pub struct a_trajpoly7 {
     /// coefficients of position
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
     j0: a_float,
     j1: a_float,
 ) {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { plan(ctx, ts, p0, p1, v0, v1, a0, a1, j0, j1) };
 }
 

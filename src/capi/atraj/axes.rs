@@ -33,7 +33,7 @@ pub unsafe extern "C" fn atraj_moves_sync(
     duration: a_float,
     cycle: a_float,
 ) -> c_int {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe {
         plan(
             together::synchronise,
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn atraj_moves_line(
     duration: a_float,
     cycle: a_float,
 ) -> c_int {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { plan(together::line, axes, limits, from, to, n, duration, cycle) }
 }
 
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn atraj_moves_sync_within(
     let positions = unsafe {
         [lowest, highest].map(|list| core::slice::from_raw_parts(list.cast::<Number>(), n))
     };
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe {
         plan(
             |axes, limits, from, to, duration, cycle| {

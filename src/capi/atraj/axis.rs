@@ -87,7 +87,7 @@ pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_s
 /// @param ctx points to an axis
 /// @param limits points to the limits
 /// @param to points to the state at the end
-/// @param lead number of ticks: those that a plan takes, rounded up, and one more
+/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
 /// @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above 134217727. On an error the
 /// axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and came late.
 /// On several processors, `ATRAJ_ERR_LATE` may also come while another processor runs the very tick, and may then be wrong.
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn atraj_axis_go(
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     match unsafe { (limits_of(limits), state(to)) } {
-        // SAFETY: the contract of this function is the contract of that one.
+        // SAFETY: both functions have the same contract.
         (Some(limits), Some(to)) => unsafe {
             plan(ctx, lead, |next, from, _| next.plan(limits, from, to))
         },
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn atraj_axis_go(
 /// @param limits points to the limits
 /// @param v1 velocity at the end, unit/s
 /// @param a1 acceleration at the end, unit/s^2
-/// @param lead number of ticks: those that a plan takes, rounded up, and one more
+/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
 /// @return as `atraj_axis_go`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_reach(
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn atraj_axis_reach(
 ) -> c_int {
     // SAFETY: `limits` is NULL or valid by the contract of this module.
     match unsafe { limits_of(limits) } {
-        // SAFETY: the contract of this function is the contract of that one.
+        // SAFETY: both functions have the same contract.
         Some(limits) => unsafe {
             plan(ctx, lead, |next, from, _| {
                 next.reach(limits, from, v1.into(), a1.into())
@@ -138,7 +138,7 @@ pub unsafe extern "C" fn atraj_axis_reach(
 /// @brief Plan the fastest stop, and let it take over some ticks ahead. The position is free.
 /// @param ctx points to an axis
 /// @param limits points to the limits
-/// @param lead number of ticks: those that a plan takes, rounded up, and one more
+/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
 /// @return as `atraj_axis_go`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_stop(
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn atraj_axis_stop(
     limits: *const atraj_limits,
     lead: c_uint,
 ) -> c_int {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { atraj_axis_reach(ctx, limits, 0.0, 0.0, lead) }
 }
 
@@ -158,7 +158,7 @@ pub unsafe extern "C" fn atraj_axis_stop(
 /// @param limits points to the limits
 /// @param signal points to the state of the signal in the last tick before the call
 /// @param horizon time from the takeover until the axis is to be beside the signal, s
-/// @param lead number of ticks: those that a plan takes, rounded up, and one more
+/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
 /// @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the range of `a_float`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_track(
@@ -170,7 +170,7 @@ pub unsafe extern "C" fn atraj_axis_track(
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     match unsafe { (limits_of(limits), state(signal)) } {
-        // SAFETY: the contract of this function is the contract of that one.
+        // SAFETY: both functions have the same contract.
         (Some(limits), Some(signal)) => unsafe {
             plan(ctx, lead, |next, from, ahead| {
                 next.track(limits, from, signal.after(ahead), horizon.into())

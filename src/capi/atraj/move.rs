@@ -198,7 +198,7 @@ pub unsafe extern "C" fn atraj_move_stop(
     limits: *const atraj_limits,
     from: *const atraj_state,
 ) -> c_int {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe { atraj_move_reach(ctx, limits, from, 0.0, 0.0) }
 }
 
@@ -393,7 +393,7 @@ pub unsafe extern "C" fn atraj_move_extremes(
 /// add and what the limits allow in the time of the move; of `|a| + |j| t` for accelerations; of the limits for jerks.
 /// @param ctx points to a move
 /// @param limits points to the limits
-/// @return 0 or a sum of `atraj_finding`, those of a plan too; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
+/// @return 0 or a sum of `atraj_finding`, also the ones of a plan; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
 /// number of the move is not finite or a limit is not a number
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_check(

@@ -47,7 +47,7 @@ pub unsafe extern "C" fn atraj_path_plan(
     steps: c_uint,
     work: *mut a_float,
 ) -> c_int {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe {
         plan(
             path::plan_path,
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn atraj_path_improve(
     steps: c_uint,
     work: *mut a_float,
 ) -> c_int {
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe {
         plan(
             path::improve_path,
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn atraj_path_plan_zones(
     work: *mut a_float,
 ) -> c_int {
     let count = axes.wrapping_mul(sections);
-    // SAFETY: the contract of this function is the contract of that one.
+    // SAFETY: both functions have the same contract.
     unsafe {
         plan(
             path::plan_path,

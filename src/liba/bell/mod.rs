@@ -5,7 +5,7 @@
 //!
 //! Evaluation reads the struct in the axis in which the move goes forward: it mirrors `p0 p1 v0 v1` if `p0 > p1`, takes every
 //! other field as it stands, and mirrors the result back. It relies on no sign of these fields: in a move that dips, that is,
-//! decelerates before it accelerates, `vm jm am dm` are those of the dip, with the opposite signs.
+//! decelerates before it accelerates, `vm jm am dm` belong to the dip, and have the opposite signs.
 
 pub(crate) mod motion;
 mod plan;

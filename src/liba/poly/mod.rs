@@ -82,7 +82,7 @@ impl<R: Real> Poly3<R> {
 }
 
 impl<R: Real> Poly5<R> {
-    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]`. Errors are those of [`Poly3::new`].
+    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]`. It returns the errors of [`Poly3::new`].
     pub fn new(duration: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(duration, boundary, acceleration);
@@ -111,7 +111,7 @@ impl<R: Real> Poly5<R> {
 }
 
 impl<R: Real> Poly7<R> {
-    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. Errors are those of
+    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. It returns the errors of
     /// [`Poly3::new`].
     pub fn new(
         duration: R,

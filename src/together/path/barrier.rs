@@ -22,7 +22,7 @@ fn scaled<R: Real>([v0, a0, v1, a1, t]: [R; 5], by: R) -> [R; 5] {
     [by * v0, by * a0, by * v1, by * a1, by * t]
 }
 
-/// Makes the derivatives of a slack and of the opposite one the sum of those of `-mu` times their logarithms. Gives the part of the second
+/// Replaces the derivatives of a slack and of the opposite one by the derivatives of `-mu` times the sum of their logarithms. Gives the part of the second
 /// derivative by the duration that is never negative.
 fn take_logarithms<R: Real>(
     [above, below]: [R; 2],

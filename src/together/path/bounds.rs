@@ -92,7 +92,7 @@ impl<R: Real> Bounds<R> {
         is_inside.then_some((amax * amin) * (vmax * vmin))
     }
 
-    /// Whether a state is inside, but for roundings.
+    /// Whether a state is inside, up to roundings.
     pub fn hold(&self, state: [R; 2]) -> bool {
         self.slacks(state).iter().all(|slack| *slack >= -R::DOUBT)
     }

@@ -79,7 +79,7 @@ impl<'a, R: Real> Request<'a, R> {
         })
     }
 
-    /// Which sections last: those in which an axis moves, and one in which the start comes inside its limits. If none does, the last one.
+    /// Which sections last: each section in which an axis moves, and one in which the start comes inside its limits. If none does, the last one.
     fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
         let mut has_begun = false;
         let last = self.sections - 1;
@@ -171,7 +171,7 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
         self.request.limits(place, axis)
     }
 
-    /// The limits of a way point: those of both sections, and of sections between them that do not last.
+    /// The limits of a way point: the limits of both sections, and of sections between them that do not last.
     pub fn bounds(&self, point: usize, axis: usize) -> Bounds<R> {
         Bounds(self.memory.bounds.row((point - 1) * self.axes + axis))
     }

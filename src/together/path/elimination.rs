@@ -8,13 +8,13 @@ use crate::real::Real;
 /// A symmetric block as `L D Lᵀ`: `1/d0`, `l`, `1/d1`.
 fn factors<R: Real>([vv, va, aa]: [R; 3]) -> [R; 3] {
     let l = va / vv;
-    // The block is positive, but for roundings of its last entry.
+    // The block is positive, up to roundings of its last entry.
     let rest = (aa - l * va).at_least(R::from(4) * R::EPSILON * aa);
     [R::ONE / vv, l, R::ONE / rest]
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Eliminates the states: the matrix `M` and the gradient of the durations become those with the best states for given durations. Gives
+    /// Eliminates the states: the matrix `M` and the gradient of the durations then hold for the best states of given durations. Gives
     /// how much the quadratic model falls by the states alone, twice.
     pub fn eliminate(&mut self, lambda: R) -> R {
         let more = R::ONE + lambda;

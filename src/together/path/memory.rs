@@ -106,9 +106,9 @@ impl<R: Real> Triangle<'_, R> {
 
 /// All tables. A row of a point or of a section stands for one axis: that of axis `i` at point or section `k` is `k * axes + i`.
 pub(super) struct Memory<'a, R> {
-    /// Velocity and acceleration at each point, those of the start and of the end too.
+    /// Velocity and acceleration at each point, also at the start and at the end.
     pub states: Table<'a, R, 2>,
-    /// The states of a step that is tried, those of the start and of the end too.
+    /// The states of a step that is tried, also of the start and of the end.
     pub tried_states: Table<'a, R, 2>,
     /// The step of the states.
     pub directions: Table<'a, R, 2>,

@@ -78,7 +78,7 @@ pub fn plan_path<R: Real>(
 ///
 /// A path may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of the duration of
 /// its section. Append points at rest, with sections of the duration 0: they are stretched until they are possible. If the states and durations
-/// are impossible otherwise, the path is planned anew. Arguments, findings and errors are those of [`plan_path`]; [`Error::NotFinite`] also
+/// are impossible otherwise, the path is planned anew. It takes the arguments and returns the findings and errors of [`plan_path`]; [`Error::NotFinite`] also
 /// if a state between is not made of numbers, [`Error::Duration`] if a duration is negative, infinite or not a number.
 pub fn improve_path<R: Real>(
     states: &mut [State<R>],
@@ -97,7 +97,7 @@ pub fn improve_path<R: Real>(
 impl<'a, R: Real> Request<'a, R> {
     fn of(states: &'a [State<R>], durations: &[R], limits: &'a [Limits<R>]) -> Result<Self, Error> {
         let sections = durations.len();
-        // The limits are those of the axes, or of the axes in every section.
+        // There is a limit for each axis, or for each axis in every section.
         let every = states.len().wrapping_sub(limits.len());
         let fits = |axes: &usize| {
             path_size(*axes, sections).is_some() && states.len() == axes * (sections + 1)

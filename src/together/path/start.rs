@@ -1,4 +1,4 @@
-//! The first plan: it stops at every way point, or rolls past those at which an axis cannot stop in time.
+//! The first plan: it stops at every way point, or rolls past a point at which an axis cannot stop in time.
 
 use super::chain::Chain;
 use crate::findings::Error;
