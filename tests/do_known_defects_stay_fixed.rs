@@ -192,15 +192,7 @@ fn of_any_size<R: Real>() {
         let mut number = || R::of(random.magnitude(-most, most));
         let limits = [(); 2].map(|()| {
             let [vmax, v, amax, a, jmax, j] = [(); 6].map(|()| number());
-            let (vmin, amin, jmin) = (-v, -a, -j);
-            Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            }
+            online::limits_of([vmax, -v, amax, -a, jmax, -j])
         });
         let from = [(); 2].map(|()| State {
             position: number(),

@@ -5,6 +5,7 @@
 use atraj::axes::{line, synchronise};
 use atraj::online::{Limits, Move};
 use atraj::{Error, Findings, State};
+use support::online::limits_of;
 use support::{Random, Real, test_both_reals};
 
 /// Loops of each kind of ends, each planner and each number of axes.
@@ -96,14 +97,7 @@ fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State
     };
     let ((vmax, vmin), (amax, amin), (jmax, jmin)) =
         (pair(1.0, 5.0), pair(1.0, 10.0), pair(1.0, 60.0));
-    let limits = Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    };
+    let limits = [vmax, vmin, amax, amin, jmax, jmin];
     let mut state = |accelerated: bool| {
         let a = if accelerated {
             random.between(amin, amax)
@@ -129,25 +123,7 @@ fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State
         velocity: R::of(v),
         acceleration: R::of(a),
     };
-    let of = |limits: Limits<f64>| {
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = limits;
-        Limits {
-            vmax: R::of(vmax),
-            vmin: R::of(vmin),
-            amax: R::of(amax),
-            amin: R::of(amin),
-            jmax: R::of(jmax),
-            jmin: R::of(jmin),
-        }
-    };
-    (of(limits), real(from), real(to))
+    (limits_of(limits.map(R::of)), real(from), real(to))
 }
 
 /// Axes of their own.

@@ -14,7 +14,7 @@ use atraj::machine::{Axis, Clock, Shaper, ShaperKind, Step, Steps};
 use atraj::online::{Error, Limits, Move, Phase};
 use atraj::{Findings, State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
-use support::{Family, Ours, Random, Real};
+use support::{Family, Ours, Random, Real, online};
 
 /// Puts the case through ours and the original. Panics if they differ.
 pub fn compare(family: Family, bytes: &[u8]) {
@@ -81,15 +81,7 @@ pub fn move_from_any_state(bytes: &[u8]) {
 pub const PLANNERS: u8 = 6;
 
 fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
-    let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(&mut bytes));
-    let limits = Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    };
+    let limits: Limits<R> = limits_from(&mut bytes);
     let [from, to] = [(); 2].map(|()| state(&mut bytes));
     let before = Move::default();
     let mut planned = before;
@@ -154,7 +146,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         size == 0.0 || size == f64::INFINITY || (range.recip()..range).contains(&size)
     };
     let of_states = [from, to].map(|state| [state.position, state.velocity, state.acceleration]);
-    let of_limits = [vmax, vmin, amax, amin, jmax, jmin];
+    let of_limits = online::numbers_of(&limits);
     let mut numbers = of_states.iter().flatten().chain(&of_limits);
     let is_ordinary = numbers.all(|x| is_ordinary(*x));
     assert!(
@@ -193,7 +185,7 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let mut ends = [Vec::new(), Vec::new()];
     let mut walls = [Vec::new(), Vec::new()];
     for _ in 0..count {
-        limits.push(limits_of(&mut bytes));
+        limits.push(limits_from(&mut bytes));
         for end in &mut ends {
             end.push(state(&mut bytes));
         }
@@ -317,7 +309,7 @@ impl<R: Real> Model<R> {
 fn axis_as<R: Real>(mut bytes: &[u8]) {
     let period = number::<R>(&mut bytes);
     let start = state(&mut bytes);
-    let mut limits = limits_of(&mut bytes);
+    let mut limits = limits_from(&mut bytes);
     let Ok(mut axis) = Axis::new(period, start) else {
         return;
     };
@@ -381,7 +373,7 @@ fn axis_as<R: Real>(mut bytes: &[u8]) {
                 ]
             }
             4 => {
-                limits = limits_of(&mut bytes);
+                limits = limits_from(&mut bytes);
                 continue;
             }
             _ => {
@@ -397,16 +389,8 @@ fn axis_as<R: Real>(mut bytes: &[u8]) {
     }
 }
 
-fn limits_of<R: Real>(bytes: &mut &[u8]) -> Limits<R> {
-    let [vmax, vmin, amax, amin, jmax, jmin] = [(); 6].map(|()| number::<R>(bytes));
-    Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    }
+fn limits_from<R: Real>(bytes: &mut &[u8]) -> Limits<R> {
+    online::limits_of([(); 6].map(|()| number(bytes)))
 }
 
 fn state<R: Real>(bytes: &mut &[u8]) -> State<R> {
@@ -433,7 +417,7 @@ const STEPS: usize = 1_000;
 /// The kind names the kind of the shaper. Offset and step, frequency, damping and smoothing, and the move follow.
 fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let [offset, step, frequency, damping, smoothing] = [(); 5].map(|()| number::<R>(&mut bytes));
-    let limits = limits_of(&mut bytes);
+    let limits = limits_from(&mut bytes);
     let [from, to] = [(); 2].map(|()| state(&mut bytes));
     let mut planned = Move::default();
     if planned.plan(&limits, from, to).is_err() {
@@ -507,7 +491,7 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let (axes, sections) = (1 + usize::from(kind % 2), 1 + usize::from(kind / 2 % 4));
     let mut limits = Vec::new();
     for _ in 0..axes {
-        limits.push(limits_of(&mut bytes));
+        limits.push(limits_from(&mut bytes));
     }
     let mut states = vec![State::default(); axes * (sections + 1)];
     let ends = (0..axes).chain(sections * axes..(sections + 1) * axes);
@@ -553,17 +537,7 @@ fn are_promises_kept<R: Real>(
         let size = x.widen().abs();
         size == 0.0 || size == f64::INFINITY || (least..least.recip()).contains(&size)
     };
-    let of_limits = limits.iter().flat_map(|limits| {
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = *limits;
-        [vmax, vmin, amax, amin, jmax, jmin]
-    });
+    let of_limits = limits.iter().flat_map(online::numbers_of);
     let of_states = states
         .iter()
         .flat_map(|state| [state.position, state.velocity, state.acceleration]);

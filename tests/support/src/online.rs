@@ -5,14 +5,8 @@ use crate::real::Real;
 use atraj::State;
 use atraj::online::{Limits, Move};
 
-/// Limits over two decades, one problem in four with the same ones in both directions.
-pub fn limits<R: Real>(random: &mut Random) -> Limits<R> {
-    let mut pair = || [(); 2].map(|()| R::of(random.magnitude(-1.0, 1.0)));
-    let [[vmax, v], [amax, a], [jmax, j]] = [pair(), pair(), pair()];
-    if random.one_in(4) {
-        return Limits::symmetric(jmax, amax, vmax);
-    }
-    let (vmin, amin, jmin) = (-v, -a, -j);
+/// Limits from `[vmax, vmin, amax, amin, jmax, jmin]`.
+pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits {
         vmax,
         vmin,
@@ -21,6 +15,28 @@ pub fn limits<R: Real>(random: &mut Random) -> Limits<R> {
         jmax,
         jmin,
     }
+}
+
+/// `[vmax, vmin, amax, amin, jmax, jmin]`
+pub fn numbers_of<R: Copy>(limits: &Limits<R>) -> [R; 6] {
+    [
+        limits.vmax,
+        limits.vmin,
+        limits.amax,
+        limits.amin,
+        limits.jmax,
+        limits.jmin,
+    ]
+}
+
+/// Limits over two decades, one problem in four with the same ones in both directions.
+pub fn limits<R: Real>(random: &mut Random) -> Limits<R> {
+    let mut pair = || [(); 2].map(|()| R::of(random.magnitude(-1.0, 1.0)));
+    let [[vmax, v], [amax, a], [jmax, j]] = [pair(), pair(), pair()];
+    if random.one_in(4) {
+        return Limits::symmetric(jmax, amax, vmax);
+    }
+    limits_of([vmax, -v, amax, -a, jmax, -j])
 }
 
 /// The limits without one of them or without two. A jerk or both accelerations stay finite.
@@ -101,15 +117,7 @@ pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
 
 /// The limits, 10 in place of an infinite one.
 fn finite<R: Real>(limits: &Limits<R>) -> [f64; 6] {
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = *limits;
-    [vmax, vmin, amax, amin, jmax, jmin].map(|limit| match limit.widen() {
+    numbers_of(limits).map(|limit| match limit.widen() {
         f64::INFINITY => 10.0,
         f64::NEG_INFINITY => -10.0,
         limit => limit,

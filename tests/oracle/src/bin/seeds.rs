@@ -1,7 +1,7 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
 //! another, random problems of `Move` in a third, of several axes in a fourth, of way points in a fifth, and requests to an axis in a sixth.
 
-use atraj::online::{Limits, State};
+use atraj::State;
 use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
 use oracle::judge::problems::{Kind, Problems};
 use oracle::liba::abi::Original;
@@ -38,7 +38,7 @@ fn write_requests<R: Real>(directory: &Path) -> Result<()> {
         let start = online::anywhere(&mut random, &limits);
         let mut bytes = encode(&[R::of(0.001)], &[]);
         bytes.extend(&encode(&numbers_of_state(start), &[])[1..]);
-        bytes.extend(&encode(&numbers_of_limits(limits), &[])[1..]);
+        bytes.extend(&encode(&online::numbers_of(&limits), &[])[1..]);
         for _ in 0..10 {
             let request = random.below(usize::from(REQUESTS)) as u8;
             let other = online::limits::<R>(&mut random);
@@ -47,7 +47,7 @@ fn write_requests<R: Real>(directory: &Path) -> Result<()> {
             let numbers = match request {
                 0..3 => numbers_of_state(target),
                 3 => [numbers_of_state(target), vec![R::of(0.1)]].concat(),
-                4 => numbers_of_limits(other),
+                4 => online::numbers_of(&other).to_vec(),
                 _ => Vec::new(),
             };
             bytes.extend(&encode(&numbers, &[])[1..]);
@@ -61,18 +61,6 @@ fn numbers_of_state<R: Real>(state: State<R>) -> Vec<R> {
     vec![state.position, state.velocity, state.acceleration]
 }
 
-fn numbers_of_limits<R: Real>(limits: Limits<R>) -> Vec<R> {
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = limits;
-    vec![vmax, vmin, amax, amin, jmax, jmin]
-}
-
 /// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
 fn write_machines<R: Real>(directory: &Path) -> Result<()> {
     std::fs::create_dir_all(directory)?;
@@ -84,7 +72,7 @@ fn write_machines<R: Real>(directory: &Path) -> Result<()> {
         let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1]
             .map(R::of)
             .to_vec();
-        numbers.extend(numbers_of_limits(limits));
+        numbers.extend(online::numbers_of(&limits));
         for state in [from, to] {
             numbers.extend(numbers_of_state(state));
         }
@@ -105,7 +93,7 @@ fn write_paths<R: Real>(directory: &Path) -> Result<()> {
         let mut ends = [Vec::new(), Vec::new()];
         for _ in 0..axes {
             let limits = online::limits::<R>(&mut random);
-            numbers.extend(numbers_of_limits(limits));
+            numbers.extend(online::numbers_of(&limits));
             let states = [
                 online::anywhere(&mut random, &limits),
                 online::inside(&mut random, &limits),
@@ -131,7 +119,7 @@ fn write_moves<R: Real>(directory: &Path) -> Result<()> {
         let limits = online::limits::<R>(&mut random);
         let from = online::anywhere(&mut random, &limits);
         let to = online::inside(&mut random, &limits);
-        let mut numbers = numbers_of_limits(limits);
+        let mut numbers = online::numbers_of(&limits).to_vec();
         for state in [from, to] {
             numbers.extend(numbers_of_state(state));
         }
@@ -157,7 +145,7 @@ fn write_axes<R: Real>(directory: &Path) -> Result<()> {
             let limits = online::limits::<R>(&mut random);
             let from = online::anywhere(&mut random, &limits);
             let to = online::inside(&mut random, &limits);
-            numbers.extend(numbers_of_limits(limits));
+            numbers.extend(online::numbers_of(&limits));
             for state in [from, to] {
                 let of = |x: R| if planner == 1 { zero } else { x };
                 numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);

@@ -2,6 +2,7 @@
 
 use atraj::State;
 use atraj::online::Limits;
+use support::online::{limits_of, numbers_of};
 use support::{Random, Real};
 
 /// What is nasty about a path.
@@ -106,22 +107,8 @@ impl<R: Real> Chain<R> {
             *state = scale(state, [p, v, a]);
         }
         for limits in &mut scaled.limits {
-            let Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            } = *limits;
-            *limits = Limits {
-                vmax: vmax * v,
-                vmin: vmin * v,
-                amax: amax * a,
-                amin: amin * a,
-                jmax: jmax * j,
-                jmin: jmin * j,
-            };
+            let [vmax, vmin, amax, amin, jmax, jmin] = numbers_of(limits);
+            *limits = limits_of([vmax * v, vmin * v, amax * a, amin * a, jmax * j, jmin * j]);
         }
         scaled
     }
@@ -130,22 +117,8 @@ impl<R: Real> Chain<R> {
     pub fn mirrored(&self) -> Self {
         let mut mirrored = self.scaled(-1.0, 1.0);
         for limits in &mut mirrored.limits {
-            let Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            } = *limits;
-            *limits = Limits {
-                vmax: vmin,
-                vmin: vmax,
-                amax: amin,
-                amin: amax,
-                jmax: jmin,
-                jmin: jmax,
-            };
+            let [vmax, vmin, amax, amin, jmax, jmin] = numbers_of(limits);
+            *limits = limits_of([vmin, vmax, amin, amax, jmin, jmax]);
         }
         mirrored
     }
@@ -270,23 +243,7 @@ impl Chains {
 }
 
 fn rounded<R: Real>(limits: &Limits<f64>) -> Limits<R> {
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = *limits;
-    let [vmax, vmin, amax, amin, jmax, jmin] = [vmax, vmin, amax, amin, jmax, jmin].map(R::of);
-    Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    }
+    limits_of(numbers_of(limits).map(R::of))
 }
 
 fn random_limits(random: &mut Random, scale: f64, unequal: bool) -> Limits<f64> {
