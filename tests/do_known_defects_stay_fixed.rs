@@ -66,6 +66,50 @@ const A_SMALL_STEP: [Row; 1] = [(
     [-0.025_575_975_844_509_685, 1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
 )];
 
+/// An axis that passes its target in motion, and its mirror. The target was within 60 roundings of a ramp, and the plan turned and came again:
+/// it took 5.44 s, though 0.83 s is enough.
+#[rustfmt::skip]
+const PASSED_IN_MOTION: Row = (
+    [1.287_401_220_872_876_2, -1.287_401_220_872_876_2, 5.689_516_361_167_296, -5.689_516_361_167_296,
+     1.570_548_586_589_220_6, -1.570_548_586_589_220_6],
+    [0.592_909_506_220_663_7, -0.540_838_157_928_715_9, -1.274_185_914_490_220_6],
+    [-0.145_124_283_038_224, -1.057_575_497_467_683_4, 0.0],
+);
+
+/// Plans the row and its mirror, and then in every millisecond anew, from the start and from states on the way. Each plan arrives when the
+/// first one said, up to a tick.
+fn passed_in_motion<R: Real>() {
+    const TICK: f64 = 1e-3;
+    let (bounds, from, to) = PASSED_IN_MOTION;
+    for sign in [1.0, -1.0] {
+        let mirrored = |numbers: [f64; 3]| state::<R>(numbers.map(|x| sign * x));
+        let (from, to) = (mirrored(from), mirrored(to));
+        let replanned = |from| {
+            let mut planned = Move::default();
+            planned.plan(&limits(bounds), from, to).expect("a plan");
+            planned
+        };
+        let first = replanned(from);
+        let t = first.t.widen();
+        assert!((t - 0.83).abs() < 1e-3, "{t} s");
+        for part in [0.0, 0.3, 0.6, 0.9, 0.99] {
+            let start = part * t;
+            let mut now = first.state_at(R::of(start));
+            let mut ticks = 0;
+            loop {
+                let planned = replanned(now);
+                let arrives = start + f64::from(ticks) * TICK + planned.t.widen();
+                assert!((arrives - t).abs() <= TICK, "{arrives} s at {now:?}");
+                if planned.t.widen() <= TICK {
+                    break;
+                }
+                now = planned.state_at(R::of(TICK));
+                ticks += 1;
+            }
+        }
+    }
+}
+
 fn bound_to_leave<R: Real>() {
     planned_without_a_jump::<R>(&BOUND_TO_LEAVE);
 }
@@ -285,6 +329,7 @@ fn one_axis_hardly_accelerates() {
 test_both_reals!(
     bound_to_leave,
     a_small_step,
+    passed_in_motion,
     times_of_positions,
     from_a_state_to_itself,
     beyond_the_range,
