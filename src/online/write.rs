@@ -137,32 +137,24 @@ impl<R: Real> Move<R> {
     pub(crate) fn slip(&mut self, t: R, at_start: R) {
         let slip = self.t - t;
         let count = self.phase_count();
-        // A few roundings of the time do not show.
-        if slip.abs() > R::from(8) * R::EPSILON * t {
-            let mut late = slip * at_start;
-            let mut early = slip - late;
-            for phase in self.phase.get_mut(2..count).unwrap_or_default() {
-                phase.start = (phase.start - late).at_least(R::ZERO);
-            }
-            for phase in self.phase.get_mut(1..count).unwrap_or_default() {
-                let passed = late.at_most(phase.duration);
-                phase.acceleration = phase.acceleration(passed);
-                phase.duration = phase.duration - passed;
-                late = late - passed;
-            }
-            for phase in self
-                .phase
-                .get_mut(1..count)
-                .unwrap_or_default()
-                .iter_mut()
-                .rev()
-            {
-                let left_out = early.at_most(phase.duration);
-                phase.duration = phase.duration - left_out;
-                early = early - left_out;
-            }
-            self.find_states(count);
+        let mut late = slip * at_start;
+        let mut early = slip - late;
+        for phase in self.phase.get_mut(2..count).unwrap_or_default() {
+            phase.start = (phase.start - late).at_least(R::ZERO);
         }
+        let phases = self.phase.get_mut(1..count).unwrap_or_default();
+        for phase in phases.iter_mut() {
+            let passed = late.at_most(phase.duration);
+            phase.acceleration = phase.acceleration(passed);
+            phase.duration = phase.duration - passed;
+            late = late - passed;
+        }
+        for phase in phases.iter_mut().rev() {
+            let left_out = early.at_most(phase.duration);
+            phase.duration = phase.duration - left_out;
+            early = early - left_out;
+        }
+        self.find_states(count);
         self.end_at(t);
     }
 

@@ -77,9 +77,10 @@ pub(super) fn next_of_plan<R: Real>(axis: &Move<R>, problem: &dyn Fn() -> Proble
     }
 }
 
-/// Whether a plan takes the duration `t` up to rounding.
+/// Whether a plan takes the duration `t` up to rounding: a tick is early by 4 roundings of its number at most, and by those of a quotient and
+/// a product.
 fn takes<R: Real>(axis: &Move<R>, t: R) -> bool {
-    (t - axis.t).abs() <= R::from(4) * R::EPSILON * t
+    (t - axis.t).abs() <= R::from(6) * R::EPSILON * t
 }
 
 /// Whether an axis that has made its fastest plan can take the duration `t`, up to roundings of its states at both ends. They may be larger

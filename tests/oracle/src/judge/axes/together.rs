@@ -82,7 +82,7 @@ pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let planned = fastest.plan(&problem.limits, problem.from, problem.to);
     let t = axis.t.widen();
     let slip = fastest.t.widen() - t;
-    if planned.is_ok() && slip > 8.0 * R::MACHINE_EPSILON.widen() * t {
+    if planned.is_ok() && slip > 6.0 * R::MACHINE_EPSILON.widen() * t {
         slip
     } else {
         0.0
