@@ -28,9 +28,10 @@
 # make bench                  measures times and instructions beside the original's: docs/performance.md
 # make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                             `make instructions-update` rewrites tests/instructions.txt
-# make soak                   compares a thousand million calls per real type with the original, and a thousand million
-#                             fastest plans with a referee; SOAK_SEED=n starts at seed n; SOAK=calls, plans, moves (from any
-#                             state to any state), replans, axes (several axes that move together) or paths does one of these
+# make soak                   compares random calls with the original, and random plans with referees: a thousand seeds of each kind, from
+#                             where the table in docs/trust.md ends, and adds its rows, also when it is stopped. SOAK_SEED=n starts at seed
+#                             n, SOAK_SEEDS=n ends after n seeds; SOAK=calls, plans, moves (from any state to any state), replans, axes
+#                             (several axes that move together) or paths does one of these
 # make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
 #                             FUZZ_SEED=n starts at seed n, not 1
 # make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
@@ -277,14 +278,13 @@ check:
 	$(CARGO) test
 
 ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
-SOAK_SEED ?= 0
-SOAK_SEEDS ?= 1000
+SOAK ?= calls plans moves replans axes paths
 
-# A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves and ten thousand sets
-# of axes per real type.
+# A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves, ten thousand sets of axes
+# and a thousand paths per real type.
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
-	$(CARGO) run --quiet --release $(ORACLE) --bin soak -- $(SOAK_SEED) $(SOAK_SEEDS) $(SOAK)
+	SOAK="$(CARGO) run --quiet --release $(ORACLE) --bin soak --" SOAK_SEED=$(SOAK_SEED) SOAK_SEEDS=$(SOAK_SEEDS) tests/soak.sh $(SOAK)
 
 # The benchmark is compiled with the archive's settings, or it would measure other code.
 BENCH := $(CARGO) run --quiet --profile bench $(ORACLE) --bin bench

@@ -1,7 +1,9 @@
-//! `soak [first seed] [seeds] [calls|plans|moves|replans|axes|paths]`: a million calls per seed and real type against the original, a million
-//! motions without acceleration at their ends against the referee, a quarter of a million moves from any state to any state, a thousand
-//! moves that are planned anew in every millisecond, ten thousand sets of axes that move together, and a thousand paths through way points.
-//! An interrupted run goes on from the seed after the one in its last progress line.
+//! `soak <what> <first seed> <seeds> <file>`: a portion of random cases per seed and real type. `calls`: a million calls against the
+//! original. `plans`: a million motions without acceleration at their ends against the referee. `moves`: a quarter of a million moves from
+//! any state to any state. `replans`: a thousand moves that are planned anew in every millisecond. `axes`: ten thousand sets of axes that
+//! move together. `paths`: a thousand paths through way points.
+//!
+//! After each seed the file holds what was done: `what | seeds | count | faults | an hour`. So a run may be stopped at any time.
 
 use oracle::judge::axes::together::Together;
 use oracle::judge::axes::{self, SETS_PER_SEED};
@@ -14,144 +16,207 @@ use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
 use oracle::liba::abi::Original;
 use oracle::liba::comparison::Report;
 use oracle::liba::volume::run_seed;
-use std::io::{IsTerminal, Write, stderr};
-use std::ops::Range;
+use std::fmt::{Display, Formatter, Result as Written};
+use std::fs;
+use std::marker::PhantomData;
 use std::process::ExitCode;
 use std::time::Instant;
-use support::{Ours, Random, Real};
+use support::{Ours, Random};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let number = |index: usize, default| {
-        let argument = arguments.get(index);
-        argument.map_or(default, |text| text.parse::<u64>().expect("a number"))
+    let [what, first, seeds, file] = &arguments[..] else {
+        panic!("soak <what> <first seed> <seeds> <file>");
     };
-    let first = number(0, 0);
-    let seeds = first..first + number(1, 1000);
-    let soaks = [
-        (
-            "calls",
-            soak_calls::<f64> as Soak,
-            soak_calls::<f32> as Soak,
-        ),
-        ("plans", soak_plans::<f64>, soak_plans::<f32>),
-        ("moves", soak_moves::<f64>, soak_moves::<f32>),
-        ("replans", soak_replans::<f64>, soak_replans::<f32>),
-        ("axes", soak_axes::<f64>, soak_axes::<f32>),
-        ("paths", soak_paths::<f64>, soak_paths::<f32>),
-    ];
-    let mut clean = true;
-    for (what, of_f64, of_f32) in soaks {
-        if arguments.get(2).is_none_or(|only| only == what) {
-            clean &= of_f64(seeds.clone());
-            clean &= of_f32(seeds.clone());
+    let number = |text: &str| text.parse::<u64>().expect("a number");
+    let (first, seeds) = (number(first), number(seeds));
+    let mut soaks = [soak::<f64>(what), soak::<f32>(what)];
+    let start = Instant::now();
+    for seed in first..first + seeds {
+        soaks.iter_mut().for_each(|soak| soak.run(seed));
+        let count: u64 = soaks.iter().map(|soak| soak.count()).sum();
+        let faults: u64 = soaks.iter().map(|soak| soak.faults()).sum();
+        let an_hour = count as f64 / start.elapsed().as_secs_f64() * 3600.0;
+        let row = format!(
+            "{what} | {first}..{} | {count} | {faults} | {an_hour:.0}\n",
+            seed + 1
+        );
+        fs::write(file, &row).expect("a file to write to");
+        eprint!("{row}");
+    }
+    for (name, soak) in ["double", "float"].iter().zip(&soaks) {
+        println!("{name}: {what} of seeds {first}..{}\n{soak}", first + seeds);
+    }
+    ExitCode::from(u8::from(!soaks.iter().all(|soak| soak.is_clean())))
+}
+
+/// One kind of cases in one real type, and what was found in them.
+trait Soak: Display {
+    /// Adds the cases of a seed.
+    fn run(&mut self, seed: u64);
+    /// Cases so far.
+    fn count(&self) -> u64;
+    /// Cases that are wrong.
+    fn faults(&self) -> u64;
+    /// Whether there are cases, and no more faults than are allowed.
+    fn is_clean(&self) -> bool {
+        self.count() > 0 && self.faults() == 0
+    }
+}
+
+fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
+    let judged = |of_seed| {
+        Box::new(Judged {
+            tallies: Tallies::default(),
+            of_seed,
+        })
+    };
+    match what {
+        "calls" => Box::new(Calls::<R> {
+            report: Report::default(),
+            real: PhantomData,
+        }),
+        "plans" => judged(|seed| {
+            Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)
+        }),
+        "moves" => {
+            judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED))
         }
+        "axes" => judged(|seed| axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)),
+        "replans" => Box::new(Replanned::<R> {
+            replans: Replans::default(),
+            real: PhantomData,
+        }),
+        "paths" => Box::new(Chained::<R> {
+            paths: 0,
+            bad: Vec::new(),
+            real: PhantomData,
+        }),
+        _ => panic!("{what} does not exist: it is calls, plans, moves, replans, axes or paths"),
     }
-    ExitCode::from(u8::from(!clean))
 }
 
-/// Whether nothing bad was found.
-type Soak = fn(Range<u64>) -> bool;
+/// Calls of this library and of the original.
+struct Calls<R> {
+    report: Report,
+    real: PhantomData<R>,
+}
 
-fn soak_calls<R: Original>(seeds: Range<u64>) -> bool {
-    let start = Instant::now();
-    let mut total = Report::default();
-    for seed in seeds.clone() {
-        total.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
-        let done = format!("calls, {} differing", total.differing);
-        progress::<R>(seed, total.calls, &done, start);
+impl<R: Original> Soak for Calls<R> {
+    fn run(&mut self, seed: u64) {
+        self.report.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
     }
-    println!("{}", heading::<R>("calls", seeds, start));
-    println!("{total}");
-    for example in total.examples.iter().take(10) {
-        println!("{example}");
+
+    fn count(&self) -> u64 {
+        self.report.calls
     }
-    total.values > 0 && total.differing == 0
-}
 
-fn soak_plans<R: Original>(seeds: Range<u64>) -> bool {
-    soak_tallies::<R>("plans", seeds, |seed| {
-        Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)
-    })
-}
-
-fn soak_moves<R: Original>(seeds: Range<u64>) -> bool {
-    soak_tallies::<R>("moves", seeds, |seed| {
-        Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED)
-    })
-}
-
-fn soak_axes<R: Original>(seeds: Range<u64>) -> bool {
-    soak_tallies::<R>("sets of axes", seeds, |seed| {
-        axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)
-    })
-}
-
-fn soak_tallies<R: Real>(what: &str, seeds: Range<u64>, of_seed: impl Fn(u64) -> Tallies) -> bool {
-    let start = Instant::now();
-    let mut tallies = Tallies::default();
-    for seed in seeds.clone() {
-        tallies.add(&of_seed(seed));
-        let total = tallies.total();
-        let done = format!("{what}, {} bad", total.bad());
-        progress::<R>(seed, total.problems, &done, start);
+    fn faults(&self) -> u64 {
+        self.report.differing
     }
-    println!("{}\n{tallies}", heading::<R>(what, seeds, start));
-    let total = tallies.total();
-    total.problems > 0 && total.bad() == 0
 }
 
-fn soak_replans<R: Real>(seeds: Range<u64>) -> bool {
-    let start = Instant::now();
-    let mut replans = Replans::default();
-    for seed in seeds.clone() {
-        replans.add(Replans::of_seed::<R>(seed, 1000));
-        let done = format!("plans in motion, {} bad moves", replans.bad);
-        progress::<R>(seed, replans.plans, &done, start);
+impl<R> Display for Calls<R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(f, "{}", self.report)?;
+        let mut examples = self.report.examples.iter().take(10);
+        examples.try_for_each(|example| writeln!(f, "{example}"))
     }
-    println!("{}: {replans:#?}", heading::<R>("replans", seeds, start));
-    replans.moves > 0 && replans.refused == 0 && !replans.has_too_many_bad()
 }
 
-fn soak_paths<R: Original>(seeds: Range<u64>) -> bool {
-    let start = Instant::now();
-    let (mut paths, mut bad) = (0, 0);
-    for seed in seeds.clone() {
-        let (mut chains, mut random) = (Chains::new(seed), Random::seeded(seed));
-        for k in 0..PATHS_PER_SEED {
-            let chain = chains.draw::<R>();
-            if let Err(what) = path::judge(&Paths, &chain, &mut random) {
-                println!("seed {seed}, path {k}, {:?}: {what}", chain.family);
-                bad += 1;
-            }
-            paths += 1;
-        }
-        progress::<R>(seed, paths, &format!("paths, {bad} bad"), start);
+/// Motions that the judge tallies.
+struct Judged {
+    tallies: Tallies,
+    of_seed: fn(u64) -> Tallies,
+}
+
+impl Soak for Judged {
+    fn run(&mut self, seed: u64) {
+        self.tallies.add(&(self.of_seed)(seed));
     }
-    println!(
-        "{}: {bad} of {paths} are bad",
-        heading::<R>("paths", seeds, start)
-    );
-    paths > 0 && bad == 0
+
+    fn count(&self) -> u64 {
+        self.tallies.total().problems
+    }
+
+    fn faults(&self) -> u64 {
+        self.tallies.total().bad()
+    }
+}
+
+impl Display for Judged {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        self.tallies.fmt(f)
+    }
+}
+
+/// Moves that are planned anew; a plan counts.
+struct Replanned<R> {
+    replans: Replans,
+    real: PhantomData<R>,
+}
+
+const MOVES_PER_SEED_OF_REPLANS: u64 = 1000;
+
+impl<R: Original> Soak for Replanned<R> {
+    fn run(&mut self, seed: u64) {
+        self.replans
+            .add(Replans::of_seed::<R>(seed, MOVES_PER_SEED_OF_REPLANS));
+    }
+
+    fn count(&self) -> u64 {
+        self.replans.plans
+    }
+
+    fn faults(&self) -> u64 {
+        self.replans.refused + self.replans.bad
+    }
+
+    fn is_clean(&self) -> bool {
+        self.replans.moves > 0 && self.replans.refused == 0 && !self.replans.has_too_many_bad()
+    }
+}
+
+impl<R> Display for Replanned<R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(f, "{:#?}", self.replans)
+    }
+}
+
+/// Paths through way points.
+struct Chained<R> {
+    paths: u64,
+    bad: Vec<String>,
+    real: PhantomData<R>,
 }
 
 const PATHS_PER_SEED: u64 = 1000;
 
-fn heading<R: Real>(what: &str, seeds: Range<u64>, start: Instant) -> String {
-    let seconds = start.elapsed().as_secs_f64();
-    format!("{}: {what} of seeds {seeds:?}, {seconds:.0} s", R::NAME)
+impl<R: Original> Soak for Chained<R> {
+    fn run(&mut self, seed: u64) {
+        let (mut chains, mut random) = (Chains::new(seed), Random::seeded(seed));
+        for k in 0..PATHS_PER_SEED {
+            let chain = chains.draw::<R>();
+            if let Err(what) = path::judge(&Paths, &chain, &mut random) {
+                self.bad
+                    .push(format!("seed {seed}, path {k}, {:?}: {what}", chain.family));
+            }
+        }
+        self.paths += PATHS_PER_SEED;
+    }
+
+    fn count(&self) -> u64 {
+        self.paths
+    }
+
+    fn faults(&self) -> u64 {
+        self.bad.len() as u64
+    }
 }
 
-/// Prints how far the run is: on a terminal after each seed, else after a hundred.
-fn progress<R: Real>(seed: u64, count: u64, done: &str, start: Instant) {
-    let end = if stderr().is_terminal() { "\r" } else { "\n" };
-    if stderr().is_terminal() || seed % 100 == 99 {
-        let rate = count as f64 / start.elapsed().as_secs_f64();
-        eprint!(
-            "{}: seed {seed} done, {} thousand {done}, {rate:.0} a second{end}",
-            R::NAME,
-            count / 1000
-        );
-        let _ = stderr().flush();
+impl<R> Display for Chained<R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(f, "{} of {} are bad", self.bad.len(), self.paths)?;
+        self.bad.iter().try_for_each(|bad| writeln!(f, "{bad}"))
     }
 }

@@ -1,0 +1,26 @@
+#!/bin/sh
+# soak.sh calls|plans|moves|replans|axes|paths…: goes on with each kind of random cases where its last row in docs/trust.md ends, and appends a
+# row when it ends or is stopped. SOAK is the program. SOAK_SEED starts elsewhere, SOAK_SEEDS ends sooner or later.
+set -eu
+page=docs/trust.md
+done=$(mktemp)
+running=
+
+# A stopped run counts up to its last whole seed.
+note() {
+    test ! -s "$done" || printf '| %s | %s | %s |\n' "$(date -u +%F)" "$(git describe --always --dirty)" "$(cat "$done")" >> "$page"
+    : > "$done"
+}
+trap 'test -z "$running" || kill "$running"; note; rm -f "$done"; exit 1' INT TERM HUP
+
+faults=0
+for what in "$@"; do
+    next=$(sed -n "s/.* | $what | [0-9]*\.\.\([0-9]*\) | .*/\1/p" "$page" | sort -n | tail -1)
+    $SOAK "$what" "${SOAK_SEED:-${next:-0}}" "${SOAK_SEEDS:-1000}" "$done" &
+    running=$!
+    wait "$running" || faults=1
+    running=
+    note
+done
+rm -f "$done"
+exit "$faults"
