@@ -3,12 +3,15 @@
 # row when it ends or is stopped. SOAK is the program. SOAK_SEED starts elsewhere, SOAK_SEEDS ends sooner or later.
 set -eu
 page=docs/trust.md
+# The commit that changed the library last.
+commit=$(git log -1 --format=%h -- src)
+git diff --quiet HEAD -- src || commit=$commit-dirty
 done=$(mktemp)
 running=
 
 # A stopped run counts up to its last whole seed.
 note() {
-    test ! -s "$done" || printf '| %s | %s | %s |\n' "$(date -u +%F)" "$(git describe --always --dirty)" "$(cat "$done")" >> "$page"
+    test ! -s "$done" || printf '| %s | %s | %s |\n' "$(date -u +%F)" "$commit" "$(cat "$done")" >> "$page"
     : > "$done"
 }
 trap 'test -z "$running" || kill "$running"; note; rm -f "$done"; exit 1' INT TERM HUP
