@@ -290,11 +290,11 @@ void clock_of_a_path()
     std::memset(&function, 0, sizeof(function));
     method.start();
     atraj_clock_start(&function);
-    PROMISE(method.rate(&move, &reserve, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &reserve, 1, 1, 0) == 0);
+    PROMISE(method.rate(&move, &reserve, 1, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &reserve, 1, 1, 1, 0) == 0);
     PROMISE(method.until() == atraj_clock_until(&function) && method.until() > 1);
     atraj::state now;
-    atraj_clock_state(&function, &move, 1.5f, &now.p, &now.v, &now.a, A_NULL);
-    PROMISE(same(method.state(move, 1.5f), now));
+    atraj_clock_state(&function, &move, 1, 1, 1.5f, &now.p, &now.v, &now.a, A_NULL);
+    PROMISE(same(method.state(&move, 1, 1, 1.5f), now));
     PROMISE(atraj::line_stop(&move, &reserve, 1, 1) == 0 && move.vel(move.t) == 0);
 }
 

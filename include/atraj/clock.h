@@ -29,19 +29,22 @@ A_EXTERN void atraj_clock_start(struct atraj_clock *ctx);
  * Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits, nothing jumps, and the path is kept. This is proved
  * for each part of the motion, not sampled. So the limits must be larger than the limits of the plans, by a reserve for the clock.
  * @param ctx points to a clock; untouched on an error
- * @param axes points to the `n` planned moves of the path
+ * @param moves points to `sections * n` moves, section by section: of all axes for the first section, then of all axes for the second one. Each move begins where
+ * the move of its axis before it ends, and the moves of a section have one duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
  * @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
  * @param n number of axes
+ * @param sections number of sections; 1 for a single set of moves
  * @param x time since the start of the clock, s, not before the last change
  * @param rate of the time of the path
- * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of an
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of an
  * acceleration or a jerk are infinite, or `ATRAJ_ERR_TARGET` if no change within the limits is found
  */
 A_EXTERN
 int atraj_clock_rate(struct atraj_clock *ctx,
-                     const atraj_move *axes,
+                     const atraj_move *moves,
                      const atraj_limits *limits,
                      size_t n,
+                     size_t sections,
                      a_float x,
                      a_float rate);
 
@@ -63,7 +66,9 @@ A_EXTERN a_float atraj_clock_time(const struct atraj_clock *ctx, a_float x);
 /**
  * @brief State of an axis of the path: position, velocity, acceleration and jerk.
  * @param ctx points to a clock; if it is NULL, all results are NaN
- * @param move points to the planned move of the axis; if it is NULL, all results are NaN
+ * @param moves points to the move of the axis in the first section, `moves + axis` of `atraj_clock_rate`; if it is NULL, all results are NaN
+ * @param n number of axes: the next move of the axis is `n` moves behind
+ * @param sections number of sections; all results are NaN if `n` or `sections` is 0
  * @param x time since the start of the clock, s
  * @param pos position, unit: NULL or the place for the result
  * @param vel velocity, unit/s: NULL or the place for the result
@@ -72,7 +77,9 @@ A_EXTERN a_float atraj_clock_time(const struct atraj_clock *ctx, a_float x);
  */
 A_EXTERN
 void atraj_clock_state(const struct atraj_clock *ctx,
-                       const atraj_move *move,
+                       const atraj_move *moves,
+                       size_t n,
+                       size_t sections,
                        a_float x,
                        a_float *pos,
                        a_float *vel,
@@ -101,15 +108,15 @@ struct atraj_clock {
     atraj_move time;
 #if defined(__cplusplus)
     void start() { atraj_clock_start(this); }
-    int rate(const atraj_move *axes, const atraj_limits *limits, size_t n, a_float x, a_float rate_)
+    int rate(const atraj_move *moves, const atraj_limits *limits, size_t n, size_t sections, a_float x, a_float rate_)
     {
-        return atraj_clock_rate(this, axes, limits, n, x, rate_);
+        return atraj_clock_rate(this, moves, limits, n, sections, x, rate_);
     }
     a_float until() const { return atraj_clock_until(this); }
-    atraj_state state(const atraj_move &move, a_float x) const
+    atraj_state state(const atraj_move *moves, size_t n, size_t sections, a_float x) const
     {
         atraj_state now;
-        atraj_clock_state(this, &move, x, &now.p, &now.v, &now.a, A_NULL);
+        atraj_clock_state(this, moves, n, sections, x, &now.p, &now.v, &now.a, A_NULL);
         return now;
     }
 #endif /* __cplusplus */

@@ -32,9 +32,9 @@ const HALVES: u32 = 4;
 /// let mut clock = Clock::new();
 /// clock.rate(&axis, &[limits], 1.0, 0.0)?; // hold at 1 s
 /// let held = clock.until();
-/// assert!(clock.state(&axis[0], held + 5.0)[1] == 0.0);
+/// assert!(clock.state(&axis, 1, held + 5.0)[1] == 0.0);
 /// clock.rate(&axis, &[limits], held + 5.0, 1.0)?; // resume
-/// assert_eq!(clock.state(&axis[0], held + 20.0), [10.0, 0.0, 0.0, 0.0]);
+/// assert_eq!(clock.state(&axis, 1, held + 20.0), [10.0, 0.0, 0.0, 0.0]);
 /// # Ok::<(), atraj::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,17 +69,21 @@ impl<R: Real> Clock<R> {
     /// Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, -1 back along the path. The axes have the limits
     /// in `limits`: the limits of their plans and a reserve.
     ///
+    /// `moves` has one move for each axis, or the moves of a path section by section: those of all axes for the first section, then those for the second one. Each
+    /// move begins where the move of its axis before it ends, and the moves of a section have one duration.
+    ///
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
     /// sampled. [`Error::Target`] if no change of the rate within the limits is found; then the clock goes on as it did. [`Error::Axes`] if there is no
-    /// axis, or if the slices have different lengths; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`].
+    /// axis or no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing moves.
     pub fn rate(
         &mut self,
-        axes: &[Move<R>],
+        moves: &[Move<R>],
         limits: &[Limits<R>],
         x: R,
         rate: R,
     ) -> Result<(), Error> {
-        if axes.is_empty() || axes.len() != limits.len() {
+        let n = limits.len();
+        if n == 0 || moves.is_empty() || moves.len() % n != 0 {
             return Err(Error::Axes);
         }
         if !(x.is_finite() && rate.is_finite()) {
@@ -87,9 +91,11 @@ impl<R: Real> Clock<R> {
         }
         // The path's own size: how fast its time may change where an axis is at its highest speed.
         let (mut slowing, mut bending) = (R::INFINITY, R::INFINITY);
-        for (axis, limits) in axes.iter().zip(limits) {
+        for limits in limits {
             limits.are_limits()?;
-            let speed = axis.extremes().speed();
+        }
+        for (of, limits) in moves.iter().zip(limits.iter().cycle()) {
+            let speed = of.extremes().speed();
             slowing = slowing.at_most(limits.amax.at_most(-limits.amin) / speed);
             bending = bending.at_most(limits.jmax.at_most(-limits.jmin) / speed);
         }
@@ -103,15 +109,15 @@ impl<R: Real> Clock<R> {
             let limits_of_time =
                 Limits::symmetric(bending * scale * scale, slowing * scale, endless);
             time.reach(&limits_of_time, from, rate, R::ZERO)?;
-            let keep = |(axis, limits)| {
+            let keeps = |(axis, limits)| {
                 Trial {
                     time: &time,
-                    axis,
+                    axis: Axis::new(moves, n, axis),
                     limits,
                 }
                 .keeps()
             };
-            Ok::<_, Error>(axes.iter().zip(limits).all(keep).then_some(time))
+            Ok::<_, Error>(limits.iter().enumerate().all(keeps).then_some(time))
         };
         let (mut high, mut low) = (R::ZERO, R::from(HIGHEST_TRIAL));
         let mut found = passes(low)?;
@@ -145,10 +151,14 @@ impl<R: Real> Clock<R> {
         self.time.position(x - self.begin)
     }
 
-    /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s.
-    pub fn state(&self, of: &Move<R>, x: R) -> [R; 4] {
+    /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s. The move of the axis in the first section begins `moves`, and its
+    /// move in the next section is `n` moves behind: axis `i` of `n` axes has `&moves[i..]`. All are NaN if there is no move.
+    pub fn state(&self, moves: &[Move<R>], n: usize, x: R) -> [R; 4] {
         let [s, rate, slowing, bending] = self.time.state(x - self.begin);
-        let [position, v, a, j] = of.state(s);
+        let Some((of, start)) = (Axis { moves, n }).section(s) else {
+            return [R::NAN; 4];
+        };
+        let [position, v, a, j] = of.state(s - start);
         let square = rate * rate;
         [
             position,
@@ -159,10 +169,60 @@ impl<R: Real> Clock<R> {
     }
 }
 
+/// The moves of an axis: the first one, and then each `n` moves behind the one before.
+#[derive(Clone, Copy)]
+struct Axis<'a, R> {
+    moves: &'a [Move<R>],
+    n: usize,
+}
+
+impl<'a, R: Real> Axis<'a, R> {
+    /// Axis `index` of `n` axes.
+    fn new(moves: &'a [Move<R>], n: usize, index: usize) -> Self {
+        let moves = moves.get(index..).unwrap_or_default();
+        Self { moves, n }
+    }
+
+    /// The moves, each with the time at which it starts and the time at which the next one does. The last move goes on.
+    fn sections(self) -> impl Iterator<Item = (&'a Move<R>, R, R)> {
+        let last = self.moves.len().saturating_sub(1) / self.n.max(1);
+        let mut end = R::ZERO;
+        let moves = self.moves.iter().step_by(self.n.max(1)).enumerate();
+        moves.map(move |(index, of)| {
+            let start = end;
+            end = if index < last {
+                start + of.t
+            } else {
+                R::INFINITY
+            };
+            (of, start, end)
+        })
+    }
+
+    /// The move at the time `s`, and when it starts. The first move is there before its start, too.
+    fn section(self, s: R) -> Option<(&'a Move<R>, R)> {
+        let mut found = None;
+        for (of, start, end) in self.sections() {
+            found = Some((of, start));
+            if s < end {
+                break;
+            }
+        }
+        found
+    }
+
+    /// The duration.
+    fn duration(self) -> R {
+        self.sections()
+            .last()
+            .map_or(R::ZERO, |(of, start, _)| start + of.t)
+    }
+}
+
 /// A change of the rate, to be examined for an axis.
 struct Trial<'a, R> {
     time: &'a Move<R>,
-    axis: &'a Move<R>,
+    axis: Axis<'a, R>,
     limits: &'a Limits<R>,
 }
 
@@ -194,7 +254,7 @@ impl<R: Real> Trial<'_, R> {
             ..
         } = self.time.state_at(self.time.t);
         let rest = if rate > R::ZERO {
-            Range::of(s, s.at_least(self.axis.t))
+            Range::of(s, s.at_least(self.axis.duration()))
         } else if rate < R::ZERO {
             Range::of(s.at_most(R::ZERO), s)
         } else {
@@ -212,6 +272,26 @@ impl<R: Real> Trial<'_, R> {
         slowing: Range<R>,
         bending: Range<R>,
     ) -> bool {
+        let touched = self.axis.sections().filter(|(_, start, end)| {
+            // Before its start a path stays.
+            passed.high >= *start && passed.low <= *end
+        });
+        touched.into_iter().all(|(of, start, end)| {
+            let from = passed.low.at_least(start) - start;
+            let to = passed.high.at_most(end) - start;
+            self.keeps_in_section(of, [from, to], rate, slowing, bending)
+        })
+    }
+
+    /// From one time of a section to another one.
+    fn keeps_in_section(
+        &self,
+        of: &Move<R>,
+        [from, to]: [R; 2],
+        rate: Range<R>,
+        slowing: Range<R>,
+        bending: Range<R>,
+    ) -> bool {
         let square = rate.times(rate);
         let Limits {
             vmax,
@@ -222,37 +302,33 @@ impl<R: Real> Trial<'_, R> {
             jmin,
         } = *self.limits;
         let three = Range::of(R::from(3), R::from(3));
-        let after = self.axis.phase.iter().skip(1).map(|next| next.start);
-        let after = after.chain([R::INFINITY]);
-        let phases = self.axis.phase.iter().zip(after);
-        let count = self.axis.phases().len();
-        phases
+        let count = of.phases().len();
+        // Phase 0 is the start. The last one, which is the end, goes on.
+        let used = of.phase.iter().take(1 + count).skip(1);
+        let after = of
+            .phase
+            .iter()
             .take(1 + count)
-            .enumerate()
-            .all(|(index, (phase, end))| {
-                // The first phase goes on before the start, and the last one behind the end.
-                let is_end = index == count;
-                let from = passed.low.at_least(phase.start) - phase.start;
-                let to = if is_end {
-                    passed.high
-                } else {
-                    passed.high.at_most(end)
-                } - phase.start;
-                if index == 0 || to < from {
-                    return true;
-                }
-                let v = velocities(phase, from, to);
-                let a = Range::of(phase.acceleration(from), phase.acceleration(to));
-                let j = Range::of(phase.jerk, phase.jerk);
-                let acceleration = a.times(square).plus(v.times(slowing));
-                let jerk = j
-                    .times(square.times(rate))
-                    .plus(three.times(a).times(rate.times(slowing)))
-                    .plus(v.times(bending));
-                v.times(rate).is_between(vmin, vmax)
-                    && acceleration.is_between(amin, amax)
-                    && jerk.is_between(jmin, jmax)
-            })
+            .skip(2)
+            .map(|next| next.start);
+        used.zip(after.chain([R::INFINITY])).all(|(phase, end)| {
+            let from = from.at_least(phase.start) - phase.start;
+            let to = to.at_most(end) - phase.start;
+            if to < from {
+                return true;
+            }
+            let v = velocities(phase, from, to);
+            let a = Range::of(phase.acceleration(from), phase.acceleration(to));
+            let j = Range::of(phase.jerk, phase.jerk);
+            let acceleration = a.times(square).plus(v.times(slowing));
+            let jerk = j
+                .times(square.times(rate))
+                .plus(three.times(a).times(rate.times(slowing)))
+                .plus(v.times(bending));
+            v.times(rate).is_between(vmin, vmax)
+                && acceleration.is_between(amin, amax)
+                && jerk.is_between(jmin, jmax)
+        })
     }
 }
 

@@ -33,35 +33,38 @@ pub unsafe extern "C" fn atraj_clock_start(ctx: *mut atraj_clock) {
 /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits, nothing jumps, and the path is kept. This is proved
 /// for each part of the motion, not sampled. So the limits must be larger than the limits of the plans, by a reserve for the clock.
 /// @param ctx points to a clock; untouched on an error
-/// @param axes points to the `n` planned moves of the path
+/// @param moves points to `sections * n` moves, section by section: of all axes for the first section, then of all axes for the second one. Each move begins where
+/// the move of its axis before it ends, and the moves of a section have one duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
 /// @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
 /// @param n number of axes
+/// @param sections number of sections; 1 for a single set of moves
 /// @param x time since the start of the clock, s, not before the last change
 /// @param rate of the time of the path
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of an
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of an
 /// acceleration or a jerk are infinite, or `ATRAJ_ERR_TARGET` if no change within the limits is found
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_rate(
     ctx: *mut atraj_clock,
-    axes: *const atraj_move,
+    moves: *const atraj_move,
     limits: *const atraj_limits,
     n: usize,
+    sections: usize,
     x: a_float,
     rate: a_float,
 ) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
     let clock = unsafe { ctx.cast::<Clock<Number>>().as_mut() };
-    let (Some(clock), false, false) = (clock, axes.is_null(), limits.is_null()) else {
+    let (Some(clock), false, false) = (clock, moves.is_null(), limits.is_null()) else {
         return ATRAJ_ERR_NULL as c_int;
     };
-    // SAFETY: not NULL, so each points to `n` values by the contract of this module; the layouts are the same.
-    let (axes, limits) = unsafe {
+    // SAFETY: not NULL, so each points to as many values by the contract of this module; the layouts are the same.
+    let (moves, limits) = unsafe {
         (
-            core::slice::from_raw_parts(axes.cast::<Move<Number>>(), n),
+            core::slice::from_raw_parts(moves.cast::<Move<Number>>(), n.wrapping_mul(sections)),
             core::slice::from_raw_parts(limits.cast::<Limits<Number>>(), n),
         )
     };
-    let changed = clock.rate(axes, limits, x.into(), rate.into());
+    let changed = clock.rate(moves, limits, x.into(), rate.into());
     code(changed.map(|()| Findings::default()))
 }
 
@@ -92,7 +95,9 @@ pub unsafe extern "C" fn atraj_clock_time(ctx: *const atraj_clock, x: a_float) -
 
 /// @brief State of an axis of the path: position, velocity, acceleration and jerk.
 /// @param ctx points to a clock; if it is NULL, all results are NaN
-/// @param move points to the planned move of the axis; if it is NULL, all results are NaN
+/// @param moves points to the move of the axis in the first section, `moves + axis` of `atraj_clock_rate`; if it is NULL, all results are NaN
+/// @param n number of axes: the next move of the axis is `n` moves behind
+/// @param sections number of sections; all results are NaN if `n` or `sections` is 0
 /// @param x time since the start of the clock, s
 /// @param pos position, unit: NULL or the place for the result
 /// @param vel velocity, unit/s: NULL or the place for the result
@@ -101,22 +106,24 @@ pub unsafe extern "C" fn atraj_clock_time(ctx: *const atraj_clock, x: a_float) -
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_state(
     ctx: *const atraj_clock,
-    r#move: *const atraj_move,
+    moves: *const atraj_move,
+    n: usize,
+    sections: usize,
     x: a_float,
     pos: *mut a_float,
     vel: *mut a_float,
     acc: *mut a_float,
     jer: *mut a_float,
 ) {
-    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
-    let clock_and_move = unsafe {
-        (
-            ctx.cast::<Clock<Number>>().as_ref(),
-            r#move.cast::<Move<Number>>().as_ref(),
-        )
-    };
-    let state = match clock_and_move {
-        (Some(clock), Some(of)) => clock.state(of, x.into()).map(Into::into),
+    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
+    let clock = unsafe { ctx.cast::<Clock<Number>>().as_ref() };
+    let state = match clock {
+        Some(clock) if !(moves.is_null() || n == 0 || sections == 0) => {
+            let count = n.wrapping_mul(sections - 1).wrapping_add(1);
+            // SAFETY: not NULL, and the axis has a move in each section by the contract of this module; the layouts are the same.
+            let moves = unsafe { core::slice::from_raw_parts(moves.cast::<Move<Number>>(), count) };
+            clock.state(moves, n, x.into()).map(Into::into)
+        }
         _ => [a_float::NAN; 4],
     };
     // SAFETY: each output is NULL or writable by the contract of this module.

@@ -468,7 +468,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let changed = clock.rate(&[planned], &[limits], offset, step);
     assert!(changed.is_ok() || clock == before, "{problem}");
     // Nothing here may panic.
-    let _ = clock.state(&planned, smoothing);
+    let _ = clock.state(&[planned], 1, smoothing);
     let _ = shaper.state(&planned, frequency);
     if to.velocity == R::of(0.0) && to.acceleration == R::of(0.0) {
         let end = shaper.state(&planned, R::of(f64::INFINITY));

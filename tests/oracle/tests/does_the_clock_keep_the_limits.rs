@@ -124,7 +124,7 @@ fn limits_are_kept<R: Real>() {
                 }
             }
             for (axis, limits) in path.axes.iter().zip(&limits) {
-                let [one, other] = [before, clock].map(|clock| clock.state(axis, begin));
+                let [one, other] = [before, clock].map(|clock| clock.state(std::slice::from_ref(axis), 1, begin));
                 let speed = limits.vmax.widen() - limits.vmin.widen();
                 let position = one[0].widen().abs() + speed * (x + t);
                 let acceleration = limits.amax.widen() - limits.amin.widen();
@@ -146,7 +146,7 @@ fn limits_are_kept<R: Real>() {
                 let y = R::of(random.between(x, later));
                 let s = clock.time(y);
                 for (axis, limits) in path.axes.iter().zip(&limits) {
-                    let state = clock.state(axis, y);
+                    let state = clock.state(std::slice::from_ref(axis), 1, y);
                     assert_eq!(state[0], axis.position(s), "path {number}: off the path");
                     assert!(
                         keeps(state, limits),
@@ -208,7 +208,7 @@ fn a_fault_is_seen() {
         seen += usize::from((0..200).any(|_| {
             let y = random.between(x, clock.until());
             let mut axes = path.axes.iter().zip(&smaller);
-            axes.any(|(axis, limits)| !keeps(clock.state(axis, y), limits))
+            axes.any(|(axis, limits)| !keeps(clock.state(std::slice::from_ref(axis), 1, y), limits))
         }));
     }
     println!("{seen} of 500");
@@ -232,7 +232,7 @@ fn states_are_derivatives() {
         }
         for _ in 0..20 {
             let y = random.between(x + h, clock.until() - h);
-            let [early, now, late] = [y - h, y, y + h].map(|y| clock.state(&path.axes[0], y));
+            let [early, now, late] = [y - h, y, y + h].map(|y| clock.state(&path.axes, n, y));
             let limits = &limits[0];
             let sizes = [
                 limits.vmax - limits.vmin,
