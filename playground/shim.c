@@ -6,7 +6,7 @@
 
 #define NAN __builtin_nan("")
 
-enum { PLANS = 2, AXES = 3, MOVES = 16, SAMPLES = 2000, QUANTITIES = 4 };
+enum { PLANS = 2, AXES = 3, MOVES = 16, CLOCKS = 256, SAMPLES = 2000, QUANTITIES = 4 };
 
 static union {
     a_trajbell bell;
@@ -16,17 +16,20 @@ static union {
     a_trajpoly7 poly7;
 } plans[PLANS];
 static atraj_move moves[MOVES];
+static atraj_clock clocks[CLOCKS];
 static atraj_limits limits[AXES];
 static atraj_state from[AXES], to[AXES];
 static a_float samples[QUANTITIES][SAMPLES];
 
 int axis_count(void) { return AXES; }
 int move_count(void) { return MOVES; }
+int clock_count(void) { return CLOCKS; }
 int sample_count(void) { return SAMPLES; }
 
 /* Places. The page asks for no index beyond the counts above. */
 void *plan_at(int i) { return &plans[i]; }
 atraj_move *move_at(int i) { return &moves[i]; }
+atraj_clock *clock_at(int i) { return &clocks[i]; }
 atraj_limits *limits_at(int i) { return &limits[i]; }
 atraj_state *from_at(int i) { return &from[i]; }
 atraj_state *to_at(int i) { return &to[i]; }
@@ -42,6 +45,17 @@ void set_state(atraj_state *ctx, a_float p, a_float v, a_float a)
 {
     atraj_state const given = {p, v, a};
     *ctx = given;
+}
+
+void copy_clock(atraj_clock *ctx, atraj_clock const *other) { *ctx = *other; }
+
+/* As `atraj_move_sample`, for a move that a clock runs. */
+void clock_sample(atraj_clock const *ctx, atraj_move const *move, a_float x0, a_float dt, unsigned int n, a_float *pos, a_float *vel, a_float *acc,
+    a_float *jer)
+{
+    for (unsigned int k = 0; k < n; ++k) {
+        atraj_clock_state(ctx, move, x0 + k * dt, &pos[k], &vel[k], &acc[k], &jer[k]);
+    }
 }
 
 a_float move_duration(atraj_move const *ctx) { return ctx->t; }

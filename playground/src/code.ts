@@ -1,5 +1,5 @@
 // The programs that plan what the page shows, in C, C++ and Rust.
-import { AXIS_NAMES, axisKey, moveLimits, slopes } from "./profiles";
+import { AXIS_NAMES, axisKey, plannedAxisLimits, plannedLimits, slopes } from "./profiles";
 import type { Command, State, Values } from "./state";
 
 export type Language = "C" | "C++" | "Rust";
@@ -170,7 +170,7 @@ function cWriter({ head, print, types, type, generate, position, call, state }: 
             const { p0, v0, a0, p1, v1, a1 } = values;
             return main(
                 `/* ${MOVE_ORDER} */`,
-                `${types}limits const limits = ${braces(...moveLimits(values))};`,
+                `${types}limits const limits = ${braces(...plannedLimits(values))};`,
                 `/* ${STATE_ORDER} */`,
                 `${types}state ${commands.length ? "now" : "const now"} = ${braces(p0, v0, a0)};`,
                 `${types}state const target = ${braces(p1, v1, a1)};`,
@@ -185,7 +185,7 @@ function cWriter({ head, print, types, type, generate, position, call, state }: 
             const n = AXIS_NAMES.length;
             const from = eachAxis((axis) => braces(...ofAxis(values, axis, "p0", "v0"), 0));
             const to = eachAxis((axis) => braces(...ofAxis(values, axis, "p1"), 0, 0));
-            const limits = eachAxis((axis) => ofAxis(values, axis, "jm", "am", "vm").join(", "));
+            const limits = eachAxis((axis) => plannedAxisLimits(values, axis).join(", "));
             return main(
                 `${types}limits limits[${n}];`,
                 `/* ${STATE_ORDER} */`,
@@ -256,7 +256,7 @@ const rust: Writer = {
     },
     move: (values, commands) => {
         const { p0, v0, a0, p1, v1, a1 } = values;
-        const [vmax, vmin, amax, amin, jmax, jmin] = moveLimits(values).map(real);
+        const [vmax, vmin, amax, amin, jmax, jmin] = plannedLimits(values).map(real);
         return rustMain(
             ["State", "online::{Limits, Move}"],
             `let limits = Limits { vmax: ${vmax}, vmin: ${vmin}, amax: ${amax}, amin: ${amin}, jmax: ${jmax}, jmin: ${jmin} };`,
@@ -279,7 +279,7 @@ const rust: Writer = {
     },
     axes: (plan, values) => {
         const n = AXIS_NAMES.length;
-        const limits = eachAxis((axis) => `Limits::symmetric(${reals(...ofAxis(values, axis, "jm", "am", "vm"))})`);
+        const limits = eachAxis((axis) => `Limits::symmetric(${reals(...plannedAxisLimits(values, axis))})`);
         const from = eachAxis((axis) => {
             const [p0, v0] = ofAxis(values, axis, "p0", "v0");
             return rustState(p0, v0, 0);

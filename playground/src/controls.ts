@@ -57,6 +57,7 @@ function slider({ key, label, unit, min, max }: Field, values: Values, title: st
 
 function check({ key, label }: Field, values: Values, change: (key: string, value: number) => void): HTMLElement {
     const box = element("input", { type: "checkbox", checked: values[key] === 1 });
+    box.dataset.key = key;
     box.addEventListener("change", () => change(key, Number(box.checked)));
     return element("label", { className: "check" }, box, element("span", { textContent: label }));
 }

@@ -11,6 +11,8 @@ export const c = functions as Functions;
 export const AXES = c.axis_count();
 /** How many moves there are places for. */
 export const MOVES = c.move_count();
+/** How many clocks there are places for. */
+export const CLOCKS = c.clock_count();
 /** How many samples there is room for. */
 export const SAMPLES = c.sample_count();
 
@@ -48,9 +50,29 @@ export class Plan {
     /** Samples at the times `x0 + k * dt`. */
     sample(x0: number, dt: number, n: number): Quantities<Float64Array> {
         const places = Array.from({ length: this.quantities }, (_, quantity) => c.samples_at(quantity));
-        c[`atraj_${this.family}_sample`](this.place, x0, dt, n, ...places);
+        this.write(x0, dt, n, places);
         const { buffer } = memory as WebAssembly.Memory;
         return places.map((place) => new Float64Array(buffer, place, n).slice());
+    }
+
+    protected write(x0: number, dt: number, n: number, places: number[]): void {
+        c[`atraj_${this.family}_sample`](this.place, x0, dt, n, ...places);
+    }
+}
+
+/** A move that a clock runs, from the time `begin` of the clock on. */
+export class Clocked extends Plan {
+    constructor(
+        move: number,
+        private readonly clock: number,
+        private readonly begin: number,
+        duration: number,
+    ) {
+        super("move", move, duration);
+    }
+
+    protected override write(x0: number, dt: number, n: number, places: number[]): void {
+        c.clock_sample(this.clock, this.place, this.begin + x0, dt, n, ...places);
     }
 }
 

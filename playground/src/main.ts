@@ -3,7 +3,8 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { code, type Language, LANGUAGES } from "./code";
 import { element, showChoice, showFields } from "./controls";
-import { AXES, c } from "./library";
+import { AXES, c, type Motion } from "./library";
+import { Player } from "./player";
 import { number, Plots, QUANTITIES } from "./plots";
 import { AXIS_NAMES, COMMANDS, fields, initial, type Outcome, PROFILES } from "./profiles";
 import { type Command, read, type State, write } from "./state";
@@ -25,38 +26,58 @@ function the<Kind extends HTMLElement = HTMLElement>(id: string): Kind {
 
 let state = read(location.hash, INITIAL, KNOWN);
 let outcome: Outcome = { motions: [], remarks: [] };
+/** What is drawn: what is planned, or what is run. */
+let motions: Motion[] = [];
 
 const profile = () => PROFILES.find(({ id }) => id === state.profile)!;
 const address = () => write(state, fields(profile(), state.values).map(({ key }) => key));
-const duration = () => Math.max(0, ...outcome.motions.map((motion) => motion.duration));
+const duration = () => Math.max(0, ...motions.map((motion) => motion.duration));
+const lead = () => (profile().axes ? state.axis : 0);
+/** The plans in motion. A clock runs the first plan alone. */
+const commands = () => (profile().live && !state.values.run ? state.commands : []);
 
 const plots = new Plots(the("plots"), {
     hover: (time) => tell(time ?? state.moment, false),
     click(time, quantity, value) {
         pin(time);
-        if (profile().live && quantity < 2) {
+        if (profile().live && !state.values.run && quantity < 2) {
             command(quantity === 0 ? "to" : "jog", value);
         }
     },
 });
 
+const player = new Player(the("run"), {
+    plan() {
+        if (!state.values.run) {
+            state.values.run = 1;
+            showControls();
+        }
+        draw();
+        return outcome.motions;
+    },
+    draw(run, time) {
+        motions = run;
+        plots.show(run, lead(), time);
+        mark(time);
+    },
+    mark,
+});
+
 /** Plans and draws. Nothing else runs while a slider is dragged. */
 function draw(): void {
-    const live = profile().live ? state.commands : [];
-    outcome = profile().plan(state.values, live, state.compare);
-    if (outcome.motions.length > 0) {
+    player.stop();
+    outcome = profile().plan(state.values, commands(), state.compare);
+    motions = outcome.motions;
+    if (motions.length > 0) {
         state.moment = Math.min(state.moment, duration());
     }
-    plots.show(outcome.motions, profile().axes ? state.axis : 0, state.moment);
-    const moment = the<HTMLInputElement>("moment");
-    moment.max = String(duration());
-    moment.value = String(state.moment);
-    const lead = outcome.motions.find(({ beside }) => !beside);
-    the("duration").textContent = lead ? `${lead.duration.toFixed(4)} s` : "No motion";
+    plots.show(motions, lead(), state.moment);
+    const chosen = motions.find(({ beside }) => !beside);
+    the("duration").textContent = chosen ? `${chosen.duration.toFixed(4)} s` : "No motion";
     the("remarks").replaceChildren(
         ...outcome.remarks.map(({ kind, text }) => element("li", { className: kind, textContent: text })),
     );
-    tell(state.moment, true);
+    mark(state.moment);
     settle();
 }
 
@@ -70,7 +91,7 @@ function settle(): void {
         if (location.hash !== address()) {
             location.replace(address());
         }
-        the("code").textContent = code(state.language as Language, state);
+        the("code").textContent = code(state.language as Language, { ...state, commands: commands() });
         plots.describe();
         the("spoken").textContent = [the("duration").textContent, ...outcome.remarks.map(({ text }) => text)].join(", ");
     }, 150);
@@ -91,17 +112,24 @@ function redraw(): void {
 
 function tell(time: number, pinned: boolean): void {
     plots.tell(time, pinned);
-    const [motion] = outcome.motions;
+    const [motion] = motions;
     const text = motion ? `at ${time.toFixed(3)} s` : "";
     the("moment-text").textContent = text;
     const values = motion?.state(time).map((value, i) => `${QUANTITIES[i].name} ${number(value)} ${QUANTITIES[i].unit}`);
     the("moment").setAttribute("aria-valuetext", [text, ...(values ?? [])].join(", "));
 }
 
+/** Moves the marker. */
+function mark(time: number): void {
+    const moment = the<HTMLInputElement>("moment");
+    moment.max = String(duration());
+    moment.value = String(time);
+    tell(time, true);
+}
+
 function pin(time: number): void {
     state.moment = round(Math.min(Math.max(time, 0), duration()));
-    the<HTMLInputElement>("moment").value = String(state.moment);
-    tell(state.moment, true);
+    mark(state.moment);
     settle();
 }
 
@@ -144,7 +172,7 @@ function showCommands(): void {
 
 /** Shows the controls of the profile. */
 function showControls(): void {
-    const { id, note, groups, axes, rival, live } = profile();
+    const { id, note, groups, axes, rival, live, runs } = profile();
     the<HTMLSelectElement>("profile").value = id;
     the("note").textContent = note;
     the("axes").hidden = !axes;
@@ -159,15 +187,18 @@ function showControls(): void {
         state.values[key] = value;
         if (groups.some(({ when }) => when === key)) {
             showControls();
-            the("fields").querySelector<HTMLElement>("[type=checkbox]")!.focus();
+            the("fields").querySelector<HTMLElement>(`[data-key=${key}]`)!.focus();
         }
         redraw();
     });
     the("compare-row").hidden = !rival;
     the("compare-name").textContent = `Compare with ${rival}`;
     the<HTMLInputElement>("compare").checked = state.compare;
-    the("replan").hidden = !live;
-    document.querySelector<HTMLElement>(".legend .plan")!.hidden = !live;
+    the("run").hidden = !runs;
+    the("replan").hidden = !live || state.values.run === 1;
+    const plan = document.querySelector<HTMLElement>(".legend .plan")!;
+    plan.hidden = !live && !state.values.run;
+    plan.textContent = state.values.run ? "new rate" : "new plan";
     showChoice(the("languages"), LANGUAGES, state.language, (name) => {
         state.language = name;
         settle();
@@ -216,7 +247,7 @@ async function copy(id: string, text: string): Promise<void> {
 
 /** Saves the samples that are drawn. */
 function save(): void {
-    const heads = outcome.motions.flatMap(({ name, quantities }) =>
+    const heads = motions.flatMap(({ name, quantities }) =>
         QUANTITIES.slice(0, quantities).map((quantity) => `${name} ${quantity.name.toLowerCase()} [${quantity.unit}]`),
     );
     const rows = Array.from(plots.times, (time, k) => [time, ...plots.samples.flat().map((curve) => curve[k])].join(","));

@@ -222,6 +222,14 @@ export class Plots {
         if (this.motions.length > 0) {
             vertical(this.moment, "--ink", []);
         }
+        ctx.setLineDash([]);
+        this.motions.forEach((motion, i) => {
+            const value = motion.state(this.moment)[quantity];
+            ctx.fillStyle = this.color(this.curve(i));
+            ctx.beginPath();
+            ctx.arc(valToPos(this.moment, "x", true), valToPos(value, "y", true), 4 * devicePixelRatio, 0, 2 * Math.PI);
+            ctx.fill();
+        });
         ctx.restore();
     }
 

@@ -43,6 +43,8 @@ export interface Profile {
     axes?: string[];
     /** The axis can be retargeted in motion. */
     live?: boolean;
+    /** A clock can run the moves. */
+    runs?: boolean;
     plan(values: Values, commands: Command[], compare: boolean): Outcome;
 }
 
@@ -102,7 +104,7 @@ interface Planner {
     idle: boolean;
 }
 
-function planned(planner: Planner, place: number, beside: boolean): Outcome {
+function outcomeOf(planner: Planner, place: number, beside: boolean): Outcome {
     const { name, limits, v1 } = planner;
     const duration = planner.generate(place);
     if (duration === 0 && planner.idle) {
@@ -122,11 +124,11 @@ function planned(planner: Planner, place: number, beside: boolean): Outcome {
 
 /** The chosen planner, and the other one beside it. */
 function compared(chosen: Planner, rival: Planner, compare: boolean): Outcome {
-    const ours = planned(chosen, c.plan_at(0), false);
+    const ours = outcomeOf(chosen, c.plan_at(0), false);
     if (!compare) {
         return ours;
     }
-    const theirs = planned(rival, c.plan_at(1), true);
+    const theirs = outcomeOf(rival, c.plan_at(1), true);
     const [motions, remarks] = [[...ours.motions, ...theirs.motions], [...ours.remarks, ...theirs.remarks]];
     if (motions.length === 2) {
         const longer = motions[1].duration - motions[0].duration;
@@ -192,15 +194,23 @@ function planPoly(family: "poly3" | "poly5" | "poly7", { ts, p0, p1, v0, v1, a0,
     return { motions: [motion], remarks: [{ kind: "note", text: "A polynomial keeps its duration, and no limits." }] };
 }
 
-/** The limits of `atraj_move`: highest and lowest velocity, acceleration, jerk. */
-export function moveLimits({ jm, am, vm, backward, jn, an, vn }: Values): number[] {
+/** The limits of a plan, which leave the reserve to the clock that runs it. */
+function planned({ run, reserve }: Values, limits: number[]): number[] {
+    return run ? limits.map((limit) => Number((limit * (1 - reserve / 100)).toPrecision(12))) : limits;
+}
+
+/** The limits of the axis: highest and lowest velocity, acceleration, jerk. */
+function moveLimits({ jm, am, vm, backward, jn, an, vn }: Values): number[] {
     return backward ? [vm, -vn, am, -an, jm, -jn] : [vm, -vm, am, -am, jm, -jm];
 }
+
+/** The limits that `atraj_move` is planned with. */
+export const plannedLimits = (values: Values) => planned(values, moveLimits(values));
 
 function planMove(values: Values, commands: Command[]): Outcome {
     const [limits, from, to] = [c.limits_at(0), c.from_at(0), c.to_at(0)];
     const [vmax, vmin, amax, amin, jmax, jmin] = moveLimits(values);
-    c.set_limits(limits, vmax, vmin, amax, amin, jmax, jmin);
+    c.set_limits(limits, ...plannedLimits(values));
     c.set_state(from, values.p0, values.v0, values.a0);
     c.set_state(to, values.p1, values.v1, values.a1);
     const lines: Quantities<Range | undefined> = [undefined, [vmin, vmax], [amin, amax], [jmin, jmax]];
@@ -233,10 +243,18 @@ export function axisKey(axis: number, key: string): string {
     return `${AXIS_NAMES[axis].toLowerCase()}.${key}`;
 }
 
+/** The limits of one axis: jerk, acceleration, velocity. */
+function axisLimits(values: Values, axis: number): number[] {
+    return ["jm", "am", "vm"].map((key) => values[axisKey(axis, key)]);
+}
+
+/** The limits that one of several axes is planned with. */
+export const plannedAxisLimits = (values: Values, axis: number) => planned(values, axisLimits(values, axis));
+
 function planAxes(values: Values, plan: "sync" | "line"): Outcome {
     AXIS_NAMES.forEach((_, axis) => {
         const value = (key: string) => values[axisKey(axis, key)];
-        c.atraj_limits_init(c.limits_at(axis), value("jm"), value("am"), value("vm"));
+        c.atraj_limits_init(c.limits_at(axis), ...plannedAxisLimits(values, axis));
         c.set_state(c.from_at(axis), value("p0"), value("v0"), 0);
         c.set_state(c.to_at(axis), value("p1"), 0, 0);
     });
@@ -247,8 +265,7 @@ function planAxes(values: Values, plan: "sync" | "line"): Outcome {
         return { motions: [], remarks: findings("atraj", code, "") };
     }
     const motions = AXIS_NAMES.map((name, axis) => {
-        const value = (key: string) => values[axisKey(axis, key)];
-        const limits = symmetric(value("vm"), value("am"), value("jm"));
+        const limits = symmetric(...axisLimits(values, axis).reverse());
         return new Motion(name, [{ start: 0, plan: move(c.move_at(axis)) }], limits);
     });
     return { motions, remarks: findings("atraj", code, "keeps every limit of every axis") };
@@ -266,6 +283,10 @@ const trapGroups = [
     },
     ...ends(V),
 ];
+const RUN: Group[] = [
+    { title: "Run", fields: [field("run", "Reserve for hold and override", "", 0, 1, 0)] },
+    { title: "Reserve", when: "run", fields: [field("reserve", "Of each limit", "%", 0, 75, 20)] },
+];
 const moveGroups: Group[] = [
     {
         title: "Limits",
@@ -281,6 +302,7 @@ const moveGroups: Group[] = [
         ],
     },
     ...ends(V, A),
+    ...RUN,
 ];
 const axisGroups: Group[] = [
     ...AXIS_NAMES.flatMap((name, axis): Group[] => {
@@ -306,6 +328,7 @@ const axisGroups: Group[] = [
         title: "All axes",
         fields: [field("least", "Least duration", "s", 0, 10, 0), field("cycle", "Clock", "s", 0, 0.1, 0.001)],
     },
+    ...RUN,
 ];
 
 export const PROFILES: Profile[] = [
@@ -315,6 +338,7 @@ export const PROFILES: Profile[] = [
         note: "The fastest move within all limits, planned also in motion.",
         groups: moveGroups,
         live: true,
+        runs: true,
         plan: planMove,
     },
     {
@@ -376,6 +400,7 @@ export const PROFILES: Profile[] = [
         note: "Each axis keeps its own profile, and all arrive together.",
         groups: axisGroups,
         axes: AXIS_NAMES,
+        runs: true,
         plan: (values) => planAxes(values, "sync"),
     },
     {
@@ -384,6 +409,7 @@ export const PROFILES: Profile[] = [
         note: "The fastest motion on the line that keeps the limits of every axis.",
         groups: axisGroups,
         axes: AXIS_NAMES,
+        runs: true,
         plan: (values) => planAxes(values, "line"),
     },
 ];

@@ -1,0 +1,107 @@
+// Does a motion that runs in real time obey the button and the knob, within the limits of the machine?
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { open, OUT, start } from "./browser.js";
+
+let browser, close;
+
+before(async () => ({ browser, close } = await start()));
+after(() => close());
+
+const button = (page, name) => page.locator("#run").getByRole("button", { name, exact: true });
+const words = (page) => page.textContent("#run p");
+/** The time of the marker, s. */
+const marker = async (page) => Number(await page.locator("#moment").inputValue());
+/** Positions where the curves of the page end. */
+const ends = (page) => page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => position.at(-1)));
+
+/** Sets the knob as a drag does: while it moves, and when it is let go. */
+function turn(page, percent) {
+    return page.locator("#run input").evaluate((knob, value) => {
+        knob.value = value;
+        knob.dispatchEvent(new Event("input"));
+        knob.dispatchEvent(new Event("change"));
+    }, String(percent));
+}
+
+/** Which part of the drawn limits the curves use at most, of velocity, acceleration and jerk. */
+function used(page, limits) {
+    return page.evaluate((limits) => {
+        const most = (curve) => curve.reduce((highest, value) => Math.max(highest, Math.abs(value)), 0);
+        return globalThis.atraj.plots.samples.map((axis, i) => limits[i].map((limit, k) => most(axis[k + 1]) / limit));
+    }, limits);
+}
+
+const MACHINES = {
+    "#profile=move": { limits: [[5, 10, 30]], ends: [10] },
+    "#profile=sync": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3] },
+    "#profile=line&reserve=40": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3] },
+};
+
+for (const [hash, machine] of Object.entries(MACHINES)) {
+    test(`hold, go on, override at ${hash}`, async () => {
+        const { page, complaints } = await open(browser, hash);
+        await button(page, "Run").click();
+        assert.match(page.url(), /#/);
+        const early = await marker(page);
+        await page.waitForTimeout(300);
+        const late = await marker(page);
+        assert.ok(late - early > 0.15 && late - early < 2, `the marker went from ${early} to ${late} s`);
+        await button(page, "Hold").click();
+        const [, needed] = (await words(page)).match(/^Holds: stands in (\d\.\d+) s\.$/);
+        await button(page, "Go on").waitFor();
+        await page.waitForTimeout(1000 * needed + 100);
+        const held = await ends(page);
+        await page.waitForTimeout(300);
+        assert.deepEqual(await ends(page), held, "an axis moves while it is held");
+        assert.ok(Math.abs(held[0]) > 0.01 && Math.abs(held[0] - machine.ends[0]) > 0.01, `${held}`);
+        await turn(page, 60);
+        assert.deepEqual(await ends(page), held, "the knob moves an axis that is held");
+        await button(page, "Go on").click();
+        assert.match(await words(page), /^Runs at 60 %\.$/);
+        await turn(page, 90);
+        await page.screenshot({ path: `${OUT}run-${hash.slice(9, 13)}.png`, fullPage: true });
+        await button(page, "Run again").waitFor({ timeout: 15000 });
+        assert.match(await words(page), /at its end/);
+        (await ends(page)).forEach((end, axis) => assert.ok(Math.abs(end - machine.ends[axis]) < 1e-9, `${end}`));
+        for (const part of (await used(page, machine.limits)).flat()) {
+            assert.ok(part > 0.05 && part <= 1 + 1e-9, `${part} of a limit`);
+        }
+        assert.deepEqual(complaints, []);
+        await page.context().close();
+    });
+}
+
+test("without a reserve a hold is refused, and this is said", async () => {
+    const { page } = await open(browser, "#profile=move&run=1&reserve=0&jm=2&am=1&v0=4&p1=9"); // it brakes at once
+    const duration = await page.textContent("#duration");
+    await button(page, "Run").click();
+    await page.waitForTimeout(700);
+    await button(page, "Hold").click();
+    assert.match(await words(page), /^The hold is refused: .*\. It goes on at 100 %\.$/);
+    assert.ok(await button(page, "Hold").isVisible());
+    assert.equal(await page.textContent("#duration"), duration);
+    await page.context().close();
+});
+
+test("an override is as high as the reserve allows, and this is said", async () => {
+    const { page } = await open(browser, "#profile=move&run=1&reserve=20&jm=2&am=1&p1=20");
+    await button(page, "Run").click();
+    await turn(page, 150);
+    const [, given] = (await words(page)).match(/^150 % is refused: the reserve allows (\d+) % until the end\.$/);
+    assert.ok(given >= 102 && given <= 107, `${given} %`);
+    assert.equal(await page.locator("#run input").inputValue(), given);
+    await page.context().close();
+});
+
+test("a new plan ends the run", async () => {
+    const { page } = await open(browser, "#profile=move");
+    await button(page, "Run").click();
+    await page.locator("[data-key=vm]").fill("2");
+    await button(page, "Run").waitFor();
+    await page.waitForTimeout(100);
+    const early = await marker(page);
+    await page.waitForTimeout(200);
+    assert.equal(await marker(page), early);
+    await page.context().close();
+});
