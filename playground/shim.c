@@ -6,7 +6,7 @@
 
 #define NAN __builtin_nan("")
 
-enum { PLANS = 2, AXES = 3, MOVES = 16, CLOCKS = 256, SAMPLES = 2000, QUANTITIES = 4 };
+enum { PLANS = 2, AXES = 3, MOVES = 16, CLOCKS = 256, PATH_AXES = 2, POINTS = MOVES / PATH_AXES + 1, SAMPLES = 2000, QUANTITIES = 4 };
 
 static union {
     a_trajbell bell;
@@ -18,11 +18,14 @@ static union {
 static atraj_move moves[MOVES];
 static atraj_clock clocks[CLOCKS];
 static atraj_limits limits[AXES];
-static atraj_state from[AXES], to[AXES];
+static atraj_state from[AXES], to[AXES], states[POINTS * PATH_AXES];
+static a_float durations[POINTS - 1];
+static a_float work[PATH_AXES * (28 * (POINTS - 1) - 12) + (POINTS - 1) * (POINTS + 11)]; /* atraj_path_size */
 static a_float samples[QUANTITIES][SAMPLES];
 
 int axis_count(void) { return AXES; }
 int move_count(void) { return MOVES; }
+int point_count(void) { return POINTS; }
 int clock_count(void) { return CLOCKS; }
 int sample_count(void) { return SAMPLES; }
 
@@ -33,6 +36,11 @@ atraj_clock *clock_at(int i) { return &clocks[i]; }
 atraj_limits *limits_at(int i) { return &limits[i]; }
 atraj_state *from_at(int i) { return &from[i]; }
 atraj_state *to_at(int i) { return &to[i]; }
+/* The state of an axis at a way point, the durations of the sections between them, and the memory to plan them. */
+atraj_state *state_at(int point, int axis) { return &states[point * PATH_AXES + axis]; }
+a_float *durations_at(void) { return durations; }
+a_float *work_at(void) { return work; }
+a_float duration_of(int section) { return durations[section]; }
 a_float *samples_at(int quantity) { return samples[quantity]; }
 
 void set_limits(atraj_limits *ctx, a_float vmax, a_float vmin, a_float amax, a_float amin, a_float jmax, a_float jmin)

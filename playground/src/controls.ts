@@ -1,6 +1,7 @@
 // The controls of the page: sliders with number fields, and choices.
 import type { Field, Group } from "./profiles";
 import type { Values } from "./state";
+import { inUnit, isLength, scale } from "./units";
 
 /** An element with properties and children. */
 export function element<Name extends keyof HTMLElementTagNameMap>(
@@ -13,15 +14,23 @@ export function element<Name extends keyof HTMLElementTagNameMap>(
     return made;
 }
 
+/** A field of lengths in metres, in another unit of position. */
+function inLength(field: Field, unit: string): Field {
+    const [min, max] = isLength(field.unit) ? [field.min * scale(unit), field.max * scale(unit)] : [field.min, field.max];
+    return { ...field, unit: inUnit(field.unit, unit), min, max };
+}
+
 /** Shows the fields of the groups in `host`. */
-export function showFields(host: HTMLElement, groups: Group[], values: Values, change: (key: string, value: number) => void): void {
+export function showFields(
+    host: HTMLElement, groups: Group[], unit: string, values: Values, change: (key: string, value: number) => void,
+): void {
     host.replaceChildren(
         ...groups.map(({ title, fields }) =>
             element(
                 "fieldset",
                 {},
                 element("legend", { textContent: title }),
-                ...fields.map((field) => (field.unit ? slider(field, values, title, change) : check(field, values, change))),
+                ...fields.map((field) => (field.unit ? slider(inLength(field, unit), values, title, change) : check(field, values, change))),
             ),
         ),
     );

@@ -3,22 +3,34 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { code, type Language, LANGUAGES } from "./code";
 import { element, showChoice, showFields } from "./controls";
-import { AXES, c, type Motion } from "./library";
+import { AXES, c, type Motion, POINTS } from "./library";
+import { Plane } from "./plane";
 import { Player } from "./player";
 import { number, Plots, QUANTITIES } from "./plots";
 import { AXIS_NAMES, COMMANDS, fields, initial, type Outcome, PROFILES } from "./profiles";
-import { type Command, read, type State, write } from "./state";
+import { type Command, type Point, read, type State, write } from "./state";
+import { table } from "./table";
+import { converted, inUnit, isLength, UNITS } from "./units";
 
 const INITIAL: State = {
     profile: PROFILES[0].id,
+    unit: UNITS[0],
     values: initial(),
     commands: [],
+    points: [[0, 0], [4, 5], [8, 5], [12, 0]],
     compare: true,
     axis: 0,
     language: LANGUAGES[0],
     moment: 0.7,
 };
-const KNOWN = { profiles: PROFILES.map(({ id }) => id), languages: LANGUAGES, axes: AXES, commands: COMMANDS };
+const KNOWN = {
+    profiles: PROFILES.map(({ id }) => id),
+    units: UNITS,
+    languages: LANGUAGES,
+    axes: AXES,
+    commands: COMMANDS,
+    points: POINTS,
+};
 
 function the<Kind extends HTMLElement = HTMLElement>(id: string): Kind {
     return document.getElementById(id) as Kind;
@@ -32,7 +44,7 @@ let motions: Motion[] = [];
 const profile = () => PROFILES.find(({ id }) => id === state.profile)!;
 const address = () => write(state, fields(profile(), state.values).map(({ key }) => key));
 const duration = () => Math.max(0, ...motions.map((motion) => motion.duration));
-const lead = () => (profile().axes ? state.axis : 0);
+const lead = () => Math.min(state.axis, (profile().axes?.length ?? 1) - 1);
 /** The plans in motion. A clock runs the first plan alone. */
 const commands = () => (profile().live && !state.values.run ? state.commands : []);
 
@@ -46,6 +58,14 @@ const plots = new Plots(the("plots"), {
     },
 });
 
+const plane = new Plane(document.querySelector<SVGSVGElement>("#plane")!, {
+    move(index, to) {
+        state.points[index] = to.map(round) as Point;
+        redraw();
+    },
+    remove,
+});
+
 const player = new Player(the("run"), {
     plan() {
         if (!state.values.run) {
@@ -57,7 +77,7 @@ const player = new Player(the("run"), {
     },
     draw(run, time) {
         motions = run;
-        plots.show(run, lead(), time);
+        plots.show(run, lead(), time, state.unit);
         mark(time);
     },
     mark,
@@ -66,12 +86,16 @@ const player = new Player(the("run"), {
 /** Plans and draws. Nothing else runs while a slider is dragged. */
 function draw(): void {
     player.stop();
-    outcome = profile().plan(state.values, commands(), state.compare);
+    outcome = profile().plan({ ...state, commands: commands() });
     motions = outcome.motions;
     if (motions.length > 0) {
         state.moment = Math.min(state.moment, duration());
     }
-    plots.show(motions, lead(), state.moment);
+    plots.show(motions, lead(), state.moment, state.unit);
+    if (profile().points) {
+        plane.show(state.points, motions, plots.samples.map(([position]) => position), state.unit);
+    }
+    markRefused();
     const chosen = motions.find(({ beside }) => !beside);
     the("duration").textContent = chosen ? `${chosen.duration.toFixed(4)} s` : "No motion";
     the("remarks").replaceChildren(
@@ -91,7 +115,7 @@ function settle(): void {
         if (location.hash !== address()) {
             location.replace(address());
         }
-        the("code").textContent = code(state.language as Language, { ...state, commands: commands() });
+        the("code").textContent = code(state.language as Language, { ...state, commands: commands().slice(0, outcome.refused) });
         plots.describe();
         the("spoken").textContent = [the("duration").textContent, ...outcome.remarks.map(({ text }) => text)].join(", ");
     }, 150);
@@ -115,7 +139,7 @@ function tell(time: number, pinned: boolean): void {
     const [motion] = motions;
     const text = motion ? `at ${time.toFixed(3)} s` : "";
     the("moment-text").textContent = text;
-    const values = motion?.state(time).map((value, i) => `${QUANTITIES[i].name} ${number(value)} ${QUANTITIES[i].unit}`);
+    const values = motion?.state(time).map((value, i) => `${QUANTITIES[i].name} ${number(value)} ${inUnit(QUANTITIES[i].unit, state.unit)}`);
     the("moment").setAttribute("aria-valuetext", [text, ...(values ?? [])].join(", "));
 }
 
@@ -125,6 +149,7 @@ function mark(time: number): void {
     moment.max = String(duration());
     moment.value = String(time);
     tell(time, true);
+    plane.mark(time);
 }
 
 function pin(time: number): void {
@@ -148,8 +173,8 @@ function command(kind: Command["kind"], target: number): void {
 
 const sign = (value: number) => String(value).replace("-", "−");
 const WORDS = {
-    to: (target: number) => `to ${sign(target)} m`,
-    jog: (target: number) => `at ${sign(target)} m/s`,
+    to: (target: number) => `to ${sign(target)} ${state.unit}`,
+    jog: (target: number) => `at ${sign(target)} ${state.unit}/s`,
     stop: () => "stop",
 };
 
@@ -170,20 +195,61 @@ function showCommands(): void {
     );
 }
 
+/** Marks the plan in motion that is refused, and what would follow. */
+function markRefused(): void {
+    [...the("commands").children].forEach((item, i) => item.classList.toggle("bad", i >= (outcome.refused ?? Infinity)));
+}
+
+/** Adds a way point in the middle of the longest section. */
+function add(): void {
+    const length = (i: number) => Math.hypot(...state.points[i].map((value, axis) => value - state.points[i + 1][axis]));
+    const sections = state.points.slice(1).map((_, i) => i);
+    const longest = sections.reduce((most, i) => (length(i) > length(most) ? i : most));
+    const middle = state.points[longest].map((value, axis) => round((value + state.points[longest + 1][axis]) / 2)) as Point;
+    state.points = state.points.toSpliced(longest + 1, 0, middle);
+    draw();
+    plane.focus(longest + 1);
+}
+
+function remove(index: number): void {
+    if (state.points.length > 2) {
+        state.points = state.points.toSpliced(index, 1);
+        draw();
+        plane.focus(Math.min(index, state.points.length - 1));
+    }
+}
+
+/** Takes another unit of position, and says every length in it. */
+function convert(unit: string): void {
+    const change = (value: number) => converted(value, state.unit, unit);
+    const lengths = new Set(PROFILES.flatMap(({ groups }) => groups.flatMap((group) => group.fields)).filter(({ unit }) => isLength(unit)).map(({ key }) => key));
+    lengths.forEach((key) => (state.values[key] = change(state.values[key])));
+    state.commands = state.commands.map((command) => ({ ...command, target: change(command.target) }));
+    state.points = state.points.map((point) => point.map(change) as Point);
+    for (const id of ["retarget-value", "jog-value"]) {
+        the<HTMLInputElement>(id).value = String(change(the<HTMLInputElement>(id).valueAsNumber || 0));
+    }
+    state.unit = unit;
+    showControls();
+    redraw();
+}
+
 /** Shows the controls of the profile. */
 function showControls(): void {
-    const { id, note, groups, axes, rival, live, runs } = profile();
+    const { id, note, groups, axes, rival, live, runs, points } = profile();
     the<HTMLSelectElement>("profile").value = id;
     the("note").textContent = note;
+    the<HTMLSelectElement>("unit").value = state.unit;
+    document.querySelectorAll<HTMLElement>("[data-unit]").forEach((unit) => (unit.textContent = inUnit(unit.dataset.unit!, state.unit)));
     the("axes").hidden = !axes;
-    showChoice(the("axes"), AXIS_NAMES, AXIS_NAMES[state.axis], (name) => {
+    showChoice(the("axes"), axes ?? [], AXIS_NAMES[lead()], (name) => {
         state.axis = AXIS_NAMES.indexOf(name);
         showControls();
         the("axes").querySelector<HTMLElement>(":checked")!.focus();
         redraw();
     });
-    const shown = groups.filter(({ axis, when }) => (axis ?? state.axis) === state.axis && (!when || state.values[when]));
-    showFields(the("fields"), shown, state.values, (key, value) => {
+    const shown = groups.filter(({ axis, when }) => (axis ?? lead()) === lead() && (!when || state.values[when]));
+    showFields(the("fields"), shown, state.unit, state.values, (key, value) => {
         state.values[key] = value;
         if (groups.some(({ when }) => when === key)) {
             showControls();
@@ -196,14 +262,29 @@ function showControls(): void {
     the<HTMLInputElement>("compare").checked = state.compare;
     the("run").hidden = !runs;
     the("replan").hidden = !live || state.values.run === 1;
-    const plan = document.querySelector<HTMLElement>(".legend .plan")!;
-    plan.hidden = !live && !state.values.run;
-    plan.textContent = state.values.run ? "new rate" : "new plan";
+    the("path").hidden = !points;
+    showLegend();
     showChoice(the("languages"), LANGUAGES, state.language, (name) => {
         state.language = name;
         settle();
     });
     showCommands();
+}
+
+/** Says what lines and shading mean, and of which axis they are. */
+function showLegend(): void {
+    const { axes, runs, marks } = profile();
+    const legend = document.querySelector<HTMLElement>(".legend")!;
+    const say = (name: string, text: string) => (legend.querySelector(`.${name}`)!.textContent = text);
+    const axis = axes && AXIS_NAMES[lead()];
+    legend.style.setProperty("--limit", axis ? `var(--curve-${lead()})` : "");
+    say("faster", axis ? `${axis} speeds up` : "speeds up");
+    say("slower", axis ? `${axis} slows down` : "slows down");
+    say("border", axis ? `end of a phase of ${axis}` : "end of a phase");
+    say("limit", axis ? `limit of ${axis}` : "limit");
+    const mark = runs && state.values.run ? "new rate" : marks;
+    say("plan", mark ?? "");
+    legend.querySelector<HTMLElement>(".plan")!.hidden = !mark;
 }
 
 function listen(): void {
@@ -219,6 +300,9 @@ function listen(): void {
         redraw();
     });
     the("moment").addEventListener("input", (event) => pin((event.target as HTMLInputElement).valueAsNumber));
+    the("unit").addEventListener("change", (event) => convert((event.target as HTMLSelectElement).value));
+    onClick("add", () => state.points.length < POINTS && add());
+    onClick("remove", () => remove(state.points.length - 1));
     onClick("retarget", () => command("to", target("retarget-value")));
     onClick("jog", () => command("jog", target("jog-value")));
     onClick("stop", () => command("stop", 0));
@@ -245,18 +329,19 @@ async function copy(id: string, text: string): Promise<void> {
     setTimeout(() => (button.textContent = name), 1500);
 }
 
-/** Saves the samples that are drawn. */
+/** Saves what is drawn as a table. */
 function save(): void {
-    const heads = motions.flatMap(({ name, quantities }) =>
-        QUANTITIES.slice(0, quantities).map((quantity) => `${name} ${quantity.name.toLowerCase()} [${quantity.unit}]`),
-    );
-    const rows = Array.from(plots.times, (time, k) => [time, ...plots.samples.flat().map((curve) => curve[k])].join(","));
-    const text = [["time [s]", ...heads].join(","), ...rows, ""].join("\n");
-    const url = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
-    element("a", { href: url, download: `${state.profile}.csv` }).click();
-    setTimeout(() => URL.revokeObjectURL(url));
+    const step = the<HTMLInputElement>("step");
+    const text = table(motions, step.valueAsNumber, state.unit);
+    step.setAttribute("aria-invalid", String(text === undefined));
+    if (text !== undefined) {
+        const url = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
+        element("a", { href: url, download: `${state.profile}.csv` }).click();
+        setTimeout(() => URL.revokeObjectURL(url));
+    }
 }
 
+the("unit").append(...UNITS.map((unit) => element("option", { value: unit, textContent: unit })));
 the("profile").append(...PROFILES.map(({ id, name }) => element("option", { value: id, textContent: name })));
 showControls();
 listen();

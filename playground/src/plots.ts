@@ -1,6 +1,7 @@
 // Position, velocity, acceleration and jerk over time, under each other.
 import uPlot from "uplot";
 import { type Motion, type Quantities, SAMPLES } from "./library";
+import { inUnit } from "./units";
 
 export const QUANTITIES = [
     { name: "Position", unit: "m" },
@@ -36,6 +37,7 @@ export class Plots {
     private panels: Panel[] = [];
     private motions: Motion[] = [];
     private lead = 0;
+    private unit = "m";
     private stretches: Stretch[] = [];
     private moment = 0;
     private colors = new Map<string, string>();
@@ -55,15 +57,16 @@ export class Plots {
         document.fonts.ready.then(() => this.repaint());
     }
 
-    /** Draws motions on top of each other. Phases and limits are those of the motion that leads. */
-    show(motions: Motion[], lead: number, moment: number): void {
+    /** Draws motions on top of each other. Shading and phases are those of the motion that leads, and so is the room for limits. */
+    show(motions: Motion[], lead: number, moment: number, unit: string): void {
         this.duration = Math.max(0, ...motions.map((motion) => motion.duration));
         const dt = this.duration / (SAMPLES - 1);
         this.times = Float64Array.from({ length: motions.length ? SAMPLES : 0 }, (_, k) => k * dt);
         this.samples = motions.map((motion) => motion.sample(dt, SAMPLES));
         const quantities = motions[0]?.quantities ?? QUANTITIES.length;
         this.host.classList.toggle("empty", motions.length === 0);
-        const unchanged = this.panels.length === quantities && names(motions) === names(this.motions);
+        const unchanged = this.panels.length === quantities && names(motions) === names(this.motions) && unit === this.unit;
+        this.unit = unit;
         this.motions = motions;
         this.lead = lead;
         this.stretches = motions[lead] ? stretches(this.samples[lead][1], dt) : [];
@@ -100,7 +103,8 @@ export class Plots {
     /** Says in words what each plot shows. */
     describe(): void {
         this.panels.forEach(({ figure }, quantity) => {
-            const { name, unit } = QUANTITIES[quantity];
+            const { name } = QUANTITIES[quantity];
+            const unit = inUnit(QUANTITIES[quantity].unit, this.unit);
             const curves = this.samples.map((all, i) => {
                 const curve = all[quantity];
                 const [lowest, highest] = [curve.reduce((a, b) => Math.min(a, b)), curve.reduce((a, b) => Math.max(a, b))];
@@ -120,7 +124,7 @@ export class Plots {
         this.host.replaceChildren();
         this.panels = QUANTITIES.slice(0, quantities).map(({ name, unit }, quantity) => {
             const figure = document.createElement("figure");
-            figure.innerHTML = `<div class="caption"><b>${name}</b> <span class="unit">${unit}</span><span class="values"></span></div>`;
+            figure.innerHTML = `<div class="caption"><b>${name}</b> <span class="unit">${inUnit(unit, this.unit)}</span><span class="values"></span></div>`;
             figure.setAttribute("role", "img");
             this.host.append(figure);
             const last = quantity + 1 === quantities;
@@ -199,6 +203,7 @@ export class Plots {
     private drawLines({ ctx, bbox, valToPos, scales }: uPlot, quantity: number): void {
         const line = (color: string, dash: number[], ...ends: [number, number, number, number]) => {
             ctx.strokeStyle = this.color(color);
+            ctx.lineWidth = devicePixelRatio;
             ctx.setLineDash(dash.map((length) => length * devicePixelRatio));
             ctx.beginPath();
             ctx.moveTo(ends[0], ends[1]);
@@ -210,15 +215,16 @@ export class Plots {
             line(color, dash, x, bbox.top, x, bbox.top + bbox.height);
         };
         ctx.save();
-        ctx.lineWidth = devicePixelRatio;
         this.borders.forEach((time) => vertical(time, "--border", []));
         this.motions[this.lead]?.pieces.slice(1).forEach(({ start }) => vertical(start, "--accent", [2, 2]));
-        for (const limit of this.motions[this.lead]?.limits[quantity] ?? []) {
-            if (limit > scales.y.min! && limit < scales.y.max!) {
-                const y = Math.round(valToPos(limit, "y", true)) + 0.5;
-                line("--limit", [3, 3], bbox.left, y, bbox.left + bbox.width, y);
+        this.motions.forEach((motion, i) => {
+            for (const limit of motion.beside ? [] : (motion.limits[quantity] ?? [])) {
+                if (limit > scales.y.min! && limit < scales.y.max!) {
+                    const y = Math.round(valToPos(limit, "y", true)) + 0.5;
+                    line(this.limit(i), i === this.lead ? [5, 3] : [1, 4], bbox.left, y, bbox.left + bbox.width, y);
+                }
             }
-        }
+        });
         if (this.motions.length > 0) {
             vertical(this.moment, "--ink", []);
         }
@@ -251,13 +257,19 @@ export class Plots {
         const width = this.host.clientWidth;
         this.panels.forEach(({ plot }, quantity) => {
             const last = quantity + 1 === this.panels.length;
-            plot.setSize({ width, height: (this.panels.length > 3 ? 132 : 176) + (last ? 22 : 0) });
+            const height = parseFloat(getComputedStyle(this.host).getPropertyValue("--plots")) / this.panels.length;
+            plot.setSize({ width, height: height + (last ? 22 : 0) });
         });
     }
 
     /** The name of a curve's colour. */
     private curve(i: number): string {
         return this.motions[i]?.beside ? "--beside" : `--curve-${i}`;
+    }
+
+    /** The name of the colour of limits: of several axes, each has its own. */
+    private limit(i: number): string {
+        return this.motions.some((motion, other) => other !== i && !motion.beside) ? this.curve(i) : "--limit";
     }
 
     /** A colour of the style sheet, as it is now. */

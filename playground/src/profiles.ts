@@ -1,6 +1,6 @@
 // The profiles of the page: their fields, and how the library plans them.
 import { AXES, bell, c, message, MOVES, Motion, move, Plan, type Quantities, type Range, trap } from "./library";
-import type { Command, Values } from "./state";
+import type { Command, Point, State, Values } from "./state";
 
 export interface Field {
     key: string;
@@ -30,6 +30,8 @@ export interface Remark {
 export interface Outcome {
     motions: Motion[];
     remarks: Remark[];
+    /** The first command that the library refuses, counted from 0. */
+    refused?: number;
 }
 
 export interface Profile {
@@ -45,7 +47,11 @@ export interface Profile {
     live?: boolean;
     /** A clock can run the moves. */
     runs?: boolean;
-    plan(values: Values, commands: Command[], compare: boolean): Outcome;
+    /** What the dashed lines on the plots mark. */
+    marks?: string;
+    /** Two axes pass way points. */
+    points?: boolean;
+    plan(state: State): Outcome;
 }
 
 export const AXIS_NAMES = ["X", "Y", "Z"].slice(0, AXES);
@@ -117,7 +123,7 @@ function outcomeOf(planner: Planner, place: number, beside: boolean): Outcome {
     const remarks = findings(name, planner.check(place), "keeps every limit");
     const reached = motion.state(duration)[1];
     if (Math.abs(reached - v1) > 1e-9 * Math.max(1, Math.abs(v1))) {
-        remarks.push({ kind: "bad", text: `${name} ends at ${reached.toFixed(4)} m/s, not at ${v1} m/s.` });
+        remarks.push({ kind: "bad", text: `${name} ends with the velocity ${reached.toFixed(4)}, not with ${v1}.` });
     }
     return { motions: [motion], remarks };
 }
@@ -214,10 +220,12 @@ function planMove(values: Values, commands: Command[]): Outcome {
     c.set_state(from, values.p0, values.v0, values.a0);
     c.set_state(to, values.p1, values.v1, values.a1);
     const lines: Quantities<Range | undefined> = [undefined, [vmin, vmax], [amin, amax], [jmin, jmax]];
+    let refused: number | undefined;
     let code = c.atraj_move_plan(c.move_at(0), limits, from, to);
     if (code < 0) {
         return { motions: [], remarks: findings("atraj", code, "") };
     }
+    const remarks: Remark[] = [];
     const motion = new Motion("atraj", [{ start: 0, plan: move(c.move_at(0)) }], lines);
     for (const [i, { time, kind, target }] of commands.entries()) {
         const [p, v, a] = motion.state(time);
@@ -229,13 +237,14 @@ function planMove(values: Values, commands: Command[]): Outcome {
             : kind === "jog" ? c.atraj_move_reach(place, limits, from, target, 0)
             : c.atraj_move_stop(place, limits, from);
         if (next < 0) {
-            code = next;
+            refused = i;
+            remarks.push({ kind: "bad", text: `atraj refuses the plan at ${time} s: ${message(next)}. The plan before it goes on.` });
             break;
         }
         code = next | (code & STARTS_OUTSIDE);
         motion.pieces.push({ start: time, plan: move(place) });
     }
-    return { motions: [motion], remarks: findings("atraj", code, "keeps every limit") };
+    return { motions: [motion], remarks: [...findings("atraj", code, "keeps every limit"), ...remarks], refused };
 }
 
 /** The field of one axis. */
@@ -271,6 +280,27 @@ function planAxes(values: Values, plan: "sync" | "line"): Outcome {
     return { motions, remarks: findings("atraj", code, "keeps every limit of every axis") };
 }
 
+/** The axes of a path. */
+const PLANE = AXIS_NAMES.slice(0, 2);
+
+function planPath(values: Values, points: Point[]): Outcome {
+    PLANE.forEach((_, axis) => c.atraj_limits_init(c.limits_at(axis), ...axisLimits(values, axis)));
+    points.forEach((point, k) => point.forEach((position, axis) => c.set_state(c.state_at(k, axis), position, 0, 0)));
+    const sections = points.length - 1;
+    const code = c.atraj_path_plan(c.state_at(0, 0), c.durations_at(), c.limits_at(0), PLANE.length, sections, 0, c.work_at());
+    if (code < 0) {
+        return { motions: [], remarks: findings("atraj", code, "") };
+    }
+    const motions = PLANE.map((name, axis) => new Motion(name, [], symmetric(...axisLimits(values, axis).reverse())));
+    for (let [section, start] = [0, 0]; section < sections; section += 1) {
+        const place = (axis: number) => c.move_at(PLANE.length * section + axis);
+        c.atraj_moves_sync(place(0), c.limits_at(0), c.state_at(section, 0), c.state_at(section + 1, 0), PLANE.length, c.duration_of(section), 0);
+        motions.forEach(({ pieces }, axis) => pieces.push({ start, plan: move(place(axis)) }));
+        start += c.move_duration(place(0));
+    }
+    return { motions, remarks: findings("atraj", code, "passes every point and keeps every limit") };
+}
+
 const bellGroups = [{ title: "Limits", fields: [VELOCITY, ACCELERATION, JERK] }, ...ends(V)];
 const trapGroups = [
     {
@@ -304,26 +334,24 @@ const moveGroups: Group[] = [
     ...ends(V, A),
     ...RUN,
 ];
+const own = (axis: number, shared: Field, initial: number): Field => ({ ...shared, key: axisKey(axis, shared.key), initial });
+const limitGroups = AXIS_NAMES.map((name, axis): Group => {
+    const [v, a, j] = [[5, 10, 30], [3, 8, 40], [4, 12, 60]][axis];
+    return { title: `Limits of ${name}`, axis, fields: [own(axis, VELOCITY, v), own(axis, ACCELERATION, a), own(axis, JERK, j)] };
+});
 const axisGroups: Group[] = [
-    ...AXIS_NAMES.flatMap((name, axis): Group[] => {
-        const own = (shared: Field, initial: number): Field => ({ ...shared, key: axisKey(axis, shared.key), initial });
-        return [
-            {
-                title: `Limits of ${name}`,
-                axis,
-                fields: [own(VELOCITY, [5, 3, 4][axis]), own(ACCELERATION, [10, 8, 12][axis]), own(JERK, [30, 40, 60][axis])],
-            },
-            {
-                title: `Way of ${name}`,
-                axis,
-                fields: [
-                    own({ ...START, label: "Start" }, 0),
-                    own({ ...END, label: "End" }, [10, 6, -3][axis]),
-                    own(field("v0", "Velocity at the start", "m/s", -10, 10, 0), 0),
-                ],
-            },
-        ];
-    }),
+    ...AXIS_NAMES.flatMap((name, axis): Group[] => [
+        limitGroups[axis],
+        {
+            title: `Way of ${name}`,
+            axis,
+            fields: [
+                own(axis, { ...START, label: "Start" }, 0),
+                own(axis, { ...END, label: "End" }, [10, 6, -3][axis]),
+                own(axis, field("v0", "Initial velocity", "m/s", -10, 10, 0), 0),
+            ],
+        },
+    ]),
     {
         title: "All axes",
         fields: [field("least", "Least duration", "s", 0, 10, 0), field("cycle", "Clock", "s", 0, 0.1, 0.001)],
@@ -339,7 +367,8 @@ export const PROFILES: Profile[] = [
         groups: moveGroups,
         live: true,
         runs: true,
-        plan: planMove,
+        marks: "new plan",
+        plan: ({ values, commands }) => planMove(values, commands),
     },
     {
         id: "bell",
@@ -347,7 +376,7 @@ export const PROFILES: Profile[] = [
         note: "The fastest plan there is, in liba’s struct: atraj_bell_gen.",
         groups: bellGroups,
         rival: "liba",
-        plan: (values, _, compare) => planBell(values, "atraj", compare),
+        plan: ({ values, compare }) => planBell(values, "atraj", compare),
     },
     {
         id: "liba-bell",
@@ -355,7 +384,7 @@ export const PROFILES: Profile[] = [
         note: "a_trajbell_gen, with liba’s bits.",
         groups: bellGroups,
         rival: "atraj",
-        plan: (values, _, compare) => planBell(values, "liba", compare),
+        plan: ({ values, compare }) => planBell(values, "liba", compare),
     },
     {
         id: "trap",
@@ -363,7 +392,7 @@ export const PROFILES: Profile[] = [
         note: "The fastest plan there is, in liba’s struct: atraj_trap_gen.",
         groups: trapGroups,
         rival: "liba",
-        plan: (values, _, compare) => planTrap(values, "atraj", compare),
+        plan: ({ values, compare }) => planTrap(values, "atraj", compare),
     },
     {
         id: "liba-trap",
@@ -371,28 +400,28 @@ export const PROFILES: Profile[] = [
         note: "a_trajtrap_gen, with liba’s bits.",
         groups: trapGroups,
         rival: "atraj",
-        plan: (values, _, compare) => planTrap(values, "liba", compare),
+        plan: ({ values, compare }) => planTrap(values, "liba", compare),
     },
     {
         id: "poly3",
         name: "Cubic polynomial",
         note: "Position and velocity are given at both ends.",
         groups: [DURATION, ...ends(V)],
-        plan: (values) => planPoly("poly3", values),
+        plan: ({ values }) => planPoly("poly3", values),
     },
     {
         id: "poly5",
         name: "Quintic polynomial",
         note: "Position, velocity and acceleration are given at both ends.",
         groups: [DURATION, ...ends(V, A)],
-        plan: (values) => planPoly("poly5", values),
+        plan: ({ values }) => planPoly("poly5", values),
     },
     {
         id: "poly7",
         name: "Septic polynomial",
         note: "Position, velocity, acceleration and jerk are given at both ends.",
         groups: [DURATION, ...ends(V, A, J)],
-        plan: (values) => planPoly("poly7", values),
+        plan: ({ values }) => planPoly("poly7", values),
     },
     {
         id: "sync",
@@ -401,7 +430,7 @@ export const PROFILES: Profile[] = [
         groups: axisGroups,
         axes: AXIS_NAMES,
         runs: true,
-        plan: (values) => planAxes(values, "sync"),
+        plan: ({ values }) => planAxes(values, "sync"),
     },
     {
         id: "line",
@@ -410,7 +439,17 @@ export const PROFILES: Profile[] = [
         groups: axisGroups,
         axes: AXIS_NAMES,
         runs: true,
-        plan: (values) => planAxes(values, "line"),
+        plan: ({ values }) => planAxes(values, "line"),
+    },
+    {
+        id: "path",
+        name: "Way points without stops",
+        note: "Two axes pass every point, as fast as the limits of both allow. Drag a point, or move it by the arrow keys.",
+        groups: limitGroups.slice(0, PLANE.length),
+        axes: PLANE,
+        points: true,
+        marks: "way point",
+        plan: ({ values, points }) => planPath(values, points),
     },
 ];
 

@@ -10,6 +10,8 @@ const run = promisify(execFile);
 const CODE = `${OUT}code/`;
 const FLAGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", `-I${ROOT}target/dist/include`];
 const ARCHIVE = `${ROOT}target/dist/lib/libatraj.a`;
+/** `make playground-check` installs the package there. */
+const PYTHON = `${ROOT}target/python/venv/bin/python`;
 const MANIFEST = `[package]
 name = "code"
 edition = "2024"
@@ -32,7 +34,11 @@ const HASHES = {
     retargeted: "profile=move&then=0.7~to~-2.5_1.1~jog~1.5_1.8~stop~0",
     sync: "profile=sync&y.v0=-1",
     line: "profile=line&least=4&cycle=0.004",
+    reserved: "profile=sync&run=1&reserve=30",
+    path: "profile=path&unit=mm&points=0~0_3~4_3~-1_6~2",
 };
+/** The program for the path prints six setpoints of each section, and each way point once. In Python it prints eleven. */
+const SETPOINTS = { path: 16 };
 
 let browser, close;
 const shown = {};
@@ -44,7 +50,7 @@ before(async () => {
     for (const [name, hash] of Object.entries(HASHES)) {
         const { page } = await open(browser, `#${hash}`);
         shown[name] = await page.textContent("#duration");
-        for (const [language, file] of [["C", `${name}.c`], ["C++", `${name}.cpp`], ["Rust", `src/bin/${name}.rs`]]) {
+        for (const [language, file] of [["C", `${name}.c`], ["C++", `${name}.cpp`], ["Rust", `src/bin/${name}.rs`], ["Python", `${name}.py`]]) {
             await page.getByRole("radio", { name: language, exact: true }).check();
             await settled(page);
             await writeFile(CODE + file, await page.textContent("#code"));
@@ -54,9 +60,9 @@ before(async () => {
 });
 after(() => close());
 
-function told(name, printed) {
+function told(name, printed, setpoints = SETPOINTS[name] ?? 11) {
     const lines = printed.trim().split("\n");
-    assert.equal(lines.length, 11);
+    assert.equal(lines.length, setpoints);
     assert.match(shown[name], /^\d+\.\d{4} s$/);
     const times = lines.map((line) => Number.parseFloat(line));
     times.slice(1).forEach((time, k) => assert.ok(time > times[k], printed));
@@ -79,5 +85,11 @@ test("all in Rust", async () => {
     await run("cargo", ["build", "--quiet", "--manifest-path", `${CODE}Cargo.toml`], { env: flags });
     for (const name of Object.keys(HASHES)) {
         told(name, (await run(`${CODE}target/debug/${name}`)).stdout);
+    }
+});
+
+test("all in Python", async () => {
+    for (const name of Object.keys(HASHES)) {
+        told(name, (await run(PYTHON, [`${CODE}${name}.py`])).stdout, 11);
     }
 });

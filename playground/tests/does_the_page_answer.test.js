@@ -120,7 +120,7 @@ for (const [hash, words] of [
     ["#profile=move&v1=9", [/^atraj refuses: the target is outside the limits/]],
     ["#profile=bell&p1=0.2&v0=3", [/^atraj keeps every limit/, /leaves the positions/, /^liba refuses: liba finds no such move/]],
     ["#profile=liba-bell&p1=0.2&v0=3", [/^liba refuses/, /^atraj keeps every limit/]],
-    ["#profile=liba-trap&v0=4&p1=0.5", [/^liba .*ends at 2\.4495 m\/s, not at 0/, /^atraj keeps every limit/]],
+    ["#profile=liba-trap&v0=4&p1=0.5", [/^liba .*ends with the velocity 2\.4495, not with 0/, /^atraj keeps every limit/]],
     ["#profile=trap&ac=0", [/^atraj refuses/, /^liba /]],
     ["#profile=bell&p0=3&p1=3", [/^atraj: there is nothing to do/]],
     ["#profile=poly5&ts=0", [/no such polynomial/]],
@@ -142,7 +142,7 @@ onPage("several axes end together, on a line", "#profile=line", async (page) => 
         return [...x].map((value, k) => Math.abs(value * 0.6 - y[k]));
     });
     assert.ok(Math.max(...ratios) < 1e-9);
-    await page.getByRole("radio", { name: "Y" }).check();
+    await page.getByRole("radio", { name: "Y", exact: true }).check();
     assert.ok(await page.getByText("Limits of Y").isVisible());
 });
 
@@ -150,6 +150,7 @@ for (const hash of [
     "#profile=trap&ac=7&de=3.5&compare=no",
     "#profile=move&backward=1&vn=1.5&then=0.5~to~-3_1.25~jog~1_2~stop~0",
     "#profile=sync&y.p1=4",
+    "#profile=path&unit=rad&points=0%7E0_1%7E2.5_-3%7E1",
 ]) {
     onPage(`the address ${hash} comes back`, hash, async (page) => {
         const [address, shown] = [new URL(page.url()).hash, [await duration(page), await curves(page)]];
@@ -173,9 +174,120 @@ onPage("a wrong address gives the page as it begins", "#profile=x&vm=fast&then=1
 onPage("the table holds what is drawn", "#profile=bell", async (page) => {
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save CSV" }).click()]);
     const lines = (await readFile(await download.path(), "utf8")).trim().split("\n");
-    assert.equal(lines.length, 2001);
+    assert.equal(lines.length, 1 + 2834 + 1); // a row each millisecond, and the end
     assert.match(lines[0], /^time \[s\],atraj position \[m\],.*,liba jerk \[m\/s³\]$/);
+    assert.match(lines[2], /^0\.001,/);
     assert.match(lines.at(-1), /^2\.8333333333333\d*,10,/);
+});
+
+onPage("the table has a row every step, and none without a step", "#profile=bell&compare=no&unit=mm", async (page) => {
+    await page.locator("#step").fill("0.5");
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save CSV" }).click()]);
+    const lines = (await readFile(await download.path(), "utf8")).trim().split("\n");
+    assert.deepEqual(lines.slice(1, -1).map((line) => Number.parseFloat(line)), [0, 0.5, 1, 1.5, 2, 2.5]);
+    assert.match(lines[0], /velocity \[mm\/s\]/);
+    await page.locator("#step").fill("0");
+    await page.getByRole("button", { name: "Save CSV" }).click();
+    assert.equal(await page.locator("#step").getAttribute("aria-invalid"), "true");
+});
+
+onPage("limits and shading say of which axis they are, in its colour", "#profile=sync&axis=1", async (page) => {
+    const legend = () => page.locator(".legend").textContent();
+    assert.match(await legend(), /Y speeds up\s+Y slows down\s+end of a phase of Y\s+limit of Y/);
+    const color = () => page.locator(".legend .limit").evaluate((item) => getComputedStyle(item, "::before").borderTopColor);
+    const value = (i) => page.locator(".value").nth(i).evaluate((item) => getComputedStyle(item).color);
+    assert.equal(await color(), await value(1));
+    await page.getByRole("radio", { name: "Z" }).check();
+    assert.match(await legend(), /limit of Z/);
+    assert.equal(await color(), await value(2));
+    // The lowest and the highest velocity of Z are dashed lines of this colour.
+    const levels = await page.locator("#plots canvas").nth(1).evaluate((canvas, wanted) => {
+        const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+        const is = (x, y) => wanted.every((part, i) => Math.abs(data[4 * (y * width + x) + i] - part) < 4);
+        const count = (y) => Array.from({ length: width }, (_, x) => x).filter((x) => is(x, y)).length;
+        return Array.from({ length: height }, (_, y) => y).filter((y) => count(y) > 0.5 * (width - 60)).length;
+    }, (await value(2)).match(/\d+/g).map(Number));
+    assert.equal(levels, 2);
+});
+
+onPage("a unit of position converts every length, and no time", "#profile=move&then=0.7~to~-2", async (page) => {
+    const [time, before] = [await duration(page), await curves(page)];
+    await page.getByLabel("Unit of position").selectOption("mm");
+    await settled(page);
+    assert.equal(await duration(page), time);
+    assert.equal(await page.locator("#field-vm").inputValue(), "5000");
+    assert.match(await page.locator(".caption").nth(2).textContent(), /mm\/s²/);
+    assert.match(await page.locator("#commands").textContent(), /0\.7 s: to −2000 mm/);
+    assert.match(await page.textContent("#code"), /%\.4f mm/);
+    await page.getByLabel("Unit of position").selectOption("steps");
+    await page.getByLabel("Unit of position").selectOption("m");
+    await settled(page);
+    assert.equal(await curves(page), before);
+});
+
+onPage("a plan in motion that is refused is named", "#profile=move&then=0.5~to~3_0.7~jog~9_1~stop~0", async (page) => {
+    const [bad] = (await remarks(page)).filter((text) => text.includes("refuses"));
+    assert.match(bad, /^atraj refuses the plan at 0\.7 s: the target is outside the limits/);
+    assert.deepEqual(await page.locator("#commands .bad span").allTextContents(), ["0.7 s: at 9 m/s", "1 s: stop"]);
+    assert.ok(!(await page.textContent("#code")).includes("9"), "the program has the plan that is refused");
+});
+
+test("on a narrow screen the plots stay in sight while a limit is dragged", async () => {
+    const { page } = await open(browser, "#profile=move", { viewport: { width: 390, height: 844 } });
+    for (const key of ["vm", "jm", "a1"]) {
+        const slider = page.locator(`[data-key=${key}]`);
+        await slider.evaluate((range) => range.scrollIntoView({ block: "center" }));
+        const [plots, range] = [await page.locator("#plots").boundingBox(), await slider.boundingBox()];
+        assert.ok(plots.y >= 0 && plots.y + plots.height < range.y && range.y < 844, `${key}: ${JSON.stringify([plots, range])}`);
+        const right = await page.locator("#plots canvas").first().evaluate((canvas) => canvas.getBoundingClientRect().right);
+        assert.ok(right <= 390, `the plots end at ${right}`);
+    }
+    await page.context().close();
+});
+
+const positions = (page) => page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => [...position]));
+const passes = ([xs, ys], [x, y]) => xs.some((value, k) => Math.hypot(value - x, ys[k] - y) < 0.02);
+
+onPage("a way point is dragged by the mouse", "#profile=path", async (page) => {
+    const { x, y, width } = await page.getByRole("slider", { name: "Way point 2" }).boundingBox();
+    const before = await duration(page);
+    await page.mouse.move(x + width / 2, y + width / 2);
+    await page.mouse.down();
+    await page.mouse.move(x - 60, y + 90, { steps: 4 });
+    await page.mouse.up();
+    await settled(page);
+    assert.notEqual(await duration(page), before);
+    const [, px, py] = page.url().match(/points=0%7E0_([-.\d]+)%7E([-.\d]+)_8%7E5_12%7E0/);
+    assert.ok(px < 4 && py < 5, `${px} ${py}`);
+    assert.ok(passes(await positions(page), [px, py]));
+    const box = await page.getByRole("slider", { name: "Way point 2" }).boundingBox();
+    assert.ok(box.x < x && box.y > y - 40);
+});
+
+onPage("the keyboard alone moves, adds and removes a way point", "#profile=path", async (page) => {
+    const point = page.getByRole("slider", { name: "Way point 3" });
+    await point.focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowDown");
+    await settled(page);
+    assert.equal(await point.getAttribute("aria-valuetext"), "x 8.1000 m, y 4.9000 m");
+    assert.ok(passes(await positions(page), [8.1, 4.9]));
+    await page.getByRole("button", { name: "Add a point" }).press("Enter");
+    await settled(page);
+    assert.equal(await page.getByRole("slider", { name: /^Way point/ }).count(), 5);
+    await page.keyboard.press("Delete");
+    await page.keyboard.press("Delete");
+    await settled(page);
+    assert.equal(await page.getByRole("slider", { name: /^Way point/ }).count(), 3);
+    for (let k = 0; k < 3; k += 1) {
+        await page.getByRole("button", { name: "Remove the last" }).click();
+    }
+    assert.equal(await page.getByRole("slider", { name: /^Way point/ }).count(), 2);
+});
+
+onPage("the plane has one scale", "#profile=path&points=0~0_10~10", async (page) => {
+    const centers = await page.locator("#plane .point").evaluateAll((points) => points.map((point) => point.getBoundingClientRect()));
+    assert.ok(Math.abs(centers[1].x - centers[0].x - (centers[0].y - centers[1].y)) < 0.5);
 });
 
 onPage("every control has a name", "#profile=move&backward=1&then=0.5~stop~0", async (page) => {

@@ -12,7 +12,7 @@ after(() => close());
 const RETARGETED = "#profile=move&then=0.7~to~-2_1.8~stop~0&moment=1.2";
 const NARROW = { viewport: { width: 390, height: 844 } };
 const PICTURES = {
-    readme: [RETARGETED, { viewport: { width: 1120, height: 964 } }, false],
+    readme: [RETARGETED, { viewport: { width: 1120, height: 1036 } }, false],
     light: [RETARGETED],
     dark: [`${RETARGETED}&language=Rust`, { colorScheme: "dark" }],
     narrow: [RETARGETED, NARROW],
@@ -22,6 +22,8 @@ const PICTURES = {
     line: ["#profile=line"],
     step: ["#profile=sync&axis=1", { colorScheme: "dark" }],
     septic: ["#profile=poly7"],
+    path: ["#profile=path"],
+    "path-narrow": ["#profile=path&unit=deg", { ...NARROW, colorScheme: "dark" }],
     refused: ["#profile=move&vm=0"],
 };
 
