@@ -32,6 +32,9 @@
 #                             where the table in docs/trust.md ends, and adds its rows, also when it is stopped. SOAK_SEED=n starts at seed
 #                             n, SOAK_SEEDS=n ends after n seeds; SOAK=calls, plans, moves (from any state to any state), replans, axes
 #                             (several axes that move together) or paths does one of these
+# make mutants                plants small faults into a copy of the library and counts those that the tests see: MUTANTS=60 of each storey,
+#                             drawn by MUTANT_SEED=1. It goes on where it was stopped
+# make coverage               prints which regions and branches of the library the tests reach; needs llvm-cov of rustc's LLVM
 # make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
 #                             FUZZ_SEED=n starts at seed n, not 1
 # make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
@@ -113,7 +116,7 @@ MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
 .PHONY: help setup rust dist dist-locked where install uninstall deb identify demo examples consumers builds release release-check \
-    doc check soak fuzz python python-check playground playground-check firmware-setup firmware-check firmware-report bench \
+    doc check soak mutants coverage fuzz python python-check playground playground-check firmware-setup firmware-check firmware-report bench \
     instructions instructions-update
 
 help:
@@ -124,7 +127,7 @@ setup:
 
 # What would end in a message of cargo that does not tell what to do.
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
-dist check doc soak bench instructions instructions-update fuzz python builds consumers firmware-check: | rust
+dist check doc soak mutants coverage bench instructions instructions-update fuzz python builds consumers firmware-check: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
 	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/install.md' >&2; exit 1; }
@@ -285,6 +288,19 @@ SOAK ?= calls plans moves replans axes paths
 soak:
 	$(CARGO) fetch --quiet $(ORACLE)
 	SOAK="$(CARGO) run --quiet --release $(ORACLE) --bin soak --" SOAK_SEED=$(SOAK_SEED) SOAK_SEEDS=$(SOAK_SEEDS) tests/soak.sh $(SOAK)
+
+MUTANTS ?= 60
+MUTANT_SEED ?= 1
+TOOLS := $(CURDIR)/target/tools
+
+$(TOOLS)/bin/cargo-mutants:
+	$(CARGO) install --quiet --locked --version 26.0.0 --root $(TOOLS) --target-dir $(TOOLS)/build cargo-mutants
+
+mutants: $(TOOLS)/bin/cargo-mutants
+	PATH="$(TOOLS)/bin:$$PATH" tests/mutants.sh $(MUTANT_SEED) $(MUTANTS)
+
+coverage:
+	tests/coverage.sh
 
 # The benchmark is compiled with the archive's settings, or it would measure other code.
 BENCH := $(CARGO) run --quiet --profile bench $(ORACLE) --bin bench

@@ -1,0 +1,31 @@
+/* Counts executed instructions. QEMU's -icount ties the clock of a board to them, so the numbers are exact and repeatable. */
+#ifndef TIMER_H
+#define TIMER_H
+
+#include <stdint.h>
+
+#if defined(__arm__)
+/* CMSDK timer 0 counts down at 25 MHz; with -icount shift=10 an instruction takes 1024 ns. */
+static volatile uint32_t *const TIMER = (volatile uint32_t *)0x40000000;
+enum { CONTROL, VALUE, RELOAD };
+
+static inline void start_timer(void)
+{
+    TIMER[RELOAD] = UINT32_MAX;
+    TIMER[VALUE] = UINT32_MAX;
+    TIMER[CONTROL] = 1;
+}
+static inline uint32_t now(void) { return ~TIMER[VALUE]; }
+static inline uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024); }
+#else
+static inline void start_timer(void) {}
+static inline uint32_t now(void)
+{
+    uint32_t count;
+    __asm__ volatile("csrr %0, minstret" : "=r"(count));
+    return count;
+}
+static inline uint32_t instructions(uint32_t ticks) { return ticks; }
+#endif
+
+#endif

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# mutants.sh SEED OF_EACH: judges so many random mutants of each storey, and prints the table and the survivors. It goes on where it was
+# stopped: target/mutants/SEED holds a line for each judged mutant. After a change of the library, take another seed.
+set -euo pipefail
+seed=$1 of_each=$2
+out=$PWD/target/mutants/$seed
+tree=$out/tree
+results=$out/results.tsv
+mkdir -p "$out"
+touch "$out/unviable" "$results"
+tool=$PWD/target/mutants/tool/release/mutants
+
+CARGO_TARGET_DIR=target/mutants/tool cargo build --quiet --release --locked --manifest-path tests/mutants/Cargo.toml
+
+copy() {
+    rm -rf "$tree"
+    mkdir -p "$tree"
+    git ls-files -z | xargs -0 cp --parents -t "$tree"
+}
+# cargo-mutants leaves unsafe functions out, and each C function is one. The places stay where they were.
+if ! test -s "$out/list.json"; then
+    copy
+    find "$tree/src/capi" -name '*.rs' -exec sed -i 's/pub unsafe extern "C" fn/pub        extern "C" fn/' {} +
+    (cd "$tree" && cargo mutants --list --json) > "$out/list.json"
+fi
+
+check() { (cd "$tree" && CARGO_TARGET_DIR=$out/programs/build cargo check --quiet --features capi --message-format=json) > "$out/messages.json"; }
+if ! test -e "$out/programs/whole"; then
+    while
+        copy
+        "$tool" plant "$out/list.json" "$tree" "$seed" "$of_each" "$out/unviable" > "$out/constant" || exit
+        ! check
+    do
+        refused=$(wc -l < "$out/unviable")
+        "$tool" refuse "$tree" "$out/messages.json" "$out/unviable"
+        test "$(wc -l < "$out/unviable")" -gt "$refused" || { echo 'the planted library does not compile' >&2; exit 1; }
+    done
+    tests/programs.sh "$tree" "$out/programs"
+fi
+
+trap '"$tool" report "$results"' EXIT
+cd "$tree"
+"$tool" judge "$out/list.json" "$seed" "$of_each" "$out/unviable" "$out/constant" "$out/programs" "$results"

@@ -1,0 +1,60 @@
+//! The table of what was judged.
+
+use std::collections::BTreeMap;
+
+#[derive(Default)]
+struct Counts {
+    killed: u32,
+    timeouts: u32,
+    survived: u32,
+    unviable: u32,
+    constant: u32,
+}
+
+/// Prints the counts of each storey, and the survivors.
+pub fn print(results: &str) {
+    let mut storeys: BTreeMap<&str, Counts> = BTreeMap::new();
+    let mut survivors = Vec::new();
+    for line in results.lines() {
+        let [storey, verdict, _, _, name] = line.split('\t').collect::<Vec<_>>()[..] else {
+            panic!("no result: {line}");
+        };
+        for row in [storey, "**all**"] {
+            let counts = storeys.entry(row).or_default();
+            match verdict {
+                "killed" => counts.killed += 1,
+                "timeout" => counts.timeouts += 1,
+                "survived" => counts.survived += 1,
+                "unviable" => counts.unviable += 1,
+                "constant" => counts.constant += 1,
+                _ => panic!("no verdict: {line}"),
+            }
+        }
+        if verdict == "survived" {
+            survivors.push(name);
+        }
+    }
+    println!("| storey | judged | killed | hung | survived | seen, % | 95 % interval | do not compile | in constants |");
+    println!("|---|---:|---:|---:|---:|---:|---:|---:|---:|");
+    for (storey, counts) in storeys {
+        let Counts { killed, timeouts, survived, unviable, constant } = counts;
+        let (seen, judged) = (killed + timeouts, killed + timeouts + survived);
+        let share = 100.0 * f64::from(seen) / f64::from(judged);
+        let [low, high] = wilson(f64::from(seen), f64::from(judged)).map(|share| 100.0 * share);
+        println!("| {storey} | {judged} | {killed} | {timeouts} | {survived} | {share:.1} | {low:.1} to {high:.1} | {unviable} | {constant} |");
+    }
+    println!();
+    survivors.sort_unstable();
+    for name in survivors {
+        println!("- `{name}`");
+    }
+}
+
+/// Wilson's interval for a share, with 95 % confidence.
+fn wilson(seen: f64, judged: f64) -> [f64; 2] {
+    let z = 1.959_964;
+    let share = seen / judged;
+    let middle = share + z * z / (2.0 * judged);
+    let half = z * (share * (1.0 - share) / judged + z * z / (4.0 * judged * judged)).sqrt();
+    [middle - half, middle + half].map(|bound| bound / (1.0 + z * z / judged))
+}

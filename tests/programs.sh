@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# programs.sh TREE OUT: builds the tests of the copy TREE of this repository as few programs: OUT/unit, OUT/root, OUT/oracle, and OUT/c, which
+# runs the C programs OUT/c-*. `make mutants` and `make coverage` run them. The oracle's tests that are made for minutes are made for seconds
+# here.
+set -euo pipefail
+tree=$1 out=$2
+mkdir -p "$out"
+export CARGO_TARGET_DIR=$out/build CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_RELEASE_OPT_LEVEL=1
+export CARGO_PROFILE_TEST_OPT_LEVEL=1
+cd "$tree"
+
+sizes='do_axes_arrive_together:SEEDS:1 do_axes_arrive_together:SETS:1_000 is_the_fastest_motion_right:SEEDS:1 does_a_path_pass_its_points:PATHS:200
+    do_axes_stay_inside:SETS:2_000 is_a_step_lost:MOVES:10_000 does_the_clock_keep_the_limits:PATHS:3_334 does_a_replan_detour:MOVES:400
+    does_every_plan_pass:PROBLEMS:20_000 does_every_plan_pass:SETS:1_000 does_a_move_stay_inside:PROBLEMS:10_000'
+for size in $sizes; do
+    IFS=: read -r name constant value <<< "$size"
+    sed -i "/^const $constant: /{s/= .*;/= $value;/;h};\${x;/./!{x;q1};x}" "tests/oracle/tests/$name.rs"
+done
+
+# `are_the_derivatives_right` compiles files of the library as its own, so it cannot be a part of another program. No test needs the bins.
+rm -r tests/oracle/tests/are_the_derivatives_right.rs tests/oracle/src/bin
+
+# One program for all tests of a package: the library is compiled once.
+merge() {
+    local file modules=
+    for file in "$1"/*.rs; do
+        modules+="#[path = \"${file##*/}\"] mod $(basename "$file" .rs);"
+    done
+    echo "$modules" > "$1/all.rs"
+}
+merge tests
+merge tests/oracle/tests
+
+# program NAME ARGUMENTS…: what cargo builds with these arguments, as OUT/NAME.
+program() {
+    cargo "${@:2}" --message-format=json-render-diagnostics > "$out/messages.json"
+    cp "$(sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' "$out/messages.json" | tail -1)" "$out/$1"
+}
+program unit test --quiet --no-run --lib
+program root test --quiet --no-run --test all
+program oracle test --quiet --release --no-run --locked --manifest-path tests/oracle/Cargo.toml --test all
+
+cargo rustc --quiet --release --lib --crate-type staticlib --features capi --message-format=json-render-diagnostics -- --cfg atraj_archive \
+    > "$out/messages.json"
+library=$(sed -n 's|.*"filenames":\["\([^"]*/libatraj\.a\)".*|\1|p' "$out/messages.json")
+config=$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' "$out/messages.json")
+mkdir -p "$out/include"
+cp -R include/. "$out/include"
+cp "$config/atraj_config.h" "$out/include/a/"
+contracts='abi sample fastest move axes axis path clock shaper steps' replays='golden claraty'
+for source in $contracts $replays; do
+    cc -std=c99 -O1 -I"$out/include" -Wl,--defsym=rust_eh_personality=0 "c_tests/$source.c" "$library" -lm -o "$out/c-$source"
+done
+cat > "$out/c" <<END
+#!/bin/sh
+set -e
+for source in $contracts; do $out/c-\$source; done
+for source in $replays; do $out/c-\$source $tree/tests/golden; done
+END
+chmod +x "$out/c"
+touch "$out/whole"
