@@ -13,7 +13,7 @@
 #                             original fails, pictures of the examples in target/demo
 # make examples               builds and runs the examples in C, C++ (needs a C++ compiler) and Rust
 # make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
-# make doc                    writes the guide and the references for C and for Rust as one site: target/doc/index.html
+# make doc                    writes the guide, the references for C and for Rust and the playground as one site: target/site/index.html
 # make python                 builds the wheel of the Python package in target/python; needs Python with venv, and the network
 #
 # make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
@@ -84,15 +84,20 @@ endif
 ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
 $(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
 endif
-# Bare metal and Windows have neither the clock of Unix nor its shared libraries.
-UNIX := $(if $(TARGET),$(filter %-linux-gnu,$(TARGET)),host)
-FEATURES := capi $(UNIX:%=std) $(filter float,$(REAL)) $(POLY:%=poly-%)
+# Linux has the clock of `std`. Bare metal and Windows have not.
+LINUX := $(if $(TARGET),$(findstring -linux-,$(TARGET)),host)
+WINDOWS := $(filter %-windows-gnu,$(TARGET))
+# Who links musl links the archive.
+SONAMED := $(if $(TARGET),$(filter %-linux-gnu %-linux-gnueabihf,$(TARGET)),host)
+FEATURES := capi $(LINUX:%=std) $(filter float,$(REAL)) $(POLY:%=poly-%)
 # The highest levels are the default.
 LEVELS := $(filter-out -poly3-level3 -poly5-level3 -poly7-level4,$(foreach n,3 5 7,$(A_TRAJPOLY$n:%=-poly$n-level%)))
 # Only builds of the same ABI have the same name.
 ABI := $(subst $() ,,$(patsubst %,-%,$(filter float,$(REAL)) $(POLY))$(LEVELS)$(SYMBOL_PREFIX:%=-prefix-%))
 NAME := atraj$(ABI)
-SONAME := lib$(NAME).so.$(firstword $(subst ., ,$(VERSION)))
+MAJOR := $(firstword $(subst ., ,$(VERSION)))
+SONAME := lib$(NAME).so.$(MAJOR)
+DLL := lib$(NAME)-$(MAJOR).dll
 PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
 VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
@@ -185,11 +190,16 @@ ifdef SYMBOL_PREFIX
 	find $(NEW)/include -type f -exec sed -i -f $(NAMES).sed {} +
 endif
 	$(CROSS)ar crsD $(NEW)/lib/lib$(NAME).a $(OBJECT)
-ifdef UNIX
+ifdef SONAMED
 	$(CC) -shared -Wl,-soname,$(SONAME) -Wl,--as-needed -o $(NEW)/lib/lib$(NAME).so.$(VERSION) $(OBJECT) -lm
 	ln -s lib$(NAME).so.$(VERSION) $(NEW)/lib/$(SONAME)
 	ln -s $(SONAME) $(NEW)/lib/lib$(NAME).so
 	$(foreach name,$(HWCAPS),$(call level,$(name)))
+endif
+ifdef WINDOWS
+	mkdir -p $(NEW)/bin
+	$(CC) -shared -Wl,--out-implib,$(NEW)/lib/lib$(NAME).dll.a -Wl,--no-insert-timestamp -Wl,--strip-all -static-libgcc \
+	    -o $(NEW)/bin/$(DLL) $(OBJECT)
 endif
 	cp "$$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' $(CARGO_DIR)/messages.json)/atraj_config.h" \
 	    $(NEW)/include/a/
@@ -233,10 +243,20 @@ release:
 release-check: release
 	tests/release.sh
 
-doc: dist
-	$(CARGO) doc --no-deps --features capi
+# mdBook clears the folder of the site.
+SITE := target/site
+MDBOOK := target/mdbook-0.4.52/bin/mdbook
+$(MDBOOK):
+	$(CARGO) install --quiet --locked --no-default-features --features search --version =0.4.52 --root $(@:%/bin/mdbook=%) mdbook
+
+doc: dist playground $(MDBOOK)
+	docs/site/book.sh target/book
+	$(MDBOOK) build --dest-dir $(CURDIR)/$(SITE) target/book
+	$(CARGO) doc --quiet --no-deps --features capi --target-dir target/reference
 	doxygen
-	docs/site/pages.sh target/doc
+	cp -R target/reference/doc $(SITE)/rust
+	cp -R target/reference/c/html $(SITE)/c
+	cp target/playground/index.html $(SITE)/playground.html
 
 DEMO := target/demo
 DEMO_FLAGS := -std=c99 -O2 -I$(DIST)/include

@@ -1,10 +1,15 @@
 #!/bin/sh
-# archive.sh DIST FOLDER TARGET REAL: makes FOLDER, the content of a release archive: the files of DIST, README.md, which says
-# how a program for TARGET is compiled, and example.c.
+# archive.sh DIST FOLDER TARGET ABI: makes FOLDER, the content of a release archive: the files of DIST, README.md, which says
+# how a program for TARGET is compiled, and example.c. ABI is double, float, double-compact or float-compact.
 set -eu
-dist=$1 folder=$2 target=$3 real=$4
+dist=$1 folder=$2 target=$3
+real=${4%-compact}
+case $4 in
+*-compact) polynomials="compact, as in liba since 2025-03" ;;
+*) polynomials="those of liba 0.1.15" ;;
+esac
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
-library=$(cd "$dist" && echo lib/*.a)
+library=$(cd "$dist" && ls lib/*.a | grep -v '\.dll\.a$')
 optimise=-O2 board='' run='' program=example note=''
 
 rm -rf "$folder"
@@ -20,11 +25,26 @@ aarch64-unknown-linux-gnu)
     run='qemu-aarch64 -L /usr/aarch64-linux-gnu'
     note='On an AArch64 machine, `cc` compiles it, and `./example` runs it.'
     ;;
+armv7-unknown-linux-gnueabihf)
+    compiler=arm-linux-gnueabihf-gcc
+    run='qemu-arm -L /usr/arm-linux-gnueabihf'
+    note='On a 32-bit Raspberry Pi OS, for example, `cc` compiles it, and `./example` runs it.'
+    ;;
+x86_64-unknown-linux-musl)
+    compiler=musl-gcc
+    note='On Alpine, `cc` compiles it.'
+    ;;
+aarch64-unknown-linux-musl)
+    compiler='zig cc -target aarch64-linux-musl'
+    run=qemu-aarch64
+    note='On Alpine, `cc` compiles it, and `./example` runs it. zig is on PyPI too: `pip install ziglang`, `python -m ziglang cc`.'
+    ;;
 x86_64-pc-windows-gnu)
     compiler=x86_64-w64-mingw32-gcc
     program=example.exe
     run=wine
-    note='On Windows, MinGW'\''s `gcc` compiles it, and `.\example` runs it. A `claraty_trapezoid` begins with the manual clock.'
+    note='On Windows, MinGW'\''s `gcc` compiles it, and `.\example` runs it. A `claraty_trapezoid` begins with the manual clock.
+`bin` holds the DLL, `lib/*.dll.a` its import library, which `lld-link` takes too.'
     ;;
 *)
     MAKEFLAGS='' make -s -C c_tests/firmware commands NAME="$target" > "$folder.commands"
@@ -36,14 +56,14 @@ x86_64-pc-windows-gnu)
     note='`board.txt` gives the linker the start code and the memory of an emulator. Those of your board take their place.'
     ;;
 esac
-flags=$(echo "$compiler" | cut -s -d ' ' -f 2-)
+flags=$(echo "$compiler" | sed -n 's/^[^ ]* \(cc \)\{0,1\}//p')
 compile="$compiler $optimise -Iinclude example.c $library -lm${board:+ $board} -o $program"
 
 cat > "$folder/README.md" << END
 # atraj $version for $target, a_float is $real
 Motion profiles behind a C ABI, compiled: a program needs a C compiler, and no Rust. MIT or Apache-2.0: \`share/doc\`.
-Flags for C: \`-Iinclude${flags:+ $flags}\`. Link \`$library\`, then \`-lm\`.
-pkg-config and CMake find the library in \`lib\`; its functions are described in \`include\`.
+The polynomial structs are $polynomials. The headers in \`include\` describe the functions.
+Flags for C: \`-Iinclude${flags:+ $flags}\`. Link \`$library\`, then \`-lm\`. pkg-config and CMake find the library in \`lib\`.
 \`\`\`sh
 $compile
 ${run:+$run }./$program
@@ -52,4 +72,4 @@ $note
 END
 
 # The example's first comment says how it is compiled.
-awk -v compile="$compile" '/^ +make dist$/ { next } /^ +cc / { $0 = "     " compile } { print }' examples/02_follow.c > "$folder/example.c"
+awk -v compile="$compile" '/^ +make dist$/ { next } /^ +cc / { $0 = "     " compile } { print }' examples/06_retarget.c > "$folder/example.c"

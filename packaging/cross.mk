@@ -7,11 +7,11 @@ CARGO_TARGET := --target $(TARGET)
 # Both real types share this directory: Debian's Rust compiles `core` into it, and compiling `core` takes longest.
 CARGO_DIR := target/build-$(TARGET)$(CPU:%=-%)
 
-ifneq ($(filter %-linux-gnu %-windows-gnu,$(TARGET)),)
+ifneq ($(findstring -linux-,$(TARGET))$(filter %-windows-gnu,$(TARGET)),)
 PROFILE := release
 RUSTC_FLAGS := $(HOST_RUSTC_FLAGS)
-# The names that Debian gives to its cross compilers.
-CROSS := $(subst -unknown-,-,$(TARGET:-pc-windows-gnu=-w64-mingw32))-
+# The names that Debian gives to its cross compilers. Objects for musl and for glibc have the same tools.
+CROSS := $(subst armv7,arm,$(subst -unknown-,-,$(patsubst %-musl,%-gnu,$(TARGET:-pc-windows-gnu=-w64-mingw32))))-
 else
 PROFILE := firmware
 RUSTC_FLAGS := -C force-unwind-tables=no

@@ -21,7 +21,7 @@ place() {
 
 # each_file COMMAND: calls the command with each file of DIST
 each_file() {
-    (cd "$dist" && find lib include share ! -type d) | while read -r file; do
+    (cd "$dist" && find -- * ! -type d) | while read -r file; do
         "$1" "$file"
     done
 }

@@ -49,6 +49,8 @@
 #define ATRAJ_TARGETS "aarch64-unknown-linux-gnu aarch64-unknown-linux-musl"
 #elif defined(__aarch64__) && defined(__ELF__)
 #define ATRAJ_TARGETS "aarch64-unknown-none"
+#elif defined(__ARM_PCS_VFP) && __ARM_ARCH >= 7 && defined(__linux__)
+#define ATRAJ_TARGETS "armv7-unknown-linux-gnueabihf armv7-unknown-linux-musleabihf"
 #elif defined(__x86_64__) && defined(__linux__) && defined(__LP64__)
 #define ATRAJ_TARGETS "x86_64-unknown-linux-gnu x86_64-unknown-linux-musl"
 #elif defined(__x86_64__) && defined(__MINGW32__)

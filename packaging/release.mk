@@ -1,16 +1,20 @@
-# Writes target/release-VERSION: an archive for each target and real type, the sources with what they depend on, a bill of
-# materials (CycloneDX), checksums, and with KEY=… their signature. The top Makefile starts it: make release.
+# Writes target/release-VERSION: an archive for each target and ABI, the sources with what they depend on, a bill of materials
+# (CycloneDX), Debian packages, the site with the playground in it, wheels, checksums, and with KEY=… their signature. The top Makefile
+# starts it: make release.
 #
 # Two clones of one commit give the same bytes. No file tells where or by whom it was built, and every time is the commit's.
 
-REALS := double float
-HOSTS := x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu
+HOSTS := x86_64-unknown-linux-gnu x86_64-unknown-linux-musl aarch64-unknown-linux-gnu aarch64-unknown-linux-musl \
+    armv7-unknown-linux-gnueabihf x86_64-pc-windows-gnu
 include packaging/chips.mk
 TARGETS ?= $(HOSTS) $(CHIPS)
+ABIS ?= double float double-compact float-compact
+# What is no archive of the library. A goal of the top Makefile makes each.
+PARTS ?= debian site python
 
 OUT := target/release-$(VERSION)
 WORK := target/release-work
-ARCHIVES := $(foreach t,$(TARGETS),$(REALS:%=$(OUT)/atraj-$(VERSION)-$t-%.tar.gz))
+ARCHIVES := $(foreach t,$(TARGETS),$(ABIS:%=$(OUT)/atraj-$(VERSION)-$t-%.tar.gz))
 SOURCE := atraj-$(VERSION)-source
 BILL := $(OUT)/atraj-$(VERSION).cdx.json
 
@@ -21,27 +25,48 @@ $(if $(SOURCE_DATE_EPOCH),,$(error make release takes the sources and their date
 .PHONY: all
 all: $(OUT)/SHA256SUMS$(if $(KEY),.sig)
 
-$(OUT)/SHA256SUMS: $(ARCHIVES) $(OUT)/$(SOURCE).tar.gz $(BILL)
-	cd $(OUT) && sha256sum $(sort $(notdir $^)) > SHA256SUMS
+# Python's tools choose the names of wheels, so the files are counted when all are there.
+$(OUT)/SHA256SUMS: $(ARCHIVES) $(OUT)/$(SOURCE).tar.gz $(BILL) $(PARTS)
+	cd $(OUT) && LC_ALL=C && sha256sum -- * > $(abspath $(WORK))/SHA256SUMS
+	mv $(WORK)/SHA256SUMS $@
 
 $(OUT)/SHA256SUMS.sig: $(OUT)/SHA256SUMS
 	ssh-keygen -q -Y sign -n file -f '$(KEY)' $<
 
 # $(call pack,folder): packs this folder of WORK. Every system can unpack gzip; zstd would have to be installed on many.
-pack = tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@$(SOURCE_DATE_EPOCH) --mode=a+rX,u+w,go-w \
-    --use-compress-program='gzip -9n' -C $(WORK) -cf $@ $1
+pack = $(call pack_as,$@,$1)
+pack_as = tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@$(SOURCE_DATE_EPOCH) --mode=a+rX,u+w,go-w \
+    --use-compress-program='gzip -9n' -C $(WORK) -cf $1 $2
 
 # The archive of this machine, HOST, is the `make dist` that all tests run on.
-dist = target/dist$(filter-out -$(HOST),-$1)$(filter -float,-$2)
+dist = target/dist$(filter-out -$(HOST),-$1)$(patsubst -double%,%,-$2)
 
-# $(call archive,target,real)
+# $(call archive,target,abi)
 define archive
 $(OUT)/atraj-$(VERSION)-$1-$2.tar.gz:
-	MAKEFLAGS= $$(MAKE) -s dist $(or $(call choices,$1),TARGET=$(filter-out $(HOST),$1)) REAL=$2
+	MAKEFLAGS= $$(MAKE) -s dist $(or $(call choices,$1),TARGET=$(filter-out $(HOST),$1)) REAL=$(2:%-compact=%) \
+	    POLY=$(if $(filter %-compact,$2),compact)
 	packaging/archive.sh $(call dist,$1,$2) $(WORK)/atraj-$(VERSION)-$1-$2 $1 $2
 	$$(call pack,atraj-$(VERSION)-$1-$2)
 endef
-$(foreach t,$(TARGETS),$(foreach r,$(REALS),$(eval $(call archive,$t,$r))))
+$(foreach t,$(TARGETS),$(foreach a,$(ABIS),$(eval $(call archive,$t,$a))))
+
+.PHONY: debian site python
+debian:
+	MAKEFLAGS= $(MAKE) -s deb
+	cp target/deb/*.deb $(OUT)
+
+SITE := atraj-$(VERSION)-site
+site:
+	MAKEFLAGS= $(MAKE) -s doc
+	rm -rf $(WORK)/$(SITE)
+	cp -R target/site $(WORK)/$(SITE)
+	$(call pack_as,$(OUT)/$(SITE).tar.gz,$(SITE))
+	cp target/playground/index.html $(OUT)/atraj-$(VERSION)-playground.html
+
+python:
+	MAKEFLAGS= $(MAKE) -s python
+	find target/python -maxdepth 2 -name 'atraj-*.whl' -o -maxdepth 2 -name 'atraj-*.tar.gz' | xargs cp -t $(OUT)
 
 $(OUT)/$(SOURCE).tar.gz:
 	rm -rf $(WORK)/$(SOURCE)

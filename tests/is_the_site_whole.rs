@@ -1,4 +1,5 @@
-//! Does `make doc` write one site: a page for each document, all in the table of contents, both references, and no dead link?
+//! Does `make doc` write one site: a page for each document and each example, all in the table of contents, both references, the
+//! playground, and no dead link?
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,29 +8,33 @@ use std::sync::LazyLock;
 use support::repository::root;
 use support::tools::{has_tool, run};
 
-/// Where `make doc` writes the site. It runs once for all tests of this file; without Doxygen there is no site.
+/// Where `make doc` writes the site. It runs once for all tests of this file; without Doxygen and npm there is no site.
 static SITE: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
-    has_tool("doxygen").then(|| {
+    (has_tool("doxygen") && has_tool("npm")).then(|| {
         run(Command::new("make")
             .current_dir(root())
             .env_remove("MAKEFLAGS")
             .args(["-s", "doc"]));
-        root().join("target/doc")
+        root().join("target/site")
     })
 });
 
-/// The guide's pages: one for README.md and for each document in docs.
+/// The guide's pages: one for README.md, for each document in docs, and for each example.
 fn pages(site: &Path) -> Vec<PathBuf> {
-    let documents = fs::read_dir(root().join("docs")).unwrap();
-    let paths = documents.map(|document| document.unwrap().path());
-    let names = paths
-        .filter(|path| path.extension().is_some_and(|e| e == "md"))
-        .map(|path| match path.file_stem().unwrap().to_str().unwrap() {
-            "README" => "index".to_owned(),
-            stem => stem.to_owned(),
-        });
-    let names = names.chain(["overview".to_owned()]);
-    names.map(|name| site.join(name + ".html")).collect()
+    let names = |folder: &str, extension: &str| -> Vec<PathBuf> {
+        let entries = fs::read_dir(root().join(folder)).unwrap();
+        let paths = entries.map(|entry| Path::new(folder).join(entry.unwrap().file_name()));
+        paths
+            .filter(|path| path.extension().is_some_and(|e| e == extension))
+            .collect()
+    };
+    let mut documents = names("docs", "md");
+    documents.extend(names("examples", "c"));
+    documents.extend(["README.md", "examples/README.md", "tests/README.md"].map(PathBuf::from));
+    let pages = documents
+        .iter()
+        .map(|path| site.join(path).with_extension("html"));
+    pages.collect()
 }
 
 /// What a page refers to, but for other sites.
@@ -46,12 +51,16 @@ fn links(page: &Path) -> Vec<String> {
 #[test]
 fn every_page_is_in_the_table_of_contents() {
     let Some(site) = &*SITE else { return };
-    let listed = links(&site.join("index.html"));
-    let references = ["c/html/index.html", "atraj/index.html"].map(|name| site.join(name));
-    for page in pages(site).into_iter().chain(references) {
+    let listed = links(&site.join("toc.html"));
+    for page in pages(site) {
         assert!(page.is_file(), "{}", page.display());
         let name = page.strip_prefix(site).unwrap().to_str().unwrap();
         assert!(listed.iter().any(|link| link == name), "{name}");
+    }
+    let references = links(&site.join("docs/site/references.html"));
+    for name in ["c/index.html", "rust/atraj/index.html", "playground.html"] {
+        let link = format!("../../{name}");
+        assert!(references.contains(&link), "{name}");
     }
 }
 
@@ -65,7 +74,7 @@ fn no_link_is_dead() {
             let target = if file.is_empty() {
                 page.clone()
             } else {
-                site.join(file)
+                page.parent().unwrap().join(file)
             };
             let leads = target.is_file()
                 && (place.is_empty() || read(&target).contains(&format!("id=\"{place}\"")));
@@ -79,11 +88,13 @@ fn no_link_is_dead() {
 #[test]
 fn the_c_reference_tells_what_to_include() {
     let Some(site) = &*SITE else { return };
-    let c = site.join("c/html");
+    let c = site.join("c");
     let first = read(&c.join("index.html"));
     assert!(first.contains("#include \"a/trajbell.h\"") && first.contains("a_trajbell_gen"));
+    let function = without_tags(&read(&c.join("trajbell_8h.html")));
+    assert!(function.contains("a_trajbell_gen") && !function.contains("A_EXTERN"));
     assert!(
-        first.contains("href=\"../../index.html\""),
+        first.contains("href=\"../index.html\""),
         "no way back to the guide"
     );
     for (page, include) in [
