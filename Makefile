@@ -4,7 +4,9 @@
 # make dist TARGET=<triple>   archive and headers for bare metal or another host, in target/dist-<triple>
 # make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
 #                             and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
-# make deb                    packs the files of `make dist` for Debian, in target/deb; DEBFULLNAME and DEBEMAIL name the maintainer
+# make deb                    packs both real types for Debian, in target/deb, by debian/rules
+# make address URL=<address>  writes the address of the repository into every file that names it; MAINTAINER='Name <mail>' does so with
+#                             the maintainer of packages
 # make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
 # make setup                  installs the packages of Debian that the goals need; FOR='firmware release' installs those of some goals:
 #                             packaging/debian-packages.txt. Needs root
@@ -81,9 +83,6 @@ endif
 ifneq ($(and $(CPU),$(CARGO_ENCODED_RUSTFLAGS)),)
 $(error CARGO_ENCODED_RUSTFLAGS hides CPU=$(CPU) from Rust: unset CARGO_ENCODED_RUSTFLAGS, or leave CPU out and write HWCAPS=)
 endif
-ifneq ($(and $(filter deb,$(MAKECMDGOALS)),$(TARGET)$(CPU)),)
-$(error make deb packs for every processor of this architecture: leave TARGET and CPU out)
-endif
 # Linux has the clock of `std`. Bare metal and Windows have not.
 LINUX := $(if $(TARGET),$(findstring -linux-,$(TARGET)),host)
 WINDOWS := $(filter %-windows-gnu,$(TARGET))
@@ -101,7 +100,7 @@ DLL := lib$(NAME)-$(MAJOR).dll
 PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
 VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
-ifneq ($(and $(filter demo examples python-check release release-check,$(MAKECMDGOALS)),$(VARIANT)),)
+ifneq ($(and $(filter demo examples deb python-check release release-check,$(MAKECMDGOALS)),$(VARIANT)),)
 $(error make $(MAKECMDGOALS) is for the default build: leave TARGET, CPU, REAL, POLY, SYMBOL_PREFIX and the levels out)
 endif
 
@@ -120,7 +119,7 @@ endif
 MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
-.PHONY: help setup rust dist dist-locked where install uninstall deb identify demo examples consumers builds release release-check \
+.PHONY: help setup rust dist dist-locked where install uninstall deb address identify demo examples consumers builds release release-check \
     doc check soak mutants coverage fuzz python python-check playground playground-check firmware-setup firmware-check firmware-report bench \
     instructions instructions-update
 
@@ -222,8 +221,14 @@ $(ARCHIVE):
 install uninstall: $(ARCHIVE)
 	packaging/install.sh $@ $(DIST) $(NAME)
 
-deb: $(ARCHIVE)
-	packaging/deb.sh $(DIST) $(NAME) $(VERSION)
+deb:
+	rm -rf target/deb
+	DEB_RULES_REQUIRES_ROOT=no env -u MAKEFLAGS debian/rules binary > target/deb.log 2>&1 || { cat target/deb.log >&2; exit 1; }
+	debian/rules clean >> target/deb.log
+
+# The present address is `repository` in Cargo.toml, the present maintainer that of debian/control.
+address:
+	packaging/address.sh '$(URL)' '$(MAINTAINER)'
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:

@@ -42,7 +42,7 @@ command_is_told() {
 wrong_target() {
     refused 'TARGET=thumbv9-none-eabi does not exist: ' make -C "$copy" dist TARGET=thumbv9-none-eabi
     test ! -e "$copy/target/build-thumbv9-none-eabi"
-    for goal in demo examples release python-check; do
+    for goal in demo examples deb release python-check; do
         refused "make $goal is for the default build: leave " make -C "$copy" $goal REAL=float
     done
 }

@@ -44,7 +44,7 @@ complete() {
     for file in source.tar.gz site.tar.gz playground.html; do echo "atraj-$version-$file"; done >> expected
     printf '%s\n' "atraj-$version.cdx.json" SHA256SUMS >> expected
     (cd "$release" && ls ./*.deb ./*.whl) | sed 's|^\./||' > named_by_tools
-    test "$(grep -c '^libatraj.*\.deb$' named_by_tools)" = 2
+    test "$(grep -c '^libatraj.*\.deb$' named_by_tools)" = 4
     grep '\.whl$' named_by_tools
     (cd "$release" && ls) | grep -v "^atraj-$version\.tar\.gz$" | LC_ALL=C sort > there
     cat expected named_by_tools | LC_ALL=C sort | diff - there

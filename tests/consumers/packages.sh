@@ -217,14 +217,12 @@ conan_create() {
 debian=$work/debian
 
 debian_packages() {
-    export DEBFULLNAME=Nobody DEBEMAIL=nobody@debian.org SOURCE_DATE_EPOCH=1700000000
     for turn in first second; do
-        make -C "$root" deb REAL=$real
-        mkdir $turn
-        cp "$root/target/deb/lib${package}0_"*.deb "$root/target/deb/lib$package-dev_"*.deb $turn
+        make -C "$root" deb
+        cp -R "$root/target/deb" $turn
     done
     diff -r first second
-    refused 'leave TARGET and CPU out' make -C "$root" deb REAL=$real CPU=native
+    test "$(ls first | wc -l)" = 4
     lintian --allow-root --fail-on error,warning first/*.deb
     mkdir -p "$debian/var/lib/dpkg/updates" "$debian/var/lib/dpkg/info"
     touch "$debian/var/lib/dpkg/status"
@@ -290,10 +288,10 @@ if have python3; then
     row "conan create, shared, float" conan_create True
 fi
 
-if have dpkg-shlibdeps && have lintian && have pkg-config && have cmake; then
+if have dh && have lintian && have pkg-config && have cmake; then
+    row "make deb, lintian, dpkg" debian_packages
     for real in double float; do
         about $real
-        row "make deb, $real" debian_packages
         row "program on the Debian packages, $real" debian_program
     done
 fi
