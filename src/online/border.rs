@@ -9,7 +9,7 @@
 //! the middle of the fall. The lower border is the upper border of the mirrored axis.
 
 use super::profile::{MOST_SEGMENTS, Profile, Segment};
-use super::ramp::{Change, PerJerk, Ramp};
+use super::ramp::{Change, PerJerk, Ramp, seen};
 use crate::limits::Limits;
 use crate::real::Real;
 
@@ -106,7 +106,7 @@ impl<R: Real> Border<R> {
 
     /// The change of velocity by way of a higher acceleration, in the mirrored axis if `mirrored`.
     fn ramp(&self, beyond: R, mirrored: bool) -> Ramp<R> {
-        let [beyond, a0, a1] = [beyond, self.a0, self.a1].map(|x| x.negate_if(mirrored));
+        let [beyond, a0, a1] = seen([beyond, self.a0, self.a1], mirrored);
         let limit = if mirrored {
             -self.limits.amin
         } else {
@@ -118,7 +118,7 @@ impl<R: Real> Border<R> {
 
     /// The straight change of the acceleration, in the mirrored axis if `mirrored`.
     pub fn straight(&self, mirrored: bool) -> Ramp<R> {
-        let [a0, a1] = [self.a0, self.a1].map(|x| x.negate_if(mirrored));
+        let (a0, a1) = (self.a0.negate_if(mirrored), self.a1.negate_if(mirrored));
         Ramp::straight(a0, a1).mirrored_if(mirrored)
     }
 
@@ -126,7 +126,7 @@ impl<R: Real> Border<R> {
     /// `None` if the change is more than rounding.
     pub fn fitted(&self, ramp: &Ramp<R>, lacks: R) -> Option<(Ramp<R>, R)> {
         let mirrored = ramp.mirrored;
-        let [v0, lacks] = [self.v0, lacks].map(|x| x.negate_if(mirrored));
+        let (v0, lacks) = (self.v0.negate_if(mirrored), lacks.negate_if(mirrored));
         let limit = if mirrored {
             -self.limits.amin
         } else {
@@ -143,13 +143,14 @@ impl<R: Real> Border<R> {
     /// Duration and displacement of a ramp.
     pub fn passed(&self, ramp: &Ramp<R>) -> (R, R) {
         let mirrored = ramp.mirrored;
-        let [v0, a0, a1] = [self.v0, self.a0, self.a1].map(|x| x.negate_if(mirrored));
+        let [v0, a0, a1] = seen([self.v0, self.a0, self.a1], mirrored);
         let per_jerk = self.per_jerk.mirrored_if(mirrored);
         let (duration, displacement) = ramp.passed(v0, a0, a1, per_jerk);
         (duration, displacement.negate_if(mirrored))
     }
 
     /// The profile of a ramp.
+    #[inline(never)] // for its size: it is asked in eight places
     pub fn profile(&self, ramp: &Ramp<R>) -> Profile<R> {
         let Ramp {
             mirrored,
@@ -365,7 +366,10 @@ impl<R: Real> Border<R> {
         // Then the fall begins and ends at other accelerations. The accelerations at the ends of the motion are exact.
         let moved = first_rise - first;
         let first = first_rise;
-        let [peak, trough] = [peak, trough].map(|a| (a + moved).negate_if(mirrored));
+        let (peak, trough) = (
+            (peak + moved).negate_if(mirrored),
+            (trough + moved).negate_if(mirrored),
+        );
         let peak = if first + top > R::ZERO { peak } else { self.a0 };
         let trough = if last + bottom > R::ZERO {
             trough

@@ -49,6 +49,11 @@ impl<R: Real> PerJerk<R> {
     }
 }
 
+/// Three numbers as the mirrored axis sees them, if `mirrored`.
+pub(crate) fn seen<R: Real>([x, y, z]: [R; 3], mirrored: bool) -> [R; 3] {
+    if mirrored { [-x, -y, -z] } else { [x, y, z] }
+}
+
 /// Changes since the start. A constant velocity is left out.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Change<R> {
@@ -162,7 +167,7 @@ impl<R: Real> Ramp<R> {
         if change.abs() > most {
             return None;
         }
-        let [rise, peak, fall] = [self.rise, self.peak, self.fall].map(|x| x + z);
+        let (rise, peak, fall) = (self.rise + z, self.peak + z, self.fall + z);
         let hold = if holds { self.hold + longer } else { R::ZERO };
         let changed = Self {
             rise,

@@ -66,7 +66,7 @@ fn first_from<R: Real>(
     if lacks.abs() <= tie && tie.is_finite() {
         let exact = border.fitted(ramp, lacks).map(|(fitted, _)| fitted);
         let is_near = |fitted: &Ramp<R>| {
-            let [from, to] = [ramp, fitted].map(|ramp| border.passed(ramp).0);
+            let (from, to) = (border.passed(ramp).0, border.passed(fitted).0);
             (to - from).abs() <= R::SIXTEENTH * from && !ramp.is_straight()
         };
         return Ok(border.profile(&exact.filter(is_near).unwrap_or(*ramp)));
@@ -171,6 +171,7 @@ fn lacking<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, positions: R) -> (
 
 /// Up to which rounding a motion of this duration reaches its displacement. Its velocities have roundings in proportion to the velocities of both
 /// ends and to what the accelerations at the ends add. Between standstills every displacement is made, because it costs no detour.
+#[inline(never)] // for its size: it is asked in five places
 pub(super) fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
     let (a0, a1) = (border.a0.abs(), border.a1.abs());
     let added = border.undone.at_most(a0.at_least(a1) * duration);

@@ -6,7 +6,7 @@ use crate::online::Move;
 use crate::online::border::Border;
 use crate::online::problem::Problem;
 use crate::online::profile::{MOST_SEGMENTS, Segment};
-use crate::online::ramp::{PerJerk, Ramp};
+use crate::online::ramp::{PerJerk, Ramp, seen};
 use crate::real::Real;
 
 /// A motion at the velocity `v` between two ramps.
@@ -154,7 +154,7 @@ impl<R: Real> Side<R> {
         } else {
             border.limits.amax
         };
-        let [beyond, a0, v0] = [beyond, border.a0, border.v0].map(|x| x.negate_if(mirrored));
+        let [beyond, a0, v0] = seen([beyond, border.a0, border.v0], mirrored);
         let per_jerk = border.per_jerk.mirrored_if(mirrored);
         let ramp = Ramp::over(beyond, a0, R::ZERO, limit, per_jerk);
         let (duration, displacement) = ramp.passed(v0, a0, R::ZERO, per_jerk);
