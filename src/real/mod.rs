@@ -59,7 +59,8 @@ pub trait Operations: Primitives {
         }
         // m = (1 + s)/(1 - s) lies between 3/4 and 3/2, so |s| <= 1/5. The first term that is left out is 2/11 s^11.
         let s = (m - Self::ONE) / (m + Self::ONE);
-        let [third, fifth, seventh, ninth] = [3, 5, 7, 9].map(|n| Self::ONE / Self::from(n));
+        let part = |n| Self::ONE / Self::from(n);
+        let (third, fifth, seventh, ninth) = (part(3), part(5), part(7), part(9));
         let square = s * s;
         let series = square * (third + square * (fifth + square * (seventh + square * ninth)));
         Self::from_index(octaves) * Self::LN_2 + (s + s) * (Self::ONE + series)
