@@ -95,8 +95,8 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// The weight of a way point.
     fn weight_of_point(&self, point: usize) -> R {
-        let [before, behind] = [point - 1, point].map(|section| self.memory.weights.at(section));
-        before.at_most(behind)
+        let weights = &self.memory.weights;
+        weights.at(point - 1).at_most(weights.at(point))
     }
 
     /// Finds slacks, gradient and Hessian of the plan as it stands. `None` if the plan is not inside.

@@ -67,8 +67,8 @@ impl<R: Real> Chain<'_, '_, R> {
         }
         let now = self.parabola(point, axis, &self.memory.durations);
         let then = self.parabola(point, axis, &self.memory.tried);
-        let [before, behind] =
-            [point - 1, point].map(|section| part * self.memory.changes.at(section));
+        let before = part * self.memory.changes.at(point - 1);
+        let behind = part * self.memory.changes.at(point);
         let [[v1, a1], [v2, a2]] = now.slopes;
         let ([v, a], [to_v, to_a]) = (now.state, then.state);
         let [moved_v, moved_a] = straight;
@@ -80,17 +80,20 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Whether the possible displacements of a section beside a way point spread less than half of the way.
     pub fn is_narrow(&self, point: usize, axis: usize) -> bool {
-        [point - 1, point].into_iter().any(|section| {
+        let is_narrow = |section| {
             let [above, below] = self.memory.slacks.row(section * self.axes + axis);
             let h = self.displacement(section, axis);
             above + below < R::HALF * h.abs()
-        })
+        };
+        is_narrow(point - 1) || is_narrow(point)
     }
 
     pub fn parabola(&self, point: usize, axis: usize, durations: &Column<R>) -> Parabola<R> {
-        let sections = [point - 1, point];
-        let displacements = sections.map(|section| self.displacement(section, axis));
-        let inside = sections.map(|section| self.inside(section, axis, durations.at(section)));
-        Parabola::through(displacements, inside)
+        let displacement = |section| self.displacement(section, axis);
+        let inside = |section| self.inside(section, axis, durations.at(section));
+        Parabola::through(
+            [displacement(point - 1), displacement(point)],
+            [inside(point - 1), inside(point)],
+        )
     }
 }

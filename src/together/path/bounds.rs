@@ -87,8 +87,8 @@ impl<R: Real> Bounds<R> {
 
     /// The product of the slacks, if the state is inside.
     pub fn product(&self, state: [R; 2]) -> Option<R> {
-        let slacks @ [amax, amin, vmax, vmin] = self.slacks(state);
-        let is_inside = slacks.iter().all(|slack| *slack > R::ZERO);
+        let [amax, amin, vmax, vmin] = self.slacks(state);
+        let is_inside = amax > R::ZERO && amin > R::ZERO && vmax > R::ZERO && vmin > R::ZERO;
         is_inside.then_some((amax * amin) * (vmax * vmin))
     }
 

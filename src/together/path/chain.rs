@@ -185,8 +185,8 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
 
     fn positions(&self, section: usize, axis: usize) -> (R, R) {
         let from = self.place(section);
-        let [from, to] = [from, from + 1].map(|point| self.request.state(point, axis).position);
-        (from, to)
+        let position = |point| self.request.state(point, axis).position;
+        (position(from), position(from + 1))
     }
 
     /// Velocity and acceleration at a point.
@@ -260,7 +260,7 @@ impl<'a, 'w, R: Real> Chain<'a, 'w, R> {
     pub fn is_possible(&self, section: usize, duration: R) -> bool {
         let mut axes = 0..self.axes;
         axes.all(|axis| {
-            let ends = [section, section + 1].map(|point| self.at(point, axis));
+            let ends = [self.at(section, axis), self.at(section + 1, axis)];
             self.slacks(section, axis, ends, duration).is_some()
         })
     }

@@ -171,7 +171,7 @@ impl<R: Real> Chain<'_, '_, R> {
     fn forward(&mut self, point: usize, axis: usize, [z0, z1]: [R; 2]) -> [R; 2] {
         let memory = &mut self.memory;
         let row = (point - 1) * self.axes + axis;
-        let [t0, t1] = [point - 1, point].map(|section| memory.changes.at(section));
+        let (t0, t1) = (memory.changes.at(point - 1), memory.changes.at(point));
         let [.., v1, a1] = memory.to_duration.row(row);
         let [v0, a0, ..] = memory.to_duration.row(row + self.axes);
         let [g_v, g_a] = memory.gradient.row(row);

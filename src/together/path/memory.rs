@@ -14,17 +14,21 @@ impl<R: Real, const W: usize> Table<'_, R, W> {
     }
 
     pub fn set(&mut self, k: usize, row: [R; W]) {
-        if let Some(place) = self.0.get_mut(k * W..).and_then(<[R]>::first_chunk_mut) {
+        if let Some(place) = self.row_mut(k) {
             *place = row;
         }
     }
 
     pub fn add(&mut self, k: usize, more: [R; W]) {
-        let mut row = self.row(k);
-        for (number, more) in row.iter_mut().zip(more) {
-            *number = *number + more;
+        if let Some(row) = self.row_mut(k) {
+            for (number, more) in row.iter_mut().zip(more) {
+                *number = *number + more;
+            }
         }
-        self.set(k, row);
+    }
+
+    fn row_mut(&mut self, k: usize) -> Option<&mut [R; W]> {
+        self.0.get_mut(k * W..)?.first_chunk_mut()
     }
 
     pub fn clear(&mut self) {

@@ -214,7 +214,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn can_pass(&self, point: usize, axis: usize, duration: R) -> bool {
-        let ends = [point - 1, point].map(|point| self.at(point, axis));
+        let ends = [self.at(point - 1, axis), self.at(point, axis)];
         let is_inside = self
             .bounds(point, axis)
             .product(self.at(point, axis))
