@@ -109,11 +109,11 @@ static int passes(void)
     PROMISE(atraj_clock_rate(&clock_, *path, limits, 2, 3, path[0][0].t - A_FLOAT_C(0.25), 0) == 0);
     until = atraj_clock_until(&clock_);
     PROMISE(atraj_clock_time(&clock_, until) > path[0][0].t);
-    atraj_clock_state(&clock_, *path, 2, 3, until, &now.p, &now.v, &now.a, A_NULL);
+    atraj_clock_state(&clock_, *path, 2, 3, until + 1, &now.p, &now.v, &now.a, A_NULL);
     PROMISE(now.p > 3 && now.p < 9 && now.v == 0 && now.a == 0);
     atraj_clock_state(&clock_, *path + 1, 2, 3, until, &now.p, A_NULL, A_NULL, A_NULL);
     PROMISE(now.p < 1 && now.p > -1);
-    PROMISE(atraj_clock_rate(&clock_, *path, limits, 2, 3, until + 1, 1) == 0);
+    PROMISE(atraj_clock_rate(&clock_, *path, limits, 2, 3, until + 2, 1) == 0);
     until = atraj_clock_until(&clock_) + end;
     atraj_clock_state(&clock_, *path, 2, 3, until, &now.p, &now.v, &now.a, A_NULL);
     PROMISE(now.p == 9 && now.v == 0 && now.a == 0);

@@ -8,14 +8,15 @@ use crate::online::{Move, Phase};
 use crate::real::Real;
 use crate::state::State;
 
-/// The parts in which a phase of the clock is examined. A bound over a part is too large by about a part of the change of the rate in it.
-const PARTS: i32 = 16;
+/// The most parts in which a phase of the clock is examined: a power of 2. More parts find no shorter hold.
+const PARTS: i32 = 32;
 
-/// The limits of the clock are tried from the highest one on, in units of the limits that the path has at its highest speed. Each is half of the one before, down to
-/// 1/256: a slower change is no hold. Then the range between the last two is halved, until the change takes 1/16 longer than it must at most.
-const HIGHEST_TRIAL: u8 = 16;
-const TRIALS: u32 = 12;
-const HALVES: u32 = 4;
+/// The first limits of a change are `λ A/V` and `q λ² J/V`, as high as they pass: `λ` is halved from 16 down to `16/2^16`, with one `q` after the other.
+const RATIOS: [u8; 5] = [16, 4, 64, 1, 255];
+const HALVES: u32 = 17;
+
+/// Then each limit is raised alone: by these sixteenths of itself, one after the other.
+const RAISES: [u8; 5] = [64, 32, 24, 20, 20];
 
 /// The time of a path as a move itself.
 ///
@@ -69,7 +70,7 @@ impl<R: Real> Clock<R> {
     /// Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, -1 back along the path. The axes have the limits
     /// in `limits`: the limits of their plans and a reserve.
     ///
-    /// `moves` has one move for each axis, or the moves of a path section by section: those of all axes for the first section, then those for the second one. Each
+    /// `moves` has one move for each axis, or the moves of a path section by section: of all axes for the first section, then of all axes for the second one. Each
     /// move begins where the move of its axis before it ends, and the moves of a section have one duration.
     ///
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
@@ -89,55 +90,17 @@ impl<R: Real> Clock<R> {
         if !(x.is_finite() && rate.is_finite()) {
             return Err(Error::NotFinite);
         }
-        // The path's own size: how fast its time may change where an axis is at its highest speed.
-        let (mut slowing, mut bending) = (R::INFINITY, R::INFINITY);
         for limits in limits {
             limits.are_limits()?;
         }
-        for (of, limits) in moves.iter().zip(limits.iter().cycle()) {
-            let speed = of.extremes().speed();
-            slowing = slowing.at_most(limits.amax.at_most(-limits.amin) / speed);
-            bending = bending.at_most(limits.jmax.at_most(-limits.jmin) / speed);
-        }
-        if !(slowing < R::INFINITY && bending < R::INFINITY) {
-            return Err(Error::Limits);
-        }
-        let from = self.time.state_at(x - self.begin);
-        let mut time = Move::default();
-        let mut passes = |scale: R| {
-            let endless = R::INFINITY;
-            let limits_of_time =
-                Limits::symmetric(bending * scale * scale, slowing * scale, endless);
-            time.reach(&limits_of_time, from, rate, R::ZERO)?;
-            let keeps = |(axis, limits)| {
-                Trial {
-                    time: &time,
-                    axis: Axis::new(moves, n, axis),
-                    limits,
-                }
-                .keeps()
-            };
-            Ok::<_, Error>(limits.iter().enumerate().all(keeps).then_some(time))
+        let change = Change {
+            moves,
+            limits,
+            from: self.time.state_at(x - self.begin),
+            rate,
         };
-        let (mut high, mut low) = (R::ZERO, R::from(HIGHEST_TRIAL));
-        let mut found = passes(low)?;
-        for _ in 0..TRIALS {
-            if found.is_none() {
-                (high, low) = (low, R::HALF * low);
-                found = passes(low)?;
-            }
-        }
-        let mut best = found.ok_or(Error::Target)?;
-        for _ in 0..HALVES {
-            let middle = R::HALF * (low + high);
-            if middle > low {
-                match passes(middle)? {
-                    Some(faster) => (low, best) = (middle, faster),
-                    None => high = middle,
-                }
-            }
-        }
-        (self.begin, self.time) = (x, best);
+        let (time, limits) = change.first()?;
+        (self.begin, self.time) = (x, change.faster(time, limits)?);
         Ok(())
     }
 
@@ -211,6 +174,28 @@ impl<'a, R: Real> Axis<'a, R> {
         found
     }
 
+    /// The phases, each with the time at which it starts and the time at which the next one does. The last one is the end, which goes on.
+    fn phases(self) -> impl Iterator<Item = (&'a Phase<R>, R, R)> {
+        self.sections().flat_map(|(of, start, end)| {
+            let count = of.phases().len();
+            let is_last = end == R::INFINITY;
+            let used = of
+                .phase
+                .iter()
+                .take(count + usize::from(is_last))
+                .enumerate();
+            // Phase 0 is the start.
+            let lasting = used
+                .skip(1)
+                .filter(move |(index, phase)| phase.duration > R::ZERO || *index == count);
+            lasting.map(move |(index, phase)| {
+                let next = of.phase.get(index + 1).filter(|_| index < count);
+                let next = next.map_or(R::INFINITY, |next| start + next.start);
+                (phase, start + phase.start, next)
+            })
+        })
+    }
+
     /// The duration.
     fn duration(self) -> R {
         self.sections()
@@ -219,7 +204,84 @@ impl<'a, R: Real> Axis<'a, R> {
     }
 }
 
-/// A change of the rate, to be examined for an axis.
+/// A change of the rate.
+struct Change<'a, R> {
+    moves: &'a [Move<R>],
+    limits: &'a [Limits<R>],
+    from: State<R>,
+    rate: R,
+}
+
+impl<R: Real> Change<'_, R> {
+    /// A change that keeps the limits of the axes, and its own limits: of the jerk upwards and downwards, and of the acceleration.
+    fn first(&self) -> Result<(Move<R>, [R; 3]), Error> {
+        // How fast the time may change where an axis is at its highest speed.
+        let (mut slowing, mut bending) = (R::INFINITY, R::INFINITY);
+        for (of, limits) in self.moves.iter().zip(self.limits.iter().cycle()) {
+            let speed = of.extremes().speed();
+            slowing = slowing.at_most(limits.amax.at_most(-limits.amin) / speed);
+            bending = bending.at_most(limits.jmax.at_most(-limits.jmin) / speed);
+        }
+        if !(slowing < R::INFINITY && bending < R::INFINITY) {
+            return Err(Error::Limits);
+        }
+        for ratio in RATIOS {
+            let mut scale = R::from(16);
+            for _ in 0..HALVES {
+                let bending = R::SIXTEENTH * R::from(ratio) * bending * scale * scale;
+                let limits = [bending, bending, slowing * scale];
+                let time = self.within(limits)?;
+                if self.keeps(&time) {
+                    return Ok((time, limits));
+                }
+                scale = R::HALF * scale;
+            }
+        }
+        Err(Error::Target)
+    }
+
+    /// Raises each limit of a change alone, as long as the limits of the axes are kept.
+    fn faster(&self, mut time: Move<R>, mut limits: [R; 3]) -> Result<Move<R>, Error> {
+        for raise in RAISES {
+            for index in 0..limits.len() {
+                let mut higher = limits;
+                if let Some(limit) = higher.get_mut(index) {
+                    *limit = *limit * R::SIXTEENTH * R::from(raise);
+                }
+                let faster = self.within(higher)?;
+                if faster.t < time.t && self.keeps(&faster) {
+                    (time, limits) = (faster, higher);
+                }
+            }
+        }
+        Ok(time)
+    }
+
+    /// The fastest change within limits of its own.
+    fn within(&self, [up, down, slowing]: [R; 3]) -> Result<Move<R>, Error> {
+        let limits = Limits {
+            jmax: up,
+            jmin: -down,
+            ..Limits::symmetric(R::ONE, slowing, R::INFINITY)
+        };
+        let mut time = Move::default();
+        time.reach(&limits, self.from, self.rate, R::ZERO)?;
+        Ok(time)
+    }
+
+    /// Whether all axes surely keep their limits, and the rate does not overshoot by more than 1.
+    fn keeps(&self, time: &Move<R>) -> bool {
+        let fastest = R::ONE + self.from.velocity.abs().at_least(self.rate.abs());
+        let mut axes = self.limits.iter().enumerate();
+        time.extremes().speed() <= fastest
+            && axes.all(|(index, limits)| {
+                let axis = Axis::new(self.moves, self.limits.len(), index);
+                Trial { time, axis, limits }.keeps()
+            })
+    }
+}
+
+/// A change of the rate as an axis sees it.
 struct Trial<'a, R> {
     time: &'a Move<R>,
     axis: Axis<'a, R>,
@@ -230,159 +292,207 @@ impl<R: Real> Trial<'_, R> {
     /// Whether the axis surely keeps its limits: during the change, and then at the new rate until the end of the path or its start.
     fn keeps(&self) -> bool {
         let mut phases = self.time.phases().iter();
-        phases.all(|phase| self.keeps_in(phase)) && self.keeps_after()
+        phases.all(|phase| self.keeps_in(phase)) && self.keeps_in(&self.after())
     }
 
-    /// During a phase of the clock.
-    fn keeps_in(&self, phase: &Phase<R>) -> bool {
-        let part = phase.duration / R::from_index(PARTS);
-        (0..PARTS).all(|k| {
-            let [from, to] = [k, k + 1].map(|k| R::from_index(k) * part);
-            let rate = velocities(phase, from, to);
-            let slowing = Range::of(phase.acceleration(from), phase.acceleration(to));
-            let way = Range::of(R::ZERO, to - from).times(rate.and(R::ZERO));
-            let passed = Range::of(phase.position(from), phase.position(from)).plus(way);
-            self.keeps_over(passed, rate, slowing, Range::of(phase.jerk, phase.jerk))
-        })
-    }
-
-    /// At the new rate.
-    fn keeps_after(&self) -> bool {
+    /// The new rate as a phase of the clock.
+    fn after(&self) -> Phase<R> {
         let State {
             position: s,
             velocity: rate,
             ..
-        } = self.time.state_at(self.time.t);
-        let rest = if rate > R::ZERO {
-            Range::of(s, s.at_least(self.axis.duration()))
-        } else if rate < R::ZERO {
-            Range::of(s.at_most(R::ZERO), s)
+        } = self.time.end();
+        let way = if rate > R::ZERO {
+            self.axis.duration() - s
         } else {
-            return true;
+            s
         };
-        let none = Range::of(R::ZERO, R::ZERO);
-        self.keeps_over(rest, Range::of(rate, rate), none, none)
-    }
-
-    /// While the time of the path, its rate and their derivatives are in these ranges.
-    fn keeps_over(
-        &self,
-        passed: Range<R>,
-        rate: Range<R>,
-        slowing: Range<R>,
-        bending: Range<R>,
-    ) -> bool {
-        let touched = self.axis.sections().filter(|(_, start, end)| {
-            // Before its start a path stays.
-            passed.high >= *start && passed.low <= *end
-        });
-        touched.into_iter().all(|(of, start, end)| {
-            let from = passed.low.at_least(start) - start;
-            let to = passed.high.at_most(end) - start;
-            self.keeps_in_section(of, [from, to], rate, slowing, bending)
-        })
-    }
-
-    /// From one time of a section to another one.
-    fn keeps_in_section(
-        &self,
-        of: &Move<R>,
-        [from, to]: [R; 2],
-        rate: Range<R>,
-        slowing: Range<R>,
-        bending: Range<R>,
-    ) -> bool {
-        let square = rate.times(rate);
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = *self.limits;
-        let three = Range::of(R::from(3), R::from(3));
-        let count = of.phases().len();
-        // Phase 0 is the start. The last one, which is the end, goes on.
-        let used = of.phase.iter().take(1 + count).skip(1);
-        let after = of
-            .phase
-            .iter()
-            .take(1 + count)
-            .skip(2)
-            .map(|next| next.start);
-        used.zip(after.chain([R::INFINITY])).all(|(phase, end)| {
-            let from = from.at_least(phase.start) - phase.start;
-            let to = to.at_most(end) - phase.start;
-            if to < from {
-                return true;
-            }
-            let v = velocities(phase, from, to);
-            let a = Range::of(phase.acceleration(from), phase.acceleration(to));
-            let j = Range::of(phase.jerk, phase.jerk);
-            let acceleration = a.times(square).plus(v.times(slowing));
-            let jerk = j
-                .times(square.times(rate))
-                .plus(three.times(a).times(rate.times(slowing)))
-                .plus(v.times(bending));
-            v.times(rate).is_between(vmin, vmax)
-                && acceleration.is_between(amin, amax)
-                && jerk.is_between(jmin, jmax)
-        })
-    }
-}
-
-/// The velocities of a phase between two times.
-fn velocities<R: Real>(phase: &Phase<R>, from: R, to: R) -> Range<R> {
-    let ends = Range::of(phase.velocity(from), phase.velocity(to));
-    let peak = -phase.acceleration / phase.jerk;
-    if peak > from && peak < to {
-        ends.and(phase.velocity(peak))
-    } else {
-        ends
-    }
-}
-
-/// All numbers between two. A product and a sum of ranges hold all products and sums.
-#[derive(Clone, Copy)]
-struct Range<R> {
-    low: R,
-    high: R,
-}
-
-impl<R: Real> Range<R> {
-    /// The numbers between these, whichever is lower.
-    fn of(one: R, other: R) -> Self {
-        Self {
-            low: one.at_most(other),
-            high: one.at_least(other),
+        let lasts = rate != R::ZERO && way > R::ZERO;
+        Phase {
+            duration: if lasts { way / rate.abs() } else { R::ZERO },
+            position: s,
+            velocity: rate,
+            ..Phase::default()
         }
     }
 
-    /// With another number.
-    fn and(self, other: R) -> Self {
+    /// During a phase of the clock: as a whole, or else each half of it, and so on.
+    fn keeps_in(&self, phase: &Phase<R>) -> bool {
+        let least = phase.duration / R::from_index(PARTS);
+        let (mut done, mut part) = (0, PARTS);
+        while done < PARTS {
+            let [from, to] = [done, done + part].map(|k| R::from_index(k) * least);
+            if self.keeps_over(phase, Parabola::between(from, to)) {
+                done += part;
+                part = done & done.wrapping_neg();
+            } else if part > 1 {
+                part /= 2;
+            } else {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// In a part of a phase of the clock.
+    fn keeps_over(&self, of: &Phase<R>, part: Parabola<R>) -> bool {
+        let [passed, ..] = part.along(of);
+        let [low, high] = passed.range();
+        let mut touched = self
+            .axis
+            .phases()
+            .filter(|(_, start, end)| high >= *start && low <= *end);
+        touched.all(|(phase, start, end)| {
+            let part = part.narrowed(passed.when_between(start, end));
+            let [s, rate, slowing, bending] = part.along(of);
+            let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
+            let square = rate.times(rate);
+            let three = Parabola::constant(R::from(3));
+            let acceleration = a.times(square).plus(v.times(slowing));
+            let turning = three.times(a).times(rate.times(slowing));
+            let jerk = j
+                .times(square.times(rate))
+                .plus(turning)
+                .plus(v.times(bending));
+            let limits = self.limits;
+            v.times(rate).is_between(limits.vmin, limits.vmax)
+                && acceleration.is_between(limits.amin, limits.amax)
+                && jerk.is_between(limits.jmin, limits.jmax)
+        })
+    }
+}
+
+/// A quantity in a part of the time: `middle + slope e + bend e²`, up to `rest`, while `e` goes from -1 to 1. Sums and products hold all sums and products
+/// at the same time. So what rises while another quantity falls does not count twice, and a parabola is exact.
+#[derive(Clone, Copy)]
+struct Parabola<R> {
+    middle: R,
+    slope: R,
+    bend: R,
+    rest: R,
+}
+
+impl<R: Real> Parabola<R> {
+    fn constant(middle: R) -> Self {
+        let zero = R::ZERO;
         Self {
-            low: self.low.at_most(other),
-            high: self.high.at_least(other),
+            middle,
+            slope: zero,
+            bend: zero,
+            rest: zero,
+        }
+    }
+
+    /// From one number to another one.
+    fn between(from: R, to: R) -> Self {
+        Self {
+            slope: R::HALF * (to - from),
+            ..Self::constant(R::HALF * (from + to))
+        }
+    }
+
+    /// Position, velocity, acceleration and jerk of a phase at this time.
+    fn along(self, phase: &Phase<R>) -> [Self; 4] {
+        let z = self.middle;
+        let [p, v, a, j] = [
+            phase.position(z),
+            phase.velocity(z),
+            phase.acceleration(z),
+            phase.jerk,
+        ]
+        .map(Self::constant);
+        let [half, third] = [R::HALF, R::SIXTH + R::SIXTH].map(Self::constant);
+        let d = self.plus(Self::constant(-z));
+        let (change, half) = (d.times(j), d.times(half));
+        let velocity = v.plus(d.times(a)).plus(half.times(change));
+        let position = p.plus(d.times(v.plus(half.times(a.plus(third.times(change))))));
+        [position, velocity, a.plus(change), j]
+    }
+
+    /// Where it may be between two numbers: `e = c + d e'`, and `e'` goes from -1 to 1.
+    fn when_between(self, low: R, high: R) -> [R; 2] {
+        let middle = self.middle + R::HALF * self.bend;
+        let width = self.rest + R::HALF * self.bend.abs();
+        let mut ends = [low - middle - width, high - middle + width].map(|way| way / self.slope);
+        if self.slope < R::ZERO {
+            ends.reverse();
+        }
+        let [from, to] = if self.slope == R::ZERO {
+            [-R::ONE, R::ONE]
+        } else {
+            ends.map(|e| e.at_least(-R::ONE).at_most(R::ONE))
+        };
+        [R::HALF * (from + to), R::HALF * (to - from)]
+    }
+
+    /// For `e = c + d e'`.
+    fn narrowed(self, [c, d]: [R; 2]) -> Self {
+        let (slope, bend) = (self.slope, self.bend);
+        Self {
+            middle: self.middle + c * (slope + bend * c),
+            slope: d * (slope + (bend + bend) * c),
+            bend: d * d * bend,
+            rest: self.rest,
         }
     }
 
     fn plus(self, other: Self) -> Self {
         Self {
-            low: self.low + other.low,
-            high: self.high + other.high,
+            middle: self.middle + other.middle,
+            slope: self.slope + other.slope,
+            bend: self.bend + other.bend,
+            rest: self.rest + other.rest,
         }
     }
 
+    /// The parabolas nearest to `e³` and `e⁴` are `3/4 e` up to 1/4 and `e² - 1/8` up to 1/8.
     fn times(self, other: Self) -> Self {
-        Self::of(self.low * other.low, self.low * other.high)
-            .and(self.high * other.low)
-            .and(self.high * other.high)
+        let quarter = R::HALF * R::HALF;
+        let third = self.slope * other.bend + self.bend * other.slope;
+        let fourth = self.bend * other.bend;
+        let eighth = R::HALF * quarter * fourth;
+        let size = |of: Self| of.middle.abs() + of.slope.abs() + of.bend.abs();
+        Self {
+            middle: self.middle * other.middle - eighth,
+            slope: self.middle * other.slope
+                + self.slope * other.middle
+                + (third - quarter * third),
+            bend: self.middle * other.bend
+                + self.slope * other.slope
+                + self.bend * other.middle
+                + fourth,
+            rest: quarter * third.abs()
+                + eighth.abs()
+                + size(self) * other.rest
+                + (size(other) + other.rest) * self.rest,
+        }
+    }
+
+    /// The lowest and the highest value.
+    fn range(self) -> [R; 2] {
+        let Self {
+            middle,
+            slope,
+            bend,
+            rest,
+        } = self;
+        let [one, other] = [middle + bend - slope, middle + bend + slope];
+        // At `e = -slope/(2 bend)`, if this is between -1 and 1.
+        let turn = if slope.abs() < (bend + bend).abs() {
+            middle - slope * slope / (R::from(4) * bend)
+        } else {
+            one
+        };
+        [
+            one.at_most(other).at_most(turn) - rest,
+            one.at_least(other).at_least(turn) + rest,
+        ]
     }
 
     /// Up to 64 roundings of the limits.
     fn is_between(self, lowest: R, highest: R) -> bool {
+        let [low, high] = self.range();
         let wider = R::ONE + R::DOUBT;
-        self.low >= wider * lowest && self.high <= wider * highest
+        low >= wider * lowest && high <= wider * highest
     }
 }
