@@ -4,5 +4,5 @@ set -eu
 cd "$(dirname "$0")/atraj"
 {
     sed -e '/^from \.values/s/ as .*//' -e 's/np\.float64/np.float32/' -e '/^__version__/,$d' __init__.pyi
-    grep '^__all__' f32.py
+    sed -n '/^__all__/,$p' f32.py
 } > f32.pyi

@@ -171,7 +171,13 @@ fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
     for file in files {
         let text = fs::read_to_string(root().join("python/atraj").join(file)).unwrap();
         let mut class = String::new();
+        let mut is_docstring = false;
         for line in text.lines() {
+            let begins_or_ends = line.matches("\"\"\"").count() % 2 == 1;
+            is_docstring ^= begins_or_ends;
+            if is_docstring || begins_or_ends {
+                continue;
+            }
             let word = |line: &str| -> String {
                 line.chars()
                     .take_while(|c| c.is_alphanumeric() || *c == '_')

@@ -451,9 +451,9 @@ fn the_plane_has_one_scale() {
     assert!((slope - 0.5).abs() < 0.002, "{slope}");
 }
 
-/// Pictures that `make demo` does not draw. python/tests/test_vibration.py compares the first. The second is a screenshot of the playground,
+/// Pictures that `make demo` does not draw. python/tests/test_vibration.py compares the first two. The third is a screenshot of the playground,
 /// whose bits depend on the browser.
-const OTHERS: [&str; 2] = ["vibration.svg", "playground.png"];
+const OTHERS: [&str; 3] = ["vibration.svg", "shaper-or-jerk.svg", "playground.png"];
 
 #[test]
 fn pictures_in_the_documentation_are_fresh() {

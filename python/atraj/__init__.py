@@ -11,13 +11,24 @@ array([0.        , 2.91666667, 7.91666667])
 
 Times are in seconds since the start of a motion. Positions have any unit of length or angle, and the other quantities follow from
 it: m, m/s, m/s², m/s³. The classes here compute in binary64, the classes of the same names in `atraj.f32` in binary32.
-`atraj.claraty` holds CLARAty's trajectory. What cannot be planned raises ValueError.
+Arguments have one order everywhere: limits first, then where a motion starts and where it goes, then times. `atraj.claraty` holds CLARAty's trajectory. What cannot be planned raises ValueError.
 """
 
 from importlib.metadata import version
 
 from ._atraj import f64
-from .values import BellFields, Extremes, Findings, Limits, Phase, Samples, State, TrapFields
+from .values import (
+    BellFields,
+    Extremes,
+    Findings,
+    Limits,
+    Phase,
+    Samples,
+    ShaperKind,
+    State,
+    Step,
+    TrapFields,
+)
 
 Profile = f64.Profile
 Bell = f64.Bell
@@ -26,20 +37,29 @@ Poly3 = f64.Poly3
 Poly5 = f64.Poly5
 Poly7 = f64.Poly7
 Move = f64.Move
+Axes = f64.Axes
+Moves = f64.Moves
 synchronise = f64.synchronise
 line = f64.line
 Path = f64.Path
 path = f64.path
+Clock = f64.Clock
+Shaper = f64.Shaper
+Shaped = f64.Shaped
+Steps = f64.Steps
 del f64
 
 __version__ = version("atraj")
 __all__ = [
+    "Axes",
     "Bell",
     "BellFields",
+    "Clock",
     "Extremes",
     "Findings",
     "Limits",
     "Move",
+    "Moves",
     "Path",
     "Phase",
     "Poly3",
@@ -47,7 +67,12 @@ __all__ = [
     "Poly7",
     "Profile",
     "Samples",
+    "Shaped",
+    "Shaper",
+    "ShaperKind",
     "State",
+    "Step",
+    "Steps",
     "Trap",
     "TrapFields",
     "line",

@@ -1,10 +1,11 @@
-from collections.abc import Sequence
-from typing import Any, Self, TypeAlias, final, overload
+from collections.abc import Iterator, Sequence
+from typing import Any, TypeAlias, final, overload
 
 import numpy as np
 import numpy.typing as npt
+from matplotlib.axes import Axes as _Plot
 from matplotlib.figure import Figure
-from typing_extensions import disjoint_base
+from typing_extensions import Self, disjoint_base
 
 from .values import BellFields as BellFields
 from .values import Extremes as Extremes
@@ -12,46 +13,114 @@ from .values import Findings as Findings
 from .values import Limits as Limits
 from .values import Phase as Phase
 from .values import Samples as Samples
+from .values import ShaperKind as ShaperKind
 from .values import State as State
+from .values import Step as Step
 from .values import TrapFields as TrapFields
 
 _Real: TypeAlias = np.float64
 _Array: TypeAlias = npt.NDArray[_Real]
 _Times: TypeAlias = Sequence[float] | npt.NDArray[Any]
 _Out: TypeAlias = Samples[_Real] | tuple[_Array | None, _Array | None, _Array | None, _Array | None, _Array | None]
-_State: TypeAlias = State | tuple[float, float, float]
-_Limits: TypeAlias = Limits | tuple[float, float, float, float, float, float]
-_Points: TypeAlias = Sequence[Sequence[float | _State] | npt.NDArray[Any]] | npt.NDArray[Any]
+_Numbers: TypeAlias = Sequence[float] | npt.NDArray[Any]
+_State: TypeAlias = State | float | _Numbers
+_States: TypeAlias = Sequence[_State] | npt.NDArray[Any]
+_Limits: TypeAlias = Limits | _Numbers
+_LimitsOfAxes: TypeAlias = Sequence[_Limits] | npt.NDArray[Any]
+_Points: TypeAlias = Sequence[Sequence[_State] | npt.NDArray[Any]] | npt.NDArray[Any]
+_Plots: TypeAlias = Sequence[_Plot] | npt.NDArray[Any]
 
 @disjoint_base
 class Profile:
+    """A planned motion of one axis: what all profiles have in common.
+
+    Times are in seconds since the start of the motion. Positions have any unit of length or angle, and the other quantities
+    follow from it: m, m/s, m/s², m/s³.
+
+    An array of times has any strides, alignment, byte order and type of real number. The mask of a masked array is not looked at."""
     @property
-    def t(self) -> float: ...
+    def t(self) -> float:
+        """Duration, s."""
     @overload
-    def position(self, x: float) -> float: ...
+    def position(self, x: float) -> float:
+        """Position at the time `x`, s: a float, or an array for an array of times. Before the start it is the initial one, after the
+        end the final one, but a polynomial goes on."""
     @overload
     def position(self, x: _Times) -> _Array: ...
     @overload
-    def velocity(self, x: float) -> float: ...
+    def velocity(self, x: float) -> float:
+        """Velocity at the time `x`, s: a float, or an array for an array of times."""
     @overload
     def velocity(self, x: _Times) -> _Array: ...
     @overload
-    def acceleration(self, x: float) -> float: ...
+    def acceleration(self, x: float) -> float:
+        """Acceleration at the time `x`, s: a float, or an array for an array of times."""
     @overload
     def acceleration(self, x: _Times) -> _Array: ...
     @overload
-    def jerk(self, x: float) -> float: ...
+    def jerk(self, x: float) -> float:
+        """Jerk at the time `x`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
+        jumps."""
     @overload
     def jerk(self, x: _Times) -> _Array: ...
-    def state_at(self, x: float) -> State: ...
-    def extremes(self) -> Extremes: ...
+    def state_at(self, x: float) -> State:
+        """The `State` at the time `x`, s: where another plan starts."""
+    def extremes(self) -> Extremes:
+        """The `Extremes`: the lowest and the highest position, velocity and acceleration between 0 and `t`. ValueError for a shaped move, whose
+        extremes only `sample` can tell."""
     def sample(
         self, dt: float | None = None, *, n: int | None = None, start: float = 0.0, out: _Out | None = None
-    ) -> Samples[_Real]: ...
-    def plot(self) -> Figure: ...
+    ) -> Samples[_Real]:
+        """`Samples`: times, positions, velocities, accelerations and jerks, with the bits of the single calls.
+
+        Sample `k` belongs to the time `start + k*dt`, s. `dt` alone samples until the end is reached, `n` alone takes `n` samples
+        evenly from the start to the end. With `out`, a `Samples` of arrays, nothing is allocated, which saves most of the time of a long
+        sweep: each array is filled, and None leaves a quantity out. ValueError, before anything is written, if an array of `out` is not
+        contiguous or not aligned. ValueError for more than 2147483647 samples.
+
+        >>> import atraj
+        >>> move = atraj.Bell(30, 10, 5, 0, 10)
+        >>> t, p, v, a, j = move.sample(0.5)
+        >>> p.round(3)
+        array([ 0.   ,  0.602,  2.917,  5.417,  7.917,  9.815, 10.   ])
+        >>> move.sample(n=3).v
+        array([0., 5., 0.])"""
+    def plot(
+        self,
+        *,
+        axes: _Plots | None = None,
+        limits: _Limits | None = None,
+        unit: str | None = None,
+        label: str | None = None,
+    ) -> Figure:
+        """Draws position, velocity, acceleration and jerk over time, and returns the figure. Needs matplotlib.
+
+        `limits` are drawn as dashed lines. The labels have the `unit` of the position, "m" or "deg" for example, and the others that follow
+        from it. `label` names the motion. `axes`, the axes of a figure, draws over what is there, so motions lie over each other:
+
+        >>> import atraj
+        >>> figure = atraj.Bell(30, 10, 5, 0, 10).plot(label="double-S", unit="m") # doctest: +SKIP
+        >>> atraj.Trap(5, 10, -10, 0, 10).plot(axes=figure.axes, label="trapezoid") # doctest: +SKIP"""
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: Any) -> Self: ...
 
 @final
 class Bell(Profile):
+    """Double-S: jerk, acceleration and velocity are limited.
+
+    `Bell(jerk, acceleration, velocity, p0, p1, v0=0, v1=0)` plans as liba's `a_trajbell_gen`, to the last bit, from the position
+    `p0` to `p1` and from the velocity `v0` to `v1`. The signs of the limits are ignored, and velocities beyond the limit are
+    limited to it. A ValueError says that there is no such move; `Bell.fastest` plans where liba fails. With
+    `newest_saturation=True` velocities are limited as liba does since 2025: a NaN stays NaN, and a zero keeps its sign.
+
+    `fields` carry liba's names. For a move towards smaller positions `vm`, `jm`, `am` and `dm` hold in the mirrored axis.
+
+    >>> import atraj
+    >>> move = atraj.Bell(jerk=30, acceleration=10, velocity=5, p0=0, p1=10)
+    >>> move.t, move.position(1.0)
+    (2.833333333333333, 2.916666666666667)"""
     def __new__(
         cls,
         jerk: float,
@@ -73,15 +142,69 @@ class Bell(Profile):
         p1: float,
         v0: float = 0.0,
         v1: float = 0.0,
-    ) -> Bell: ...
+    ) -> Bell:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def from_fields(fields: BellFields | Sequence[float]) -> Bell: ...
+    def from_fields(fields: BellFields | Sequence[float]) -> Bell:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @property
-    def fields(self) -> BellFields: ...
-    def check(self, jerk: float, acceleration: float, velocity: float) -> Findings: ...
+    def fields(self) -> BellFields:
+        """The `BellFields`: what liba's struct holds."""
+    def check(self, jerk: float, acceleration: float, velocity: float) -> Findings:
+        """The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
+        ValueError if a field is not finite, or a limit is not a number.
+
+        >>> import atraj
+        >>> move = atraj.Bell(30, 2.5, 10, p0=0, p1=10, v0=7.5) # liba's plan forgets the limit of the acceleration
+        >>> move.check(30, 2.5, 10)
+        <Findings.EXCEEDS_ACCELERATION: 2>"""
 
 @final
 class Trap(Profile):
+    """Trapezoid: acceleration and velocity are limited.
+
+    `Trap(velocity, ac, de, p0, p1, v0=0, v1=0)` plans as liba's `a_trajtrap_gen`, to the last bit. `ac` and `de` are signed: a
+    forward move has `ac > 0` and `de < 0`, a backward one the opposite. A final velocity out of reach is replaced by the one that is
+    reached. Otherwise as `Bell`.
+
+    >>> import atraj
+    >>> move = atraj.Trap(velocity=5, ac=4, de=-2, p0=0, p1=50)
+    >>> move.t, move.velocity(5)
+    (11.875, 5.0)"""
     def __new__(
         cls,
         velocity: float,
@@ -103,23 +226,93 @@ class Trap(Profile):
         p1: float,
         v0: float = 0.0,
         v1: float = 0.0,
-    ) -> Trap: ...
+    ) -> Trap:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def from_fields(fields: TrapFields | Sequence[float]) -> Trap: ...
+    def from_fields(fields: TrapFields | Sequence[float]) -> Trap:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @property
-    def fields(self) -> TrapFields: ...
-    def check(self, velocity: float, ac: float, de: float) -> Findings: ...
+    def fields(self) -> TrapFields:
+        """The `TrapFields`: what liba's struct holds."""
+    def check(self, velocity: float, ac: float, de: float) -> Findings:
+        """The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
+        ValueError if a field is not finite, or a limit is not a number."""
 
 @final
 class Poly3(Profile):
+    """Cubic: position and velocity are given at both ends.
+
+    `Poly3(t, p0, p1, v0=0, v1=0)` takes `t`, s, with the bits of liba's `a_trajpoly3_gen`. ValueError if a coefficient is not finite.
+
+    >>> import atraj
+    >>> cubic = atraj.Poly3(8, p0=0, p1=10)
+    >>> cubic.position(4), cubic.velocity(8)
+    (5.0, 0.0)"""
     def __new__(cls, t: float, p0: float, p1: float, v0: float = 0.0, v1: float = 0.0) -> Self: ...
     @staticmethod
-    def from_coefficients(t: float, c: Sequence[float]) -> Poly3: ...
+    def from_coefficients(t: float, c: Sequence[float]) -> Poly3:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @property
-    def c(self) -> tuple[float, float, float, float]: ...
+    def c(self) -> tuple[float, float, float, float]:
+        """Coefficients of the position in ascending powers of time."""
 
 @final
 class Poly5(Profile):
+    """Quintic: position, velocity and acceleration are given at both ends.
+
+    `Poly5(t, p0, p1, v0=0, v1=0, a0=0, a1=0)` takes `t`, s, with the bits of liba's `a_trajpoly5_gen`. ValueError if a coefficient
+    is not finite."""
     def __new__(
         cls,
         t: float,
@@ -131,12 +324,35 @@ class Poly5(Profile):
         a1: float = 0.0,
     ) -> Self: ...
     @staticmethod
-    def from_coefficients(t: float, c: Sequence[float]) -> Poly5: ...
+    def from_coefficients(t: float, c: Sequence[float]) -> Poly5:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @property
-    def c(self) -> tuple[float, float, float, float, float, float]: ...
+    def c(self) -> tuple[float, float, float, float, float, float]:
+        """Coefficients of the position in ascending powers of time."""
 
 @final
 class Poly7(Profile):
+    """Septic: position, velocity, acceleration and jerk are given at both ends.
+
+    `Poly7(t, p0, p1, v0=0, v1=0, a0=0, a1=0, j0=0, j1=0)` takes `t`, s, with the bits of liba's `a_trajpoly7_gen`. ValueError if a
+    coefficient is not finite."""
     def __new__(
         cls,
         t: float,
@@ -150,76 +366,435 @@ class Poly7(Profile):
         j1: float = 0.0,
     ) -> Self: ...
     @staticmethod
-    def from_coefficients(t: float, c: Sequence[float]) -> Poly7: ...
+    def from_coefficients(t: float, c: Sequence[float]) -> Poly7:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @property
-    def c(self) -> tuple[float, float, float, float, float, float, float, float]: ...
+    def c(self) -> tuple[float, float, float, float, float, float, float, float]:
+        """Coefficients of the position in ascending powers of time."""
 
 @final
 class Move(Profile):
+    """A move from any state to any state, planned in motion: phases of constant jerk.
+
+    `Move.plan`, `within`, `reach`, `stop`, `meet` and `track` plan one axis, `synchronise` and `line` several. A move never changes: when the
+    target changes, plan again from `state_at` of this moment. After its end the axis moves on with the acceleration of the end.
+
+    A state is a `State`, up to three numbers in its order, or a position at rest; limits are a `Limits` or six numbers in its order. ValueError
+    says which number is no number, which limit is 0 or has the wrong sign, or what is outside the limits.
+
+    >>> import atraj
+    >>> limits = atraj.Limits(jerk=30, acceleration=10, velocity=5)
+    >>> move = atraj.Move.plan(limits, 0, 10)
+    >>> other = atraj.Move.plan(limits, move.state_at(0.7), -2) # in mid-motion, another target
+    >>> other.position(other.t), other.findings
+    (-2.0, <Findings.OVERSHOOTS: 16>)"""
     @staticmethod
-    def plan(limits: _Limits, start: _State, end: _State) -> Move: ...
+    def plan(limits: _Limits, start: _State, end: _State) -> Move:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def within(limits: _Limits, start: _State, end: _State, lowest: float, highest: float) -> Move: ...
+    def within(limits: _Limits, start: _State, end: _State, lowest: float, highest: float) -> Move:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def reach(limits: _Limits, start: _State, velocity: float, acceleration: float = 0.0) -> Move: ...
+    def reach(limits: _Limits, start: _State, velocity: float, acceleration: float = 0.0) -> Move:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def stop(limits: _Limits, start: _State) -> Move: ...
+    def stop(limits: _Limits, start: _State) -> Move:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def meet(limits: _Limits, start: _State, target: _State) -> Move: ...
+    def meet(limits: _Limits, start: _State, target: _State) -> Move:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
     @staticmethod
-    def track(limits: _Limits, start: _State, signal: _State, horizon: float) -> Move: ...
-    def check(self, limits: _Limits) -> Findings: ...
-    def time_at(self, position: float) -> float | None: ...
+    def track(limits: _Limits, start: _State, signal: _State, horizon: float) -> Move:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
+    def check(self, limits: _Limits) -> Findings:
+        """What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone."""
+    def time_at(self, position: float) -> float | None:
+        """The first time from 0 to `t` at which the axis is at `position`, s; None if it never is."""
     @property
-    def findings(self) -> Findings: ...
+    def findings(self) -> Findings:
+        """The `Findings` of the plan: of OVERSHOOTS, STARTS_OUTSIDE and ENDS_LEAVING any or none. For several axes it is what any of them does."""
     @property
-    def phases(self) -> list[Phase]: ...
+    def phases(self) -> list[Phase]:
+        """The phases of constant jerk in order of time, each a `Phase`."""
+
+@disjoint_base
+class Axes:
+    """A planned motion of several axes: what `Moves` and `Path` have in common.
+
+    Times are in seconds since the start of the motion. A result has one number for each axis, and an array of times gives one such row for
+    each time. Before the start the axes are at the start. After the end each of them moves on with the acceleration of the end: an axis that
+    ends at rest stays."""
+    @property
+    def t(self) -> float:
+        """Duration, s."""
+    @property
+    def findings(self) -> Findings:
+        """The `Findings` of the plan: what any axis does."""
+    def position(self, x: float | _Times) -> _Array:
+        """Positions at the time `x`, s."""
+    def velocity(self, x: float | _Times) -> _Array:
+        """Velocities at the time `x`, s."""
+    def acceleration(self, x: float | _Times) -> _Array:
+        """Accelerations at the time `x`, s."""
+    def jerk(self, x: float | _Times) -> _Array:
+        """Jerks at the time `x`, s."""
+    def state_at(self, x: float) -> list[State]:
+        """The `State` of each axis at the time `x`, s: where another plan starts."""
+    def sample(self, dt: float | None = None, *, n: int | None = None, start: float = 0.0) -> Samples[_Real]:
+        """`Samples`: times, and a row of positions, velocities, accelerations and jerks for each time.
+
+        Sample `k` belongs to the time `start + k*dt`, s. `dt` alone samples until the end is reached, `n` alone takes `n` samples
+        evenly from the start to the end. ValueError for more than 2147483647 samples.
+
+        >>> import atraj
+        >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+        >>> atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).sample(0.01).p.shape
+        (226, 2)"""
+    def plot(
+        self,
+        *,
+        axes: _Plots | None = None,
+        limits: _LimitsOfAxes | None = None,
+        unit: str | None = None,
+        labels: Sequence[str] | None = None,
+        plane: tuple[int, int] | None = None,
+    ) -> Figure:
+        """Draws position, velocity, acceleration and jerk of all axes over time, in a colour each, and returns the figure. Needs matplotlib.
+
+        With `plane=(0, 1)` it draws the axes 0 and 1 in their plane, on equal scales, in the place of the motion over time. `limits`, an item
+        for each axis, are drawn as dashed lines in the colours of the axes. The labels have the `unit` of the positions, and `labels` names
+        the axes. `axes`, the axes of a figure, draws over what is there."""
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: Any) -> Self: ...
+
+@final
+class Moves(Axes):
+    """Moves of several axes that arrive together: what `synchronise` and `line` plan. It is a sequence of a `Move` for each axis."""
+    def __len__(self) -> int: ...
+    def __getitem__(self, axis: int, /) -> Move: ...
+    def __iter__(self) -> Iterator[Move]: ...
 
 def synchronise(
-    limits: Sequence[_Limits],
-    start: Sequence[_State],
-    end: Sequence[_State],
+    limits: _LimitsOfAxes,
+    start: _States,
+    end: _States,
     *,
     duration: float = 0.0,
     cycle: float = 0.0,
-) -> list[Move]: ...
+) -> Moves:
+    """Moves of several axes that arrive together: the shortest duration that is possible for each axis, is at least `duration`, s, and is
+    a multiple of `cycle`, s (0: any). An item of `limits`, `start` and `end` belongs to one axis. ValueError as for one axis.
+
+    >>> import atraj
+    >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5), atraj.Limits(jerk=60, acceleration=20, velocity=5)]
+    >>> moves = atraj.synchronise(limits, [0, 0], [10, -1])
+    >>> moves.position(moves.t)
+    array([10., -1.])
+    >>> x, y = moves
+    >>> x.t == y.t == moves.t
+    True"""
 def line(
-    limits: Sequence[_Limits],
-    start: Sequence[_State],
-    end: Sequence[_State],
+    limits: _LimitsOfAxes,
+    start: _States,
+    end: _States,
     *,
     duration: float = 0.0,
     cycle: float = 0.0,
-) -> list[Move]: ...
+) -> Moves:
+    """Moves of several axes on the straight line from their start to their end: the fastest motion on it that lasts at least `duration`,
+    s, and a multiple of `cycle`, s (0: any). ValueError also if velocities and accelerations do not point along the line.
+
+    >>> import atraj
+    >>> limits = [atraj.Limits(jerk=20, acceleration=4, velocity=1), atraj.Limits(jerk=10, acceleration=2, velocity=0.8)]
+    >>> x, y = atraj.line(limits, [0, 0], [0.8, 0.4], cycle=0.001)
+    >>> abs(x.position(0.5) - 2 * y.position(0.5)) < 1e-15
+    True"""
 @final
-class Path:
+class Path(Axes):
+    """A motion of several axes through way points, without stops between them unless an axis must turn there: what `path` plans."""
     @property
-    def t(self) -> float: ...
-    @property
-    def times(self) -> _Array: ...
-    @property
-    def findings(self) -> Findings: ...
-    def position(self, x: float | _Times) -> _Array: ...
-    def velocity(self, x: float | _Times) -> _Array: ...
-    def acceleration(self, x: float | _Times) -> _Array: ...
-    def jerk(self, x: float | _Times) -> _Array: ...
-    def state_at(self, x: float) -> list[State]: ...
-    def sample(self, dt: float | None = None, *, n: int | None = None, start: float = 0.0) -> Samples[_Real]: ...
-    def improve(self, *, steps: int = 0) -> Path: ...
-    def plot(self) -> Figure: ...
+    def times(self) -> _Array:
+        """The times at which the points are passed, s, from 0 to `t`."""
+    def improve(self, *, steps: int = 0) -> Path:
+        """A path through the same points that is not longer, from at most `steps` steps (0: as many as the path needs, at most 48).
+
+        >>> import atraj
+        >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+        >>> hasty = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], steps=4)
+        >>> hasty.improve().t < hasty.t
+        True"""
 
 def path(
-    points: _Points, limits: Sequence[_Limits] | Sequence[Sequence[_Limits]], *, steps: int = 0
-) -> Path: ...
+    limits: _LimitsOfAxes | Sequence[_LimitsOfAxes], points: _Points, *, steps: int = 0
+) -> Path:
+    """A fast path of several axes through points, which all axes pass at the same times. They stop nowhere between the first point and
+    the last one unless they must.
+
+    A point has a position for each axis, and `limits` has an item for each axis, or for each section a list of them. The path starts and ends
+    at rest; the first and the last point may have a `State` in the place of a position. The planner takes at most `steps` steps (0: as many
+    as the path needs, at most 48). ValueError says which point or axis is wrong.
+
+    >>> import atraj
+    >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+    >>> path = atraj.path(limits, [[0, 0], [3, 1], [4, 5]])
+    >>> path.position(path.times)
+    array([[0., 0.],
+           [3., 1.],
+           [4., 5.]])
+    >>> bool((path.velocity(path.times[1]) > 1).all())
+    True"""
+@final
+class Clock:
+    """The clock of several axes: hold, override and reverse on their path.
+
+    `Clock(limits, moves)` runs `Moves` or a `Path` by a time of its own, which runs as planned until `rate` changes it. So the axes never leave
+    their path. The axes have the limits in `limits`, an item for each: those of the plan and a reserve, 10 to 20 % for example, because
+    braking the time costs acceleration and jerk.
+
+    >>> import atraj
+    >>> planned = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
+    >>> limits = [atraj.Limits(jerk=20, acceleration=5, velocity=1)] * 2
+    >>> clock = atraj.Clock(limits, atraj.synchronise(planned, [0, 0], [0.8, -0.4]))
+    >>> clock.rate(0.5, 0) # the button is pressed at 0.5 s
+    >>> held = clock.until
+    >>> bool((clock.velocity(held + 1) == 0).all())
+    True
+    >>> clock.rate(held + 2, 1) # and released
+    >>> clock.position(10)
+    array([ 0.8, -0.4])"""
+    def __new__(cls, limits: _LimitsOfAxes, moves: Axes) -> Self: ...
+    def rate(self, x: float, rate: float) -> None:
+        """Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
+        the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. ValueError if no such change
+        is found, or a number is not finite; then the clock goes on as it did."""
+    @property
+    def until(self) -> float:
+        """When the last rate is reached, s."""
+    def time(self, x: float) -> float:
+        """The time of the path at the time `x`, s."""
+    def position(self, x: float | _Times) -> _Array:
+        """Positions at the time `x`, s, or a row of them for each of an array of times."""
+    def velocity(self, x: float | _Times) -> _Array:
+        """Velocities at the time `x`, s."""
+    def acceleration(self, x: float | _Times) -> _Array:
+        """Accelerations at the time `x`, s."""
+    def jerk(self, x: float | _Times) -> _Array:
+        """Jerks at the time `x`, s."""
+    def state_at(self, x: float) -> list[State]:
+        """The `State` of each axis at the time `x`, s."""
+    def sample(self, dt: float, *, n: int, start: float = 0.0) -> Samples[_Real]:
+        """`Samples` as of `Moves`, with the time `start + k*dt`, s. A clock that holds never ends, so `n` is needed."""
+
+@final
+class Shaper:
+    """An input shaper: a mean of a move at several times, which leaves little vibration at its frequencies.
+
+    `Shaper(kind, frequency, damping=0)` is for a load that swings with this frequency, Hz, and this damping, a part of the critical one.
+    A shaper never changes: `add` gives another one. `shape` gives the shaped motion, which keeps every limit of the move, starts and ends where
+    the move does, and takes `duration` longer. ValueError says which number is wrong, or that there are more than 16 impulses.
+
+    >>> import atraj
+    >>> move = atraj.Move.plan(atraj.Limits(jerk=1000, acceleration=4, velocity=1), 0, 0.5)
+    >>> shaper = atraj.Shaper(atraj.ShaperKind.ZVD, 5).add(atraj.ShaperKind.ZV, 12.5) # 5 Hz and 12.5 Hz
+    >>> round(shaper.duration, 3)
+    0.24
+    >>> shaped = shaper.shape(move)
+    >>> shaped.t == move.t + shaper.duration, shaped.position(shaped.t)
+    (True, 0.5)"""
+    def __new__(cls, kind: ShaperKind | int, frequency: float, damping: float = 0.0) -> Self: ...
+    @staticmethod
+    def smooth(time: float) -> Shaper:
+        """staticmethod(function) -> method
+
+        Convert a function to be a static method.
+
+        A static method does not receive an implicit first argument.
+        To declare a static method, use this idiom:
+
+             class C:
+                 @staticmethod
+                 def f(arg1, arg2, argN):
+                     ...
+
+        It can be called either on the class (e.g. C.f()) or on an instance
+        (e.g. C().f()). Both the class and the instance are ignored, and
+        neither is passed implicitly as the first argument to the method.
+
+        Static methods in Python are similar to those found in Java or C++.
+        For a more advanced concept, see the classmethod builtin."""
+    def add(self, kind: ShaperKind | int, frequency: float, damping: float = 0.0) -> Shaper:
+        """This shaper for another frequency of the load too, as a new shaper. The impulses of both are multiplied."""
+    @property
+    def duration(self) -> float:
+        """How much longer a shaped move takes, s."""
+    def shape(self, move: Move | Bell) -> Shaped:
+        """The shaped motion of a `Move` or a `Bell`, as a `Shaped`. TypeError for another motion."""
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: Any) -> Self: ...
+
+@final
+class Shaped(Profile):
+    """A shaped move: what `Shaper.shape` gives. Its jerk is NaN, for the shaper does not tell it."""
+
+@final
+class Steps:
+    """The steps of a motor that follows a move: an iterator over each `Step`, with its time, s, and its direction, 1 or -1.
+
+    `Steps(move, offset, step)`: line `k` is the position `offset + k*step`. The motor stands at the line `count` while the axis is between this
+    line and the next one. With an offset of half a step the motor is never farther than half a step from the axis. No step is lost, whatever is
+    rounded. ValueError if `step` is not above 0, a number is not finite, or a position is too many steps away from the offset.
+
+    >>> import atraj
+    >>> move = atraj.Move.plan(atraj.Limits(jerk=3000, acceleration=200, velocity=50), 0, 10) # mm
+    >>> steps = atraj.Steps(move, offset=0.00625, step=0.0125) # 80 steps per mm
+    >>> pulses = list(steps)
+    >>> pulses[0].direction, len(pulses), steps.count
+    (1, 800, 799)"""
+    def __new__(cls, move: Move, offset: float, step: float) -> Self: ...
+    @property
+    def count(self) -> int:
+        """The line of the motor."""
+    def follow(self, move: Move) -> None:
+        """Goes on with another move from its start, and keeps the motor where it is. So no step is lost where the moves meet."""
+    def __iter__(self) -> Self: ...
+    def __next__(self) -> Step: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: Any) -> Self: ...
 
 __version__: str
 __all__ = [
+    "Axes",
     "Bell",
     "BellFields",
+    "Clock",
     "Extremes",
     "Findings",
     "Limits",
     "Move",
+    "Moves",
     "Path",
     "Phase",
     "Poly3",
@@ -227,7 +802,12 @@ __all__ = [
     "Poly7",
     "Profile",
     "Samples",
+    "Shaped",
+    "Shaper",
+    "ShaperKind",
     "State",
+    "Step",
+    "Steps",
     "Trap",
     "TrapFields",
     "line",

@@ -17,10 +17,34 @@ Poly3 = f32.Poly3
 Poly5 = f32.Poly5
 Poly7 = f32.Poly7
 Move = f32.Move
+Axes = f32.Axes
+Moves = f32.Moves
 synchronise = f32.synchronise
 line = f32.line
 Path = f32.Path
 path = f32.path
+Clock = f32.Clock
+Shaper = f32.Shaper
+Shaped = f32.Shaped
+Steps = f32.Steps
 del f32
 
-__all__ = ["Bell", "Move", "Path", "Poly3", "Poly5", "Poly7", "Profile", "Trap", "line", "path", "synchronise"]
+__all__ = [
+    "Axes",
+    "Bell",
+    "Clock",
+    "Move",
+    "Moves",
+    "Path",
+    "Poly3",
+    "Poly5",
+    "Poly7",
+    "Profile",
+    "Shaped",
+    "Shaper",
+    "Steps",
+    "Trap",
+    "line",
+    "path",
+    "synchronise",
+]

@@ -1,7 +1,10 @@
-"""What goes into the profiles and comes out of them: named tuples and sets. They do not depend on the real type."""
+"""What goes into the motions and comes out of them: named tuples and sets. They do not depend on the real type."""
+
+from __future__ import annotations
 
 from enum import IntEnum, IntFlag
-from typing import Any, Generic, NamedTuple, Self, TypeVar
+from types import GenericAlias
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,13 +20,7 @@ class State(NamedTuple):
     acceleration: float = 0.0
 
 
-class Limits(NamedTuple):
-    """What an axis can do.
-
-    The highest values are above 0, the lowest ones below 0. An infinite limit is no limit.
-    A jerk, or both accelerations, are finite.
-    """
-
+class _Limits(NamedTuple):
     vmax: float
     vmin: float
     amax: float
@@ -31,11 +28,57 @@ class Limits(NamedTuple):
     jmax: float
     jmin: float
 
+
+class Limits(_Limits):
+    """What an axis can do.
+
+    The highest values are above 0, the lowest ones below 0. An infinite limit is no limit.
+    A jerk, or both accelerations, are finite.
+
+    `jerk`, `acceleration` and `velocity` are limits in both directions, and their signs are ignored. `vmax`, `vmin`, `amax`, `amin`, `jmax` and
+    `jmin` are limits in one direction. TypeError if a direction has no limit.
+
+    >>> import atraj
+    >>> atraj.Limits(jerk=30, acceleration=10, velocity=5)
+    Limits(vmax=5, vmin=-5, amax=10, amin=-10, jmax=30, jmin=-30)
+    >>> atraj.Limits(jerk=30, acceleration=10, velocity=5, amin=-12) # brakes harder
+    Limits(vmax=5, vmin=-5, amax=10, amin=-12, jmax=30, jmin=-30)
+    """
+
+    __slots__ = ()
+
+    def __new__(
+        cls,
+        vmax: float | None = None,
+        vmin: float | None = None,
+        amax: float | None = None,
+        amin: float | None = None,
+        jmax: float | None = None,
+        jmin: float | None = None,
+        *,
+        jerk: float | None = None,
+        acceleration: float | None = None,
+        velocity: float | None = None,
+    ) -> Limits:
+        v = _directions(vmax, vmin, velocity, "velocity, or vmax and vmin")
+        a = _directions(amax, amin, acceleration, "acceleration, or amax and amin")
+        j = _directions(jmax, jmin, jerk, "jerk, or jmax and jmin")
+        return super().__new__(cls, *v, *a, *j)
+
     @classmethod
-    def symmetric(cls, jerk: float, acceleration: float, velocity: float) -> Self:
+    def symmetric(cls, jerk: float, acceleration: float, velocity: float) -> Limits:
         """The same limits in both directions, in liba's order. Signs are ignored."""
-        j, a, v = abs(jerk), abs(acceleration), abs(velocity)
-        return cls(v, -v, a, -a, j, -j)
+        return cls(jerk=jerk, acceleration=acceleration, velocity=velocity)
+
+
+def _directions(highest: float | None, lowest: float | None, both: float | None, needed: str) -> tuple[float, float]:
+    """The limits in each direction, from those of one direction and that of both."""
+    if both is not None:
+        highest = abs(both) if highest is None else highest
+        lowest = -abs(both) if lowest is None else lowest
+    if highest is None or lowest is None:
+        raise TypeError(f"Limits needs {needed}")
+    return highest, lowest
 
 
 class Phase(NamedTuple):
@@ -56,17 +99,53 @@ class Extremes(NamedTuple):
     highest: State
 
 
-class Samples(NamedTuple, Generic[R]):
-    """Times, s, and what a motion does then: positions, velocities, accelerations and jerks.
+if TYPE_CHECKING:
 
-    The `out` of `sample` may hold None in the place of an array that is not wanted.
-    """
+    class Samples(NamedTuple, Generic[R]):
+        t: npt.NDArray[R]
+        p: npt.NDArray[R]
+        v: npt.NDArray[R]
+        a: npt.NDArray[R]
+        j: npt.NDArray[R]
 
-    t: npt.NDArray[R]
-    p: npt.NDArray[R]
-    v: npt.NDArray[R]
-    a: npt.NDArray[R]
-    j: npt.NDArray[R]
+else:
+    # A named tuple is generic at run time from Python 3.11 on.
+    class Samples(NamedTuple):
+        """Times, s, and what a motion does then: positions, velocities, accelerations and jerks.
+
+        The `out` of `sample` may hold None in the place of an array that is not wanted.
+        """
+
+        t: npt.NDArray
+        p: npt.NDArray
+        v: npt.NDArray
+        a: npt.NDArray
+        j: npt.NDArray
+
+        __class_getitem__ = classmethod(GenericAlias)
+
+
+class Step(NamedTuple):
+    """A step of a motor: its time since the start of the move, s, and its direction, 1 towards larger positions, else -1."""
+
+    time: float
+    direction: int
+
+
+class ShaperKind(IntEnum):
+    """How a shaper meets a frequency that is not exactly known. The number after each says by how much the frequency may be wrong while less than
+    5 % of the vibration of an undamped load is left."""
+
+    ZV = 0
+    """Zero vibration: 2 impulses, 1/2 period longer; 3 %."""
+    ZVD = 1
+    """Zero vibration and derivative: 3 impulses, 1 period longer; 14 %."""
+    MZV = 2
+    """Zero vibration by three impulses, 3/4 period longer; 5 %."""
+    EI = 3
+    """Extra insensitive: 3 impulses, 1 period longer; 20 %."""
+    EI2 = 4
+    """Extra insensitive with two humps: 4 impulses, 3/2 periods longer; 36 %."""
 
 
 class BellFields(NamedTuple):
@@ -156,3 +235,8 @@ class TrapezoidalProfile(NamedTuple):
     velocity: float
     acceleration: float
     deceleration: float
+
+
+def _rebuild(cls: Any, method: str, arguments: tuple[Any, ...]) -> Any:
+    """What a pickled object is made again by."""
+    return getattr(cls, method)(*arguments)

@@ -5,6 +5,7 @@
 mod claraty;
 mod motion;
 mod values;
+mod why;
 
 use pyo3::prelude::*;
 use pyo3::types::PyString;
@@ -13,6 +14,8 @@ use pyo3::types::PyString;
 #[path = "classes"]
 mod binary64 {
     type Real = f64;
+    pub mod axes;
+    pub mod machine;
     pub mod online;
     pub mod path;
     pub mod profiles;
@@ -20,6 +23,8 @@ mod binary64 {
 #[path = "classes"]
 mod binary32 {
     type Real = f32;
+    pub mod axes;
+    pub mod machine;
     pub mod online;
     pub mod path;
     pub mod profiles;
@@ -30,12 +35,16 @@ fn _atraj(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add_part(module, "f64", "atraj", |part| {
         binary64::profiles::add(part)?;
         binary64::online::add(part)?;
-        binary64::path::add(part)
+        binary64::axes::add(part)?;
+        binary64::path::add(part)?;
+        binary64::machine::add(part)
     })?;
     add_part(module, "f32", "atraj.f32", |part| {
         binary32::profiles::add(part)?;
         binary32::online::add(part)?;
-        binary32::path::add(part)
+        binary32::axes::add(part)?;
+        binary32::path::add(part)?;
+        binary32::machine::add(part)
     })?;
     add_part(module, "claraty", "atraj.claraty", |part| {
         part.add_class::<claraty::Trajectory>()

@@ -1,16 +1,16 @@
 //! What every profile does, for both real types: evaluation at a time or at an array of times, and sampling.
 
-use atraj::online::Move;
-use atraj::{Bell, Extremes, Poly, Real, Trap};
+use atraj::online::{Move, Phase};
+use atraj::{Bell, Extremes, Findings, Poly, Real, State, Trap};
 use numpy::{
-    Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyUntypedArray,
-    PyUntypedArrayMethods,
+    Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyReadwriteArrayDyn,
+    PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::values::{error, named};
+use crate::values::{error, named, phase_numbers};
 
 /// A real type of the library and of NumPy.
 pub trait Number:
@@ -28,11 +28,18 @@ pub trait Motion<R>: Send + Sync {
     fn acceleration(&self, x: R) -> R;
     /// NaN if the acceleration jumps.
     fn jerk(&self, x: R) -> R;
-    /// The lowest and the highest state of the motion, which lasts `t`, s.
-    fn extremes(&self, t: R) -> Extremes<R>;
+    fn state_at(&self, x: R) -> State<R>;
+    /// The lowest and the highest state of the motion, which lasts `t`, s. None if they are not known.
+    fn extremes(&self, t: R) -> Option<Extremes<R>>;
     /// Fills each output to its end; an output may be empty.
     fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]);
+    /// The method of the class that makes this motion again, which lasts `t`, s, and the arguments of the method. The name of a method that
+    /// is for copies alone begins with `_`.
+    fn parts<'py>(&self, py: Python<'py>, t: R) -> PyResult<Parts<'py>>;
 }
+
+/// What makes an object again: the name of a method of its class, and its arguments.
+pub type Parts<'py> = (&'static str, Bound<'py, PyTuple>);
 
 /// Methods that the library has under these names.
 macro_rules! delegate {
@@ -40,17 +47,30 @@ macro_rules! delegate {
         $(fn $name(&self, x: R) -> R {
             self.$name(x)
         })+
+        fn state_at(&self, x: R) -> State<R> {
+            self.state_at(x)
+        }
     };
 }
 
 impl<R: Number> Motion<R> for Bell<R> {
     delegate!(position velocity acceleration jerk);
-    fn extremes(&self, _: R) -> Extremes<R> {
-        self.extremes()
+    fn extremes(&self, _: R) -> Option<Extremes<R>> {
+        Some(self.extremes())
     }
     fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) {
         self.sample_into(x0, dt, outputs);
     }
+    fn parts<'py>(&self, py: Python<'py>, _: R) -> PyResult<Parts<'py>> {
+        one_tuple("from_fields", py, &bell_fields(self))
+    }
+}
+
+/// The fields in the order of liba's struct.
+#[rustfmt::skip]
+pub fn bell_fields<R: Number>(bell: &Bell<R>) -> [f64; 14] {
+    let Bell { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm } = *bell;
+    [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm].map(R::into)
 }
 
 impl<R: Number> Motion<R> for Trap<R> {
@@ -58,33 +78,113 @@ impl<R: Number> Motion<R> for Trap<R> {
     fn jerk(&self, _: R) -> R {
         R::NAN
     }
-    fn extremes(&self, _: R) -> Extremes<R> {
-        self.extremes()
+    fn extremes(&self, _: R) -> Option<Extremes<R>> {
+        Some(self.extremes())
     }
     fn sample_into(&self, x0: R, dt: R, [p, v, a, j]: [&mut [R]; 4]) {
         self.sample_into(x0, dt, [p, v, a]);
         j.fill(R::NAN);
     }
+    fn parts<'py>(&self, py: Python<'py>, _: R) -> PyResult<Parts<'py>> {
+        one_tuple("from_fields", py, &trap_fields(self))
+    }
+}
+
+/// The fields in the order of liba's struct.
+#[rustfmt::skip]
+pub fn trap_fields<R: Number>(trap: &Trap<R>) -> [f64; 12] {
+    let Trap { t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, a0, a1 } = *trap;
+    [t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, a0, a1].map(R::into)
+}
+
+fn one_tuple<'py>(method: &'static str, py: Python<'py>, numbers: &[f64]) -> PyResult<Parts<'py>> {
+    Ok((method, (PyTuple::new(py, numbers)?,).into_pyobject(py)?))
 }
 
 impl<R: Number, const N: usize> Motion<R> for Poly<R, N> {
     delegate!(position velocity acceleration jerk);
-    fn extremes(&self, t: R) -> Extremes<R> {
-        self.extremes(t)
+    fn extremes(&self, t: R) -> Option<Extremes<R>> {
+        Some(self.extremes(t))
     }
     fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) {
         self.sample_into(x0, dt, outputs);
+    }
+    fn parts<'py>(&self, py: Python<'py>, t: R) -> PyResult<Parts<'py>> {
+        let (t, c): (f64, [f64; N]) = (t.into(), self.c.map(R::into));
+        let arguments = (t, PyTuple::new(py, c)?);
+        Ok(("from_coefficients", arguments.into_pyobject(py)?))
     }
 }
 
-impl<R: Number> Motion<R> for Move<R> {
-    delegate!(position velocity acceleration jerk);
-    fn extremes(&self, _: R) -> Extremes<R> {
-        self.extremes()
+/// A move with what its plan found.
+#[derive(Clone, Copy, Default)]
+pub struct Planned<R: Real> {
+    pub motion: Move<R>,
+    pub findings: Findings,
+}
+
+impl<R: Number> Motion<R> for Planned<R> {
+    fn position(&self, x: R) -> R {
+        self.motion.position(x)
+    }
+    fn velocity(&self, x: R) -> R {
+        self.motion.velocity(x)
+    }
+    fn acceleration(&self, x: R) -> R {
+        self.motion.acceleration(x)
+    }
+    fn jerk(&self, x: R) -> R {
+        self.motion.jerk(x)
+    }
+    fn state_at(&self, x: R) -> State<R> {
+        self.motion.state_at(x)
+    }
+    fn extremes(&self, _: R) -> Option<Extremes<R>> {
+        Some(self.motion.extremes())
     }
     fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) {
-        self.sample_into(x0, dt, outputs);
+        self.motion.sample_into(x0, dt, outputs);
     }
+    fn parts<'py>(&self, py: Python<'py>, _: R) -> PyResult<Parts<'py>> {
+        let (t, phases) = move_parts(&self.motion);
+        let phases = phases.into_iter().map(|phase| PyTuple::new(py, phase));
+        let phases = PyTuple::new(py, phases.collect::<PyResult<Vec<_>>>()?)?;
+        let arguments = (t, self.findings.bits(), phases);
+        Ok(("_from_phases", arguments.into_pyobject(py)?))
+    }
+}
+
+/// Duration, s, and the phases of a move, with the end as the last one.
+pub fn move_parts<R: Number>(motion: &Move<R>) -> (f64, Vec<[f64; 6]>) {
+    let used = motion.phase.iter().take(motion.count as usize + 1);
+    let phases = used.map(|&phase| phase_numbers(phase)).collect();
+    (motion.t.into(), phases)
+}
+
+/// The move of its parts.
+pub fn move_from_parts<R: Number>(t: R, phases: &[[R; 6]]) -> PyResult<Move<R>> {
+    let mut motion = Move::default();
+    let Some(count) = phases
+        .len()
+        .checked_sub(1)
+        .filter(|_| phases.len() <= motion.phase.len())
+    else {
+        return Err(error("a move has 0 to 15 phases, and its end"));
+    };
+    motion.t = t;
+    motion.count = count as u32;
+    for (to, from) in motion.phase.iter_mut().zip(phases) {
+        let [start, duration, position, velocity, acceleration, jerk] = *from;
+        *to = Phase {
+            start,
+            duration,
+            position,
+            velocity,
+            acceleration,
+            jerk,
+        };
+    }
+    Ok(motion)
 }
 
 /// The values at a time, or at each of an array of times, s.
@@ -198,6 +298,74 @@ impl<'py, R: Number> Request<'py, R> {
     fn spread(&self, t: R, n: usize) -> R {
         let steps = n.saturating_sub(1).clamp(1, Self::MOST);
         (t - self.start) / R::from_index(steps as i32)
+    }
+}
+
+/// What several axes do: at each time `x`, s, a row with a number for each axis.
+pub trait Rows<R> {
+    /// Number of axes.
+    fn axes(&self) -> usize;
+    /// Position, velocity, acceleration and jerk of an axis.
+    fn quantities(&self, x: R, axis: usize) -> [R; 4];
+
+    /// A quantity of all axes at a time, s, or at each of an array of times.
+    fn rows<'py>(&self, times: &Bound<'py, PyAny>, quantity: usize) -> PyResult<Bound<'py, PyAny>>
+    where
+        R: Number,
+    {
+        let [rows] = self.some_rows(times, [quantity])?;
+        Ok(rows)
+    }
+
+    /// Some quantities of all axes at a time, s, or at each of an array of times.
+    fn some_rows<'py, const N: usize>(
+        &self,
+        times: &Bound<'py, PyAny>,
+        wanted: [usize; N],
+    ) -> PyResult<[Bound<'py, PyAny>; N]>
+    where
+        R: Number,
+    {
+        let py = times.py();
+        let times: PyReadonlyArrayDyn<R> = in_rows(times)?;
+        let shape = times.shape().iter().copied().chain([self.axes()]);
+        let shape = PyTuple::new(py, shape.collect::<Vec<_>>())?;
+        let mut arrays = Vec::new();
+        for _ in wanted {
+            arrays.push(empty::<R>(py, shape.clone())?);
+        }
+        let numbers = arrays.iter().map(|array| array.extract());
+        let mut numbers: Vec<PyReadwriteArrayDyn<R>> = numbers.collect::<Result<_, _>>()?;
+        let mut slices = Vec::new();
+        for array in &mut numbers {
+            slices.push(array.as_slice_mut()?);
+        }
+        for (k, &x) in times.as_slice()?.iter().enumerate() {
+            for axis in 0..self.axes() {
+                let quantities = self.quantities(x, axis);
+                for (slice, quantity) in slices.iter_mut().zip(wanted) {
+                    slice[k * self.axes() + axis] = quantities[quantity];
+                }
+            }
+        }
+        arrays
+            .try_into()
+            .map_err(|_| error("a quantity has no array"))
+    }
+
+    /// `Samples` with rows, of a motion that lasts `t`, s.
+    fn sample<'py>(
+        &self,
+        py: Python<'py>,
+        request: Request<'py, R>,
+        t: R,
+    ) -> PyResult<Bound<'py, PyAny>>
+    where
+        R: Number,
+    {
+        let times = request.times(py, t)?;
+        let [p, v, a, j] = self.some_rows(&times, [0, 1, 2, 3])?;
+        named(py, "Samples", (times, p, v, a, j))
     }
 }
 

@@ -1,10 +1,13 @@
-"""Does sampling from Python cost more than the call of the C function?"""
+"""Does sampling from Python cost more than the call of the C function, and planning more than Ruckig's?"""
 
 import ctypes
+import random
 import time
 from pathlib import Path
 
 import numpy as np
+import pytest
+import ruckig
 
 import atraj
 
@@ -57,3 +60,64 @@ def test_a_million_samples():
     print(f"a million samples: C {1e3 * c:.2f} ms, into fresh arrays {c_fresh / c:.2f} times as long;")
     print(f"Python {python / c:.2f}, with times {with_times / c:.2f}, with times into fresh arrays {fresh / c:.2f}")
     assert python <= MOST * c
+
+
+PROBLEMS = 500
+MOST_OF_RUCKIG = 1.5  # times its calculation alone, whose input is there before
+MOST_OF_A_STATE = 300e-9  # s
+
+
+def problems(axes):
+    """The same problems for both: the axes are in motion, and the targets at rest."""
+    chance = random.Random(axes)
+    limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * axes
+    for _ in range(PROBLEMS):
+        start = [(chance.uniform(-5, 5), chance.uniform(-2, 2), chance.uniform(-2, 2)) for _ in limits]
+        end = [chance.uniform(-5, 5) for _ in limits]
+        given = ruckig.InputParameter(axes)
+        given.max_velocity, given.max_acceleration, given.max_jerk = [5] * axes, [10] * axes, [30] * axes
+        given.current_position, given.current_velocity, given.current_acceleration = map(list, zip(*start))
+        given.target_position = end
+        yield limits, start, end, given
+
+
+@pytest.mark.parametrize("axes", [1, 3])
+def test_plans_beside_ruckig(axes):
+    otg, trajectory, given = ruckig.Ruckig(axes), ruckig.Trajectory(axes), list(problems(axes))
+    plan = atraj.synchronise
+
+    def ours():
+        if axes == 1:
+            for (limits,), (start,), (end,), _ in given:
+                atraj.Move.plan(limits, start, end)
+        else:
+            for limits, start, end, _ in given:
+                plan(limits, start, end)
+
+    def theirs():
+        for *_, problem in given:
+            otg.calculate(problem, trajectory)
+
+    mine, other = (taken / PROBLEMS for taken in fastest(ours, theirs))
+    print(f"plan of {axes}: {1e6 * mine:.2f} us, Ruckig {ruckig.__version__} {1e6 * other:.2f} us, {mine / other:.2f} times as long")
+    assert mine <= MOST_OF_RUCKIG * other
+
+
+def test_a_state():
+    move, calls = atraj.Move.plan(atraj.Limits(jerk=30, acceleration=10, velocity=5), 0, 10), range(1000)
+    (limits, start, end, problem), *_ = problems(1)
+    trajectory = ruckig.Trajectory(1)
+    ruckig.Ruckig(1).calculate(problem, trajectory)
+    state_at, at_time = move.state_at, trajectory.at_time
+
+    def ours():
+        for _ in calls:
+            state_at(0.7)
+
+    def theirs():
+        for _ in calls:
+            at_time(0.7)
+
+    mine, other = (taken / len(calls) for taken in fastest(ours, theirs))
+    print(f"state_at: {1e9 * mine:.0f} ns, Ruckig {ruckig.__version__} {1e9 * other:.0f} ns")
+    assert mine <= MOST_OF_A_STATE

@@ -13,7 +13,7 @@ import atraj
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "python/examples/vibration.py"
-PICTURE = ROOT / "docs/img/vibration.svg"
+PICTURES = ["vibration.svg", "shaper-or-jerk.svg"]
 
 DISTANCE, VELOCITY, ACCELERATION = 0.5, 1.0, 4.0  # m, m/s, m/s^2
 W, D = 2 * math.pi * 5, 0.01  # rad/s, and of the critical damping
@@ -84,6 +84,28 @@ def test_the_page_says_so(printed):
     assert f"answers: {jerk:.1f} m/s³, and the move takes {cost_percent:.0f} % longer" in page
 
 
-def test_picture(tmp_path):
-    run(tmp_path / "vibration.svg")
-    assert (tmp_path / "vibration.svg").read_text() == PICTURE.read_text(), "draw docs/img/vibration.svg again"
+KINDS = ["ZV", "ZVD", "MZV", "EI", "EI2"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_page_of_the_shapers_says_so(printed, kind):
+    """The table of that page is computed in Rust, in another way."""
+    row = re.search(rf"^\| {kind} \|(.*)", (ROOT / "docs/machine.md").read_text().split("wrong by 20 %")[-1], re.M)[1]
+    *_, vibration, with_shaper, with_jerk = [float(x) for x in re.findall(r"\d+\.\d+", row)]
+    assert printed[kind] == [vibration, with_shaper, pytest.approx(with_jerk, abs=0.0011)]
+
+
+def test_a_shaper_costs_less_than_a_lower_jerk(printed):
+    for kind in KINDS:
+        _, with_shaper, with_jerk = printed[kind]
+        assert with_shaper < with_jerk
+    page = (ROOT / "docs/for-python.md").read_text().replace("\n", " ")
+    left, with_shaper, with_jerk = printed["EI"]
+    assert f"{left:.2f} mm in {with_shaper:.2f} s with EI, and {with_jerk:.2f} s with a lower jerk" in page
+
+
+def test_pictures(tmp_path):
+    run(*[tmp_path / name for name in PICTURES])
+    for name in PICTURES:
+        committed = (ROOT / "docs/img" / name).read_text()
+        assert (tmp_path / name).read_text() == committed, f"draw docs/img/{name} again"

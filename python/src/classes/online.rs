@@ -1,57 +1,69 @@
-//! Moves from any state to any state, for one axis or several.
+//! Moves of one axis from any state to any state.
 
-use atraj::axes;
-use atraj::online::Limits;
+use std::sync::Arc;
+
 use atraj::{Error, Findings, State};
 use pyo3::prelude::*;
 
 use super::Real;
 use super::profiles::Profile;
-use crate::values::{LimitsTuple, StateTuple, from_limits, from_state, named, no_move, to_phase};
+use crate::motion::{Planned, move_from_parts};
+use crate::values::{GivenLimits, GivenState, error, from_findings, to_findings, to_phase};
+use crate::why::no_move;
 
-/// Adds the class and the functions to a module.
+/// Adds the class to a module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Move>()?;
-    module.add_function(wrap_pyfunction!(synchronise, module)?)?;
-    module.add_function(wrap_pyfunction!(line, module)?)
+    module.add_class::<Move>()
 }
 
 /// A move from any state to any state, planned in motion: phases of constant jerk.
 ///
-/// `Move.plan`, `reach`, `stop` and `meet` plan one axis, `synchronise` and `line` several. A move never changes: when the target
-/// changes, plan again from `state_at` of this moment. After its end the axis moves on with the acceleration of the end. ValueError if an argument is no number, a limit is 0 or has the wrong sign, or the
-/// target is outside the limits.
+/// `Move.plan`, `within`, `reach`, `stop`, `meet` and `track` plan one axis, `synchronise` and `line` several. A move never changes: when the
+/// target changes, plan again from `state_at` of this moment. After its end the axis moves on with the acceleration of the end.
+///
+/// A state is a `State`, up to three numbers in its order, or a position at rest; limits are a `Limits` or six numbers in its order. ValueError
+/// says which number is no number, which limit is 0 or has the wrong sign, or what is outside the limits.
 ///
 /// >>> import atraj
-/// >>> limits = atraj.Limits.symmetric(jerk=30, acceleration=10, velocity=5)
-/// >>> move = atraj.Move.plan(limits, atraj.State(0), atraj.State(10))
-/// >>> other = atraj.Move.plan(limits, move.state_at(0.7), atraj.State(-2)) # in mid-motion, another target
+/// >>> limits = atraj.Limits(jerk=30, acceleration=10, velocity=5)
+/// >>> move = atraj.Move.plan(limits, 0, 10)
+/// >>> other = atraj.Move.plan(limits, move.state_at(0.7), -2) # in mid-motion, another target
 /// >>> other.position(other.t), other.findings
 /// (-2.0, <Findings.OVERSHOOTS: 16>)
 #[pyclass(frozen, extends = Profile)]
-pub struct Move {
-    inner: atraj::online::Move<Real>,
-    findings: Findings,
-}
+pub struct Move(pub Arc<Planned<Real>>);
 
 impl Move {
-    /// The move that `plan` writes.
+    /// The move that `plan` writes. The names and the numbers are for the error.
     fn planned(
         py: Python<'_>,
+        limits: &GivenLimits<Real>,
+        states: &[(&str, GivenState<Real>)],
+        others: &[(&str, Real)],
         plan: impl FnOnce(&mut atraj::online::Move<Real>) -> Result<Findings, Error>,
     ) -> PyResult<Py<Self>> {
-        let mut inner = atraj::online::Move::default();
-        let findings = plan(&mut inner).map_err(no_move)?;
-        Self::of(py, inner, findings)
+        let mut planned = Arc::new(Planned::default());
+        // Nobody shares it yet. The plan is written where it stays, because a move is large.
+        let Some(Planned { motion, findings }) = Arc::get_mut(&mut planned) else {
+            return Err(error("the move is shared"));
+        };
+        *findings = plan(motion).map_err(|why| {
+            let states: Vec<_> = states
+                .iter()
+                .map(|(name, state)| (*name, state.0))
+                .collect();
+            no_move(why, "", &limits.0, &states, others)
+        })?;
+        Self::share(py, planned)
     }
 
-    fn of(
-        py: Python<'_>,
-        inner: atraj::online::Move<Real>,
-        findings: Findings,
-    ) -> PyResult<Py<Self>> {
-        let axis = Self { inner, findings };
-        Py::new(py, Profile::new(inner, inner.t).add_subclass(axis))
+    pub fn of(py: Python<'_>, planned: Planned<Real>) -> PyResult<Py<Self>> {
+        Self::share(py, Arc::new(planned))
+    }
+
+    fn share(py: Python<'_>, planned: Arc<Planned<Real>>) -> PyResult<Py<Self>> {
+        let base = Profile::shared(planned.clone(), planned.motion.t);
+        Py::new(py, base.add_subclass(Self(planned)))
     }
 }
 
@@ -63,12 +75,14 @@ impl Move {
     #[staticmethod]
     fn plan(
         py: Python<'_>,
-        limits: LimitsTuple<Real>,
-        start: StateTuple<Real>,
-        end: StateTuple<Real>,
+        limits: GivenLimits<Real>,
+        start: GivenState<Real>,
+        end: GivenState<Real>,
     ) -> PyResult<Py<Self>> {
-        let (limits, start, end) = (from_limits(limits), from_state(start), from_state(end));
-        Self::planned(py, |axis| axis.plan(&limits, start, end))
+        let states = [("start", start), ("end", end)];
+        Self::planned(py, &limits, &states, &[], |axis| {
+            axis.plan(&limits.0, start.0, end.0)
+        })
     }
 
     /// The fastest motion from the state `start` to the state `end`, if it stays between two positions until its end; `-inf` and `inf` are no
@@ -77,14 +91,24 @@ impl Move {
     #[staticmethod]
     fn within(
         py: Python<'_>,
-        limits: LimitsTuple<Real>,
-        start: StateTuple<Real>,
-        end: StateTuple<Real>,
+        limits: GivenLimits<Real>,
+        start: GivenState<Real>,
+        end: GivenState<Real>,
         lowest: Real,
         highest: Real,
     ) -> PyResult<Py<Self>> {
-        let (limits, start, end) = (from_limits(limits), from_state(start), from_state(end));
-        Self::planned(py, |axis| axis.within(&limits, start, end, lowest, highest))
+        let states = [("start", start), ("end", end)];
+        // Infinite positions are allowed, so a position is named only if it is no number.
+        let wrong = [("lowest", lowest), ("highest", highest)]
+            .map(|(name, x)| (name, if x.is_nan() { x } else { 0.0 }));
+        if lowest >= highest {
+            return Err(error(&format!(
+                "lowest = {lowest} is not below highest = {highest}"
+            )));
+        }
+        Self::planned(py, &limits, &states, &wrong, |axis| {
+            axis.within(&limits.0, start.0, end.0, lowest, highest)
+        })
     }
 
     /// The fastest motion from the state `start` to a velocity and an acceleration; the position is free.
@@ -92,14 +116,19 @@ impl Move {
     #[pyo3(signature = (limits, start, velocity, acceleration=0.0))]
     fn reach(
         py: Python<'_>,
-        limits: LimitsTuple<Real>,
-        start: StateTuple<Real>,
+        limits: GivenLimits<Real>,
+        start: GivenState<Real>,
         velocity: Real,
         acceleration: Real,
     ) -> PyResult<Py<Self>> {
-        let (limits, start) = (from_limits(limits), from_state(start));
-        Self::planned(py, |axis| {
-            axis.reach(&limits, start, velocity, acceleration)
+        let end = State {
+            position: 0.0,
+            velocity,
+            acceleration,
+        };
+        let states = [("start", start), ("end", GivenState(end))];
+        Self::planned(py, &limits, &states, &[], |axis| {
+            axis.reach(&limits.0, start.0, velocity, acceleration)
         })
     }
 
@@ -107,11 +136,13 @@ impl Move {
     #[staticmethod]
     fn stop(
         py: Python<'_>,
-        limits: LimitsTuple<Real>,
-        start: StateTuple<Real>,
+        limits: GivenLimits<Real>,
+        start: GivenState<Real>,
     ) -> PyResult<Py<Self>> {
-        let (limits, start) = (from_limits(limits), from_state(start));
-        Self::planned(py, |axis| axis.stop(&limits, start))
+        let states = [("start", start), ("end", GivenState(State::at(0.0)))];
+        Self::planned(py, &limits, &states, &[], |axis| {
+            axis.stop(&limits.0, start.0)
+        })
     }
 
     /// The fastest motion from the state `start` to a target that moves on at its velocity. The move ends beside the target, at
@@ -119,12 +150,14 @@ impl Move {
     #[staticmethod]
     fn meet(
         py: Python<'_>,
-        limits: LimitsTuple<Real>,
-        start: StateTuple<Real>,
-        target: StateTuple<Real>,
+        limits: GivenLimits<Real>,
+        start: GivenState<Real>,
+        target: GivenState<Real>,
     ) -> PyResult<Py<Self>> {
-        let (limits, start, target) = (from_limits(limits), from_state(start), from_state(target));
-        Self::planned(py, |axis| axis.meet(&limits, start, target))
+        let states = [("start", start), ("target", target)];
+        Self::planned(py, &limits, &states, &[], |axis| {
+            axis.meet(&limits.0, start.0, target.0)
+        })
     }
 
     /// The motion of one tick of an axis that follows `signal`, a state: call it in every tick. Where the axis can be beside the signal after
@@ -132,113 +165,59 @@ impl Move {
     #[staticmethod]
     fn track(
         py: Python<'_>,
-        limits: LimitsTuple<Real>,
-        start: StateTuple<Real>,
-        signal: StateTuple<Real>,
+        limits: GivenLimits<Real>,
+        start: GivenState<Real>,
+        signal: GivenState<Real>,
         horizon: Real,
     ) -> PyResult<Py<Self>> {
-        let (limits, start, signal) = (from_limits(limits), from_state(start), from_state(signal));
-        Self::planned(py, |axis| axis.track(&limits, start, signal, horizon))
+        let states = [("start", start), ("signal", signal)];
+        Self::planned(py, &limits, &states, &[("horizon", horizon)], |axis| {
+            axis.track(&limits.0, start.0, signal.0, horizon)
+        })
     }
 
     /// What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone.
     fn check<'py>(
         &self,
         py: Python<'py>,
-        limits: LimitsTuple<Real>,
+        limits: GivenLimits<Real>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let found = self.inner.check(&from_limits(limits)).map_err(no_move)?;
-        named(py, "Findings", (found.bits(),))
+        let found = self.0.motion.check(&limits.0);
+        to_findings(
+            py,
+            found.map_err(|why| no_move(why, "", &limits.0, &[], &[]))?,
+        )
     }
 
     /// The first time from 0 to `t` at which the axis is at `position`, s; None if it never is.
     fn time_at(&self, position: Real) -> Option<Real> {
-        self.inner.time_at(position)
+        self.0.motion.time_at(position)
     }
 
     /// The `Findings` of the plan: of OVERSHOOTS, STARTS_OUTSIDE and ENDS_LEAVING any or none. For several axes it is what any of them does.
     #[getter]
     fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        named(py, "Findings", (self.findings.bits(),))
+        to_findings(py, self.0.findings)
     }
 
     /// The phases of constant jerk in order of time, each a `Phase`.
     #[getter]
     fn phases<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        let used = self.inner.phase.iter().take(self.inner.count as usize);
+        let motion = &self.0.motion;
+        let used = motion.phase.iter().take(motion.count as usize);
         used.map(|&phase| to_phase(py, phase)).collect()
     }
-}
 
-type Plan = fn(
-    &mut [atraj::online::Move<Real>],
-    &[Limits<Real>],
-    &[State<Real>],
-    &[State<Real>],
-    Real,
-    Real,
-) -> Result<Findings, Error>;
-
-/// Moves of several axes that arrive together: the shortest duration that is possible for each axis, is at least `duration`, s, and is
-/// a multiple of `cycle`, s (0: any). An item of `limits`, `start` and `end` belongs to one axis. ValueError as for one axis.
-///
-/// >>> import atraj
-/// >>> limits = [atraj.Limits.symmetric(30, 10, 5), atraj.Limits.symmetric(60, 20, 5)]
-/// >>> x, y = atraj.synchronise(limits, [atraj.State(0), atraj.State(0)], [atraj.State(10), atraj.State(-1)])
-/// >>> x.t == y.t
-/// True
-#[pyfunction]
-#[pyo3(signature = (limits, start, end, *, duration=0.0, cycle=0.0))]
-pub fn synchronise(
-    py: Python<'_>,
-    limits: Vec<LimitsTuple<Real>>,
-    start: Vec<StateTuple<Real>>,
-    end: Vec<StateTuple<Real>>,
-    duration: Real,
-    cycle: Real,
-) -> PyResult<Vec<Py<Move>>> {
-    together(
-        py,
-        axes::synchronise,
-        limits,
-        [start, end],
-        [duration, cycle],
-    )
-}
-
-/// Moves of several axes on the straight line from their start to their end: the fastest motion on it that lasts at least `duration`,
-/// s, and a multiple of `cycle`, s (0: any). ValueError also if velocities and accelerations do not point along the line.
-///
-/// >>> import atraj
-/// >>> limits = [atraj.Limits.symmetric(20, 4, 1), atraj.Limits.symmetric(10, 2, 0.8)]
-/// >>> x, y = atraj.line(limits, [(0, 0, 0), (0, 0, 0)], [(0.8, 0, 0), (0.4, 0, 0)], cycle=0.001)
-/// >>> abs(x.position(0.5) - 2 * y.position(0.5)) < 1e-15
-/// True
-#[pyfunction]
-#[pyo3(signature = (limits, start, end, *, duration=0.0, cycle=0.0))]
-pub fn line(
-    py: Python<'_>,
-    limits: Vec<LimitsTuple<Real>>,
-    start: Vec<StateTuple<Real>>,
-    end: Vec<StateTuple<Real>>,
-    duration: Real,
-    cycle: Real,
-) -> PyResult<Vec<Py<Move>>> {
-    together(py, axes::line, limits, [start, end], [duration, cycle])
-}
-
-fn together(
-    py: Python<'_>,
-    plan: Plan,
-    limits: Vec<LimitsTuple<Real>>,
-    ends: [Vec<StateTuple<Real>>; 2],
-    [duration, cycle]: [Real; 2],
-) -> PyResult<Vec<Py<Move>>> {
-    let limits: Vec<_> = limits.into_iter().map(from_limits).collect();
-    let [start, end] = ends.map(|states| states.into_iter().map(from_state).collect::<Vec<_>>());
-    let mut axes = vec![atraj::online::Move::default(); limits.len()];
-    let findings = plan(&mut axes, &limits, &start, &end, duration, cycle).map_err(no_move)?;
-    axes.into_iter()
-        .map(|axis| Move::of(py, axis, findings))
-        .collect()
+    /// What a copy is made of.
+    #[staticmethod]
+    fn _from_phases(
+        py: Python<'_>,
+        t: Real,
+        findings: u8,
+        phases: Vec<[Real; 6]>,
+    ) -> PyResult<Py<Self>> {
+        let motion = move_from_parts(t, &phases)?;
+        let findings = from_findings(findings);
+        Self::of(py, Planned { motion, findings })
+    }
 }

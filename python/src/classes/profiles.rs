@@ -1,12 +1,15 @@
 //! The profiles.
 
-use atraj::{Boundary, Error, Findings, Poly, Saturation};
+use std::sync::Arc;
+
+use atraj::{Boundary, Error, Poly, Saturation};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use super::Real;
-use crate::motion::{Arrays, Motion, Request, at};
-use crate::values::{from_state, named, no_move, to_extremes, to_state};
+use crate::motion::{Arrays, Motion, Request, at, bell_fields, trap_fields};
+use crate::values::{error, named, to_extremes, to_findings, to_state};
+use crate::why::{no_polynomial, no_profile};
 
 /// Adds the classes to a module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -26,7 +29,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// An array of times has any strides, alignment, byte order and type of real number. The mask of a masked array is not looked at.
 #[pyclass(frozen, subclass)]
 pub struct Profile {
-    motion: Box<dyn Motion<Real>>,
+    motion: Arc<dyn Motion<Real>>,
     /// Duration, s.
     #[pyo3(get)]
     t: Real,
@@ -35,8 +38,17 @@ pub struct Profile {
 impl Profile {
     /// The base of a profile that lasts `t`, s.
     pub fn new(motion: impl Motion<Real> + 'static, t: Real) -> PyClassInitializer<Self> {
-        let motion = Box::new(motion);
+        Self::shared(Arc::new(motion), t)
+    }
+
+    /// The base of a profile that keeps its motion too.
+    pub fn shared(motion: Arc<dyn Motion<Real>>, t: Real) -> PyClassInitializer<Self> {
         PyClassInitializer::from(Self { motion, t })
+    }
+
+    /// Duration, s.
+    pub fn lasts(&self) -> Real {
+        self.t
     }
 }
 
@@ -66,18 +78,15 @@ impl Profile {
 
     /// The `State` at the time `x`, s: where another plan starts.
     fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyAny>> {
-        let motion = &self.motion;
-        let state = (
-            motion.position(x),
-            motion.velocity(x),
-            motion.acceleration(x),
-        );
-        to_state(py, from_state(state))
+        to_state(py, self.motion.state_at(x))
     }
 
-    /// The `Extremes`: the lowest and the highest position, velocity and acceleration between 0 and `t`.
+    /// The `Extremes`: the lowest and the highest position, velocity and acceleration between 0 and `t`. ValueError for a shaped move, whose
+    /// extremes only `sample` can tell.
     fn extremes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_extremes(py, self.motion.extremes(self.t))
+        let extremes = self.motion.extremes(self.t);
+        let unknown = || error("the extremes of a shaped move are not known: sample it");
+        to_extremes(py, extremes.ok_or_else(unknown)?)
     }
 
     /// `Samples`: times, positions, velocities, accelerations and jerks, with the bits of the single calls.
@@ -107,17 +116,83 @@ impl Profile {
     }
 
     /// Draws position, velocity, acceleration and jerk over time, and returns the figure. Needs matplotlib.
-    fn plot<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let py = slf.py();
-        py.import("atraj._plot")?.call_method1("plot", (slf,))
+    ///
+    /// `limits` are drawn as dashed lines. The labels have the `unit` of the position, "m" or "deg" for example, and the others that follow
+    /// from it. `label` names the motion. `axes`, the axes of a figure, draws over what is there, so motions lie over each other:
+    ///
+    /// >>> import atraj
+    /// >>> figure = atraj.Bell(30, 10, 5, 0, 10).plot(label="double-S", unit="m") # doctest: +SKIP
+    /// >>> atraj.Trap(5, 10, -10, 0, 10).plot(axes=figure.axes, label="trapezoid") # doctest: +SKIP
+    #[pyo3(signature = (*, axes=None, limits=None, unit=None, label=None))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        axes: Option<Bound<'py, PyAny>>,
+        limits: Option<Bound<'py, PyAny>>,
+        unit: Option<&str>,
+        label: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let plot = slf.py().import("atraj._plot")?.getattr("plot")?;
+        plot.call1((slf, axes, limits, unit, label))
+    }
+
+    /// Equal are motions of one class with the same numbers.
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        match other.cast_exact::<Self>().or_else(|_| other.cast::<Self>()) {
+            Ok(other) if slf.get_type().is(other.get_type()) => {
+                Self::parts(slf)?.1.eq(Self::parts(other)?.1)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
+        Self::parts(slf)?.1.hash()
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (method, arguments) = Self::parts(slf)?;
+        rebuilding(slf.as_any(), method, arguments)
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: Bound<'_, PyAny>) -> Py<Self> {
+        slf
     }
 
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let class = slf.get_type();
+        let (method, arguments) = Self::parts(slf)?;
+        if !method.starts_with('_') {
+            return Ok(
+                format!("{}.{method}{arguments}", class.fully_qualified_name()?)
+                    .replace(",))", "))"),
+            );
+        }
         let Self { motion, t } = slf.get();
         let (from, to) = (motion.position(0.0), motion.position(*t));
-        let name = slf.get_type().name()?;
-        Ok(format!("<{name} from {from} to {to} in {t} s>"))
+        Ok(format!("<{} from {from} to {to} in {t} s>", class.name()?))
     }
+}
+
+impl Profile {
+    fn parts<'py>(slf: &Bound<'py, Self>) -> PyResult<(&'static str, Bound<'py, PyTuple>)> {
+        let Self { motion, t } = slf.get();
+        motion.parts(slf.py(), *t)
+    }
+}
+
+/// How `pickle` makes an object again: by a method of its class.
+pub fn rebuilding<'py>(
+    object: &Bound<'py, PyAny>,
+    method: &str,
+    arguments: Bound<'py, PyTuple>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let rebuild = object.py().import("atraj.values")?.getattr("_rebuild")?;
+    let arguments = (object.get_type(), method, arguments);
+    Ok((rebuild, arguments).into_pyobject(object.py())?.into_any())
 }
 
 /// Double-S: jerk, acceleration and velocity are limited.
@@ -134,11 +209,26 @@ impl Profile {
 /// >>> move.t, move.position(1.0)
 /// (2.833333333333333, 2.916666666666667)
 #[pyclass(frozen, extends = Profile)]
-pub struct Bell(atraj::Bell<Real>);
+pub struct Bell(pub atraj::Bell<Real>);
 
 impl Bell {
     fn of(bell: atraj::Bell<Real>) -> PyClassInitializer<Self> {
         Profile::new(bell, bell.t).add_subclass(Self(bell))
+    }
+
+    fn refused(
+        why: Error,
+        jerk: Real,
+        acceleration: Real,
+        velocity: Real,
+        boundary: Boundary<Real>,
+    ) -> PyErr {
+        let limits = [
+            ("jerk", jerk),
+            ("acceleration", acceleration),
+            ("velocity", velocity),
+        ];
+        no_profile(why, limits, boundary, None)
     }
 }
 
@@ -160,7 +250,9 @@ impl Bell {
         let boundary = Boundary { p0, p1, v0, v1 };
         let saturation = saturation(newest_saturation);
         let bell = atraj::Bell::new_saturated(jerk, acceleration, velocity, boundary, saturation);
-        Ok(Self::of(bell.map_err(no_move)?))
+        Ok(Self::of(bell.map_err(|why| {
+            Self::refused(why, jerk, acceleration, velocity, boundary)
+        })?))
     }
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
@@ -169,8 +261,8 @@ impl Bell {
     /// number, or a position is infinite.
     ///
     /// >>> import atraj
-    /// >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2) # 0.1 m to go at 2 m/s
-    /// <Bell from 0 to 0.1 in 1.015182383138908 s>
+    /// >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2).t # 0.1 m to go at 2 m/s
+    /// 1.015182383138908
     #[staticmethod]
     #[pyo3(signature = (jerk, acceleration, velocity, p0, p1, v0=0.0, v1=0.0))]
     #[allow(clippy::too_many_arguments)]
@@ -186,7 +278,12 @@ impl Bell {
     ) -> PyResult<Py<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let bell = atraj::Bell::fastest(jerk, acceleration, velocity, boundary);
-        Py::new(py, Self::of(bell.map_err(no_move)?))
+        Py::new(
+            py,
+            Self::of(
+                bell.map_err(|why| Self::refused(why, jerk, acceleration, velocity, boundary))?,
+            ),
+        )
     }
 
     /// The move with these `BellFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
@@ -200,11 +297,8 @@ impl Bell {
 
     /// The `BellFields`: what liba's struct holds.
     #[getter]
-    #[rustfmt::skip]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let atraj::Bell { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm } = self.0;
-        let fields = [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm];
-        named(py, "BellFields", PyTuple::new(py, fields)?)
+        named(py, "BellFields", PyTuple::new(py, bell_fields(&self.0))?)
     }
 
     /// The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
@@ -221,7 +315,8 @@ impl Bell {
         acceleration: Real,
         velocity: Real,
     ) -> PyResult<Bound<'py, PyAny>> {
-        found(py, self.0.check(jerk, acceleration, velocity))
+        let found = self.0.check(jerk, acceleration, velocity);
+        to_findings(py, found.map_err(|why| error(&why.to_string()))?)
     }
 }
 
@@ -241,6 +336,11 @@ pub struct Trap(atraj::Trap<Real>);
 impl Trap {
     fn of(trap: atraj::Trap<Real>) -> PyClassInitializer<Self> {
         Profile::new(trap, trap.t).add_subclass(Self(trap))
+    }
+
+    fn refused(why: Error, velocity: Real, [ac, de]: [Real; 2], boundary: Boundary<Real>) -> PyErr {
+        let limits = [("velocity", velocity), ("ac", ac), ("de", de)];
+        no_profile(why, limits, boundary, Some([ac, de]))
     }
 }
 
@@ -262,7 +362,9 @@ impl Trap {
         let boundary = Boundary { p0, p1, v0, v1 };
         let saturation = saturation(newest_saturation);
         let trap = atraj::Trap::new_saturated(velocity, ac, de, boundary, saturation);
-        Ok(Self::of(trap.map_err(no_move)?))
+        Ok(Self::of(trap.map_err(|why| {
+            Self::refused(why, velocity, [ac, de], boundary)
+        })?))
     }
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
@@ -282,8 +384,12 @@ impl Trap {
         v0: Real,
         v1: Real,
     ) -> PyResult<Py<Self>> {
-        let trap = atraj::Trap::fastest(velocity, ac, de, Boundary { p0, p1, v0, v1 });
-        Py::new(py, Self::of(trap.map_err(no_move)?))
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let trap = atraj::Trap::fastest(velocity, ac, de, boundary);
+        Py::new(
+            py,
+            Self::of(trap.map_err(|why| Self::refused(why, velocity, [ac, de], boundary))?),
+        )
     }
 
     /// The move with these `TrapFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
@@ -297,10 +403,8 @@ impl Trap {
 
     /// The `TrapFields`: what liba's struct holds.
     #[getter]
-    #[rustfmt::skip]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let atraj::Trap { t, p0, p1, v0, v1, vc, ta, cruise_end: td, pa, pd, a0: ac, a1: de } = self.0;
-        named(py, "TrapFields", (t, p0, p1, v0, v1, vc, ta, td, pa, pd, ac, de))
+        named(py, "TrapFields", PyTuple::new(py, trap_fields(&self.0))?)
     }
 
     /// The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
@@ -312,7 +416,8 @@ impl Trap {
         ac: Real,
         de: Real,
     ) -> PyResult<Bound<'py, PyAny>> {
-        found(py, self.0.check(velocity, ac, de))
+        let found = self.0.check(velocity, ac, de);
+        to_findings(py, found.map_err(|why| error(&why.to_string()))?)
     }
 }
 
@@ -352,7 +457,9 @@ impl Poly3 {
     #[new]
     #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0))]
     fn new(t: Real, p0: Real, p1: Real, v0: Real, v1: Real) -> PyResult<PyClassInitializer<Self>> {
-        let poly = atraj::Poly3::new(t, Boundary { p0, p1, v0, v1 }).map_err(no_move)?;
+        let poly = atraj::Poly3::new(t, Boundary { p0, p1, v0, v1 });
+        let ends = [("p0", p0), ("p1", p1), ("v0", v0), ("v1", v1)];
+        let poly = poly.map_err(|why| no_polynomial(why, t, &ends))?;
         Ok(Self::of(poly, t))
     }
 
@@ -389,7 +496,16 @@ impl Poly5 {
         a1: Real,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
-        let poly = atraj::Poly5::new(t, boundary, [a0, a1]).map_err(no_move)?;
+        let poly = atraj::Poly5::new(t, boundary, [a0, a1]);
+        let ends = [
+            ("p0", p0),
+            ("p1", p1),
+            ("v0", v0),
+            ("v1", v1),
+            ("a0", a0),
+            ("a1", a1),
+        ];
+        let poly = poly.map_err(|why| no_polynomial(why, t, &ends))?;
         Ok(Self::of(poly, t))
     }
 
@@ -429,7 +545,18 @@ impl Poly7 {
         j1: Real,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
-        let poly = atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]).map_err(no_move)?;
+        let poly = atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]);
+        let ends = [
+            ("p0", p0),
+            ("p1", p1),
+            ("v0", v0),
+            ("v1", v1),
+            ("a0", a0),
+            ("a1", a1),
+            ("j0", j0),
+            ("j1", j1),
+        ];
+        let poly = poly.map_err(|why| no_polynomial(why, t, &ends))?;
         Ok(Self::of(poly, t))
     }
 
@@ -452,8 +579,4 @@ fn saturation(newest: bool) -> Saturation {
     } else {
         Saturation::Everything
     }
-}
-
-fn found(py: Python<'_>, findings: Result<Findings, Error>) -> PyResult<Bound<'_, PyAny>> {
-    named(py, "Findings", (findings.map_err(no_move)?.bits(),))
 }

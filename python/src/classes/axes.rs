@@ -1,0 +1,357 @@
+//! Several axes: what their motions have in common, and moves that arrive together.
+
+use atraj::axes;
+use atraj::online::{Limits, Move as Motion};
+use atraj::{Error, Findings, State};
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
+
+use super::Real;
+use super::online::Move;
+use super::profiles::rebuilding;
+use crate::motion::{Planned, Request, Rows};
+use crate::values::{GivenLimits, GivenState, error, to_findings, to_state};
+use crate::why::no_move;
+
+/// Adds the classes and the functions to a module.
+pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Axes>()?;
+    module.add_class::<Moves>()?;
+    module.add_function(wrap_pyfunction!(synchronise, module)?)?;
+    module.add_function(wrap_pyfunction!(line, module)?)
+}
+
+/// A planned motion of several axes: what `Moves` and `Path` have in common.
+///
+/// Times are in seconds since the start of the motion. A result has one number for each axis, and an array of times gives one such row for
+/// each time. Before the start the axes are at the start. After the end each of them moves on with the acceleration of the end: an axis that
+/// ends at rest stays.
+#[pyclass(frozen, subclass)]
+pub struct Axes {
+    /// The motions of each section, one for each axis.
+    pub sections: Vec<Vec<Motion<Real>>>,
+    /// When each section begins, and when the last one ends, s.
+    pub times: Vec<Real>,
+    pub findings: Findings,
+}
+
+impl Axes {
+    /// The motion through these sections, each of them with as many axes, at least one.
+    pub fn new(sections: Vec<Vec<Motion<Real>>>, findings: Findings) -> Self {
+        let mut times = vec![0.0];
+        let mut passed = 0.0;
+        for section in &sections {
+            passed += section[0].t;
+            times.push(passed);
+        }
+        Self {
+            sections,
+            times,
+            findings,
+        }
+    }
+
+    /// Duration, s.
+    pub fn lasts(&self) -> Real {
+        self.times[self.sections.len()]
+    }
+
+    /// The motions at the time `x`, s, and the time since the start of their section, s. A NaN is at the end, as for one axis.
+    fn at(&self, x: Real) -> (&[Motion<Real>], Real) {
+        let later = |start: &Real| x.is_nan() || *start <= x;
+        let begun = self.times.partition_point(later);
+        let section = begun.saturating_sub(1).min(self.sections.len() - 1);
+        let motions = &self.sections[section];
+        let is_over = section > 0 && begun == self.times.len();
+        // The sum of the durations is rounded, and the end is where the last section ends.
+        let since = if is_over {
+            motions[0].t + (x - self.lasts())
+        } else {
+            x - self.times[section]
+        };
+        (motions, since)
+    }
+}
+
+impl Rows<Real> for Axes {
+    fn axes(&self) -> usize {
+        self.sections[0].len()
+    }
+
+    fn quantities(&self, x: Real, axis: usize) -> [Real; 4] {
+        let (motions, x) = self.at(x);
+        motions[axis].state(x)
+    }
+}
+
+#[pymethods]
+impl Axes {
+    /// Duration, s.
+    #[getter]
+    fn t(&self) -> Real {
+        self.lasts()
+    }
+
+    /// The `Findings` of the plan: what any axis does.
+    #[getter]
+    fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_findings(py, self.findings)
+    }
+
+    /// Positions at the time `x`, s.
+    fn position<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(x, 0)
+    }
+
+    /// Velocities at the time `x`, s.
+    fn velocity<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(x, 1)
+    }
+
+    /// Accelerations at the time `x`, s.
+    fn acceleration<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(x, 2)
+    }
+
+    /// Jerks at the time `x`, s.
+    fn jerk<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(x, 3)
+    }
+
+    /// The `State` of each axis at the time `x`, s: where another plan starts.
+    fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyList>> {
+        let (motions, x) = self.at(x);
+        let states = motions
+            .iter()
+            .map(|motion| to_state(py, motion.state_at(x)));
+        PyList::new(py, states.collect::<PyResult<Vec<_>>>()?)
+    }
+
+    /// `Samples`: times, and a row of positions, velocities, accelerations and jerks for each time.
+    ///
+    /// Sample `k` belongs to the time `start + k*dt`, s. `dt` alone samples until the end is reached, `n` alone takes `n` samples
+    /// evenly from the start to the end. ValueError for more than 2147483647 samples.
+    ///
+    /// >>> import atraj
+    /// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+    /// >>> atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).sample(0.01).p.shape
+    /// (226, 2)
+    #[pyo3(signature = (dt=None, *, n=None, start=0.0))]
+    fn sample<'py>(
+        &self,
+        py: Python<'py>,
+        dt: Option<Real>,
+        n: Option<usize>,
+        start: Real,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let out = None;
+        Rows::sample(self, py, Request { dt, n, start, out }, self.lasts())
+    }
+
+    /// Draws position, velocity, acceleration and jerk of all axes over time, in a colour each, and returns the figure. Needs matplotlib.
+    ///
+    /// With `plane=(0, 1)` it draws the axes 0 and 1 in their plane, on equal scales, in the place of the motion over time. `limits`, an item
+    /// for each axis, are drawn as dashed lines in the colours of the axes. The labels have the `unit` of the positions, and `labels` names
+    /// the axes. `axes`, the axes of a figure, draws over what is there.
+    #[pyo3(signature = (*, axes=None, limits=None, unit=None, labels=None, plane=None))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        axes: Option<Bound<'py, PyAny>>,
+        limits: Option<Bound<'py, PyAny>>,
+        unit: Option<&str>,
+        labels: Option<Bound<'py, PyAny>>,
+        plane: Option<(usize, usize)>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let plot = slf.py().import("atraj._plot")?.getattr("plot_axes")?;
+        plot.call1((slf, axes, limits, unit, labels, plane))
+    }
+
+    /// Equal are motions of one class with the same numbers.
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        if !slf.get_type().is(other.get_type()) {
+            return Ok(false);
+        }
+        let [ours, theirs] = [slf.as_any(), other].map(|motion| motion.call_method0("__reduce__"));
+        ours?.get_item(1)?.eq(theirs?.get_item(1)?)
+    }
+
+    fn __hash__(&self) -> PyResult<isize> {
+        Ok(self.lasts().to_bits() as isize)
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+}
+
+/// Moves of several axes that arrive together: what `synchronise` and `line` plan. It is a sequence of a `Move` for each axis.
+#[pyclass(frozen, extends = Axes, sequence)]
+pub struct Moves;
+
+impl Moves {
+    fn of(axes: Vec<Motion<Real>>, findings: Findings) -> PyClassInitializer<Self> {
+        PyClassInitializer::from(Axes::new(vec![axes], findings)).add_subclass(Self)
+    }
+
+    fn all<'py>(slf: &Bound<'py, Self>) -> PyResult<Vec<Py<Move>>> {
+        let Axes {
+            sections, findings, ..
+        } = slf.as_super().get();
+        let planned = |&motion: &Motion<Real>| {
+            let findings = *findings;
+            Move::of(slf.py(), Planned { motion, findings })
+        };
+        sections[0].iter().map(planned).collect()
+    }
+}
+
+#[pymethods]
+impl Moves {
+    fn __len__(slf: &Bound<'_, Self>) -> usize {
+        slf.as_super().get().axes()
+    }
+
+    fn __getitem__(slf: &Bound<'_, Self>, axis: isize) -> PyResult<Py<Move>> {
+        let count = Self::__len__(slf) as isize;
+        let from_start = if axis < 0 { axis + count } else { axis };
+        let found = usize::try_from(from_start).ok();
+        let mut all = Self::all(slf)?.into_iter();
+        let none = || PyIndexError::new_err(format!("axis {axis} of {count} axes"));
+        found.and_then(|axis| all.nth(axis)).ok_or_else(none)
+    }
+
+    fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        Ok(PyList::new(slf.py(), Self::all(slf)?)?
+            .try_iter()?
+            .into_any())
+    }
+
+    /// What a copy is made of.
+    #[staticmethod]
+    fn _from_moves(py: Python<'_>, moves: Vec<Bound<'_, Move>>) -> PyResult<Py<Self>> {
+        let planned: Vec<Planned<Real>> = moves.iter().map(|axis| *axis.get().0).collect();
+        let first = planned.first().ok_or_else(|| error("there is no axis"))?;
+        let findings = first.findings;
+        let axes = planned.iter().map(|planned| planned.motion).collect();
+        Py::new(py, Self::of(axes, findings))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let moves = PyTuple::new(slf.py(), Self::all(slf)?)?;
+        rebuilding(
+            slf.as_any(),
+            "_from_moves",
+            PyTuple::new(slf.py(), [moves])?,
+        )
+    }
+
+    fn __repr__(slf: &Bound<'_, Self>) -> String {
+        let (axes, t) = (Self::__len__(slf), slf.as_super().get().lasts());
+        format!("<Moves of {axes} axes in {t} s>")
+    }
+}
+
+type Plan = fn(
+    &mut [Motion<Real>],
+    &[Limits<Real>],
+    &[State<Real>],
+    &[State<Real>],
+    Real,
+    Real,
+) -> Result<Findings, Error>;
+
+/// Moves of several axes that arrive together: the shortest duration that is possible for each axis, is at least `duration`, s, and is
+/// a multiple of `cycle`, s (0: any). An item of `limits`, `start` and `end` belongs to one axis. ValueError as for one axis.
+///
+/// >>> import atraj
+/// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5), atraj.Limits(jerk=60, acceleration=20, velocity=5)]
+/// >>> moves = atraj.synchronise(limits, [0, 0], [10, -1])
+/// >>> moves.position(moves.t)
+/// array([10., -1.])
+/// >>> x, y = moves
+/// >>> x.t == y.t == moves.t
+/// True
+#[pyfunction]
+#[pyo3(signature = (limits, start, end, *, duration=0.0, cycle=0.0))]
+pub fn synchronise(
+    py: Python<'_>,
+    limits: Vec<GivenLimits<Real>>,
+    start: Vec<GivenState<Real>>,
+    end: Vec<GivenState<Real>>,
+    duration: Real,
+    cycle: Real,
+) -> PyResult<Py<Moves>> {
+    let times = [duration, cycle];
+    together(py, axes::synchronise, &limits, [&start, &end], times)
+}
+
+/// Moves of several axes on the straight line from their start to their end: the fastest motion on it that lasts at least `duration`,
+/// s, and a multiple of `cycle`, s (0: any). ValueError also if velocities and accelerations do not point along the line.
+///
+/// >>> import atraj
+/// >>> limits = [atraj.Limits(jerk=20, acceleration=4, velocity=1), atraj.Limits(jerk=10, acceleration=2, velocity=0.8)]
+/// >>> x, y = atraj.line(limits, [0, 0], [0.8, 0.4], cycle=0.001)
+/// >>> abs(x.position(0.5) - 2 * y.position(0.5)) < 1e-15
+/// True
+#[pyfunction]
+#[pyo3(signature = (limits, start, end, *, duration=0.0, cycle=0.0))]
+pub fn line(
+    py: Python<'_>,
+    limits: Vec<GivenLimits<Real>>,
+    start: Vec<GivenState<Real>>,
+    end: Vec<GivenState<Real>>,
+    duration: Real,
+    cycle: Real,
+) -> PyResult<Py<Moves>> {
+    let times = [duration, cycle];
+    together(py, axes::line, &limits, [&start, &end], times)
+}
+
+fn together(
+    py: Python<'_>,
+    plan: Plan,
+    limits: &[GivenLimits<Real>],
+    [start, end]: [&[GivenState<Real>]; 2],
+    times: [Real; 2],
+) -> PyResult<Py<Moves>> {
+    let lengths = [limits.len(), start.len(), end.len()];
+    if lengths != [lengths[0]; 3] {
+        let [limits, start, end] = lengths;
+        return Err(error(&format!(
+            "the lists have different lengths: limits {limits}, start {start}, end {end}"
+        )));
+    }
+    let limits: Vec<_> = limits.iter().map(|limits| limits.0).collect();
+    let [start, end] = [start, end].map(|states| states.iter().map(|s| s.0).collect::<Vec<_>>());
+    let mut axes = vec![Motion::default(); limits.len()];
+    let found = plan(&mut axes, &limits, &start, &end, times[0], times[1]);
+    let findings = found.map_err(|why| refused(why, &limits, &start, &end, times))?;
+    Py::new(py, Moves::of(axes, findings))
+}
+
+/// Why the axes are not planned: the first axis that is not planned alone, else a time.
+fn refused(
+    why: Error,
+    limits: &[Limits<Real>],
+    start: &[State<Real>],
+    end: &[State<Real>],
+    [duration, cycle]: [Real; 2],
+) -> PyErr {
+    for (axis, (limits, (&start, &end))) in limits.iter().zip(start.iter().zip(end)).enumerate() {
+        if let Err(why) = Motion::default().plan(limits, start, end) {
+            let states = [("start", start), ("end", end)];
+            return no_move(why, &format!("axis {axis}: "), limits, &states, &[]);
+        }
+    }
+    let times = [("duration", duration), ("cycle", cycle)];
+    let any = Limits::symmetric(1.0, 1.0, 1.0);
+    match why {
+        Error::Axes => error("there is no axis: limits, start and end are empty"),
+        _ => no_move(why, "", &any, &[], &times),
+    }
+}

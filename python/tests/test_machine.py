@@ -1,0 +1,118 @@
+"""Do clock, shaper and steps keep their promises in Python, in both real types, and say what is wrong with bad arguments?"""
+
+import copy
+import math
+
+import numpy as np
+import pytest
+from golden import REALS
+
+import atraj
+
+reals = pytest.mark.parametrize("real", REALS, ids=lambda real: real.name)
+PLANNED = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
+LIMITS = [atraj.Limits(jerk=20, acceleration=5, velocity=1)] * 2
+POINTS = [[0, 0], [0.8, 0.1], [0.9, 0.9], [0, 1]]
+
+
+@reals
+def test_a_clock_holds_and_goes_on(real):
+    rounding = 1e-4 if real.dtype == np.float32 else 1e-9
+    for moves in [real.module.synchronise(PLANNED, [0, 0], [0.8, -0.4]), real.module.path(PLANNED, POINTS)]:
+        clock = real.module.Clock(LIMITS, moves)
+        assert clock.position(0.3).tolist() == moves.position(0.3).tolist()
+        clock.rate(0.5, 0)
+        held = clock.until
+        stands = clock.position(held).tolist()
+        assert held > 0.5 and clock.position(held + 5).tolist() == stands and not clock.velocity(held).any()
+        clock.rate(held + 2, 0.5)
+        clock.rate(clock.until + 0.1, 1)
+        samples = clock.sample(0.005, n=2400)
+        assert samples.p.dtype == real.dtype and samples.p.shape == (2400, 2)
+        np.testing.assert_allclose(samples.p[-1], moves.position(moves.t), atol=rounding)
+        # On its path, within its limits.
+        times = np.array([clock.time(float(x)) for x in samples.t], real.dtype)
+        assert real.bits(samples.p) == real.bits(moves.position(times))
+        for quantity, highest in [(samples.v, 1), (samples.a, 5), (samples.j, 20)]:
+            assert abs(quantity).max() <= highest * (1 + rounding)
+        states = clock.state_at(0.7)
+        assert [state.velocity for state in states] == clock.velocity(0.7).tolist()
+
+
+def test_a_clock_says_why_not():
+    moves = atraj.synchronise(PLANNED, [0, 0], [0.8, -0.4])
+    clock = atraj.Clock(PLANNED, moves)
+    for message, call in {
+        "needs? a reserve|need a reserve": lambda: clock.rate(0.1, 0),
+        "^rate = NaN is infinite": lambda: clock.rate(0.1, math.nan),
+        "^x = inf is infinite": lambda: clock.rate(math.inf, 0),
+        "limits has 1 items, and moves 2 axes": lambda: atraj.Clock(PLANNED[:1], moves),
+        "^axis 1: limits.jmax = -1 has the wrong sign": lambda: atraj.Clock([LIMITS[0], LIMITS[0]._replace(jmax=-1)], moves).rate(0.1, 0),
+    }.items():
+        with pytest.raises(ValueError, match=message):
+            call()
+    assert clock.position(0.3).tolist() == moves.position(0.3).tolist()
+
+
+def left_of(motion, frequency, damping):
+    """Amplitude that a motion leaves of a load, by the sum of its velocity."""
+    t, _, v, _, _ = motion.sample(n=20001)
+    pole = 2 * math.pi * frequency * complex(-damping, math.sqrt(1 - damping**2))
+    return abs(pole * (np.exp(pole * (motion.t - t)) * v).sum() * (t[1] - t[0]) / pole.imag)
+
+
+@pytest.mark.parametrize("kind", atraj.ShaperKind, ids=lambda kind: kind.name)
+def test_a_shaper_leaves_the_load_at_rest(kind):
+    for move in [atraj.Move.plan((1, -1, 4, -4, 900, -900), 0, 0.5), atraj.Bell(900, 4, 1, 0, 0.5)]:
+        shaped = atraj.Shaper(kind, 5, 0.02).shape(move)
+        assert shaped.t == move.t + atraj.Shaper(kind, 5, 0.02).duration
+        assert shaped.state_at(shaped.t) == pytest.approx(atraj.State(0.5), abs=1e-12)
+        assert left_of(shaped, 5, 0.02) < 0.06 * left_of(move, 5, 0.02)
+        samples = shaped.sample(0.001)
+        assert abs(samples.v).max() <= 1 + 1e-12 and abs(samples.a).max() <= 4 + 1e-12 and np.isnan(samples.j).all()
+        with pytest.raises(ValueError, match="not known"):
+            shaped.extremes()
+
+
+@reals
+def test_shapers_add_and_smooth(real):
+    kinds, shaper = atraj.ShaperKind, real.module.Shaper
+    both = shaper(kinds.ZV, 5).add(kinds.ZVD, 12, 0.1)
+    assert both.duration == pytest.approx(0.1 + 1 / (12 * math.sqrt(0.99)))
+    smooth = shaper.smooth(0.05).add(kinds.EI, 4)
+    move = real.module.Move.plan(LIMITS[0], 0, 0.5)
+    assert smooth.duration == pytest.approx(0.3) and smooth.shape(move).t == pytest.approx(move.t + 0.3)
+    for bad, message in [
+        (lambda: shaper(kinds.ZV, 0), "^frequency = 0 is not a number above 0"),
+        (lambda: shaper(kinds.ZV, 5, 1), "^damping = 1 is not from 0 to below 1$"),
+        (lambda: both.add(kinds.EI2, 3), "more than 16 impulses"),
+        (lambda: shaper(7, 5), "a member of atraj.ShaperKind"),
+        (lambda: shaper.smooth(-1), "^time = -1 is not a time from 0 on$"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            bad()
+            both.add(kinds.EI2, 3).add(kinds.EI2, 3)
+    with pytest.raises(TypeError, match="a Move or a Bell can be shaped, and this is a Trap"):
+        both.shape(real.module.Trap(5, 4, -2, 0, 50))
+
+
+@reals
+def test_no_step_is_lost(real):
+    move = real.module.Move.plan(LIMITS[0], (0, -0.5), 0.9)  # turns once
+    steps = real.module.Steps(move, 0.005, 0.01)
+    first = steps.count
+    ahead = copy.copy(steps)
+    taken = list(steps)
+    assert [step.direction for step in ahead] == [step.direction for step in taken]
+    assert {step.direction for step in taken} == {1, -1}
+    assert first + sum(step.direction for step in taken) == steps.count == 89
+    times = [step.time for step in taken]
+    assert times == sorted(times) and 0 <= times[0] and times[-1] <= move.t
+    lines = first + np.cumsum([step.direction for step in taken]) + [step.direction < 0 for step in taken]
+    np.testing.assert_allclose(move.position(times), 0.005 + 0.01 * lines, atol=1e-5 if real.dtype == np.float32 else 1e-12)
+    back = real.module.Move.plan(LIMITS[0], 0.9, 0)
+    steps.follow(back)
+    assert sum(step.direction for step in steps) == -90
+    for offset, step, message in [(0, 0, "^step = 0 is not a number above 0"), (math.nan, 1, "^offset = NaN"), (0, 1e-12, "too small")]:
+        with pytest.raises(ValueError, match=message):
+            real.module.Steps(move, offset, step)
