@@ -16,14 +16,15 @@
 # make examples               builds and runs the examples in C, C++ (needs a C++ compiler) and Rust
 # make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
 # make doc                    writes the guide, the references for C and for Rust and the playground as one site: target/site/index.html
-# make python                 builds the wheel of the Python package in target/python; needs Python with venv, and the network
+# make python                 builds wheel and sdist of the Python package in target/python/dist; needs Python with venv, and the network
 #
 # make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
 # make builds                 builds and installs in the ways that once gave the wrong library; ROWS=<regular expression> some of them
 # make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                             cargo, or bring it along by CMake, Meson, Conan, .deb
 # make playground-check       tests the page in headless Chromium, with pictures in target/playground
-# make python-check           installs the wheel in target/python/venv and runs the tests of the package
+# make python-check           installs the wheel in target/python/venv and runs the tests of the package; `make python-update` writes
+#                             the docstrings into its stubs and docs/python-api.md
 # make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU; `make firmware-setup`
 #                             installs the tools of the chips, on Debian
 # make firmware-report        measures size and instructions beside the original's: docs/firmware.md
@@ -120,8 +121,8 @@ MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
 .PHONY: help setup rust dist dist-locked where install uninstall deb address identify demo examples consumers builds release release-check \
-    doc check soak mutants coverage fuzz python python-check playground playground-check firmware-setup firmware-check firmware-report bench \
-    instructions instructions-update
+    doc check soak mutants coverage fuzz python python-install python-update python-check playground playground-check \
+    firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 help:
 	@sed '/^$$/,$$d; s/^# \{0,1\}//' Makefile
@@ -355,18 +356,30 @@ PYTHON_DIR := target/python
 VENV := $(PYTHON_DIR)/venv/bin
 PIP := $(VENV)/pip --quiet --disable-pip-version-check
 
-$(VENV)/pip:
-	$(PYTHON) -m venv $(PYTHON_DIR)/venv
+PYTHON_DIST := $(PYTHON_DIR)/dist
+# The oldest glibc that Rust's standard library takes, 2.17. Zig links for it on any Linux.
+MANYLINUX := manylinux2014
 
-python: $(VENV)/pip
-	rm -f $(PYTHON_DIR)/*.whl
+$(VENV)/maturin: python/requirements-build.txt
+	$(PYTHON) -m venv $(PYTHON_DIR)/venv
+	$(PIP) install -r python/requirements-build.txt
+
+python: $(VENV)/maturin
+	rm -rf $(PYTHON_DIST)
 	python/stubs.sh
-	CARGO_TARGET_DIR=$(CURDIR)/$(PYTHON_DIR)/build $(PIP) wheel --no-deps --wheel-dir $(PYTHON_DIR) ./python
+	PATH="$(CURDIR)/$(VENV):$$PATH" CARGO_TARGET_DIR=$(CURDIR)/$(PYTHON_DIR)/build \
+	    $(VENV)/maturin build --quiet --release --zig --compatibility $(MANYLINUX) --manifest-path python/Cargo.toml --out $(PYTHON_DIST)
+	$(VENV)/maturin sdist --manifest-path python/Cargo.toml --out $(PYTHON_DIST)
+
+python-install: python
+	$(PIP) install -r python/requirements.txt
+	$(PIP) install --force-reinstall --no-deps $(PYTHON_DIST)/*.whl
+
+python-update: python-install
+	UPDATE_PYTHON_DOCS=1 $(VENV)/python -m pytest -q -s python/tests/test_stubs.py
 
 # The archive's shared library, because the tests time its C function.
-python-check: python dist
-	$(PIP) install -r python/requirements.txt
-	$(PIP) install --force-reinstall --no-deps $(PYTHON_DIR)/*.whl
+python-check: python-install dist
 	$(VENV)/python -m pytest -q -s python
 
 firmware-setup:
