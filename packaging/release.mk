@@ -1,5 +1,5 @@
 # Writes target/release-VERSION: an archive for each target and ABI, the sources with what they depend on, a bill of materials
-# (CycloneDX), Debian packages, the site with the playground in it, wheels, checksums, and with KEY=… their signature. The top Makefile
+# (CycloneDX), packages for Debian, Arduino, PlatformIO, CMSIS and vcpkg, the site, wheels, checksums, and with KEY=… their signature. The top Makefile
 # starts it: make release.
 #
 # Two clones of one commit give the same bytes. No file tells where or by whom it was built, and every time is the commit's.
@@ -10,7 +10,7 @@ include packaging/chips.mk
 TARGETS ?= $(HOSTS) $(CHIPS)
 ABIS ?= double float double-compact float-compact
 # What is no archive of the library. A goal of the top Makefile makes each.
-PARTS ?= debian site python
+PARTS ?= debian site python managers
 
 OUT := target/release-$(VERSION)
 WORK := target/release-work
@@ -51,10 +51,13 @@ $(OUT)/atraj-$(VERSION)-$1-$2.tar.gz:
 endef
 $(foreach t,$(TARGETS),$(foreach a,$(ABIS),$(eval $(call archive,$t,$a))))
 
-.PHONY: debian site python
+.PHONY: $(PARTS)
 debian:
 	MAKEFLAGS= $(MAKE) -s deb
 	cp target/deb/*.deb $(OUT)
+
+managers: $(ARCHIVES)
+	packaging/managers.sh $(abspath $(OUT)) $(abspath $(WORK))
 
 SITE := atraj-$(VERSION)-site
 site:

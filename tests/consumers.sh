@@ -180,6 +180,11 @@ firmware() {
         cp "$example"/* .
         make ATRAJ="$prefix"
         ;;
+    clone)
+        copy_of_the_sources atraj
+        make -C atraj/examples/embedded
+        cp atraj/examples/embedded/*.elf .
+        ;;
     esac
     arm-none-eabi-nm axis.elf > symbols
     grep ' T a_trajbell_gen$' symbols
@@ -353,6 +358,7 @@ if have arm-none-eabi-gcc; then
     about float
     row "make install, Cortex-M4F, float" staged_install TARGET=thumbv7em-none-eabihf REAL=float
     row "make, firmware, Cortex-M4F, float" firmware make
+    row "make in examples/embedded of a clone" firmware clone
     have cmake && row "cmake, firmware, Cortex-M4F, float" firmware cmake
     have qemu-system-arm && row "firmware in the emulator, Cortex-M4F, float" firmware_runs
 fi

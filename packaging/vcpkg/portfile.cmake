@@ -1,0 +1,46 @@
+# Installs the release of atraj for the triplet. vcpkg has no Rust, so nothing is compiled. `make release` fills in the checksums.
+if(VCPKG_TARGET_IS_LINUX AND VCPKG_TARGET_ARCHITECTURE STREQUAL "x64")
+    set(target x86_64-unknown-linux-gnu)
+    set(checksum @SHA512_x86_64-unknown-linux-gnu@)
+elseif(VCPKG_TARGET_IS_LINUX AND VCPKG_TARGET_ARCHITECTURE STREQUAL "arm64")
+    set(target aarch64-unknown-linux-gnu)
+    set(checksum @SHA512_aarch64-unknown-linux-gnu@)
+elseif(VCPKG_TARGET_IS_MINGW AND VCPKG_TARGET_ARCHITECTURE STREQUAL "x64")
+    set(target x86_64-pc-windows-gnu)
+    set(checksum @SHA512_x86_64-pc-windows-gnu@)
+else()
+    message(FATAL_ERROR "atraj has no release for ${TARGET_TRIPLET}")
+endif()
+
+set(file "atraj-${VERSION}-${target}-double.tar.gz")
+vcpkg_download_distfile(archive
+    URLS "https://github.com/OWNER/atraj/releases/download/v${VERSION}/${file}"
+    FILENAME "${file}"
+    SHA512 ${checksum})
+vcpkg_extract_source_archive(source ARCHIVE "${archive}")
+
+# One library serves both configurations. A static triplet gets the archive alone.
+foreach(folder "${CURRENT_PACKAGES_DIR}" "${CURRENT_PACKAGES_DIR}/debug")
+    file(INSTALL "${source}/lib" DESTINATION "${folder}")
+    if(EXISTS "${source}/bin")
+        file(INSTALL "${source}/bin" DESTINATION "${folder}")
+    endif()
+    if(VCPKG_LIBRARY_LINKAGE STREQUAL "static")
+        file(REMOVE_RECURSE "${folder}/bin" "${folder}/lib/glibc-hwcaps")
+        file(GLOB shared "${folder}/lib/libatraj.so*" "${folder}/lib/libatraj.dll.a")
+        if(shared)
+            file(REMOVE ${shared})
+        endif()
+    endif()
+endforeach()
+# The file for CMake looks for `include` beside `lib`, so it goes to share as it is, with other paths.
+file(MAKE_DIRECTORY "${CURRENT_PACKAGES_DIR}/share/${PORT}")
+foreach(name atraj-config atraj-config-version)
+    file(READ "${source}/lib/cmake/atraj/${name}.cmake" text)
+    string(REPLACE "\${CMAKE_CURRENT_LIST_DIR}/../.." "\${CMAKE_CURRENT_LIST_DIR}/../../lib" text "${text}")
+    file(WRITE "${CURRENT_PACKAGES_DIR}/share/${PORT}/${name}.cmake" "${text}")
+endforeach()
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/lib/cmake" "${CURRENT_PACKAGES_DIR}/debug/lib/cmake")
+file(INSTALL "${source}/include" DESTINATION "${CURRENT_PACKAGES_DIR}")
+vcpkg_fixup_pkgconfig()
+vcpkg_install_copyright(FILE_LIST "${source}/share/doc/atraj/LICENSE-MIT" "${source}/share/doc/atraj/LICENSE-APACHE")
