@@ -5,12 +5,13 @@ set -eu
 . "$(dirname "$0")/rows.sh"
 unset SOURCE_DATE_EPOCH
 release=$root/target/release-$version
+abis=${ABIS:-double float double-compact float-compact}
 host=$(rustc -vV | sed -n 's/^host: //p')
 export WINEPREFIX="$work/wine" WINEDEBUG=-all
 
 tools=$(tools_but_rust)
 
-# zig comes from PyPI: target/venv holds the versions of tests/consumers/requirements.txt.
+# zig and PlatformIO come from PyPI: target/venv holds the versions of tests/consumers/requirements.txt.
 zig_from_pypi() {
     test -x "$root/target/venv/bin/pip" || python3 -m venv "$root/target/venv"
     "$root/target/venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$root/tests/consumers/requirements.txt"
@@ -36,13 +37,14 @@ complete() {
     printf '%s\n' x86_64-unknown-linux-gnu x86_64-unknown-linux-musl aarch64-unknown-linux-gnu aarch64-unknown-linux-musl \
         armv7-unknown-linux-gnueabihf x86_64-pc-windows-gnu >> targets
     while read -r target; do
-        for abi in double float double-compact float-compact; do
+        for abi in $abis; do
             test -s "$release/atraj-$version-$target-$abi.tar.gz"
             echo "atraj-$version-$target-$abi.tar.gz"
         done
     done < targets > expected
     for file in source.tar.gz site.tar.gz playground.html; do echo "atraj-$version-$file"; done >> expected
-    printf '%s\n' "atraj-$version.cdx.json" SHA256SUMS >> expected
+    printf '%s\n' "atraj-$version.cdx.json" "atraj-$version-arduino.zip" "atraj-$version-vcpkg.zip" "atraj.atraj.$version.pack" \
+        SHA256SUMS >> expected
     (cd "$release" && ls ./*.deb ./*.whl) | sed 's|^\./||' > named_by_tools
     test "$(grep -c '^libatraj.*\.deb$' named_by_tools)" = 4
     grep '\.whl$' named_by_tools
@@ -156,6 +158,119 @@ site_is_whole() {
     cmp "atraj-$version-site/playground.html" "$release/atraj-$version-playground.html"
 }
 
+# --- package managers, each by a stand-in, because none of their servers is asked
+
+# Every folder of the library for Arduino has the archive of the release. The sketch is compiled and linked as for two boards.
+arduino() {
+    unzip -q "$release/atraj-$version-arduino.zip"
+    grep -v '^#' "$root/packaging/arduino/boards.txt" > boards
+    test "$(find atraj/src -name '*.a' | wc -l)" = "$(wc -l < boards)"
+    while read -r place target; do
+        tar xzOf "$release/atraj-$version-$target-float.tar.gz" "atraj-$version-$target-float/lib/libatraj-float.a" | cmp - "atraj/src/$place/libatraj-float.a"
+    done < boards
+    cat > Arduino.h << 'END'
+struct { void begin(long) {} template <typename T> void println(T) {} } Serial;
+inline void delay(int) {}
+void setup();
+void loop();
+int main() { setup(); for (;;) { loop(); } }
+END
+    cp atraj/examples/Jog/Jog.ino jog.cpp
+    sketch cortex-m4/fpv4-sp-d16-hard -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16
+    sketch cortex-m0plus -mcpu=cortex-m0plus
+    if sketch cortex-m0plus -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16; then return 1; fi
+}
+
+# sketch PLACE FLAGS…
+sketch() {
+    place=$1
+    shift
+    arm-none-eabi-g++ -Os -mthumb "$@" -fno-exceptions -fno-rtti -include Arduino.h -Iatraj/src -c jog.cpp
+    arm-none-eabi-gcc -mthumb "$@" --specs=nosys.specs jog.o "-Latraj/src/$place" -latraj-float -lm -o jog.elf
+}
+
+# PlatformIO reads the manifest and packs the library; the script chooses the archive from a board's flags.
+platformio_packs() {
+    unzip -q "$release/atraj-$version-arduino.zip"
+    # PlatformIO would fetch the names of all licences.
+    cat > pio.py << 'END'
+from platformio.__main__ import main
+from platformio.package.manifest.schema import ManifestSchema
+
+ManifestSchema.load_spdx_licenses = lambda self: {"licenses": [{"licenseId": "MIT"}, {"licenseId": "Apache-2.0"}]}
+raise SystemExit(main())
+END
+    PLATFORMIO_CORE_DIR=$PWD/core "$root/target/venv/bin/python" pio.py pkg pack -o packed.tar.gz atraj
+    tar tzf packed.tar.gz | grep -x 'src/cortex-m3/libatraj-float.a'
+    cat > choose.py << 'END'
+import sys
+
+class Env(dict):
+    def Dir(self, name): return self
+    def srcnode(self): return self
+    abspath = "atraj"
+    def Append(self, LIBPATH, LIBS): print(LIBPATH[0], *LIBS)
+    Exit = staticmethod(sys.exit)
+
+env = Env(CCFLAGS=sys.argv[2:], BOARD_MCU=sys.argv[1])
+exec(open("atraj/archive.py").read(), {"Import": lambda name: None, "env": env})
+END
+    test "$(python3 choose.py nrf52840 -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16)" = 'atraj/src/cortex-m4/fpv4-sp-d16-hard atraj-float m'
+    test "$(python3 choose.py samd21 -mcpu=cortex-m0plus)" = 'atraj/src/cortex-m0plus atraj-float m'
+    test "$(python3 choose.py esp32c3 -march=rv32imc)" = 'atraj/src/esp32c3 atraj-float m'
+    refused 'has no archive for' python3 choose.py stm32f4 -mcpu=cortex-m4
+    refused 'has no archive for esp32s3' python3 choose.py esp32s3
+}
+
+cmsis_pack() {
+    unzip -q "$release/atraj.atraj.$version.pack"
+    xmllint --noout atraj.atraj.pdsc
+    for file in $(sed -n 's/.*<file .* name="\([^"]*\)".*/\1/p' atraj.atraj.pdsc) LICENSE-MIT; do test -e "$file"; done
+    test "$(xmllint --xpath 'string(//release/@version)' atraj.atraj.pdsc)" = "$version"
+}
+
+# vcpkg's functions, as far as the port calls them. A program finds what the port installs.
+vcpkg_port() {
+    unzip -q "$release/atraj-$version-vcpkg.zip"
+    python3 -m json.tool vcpkg/atraj/vcpkg.json
+    cat > stand-in.cmake << END
+set(VERSION $version)
+set(PORT atraj)
+set(TARGET_TRIPLET x64-linux)
+set(VCPKG_TARGET_IS_LINUX TRUE)
+set(VCPKG_TARGET_ARCHITECTURE x64)
+set(VCPKG_LIBRARY_LINKAGE static)
+set(CURRENT_PACKAGES_DIR "$PWD/packages")
+function(vcpkg_download_distfile variable)
+    cmake_parse_arguments(arg "" "URLS;FILENAME;SHA512" "" \${ARGN})
+    file(SHA512 "$release/\${arg_FILENAME}" sum)
+    if(NOT sum STREQUAL arg_SHA512)
+        message(FATAL_ERROR "another checksum")
+    endif()
+    set(\${variable} "$release/\${arg_FILENAME}" PARENT_SCOPE)
+endfunction()
+function(vcpkg_extract_source_archive variable)
+    cmake_parse_arguments(arg "" "ARCHIVE" "" \${ARGN})
+    file(ARCHIVE_EXTRACT INPUT "\${arg_ARCHIVE}" DESTINATION "$PWD/source")
+    file(GLOB folder "$PWD/source/*")
+    set(\${variable} "\${folder}" PARENT_SCOPE)
+endfunction()
+function(vcpkg_fixup_pkgconfig)
+endfunction()
+function(vcpkg_install_copyright)
+    cmake_parse_arguments(arg "" "" "FILE_LIST" \${ARGN})
+    file(INSTALL \${arg_FILE_LIST} DESTINATION "\${CURRENT_PACKAGES_DIR}/share/\${PORT}")
+endfunction()
+include("$PWD/vcpkg/atraj/portfile.cmake")
+END
+    cmake -P stand-in.cmake
+    test -z "$(find packages -name '*.so*')"
+    cmake -S "$root/tests/consumers" -B build -DSOURCE=move.c -DLIBRARY=atraj::static -DCMAKE_PREFIX_PATH="$PWD/packages"
+    cmake --build build
+    build/move | grep .
+    grep "atraj_DIR:PATH=$PWD/packages/share/atraj" build/CMakeCache.txt
+}
+
 # --- the sources
 
 # The archive of this machine, from the sources, where cargo has no network and no cache.
@@ -183,7 +298,7 @@ another_clone() {
     ssh-keygen -q -t ed25519 -N '' -C release -f "$work/key"
     git clone --quiet "$root" "$another"
     (umask 077 && make -s -C "$another" release KEY="$work/key" BILL_TOOL="$(ls "$root"/target/cargo-cyclonedx-*/bin/cargo-cyclonedx)" \
-        TARGETS="$host x86_64-pc-windows-gnu thumbv7em-none-eabihf" ABIS='double float-compact' PARTS=debian)
+        TARGETS="$host x86_64-pc-windows-gnu thumbv7em-none-eabihf" ABIS='double float' PARTS=debian)
     test "$(find "$again" -name '*.tar.gz' | wc -l)" = 7
     for file in "$again"/*atraj*; do
         cmp "$file" "$release/${file##*/}"
@@ -198,10 +313,9 @@ signed() {
 }
 
 row "no Rust on the path" no_rust
-row "zig from PyPI" zig_from_pypi
+row "zig and PlatformIO from PyPI" zig_from_pypi
 row "a file for every chip, host and real type" complete
-for file in "$release"/atraj-*-double.tar.gz "$release"/atraj-*-float.tar.gz "$release"/atraj-*-compact.tar.gz; do
-    name=$(basename "$file" .tar.gz)
+for name in $(ls "$release" | sed -n 's/^\(atraj-.*-\(double\|float\|compact\)\)\.tar\.gz$/\1/p'); do
     row "$name: README and example" told_once "$name"
     row "$name: from release to program" from_release_to_program "$name"
 done
@@ -222,6 +336,10 @@ for abi in double float; do
 done
 row "Debian's packages hold the library" debian_packages
 row "the site has every page" site_is_whole
+row "Arduino's library" arduino
+row "PlatformIO's library" platformio_packs
+row "CMSIS-Pack" cmsis_pack
+row "vcpkg's port" vcpkg_port
 row "sources build without a network" sources
 row "bill of materials" bill
 row "another clone makes the same files" another_clone
