@@ -12,25 +12,33 @@ use atraj::online::{Error, Limits, Move};
 const CYCLE: f64 = 0.001; // s
 const TO: [f64; 2] = [0.8, 0.4]; // m
 
+/// Prints a setpoint: positions, velocities, accelerations.
+fn print(time: f64, [x, y]: [State<f64>; 2]) {
+    print!(
+        "{time:.3} s: x {:.4} m, y {:.4} m, ",
+        x.position, y.position
+    );
+    print!("{:.4} {:.4} m/s, ", x.velocity, y.velocity);
+    println!("{:.4} {:.4} m/s^2", x.acceleration, y.acceleration);
+}
+
 /// Prints a move. The result is how far the gantry leaves the line.
 fn follow(name: &str, axes: &[Move<f64>; 2]) -> f64 {
     let t = axes[0].t;
     let ticks = (t / CYCLE).round() as u32;
-    let at = |tick| axes.map(|axis| axis.position(f64::from(tick) * CYCLE));
+    let at = |tick| axes.map(|axis| axis.state_at(f64::from(tick) * CYCLE));
     let mut farthest = 0.0;
     println!("{name}");
     for tick in 0..=ticks {
-        let [x, y] = at(tick);
+        let [x, y] = at(tick).map(|state| state.position);
         farthest = f64::max(farthest, (TO[0] * y - TO[1] * x).abs() / TO[0].hypot(TO[1]));
         if tick % 200 == 0 {
-            let time = f64::from(tick) * CYCLE;
-            println!("{time:.3} s: x {x:.4} m, y {y:.4} m");
+            print(f64::from(tick) * CYCLE, at(tick));
         }
     }
-    let [x, y] = at(ticks);
-    println!("{t:.3} s: x {x:.4} m, y {y:.4} m");
+    print(t, at(ticks));
     println!("off the line by at most {farthest:.4} m");
-    assert!(t == axes[1].t && [x, y] == TO);
+    assert!(t == axes[1].t && at(ticks).map(|state| state.position) == TO);
     farthest
 }
 
@@ -43,6 +51,7 @@ fn main() -> Result<(), Error> {
     let (from, to) = ([State::at(0.0); 2], TO.map(State::at));
     let mut axes = [Move::default(); 2];
     println!("Gantry in the plane: two axes arrive together, and stay on a straight line");
+    println!("x within 1 m/s, 4 m/s^2\ny within 0.6 m/s, 1 m/s^2");
     synchronise(&mut axes, &limits, &from, &to, 0.0, CYCLE)?;
     let beside = follow("synchronised:", &axes);
     line(&mut axes, &limits, &from, &to, 0.0, CYCLE)?;

@@ -24,6 +24,13 @@ static atraj_state const points[SECTIONS + 1][AXES] = {
     {{1, 0, 0}, {0, 0, 0}},
 };
 
+/* Prints a setpoint: positions, velocities, accelerations. */
+static void print(double time, atraj_state const now[])
+{
+    printf("%.3f s: x %.4f m, y %.4f m, ", time, now[X].p, now[Y].p);
+    printf("%.4f %.4f m/s, %.4f %.4f m/s^2\n", now[X].v, now[Y].v, now[X].a, now[Y].a);
+}
+
 /* Prints a path. The result is its duration, s, or infinite if the gantry hits the obstacle. */
 static double follow(char const *name, atraj_limits const limits[], atraj_state const states[][AXES], double const durations[])
 {
@@ -33,18 +40,20 @@ static double follow(char const *name, atraj_limits const limits[], atraj_state 
     for (int k = 0; k < SECTIONS; ++k) {
         atraj_move axes[AXES];
         if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return INFINITY; }
+        if (k > 0) { printf("%.3f s -> point %d\n", start, k); }
         for (; tick * CYCLE < start + axes[X].t; ++tick) {
-            double const t = tick * CYCLE - start, x = atraj_move_pos(&axes[X], t), y = atraj_move_pos(&axes[Y], t);
-            if (tick % EVERY == 0) { printf("%.3f s: x %.4f m, y %.4f m\n", tick * CYCLE, x, y); }
-            if (x > left && x < right && y < top) { return INFINITY; }
+            atraj_state now[AXES];
             for (int i = 0; i < AXES; ++i) {
-                v[i] = fmax(v[i], fabs(atraj_move_vel(&axes[i], t)) / limits[i].vmax);
-                a[i] = fmax(a[i], fabs(atraj_move_acc(&axes[i], t)) / limits[i].amax);
+                atraj_move_state(&axes[i], tick * CYCLE - start, &now[i].p, &now[i].v, &now[i].a, NULL);
+                v[i] = fmax(v[i], fabs(now[i].v) / limits[i].vmax);
+                a[i] = fmax(a[i], fabs(now[i].a) / limits[i].amax);
             }
+            if (tick % EVERY == 0) { print(tick * CYCLE, now); }
+            if (now[X].p > left && now[X].p < right && now[Y].p < top) { return INFINITY; }
         }
         start += axes[X].t;
     }
-    printf("%.3f s: x %.4f m, y %.4f m\n", start, points[SECTIONS][X].p, points[SECTIONS][Y].p);
+    print(start, points[SECTIONS]);
     for (int i = 0; i < AXES; ++i) {
         printf("%c uses %.0f %% of %g m/s and %.0f %% of %g m/s^2\n", i == X ? 'x' : 'y', 100 * v[i], limits[i].vmax, 100 * a[i],
             limits[i].amax);
@@ -61,6 +70,7 @@ int main(void)
     atraj_limits_init(&limits[X], 40, 4, 1); /* jerk, acceleration, velocity */
     atraj_limits_init(&limits[Y], 20, 2, 0.8);
     puts("Round an obstacle: a gantry passes two points beside it without stops");
+    puts("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
     double const stopping = follow("with stops:", limits, points, durations);
     for (int k = 0; k <= SECTIONS; ++k) { states[k][X] = points[k][X], states[k][Y] = points[k][Y]; }

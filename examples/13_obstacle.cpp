@@ -23,6 +23,13 @@ static const atraj::state points[SECTIONS + 1][AXES] = {
     {{1, 0, 0}, {0, 0, 0}},
 };
 
+// Prints a setpoint: positions, velocities, accelerations.
+static void print(double time, const atraj::state now[])
+{
+    std::printf("%.3f s: x %.4f m, y %.4f m, ", time, now[X].p, now[Y].p);
+    std::printf("%.4f %.4f m/s, %.4f %.4f m/s^2\n", now[X].v, now[Y].v, now[X].a, now[Y].a);
+}
+
 // Prints a path. The result is its duration, s, or infinite if the gantry hits the obstacle.
 static double follow(const char *name, const atraj::limits limits[], const atraj::state states[][AXES], const double durations[])
 {
@@ -33,20 +40,22 @@ static double follow(const char *name, const atraj::limits limits[], const atraj
     {
         atraj::move axes[AXES];
         if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return HUGE_VAL; }
+        if (k > 0) { std::printf("%.3f s -> point %d\n", start, k); }
         for (; tick * CYCLE < start + axes[X].t; ++tick)
         {
-            const double t = tick * CYCLE - start, x = axes[X].pos(t), y = axes[Y].pos(t);
-            if (tick % EVERY == 0) { std::printf("%.3f s: x %.4f m, y %.4f m\n", tick * CYCLE, x, y); }
-            if (x > left && x < right && y < top) { return HUGE_VAL; }
+            atraj::state now[AXES];
             for (int i = 0; i < AXES; ++i)
             {
-                v[i] = std::max(v[i], std::fabs(axes[i].vel(t)) / limits[i].vmax);
-                a[i] = std::max(a[i], std::fabs(axes[i].acc(t)) / limits[i].amax);
+                now[i] = axes[i].state(tick * CYCLE - start);
+                v[i] = std::max(v[i], std::fabs(now[i].v) / limits[i].vmax);
+                a[i] = std::max(a[i], std::fabs(now[i].a) / limits[i].amax);
             }
+            if (tick % EVERY == 0) { print(tick * CYCLE, now); }
+            if (now[X].p > left && now[X].p < right && now[Y].p < top) { return HUGE_VAL; }
         }
         start += axes[X].t;
     }
-    std::printf("%.3f s: x %.4f m, y %.4f m\n", start, points[SECTIONS][X].p, points[SECTIONS][Y].p);
+    print(start, points[SECTIONS]);
     for (int i = 0; i < AXES; ++i)
     {
         std::printf("%c uses %.0f %% of %g m/s and %.0f %% of %g m/s^2\n", i == X ? 'x' : 'y', 100 * v[i], limits[i].vmax, 100 * a[i],
@@ -64,6 +73,7 @@ int main()
     limits[X].init(40, 4, 1); // jerk, acceleration, velocity
     limits[Y].init(20, 2, 0.8);
     std::puts("Round an obstacle: a gantry passes two points beside it without stops");
+    std::puts("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     std::printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
     const double stopping = follow("with stops:", limits, points, durations);
     for (int k = 0; k <= SECTIONS; ++k) { states[k][X] = points[k][X], states[k][Y] = points[k][Y]; }

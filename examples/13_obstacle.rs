@@ -15,6 +15,16 @@ const RIGHT: f64 = 0.6;
 const TOP: f64 = 0.3;
 const POINTS: [[f64; 2]; 4] = [[0.0, 0.0], [0.36, 0.32], [0.64, 0.32], [1.0, 0.0]];
 
+/// Prints a setpoint: positions, velocities, accelerations.
+fn print(time: f64, [x, y]: [State<f64>; 2]) {
+    print!(
+        "{time:.3} s: x {:.4} m, y {:.4} m, ",
+        x.position, y.position
+    );
+    print!("{:.4} {:.4} m/s, ", x.velocity, y.velocity);
+    println!("{:.4} {:.4} m/s^2", x.acceleration, y.acceleration);
+}
+
 /// Prints a path. The result is its duration, s.
 fn follow(
     name: &str,
@@ -29,24 +39,26 @@ fn follow(
         let mut axes = [Move::default(); 2];
         let (from, to) = (&states[2 * k..2 * k + 2], &states[2 * k + 2..2 * k + 4]);
         synchronise(&mut axes, limits, from, to, duration, 0.0)?;
+        if k > 0 {
+            println!("{start:.3} s -> point {k}");
+        }
         while f64::from(tick) * CYCLE < start + axes[0].t {
-            let now = f64::from(tick) * CYCLE;
-            let [x, y] = axes.map(|axis| axis.position(now - start));
+            let time = f64::from(tick) * CYCLE;
+            let now = axes.map(|axis| axis.state_at(time - start));
             if tick % 100 == 0 {
-                println!("{now:.3} s: x {x:.4} m, y {y:.4} m");
+                print(time, now);
             }
+            let [x, y] = now.map(|state| state.position);
             assert!(!(x > LEFT && x < RIGHT && y < TOP), "hits the obstacle");
             for i in 0..2 {
-                let state = axes[i].state_at(now - start);
-                v[i] = v[i].max(state.velocity.abs() / limits[i].vmax);
-                a[i] = a[i].max(state.acceleration.abs() / limits[i].amax);
+                v[i] = v[i].max(now[i].velocity.abs() / limits[i].vmax);
+                a[i] = a[i].max(now[i].acceleration.abs() / limits[i].amax);
             }
             tick += 1;
         }
         start += axes[0].t;
     }
-    let [x, y] = POINTS[3];
-    println!("{start:.3} s: x {x:.4} m, y {y:.4} m");
+    print(start, POINTS[3].map(State::at));
     for (i, name) in ["x", "y"].into_iter().enumerate() {
         let Limits { vmax, amax, .. } = limits[i];
         let (speed, rate) = (100.0 * v[i], 100.0 * a[i]);
@@ -65,6 +77,7 @@ fn main() -> Result<(), Error> {
     let mut states: Vec<_> = positions.map(|&position| State::at(position)).collect();
     let mut durations = [0.0; 3];
     println!("Round an obstacle: a gantry passes two points beside it without stops");
+    println!("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     println!("obstacle:\n0 s: x {LEFT} m, y 0 m\n0 s: x {LEFT} m, y {TOP} m");
     println!("0 s: x {RIGHT} m, y {TOP} m\n0 s: x {RIGHT} m, y 0 m");
     let stopping = follow("with stops", &limits, &states, &durations)?;

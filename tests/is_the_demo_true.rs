@@ -218,8 +218,8 @@ fn only_the_straight_line_is_straight() {
     let off_line = |text: &str| {
         let points = setpoints(text);
         assert!(points.len() > 1000);
-        assert_eq!(points[0][1..], [0.0, 0.0]);
-        assert_eq!(points.last().unwrap()[1..], [0.8, 0.4]);
+        assert_eq!(points[0][1..], [0.0; 6]);
+        assert_eq!(points.last().unwrap()[1..], [0.8, 0.4, 0.0, 0.0, 0.0, 0.0]);
         let off = points.iter().map(|p| (p[2] - 0.5 * p[1]).abs());
         off.fold(0.0, f64::max)
     };
@@ -267,12 +267,142 @@ fn the_gantry_goes_round_the_obstacle() {
         let points = setpoints(path);
         assert!(points.len() > 1500 && !points.iter().any(is_inside));
         let last = points.last().unwrap().clone();
-        assert_eq!(last[1..], [1.0, 0.0]);
+        assert_eq!(last[1..], [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
         last[0]
     });
     assert!(ends[1] < 0.75 * ends[0], "{ends:?}");
     // In the middle of the path, both pass above the obstacle.
     assert!(setpoints(passes).iter().any(|p| p[1] > 0.45 && p[1] < 0.55));
+}
+
+#[test]
+fn each_axis_of_the_gantry_keeps_limits_of_its_own() {
+    for (example, limits) in [
+        (9, [[1.0, 4.0], [0.6, 1.0]]),
+        (13, [[1.0, 4.0], [0.8, 2.0]]),
+    ] {
+        let output = output(example);
+        for (axis, [v, a]) in ["x", "y"].iter().zip(limits) {
+            assert!(output.contains(&format!("\n{axis} within {v} m/s, {a} m/s^2\n")));
+        }
+        for point in setpoints(output).iter().filter(|point| point.len() > 3) {
+            for (axis, [v, a]) in limits.into_iter().enumerate() {
+                let (velocity, acceleration) = (point[axis + 3].abs(), point[axis + 5].abs());
+                assert!(velocity <= v && acceleration <= a, "{example}: {point:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_obstacle_is_drawn_in_its_plane_with_the_limits_of_each_axis_below() {
+    let svg = &EXAMPLES[12].svg;
+    let obstacle = &lines_of(svg, "#1F5AA6", 10)[0];
+    let [foot, top, corner, _] = obstacle[..] else {
+        panic!("{obstacle:?}");
+    };
+    // 0.2 m wide and 0.3 m high.
+    let ratio = (foot.1 - top.1) / (corner.0 - top.0);
+    assert!((ratio - 1.5).abs() < 0.01, "{ratio}");
+    for label in [
+        "y [m]",
+        "x [m]",
+        "velocity [m/s]",
+        "acceleration [m/s²]",
+        "time [s]",
+    ] {
+        assert_eq!(
+            svg.lines().filter(|line| *line == label).count(),
+            1,
+            "{label}"
+        );
+    }
+    // Two axes have two limits each, in both directions, and each line has the name of its axis.
+    let limits = lines_of(svg, "#C81E32", 4);
+    assert_eq!(limits.len(), 8);
+    for axis in ["x", "y"] {
+        let names = svg.lines().collect::<Vec<_>>();
+        let named = names
+            .windows(2)
+            .filter(|pair| pair[0].contains("#C81E32") && pair[1] == axis);
+        assert_eq!(named.count(), 4, "{axis}");
+    }
+    let points = svg.lines().filter(|line| line.starts_with("<circle"));
+    assert!(points.count() >= 2);
+    for point in ["point 1", "point 2"] {
+        assert!(svg.lines().any(|line| line == point));
+    }
+}
+
+/// How much lighter one colour is than the other, as WCAG 2 defines it: 1 to 21.
+fn contrast(colors: [&str; 2]) -> f64 {
+    let light = colors.map(|color| {
+        let part =
+            |at: usize| f64::from(u8::from_str_radix(&color[at..at + 2], 16).unwrap()) / 255.0;
+        let linear = |part: f64| match part {
+            0.0..=0.04045 => part / 12.92,
+            _ => ((part + 0.055) / 1.055).powf(2.4),
+        };
+        0.2126 * linear(part(1)) + 0.7152 * linear(part(3)) + 0.0722 * linear(part(5)) + 0.05
+    });
+    light[0].max(light[1]) / light[0].min(light[1])
+}
+
+#[test]
+fn pictures_read_on_light_and_on_dark_pages() {
+    for Example { name, svg, .. } in EXAMPLES.iter() {
+        assert!(!svg.contains("<rect"), "{name} has a background");
+        let (style, picture) = svg.split_once("</style>").unwrap();
+        let (_, dark) = style.split_once("(prefers-color-scheme: dark)").unwrap();
+        for element in picture.lines().filter(|line| line.starts_with('<')) {
+            for attribute in ["fill", "stroke"] {
+                let color = element.split(&format!(" {attribute}=\"")).nth(1);
+                let color = color.and_then(|rest| rest.split('"').next());
+                let Some(color) = color.filter(|color| color.starts_with('#')) else {
+                    continue;
+                };
+                let rule = format!("[{attribute}=\"{color}\"]{{{attribute}:");
+                let instead = dark.split(&rule).nth(1).and_then(|rest| rest.get(..7));
+                let instead = instead.unwrap_or_else(|| panic!("{name}: no dark {color}"));
+                let least = if element.starts_with("<text") {
+                    4.5
+                } else {
+                    3.0
+                };
+                for pair in [[color, "#FFFFFF"], [instead, "#0D1117"]] {
+                    assert!(
+                        contrast(pair) >= least,
+                        "{name}: {pair:?} {}",
+                        contrast(pair)
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_texts_of_near_marks_lead_away_from_each_other() {
+    let text = "near\n1 s -> one\n1.01 s -> two\n2 s -> far\n0 s: 0 m\n3 s: 1 m\n";
+    let svg = draw("near", text);
+    let lines: Vec<_> = svg.lines().collect();
+    let anchor = |text: &str| {
+        let [element, _] = lines.windows(2).find(|pair| pair[1] == text).unwrap() else {
+            unreachable!()
+        };
+        element
+            .split("text-anchor=\"")
+            .nth(1)
+            .unwrap()
+            .split('"')
+            .next()
+            .unwrap()
+            .to_owned()
+    };
+    assert_eq!(
+        ["one", "two", "far"].map(anchor),
+        ["end", "start", "middle"]
+    );
 }
 
 #[test]
@@ -397,9 +527,15 @@ fn an_example_is_drawn_as_it_is_printed() {
             let given = output.contains(curve);
             assert_eq!(has_text(curve), given, "{name}: {curve}");
         }
-        let setpoint = output.lines().find(|line| line.contains(" s: ")).unwrap();
+        let setpoints: Vec<_> = output
+            .lines()
+            .filter(|line| line.contains(" s: "))
+            .collect();
         for unit in ["m", "deg", "m/s", "deg/s", "m/s^2", "m/s^3"] {
-            let given = setpoint.split([' ', ',']).any(|word| word == unit);
+            let mut words = setpoints
+                .iter()
+                .flat_map(|setpoint| setpoint.split([' ', ',']));
+            let given = words.any(|word| word == unit);
             let label = format!("[{}]", unit.replace("^2", "²").replace("^3", "³"));
             assert_eq!(svg.contains(&label), given, "{name}: {label}");
         }
@@ -527,6 +663,8 @@ fn nothing_to_draw_fails() {
         "long\n0 s: 0 m, 0 m/s, 0 m/s^2, 0 m/s^3, 0 m/s^4\n",
         "axes\n0 s: 0 0 0 0 0 0 0 m\n",
         "path\nthree:\n0 s: x 0 m, y 0 m, z 0 m\n",
+        "path\nempty:\n",
+        "path\nno place:\n0 s: 1 2 m/s\n",
         "limit\nwithin fast m\n0 s: 0 m\n1 s: 1 m\n",
     ] {
         let output = plot_text("nothing", text);
