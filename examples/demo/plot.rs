@@ -325,7 +325,7 @@ impl Picture {
         let path = directory.join(words.join("-").to_lowercase() + ".svg");
         let size = |units| format!("width=\"{}\" height=\"{}\"", WIDTH / units, height / units);
         let svg = svg.replacen(&size(1), &size(UNITS), 1);
-        fs::write(&path, svg.replacen(">\n", &format!(">\n{}\n", dark()), 1))?;
+        fs::write(&path, svg.replacen(">\n", &format!(">\n{}\n", style()), 1))?;
         Ok(path)
     }
 }
@@ -337,8 +337,8 @@ impl Curve {
     }
 }
 
-/// A style that changes every colour where pages are dark.
-fn dark() -> String {
+/// Corners of a curve do not stand out beyond a limit, and every colour changes where pages are dark.
+fn style() -> String {
     let light = COLORS.into_iter().chain([LIMIT, INK, FAINT]);
     let hex = |RGBColor(red, green, blue)| format!("#{red:02X}{green:02X}{blue:02X}");
     let rule = |(light, dark)| {
@@ -346,7 +346,9 @@ fn dark() -> String {
         format!("[stroke=\"{light}\"]{{stroke:{dark}}}[fill=\"{light}\"]{{fill:{dark}}}\n")
     };
     let rules: String = light.zip(DARK).map(rule).collect();
-    format!("<style>\n@media (prefers-color-scheme: dark){{\n{rules}}}\n</style>")
+    format!(
+        "<style>\npolyline{{stroke-linejoin:round}}\n@media (prefers-color-scheme: dark){{\n{rules}}}\n</style>"
+    )
 }
 
 /// Names the curves, unless there is one alone, and the limits.
