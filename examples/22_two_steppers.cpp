@@ -1,0 +1,43 @@
+/*
+ Drives two stepper motors together. Both have 80 steps for a millimetre. `atraj::steps::next` tells the time of the next step of each motor, and the earlier
+ one is next: a timer would be set to it. The motors move by 40 mm and by 12.5 mm in the same time. This program prints one pulse in 400, and where
+ both motors are then.
+
+     make dist
+     c++ -Itarget/dist/include examples/22_two_steppers.cpp target/dist/lib/libatraj.a -lm -o two_steppers
+*/
+#include "atraj/steps.h"
+#include <algorithm>
+#include <cstdio>
+
+static const double STEP = 0.0125; // mm
+enum { X, Y, MOTORS };
+
+int main()
+{
+    const atraj::state from[MOTORS] = {{0, 0, 0}, {0, 0, 0}}, to[MOTORS] = {{40, 0, 0}, {-12.5, 0, 0}}; // mm
+    atraj::limits limits[MOTORS];
+    atraj::move axes[MOTORS];
+    atraj::steps steps[MOTORS];
+    double times[MOTORS], last[MOTORS] = {0, 0}, shortest = 1; // s
+    int directions[MOTORS], places[MOTORS] = {0, 0}, pulses = 0;
+    for (int i = 0; i < MOTORS; ++i) { limits[i].init(20000, 1000, 100); } // jerk, acceleration, velocity
+    if (atraj::sync(axes, limits, from, to, MOTORS, 0, 0) < 0) { return 1; }
+    for (int i = 0; i < MOTORS; ++i)
+    {
+        if (steps[i].init(axes[i], -STEP / 2, STEP) < 0) { return 1; }
+        directions[i] = steps[i].next(axes[i], times[i]);
+    }
+    std::puts("Pulses for two stepper motors: 40 mm and -12.5 mm in the same time");
+    while (directions[X] || directions[Y])
+    {
+        const int i = !directions[Y] || (directions[X] && times[X] <= times[Y]) ? X : Y;
+        places[i] += directions[i];
+        if (places[i] != directions[i]) { shortest = std::min(shortest, times[i] - last[i]); }
+        last[i] = times[i];
+        if (++pulses % 400 == 0) { std::printf("%.6f s: %.4f %.4f mm\n", times[i], places[X] * STEP, places[Y] * STEP); }
+        directions[i] = steps[i].next(axes[i], times[i]);
+    }
+    std::printf("%d and %d steps in %.3f s, up to %.0f steps/s\n", places[X], places[Y], axes[X].t, 1 / shortest);
+    return !(places[X] == 3200 && places[Y] == -1000);
+}
