@@ -31,6 +31,19 @@ bool same(const T &x, const T &y)
     return std::memcmp(&x, &y, sizeof(T)) == 0;
 }
 
+#if !defined(LIBA_HEADERS)
+// Bytes between the members may be anything.
+bool same(const atraj_move &x, const atraj_move &y)
+{
+    return x.t == y.t && x.phases == y.phases && std::memcmp(x.phase, y.phase, sizeof(x.phase)) == 0;
+}
+
+bool same(const atraj_steps &x, const atraj_steps &y)
+{
+    return x.offset == y.offset && x.step == y.step && x.from == y.from && x.to == y.to && x.count == y.count && x.far == y.far && x.phase == y.phase;
+}
+#endif
+
 void bell()
 {
     a::trajbell method;

@@ -70,12 +70,18 @@ static int go(const atraj_state *to, unsigned lead)
 static int go(const atraj_state *to, unsigned lead) { return atraj_axis_go(&axis, &limits, to, lead); }
 #endif
 
-/* Plans once, somewhere, with a lead of at most this number of ticks. */
+/* Plans once, a stop, a move, or one beside a signal at rest, with a lead of at most this number of ticks. */
 static void plan(unsigned longest_lead)
 {
     static unsigned random = 1;
     unsigned const lead = 1 + next_random(&random) % longest_lead, where = next_random(&random);
     if (where % 4 == 0) { count(atraj_axis_stop(&axis, &limits, lead)); }
+    else if (where % 4 == 1)
+    {
+        atraj_state signal = {0, 0, 0};
+        signal.p = (a_float)(where % 1000) / 1000 - A_FLOAT_C(0.5);
+        count(atraj_axis_track(&axis, &limits, &signal, 50 * PERIOD, lead));
+    }
     else
     {
         atraj_state to = {0, 0, 0};

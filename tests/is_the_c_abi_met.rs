@@ -199,6 +199,9 @@ fn cpp_methods_and_namespace() {
                 let program = build(variant, compiler, &[&standard], "methods.cpp");
                 run(&mut Command::new(program));
             }
+            // Without optimisation, bytes between the members of a struct are what was there before.
+            let program = build(variant, compiler, &["-O0"], "methods.cpp");
+            run(&mut Command::new(program));
         }
     }
 }
