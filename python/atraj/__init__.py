@@ -11,7 +11,8 @@ array([0.        , 2.91666667, 7.91666667])
 
 Times are in seconds since the start of a motion. Positions have any unit of length or angle, and the other quantities follow from
 it: m, m/s, m/s², m/s³. The classes here compute in binary64, the classes of the same names in `atraj.f32` in binary32.
-Arguments have one order everywhere: limits first, then where a motion starts and where it goes, then times. `atraj.claraty` holds CLARAty's trajectory. What cannot be planned raises ValueError.
+Arguments have one order: limits first, then where a motion starts and where it goes. `atraj.claraty` holds CLARAty's trajectory. What
+cannot be planned raises ValueError.
 """
 
 from importlib.metadata import version

@@ -143,44 +143,17 @@ class Bell(Profile):
         v0: float = 0.0,
         v1: float = 0.0,
     ) -> Bell:
-        """staticmethod(function) -> method
+        """The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
 
-        Convert a function to be a static method.
+        An infinite limit is no limit. A jerk, or both accelerations, are finite. ValueError if a limit is 0, an argument is no
+        number, or a position is infinite.
 
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        >>> import atraj
+        >>> atraj.Bell.fastest(30, 10, 5, p0=0, p1=0.1, v0=2).t # 0.1 m to go at 2 m/s
+        1.015182383138908"""
     @staticmethod
     def from_fields(fields: BellFields | Sequence[float]) -> Bell:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The move with these `BellFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does."""
     @property
     def fields(self) -> BellFields:
         """The `BellFields`: what liba's struct holds."""
@@ -227,44 +200,13 @@ class Trap(Profile):
         v0: float = 0.0,
         v1: float = 0.0,
     ) -> Trap:
-        """staticmethod(function) -> method
+        """The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
 
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        One of `ac` and `de` is positive, the other negative. ValueError if not, if the velocity is 0, an argument is no number, or
+        a position is infinite."""
     @staticmethod
     def from_fields(fields: TrapFields | Sequence[float]) -> Trap:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The move with these `TrapFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does."""
     @property
     def fields(self) -> TrapFields:
         """The `TrapFields`: what liba's struct holds."""
@@ -285,24 +227,7 @@ class Poly3(Profile):
     def __new__(cls, t: float, p0: float, p1: float, v0: float = 0.0, v1: float = 0.0) -> Self: ...
     @staticmethod
     def from_coefficients(t: float, c: Sequence[float]) -> Poly3:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The polynomial of duration `t`, s, with these coefficients `c`, finite or not."""
     @property
     def c(self) -> tuple[float, float, float, float]:
         """Coefficients of the position in ascending powers of time."""
@@ -325,24 +250,7 @@ class Poly5(Profile):
     ) -> Self: ...
     @staticmethod
     def from_coefficients(t: float, c: Sequence[float]) -> Poly5:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The polynomial of duration `t`, s, with these coefficients `c`, finite or not."""
     @property
     def c(self) -> tuple[float, float, float, float, float, float]:
         """Coefficients of the position in ascending powers of time."""
@@ -367,24 +275,7 @@ class Poly7(Profile):
     ) -> Self: ...
     @staticmethod
     def from_coefficients(t: float, c: Sequence[float]) -> Poly7:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The polynomial of duration `t`, s, with these coefficients `c`, finite or not."""
     @property
     def c(self) -> tuple[float, float, float, float, float, float, float, float]:
         """Coefficients of the position in ascending powers of time."""
@@ -407,124 +298,28 @@ class Move(Profile):
     (-2.0, <Findings.OVERSHOOTS: 16>)"""
     @staticmethod
     def plan(limits: _Limits, start: _State, end: _State) -> Move:
-        """staticmethod(function) -> method
+        """The fastest motion from the state `start` to the state `end`.
 
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        A start outside the limits comes inside in the fastest way. The end may be behind, or nearer than the way to stop."""
     @staticmethod
     def within(limits: _Limits, start: _State, end: _State, lowest: float, highest: float) -> Move:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The fastest motion from the state `start` to the state `end`, if it stays between two positions until its end; `-inf` and `inf` are no
+        limits. ValueError also if the motion leaves the positions: then the axis cannot stop between them, or the state `end` cannot be
+        reached from rest between them."""
     @staticmethod
     def reach(limits: _Limits, start: _State, velocity: float, acceleration: float = 0.0) -> Move:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The fastest motion from the state `start` to a velocity and an acceleration; the position is free."""
     @staticmethod
     def stop(limits: _Limits, start: _State) -> Move:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The fastest stop from the state `start`; the position is free."""
     @staticmethod
     def meet(limits: _Limits, start: _State, target: _State) -> Move:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The fastest motion from the state `start` to a target that moves on at its velocity. The move ends beside the target, at
+        `target.position + t * target.velocity`. The target must not accelerate."""
     @staticmethod
     def track(limits: _Limits, start: _State, signal: _State, horizon: float) -> Move:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """The motion of one tick of an axis that follows `signal`, a state: call it in every tick. Where the axis can be beside the signal after
+        the time `horizon`, s, it gets there in just this time. Else it meets the signal as fast as it can."""
     def check(self, limits: _Limits) -> Findings:
         """What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone."""
     def time_at(self, position: float) -> float | None:
@@ -684,6 +479,8 @@ class Clock:
     >>> clock.position(10)
     array([ 0.8, -0.4])"""
     def __new__(cls, limits: _LimitsOfAxes, moves: Axes) -> Self: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: Any) -> Self: ...
     def rate(self, x: float, rate: float) -> None:
         """Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
         the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. ValueError if no such change
@@ -725,24 +522,9 @@ class Shaper:
     def __new__(cls, kind: ShaperKind | int, frequency: float, damping: float = 0.0) -> Self: ...
     @staticmethod
     def smooth(time: float) -> Shaper:
-        """staticmethod(function) -> method
-
-        Convert a function to be a static method.
-
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin."""
+        """A shaper without a frequency: the motion becomes its mean over this time, s. So its acceleration changes evenly, and the derivative of
+        its jerk is at most twice the limit of the jerk, divided by the time. A time of 0 changes nothing. ValueError if the time is negative or
+        not finite."""
     def add(self, kind: ShaperKind | int, frequency: float, damping: float = 0.0) -> Shaper:
         """This shaper for another frequency of the load too, as a new shaper. The impulses of both are multiplied."""
     @property

@@ -1,4 +1,4 @@
-from typing import Literal, final
+from typing import Any, Literal, final
 
 from typing_extensions import Self
 
@@ -60,6 +60,8 @@ class Trajectory:
         """Whether the last start or stop cruises at its maximum velocity."""
     def setpoint(self, now: float) -> State:
         """The setpoint now, a `State`. A reading after the end of the motion ends the motion."""
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: Any) -> Self: ...
     def setpoint_at(self, t: float) -> State:
         """The setpoint at the time `t` after the start, s, a `State`. In a motion of the listing a look beyond the end ends the motion."""
 

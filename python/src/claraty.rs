@@ -27,6 +27,14 @@ pub struct Trajectory(atraj::claraty::Trajectory<'static>);
 
 #[pymethods]
 impl Trajectory {
+    fn __copy__(&self) -> Self {
+        Self(self.0)
+    }
+
+    fn __deepcopy__(&self, _memo: Bound<'_, PyAny>) -> Self {
+        Self(self.0)
+    }
+
     #[new]
     #[pyo3(signature = (mode=0, *, now=0.0))]
     fn new(mode: u8, now: f64) -> PyResult<Self> {

@@ -14,6 +14,7 @@ STUBS = {
     atraj: ROOT / "python/atraj/__init__.pyi",
     atraj.claraty: ROOT / "python/atraj/claraty.pyi",
 }
+VALUES = ROOT / "python/atraj/values.py"
 PAGE = ROOT / "docs/python-api.md"
 INTRODUCTION = """# The Python API
 This page is made of the docstrings: `make python-update` writes it and the stubs, and a test compares both with the module. [For Python](for-python.md) is the
@@ -71,7 +72,7 @@ def with_docstrings(module, stub):
         document(node, inspect.getdoc(item), isinstance(node, ast.ClassDef))
         if isinstance(node, ast.ClassDef):
             for member in members(node):
-                document(member, inspect.getdoc(inspect.getattr_static(item, member.name)), False)
+                document(member, inspect.getdoc(getattr(item, member.name)), False)
     for begin, end, new in sorted(edits, reverse=True):
         text = text[:begin] + new + text[end:]
     return text.decode()
@@ -91,6 +92,20 @@ def arguments(node, of_class=False):
         for argument, default in zip(given.kwonlyargs, given.kw_defaults):
             shown.append(argument.arg if default is None else f"{argument.arg}={ast.unparse(default)}")
     return f"({', '.join(shown)})"
+
+
+def fields(item):
+    """The arguments of a named tuple."""
+    given = inspect.signature(item)
+    plain = [parameter.replace(annotation=inspect.Parameter.empty) for parameter in given.parameters.values()]
+    return str(given.replace(parameters=plain, return_annotation=inspect.Signature.empty))
+
+
+def sentences(name):
+    """What `values.py` says behind each member of a set."""
+    (node,) = [node for node in definitions(ast.parse(VALUES.read_text()).body) if node.name == name]
+    pairs = [(member, said) for member, said in zip(node.body, node.body[1:]) if isinstance(member, ast.Assign)]
+    return {member.targets[0].id: f": {said.value.value}" for member, said in pairs if isinstance(said, ast.Expr)}
 
 
 def markdown(doc):
@@ -124,19 +139,18 @@ def page():
                 texts.append(described(f"### {name}", full + arguments(node), inspect.getdoc(item)))
                 continue
             if node is None:
-                signature = full
-                if issubclass(item, tuple):
-                    signature += str(inspect.signature(item)).split(" -> ")[0].replace("'", "")
+                signature = full + (fields(item) if issubclass(item, tuple) else "")
                 texts.append(described(f"### {name}", f"class {signature}", inspect.getdoc(item)))
                 if hasattr(item, "__members__"):
-                    texts.append("".join(f"- `{name}.{member}` = {int(value)}\n" for member, value in item.__members__.items()))
+                    said = sentences(name)
+                    texts.append("".join(f"- `{name}.{member}` = {int(value)}{said.get(member, '')}\n" for member, value in item.__members__.items()))
                 continue
             new = [member for member in definitions(node.body) if member.name == "__new__"]
             base = f"({', '.join(map(ast.unparse, node.bases))})" if node.bases and not new else ""
             signature = f"class {full}{arguments(new[0]) if new else base}"
             texts.append(described(f"### {name}", signature, inspect.getdoc(item)))
             for member in members(node):
-                doc = inspect.getdoc(inspect.getattr_static(item, member.name))
+                doc = inspect.getdoc(getattr(item, member.name))
                 of = f"{name}.{member.name}"
                 signature = of if is_decorated(member, "property") else of + arguments(member)
                 texts.append(described(f"#### {of}", signature, doc))

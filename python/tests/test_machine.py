@@ -39,6 +39,14 @@ def test_a_clock_holds_and_goes_on(real):
         assert [state.velocity for state in states] == clock.velocity(0.7).tolist()
 
 
+@reals
+def test_a_copied_clock_goes_its_own_way(real):
+    clock = real.module.Clock(LIMITS, real.module.synchronise(PLANNED, [0, 0], [0.8, -0.4]))
+    for copied in [copy.copy(clock), copy.deepcopy(clock)]:
+        copied.rate(0.5, 0)
+        assert copied.time(9) < 1 and clock.time(9) == 9
+
+
 def test_a_clock_says_why_not():
     moves = atraj.synchronise(PLANNED, [0, 0], [0.8, -0.4])
     clock = atraj.Clock(PLANNED, moves)

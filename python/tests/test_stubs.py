@@ -29,8 +29,7 @@ def test_the_page_has_the_docstrings():
 
 
 def test_stubs_agree_with_the_module():
-    allowed = str(HERE / "stubtest-allowed.txt")
-    subprocess.run([sys.executable, "-m", "mypy.stubtest", "atraj", "--allowlist", allowed], check=True, cwd=HERE)
+    subprocess.run([sys.executable, "-m", "mypy.stubtest", "atraj"], check=True, cwd=HERE)
 
 
 @pytest.mark.parametrize("version", ["3.10", "3.13"])

@@ -337,6 +337,7 @@ def test_times_of_a_path_have_any_shape_and_layout(real):
 def test_paths_say_why_not():
     two, rest = [LIMITS] * 2, atraj.State(0)
     for message, call in {
+        "^limits has a Limits for each axis, or for each section a list of them": lambda: atraj.path([[0, 0], [1, 1]], two),
         "at least two points": lambda: atraj.path(two, [[0, 0]]),
         "no axis": lambda: atraj.path([], [[], []]),
         "limits has 1 lists, and the path 2 sections": lambda: atraj.path([two], [[0, 0], [1, 1], [2, 2]]),
@@ -399,6 +400,15 @@ def test_moves_say_why_not():
         with pytest.raises(ValueError, match=message) as refused:
             call()
         print(refused.value)
+
+
+def test_claraty_is_copied():
+    axis = Trajectory()
+    axis.set(10, 2, 4, 4, now=0)
+    axis.start(now=0)
+    for copied in [copy.copy(axis), copy.deepcopy(axis)]:
+        copied.stop(now=1)
+        assert copied.duration < axis.duration and copied.setpoint(now=1) == axis.setpoint(now=1)
 
 
 def test_claraty_brakes_and_warns():

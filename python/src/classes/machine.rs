@@ -514,6 +514,20 @@ impl Clock {
         Rows::sample(self, py, Request { dt, n, start, out }, self.t)
     }
 
+    /// To try a change.
+    fn __copy__(&self) -> Self {
+        Self {
+            inner: self.inner,
+            limits: self.limits.clone(),
+            moves: self.moves.clone(),
+            t: self.t,
+        }
+    }
+
+    fn __deepcopy__(&self, _memo: Bound<'_, PyAny>) -> Self {
+        self.__copy__()
+    }
+
     fn __repr__(&self) -> String {
         let (axes, until) = (self.axes(), self.inner.until());
         format!("<Clock of {axes} axes, whose last rate is reached at {until} s>")

@@ -202,10 +202,25 @@ impl Coordinate {
 }
 
 /// Limits of the axes, or of the axes section by section.
-#[derive(FromPyObject)]
 pub enum PathLimits {
     Axes(Vec<GivenLimits<Real>>),
     Sections(Vec<Vec<GivenLimits<Real>>>),
+}
+
+impl<'a, 'py> FromPyObject<'a, 'py> for PathLimits {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let sections = |_| given.extract().map(Self::Sections);
+        let neither = |_: PyErr| {
+            error("limits has a Limits for each axis, or for each section a list of them")
+        };
+        given
+            .extract()
+            .map(Self::Axes)
+            .or_else(sections)
+            .map_err(neither)
+    }
 }
 
 /// A fast path of several axes through points, which all axes pass at the same times. They stop nowhere between the first point and
