@@ -122,7 +122,7 @@ HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64
 
 .PHONY: help setup rust dist dist-locked where install uninstall deb address identify demo examples consumers builds release release-check \
     doc site-tool check soak mutants coverage fuzz python python-install python-update python-check playground playground-check \
-    firmware-setup firmware-check firmware-report bench instructions instructions-update
+    firmware-setup firmware-check firmware-report firmware-bounds bench instructions instructions-update
 
 help:
 	@sed '/^$$/,$$d; s/^# \{0,1\}//' Makefile
@@ -132,7 +132,7 @@ setup:
 
 # What would end in a message of cargo that does not tell what to do.
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
-dist check doc soak mutants coverage bench instructions instructions-update fuzz python builds consumers firmware-check: | rust
+dist check doc soak mutants coverage bench instructions instructions-update fuzz python builds consumers firmware-check firmware-bounds: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
 	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/install.md' >&2; exit 1; }
@@ -386,7 +386,7 @@ python-check: python-install dist
 firmware-setup:
 	packaging/debian.sh install firmware
 
-firmware-check firmware-report:
+firmware-check firmware-report firmware-bounds:
 	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)
 
 playground:

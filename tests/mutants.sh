@@ -40,4 +40,11 @@ fi
 
 trap '"$tool" report "$results"' EXIT
 cd "$tree"
-"$tool" judge "$out/list.json" "$seed" "$of_each" "$out/unviable" "$out/constant" "$out/programs" "$results"
+rm -rf "$out/claims"
+mkdir "$out/claims"
+judges=()
+for _ in $(seq "$(nproc)"); do
+    "$tool" judge "$out/list.json" "$seed" "$of_each" "$out/unviable" "$out/constant" "$out/programs" "$out/claims" "$results" &
+    judges+=($!)
+done
+for judge in "${judges[@]}"; do wait "$judge"; done

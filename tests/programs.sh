@@ -9,9 +9,9 @@ export CARGO_TARGET_DIR=$out/build CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_R
 export CARGO_PROFILE_TEST_OPT_LEVEL=1
 cd "$tree"
 
-sizes='do_axes_arrive_together:SEEDS:1 do_axes_arrive_together:SETS:1_000 is_the_fastest_motion_right:SEEDS:1 does_a_path_pass_its_points:PATHS:200
-    do_axes_stay_inside:SETS:2_000 is_a_step_lost:MOVES:10_000 does_the_clock_keep_the_limits:PATHS:3_334 does_a_replan_detour:MOVES:400
-    does_every_plan_pass:PROBLEMS:20_000 does_every_plan_pass:SETS:1_000 does_a_move_stay_inside:PROBLEMS:10_000'
+sizes='do_axes_arrive_together:SEEDS:1 do_axes_arrive_together:SETS:1_000 does_a_path_pass_its_points:PATHS:200
+    is_a_step_lost:MOVES:10_000 does_the_clock_keep_the_limits:PATHS:3_334 does_a_replan_detour:MOVES:400
+    does_every_plan_pass:PROBLEMS:20_000 does_every_plan_pass:SETS:1_000'
 for size in $sizes; do
     IFS=: read -r name constant value <<< "$size"
     sed -i "/^const $constant: /{s/= .*;/= $value;/;h};\${x;/./!{x;q1};x}" "tests/oracle/tests/$name.rs"

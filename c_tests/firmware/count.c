@@ -12,15 +12,7 @@
 #include "atraj.h"
 #include "golden.h"
 #include "semihost.h"
-
-/* CMSDK timer 0 counts down at 25 MHz; with -icount shift=10 an instruction takes 1024 ns. */
-static volatile uint32_t *const TIMER = (volatile uint32_t *)0x40000000;
-enum { CONTROL, VALUE, RELOAD };
-
-static uint32_t instructions(uint32_t ticks)
-{
-    return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024);
-}
+#include "timer.h"
 
 /* Every function is called through this one type, so every call costs the same. */
 typedef a_float function(void *ctx, a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float);
@@ -36,9 +28,9 @@ __attribute__((noinline)) static cost call(function *f, void *ctx, const a_float
     uint32_t *sp, *word;
     __asm__ volatile("mov %0, sp" : "=r"(sp));
     for (word = sp - PAINTED_WORDS; word != sp; ++word) { *(volatile uint32_t *)word = PAINT; }
-    uint32_t const start = TIMER[VALUE];
+    uint32_t const start = now();
     f(ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8]);
-    uint32_t const ticks = start - TIMER[VALUE];
+    uint32_t const ticks = now() - start;
     for (word = sp - PAINTED_WORDS; *(volatile uint32_t *)word == PAINT && word != sp; ++word) {}
     return (cost){instructions(ticks), (uint32_t)(sp - word) * 4};
 }
@@ -427,9 +419,7 @@ static void poly(void)
 
 int main(void)
 {
-    TIMER[RELOAD] = UINT32_MAX;
-    TIMER[VALUE] = UINT32_MAX;
-    TIMER[CONTROL] = 1;
+    start_timer();
     bell();
     worst_bell();
     trap();

@@ -1,8 +1,9 @@
 """stack.py: reads `objdump -d` of a linked image and prints "function bytes" for each C function of the library: how much stack a call takes at
 most, with all that it calls.
 
-The instructions alone tell how deep the stack is at each place, so this is a bound and no measurement. A call through a pointer, a recursion
-and a stack pointer that it cannot follow are errors.
+The instructions alone tell how deep the stack is at each place, so this is a bound and no measurement. A call through a pointer may lead to each
+function whose address is taken on the way. The clock of a `claraty_trapezoid` comes from the caller, so its stack is not known here. A recursion and
+a stack pointer that it cannot follow are errors.
 """
 
 import re
@@ -11,6 +12,7 @@ import sys
 FUNCTION = re.compile(r"^([0-9a-f]+) <(.*)>:$")
 INSTRUCTION = re.compile(r"^ *([0-9a-f]+):\t(\S+)(?:\t(.*))?$")
 OURS = re.compile(r"^(a_traj|a_poly|atraj_|claraty_)")
+CONDITIONAL = re.compile(r"^add(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$")
 REGISTER = re.compile(r"^(r\d+|ip|lr|fp|sl|s\d+|a\d|t\d|ra)$")
 
 
@@ -35,9 +37,10 @@ def size_of(registers):
 class Code:
     """One function: its frame, and how deep the stack is at each call."""
 
-    def __init__(self, name, lines, words):
-        self.name, self.words = name, words
+    def __init__(self, name, lines, words, places):
+        self.name, self.words, self.entries = name, words, places
         self.frame, self.calls = 0, {}
+        self.pointer, self.taken = None, set()  # how deep the stack is at a call through a pointer, and the addresses that are taken
         self.at = {}  # the depth at each address that a branch leads to
         # Once forward for the branches, and once more for those that lead back.
         for _ in range(2):
@@ -80,6 +83,8 @@ class Code:
             self.register(mnemonic, operands, arguments)
 
     def move(self, mnemonic, source, by):
+        if CONDITIONAL.match(mnemonic):
+            return  # a return that may not happen gives nothing back
         if mnemonic in ("mov", "mv"):
             source, by = by, "0"
         size = self.values.get(by) if by in self.values else number(by) if re.match(r"^#?-?\d", by) else None
@@ -102,14 +107,18 @@ class Code:
             place = self.places[rest[0]] + number(rest[1])
         elif mnemonic == "ldr" and (literal := re.search(r"\(([0-9a-f]+) <", operands)):
             value = self.words.get(int(literal[1], 16))
+        elif mnemonic == "movt":
+            value = self.values.get(first, 0) + (number(rest[0]) << 16)
         elif mnemonic in ("mov", "movs", "movw", "li") and re.match(r"^#?-?\d", rest[0]):
             value = number(rest[0])
         elif mnemonic in ("lui", "c.lui"):
             value = number(rest[0]) << 12
-        elif mnemonic == "addi" and rest[0] in self.values:
+        elif mnemonic in ("add", "addi") and rest[0] in self.values and re.match(r"^-?\d", rest[-1]):
             value = self.values[rest[0]] + number(rest[1])
         elif mnemonic == "lsls" and rest[0] in self.values and rest[-1].startswith("#"):
             value = self.values[rest[0]] << number(rest[-1])
+        if value is not None and mnemonic in ("movt", "ldr", "add", "addi") and value & ~1 in self.entries:
+            self.taken.add(self.entries[value & ~1])
         for known, now in ((self.places, place), (self.values, value)):
             known.pop(first, None)
             if now is not None:
@@ -119,11 +128,16 @@ class Code:
         """Follows calls and branches; whether the next instruction runs too."""
         first, target = arguments[0], arguments[-1]
         if mnemonic in ("bl", "jal") and (len(arguments) == 1 or first == "ra"):
+            if label.partition("+0x")[0] == self.name and "+" in label:
+                # A Cortex-M0 has no other branch that leads that far.
+                self.branch(int(target, 16), label)
+                return False
             self.call(label)
         elif mnemonic == "jalr" and label and first != "zero":
             self.call(label)
         elif mnemonic in ("blx", "jalr") or mnemonic == "bx" and first != "lr":
-            raise Unknown(f"{mnemonic} {operands}")
+            self.pointer = max(self.depth, self.pointer or 0)
+            return mnemonic != "bx"
         elif mnemonic in ("bx", "ret", "udf", "ebreak", "unimp", "mret"):
             return False
         elif mnemonic in ("pop", "ldmia") and "pc" in operands or mnemonic == "ldr" and first == "pc" and "[sp]" in operands:
@@ -153,11 +167,12 @@ class Code:
 
 
 def functions(text):
-    """The lines of each function, and the words that stand between the code."""
-    code, words, lines = {}, {}, None
+    """The code of each function, by its name."""
+    code, words, places, lines = {}, {}, {}, None
     for line in text:
         if found := FUNCTION.match(line):
             lines = code.setdefault(found[2], [])
+            places[int(found[1], 16)] = found[2]
         elif (found := INSTRUCTION.match(line)) and lines is not None:
             address, mnemonic, operands = int(found[1], 16), found[2], found[3] or ""
             if mnemonic == ".word":
@@ -165,29 +180,39 @@ def functions(text):
                 words[address] = word - (word >> 31 << 32)
             elif not mnemonic.startswith("."):
                 lines.append((address, mnemonic, operands))
-    return code, words
+    return {name: Code(name, lines, words, places) for name, lines in code.items()}
 
 
-def bound(name, code, words, bounds, callers=()):
+def reached(name, code):
+    """The functions that a call may reach, and those among them that it may reach through a pointer."""
+    found, pointers, left = set(), set(), {name}
+    while left:
+        function = left.pop()
+        found.add(function)
+        pointers |= code[function].taken & code.keys()
+        left |= {*code[function].calls, *pointers} - found
+    return pointers
+
+
+def bound(name, code, pointers, bounds, callers=()):
     """The stack of a function with all that it calls."""
     if name in callers:
-        raise Unknown("it calls itself")
+        raise Unknown(f"{name} calls itself: {callers}")
     if name not in bounds:
-        try:
-            function = Code(name, code[name], words)
-        except Unknown as what:
-            raise Unknown(f"{name}: {what}") from None
-        needs = [depth + bound(callee, code, words, bounds, (*callers, name)) for callee, depth in function.calls.items()]
+        function = code[name]
+        calls = list(function.calls.items())
+        if function.pointer is not None:
+            calls += [(pointer, function.pointer) for pointer in pointers]
+        needs = [depth + bound(callee, code, pointers, bounds, (*callers, name)) for callee, depth in calls]
         bounds[name] = max([function.frame, *needs])
     return bounds[name]
 
 
 def main():
-    code, words = functions(sys.stdin.read().splitlines())
-    bounds = {}
+    code = functions(sys.stdin.read().splitlines())
     for name in sorted(code):
         if OURS.match(name):
-            print(name, bound(name, code, words, bounds))
+            print(name, bound(name, code, reached(name, code), {}))
 
 
 main()

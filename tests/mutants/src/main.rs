@@ -4,7 +4,7 @@
 //!
 //! - `mutants plant LIST TREE SEED OF_EACH UNVIABLE` plants a sample of the list into the files under `TREE/src`.
 //! - `mutants refuse TREE MESSAGES UNVIABLE` adds the mutants that the compiler's messages name to the file of unviable ones.
-//! - `mutants judge LIST SEED OF_EACH UNVIABLE CONSTANT PROGRAMS RESULTS` judges them, but for those that are in the results already.
+//! - `mutants judge LIST SEED OF_EACH UNVIABLE CONSTANT PROGRAMS CLAIMS RESULTS` judges them, but for those that are in the results already.
 //! - `mutants report RESULTS` prints the table, and each survivor.
 
 mod judge;
@@ -26,10 +26,29 @@ fn main() {
             plant_all(Path::new(tree), drawn, &numbers(unviable));
         }
         ["refuse", tree, messages, unviable] => refuse(Path::new(tree), messages, unviable),
-        ["judge", all, seed, of_each, unviable, constant, programs, results] => {
-            let left_out = [("unviable", numbers(unviable)), ("constant", numbers(constant))];
+        [
+            "judge",
+            all,
+            seed,
+            of_each,
+            unviable,
+            constant,
+            programs,
+            claims,
+            results,
+        ] => {
+            let left_out = [
+                ("unviable", numbers(unviable)),
+                ("constant", numbers(constant)),
+            ];
             let drawn = drawn(all, seed, of_each);
-            judge::all(&drawn, &left_out, Path::new(programs), Path::new(results));
+            judge::all(
+                &drawn,
+                &left_out,
+                Path::new(programs),
+                Path::new(claims),
+                Path::new(results),
+            );
         }
         ["report", results] => report::print(&read(results)),
         _ => panic!("plant, refuse, judge or report: the first lines of src/main.rs"),
@@ -46,12 +65,18 @@ fn drawn(all: &str, seed: &str, of_each: &str) -> Vec<Mutant> {
 }
 
 fn numbers(file: &str) -> BTreeSet<u32> {
-    read(file).lines().map(|line| line.parse().expect("a number")).collect()
+    read(file)
+        .lines()
+        .map(|line| line.parse().expect("a number"))
+        .collect()
 }
 
 fn plant_all(tree: &Path, drawn: Vec<Mutant>, unviable: &BTreeSet<u32>) {
     let mut files: BTreeMap<String, BTreeMap<Place, Vec<Mutant>>> = BTreeMap::new();
-    for mutant in drawn.into_iter().filter(|mutant| !unviable.contains(&mutant.number)) {
+    for mutant in drawn
+        .into_iter()
+        .filter(|mutant| !unviable.contains(&mutant.number))
+    {
         let places = files.entry(mutant.file.clone()).or_default();
         places.entry(mutant.place).or_default().push(mutant);
     }
@@ -85,10 +110,16 @@ fn refuse(tree: &Path, messages: &str, unviable: &str) {
             let file = tree.join(span["file_name"].as_str().expect("a file"));
             let end = span["byte_start"].as_u64().expect("a place") as usize;
             let before = read(file);
-            let last = before.get(..end).and_then(|text| text.rsplit_once("mutant :: is ("));
+            let last = before
+                .get(..end)
+                .and_then(|text| text.rsplit_once("mutant :: is ("));
             if let Some((_, number)) = last {
                 let digits = number.split(|c: char| !c.is_ascii_digit()).next();
-                refused.insert(digits.and_then(|digits| digits.parse().ok()).expect("a number"));
+                refused.insert(
+                    digits
+                        .and_then(|digits| digits.parse().ok())
+                        .expect("a number"),
+                );
             }
         }
     }

@@ -26,17 +26,34 @@ pub struct Mutant {
 impl Mutant {
     /// Its name, which stays the same as long as the file does.
     pub fn name(&self) -> String {
-        let Self { file, place: (line, column), genre, replacement, function, .. } = self;
+        let Self {
+            file,
+            place: (line, column),
+            genre,
+            replacement,
+            function,
+            ..
+        } = self;
         format!("{file}:{line}:{column} {genre} {function} -> {replacement}")
     }
 
     /// The part of the library whose tests can see it.
     pub fn storey(&self) -> &'static str {
         let is_in = |folder: &&str| self.file.starts_with(&format!("src/{folder}/"));
-        ["real", "liba", "claraty", "fastest", "online", "together/path", "together", "machine", "capi"]
-            .into_iter()
-            .find(is_in)
-            .unwrap_or("shared")
+        [
+            "real",
+            "liba",
+            "claraty",
+            "fastest",
+            "online",
+            "together/path",
+            "together",
+            "machine",
+            "capi",
+        ]
+        .into_iter()
+        .find(is_in)
+        .unwrap_or("shared")
     }
 }
 
@@ -65,12 +82,21 @@ pub fn sample(mutants: Vec<Mutant>, seed: u64, of_each: usize) -> Vec<Mutant> {
     let mut storeys: BTreeMap<&str, Vec<([u64; 2], Mutant)>> = BTreeMap::new();
     for mutant in mutants {
         let key = [hash(seed, &mutant.name()), u64::from(mutant.number)];
-        storeys.entry(mutant.storey()).or_default().push((key, mutant));
+        storeys
+            .entry(mutant.storey())
+            .or_default()
+            .push((key, mutant));
     }
     let mut turns: Vec<(usize, Mutant)> = Vec::new();
     for drawn in storeys.values_mut() {
         drawn.sort_by_key(|(key, _)| *key);
-        turns.extend(drawn.drain(..).take(of_each).map(|(_, mutant)| mutant).enumerate());
+        turns.extend(
+            drawn
+                .drain(..)
+                .take(of_each)
+                .map(|(_, mutant)| mutant)
+                .enumerate(),
+        );
     }
     turns.sort_by_key(|(turn, _)| *turn);
     turns.into_iter().map(|(_, mutant)| mutant).collect()
@@ -79,7 +105,9 @@ pub fn sample(mutants: Vec<Mutant>, seed: u64, of_each: usize) -> Vec<Mutant> {
 /// FNV-1a, with the rounds of splitmix64 behind it, so near names have far values.
 fn hash(seed: u64, name: &str) -> u64 {
     let start = seed ^ 0xcbf2_9ce4_8422_2325;
-    let mixed = name.bytes().fold(start, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    let mixed = name.bytes().fold(start, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    });
     let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
     mixed ^ mixed >> 31

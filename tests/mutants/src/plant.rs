@@ -54,7 +54,9 @@ impl Planter<'_> {
         if mutants.is_empty() {
             return None;
         }
-        let ExprBinary { left, op, right, .. } = binary;
+        let ExprBinary {
+            left, op, right, ..
+        } = binary;
         let choose = |a: Expr, b: Expr| {
             let mut chosen: Expr = parse_quote! { #a #op #b };
             for mutant in &mutants {
@@ -69,7 +71,12 @@ impl Planter<'_> {
                 let chosen = choose(parse_quote!(left), parse_quote!((#right)));
                 parse_quote! { (match #left { left => #chosen }) }
             }
-            BinOp::Eq(_) | BinOp::Ne(_) | BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) => {
+            BinOp::Eq(_)
+            | BinOp::Ne(_)
+            | BinOp::Lt(_)
+            | BinOp::Le(_)
+            | BinOp::Gt(_)
+            | BinOp::Ge(_) => {
                 let chosen = choose(parse_quote!(left), parse_quote!(right));
                 parse_quote! { (match (&(#left), &(#right)) { (left, right) => #chosen }) }
             }
@@ -176,10 +183,13 @@ impl VisitMut for Planter<'_> {
         for field in &mut value.fields {
             let deleted = self.take(field.span(), "StructField");
             visit_mut::visit_expr_mut(self, &mut field.expr);
-            if let (Some(mutant), Some(base), Member::Named(name)) = (deleted.first(), &base, &field.member) {
+            if let (Some(mutant), Some(base), Member::Named(name)) =
+                (deleted.first(), &base, &field.member)
+            {
                 let (number, kept) = (mutant.number, &field.expr);
                 field.colon_token = Some(Default::default());
-                field.expr = parse_quote! { if crate::mutant::is(#number) { (#base).#name } else { #kept } };
+                field.expr =
+                    parse_quote! { if crate::mutant::is(#number) { (#base).#name } else { #kept } };
             }
         }
         if let Some(rest) = &mut value.rest {

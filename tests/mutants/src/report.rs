@@ -34,14 +34,24 @@ pub fn print(results: &str) {
             survivors.push(name);
         }
     }
-    println!("| storey | judged | killed | hung | survived | seen, % | 95 % interval | do not compile | in constants |");
+    println!(
+        "| storey | judged | killed | hung | survived | seen, % | 95 % interval | do not compile | in constants |"
+    );
     println!("|---|---:|---:|---:|---:|---:|---:|---:|---:|");
     for (storey, counts) in storeys {
-        let Counts { killed, timeouts, survived, unviable, constant } = counts;
+        let Counts {
+            killed,
+            timeouts,
+            survived,
+            unviable,
+            constant,
+        } = counts;
         let (seen, judged) = (killed + timeouts, killed + timeouts + survived);
         let share = 100.0 * f64::from(seen) / f64::from(judged);
         let [low, high] = wilson(f64::from(seen), f64::from(judged)).map(|share| 100.0 * share);
-        println!("| {storey} | {judged} | {killed} | {timeouts} | {survived} | {share:.1} | {low:.1} to {high:.1} | {unviable} | {constant} |");
+        println!(
+            "| {storey} | {judged} | {killed} | {timeouts} | {survived} | {share:.1} | {low:.1} to {high:.1} | {unviable} | {constant} |"
+        );
     }
     println!();
     survivors.sort_unstable();
