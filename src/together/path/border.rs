@@ -237,8 +237,7 @@ impl<R: Real> Border<R> {
     }
 
     /// From both ends to the middle of the fall, s: `c0`, `c1`.
-    fn middles(&self, farthest: &Farthest<R>) -> [R; 2] {
-        let [first, last] = self.rises(farthest);
+    fn middles([first, last]: [R; 2], farthest: &Farthest<R>) -> [R; 2] {
         let [after, before] = farthest.falls;
         [
             first + farthest.top + R::HALF * after,
@@ -260,7 +259,8 @@ impl<R: Real> Border<R> {
             gu, gd, q, bu, bd, ..
         } = self.frame;
         let Ends { a0, v1, a1, .. } = self.ends;
-        let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
+        let rises @ [first, last] = self.rises(farthest);
+        let [c0, c1] = Self::middles(rises, farthest);
         let per_fall = R::ONE / (farthest.peak - farthest.trough); // 1/u
         let half = R::HALF * per_fall / q; // 1/2qu
         let zero = R::ZERO;
@@ -294,7 +294,7 @@ impl<R: Real> Border<R> {
         let sign = self.sign;
         let by_t = (v1 - c1 * a1) + (a1 - farthest.trough) * (c1 - R::HALF * last);
         Derivatives {
-            first: self.first(farthest, by_t),
+            first: self.first([first, last], [c0, c1], by_t),
             #[rustfmt::skip]
             second: [
                 -alpha,
@@ -311,7 +311,8 @@ impl<R: Real> Border<R> {
     /// The two ramps know nothing of each other, and the duration adds to the cruise alone.
     fn derivatives_of_cruise(&self, farthest: &Farthest<R>) -> Derivatives<R> {
         let Ends { a0, a1, .. } = self.ends;
-        let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
+        let rises @ [first, last] = self.rises(farthest);
+        let [c0, c1] = Self::middles(rises, farthest);
         let zero = R::ZERO;
         let ramp = |peak: R, limit: R, hold: R, a: R, rise: R, middle: R| {
             let Frame { gu, gd, q, .. } = self.frame;
@@ -339,7 +340,7 @@ impl<R: Real> Border<R> {
         );
         let [v0v0, a0v0, a0a0] = start;
         Derivatives {
-            first: self.first(farthest, self.frame.vmax),
+            first: self.first([first, last], [c0, c1], self.frame.vmax),
             #[rustfmt::skip]
             second: [
                 v0v0,
@@ -351,8 +352,7 @@ impl<R: Real> Border<R> {
         }
     }
 
-    fn first(&self, farthest: &Farthest<R>, by_t: R) -> [R; 5] {
-        let ([first, last], [c0, c1]) = (self.rises(farthest), self.middles(farthest));
+    fn first(&self, [first, last]: [R; 2], [c0, c1]: [R; 2], by_t: R) -> [R; 5] {
         let sign = self.sign;
         [
             sign * c0,
