@@ -151,9 +151,13 @@ pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positio
         t = match first_over(&axis, base, h, lacks) {
             Ok(profile) => profile.duration(axis.per_jerk),
             Err(start_of_gap) => {
-                let start = axis.displacement(&start_of_gap);
-                if h - start <= tie {
-                    start_of_gap.duration(axis.per_jerk)
+                let (start, duration) = (
+                    axis.displacement(&start_of_gap),
+                    start_of_gap.duration(axis.per_jerk),
+                );
+                // Roundings of the velocities may show a motion behind the start of the gap.
+                if h - start <= tie && duration >= t - R::from(6) * R::EPSILON * t {
+                    duration
                 } else {
                     border.passed(&border.behind_gap()).0
                 }
