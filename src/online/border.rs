@@ -362,7 +362,11 @@ impl<R: Real> Border<R> {
         // A rise may come out below 0 by rounding. The sum of both stays, and with it the duration.
         let rises = first + last;
         let first_rise = first.at_least(R::ZERO).at_most(rises);
-        let last = rises - first_rise;
+        let last = if first_rise == first {
+            last
+        } else {
+            rises - first_rise
+        };
         // Then the fall begins and ends at other accelerations. The accelerations at the ends of the motion are exact.
         let moved = first_rise - first;
         let first = first_rise;

@@ -64,14 +64,15 @@ impl<R: Real> Profile<R> {
         ramp.mirrored_if(self.mirrored)
     }
 
-    /// The motion with a fall that is longer than the one of `base` by `x`. What rises falls, so the sum of both rises grows by `x`: the
-    /// duration does not depend on the rounding of their difference.
-    pub fn falling_by(self, fall: R, x: R, base: &Self) -> Self {
-        let last = base.first + base.last + x - self.first;
+    /// The motion that falls by `x` more. The first rise grows by `more` and the last one by `rest`, which are `x` in sum. Each number grows by
+    /// itself, because a small peak behind a long rise has fewer roundings than the rise.
+    pub fn falling_by(self, x: R, more: R, rest: R) -> Self {
         Self {
-            fall,
-            last,
-            trough: base.trough - (last - base.last),
+            first: self.first + more,
+            peak: self.peak + more,
+            fall: self.fall + x,
+            trough: self.trough - rest,
+            last: self.last + rest,
             ..self
         }
     }

@@ -255,7 +255,11 @@ fn easing<R: Real>(
         base = piece.profile(end);
         match what {
             Easing::HoldEnds => base.top = R::ZERO,
-            Easing::Vanishes => return Ok(Found::Lacking(base, lacks)),
+            Easing::Vanishes => {
+                // Exact, where the digits of high accelerations cancel.
+                (base.peak, base.trough) = (base.fall, R::ZERO);
+                return Ok(Found::Lacking(base, lacks));
+            }
             Easing::IsFollowedByGap => {
                 base.last = base.last + base.first;
                 base.trough = base.trough - base.first;

@@ -30,14 +30,27 @@ impl<R: Real> Free<R> {
     }
 
     pub fn displacement(&self, x: R) -> (R, R) {
-        let Self { u, s, r, .. } = *self;
-        let (half, three, q) = (R::HALF, R::from(3), self.per_jerk.q());
-        let ratio = self.ratio(u + x);
-        let (c, quarter_gu) = (self.c(), half * half * self.per_jerk.gu);
-        let sum = c * (three * u + x) - quarter_gu * r * ratio;
-        let growth = three * c - quarter_gu * ratio * ratio;
+        let Self { u, s, .. } = *self;
+        let PerJerk { gu, gd } = self.per_jerk;
+        let (half, three) = (R::HALF, R::from(3));
+        let [first, last] = self.parts(x);
+        let quarter_gu = half * half * gu;
+        let third = R::SIXTH + R::SIXTH;
+        let rises = quarter_gu * (first * last * (u + x) - (third + third) * x);
+        let sum = rises + R::SIXTH * gd * (three * u + x);
+        let growth = quarter_gu * first * last + half * gd;
         let twice_slope = s + s + x * (u + u + x) * growth;
+        let q = self.per_jerk.q();
         (q * x * (s + s + x * sum), q * twice_slope)
+    }
+
+    /// What the first rise and the last one grow by, for each half of `x`: `(x - 2 trough)/(u + x)` and `(x + 2 peak)/(u + x)`. Where the
+    /// acceleration changes its sign, no digits cancel in them.
+    fn parts(&self, x: R) -> [R; 2] {
+        let Profile { peak, trough, .. } = self.first;
+        let fall = self.u + x;
+        [x - (trough + trough), x + (peak + peak)]
+            .map(|part| if fall > R::ZERO { part / fall } else { R::ZERO })
     }
 
     /// `(gu + 2 gd)/12`
@@ -116,15 +129,8 @@ impl<R: Real> Free<R> {
     }
 
     pub fn profile(&self, x: R) -> Profile<R> {
-        let Self { first: base, u, .. } = *self;
-        let fall = u + x;
-        let first = base.first + R::HALF * x * (R::ONE - self.ratio(fall));
-        let peak = base.peak + (first - base.first);
-        Profile {
-            first,
-            peak,
-            ..base
-        }
-        .falling_by(fall, x, &base)
+        let half = R::HALF * x;
+        let [more, rest] = self.parts(x).map(|part| half * part);
+        self.first.falling_by(x, more, rest)
     }
 }

@@ -87,13 +87,11 @@ impl<R: Real> Held<R> {
     }
 
     pub fn profile(&self, x: R) -> Profile<R> {
-        let base = self.first;
-        let y = base.trough;
+        let Profile { top, trough: y, .. } = self.first;
         let longer = self.per_jerk.q() * x * (x - (y + y)) / self.bu;
         Profile {
-            top: (base.top + longer).at_least(R::ZERO),
-            ..base
+            top: (top + longer).at_least(R::ZERO),
+            ..self.first.falling_by(x, R::ZERO, x)
         }
-        .falling_by(self.u + x, x, &base)
     }
 }
