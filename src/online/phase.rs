@@ -74,6 +74,25 @@ impl<R: Real> Phase<R> {
         } else if beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO {
             Some(root_between(from, to, |z| {
                 (beyond(z), direction * self.velocity(z))
+    /// The phase that begins with the short phase `before`, of a move of the duration `t`. `None` if this changes an acceleration or a velocity by
+    /// more than roundings.
+    pub(super) fn joined(&self, before: &Self, t: R) -> Option<Self> {
+        let shorter = before.duration;
+        let acceleration = self.acceleration - shorter * self.jerk;
+        let step = (acceleration - before.acceleration).abs();
+        let step_behind = (self.acceleration - before.acceleration(shorter)).abs();
+        let duration = shorter + self.duration;
+        let size = acceleration.abs() + self.acceleration(self.duration).abs();
+        let fits = step <= R::from(16) * R::EPSILON * (size + self.jerk.abs() * t)
+            && shorter * (step + step_behind) <= R::from(8) * R::EPSILON * (size * duration);
+        fits.then_some(Self {
+            start: before.start,
+            duration,
+            acceleration,
+            ..*self
+        })
+    }
+
             }))
         } else {
             None

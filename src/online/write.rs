@@ -60,6 +60,7 @@ impl<'a, R: Real> Writer<'a, R> {
     /// Ends the move in this state.
     pub fn end(self, to: State<R>) {
         let Self { ctx, t, count } = self;
+        let count = ctx.join_slivers(count, t);
         let State {
             position,
             velocity,
@@ -156,6 +157,32 @@ impl<R: Real> Move<R> {
         }
         self.find_states(count);
         self.end_at(t);
+    }
+
+    /// Joins each phase that is shorter than 4 roundings of the duration `t` with the phase behind it, if the states stay the same up to
+    /// roundings. Returns what is left of `count`.
+    fn join_slivers(&mut self, count: usize, t: R) -> usize {
+        let short = R::from(4) * R::EPSILON * t;
+        let mut kept = 1;
+        for index in 1..count {
+            let Some(phase) = self.phase.get(index).copied() else {
+                break;
+            };
+            let next = self.phase.get_mut(index + 1).filter(|_| index + 1 < count);
+            if let Some(next) = next.filter(|_| phase.duration < short) {
+                if let Some(joined) = next.joined(&phase, t) {
+                    *next = joined;
+                    continue;
+                }
+            }
+            if kept < index {
+                if let Some(place) = self.phase.get_mut(kept) {
+                    *place = phase;
+                }
+            }
+            kept += 1;
+        }
+        kept
     }
 
     /// Finds the states at the start of each phase from the end.
