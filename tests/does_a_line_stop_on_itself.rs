@@ -87,6 +87,40 @@ fn stops_stay_on_the_line<R: Real>() {
     }
 }
 
+/// The way is so short beside the positions that roundings hide its direction, and the velocities tell it. The stop was refused.
+fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
+    let mut random = Random::seeded(7);
+    let zero = R::of(0.0);
+    for number in 0..LINES {
+        let limits = online::limits::<R>(&mut random);
+        let limits =
+            [limits; 3].map(|limits| Limits::symmetric(limits.jmax, limits.amax, limits.vmax));
+        let part = random.unit();
+        let speed = part * limits[0].vmax.widen();
+        let way = 1e3 * R::MACHINE_EPSILON.widen() * speed;
+        let shares = [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
+        let offsets = [(); 3].map(|()| random.between(-10.0, 10.0) * speed);
+        let ends = [0.0, way].map(|way| {
+            [0, 1, 2].map(|k| State {
+                position: R::of(offsets[k] + shares[k] * way),
+                velocity: R::of(shares[k] * speed),
+                acceleration: zero,
+            })
+        });
+        let mut axes = [Move::default(); 3];
+        line(&mut axes, &limits, &ends[0], &ends[1], zero, zero).expect("a line");
+        let x = R::of(axes[0].t.widen() * random.unit());
+        let now = axes.map(|axis| axis.state_at(x));
+        let stopped = line_stop(&mut axes, &limits, x);
+        assert!(stopped.is_ok(), "line {number}: {stopped:?} {now:?}");
+        for (axis, now) in axes.iter().zip(&now) {
+            let off = (axis.state_at(zero).velocity - now.velocity).widen().abs();
+            assert!(off <= 1e-3 * speed, "line {number}: {off} of {speed}");
+            assert_eq!(axis.state_at(axis.t).velocity, zero, "line {number}");
+        }
+    }
+}
+
 fn nonsense_is_refused<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
     let limits = [30.0, 60.0].map(|j| Limits::symmetric(R::of(j), R::of(10.0), R::of(5.0)));
@@ -113,4 +147,8 @@ fn nonsense_is_refused<R: Real>() {
     assert_eq!((axes, bent), (before, [before[0], other]));
 }
 
-test_both_reals!(stops_stay_on_the_line, nonsense_is_refused);
+test_both_reals!(
+    stops_stay_on_the_line,
+    a_tiny_way_is_no_reason_to_refuse,
+    nonsense_is_refused
+);

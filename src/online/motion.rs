@@ -232,23 +232,13 @@ impl<R: Real> Move<R> {
 
     /// The state at the start.
     pub(crate) fn start(&self) -> State<R> {
-        let [start, ..] = &self.phase;
-        State {
-            position: start.position,
-            velocity: start.velocity,
-            acceleration: start.acceleration,
-        }
+        self.phase[0].state()
     }
 
     /// The state at the end.
     pub(crate) fn end(&self) -> State<R> {
         let [start, ..] = &self.phase;
-        let end = self.phase.get(self.phase_count()).unwrap_or(start);
-        State {
-            position: end.position,
-            velocity: end.velocity,
-            acceleration: end.acceleration,
-        }
+        self.phase.get(self.phase_count()).unwrap_or(start).state()
     }
 
     /// The phases in order of time. The first one has no duration and holds the start.

@@ -2,6 +2,7 @@
 
 use crate::real::Real;
 use crate::roots::root_between;
+use crate::state::State;
 
 /// A phase of constant jerk, and the state of the axis at its start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,6 +37,15 @@ impl<R: Real> Phase<R> {
         }
     }
 
+    /// The state at its start.
+    pub(crate) fn state(&self) -> State<R> {
+        State {
+            position: self.position,
+            velocity: self.velocity,
+            acceleration: self.acceleration,
+        }
+    }
+
     #[inline(always)]
     pub(crate) fn position(&self, z: R) -> R {
         let Self {
@@ -64,16 +74,6 @@ impl<R: Real> Phase<R> {
         self.acceleration + z * self.jerk
     }
 
-    /// When the axis is at `position` between two times, if it is. It does not turn between them, and it is at `far` in the end.
-    pub(super) fn time_between(&self, from: R, to: R, far: R, position: R) -> Option<R> {
-        let near = self.position(from);
-        let direction = R::ONE.copysign(far - near);
-        let beyond = |z: R| direction * (self.position(z) - position);
-        if near == position {
-            Some(from)
-        } else if beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO {
-            Some(root_between(from, to, |z| {
-                (beyond(z), direction * self.velocity(z))
     /// The phase that begins with the short phase `before`, of a move of the duration `t`. `None` if this changes an acceleration or a velocity by
     /// more than roundings.
     pub(super) fn joined(&self, before: &Self, t: R) -> Option<Self> {
@@ -93,6 +93,16 @@ impl<R: Real> Phase<R> {
         })
     }
 
+    /// When the axis is at `position` between two times, if it is. It does not turn between them, and it is at `far` in the end.
+    pub(super) fn time_between(&self, from: R, to: R, far: R, position: R) -> Option<R> {
+        let near = self.position(from);
+        let direction = R::ONE.copysign(far - near);
+        let beyond = |z: R| direction * (self.position(z) - position);
+        if near == position {
+            Some(from)
+        } else if beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO {
+            Some(root_between(from, to, |z| {
+                (beyond(z), direction * self.velocity(z))
             }))
         } else {
             None

@@ -19,18 +19,18 @@ pub fn line_stop<R: Real>(
     if axes.len() != limits.len() {
         return Err(Error::Axes);
     }
-    let way = |axis: &Move<R>| axis.position(axis.t) - axis.position(R::ZERO);
-    let mut lead = *axes.first().ok_or(Error::Axes)?;
-    for axis in axes.iter() {
-        if way(axis).abs() > way(&lead).abs() {
-            lead = *axis;
-        }
-    }
+    let Highest {
+        lead,
+        place,
+        quantity,
+    } = Highest::of(axes);
+    let lead = *axes.get(lead).ok_or(Error::Axes)?;
+    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, quantity);
     let share = |axis: &Move<R>| {
-        if way(&lead) == R::ZERO {
+        if number(&lead) == R::ZERO {
             R::ONE
         } else {
-            way(axis) / way(&lead)
+            number(axis) / number(&lead)
         }
     };
     let now = lead.state_at(x);
@@ -64,20 +64,58 @@ pub fn line_stop<R: Real>(
     Ok(found)
 }
 
-/// Whether every phase of the move is that of the lead times `share`.
+/// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
+/// tells the shares of the axes. Their ways may be so short that roundings hide them.
+struct Highest<R> {
+    /// Whose number it is.
+    lead: usize,
+    /// The phase.
+    place: usize,
+    quantity: fn(&Phase<R>) -> R,
+}
+
+impl<R: Real> Highest<R> {
+    fn of(axes: &[Move<R>]) -> Self {
+        let quantities: [fn(&Phase<R>) -> R; 3] = [
+            |phase| phase.jerk,
+            |phase| phase.acceleration,
+            |phase| phase.velocity,
+        ];
+        let mut size = R::ZERO;
+        let mut highest = Self {
+            lead: 0,
+            place: 0,
+            quantity: quantities[2],
+        };
+        for quantity in quantities {
+            for (lead, axis) in axes.iter().enumerate() {
+                for (place, phase) in axis.phases().iter().enumerate() {
+                    let number = quantity(phase).abs();
+                    if number > size {
+                        size = number;
+                        highest = Self {
+                            lead,
+                            place,
+                            quantity,
+                        };
+                    }
+                }
+            }
+            if size > R::ZERO {
+                break;
+            }
+        }
+        highest
+    }
+}
+
+/// Whether every phase of the move is that of the lead times `share`. The states at both ends are the caller's, with roundings of their own, so
+/// they count only where there are no others.
 fn goes_beside<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
-    let state = |phase: &Phase<R>| State {
-        position: phase.position,
-        velocity: phase.velocity,
-        acceleration: phase.acceleration,
-    };
-    let mut phases = axis
-        .phase
-        .iter()
-        .zip(&lead.phase)
-        .take(1 + lead.phases().len());
+    let ends = usize::from(lead.phases().len() > 1);
+    let mut phases = axis.phases().iter().zip(lead.phases()).skip(ends);
     let are_beside = phases.all(|(phase, other)| {
-        phase.start == other.start && lies_on(share, &state(phase), &state(other))
+        phase.start == other.start && lies_on(share, &phase.state(), &other.state())
     });
     are_beside && axis.count == lead.count
 }
