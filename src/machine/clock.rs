@@ -83,8 +83,11 @@ impl<R: Real> Clock<R> {
         x: R,
         rate: R,
     ) -> Result<(), Error> {
-        let n = limits.len();
-        if n == 0 || moves.is_empty() || moves.len() % n != 0 {
+        let (n, mut left) = (limits.len(), moves.len());
+        while n > 0 && left > n {
+            left -= n;
+        }
+        if n == 0 || left != n {
             return Err(Error::Axes);
         }
         if !(x.is_finite() && rate.is_finite()) {
@@ -148,17 +151,13 @@ impl<'a, R: Real> Axis<'a, R> {
 
     /// The moves, each with the time at which it starts and the time at which the next one does. The last move goes on.
     fn sections(self) -> impl Iterator<Item = (&'a Move<R>, R, R)> {
-        let last = self.moves.len().saturating_sub(1) / self.n.max(1);
-        let mut end = R::ZERO;
-        let moves = self.moves.iter().step_by(self.n.max(1)).enumerate();
-        moves.map(move |(index, of)| {
-            let start = end;
-            end = if index < last {
-                start + of.t
-            } else {
-                R::INFINITY
-            };
-            (of, start, end)
+        let (mut rest, mut end) = (self.moves, R::ZERO);
+        core::iter::from_fn(move || {
+            let (of, start) = (rest.first()?, end);
+            rest = rest.get(self.n.max(1)..).unwrap_or_default();
+            let is_last = rest.is_empty();
+            end = if is_last { R::INFINITY } else { start + of.t };
+            Some((of, start, end))
         })
     }
 

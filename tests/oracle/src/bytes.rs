@@ -467,8 +467,17 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let before = clock;
     let changed = clock.rate(&[planned], &[limits], offset, step);
     assert!(changed.is_ok() || clock == before, "{problem}");
+    // There and back are two sections, and two axes of one.
+    let before = clock;
+    let mut path = [planned, planned];
+    let _ = path[1].plan(&limits, to, from);
+    for axes in [1, 2] {
+        let changed = clock.rate(&path, &[limits; 2][..axes], offset, frequency);
+        assert!(changed.is_ok() || clock == before, "{problem}");
+        clock = before;
+    }
     // Nothing here may panic.
-    let _ = clock.state(&[planned], 1, smoothing);
+    let _ = [0, 1, 2].map(|axes| clock.state(&path, axes, smoothing));
     let _ = shaper.state(&planned, frequency);
     if to.velocity == R::of(0.0) && to.acceleration == R::of(0.0) {
         let end = shaper.state(&planned, R::of(f64::INFINITY));
