@@ -280,7 +280,9 @@ demo: dist
 	for name in $(EXAMPLES); do \
 	    $(CC) $(DEMO_FLAGS) -DEVERY=1 -o $(DEMO)/$$name examples/$$name.c $(DIST)/lib/libatraj.a -lm && \
 	    $(DEMO)/$$name > $(DEMO)/$$name.txt || exit 1; done
-	$(CARGO) run --quiet --example plot $(DEMO) $(EXAMPLES:%=$(DEMO)/%.txt)
+	$(CC) $(DEMO_FLAGS) -o $(DEMO)/sensitivity examples/demo/sensitivity.c $(DIST)/lib/libatraj.a -lm
+	$(DEMO)/sensitivity > $(DEMO)/sensitivity.txt
+	$(CARGO) run --quiet --example plot $(DEMO) $(EXAMPLES:%=$(DEMO)/%.txt) $(DEMO)/sensitivity.txt
 
 EXAMPLES := $(sort $(basename $(notdir $(wildcard examples/[0-9]*_*.c))))
 EXAMPLES_OUT := target/examples

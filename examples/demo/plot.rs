@@ -7,6 +7,7 @@
 //! 0.250 s: 0.1 m, 0.2 m/s, part 0.5 m, 0.4 m/s          a setpoint, and beside it the setpoint of something else
 //! 0.250 s: 0.1 0.2 0.3 deg, 4 5 6 deg/s                 a setpoint of three axes
 //! 0.700 s -> to -2 m                                    what happens at this time: a mark
+//! 1.250 Hz: ZV 31 %, EI 4 %                             what is left of a vibration of this frequency
 //! synchronised:                                         from here on each setpoint has an x and a y, and is a point of a path
 //! 0.250 s: x 0.1 m, y 0.2 m, 0.3 0.4 m/s                what else it has is drawn over time, for the last path
 //! ```
@@ -107,6 +108,8 @@ struct Picture {
     points: Vec<Point>,
     /// Quantities over time, of the last path if there is one.
     curves: Vec<Curve>,
+    /// The curves are quantities over a frequency, else over time.
+    is_spectrum: bool,
 }
 
 struct Limit {
@@ -146,6 +149,9 @@ impl Picture {
             } else if let Some((time, what)) = line.split_once(" s -> ") {
                 picture.marks.push((time.parse()?, what.to_owned()));
                 is_marked = true;
+            } else if let Some((frequency, numbers)) = line.split_once(" Hz: ") {
+                picture.is_spectrum = true;
+                picture.add(frequency.parse()?, numbers)?;
             } else if let Some((time, numbers)) = line.split_once(" s: ") {
                 picture.add(time.parse()?, numbers)?;
                 let here = picture.paths.last().and_then(|path| path.points.last());
@@ -217,7 +223,9 @@ impl Picture {
         let mut seen = HashSet::new();
         units.retain(|unit| seen.insert(*unit));
         let plane = (!self.paths.is_empty()).then(|| self.plane());
-        let over_time = units.into_iter().map(|unit| self.over_time(unit));
+        let over_time = units
+            .into_iter()
+            .map(|unit| self.over_time_or_frequency(unit));
         plane.into_iter().chain(over_time).collect()
     }
 
@@ -243,7 +251,7 @@ impl Picture {
         })
     }
 
-    fn over_time(&self, unit: &str) -> Result<Panel<'_>> {
+    fn over_time_or_frequency(&self, unit: &str) -> Result<Panel<'_>> {
         let derivatives = ["", "/s", "/s^2", "/s^3"];
         let per = unit.find("/s").unwrap_or(unit.len());
         let order = derivatives.iter().position(|per_s| *per_s == &unit[per..]);
@@ -254,7 +262,9 @@ impl Picture {
         for curve in self.curves.iter().filter(|curve| curve.unit == unit) {
             let color = match curve.name.as_str() {
                 "" => Some(COLORS[order]),
-                name if !self.paths.is_empty() || name.starts_with("axis ") => colors.next(),
+                name if !self.paths.is_empty() || self.is_spectrum || name.starts_with("axis ") => {
+                    colors.next()
+                }
                 _ => Some(FAINT),
             };
             curves.push((curve, color.ok_or("too many curves")?));
@@ -274,6 +284,11 @@ impl Picture {
         let levels = limits.iter().map(|limit| limit.1);
         let y = with_margin(span(levels.chain([y.start, y.end])));
         let unit = unit.replace("^2", "²").replace("^3", "³");
+        let (x_name, quantity) = if self.is_spectrum {
+            ("frequency [Hz]", "vibration")
+        } else {
+            ("time [s]", QUANTITIES[order])
+        };
         Ok(Panel {
             curves,
             limits,
@@ -281,8 +296,8 @@ impl Picture {
             points: &[],
             x,
             y,
-            x_name: "time [s]",
-            y_name: format!("{} [{unit}]", QUANTITIES[order]),
+            x_name,
+            y_name: format!("{quantity} [{unit}]"),
             height: PANEL,
         })
     }
