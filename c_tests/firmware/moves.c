@@ -1,5 +1,5 @@
 /* Prints moves that this host plans, in the form of the golden tables: moves TABLE > FILE. The tables `bell` and `trap` are plans of
- * atraj.h. The tables `move`, `phase` and `eval` are plans of atraj/move.h, their phases and their evaluations. The table `machine` has their steps and shaped states. The tables `axes` and `stretched`
+ * atraj.h. The tables `move`, `phase` and `eval` are plans of atraj/move.h, their phases and their evaluations. The table `machine` has their steps, shaped states and holds. The tables `axes` and `stretched`
  * are sets of axes and the phases of their plans. The table `path` has paths through way points. The firmware must compute the same
  * bits. */
 #include <math.h>
@@ -180,10 +180,10 @@ static void print_evaluations(unsigned number, atraj_move const *m)
     }
 }
 
-/* What the steps of the move tell, and the shaped motion at some times. */
-static void print_machine(unsigned number, atraj_move const *m)
+/* What the steps of the move tell, the shaped motion at some times, and a hold. */
+static void print_machine(unsigned number, problem const *q, atraj_move const *m)
 {
-    a_float stepped[5] = {0};
+    a_float stepped[5] = {0}, clocked[CLOCKED];
     atraj_shaper shaper;
     step_through(m, stepped);
     pose_shaper(&shaper, number);
@@ -194,6 +194,8 @@ static void print_machine(unsigned number, atraj_move const *m)
         atraj_shaper_state(&shaper, m, (a_float)i / 3 * (m->t + shaper.t), &now);
         print_reals((a_float const *)&now, 3);
     }
+    run_clock(q, m, clocked);
+    print_reals(clocked, CLOCKED);
     putchar('\n');
 }
 
@@ -202,7 +204,7 @@ static void print_moves(char const *table)
 {
     static problem problems[PROBLEMS];
     for (unsigned i = 0; i != PROBLEMS; ++i) { problems[i] = problem_of(i / 4 % KINDS); }
-    puts(!strcmp(table, "machine") ? "case,returned,steps,line,last,sum,p,v,a,p,v,a,p,v,a,p,v,a"
+    puts(!strcmp(table, "machine") ? "case,returned,steps,line,last,sum,p,v,a,p,v,a,p,v,a,p,v,a,returned,until,p,v,a,j,returned,until"
          : !strcmp(table, "move") ? "case,function,vmax,vmin,amax,amin,jmax,jmin,p0,v0,a0,p1,v1,a1,returned,t,phases,"
                                   "lowest p,lowest v,lowest a,highest p,highest v,highest a"
          : !strcmp(table, "phase") ? "case,t,duration,p,v,a,j" : "case,x,pos,vel,acc,jer,time_at");
@@ -212,7 +214,7 @@ static void print_moves(char const *table)
         if (!strcmp(table, "move")) {
             print_move(i, &problems[i], returned, &m);
         } else if (!strcmp(table, "machine")) {
-            print_machine(i, &m);
+            print_machine(i, &problems[i], &m);
         } else if (!strcmp(table, "phase")) {
             print_phases(i, &m);
         } else {

@@ -3,6 +3,7 @@
 #define PROBLEM_H
 
 #include <string.h>
+#include "atraj/clock.h"
 #include "atraj/move.h"
 #include "atraj/path.h"
 #include "atraj/shaper.h"
@@ -46,6 +47,29 @@ static inline void pose_shaper(atraj_shaper *shaper, unsigned number)
     atraj_shaper_smooth(shaper, number % 3 ? 0 : (a_float)0.25);
     atraj_shaper_add(shaper, (int)(number % 5), 2 + (a_float)(number % 7), (a_float)(number % 4) / 16);
     if (number % 4 == 0) { atraj_shaper_add(shaper, ATRAJ_SHAPER_ZV, 5, 0); }
+}
+
+/* A hold of a move and its resumption, within half as much again as the limits of the plan: what the clock returns, when the rates are reached, and the state
+ * in the middle of the first change. */
+enum { CLOCKED = 8 };
+static inline atraj_limits wider(const atraj_limits *planned)
+{
+    a_float const more = (a_float)1.5;
+    return (atraj_limits){more * planned->vmax, more * planned->vmin, more * planned->amax,
+                          more * planned->amin, more * planned->jmax, more * planned->jmin};
+}
+
+static inline void run_clock(const problem *q, const atraj_move *m, a_float results[CLOCKED])
+{
+    atraj_limits const limits = wider(&q->limits);
+    a_float const begin = m->t / 4;
+    atraj_clock clock;
+    atraj_clock_start(&clock);
+    results[0] = (a_float)atraj_clock_rate(&clock, m, &limits, 1, 1, begin, 0);
+    results[1] = atraj_clock_until(&clock);
+    atraj_clock_state(&clock, m, 1, 1, (begin + results[1]) / 2, &results[2], &results[3], &results[4], &results[5]);
+    results[6] = (a_float)atraj_clock_rate(&clock, m, &limits, 1, 1, results[1], 1);
+    results[7] = atraj_clock_until(&clock);
 }
 
 /* Axes that move together, on a straight line, or each between two positions. */

@@ -164,9 +164,10 @@ static void replay_claraty(void)
 #define EACH(e, table, next, row) \
     for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
 
-static void replay_machine(const real *r, unsigned number, const atraj_move *m)
+static void replay_machine(const real *r, const problem *q, const atraj_move *m)
 {
-    a_float stepped[5] = {0};
+    unsigned const number = (unsigned)r[0].bits;
+    a_float stepped[5] = {0}, clocked[CLOCKED];
     atraj_shaper shaper;
     step_through(m, stepped);
     compare("steps of move ", r, 1, 5, stepped);
@@ -176,6 +177,8 @@ static void replay_machine(const real *r, unsigned number, const atraj_move *m)
         atraj_shaper_state(&shaper, m, (a_float)i / 3 * (m->t + shaper.t), &now);
         compare("shaped move ", r, 6 + 3 * (size_t)i, 3, (const a_float *)&now);
     }
+    run_clock(q, m, clocked);
+    compare("held move ", r, 18, CLOCKED, clocked);
 }
 
 static size_t replay_moves(void)
@@ -190,7 +193,7 @@ static size_t replay_moves(void)
         atraj_move_extremes(&m, &extremes[0], &extremes[1]);
         compare("move ", r, 14, 3, result);
         compare("move ", r, 17, 6, (const a_float *)extremes);
-        replay_machine(fastest_machine[i], (unsigned)r[0].bits, &m);
+        replay_machine(fastest_machine[i], &q, &m);
         const atraj_phase *replayed = m.phase;
         EACH(e, fastest_phase, phase, r) { compare("phase of move ", e, 1, 6, (const a_float *)replayed++); }
         EACH(e, fastest_eval, evaluation, r)
