@@ -57,12 +57,12 @@ void set_state(atraj_state *ctx, a_float p, a_float v, a_float a)
 
 void copy_clock(atraj_clock *ctx, atraj_clock const *other) { *ctx = *other; }
 
-/* As `atraj_move_sample`, for a move that a clock runs. */
-void clock_sample(atraj_clock const *ctx, atraj_move const *move, a_float x0, a_float dt, unsigned int n, a_float *pos, a_float *vel, a_float *acc,
-    a_float *jer)
+/* As `atraj_move_sample`, for the moves of an axis that a clock runs: one of `axes` axes, in each of some sections. */
+void clock_sample(atraj_clock const *ctx, atraj_move const *move, unsigned int axes, unsigned int sections, a_float x0, a_float dt, unsigned int n,
+    a_float *pos, a_float *vel, a_float *acc, a_float *jer)
 {
     for (unsigned int k = 0; k < n; ++k) {
-        atraj_clock_state(ctx, move, x0 + k * dt, &pos[k], &vel[k], &acc[k], &jer[k]);
+        atraj_clock_state(ctx, move, axes, sections, x0 + k * dt, &pos[k], &vel[k], &acc[k], &jer[k]);
     }
 }
 

@@ -62,10 +62,17 @@ export class Plan {
     }
 }
 
-/** A move that a clock runs, from the time `begin` of the clock on. */
+/** How the moves of a path are at their places: those of all axes for the first section, then those for the next one. */
+export interface Layout {
+    axes: number;
+    sections: number;
+}
+
+/** The moves of an axis that a clock runs, from the time `begin` of the clock on. The first of them is at the place `move`. */
 export class Clocked extends Plan {
     constructor(
         move: number,
+        private readonly layout: Layout,
         private readonly clock: number,
         private readonly begin: number,
         duration: number,
@@ -74,7 +81,8 @@ export class Clocked extends Plan {
     }
 
     protected override write(x0: number, dt: number, n: number, places: number[]): void {
-        c.clock_sample(this.clock, this.place, this.begin + x0, dt, n, ...places);
+        const { axes, sections } = this.layout;
+        c.clock_sample(this.clock, this.place, axes, sections, this.begin + x0, dt, n, ...places);
     }
 }
 

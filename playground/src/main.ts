@@ -93,7 +93,7 @@ function draw(): void {
     }
     plots.show(motions, lead(), state.moment, state.unit);
     if (profile().points) {
-        plane.show(state.points, motions, plots.samples.map(([position]) => position), state.unit);
+        plane.show(state.points, plots.samples.map(([position]) => position), state.unit);
     }
     markRefused();
     const chosen = motions.find(({ beside }) => !beside);
@@ -149,7 +149,9 @@ function mark(time: number): void {
     moment.max = String(duration());
     moment.value = String(time);
     tell(time, true);
-    plane.mark(time);
+    if (profile().points && motions.length > 0) {
+        plane.mark(motions.map((motion) => motion.state(time)[0]) as Point);
+    }
 }
 
 function pin(time: number): void {

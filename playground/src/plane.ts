@@ -1,5 +1,4 @@
 // The path of two axes in their plane, whose way points are dragged or moved by the arrow keys.
-import type { Motion } from "./library";
 import { number } from "./plots";
 import type { Point } from "./state";
 
@@ -26,7 +25,6 @@ export class Plane {
     private readonly marker = drawn("circle", { class: "marker", r: 5 });
     private handles: SVGCircleElement[] = [];
     private points: Point[] = [];
-    private motions: Motion[] = [];
     private unit = "m";
     private dragged: number | undefined;
     /** Width and height, in pixels. */
@@ -44,14 +42,17 @@ export class Plane {
         host.append(this.grid, this.straight, this.path, this.marker);
     }
 
-    show(points: Point[], motions: Motion[], curves: Float64Array[], unit: string): void {
-        [this.points, this.motions, this.unit] = [points, motions, unit];
+    /** Shows the way points, and the path of two curves, if there is one. */
+    show(points: Point[], [xs, ys]: Float64Array[], unit: string): void {
+        [this.points, this.unit] = [points, unit];
+        const path = Array.from(xs ?? [], (x, k): Point => [x, ys[k]]);
+        this.marker.toggleAttribute("hidden", path.length === 0);
         if (this.dragged === undefined) {
-            this.fit([...points, ...Array.from(curves[0] ?? [], (x, k): Point => [x, curves[1][k]])]);
+            this.fit([...points, ...path]);
             this.drawGrid();
         }
         this.line(this.straight, points);
-        this.line(this.path, Array.from(curves[0] ?? [], (x, k) => [x, curves[1][k]]));
+        this.line(this.path, path);
         while (this.handles.length > points.length) {
             this.handles.pop()!.remove();
         }
@@ -61,12 +62,9 @@ export class Plane {
         this.handles.forEach((handle, i) => this.place(handle, i));
     }
 
-    /** Moves the marker to where the axes are at this time. */
-    mark(time: number): void {
-        this.marker.toggleAttribute("hidden", this.motions.length === 0);
-        if (this.motions.length > 0) {
-            this.center(this.marker, this.motions.map((motion) => motion.state(time)[0]) as Point);
-        }
+    /** Moves the marker to where the axes are. */
+    mark(place: Point): void {
+        this.center(this.marker, place);
     }
 
     focus(index: number): void {

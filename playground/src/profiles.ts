@@ -284,7 +284,7 @@ function planAxes(values: Values, plan: "sync" | "line"): Outcome {
 const PLANE = AXIS_NAMES.slice(0, 2);
 
 function planPath(values: Values, points: Point[]): Outcome {
-    PLANE.forEach((_, axis) => c.atraj_limits_init(c.limits_at(axis), ...axisLimits(values, axis)));
+    PLANE.forEach((_, axis) => c.atraj_limits_init(c.limits_at(axis), ...plannedAxisLimits(values, axis)));
     points.forEach((point, k) => point.forEach((position, axis) => c.set_state(c.state_at(k, axis), position, 0, 0)));
     const sections = points.length - 1;
     const code = c.atraj_path_plan(c.state_at(0, 0), c.durations_at(), c.limits_at(0), PLANE.length, sections, 0, c.work_at());
@@ -445,9 +445,10 @@ export const PROFILES: Profile[] = [
         id: "path",
         name: "Way points without stops",
         note: "Two axes pass every point, as fast as the limits of both allow. Drag a point, or move it by the arrow keys.",
-        groups: limitGroups.slice(0, PLANE.length),
+        groups: [...limitGroups.slice(0, PLANE.length), ...RUN],
         axes: PLANE,
         points: true,
+        runs: true,
         marks: "way point",
         plan: ({ values, points }) => planPath(values, points),
     },

@@ -1,20 +1,22 @@
 // Moves that a clock runs: whatever the rate was, is and will be, they stay on their path.
-import { c, Clocked, CLOCKS, Motion } from "./library";
+import { c, Clocked, CLOCKS, type Layout, Motion } from "./library";
 
 /** The one call of the library that changes the rate. The limits are at the places of the limits, axis by axis. */
-function changeRate(clock: number, axes: number, x: number, rate: number): number {
-    return c.atraj_clock_rate(clock, c.move_at(0), c.limits_at(0), axes, x, rate);
+function changeRate(clock: number, { axes, sections }: Layout, x: number, rate: number): number {
+    return c.atraj_clock_rate(clock, c.move_at(0), c.limits_at(0), axes, sections, x, rate);
 }
 
 /** The library's places hold the moves until the next plan. */
 export class Run {
     /** When the rate changed, s. Each change has a clock of its own, so what has been run stays. */
     private readonly changes = [0];
+    private readonly layout: Layout;
     /** 1: as planned. */
     rate = 1;
 
     /** The moves of the axes, which end together. Their limits are those of the machine. */
     constructor(private readonly moves: Motion[]) {
+        this.layout = { axes: moves.length, sections: moves[0].pieces.length };
         c.atraj_clock_start(c.clock_at(0));
     }
 
@@ -29,7 +31,7 @@ export class Run {
             c.set_limits(c.limits_at(axis), ...limits.slice(1).flatMap((range) => [range![1], range![0]]));
         });
         c.copy_clock(next, now);
-        const code = changeRate(next, this.moves.length, x, rate);
+        const code = changeRate(next, this.layout, x, rate);
         if (code >= 0) {
             this.changes.push(x);
             this.rate = rate;
@@ -83,7 +85,7 @@ export class Run {
         return this.moves.map(({ name, limits, pieces: [{ plan }] }) => {
             const pieces = this.changes.map((start, i) => {
                 const end = this.changes[i + 1] ?? to;
-                return { start, plan: new Clocked(plan.place, c.clock_at(i), start, end - start) };
+                return { start, plan: new Clocked(plan.place, this.layout, c.clock_at(i), start, end - start) };
             });
             return new Motion(name, pieces, limits);
         });

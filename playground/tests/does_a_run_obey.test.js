@@ -35,6 +35,7 @@ function used(page, limits) {
 const MACHINES = {
     "#profile=move": { limits: [[5, 10, 30]], ends: [10] },
     "#profile=sync": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3] },
+    "#profile=path&points=0~0_4~5_8~5_12~2": { limits: [[5, 10, 30], [3, 8, 40]], ends: [12, 2] },
     "#profile=line&reserve=40": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3] },
 };
 
