@@ -408,7 +408,7 @@ def test_claraty_is_copied():
     axis.start(now=0)
     for copied in [copy.copy(axis), copy.deepcopy(axis)]:
         copied.stop(now=1)
-        assert copied.duration < axis.duration and copied.setpoint(now=1) == axis.setpoint(now=1)
+        assert copied.duration < axis.duration and copied.setpoint(now=1).position == axis.setpoint(now=1).position
 
 
 def test_claraty_brakes_and_warns():
