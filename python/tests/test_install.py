@@ -57,7 +57,10 @@ def test_the_wheel(version, tmp_path):
     install_and_run(PYTHONS[version], artifact("*.whl"), tmp_path / "venv")
 
 
-def test_the_sdist(tmp_path):
+def test_the_sdist(tmp_path, monkeypatch):
+    # The bits do not depend on how long the compiler works.
+    monkeypatch.setenv("CARGO_PROFILE_RELEASE_LTO", "off")
+    monkeypatch.setenv("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
     install_and_run(sys.executable, artifact("*.tar.gz"), tmp_path / "venv")
 
 
