@@ -95,7 +95,8 @@ def figure_of(count: int) -> list[Plot]:
         import matplotlib.pyplot as plt
     except ImportError as error:
         raise ImportError("plot needs matplotlib: pip install 'atraj[plot]'") from error
-    figure, places = plt.subplots(count, sharex=True, squeeze=False, layout="constrained")
+    size = (6.4, max(4.8, 1.8 * count))  # inches
+    figure, places = plt.subplots(count, figsize=size, sharex=True, squeeze=False, layout="constrained")
     return list(places[:, 0])
 
 
