@@ -1,4 +1,4 @@
-# Targets: @NAME@::static is the archive; @NAME@::@NAME@ is the shared library, which bare metal does not have.
+# Targets: @NAME@::static is the archive; @NAME@::@NAME@ is the shared library or DLL, which bare metal and musl do not have.
 
 if(TARGET @NAME@::static)
     return()
@@ -32,5 +32,12 @@ if(EXISTS "${_atraj_lib}/lib@NAME@.so")
     _atraj_add(@NAME@::@NAME@ SHARED "${_atraj_lib}/lib@NAME@.so")
 endif()
 
+file(GLOB _atraj_dll "${_atraj_lib}/../bin/lib@NAME@-[0-9]*.dll")
+if(_atraj_dll)
+    _atraj_add(@NAME@::@NAME@ SHARED "${_atraj_dll}")
+    set_target_properties(@NAME@::@NAME@ PROPERTIES IMPORTED_IMPLIB "${_atraj_lib}/lib@NAME@.dll.a")
+endif()
+
+unset(_atraj_dll)
 unset(_atraj_lib)
 unset(_atraj_include)

@@ -125,6 +125,20 @@ dll_by_mingw() {
     sort "$root/tests/symbols.txt" | diff - exported
     x86_64-w64-mingw32-gcc -O2 -Iwindows/include windows/example.c windows/lib/*.dll.a -o example.exe
     wine ./example.exe | retargets "$1"
+    package=$(basename windows/lib/cmake/*)
+    cat > CMakeLists.txt << END
+cmake_minimum_required(VERSION 3.12)
+project(example C)
+find_package($package 0.1 CONFIG REQUIRED)
+add_executable(move windows/example.c)
+target_link_libraries(move PRIVATE $package::$package)
+END
+    cmake -S . -B build -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR=x86_64 -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc \
+        -DCMAKE_PREFIX_PATH="$PWD/windows"
+    cmake --build build
+    cp build/move.exe .
+    x86_64-w64-mingw32-objdump -p move.exe | grep 'DLL Name: libatraj'
+    wine ./move.exe | retargets "$1"
     mv -- *.dll elsewhere
     ! wine ./example.exe
 }

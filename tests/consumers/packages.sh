@@ -222,7 +222,7 @@ debian_packages() {
         cp -R "$root/target/deb" $turn
     done
     diff -r first second
-    test "$(ls first | wc -l)" = 4
+    test "$(ls first/*_"$version"-*.deb | wc -l)" = 4
     lintian --allow-root --fail-on error,warning first/*.deb
     mkdir -p "$debian/var/lib/dpkg/updates" "$debian/var/lib/dpkg/info"
     touch "$debian/var/lib/dpkg/status"
