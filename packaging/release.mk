@@ -1,6 +1,6 @@
 # Writes target/release-VERSION: an archive for each target and ABI, the sources with what they depend on, a bill of materials
-# (CycloneDX), packages for Debian, Arduino, PlatformIO, CMSIS and vcpkg, the site, wheels, checksums, and with KEY=… their signature. The top Makefile
-# starts it: make release.
+# (CycloneDX), packages for Debian, Arduino, PlatformIO, CMSIS and vcpkg, the site, wheels, checksums, and with KEY=… their signature.
+# The top Makefile starts it: make release.
 #
 # Two clones of one commit give the same bytes. No file tells where or by whom it was built, and every time is the commit's.
 
