@@ -17,7 +17,7 @@ const CYCLE: f64 = 1e-3;
 /// How many ticks later than the first plan a loop may arrive.
 const SPARE: usize = 2;
 /// One of so many loops may be late: its roundings are larger than those that a plan takes for a tie. In binary64 and binary32, 0 and 1 of 778
-/// loops of one plan are late, 2 and 3 of 883 of axes, 4 and 5 of about 2,090 of lines.
+/// loops of one plan are late, 1 and 3 of 883 of axes, 5 and 3 of about 2,090 of lines.
 const ONE_LATE_OF: usize = 250;
 
 /// How a loop plans.
