@@ -28,6 +28,7 @@ pub(crate) struct Profile<R> {
 
 impl<R: Real> Profile<R> {
     /// The motion in the other order of time.
+    #[inline(never)] // for its size: it is asked in seven places
     pub fn reversed(self) -> Self {
         Self {
             mirrored: self.mirrored,

@@ -47,12 +47,12 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, h: R, positions: R) -> Profil
     let first = first_from(border, &behind, h, lacking(border, &behind, h, positions));
     let first = first.unwrap_or_else(|_| border.profile(&behind));
     // The fastest ramp is the last one that is tried.
-    let ramps = [behind, last_before_gap, direct];
-    let shorter = |first, ramp: &_| {
+    let ramps = [&behind, &last_before_gap, &direct];
+    let shorter = |first, ramp| {
         let (lacks, _) = lacking(border, ramp, h, positions);
         without_detour(border, first, ramp, lacks, h, positions)
     };
-    ramps.iter().fold(first, shorter)
+    ramps.into_iter().fold(first, shorter)
 }
 
 /// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only, which lacks `lacks` of `h` and
@@ -73,7 +73,8 @@ fn first_from<R: Real>(
     }
     let mirrored = lacks < R::ZERO;
     let axis = border.mirrored_if(mirrored);
-    let base = split_at_0(&axis, axis.profile(&ramp.mirrored_if(mirrored)));
+    let mut base = axis.profile(&ramp.mirrored_if(mirrored));
+    split_at_0(&axis, &mut base);
     let of_border = |profile| Profile {
         mirrored,
         ..profile
@@ -187,19 +188,12 @@ pub(super) fn tie<R: Real>(border: &Border<R>, duration: R, positions: R) -> R {
     }
 }
 
-/// A straight rise through 0, or from or to 0, as two rises: the acceleration may pause at 0.
-fn split_at_0<R: Real>(border: &Border<R>, profile: Profile<R>) -> Profile<R> {
+/// Makes a straight rise through 0, or from or to 0, two rises: the acceleration may pause at 0.
+fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
     let is_straight = profile.fall == R::ZERO && profile.top + profile.bottom == R::ZERO;
     if is_straight && border.a0 <= R::ZERO && border.a1 >= R::ZERO {
-        Profile {
-            first: -border.a0,
-            peak: R::ZERO,
-            trough: R::ZERO,
-            last: border.a1,
-            ..profile
-        }
-    } else {
-        profile
+        (profile.first, profile.last) = (-border.a0, border.a1);
+        (profile.peak, profile.trough) = (R::ZERO, R::ZERO);
     }
 }
 
