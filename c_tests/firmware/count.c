@@ -176,6 +176,9 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #pragma weak atraj_axis_track
 #pragma weak atraj_steps_init
 #pragma weak atraj_steps_next
+#pragma weak atraj_clock_start
+#pragma weak atraj_clock_rate
+#pragma weak atraj_clock_state
 #pragma weak atraj_shaper_init
 #pragma weak atraj_shaper_smooth
 #pragma weak atraj_shaper_add
@@ -342,10 +345,24 @@ static void pose_shape(void *ctx)
     ((evaluation *)posed_to)(ctx, &posed_move, posed_axes.duration, &posed.from);
 }
 
-/* All steps of each move of the table, and 11 states of each move behind a shaper of 3 impulses. */
+static atraj_clock posed_clock;
+
+static void pose_rate(void *ctx)
+{
+    typedef int planner(atraj_clock *, const atraj_move *, const atraj_limits *, size_t, size_t, a_float, a_float);
+    ((planner *)posed_to)(ctx, &posed_move, &posed.limits, 1, 1, posed_move.t / 4, 0);
+}
+
+static void pose_clock(void *ctx)
+{
+    typedef void evaluation(const atraj_clock *, const atraj_move *, size_t, size_t, a_float, a_float *, a_float *, a_float *, a_float *);
+    ((evaluation *)posed_to)(ctx, &posed_move, 1, 1, posed_axes.duration, &posed.from.p, &posed.from.v, &posed.from.a, NULL);
+}
+
+/* All steps of each move of the table, and 11 states of each move behind a shaper of 3 impulses, and on a clock that holds it. */
 static void machine(void)
 {
-    costs steps = {0}, shaped = {0};
+    costs steps = {0}, shaped = {0}, rates = {0}, held = {0};
     atraj_shaper_init(&posed_shaper, ATRAJ_SHAPER_EI, 5, 0);
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         if (i % 8) { continue; } /* steps are many */
@@ -362,9 +379,18 @@ static void machine(void)
             posed_axes.duration = posed_move.t * (a_float)k / 10;
             add(&shaped, measure_planner(pose_shape, (void (*)(void))atraj_shaper_state, &posed_shaper));
         }
+        posed.limits = wider(&q.limits);
+        atraj_clock_start(&posed_clock);
+        add(&rates, measure_planner(pose_rate, (void (*)(void))atraj_clock_rate, &posed_clock));
+        for (int k = 0; k <= 10; ++k) {
+            posed_axes.duration = posed_move.t * (a_float)k / 10;
+            add(&held, measure_planner(pose_clock, (void (*)(void))atraj_clock_state, &posed_clock));
+        }
     }
     print_costs("atraj_steps_next", steps);
     print_costs("atraj_shaper_state", shaped);
+    print_costs("atraj_clock_rate", rates);
+    print_costs("atraj_clock_state", held);
 }
 
 static path_problem posed_path;

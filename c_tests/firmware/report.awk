@@ -65,7 +65,8 @@ END {
             value(build, "ours", "moves" SUBSEP "fastest-flash")
         planners(build, "Three axes", "atraj_moves_sync atraj_moves_line atraj_moves_sync_within")
         planners(build, "An axis between main loop and interrupt", "atraj_axis_tick atraj_axis_go atraj_axis_track")
-        planners(build, "Steps of a motor, and a shaper of three impulses", "atraj_steps_next atraj_shaper_state")
+        planners(build, "Steps of a motor, a shaper of three impulses, and a clock of one axis", \
+            "atraj_steps_next atraj_shaper_state atraj_clock_rate atraj_clock_state")
         planners(build, "Paths of three axes", "atraj_path_plan atraj_path_improve")
         printf "\nBoth take %d bytes of working memory. With `atraj_moves_sync`, which makes the motions, they take %d bytes of flash.\n",
             value(build, "ours", "path" SUBSEP "fastest-memory"), value(build, "ours", "paths" SUBSEP "fastest-flash")

@@ -1,0 +1,55 @@
+/* The pulses of example 22 on bare metal: two stepper motors that arrive together. QEMU's -icount ties the board's timer to the instructions, so this counts how
+ * many a pulse takes: the next step of its motor, and the choice of the earlier one of both motors. Prints the count, and the rate of pulses if the processor does
+ * 100 million instructions a second and nothing else. Fails if a step is lost. */
+#include "atraj/steps.h"
+#include "semihost.h"
+
+enum { X, Y, MOTORS };
+
+/* CMSDK timer 0 counts down at 25 MHz; with -icount shift=10 an instruction takes 1024 ns. */
+static volatile uint32_t *const TIMER = (volatile uint32_t *)0x40000000;
+enum { CONTROL, VALUE, RELOAD };
+
+static uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024); }
+
+static void print(uint32_t number, const char *what)
+{
+    semihost_print_unsigned(number, 10);
+    semihost_print(what);
+}
+
+int main(void)
+{
+    static const atraj_state from[MOTORS] = {{0, 0, 0}, {0, 0, 0}}, to[MOTORS] = {{40, 0, 0}, {(a_float)-12.5, 0, 0}}; /* mm */
+    static atraj_move axes[MOTORS];
+    a_float const step = (a_float)0.0125; /* mm */
+    atraj_limits limits[MOTORS];
+    atraj_steps steps[MOTORS];
+    a_float times[MOTORS];
+    int directions[MOTORS], places[MOTORS] = {0, 0};
+    uint32_t pulses = 0, most = 0;
+    for (int i = 0; i != MOTORS; ++i) { atraj_limits_init(&limits[i], 20000, 1000, 100); } /* jerk, acceleration, velocity */
+    if (atraj_moves_sync(axes, limits, from, to, MOTORS, 0, 0) < 0) { semihost_exit(1); }
+    for (int i = 0; i != MOTORS; ++i) {
+        if (atraj_steps_init(&steps[i], &axes[i], -step / 2, step) < 0) { semihost_exit(1); }
+        directions[i] = atraj_steps_next(&steps[i], &axes[i], &times[i]);
+    }
+    TIMER[RELOAD] = UINT32_MAX;
+    TIMER[VALUE] = UINT32_MAX;
+    TIMER[CONTROL] = 1;
+    uint32_t const start = TIMER[VALUE];
+    for (uint32_t last = start; directions[X] || directions[Y]; ++pulses) {
+        int const i = !directions[Y] || (directions[X] && times[X] <= times[Y]) ? X : Y;
+        places[i] += directions[i];
+        directions[i] = atraj_steps_next(&steps[i], &axes[i], &times[i]);
+        uint32_t const now = TIMER[VALUE];
+        if (most < last - now) { most = last - now; }
+        last = now;
+    }
+    uint32_t const each = instructions(start - TIMER[VALUE]) / pulses;
+    print(pulses, " pulses, ");
+    print(each, " instructions each, ");
+    print(instructions(most), " at most; ");
+    print(100000000 / each, " pulses/s of 100 million instructions/s\n");
+    semihost_exit(!(places[X] == 3200 && places[Y] == -1000));
+}
