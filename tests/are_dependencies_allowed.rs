@@ -30,7 +30,14 @@ const TEST_ONLY: [(&str, &str); 4] = [
 ];
 /// What ships in an archive or a dependent program.
 const SHIPPED: [&str; 2] = ["atraj", "libc"];
-const LOCKED: [&str; 5] = [".", "tests/oracle", "tests/handover", "fuzz", "python"];
+const LOCKED: [&str; 6] = [
+    ".",
+    "tests/oracle",
+    "tests/handover",
+    "tests/mutants",
+    "fuzz",
+    "python",
+];
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
 
 /// Whether an SPDX expression can be met with the allowed licences.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# coverage.sh: runs the tests with counters in the library, and prints how many regions and branches of each file they reach, then each line
-# and each branch that none reaches. C programs call the C functions. Needs llvm-cov of the LLVM that rustc is built with.
+# coverage.sh: runs the tests with counters in the library, and prints how many regions and branches of each file they reach, then each branch
+# that none takes, with its line. C programs call the C functions. Needs llvm-cov of the LLVM that rustc is built with.
 set -euo pipefail
 out=$PWD/target/coverage
 tree=$out/tree
@@ -13,11 +13,14 @@ git ls-files -z | xargs -0 cp --parents -t "$tree"
 export RUSTC_BOOTSTRAP=1 RUSTFLAGS='-C instrument-coverage -Z coverage-options=branch'
 LLVM_PROFILE_FILE=/dev/null tests/programs.sh "$tree" "$out/programs"
 export LLVM_PROFILE_FILE=$out/raw/%p-%m.profraw
-cd "$tree"
-for program in c unit root oracle; do "$out/programs/$program" -q || true; done > "$out/log" 2>&1
-cd - > /dev/null
+for program in c unit root oracle; do
+    (cd "$tree" && "$out/programs/$program" -q) > "$out/$program.log" 2>&1 || echo "$program: $(tail -1 "$out/$program.log")" >&2
+done
 "llvm-profdata-$llvm" merge --sparse "$out"/raw/*.profraw -o "$out/profile"
 objects=()
-for program in "$out"/programs/{unit,root,oracle,c-*}; do objects+=(--object "$program"); done
+for program in "$out"/programs/{unit,root,oracle} "$out"/programs/c-*; do objects+=(--object "$program"); done
 cov() { "llvm-cov-$llvm" "$@" "${objects[@]:1}" --instr-profile "$out/profile" --sources "$tree/src"; }
-cov report --show-branch-summary | sed "s|$tree/||"
+cov report | sed "s|$tree/||"
+cov show --show-branches=count --show-instantiations=false | awk '
+    /^\/.*:$/ { file = $0; sub(/.*\/src\//, "src/", file); sub(/:$/, "", file) }
+    /Branch \(/ && /(True|False): 0[],]/ { match($0, /\([0-9]+:[0-9]+\)/); print file ":" substr($0, RSTART + 1, RLENGTH - 2), substr($0, index($0, "[")) }'

@@ -399,6 +399,24 @@ fn a_lower_jerk_costs_more() {
     }
 }
 
+/// An impulse that has not begun sees an axis that goes on with its velocity, so it adds no acceleration: at the start, one of two has begun.
+fn before_its_start_an_axis_keeps_its_velocity<R: Real>() {
+    let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(R::of);
+    let moving = State {
+        position: R::of(0.0),
+        velocity: R::of(1.0),
+        acceleration: R::of(4.0),
+    };
+    let mut planned = Move::default();
+    let limits = Limits::symmetric(jerk, acceleration, velocity);
+    planned
+        .plan(&limits, moving, State::at(R::of(10.0)))
+        .expect("a plan");
+    let shaper = Shaper::new(ShaperKind::Zv, R::of(2.0), R::of(0.0)).expect("a shaper");
+    let shaped = shaper.state(&planned, R::of(0.0)).acceleration;
+    assert_eq!(shaped, R::of(2.0));
+}
+
 /// A refusal leaves the shaper.
 fn nonsense_is_refused<R: Real>() {
     let before = Shaper::new(ShaperKind::Ei2, R::of(2.0), R::of(0.1)).expect("a shaper");
@@ -442,5 +460,6 @@ test_both_reals!(
     loads_are_left_as_published,
     limits_are_kept,
     a_bell_is_shaped_as_a_move,
+    before_its_start_an_axis_keeps_its_velocity,
     nonsense_is_refused
 );

@@ -38,12 +38,13 @@ class Code:
     """One function: its frame, and how deep the stack is at each call."""
 
     def __init__(self, name, lines, words, places):
+        self.first, self.last = (lines[0][0], lines[-1][0]) if lines else (0, 0)
         self.name, self.words, self.entries = name, words, places
-        self.frame, self.calls = 0, {}
+        self.frame, self.calls, self.shares = 0, {}, set()
         self.pointer, self.taken = None, set()  # how deep the stack is at a call through a pointer, and the addresses that are taken
         self.at = {}  # the depth at each address that a branch leads to
-        # Once forward for the branches, and once more for those that lead back.
-        for _ in range(2):
+        # Once for the branches that lead forward, and again for the branches that lead back.
+        for _ in range(3):
             self.walk(lines)
 
     def walk(self, lines):
@@ -54,13 +55,18 @@ class Code:
             if address in self.at:
                 self.depth = max(self.at[address], self.depth if falls_through else 0)
             elif not falls_through:
+                if self.switched is None:
+                    continue  # these bytes are no code
                 # A jump table leads here, for no branch does.
-                self.depth = self.frame if self.switched is None else self.switched
-            label = re.search(r"<(.*)>", operands)
+                self.depth = self.switched
+            label = re.search(r"([0-9a-f]+) <.*>", operands)
             arguments = re.split(r", *", re.sub(r"\s*[;@#] .*| <.*", "", operands))
             mnemonic = re.sub(r"\.[nw]$", "", mnemonic)
             self.stack(mnemonic, operands, arguments)
-            falls_through = self.flow(mnemonic, operands, arguments, label and label[1])
+            falls_through = self.flow(mnemonic, operands, arguments, label and int(label[1], 16))
+        behind = min((entry for entry in self.entries if entry > self.last), default=None)
+        if falls_through and lines and behind:
+            self.call(behind)
 
     def take(self, size):
         self.depth += size
@@ -124,17 +130,16 @@ class Code:
             if now is not None:
                 known[first] = now
 
-    def flow(self, mnemonic, operands, arguments, label):
-        """Follows calls and branches; whether the next instruction runs too."""
-        first, target = arguments[0], arguments[-1]
-        if mnemonic in ("bl", "jal") and (len(arguments) == 1 or first == "ra"):
-            if label.partition("+0x")[0] == self.name and "+" in label:
-                # A Cortex-M0 has no other branch that leads that far.
-                self.branch(int(target, 16), label)
-                return False
-            self.call(label)
-        elif mnemonic == "jalr" and label and first != "zero":
-            self.call(label)
+    def flow(self, mnemonic, operands, arguments, target):
+        """Follows calls and branches to the address `target`; whether the next instruction runs too."""
+        first = arguments[0]
+        is_call = mnemonic in ("bl", "jal") and (len(arguments) == 1 or first == "ra") or mnemonic == "jalr" and target and first != "zero"
+        if is_call and not self.first < target <= self.last:
+            self.call(target)
+        elif is_call or mnemonic in ("b", "j"):
+            # A Cortex-M0 has no other branch than `bl` that leads far.
+            self.branch(target)
+            return False
         elif mnemonic in ("blx", "jalr") or mnemonic == "bx" and first != "lr":
             self.pointer = max(self.depth, self.pointer or 0)
             return mnemonic != "bx"
@@ -143,27 +148,29 @@ class Code:
         elif mnemonic in ("pop", "ldmia") and "pc" in operands or mnemonic == "ldr" and first == "pc" and "[sp]" in operands:
             return False
         elif mnemonic in ("tbb", "tbh", "jr") or first == "pc":
-            if label:
-                self.branch(None, label)
+            if target:
+                self.branch(target)
             self.switched = self.depth
             return False
-        elif mnemonic in ("b", "j"):
-            self.branch(int(target, 16), label)
-            return False
-        elif label and re.match(r"^(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)|cbn?z|b(eq|ne|lt|ge|gt|le)z?u?)$", mnemonic):
-            self.branch(int(target, 16), label)
+        elif target and re.match(r"^(b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)|cbn?z|b(eq|ne|lt|ge|gt|le)z?u?)$", mnemonic):
+            self.branch(target)
         return True
 
-    def call(self, callee):
+    def call(self, target):
+        entry = max(entry for entry in self.entries if entry <= target)
+        callee = self.entries[entry]
+        if entry != target:
+            # Assembly of libgcc shares its ends, which take nothing more than the function that they belong to.
+            self.shares.add(callee)
+            return
         self.calls[callee] = max(self.depth, self.calls.get(callee, 0))
 
-    def branch(self, address, label):
+    def branch(self, target):
         """A branch to another function is a call that does not come back here."""
-        callee = label.partition("+0x")[0]
-        if callee == self.name:
-            self.at[address] = max(self.depth, self.at.get(address, 0))
+        if self.first <= target <= self.last:
+            self.at[target] = max(self.depth, self.at.get(target, 0))
         else:
-            self.call(callee)
+            self.call(target)
 
 
 def functions(text):
@@ -189,8 +196,8 @@ def reached(name, code):
     while left:
         function = left.pop()
         found.add(function)
-        pointers |= code[function].taken & code.keys()
-        left |= {*code[function].calls, *pointers} - found
+        pointers |= code[function].taken
+        left |= {*code[function].calls, *code[function].shares, *pointers} - found
     return pointers
 
 
@@ -200,7 +207,7 @@ def bound(name, code, pointers, bounds, callers=()):
         raise Unknown(f"{name} calls itself: {callers}")
     if name not in bounds:
         function = code[name]
-        calls = list(function.calls.items())
+        calls = [*function.calls.items(), *((end, 0) for end in function.shares if end not in callers)]
         if function.pointer is not None:
             calls += [(pointer, function.pointer) for pointer in pointers]
         needs = [depth + bound(callee, code, pointers, bounds, (*callers, name)) for callee, depth in calls]

@@ -89,6 +89,7 @@ const ONLINE: &[Step] = &[
     ("root", "do_moves_have_few_phases"),
     ("oracle", "does_every_plan_pass::plans_of_one"),
     ("oracle", "does_a_replan_detour"),
+    ("oracle", "does_a_move_stay_inside"),
 ];
 
 const TOGETHER: &[Step] = &[
@@ -99,6 +100,7 @@ const TOGETHER: &[Step] = &[
     ("root", "does_a_stretched_axis_move_slowly"),
     ("root", "does_a_line_stop_on_itself"),
     ("root", "is_a_signal_followed"),
+    ("oracle", "do_axes_stay_inside"),
 ];
 
 /// Judges the mutants that have no line in the results, a line for each: storey, verdict, the test that saw it, seconds, name. Several
