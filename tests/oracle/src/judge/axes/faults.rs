@@ -3,6 +3,7 @@
 use super::problems::Set;
 use super::together::{Planner, Together};
 use atraj::Findings;
+use atraj::axes::synchronise;
 use atraj::online::{Error, Move, State};
 use support::Real;
 
@@ -31,11 +32,13 @@ pub enum Fault {
     Silent,
     /// On the line, the last axis is a little beside.
     BesideTheLine,
+    /// It arrives a tick too early: an axis that misses the tick slips by more than its roundings.
+    SlipsTooFar,
 }
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Refuses,
         Self::Alone,
         Self::Late,
@@ -47,6 +50,7 @@ impl Fault {
         Self::OneLate,
         Self::Silent,
         Self::BesideTheLine,
+        Self::SlipsTooFar,
     ];
 
     /// The set that the planner plans instead.
@@ -129,6 +133,49 @@ fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
     later
 }
 
+/// All axes, one tick earlier.
+fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
+    let (zero, t) = (R::of(0.0), axes[0].t - set.cycle);
+    if set.cycle == zero || t < set.duration || t <= zero {
+        return;
+    }
+    for (axis, problem) in axes.iter_mut().zip(&set.axes) {
+        let (limits, from, to) = ([problem.limits], [problem.from], [problem.to]);
+        let one = std::slice::from_mut(axis);
+        synchronise(one, &limits, &from, &to, t, zero).expect("an axis that was planned");
+        if axis.t > t {
+            slip(axis, t);
+        }
+    }
+}
+
+/// Leaves the last part of a move out, and finds the states at the start of each phase from the end.
+fn slip<R: Real>(axis: &mut Move<R>, t: R) {
+    let count = axis.count as usize;
+    let mut early = axis.t - t;
+    let [phases @ .., end] = &mut axis.phase[..=count] else {
+        return;
+    };
+    end.start = t;
+    let (mut position, mut velocity) = (end.position, end.velocity);
+    for phase in phases.iter_mut().skip(1).rev() {
+        let left_out = if early < phase.duration {
+            early
+        } else {
+            phase.duration
+        };
+        early = early - left_out;
+        phase.duration = phase.duration - left_out;
+        phase.start = if phase.start < t { phase.start } else { t };
+        let (z, a) = (phase.duration, phase.acceleration);
+        let to = a + z * phase.jerk;
+        position = position - z * (velocity - z * (to + to + a) / R::of(6.0));
+        velocity = velocity - z * (a + to) / R::of(2.0);
+        (phase.position, phase.velocity) = (position, velocity);
+    }
+    axis.t = t;
+}
+
 impl Fault {
     fn plan<R: Real>(
         self,
@@ -152,7 +199,11 @@ impl Fault {
 
 impl<R: Real> Planner<R> for Fault {
     fn synchronise(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
-        self.plan(set, axes, |set, axes| Together.synchronise(set, axes))
+        let found = self.plan(set, axes, |set, axes| Together.synchronise(set, axes))?;
+        if *self == Self::SlipsTooFar {
+            a_tick_earlier(set, axes);
+        }
+        Ok(found)
     }
 
     fn line(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
