@@ -150,7 +150,7 @@ impl<R: Real> Border<R> {
     }
 
     /// The profile of a ramp.
-    #[inline(never)] // for its size: it is asked in eight places
+    #[inline(never)] // for its size: it is asked in nine places
     pub fn profile(&self, ramp: &Ramp<R>) -> Profile<R> {
         let Ramp {
             mirrored,
