@@ -133,6 +133,17 @@ fn its_figures_are_those_of_the_pages() {
             "1,000,007,093 calls in `double`, 1,000,007,093 in `float`: **0 differing",
         ),
         ("takes 1,076 rounds", "parity", "at most 1076;"),
+        ("88.2 % of 246", "trust", "88.2 % of 246"),
+        (
+            "1 of 30,000,000 soaked plans",
+            "trust",
+            "plans | 0..15 | 30000000 | 1 |",
+        ),
+        (
+            "1,792 bytes of stack",
+            "bounds",
+            "| `atraj_move_plan` | 3372 | 1792 |",
+        ),
         ("4,432 bytes", "firmware", "libgcc and libm | 4432 |"),
     ] {
         assert!(readme.contains(figure), "README: {figure}");

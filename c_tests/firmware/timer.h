@@ -18,11 +18,12 @@ static inline void start_timer(void)
 static inline uint32_t now(void) { return ~TIMER[VALUE]; }
 static inline uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024); }
 #else
+/* With -icount shift=0 the counter of RISC-V counts instructions. */
 static inline void start_timer(void) {}
 static inline uint32_t now(void)
 {
     uint32_t count;
-    __asm__ volatile("csrr %0, minstret" : "=r"(count));
+    __asm__ volatile(".option push\n\t.option arch, +zicsr\n\tcsrr %0, minstret\n\t.option pop" : "=r"(count));
     return count;
 }
 static inline uint32_t instructions(uint32_t ticks) { return ticks; }
