@@ -135,7 +135,7 @@ fn its_figures_are_those_of_the_pages() {
         ("takes 1,076 rounds", "parity", "at most 1076;"),
         ("88.2 % of 246", "trust", "88.2 % of 246"),
         (
-            "1 of 30,000,000 soaked plans",
+            "1 of 30,000,000 plans",
             "trust",
             "plans | 0..15 | 30000000 | 1 |",
         ),
