@@ -51,12 +51,15 @@ $(OUT)/atraj-$(VERSION)-$1-$2.tar.gz:
 endef
 $(foreach t,$(TARGETS),$(foreach a,$(ABIS),$(eval $(call archive,$t,$a))))
 
+# Goals that run `make dist` replace the folder that others copy, so they run one after the other.
 .PHONY: $(PARTS)
+$(PARTS): $(ARCHIVES)
+site: $(filter debian,$(PARTS))
 debian:
 	MAKEFLAGS= $(MAKE) -s deb
 	cp target/deb/*.deb $(OUT)
 
-managers: $(ARCHIVES)
+managers:
 	packaging/managers.sh $(abspath $(OUT)) $(abspath $(WORK))
 
 SITE := atraj-$(VERSION)-site
