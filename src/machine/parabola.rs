@@ -1,0 +1,139 @@
+//! Bounds of sums and products of quantities that change together: how [`super::clock`] proves that a change of the rate keeps the limits.
+
+use crate::online::Phase;
+use crate::real::Real;
+
+/// A quantity in a part of the time: `middle + slope e + bend e²`, up to `rest`, while `e` goes from -1 to 1. Sums and products hold all sums and products
+/// at the same time. So what rises while another quantity falls does not count twice, and a parabola is exact.
+#[derive(Clone, Copy)]
+pub struct Parabola<R> {
+    middle: R,
+    slope: R,
+    bend: R,
+    rest: R,
+}
+
+impl<R: Real> Parabola<R> {
+    pub fn constant(middle: R) -> Self {
+        let zero = R::ZERO;
+        Self {
+            middle,
+            slope: zero,
+            bend: zero,
+            rest: zero,
+        }
+    }
+
+    /// From one number to another one.
+    pub fn between(from: R, to: R) -> Self {
+        Self {
+            slope: R::HALF * (to - from),
+            ..Self::constant(R::HALF * (from + to))
+        }
+    }
+
+    /// Position, velocity, acceleration and jerk of a phase at this time.
+    pub fn along(self, phase: &Phase<R>) -> [Self; 4] {
+        let z = self.middle;
+        let [p, v, a, j] = [
+            phase.position(z),
+            phase.velocity(z),
+            phase.acceleration(z),
+            phase.jerk,
+        ]
+        .map(Self::constant);
+        let [half, third] = [R::HALF, R::SIXTH + R::SIXTH].map(Self::constant);
+        let d = self.plus(Self::constant(-z));
+        let (change, half) = (d.times(j), d.times(half));
+        let velocity = v.plus(d.times(a)).plus(half.times(change));
+        let position = p.plus(d.times(v.plus(half.times(a.plus(third.times(change))))));
+        [position, velocity, a.plus(change), j]
+    }
+
+    /// Where it may be between two numbers: `e = c + d e'`, and `e'` goes from -1 to 1.
+    pub fn when_between(self, low: R, high: R) -> [R; 2] {
+        let middle = self.middle + R::HALF * self.bend;
+        let width = self.rest + R::HALF * self.bend.abs();
+        let mut ends = [low - middle - width, high - middle + width].map(|way| way / self.slope);
+        if self.slope < R::ZERO {
+            ends.reverse();
+        }
+        let [from, to] = if self.slope == R::ZERO {
+            [-R::ONE, R::ONE]
+        } else {
+            ends.map(|e| e.at_least(-R::ONE).at_most(R::ONE))
+        };
+        [R::HALF * (from + to), R::HALF * (to - from)]
+    }
+
+    /// For `e = c + d e'`.
+    pub fn narrowed(self, [c, d]: [R; 2]) -> Self {
+        let (slope, bend) = (self.slope, self.bend);
+        Self {
+            middle: self.middle + c * (slope + bend * c),
+            slope: d * (slope + (bend + bend) * c),
+            bend: d * d * bend,
+            rest: self.rest,
+        }
+    }
+
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            middle: self.middle + other.middle,
+            slope: self.slope + other.slope,
+            bend: self.bend + other.bend,
+            rest: self.rest + other.rest,
+        }
+    }
+
+    /// The parabolas nearest to `e³` and `e⁴` are `3/4 e` up to 1/4 and `e² - 1/8` up to 1/8.
+    pub fn times(self, other: Self) -> Self {
+        let quarter = R::HALF * R::HALF;
+        let third = self.slope * other.bend + self.bend * other.slope;
+        let fourth = self.bend * other.bend;
+        let eighth = R::HALF * quarter * fourth;
+        let size = |of: Self| of.middle.abs() + of.slope.abs() + of.bend.abs();
+        Self {
+            middle: self.middle * other.middle - eighth,
+            slope: self.middle * other.slope
+                + self.slope * other.middle
+                + (third - quarter * third),
+            bend: self.middle * other.bend
+                + self.slope * other.slope
+                + self.bend * other.middle
+                + fourth,
+            rest: quarter * third.abs()
+                + eighth.abs()
+                + size(self) * other.rest
+                + (size(other) + other.rest) * self.rest,
+        }
+    }
+
+    /// The lowest and the highest value.
+    pub fn range(self) -> [R; 2] {
+        let Self {
+            middle,
+            slope,
+            bend,
+            rest,
+        } = self;
+        let [one, other] = [middle + bend - slope, middle + bend + slope];
+        // At `e = -slope/(2 bend)`, if this is between -1 and 1.
+        let turn = if slope.abs() < (bend + bend).abs() {
+            middle - slope * slope / (R::from(4) * bend)
+        } else {
+            one
+        };
+        [
+            one.at_most(other).at_most(turn) - rest,
+            one.at_least(other).at_least(turn) + rest,
+        ]
+    }
+
+    /// Up to 64 roundings of the limits.
+    pub fn is_between(self, lowest: R, highest: R) -> bool {
+        let [low, high] = self.range();
+        let wider = R::ONE + R::DOUBT;
+        low >= wider * lowest && high <= wider * highest
+    }
+}
