@@ -133,7 +133,7 @@ fn its_figures_are_those_of_the_pages() {
             "1,000,007,093 calls in `double`, 1,000,007,093 in `float`: **0 differing",
         ),
         ("takes 1,076 rounds", "parity", "at most 1076;"),
-        ("88.2 % of 246", "trust", "88.2 % of 246"),
+        ("89.0 % of 364", "trust", "89.0 % of 364"),
         (
             "1 of 30,000,000 plans",
             "trust",
