@@ -163,6 +163,50 @@ fn one_jerk_is_far_larger<R: Real>() {
     );
 }
 
+/// What is left of a move whose ramp just reaches the highest acceleration: its peak may pass the limit by a rounding. Then the motion to
+/// another position went on to 1.2 times the limit, or began beside its start.
+fn the_ramp_just_reaches_the_limit<R: Real>() {
+    let mut random = Random::seeded(25);
+    for _ in 0..100_000 {
+        let [a, j, v] = [(); 3].map(|()| R::of(random.magnitude(-1.0, 1.5)));
+        let begun = R::of(random.between(-1.0, 1.0)) * a;
+        let half = R::of(0.5);
+        // From here on the acceleration rises to `a` and falls to 0, and the axis is at rest.
+        let velocity = -(a * a - half * begun * begun) / j;
+        let fastest = v + R::of(2.0 * velocity.widen().abs());
+        let limits = Limits {
+            amin: -R::of(1.1) * a,
+            ..Limits::symmetric(j, a, fastest)
+        };
+        let position = R::of(random.sign() * random.magnitude(-2.0, 3.0));
+        let mut from = State {
+            position,
+            velocity,
+            acceleration: begun,
+        };
+        let mut to = State::at(R::of(0.0));
+        if random.one_in(2) {
+            // The same motion in the other order of time.
+            (from, to) = (to, from);
+            (from.velocity, to.velocity) = (-from.velocity, -to.velocity);
+        }
+        let mut planned = Move::default();
+        let result = planned.plan(&limits, from, to);
+        let found = planned.check(&limits).unwrap();
+        let wrong = [
+            Findings::EXCEEDS_VELOCITY,
+            Findings::EXCEEDS_ACCELERATION,
+            Findings::EXCEEDS_JERK,
+            Findings::JUMPS,
+        ];
+        let is_wrong = wrong.into_iter().any(|one| found.contains(one));
+        assert!(
+            result.is_ok() && !is_wrong,
+            "{found:?}: {limits:?} {from:?} {to:?}"
+        );
+    }
+}
+
 /// Phase 1 begins a rounding beside the start. `time_at` missed a position between both and gave a later time. Some of its times were a
 /// rounding above `t`.
 fn times_of_positions<R: Real>() {
@@ -376,6 +420,7 @@ test_both_reals!(
     a_small_step,
     passed_in_motion,
     one_jerk_is_far_larger,
+    the_ramp_just_reaches_the_limit,
     times_of_positions,
     from_a_state_to_itself,
     beyond_the_range,

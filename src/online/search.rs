@@ -300,8 +300,9 @@ fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R
 fn first_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
     let Profile { peak, trough, .. } = *base;
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
-    let above = (bu - peak) * (bu + peak);
-    let below = (bd + trough) * (bd - trough);
+    // A ramp that just reaches a limit may pass the limit by a rounding.
+    let above = ((bu - peak) * (bu + peak)).at_least(R::ZERO);
+    let below = ((bd + trough) * (bd - trough)).at_least(R::ZERO);
     let top = bu + (trough * trough + above).sqrt();
     top.at_most(bd + (peak * peak + below).sqrt())
 }
