@@ -174,34 +174,33 @@ impl<'a, R: Real> Axis<'a, R> {
         found
     }
 
-    /// The phases, each with the time at which it starts and the time at which the next one does. The last one is the end, which goes on.
-    fn phases(self) -> impl Iterator<Item = (&'a Phase<R>, R, R)> {
-        self.sections().flat_map(|(of, start, end)| {
-            let count = of.phases().len();
-            let is_last = end == R::INFINITY;
-            let used = of
-                .phase
-                .iter()
-                .take(count + usize::from(is_last))
-                .enumerate();
-            // Phase 0 is the start.
-            let lasting = used
-                .skip(1)
-                .filter(move |(index, phase)| phase.duration > R::ZERO || *index == count);
-            lasting.map(move |(index, phase)| {
-                let next = of.phase.get(index + 1).filter(|_| index < count);
-                let next = next.map_or(R::INFINITY, |next| start + next.start);
-                (phase, start + phase.start, next)
-            })
-        })
-    }
-
     /// The duration.
     fn duration(self) -> R {
         self.sections()
             .last()
             .map_or(R::ZERO, |(of, start, _)| start + of.t)
     }
+}
+
+/// The phases of a move that starts at `start`, each with the time at which it starts and the time at which the next one does. If the move goes on, its end
+/// is the last one.
+fn phases<R: Real>(
+    of: &Move<R>,
+    start: R,
+    goes_on: bool,
+) -> impl Iterator<Item = (&Phase<R>, R, R)> {
+    let count = of.phases().len();
+    let used = of.phase.iter().take(count + usize::from(goes_on));
+    // Phase 0 is the start.
+    let lasting = used
+        .enumerate()
+        .skip(1)
+        .filter(move |(index, phase)| phase.duration > R::ZERO || *index == count);
+    lasting.map(move |(index, phase)| {
+        let next = of.phase.get(index + 1).filter(|_| index < count);
+        let next = next.map_or(R::INFINITY, |next| start + next.start);
+        (phase, start + phase.start, next)
+    })
 }
 
 /// A change of the rate.
@@ -338,26 +337,37 @@ impl<R: Real> Trial<'_, R> {
     fn keeps_over(&self, of: &Phase<R>, part: Parabola<R>) -> bool {
         let [passed, ..] = part.along(of);
         let [low, high] = passed.range();
-        let mut touched = self
-            .axis
-            .phases()
-            .filter(|(_, start, end)| high >= *start && low <= *end);
-        touched.all(|(phase, start, end)| {
-            let part = part.narrowed(passed.when_between(start, end));
-            let [s, rate, slowing, bending] = part.along(of);
-            let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
-            let square = rate.times(rate);
-            let three = Parabola::constant(R::from(3));
-            let acceleration = a.times(square).plus(v.times(slowing));
-            let turning = three.times(a).times(rate.times(slowing));
-            let jerk = j
-                .times(square.times(rate))
-                .plus(turning)
-                .plus(v.times(bending));
-            let limits = self.limits;
-            v.times(rate).is_between(limits.vmin, limits.vmax)
-                && acceleration.is_between(limits.amin, limits.amax)
-                && jerk.is_between(limits.jmin, limits.jmax)
+        let is_touched = |start: R, end: R| high >= start && low <= end;
+        let touched = |(section, begin, end)| {
+            is_touched(begin, end).then(|| phases(section, begin, end == R::INFINITY))
+        };
+        self.axis.sections().filter_map(touched).all(|mut phases| {
+            phases.all(|(phase, start, end)| {
+                let part = part.narrowed(passed.when_between(start, end));
+                !is_touched(start, end) || self.keeps_beside(phase, start, part.along(of))
+            })
         })
+    }
+
+    /// While the axis is in a phase that starts at the time `start` of the path, and the time of the path and its derivatives are in these parts.
+    fn keeps_beside(
+        &self,
+        phase: &Phase<R>,
+        start: R,
+        [s, rate, slowing, bending]: [Parabola<R>; 4],
+    ) -> bool {
+        let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
+        let square = rate.times(rate);
+        let three = Parabola::constant(R::from(3));
+        let acceleration = a.times(square).plus(v.times(slowing));
+        let turning = three.times(a).times(rate.times(slowing));
+        let jerk = j
+            .times(square.times(rate))
+            .plus(turning)
+            .plus(v.times(bending));
+        let limits = self.limits;
+        v.times(rate).is_between(limits.vmin, limits.vmax)
+            && acceleration.is_between(limits.amin, limits.amax)
+            && jerk.is_between(limits.jmin, limits.jmax)
     }
 }

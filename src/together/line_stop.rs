@@ -19,13 +19,13 @@ pub fn line_stop<R: Real>(
     if axes.len() != limits.len() {
         return Err(Error::Axes);
     }
-    let Highest {
-        lead,
-        place,
-        quantity,
-    } = Highest::of(axes);
+    let Highest { lead, place, order } = Highest::of(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
-    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, quantity);
+    let number = |axis: &Move<R>| {
+        axis.phase
+            .get(place)
+            .map_or(R::ZERO, |phase| order.of(phase))
+    };
     let share = |axis: &Move<R>| {
         if number(&lead) == R::ZERO {
             R::ONE
@@ -64,40 +64,47 @@ pub fn line_stop<R: Real>(
     Ok(found)
 }
 
+/// Which quantity of a phase tells the shares of the axes.
+#[derive(Clone, Copy)]
+enum Order {
+    Jerk,
+    Acceleration,
+    Velocity,
+}
+
+impl Order {
+    fn of<R: Real>(self, phase: &Phase<R>) -> R {
+        match self {
+            Self::Jerk => phase.jerk,
+            Self::Acceleration => phase.acceleration,
+            Self::Velocity => phase.velocity,
+        }
+    }
+}
+
 /// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
 /// tells the shares of the axes. Their ways may be so short that roundings hide them.
-struct Highest<R> {
+struct Highest {
     /// Whose number it is.
     lead: usize,
     /// The phase.
     place: usize,
-    quantity: fn(&Phase<R>) -> R,
+    order: Order,
 }
 
-impl<R: Real> Highest<R> {
-    fn of(axes: &[Move<R>]) -> Self {
-        let quantities: [fn(&Phase<R>) -> R; 3] = [
-            |phase| phase.jerk,
-            |phase| phase.acceleration,
-            |phase| phase.velocity,
-        ];
+impl Highest {
+    fn of<R: Real>(axes: &[Move<R>]) -> Self {
         let mut size = R::ZERO;
-        let mut highest = Self {
-            lead: 0,
-            place: 0,
-            quantity: quantities[2],
-        };
-        for quantity in quantities {
+        let (lead, place) = (0, 0);
+        let order = Order::Velocity;
+        let mut highest = Self { lead, place, order };
+        for order in [Order::Jerk, Order::Acceleration, Order::Velocity] {
             for (lead, axis) in axes.iter().enumerate() {
                 for (place, phase) in axis.phases().iter().enumerate() {
-                    let number = quantity(phase).abs();
+                    let number = order.of(phase).abs();
                     if number > size {
                         size = number;
-                        highest = Self {
-                            lead,
-                            place,
-                            quantity,
-                        };
+                        highest = Self { lead, place, order };
                     }
                 }
             }
