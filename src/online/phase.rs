@@ -83,8 +83,9 @@ impl<R: Real> Phase<R> {
         let step_behind = (self.acceleration - before.acceleration(shorter)).abs();
         let duration = shorter + self.duration;
         let size = acceleration.abs() + self.acceleration(self.duration).abs();
-        let fits = step <= R::from(16) * R::EPSILON * (size + self.jerk.abs() * t)
-            && shorter * (step + step_behind) <= R::from(8) * R::EPSILON * (size * duration);
+        let fits = size.is_finite()
+            && step <= R::from(16) * R::EPSILON * (size + self.jerk.abs() * t)
+            && shorter / duration * (step + step_behind) <= R::from(8) * R::EPSILON * size;
         fits.then_some(Self {
             start: before.start,
             duration,

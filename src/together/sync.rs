@@ -32,7 +32,7 @@ pub fn synchronise<R: Real>(
     let mut slowest = duration;
     for (ends, axis) in ends.clone().zip(axes.iter_mut()) {
         let problem = problem(ends);
-        problem.write(axis, &problem.fastest())?;
+        problem.write_fastest(axis)?;
         found |= problem.outside();
         slowest = slowest.at_least(axis.t);
     }
