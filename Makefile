@@ -23,11 +23,12 @@
 # make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
 #                             cargo, or bring it along by CMake, Meson, Conan, .deb
 # make playground-check       tests the page in headless Chromium, with pictures in target/playground
-# make python-check           installs the wheel in target/python/venv and runs the tests of the package; `make python-update` writes
-#                             the docstrings into its stubs and docs/python-api.md
+# make python-check           installs the wheel in target/python/venv by `make python-install` and runs the tests of the package;
+#                             `make python-update` writes the docstrings into its stubs and docs/python-api.md
 # make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU; `make firmware-setup`
 #                             installs the tools of the chips, on Debian
-# make firmware-report        measures size and instructions beside the original's: docs/firmware.md
+# make firmware-report        measures size and instructions beside the original's: docs/firmware.md; `make firmware-bounds` bounds the
+#                             stack and searches the most instructions: docs/bounds.md
 # make bench                  measures times and instructions beside the original's: docs/performance.md
 # make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
 #                             `make instructions-update` rewrites tests/instructions.txt

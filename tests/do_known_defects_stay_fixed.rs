@@ -245,8 +245,7 @@ fn times_of_positions<R: Real>() {
     assert!(gaps > 100, "{gaps}");
 }
 
-/// A state on the border of what can be held was outside by a rounding, and the way from it to itself took up to an hour. A state that is bound
-/// to leave the velocity came inside first.
+/// A state on the border of what can be held was outside by a rounding, and the way from it to itself took up to an hour.
 fn from_a_state_to_itself<R: Real>() {
     let mut random = Random::seeded(1);
     for _ in 0..100_000 {
@@ -258,13 +257,10 @@ fn from_a_state_to_itself<R: Real>() {
         } else {
             (limits.vmin, limits.jmax)
         };
-        state.velocity = limit + R::of(random.pick(&[0.5, 0.4])) * a * a / jerk;
-        let mut planned = [Move::default()];
-        if planned[0].plan(&limits, state, state).is_ok() {
-            let none = R::of(0.0);
-            assert_eq!(planned[0].t, none, "{limits:?} {state:?}");
-            synchronise(&mut planned, &[limits], &[state], &[state], none, none).unwrap();
-            assert_eq!(planned[0].t, none, "{limits:?} {state:?}");
+        state.velocity = limit + R::of(0.5) * a * a / jerk;
+        let mut planned = Move::default();
+        if planned.plan(&limits, state, state).is_ok() {
+            assert_eq!(planned.t, R::of(0.0), "{limits:?} {state:?}");
         }
     }
 }

@@ -63,7 +63,7 @@ impl<R: Real> Move<R> {
     ) -> Result<Findings, Error> {
         limits.check(from, to)?;
         let problem = Problem::new(limits, from, to);
-        problem.write_fastest(self)?;
+        problem.write(self, &problem.fastest())?;
         Ok(problem.findings(self))
     }
 

@@ -174,15 +174,6 @@ impl<R: Real> Problem<R> {
         sum
     }
 
-    /// Writes the fastest motion. From a state to itself it takes no time, also if the axis is bound to leave its limits.
-    pub fn write_fastest(&self, ctx: &mut Move<R>) -> Result<(), Error> {
-        if self.from == self.to {
-            ctx.stay(self.to);
-            return Ok(());
-        }
-        self.write(ctx, &self.fastest())
-    }
-
     /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.
     pub fn write(&self, ctx: &mut Move<R>, profile: &Profile<R>) -> Result<(), Error> {
         self.check(profile, R::ZERO)?;

@@ -32,7 +32,7 @@ pub fn synchronise<R: Real>(
     let mut slowest = duration;
     for (ends, axis) in ends.clone().zip(axes.iter_mut()) {
         let problem = problem(ends);
-        problem.write_fastest(axis)?;
+        problem.write(axis, &problem.fastest())?;
         found |= problem.outside();
         slowest = slowest.at_least(axis.t);
     }

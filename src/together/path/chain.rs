@@ -51,6 +51,10 @@ impl<'a, R: Real> Request<'a, R> {
             self.limits(section, axis)?
                 .check(self.state(0, axis), end)?;
             while section > 0 && !self.moves(section) {
+                // An axis that is bound to leave its limits cannot stay.
+                if self.limits(section, axis)?.are_left_after(end) {
+                    return Err(Error::Target);
+                }
                 section -= 1;
                 self.limits(section, axis)?.check(end, end)?;
             }
