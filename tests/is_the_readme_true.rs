@@ -140,9 +140,9 @@ fn its_figures_are_those_of_the_pages() {
             "plans | 0..15 | 30000000 | 1 |",
         ),
         (
-            "1,832 bytes of stack",
+            "1,816 bytes of stack",
             "bounds",
-            "| `atraj_move_plan` | 3388 | 1832 |",
+            "| `atraj_move_plan` | 3340 | 1816 |",
         ),
         ("4,432 bytes", "firmware", "libgcc and libm | 4432 |"),
     ] {
