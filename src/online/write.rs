@@ -163,6 +163,10 @@ impl<R: Real> Move<R> {
     /// roundings. Returns what is left of `count`.
     fn join_slivers(&mut self, count: usize, t: R) -> usize {
         let short = R::from(4) * R::EPSILON * t;
+        let mut phases = self.phase.iter().take(count).skip(1);
+        if !phases.any(|phase| phase.duration < short) {
+            return count;
+        }
         let mut kept = 1;
         for index in 1..count {
             let Some(phase) = self.phase.get(index).copied() else {
@@ -229,13 +233,16 @@ impl<R: Real> Move<R> {
         }
     }
 
-    /// Replaces every state and jerk, also of the start and of the end.
-    pub(crate) fn map(&self, state: impl Fn(&Phase<R>) -> Phase<R>) -> Self {
-        let mut mapped = *self;
+    /// The move of an axis that travels `share` times as far, where this move is at 0 while the axis is at `position`.
+    pub(crate) fn beside(&self, position: R, share: R) -> Self {
+        let mut beside = *self;
         let count = self.phase_count();
-        for (to, from) in mapped.phase.iter_mut().zip(&self.phase).take(1 + count) {
-            *to = state(from);
+        for phase in beside.phase.iter_mut().take(1 + count) {
+            phase.position = position + share * phase.position;
+            phase.velocity = share * phase.velocity;
+            phase.acceleration = share * phase.acceleration;
+            phase.jerk = share * phase.jerk;
         }
-        mapped
+        beside
     }
 }

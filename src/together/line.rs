@@ -4,8 +4,8 @@ use super::axis::{Axis, checked, may_slip, next_of_plan, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
+use crate::online::Move;
 use crate::online::problem::Problem;
-use crate::online::{Move, Phase};
 use crate::real::Real;
 use crate::state::State;
 
@@ -39,14 +39,7 @@ pub fn line<R: Real>(
     )?;
     stretch(&mut lead, &|| problem, t)?;
     for ((_, (from, to)), axis) in ends.zip(axes) {
-        let share = line.share(from, to);
-        *axis = lead.map(|phase| Phase {
-            position: to.position + share * phase.position,
-            velocity: share * phase.velocity,
-            acceleration: share * phase.acceleration,
-            jerk: share * phase.jerk,
-            ..*phase
-        });
+        *axis = lead.beside(to.position, line.share(from, to));
         axis.set_ends(*from, *to);
     }
     Ok(problem.findings(&lead))

@@ -52,14 +52,7 @@ pub fn line_stop<R: Real>(
         },
     )?;
     for axis in axes {
-        let (share, position) = (share(axis), axis.position(x));
-        *axis = stop.map(|phase| Phase {
-            position: position + share * phase.position,
-            velocity: share * phase.velocity,
-            acceleration: share * phase.acceleration,
-            jerk: share * phase.jerk,
-            ..*phase
-        });
+        *axis = stop.beside(axis.position(x), share(axis));
     }
     Ok(found)
 }

@@ -36,7 +36,8 @@ pub extern "C" fn atraj_path_size(axes: usize, sections: usize) -> usize {
 /// @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
 /// @param work points to `atraj_path_size(axes, sections)` numbers, whatever they are
 /// @return 0, or a sum of `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis as `atraj_moves_sync` returns
-/// it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `axes` or `sections` is 0 or above 4,096. On an error nothing but `work` is written.
+/// it, `ATRAJ_ERR_TARGET` also if points repeat at an end at which an axis is bound to leave its limits, or `ATRAJ_ERR_NULL` if a pointer is
+/// NULL, or `axes` or `sections` is 0 or above 4,096. On an error nothing but `work` is written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_path_plan(
     states: *mut atraj_state,

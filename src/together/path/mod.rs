@@ -39,8 +39,8 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// given splits a path into two.
 ///
 /// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits, and [`Findings::ENDS_LEAVING`] if an axis is bound to leave them
-/// after the end. [`Error::Axes`] if the lengths do not fit together; the others as for [`synchronise`](crate::axes::synchronise). On an error
-/// nothing but `work` is written.
+/// after the end. [`Error::Axes`] if the lengths do not fit together; [`Error::Target`] also if points repeat at an end at which an axis is bound
+/// to leave its limits; the others as for [`synchronise`](crate::axes::synchronise). On an error nothing but `work` is written.
 ///
 /// ```
 /// use atraj::axes::{path_size, plan_path, synchronise};
