@@ -14,6 +14,8 @@ pub(crate) struct Writer<'a, R> {
     ctx: &'a mut Move<R>,
     /// The time at the end of what is written.
     t: R,
+    /// The duration of the shortest phase that is written.
+    shortest: R,
     count: usize,
 }
 
@@ -33,6 +35,7 @@ impl<'a, R: Real> Writer<'a, R> {
         Self {
             ctx,
             t: R::ZERO,
+            shortest: R::INFINITY,
             count: 1,
         }
     }
@@ -54,13 +57,22 @@ impl<'a, R: Real> Writer<'a, R> {
             phase.jerk = jerk;
             self.count += 1;
             self.t = self.t + duration;
+            self.shortest = self.shortest.at_most(duration);
         }
     }
 
     /// Ends the move in this state.
     pub fn end(self, to: State<R>) {
-        let Self { ctx, t, count } = self;
-        let count = ctx.join_slivers(count, t);
+        let Self {
+            ctx,
+            t,
+            shortest,
+            mut count,
+        } = self;
+        let sliver = R::from(4) * R::EPSILON * t;
+        if shortest < sliver {
+            count = ctx.join_slivers(count, t, sliver);
+        }
         let State {
             position,
             velocity,
@@ -159,21 +171,16 @@ impl<R: Real> Move<R> {
         self.end_at(t);
     }
 
-    /// Joins each phase that is shorter than 4 roundings of the duration `t` with the phase behind it, if the states stay the same up to
-    /// roundings. Returns what is left of `count`.
-    fn join_slivers(&mut self, count: usize, t: R) -> usize {
-        let short = R::from(4) * R::EPSILON * t;
-        let mut phases = self.phase.iter().take(count).skip(1);
-        if !phases.any(|phase| phase.duration < short) {
-            return count;
-        }
+    /// Joins each phase of the duration `t` that is shorter than a `sliver` with the phase behind it, if the states stay the same up to roundings.
+    /// Returns what is left of `count`.
+    fn join_slivers(&mut self, count: usize, t: R, sliver: R) -> usize {
         let mut kept = 1;
         for index in 1..count {
             let Some(phase) = self.phase.get(index).copied() else {
                 break;
             };
             let next = self.phase.get_mut(index + 1).filter(|_| index + 1 < count);
-            if let Some(next) = next.filter(|_| phase.duration < short) {
+            if let Some(next) = next.filter(|_| phase.duration < sliver) {
                 if let Some(joined) = next.joined(&phase, t) {
                     *next = joined;
                     continue;
