@@ -11,8 +11,9 @@ from .values import Warnings as Warnings
 class Trajectory:
     """CLARAty's trapezoid: a target, start and stop at any time, and a setpoint whenever the controller asks.
 
-    `now` is a reading of one clock, s, `time.monotonic()` for example. Nothing here reads a clock. `Mode.CORRECTED` keeps the promise
-    of CLARAty's class, `Mode.LISTING` gives the bits of the published listing. Way points are in Rust and C only.
+    `now` is a reading of one clock, s, `time.monotonic()` for example. Nothing here reads a clock. `mode` is the `Mode` of the starts and
+    stops: `Mode.CORRECTED` keeps the promise of CLARAty's class, `Mode.LISTING` gives the bits of the published listing. ValueError for
+    another number. Way points are in Rust and C only.
 
     >>> from atraj.claraty import Trajectory
     >>> axis = Trajectory()
@@ -26,7 +27,11 @@ class Trajectory:
     >>> axis.setpoint(now=3.5).position
     6.0"""
     def __new__(cls, mode: Mode | Literal[0, 1] = 0, *, now: float = 0.0) -> Self: ...
-    mode: Mode
+    @property
+    def mode(self) -> Mode:
+        """The `Mode` of the following starts and stops. It can be set."""
+    @mode.setter
+    def mode(self, mode: Mode | Literal[0, 1]) -> None: ...
     @property
     def motion_mode(self) -> Mode:
         """The `Mode` of the motion under way."""

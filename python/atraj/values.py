@@ -204,10 +204,12 @@ class Findings(IntFlag):
 
 
 class Mode(IntEnum):
-    """The motion that CLARAty's class documents, or the numbers of its published listing, wrong motions included."""
+    """Which motion a start or a stop of CLARAty's trajectory plans."""
 
     CORRECTED = 0
+    """The motion that CLARAty's class documents."""
     LISTING = 1
+    """The numbers of its published listing, wrong motions included."""
 
 
 class Warnings(IntFlag):

@@ -8,8 +8,9 @@ use crate::values::{error, named, to_state};
 
 /// CLARAty's trapezoid: a target, start and stop at any time, and a setpoint whenever the controller asks.
 ///
-/// `now` is a reading of one clock, s, `time.monotonic()` for example. Nothing here reads a clock. `Mode.CORRECTED` keeps the promise
-/// of CLARAty's class, `Mode.LISTING` gives the bits of the published listing. Way points are in Rust and C only.
+/// `now` is a reading of one clock, s, `time.monotonic()` for example. Nothing here reads a clock. `mode` is the `Mode` of the starts and
+/// stops: `Mode.CORRECTED` keeps the promise of CLARAty's class, `Mode.LISTING` gives the bits of the published listing. ValueError for
+/// another number. Way points are in Rust and C only.
 ///
 /// >>> from atraj.claraty import Trajectory
 /// >>> axis = Trajectory()
@@ -41,7 +42,7 @@ impl Trajectory {
         Ok(Self(atraj::claraty::Trajectory::new(from_mode(mode)?, now)))
     }
 
-    /// The `Mode` of the following starts and stops.
+    /// The `Mode` of the following starts and stops. It can be set.
     #[getter]
     fn mode<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         named(py, "Mode", (self.0.mode() as u8,))

@@ -101,9 +101,8 @@ def fields(item):
     return str(given.replace(parameters=plain, return_annotation=inspect.Signature.empty))
 
 
-def sentences(name):
+def sentences(node):
     """What `values.py` says behind each member of a set."""
-    (node,) = [node for node in definitions(ast.parse(VALUES.read_text()).body) if node.name == name]
     pairs = [(member, said) for member, said in zip(node.body, node.body[1:]) if isinstance(member, ast.Assign)]
     return {member.targets[0].id: f": {said.value.value}" for member, said in pairs if isinstance(said, ast.Expr)}
 
@@ -125,9 +124,18 @@ def described(name, signature, doc):
     return f"{name}\n```python\n{signature}\n```\n{markdown(doc)}\n"
 
 
+def described_members(item, node):
+    """The members that a class declares; a named tuple behind `if` declares none."""
+    for member in members(node) if node else []:
+        of = f"{item.__name__}.{member.name}"
+        signature = of if is_decorated(member, "property") else of + arguments(member)
+        yield described(f"#### {of}", signature, inspect.getdoc(getattr(item, member.name)))
+
+
 def page():
     """The API page."""
     texts = [INTRODUCTION]
+    values = {node.name: node for node in definitions(ast.parse(VALUES.read_text()).body)}
     for module, path in STUBS.items():
         tree = ast.parse(path.read_text())
         texts.append(f"## {module.__name__}\n{markdown(inspect.getdoc(module))}\n")
@@ -142,16 +150,13 @@ def page():
                 signature = full + (fields(item) if issubclass(item, tuple) else "")
                 texts.append(described(f"### {name}", f"class {signature}", inspect.getdoc(item)))
                 if hasattr(item, "__members__"):
-                    said = sentences(name)
+                    said = sentences(values[name])
                     texts.append("".join(f"- `{name}.{member}` = {int(value)}{said.get(member, '')}\n" for member, value in item.__members__.items()))
+                texts.extend(described_members(item, values.get(name)))
                 continue
             new = [member for member in definitions(node.body) if member.name == "__new__"]
             base = f"({', '.join(map(ast.unparse, node.bases))})" if node.bases and not new else ""
             signature = f"class {full}{arguments(new[0]) if new else base}"
             texts.append(described(f"### {name}", signature, inspect.getdoc(item)))
-            for member in members(node):
-                doc = inspect.getdoc(getattr(item, member.name))
-                of = f"{name}.{member.name}"
-                signature = of if is_decorated(member, "property") else of + arguments(member)
-                texts.append(described(f"#### {of}", signature, doc))
+            texts.extend(described_members(item, node))
     return "\n".join(texts)

@@ -28,6 +28,18 @@ def test_the_page_has_the_docstrings():
     is_fresh(pages.PAGE, pages.page())
 
 
+def test_the_page_has_every_member():
+    page = pages.PAGE.read_text()
+    for module in pages.STUBS:
+        for name in module.__all__:
+            item = getattr(module, name)
+            assert f"\n### {name}\n" in page, name
+            # The fields of a named tuple are in its signature, and the members of a set in a list.
+            shown = {*getattr(item, "_fields", ()), *getattr(item, "__members__", ())}
+            for member in vars(item) if isinstance(item, type) else ():
+                assert member.startswith("_") or member in shown or f"\n#### {name}.{member}\n" in page, f"{name}.{member}"
+
+
 def test_stubs_agree_with_the_module():
     subprocess.run([sys.executable, "-m", "mypy.stubtest", "atraj"], check=True, cwd=HERE)
 
