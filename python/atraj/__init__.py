@@ -41,7 +41,9 @@ Move = f64.Move
 Axes = f64.Axes
 Moves = f64.Moves
 synchronise = f64.synchronise
+synchronise_within = f64.synchronise_within
 line = f64.line
+line_stop = f64.line_stop
 Path = f64.Path
 path = f64.path
 Clock = f64.Clock
@@ -77,6 +79,8 @@ __all__ = [
     "Trap",
     "TrapFields",
     "line",
+    "line_stop",
     "path",
     "synchronise",
+    "synchronise_within",
 ]

@@ -60,7 +60,7 @@ class Profile:
     @overload
     def jerk(self, x: float) -> float:
         """Jerk at the time `x`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
-        jumps."""
+        jumps, and the jerk of a shaped move too, for a shaper gives none."""
     @overload
     def jerk(self, x: _Times) -> _Array: ...
     def state_at(self, x: float) -> State:
@@ -385,7 +385,8 @@ class Axes:
 
 @final
 class Moves(Axes):
-    """Moves of several axes that arrive together: what `synchronise` and `line` plan. It is a sequence of a `Move` for each axis."""
+    """Moves of several axes that arrive together: what `synchronise`, `synchronise_within`, `line` and `line_stop` plan. It is a sequence of a
+    `Move` for each axis."""
     def __len__(self) -> int: ...
     def __getitem__(self, axis: int, /) -> Move: ...
     def __iter__(self) -> Iterator[Move]: ...
@@ -409,6 +410,31 @@ def synchronise(
     >>> x, y = moves
     >>> x.t == y.t == moves.t
     True"""
+def synchronise_within(
+    limits: _LimitsOfAxes,
+    start: _States,
+    end: _States,
+    lowest: _Numbers,
+    highest: _Numbers,
+    *,
+    duration: float = 0.0,
+    cycle: float = 0.0,
+) -> Moves:
+    """Moves of several axes that arrive together, as `synchronise` plans them, but each axis stays between two positions until its end: its
+    items of `lowest` and `highest`, where `-inf` and `inf` are no limits.
+
+    An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. ValueError as for
+    `Move.within`, also if the fastest move of an axis leaves its positions.
+
+    >>> import atraj
+    >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+    >>> start, end = [0, (9, 2)], [10, 8] # y turns
+    >>> x, y = atraj.synchronise(limits, start, end)
+    >>> round(y.extremes().highest.position, 4)
+    9.4912
+    >>> x, y = atraj.synchronise_within(limits, start, end, lowest=[0, 0], highest=[10, 9.49])
+    >>> round(y.extremes().highest.position, 4)
+    9.487"""
 def line(
     limits: _LimitsOfAxes,
     start: _States,
@@ -424,6 +450,20 @@ def line(
     >>> limits = [atraj.Limits(jerk=20, acceleration=4, velocity=1), atraj.Limits(jerk=10, acceleration=2, velocity=0.8)]
     >>> x, y = atraj.line(limits, [0, 0], [0.8, 0.4], cycle=0.001)
     >>> abs(x.position(0.5) - 2 * y.position(0.5)) < 1e-15
+    True"""
+def line_stop(limits: _LimitsOfAxes, moves: Moves, x: float) -> Moves:
+    """Moves that stop on the straight line of `moves`, from their time `x` on, s: a feed hold. The stop begins at its time 0.
+
+    It is the fastest stop on the line within `limits`, an item for each axis, so no reserve is needed. `moves` are those of `line`, or others
+    on one straight line: ValueError if they are not.
+
+    >>> import atraj
+    >>> limits = [atraj.Limits(jerk=20, acceleration=4, velocity=1), atraj.Limits(jerk=10, acceleration=2, velocity=0.8)]
+    >>> moves = atraj.line(limits, [0, 0], [0.8, 0.4])
+    >>> x, y = stop = atraj.line_stop(limits, moves, 0.5) # the button is pressed at 0.5 s
+    >>> stop.velocity(stop.t)
+    array([0., 0.])
+    >>> abs(x.position(stop.t) - 2 * y.position(stop.t)) < 1e-15
     True"""
 @final
 class Path(Axes):
@@ -465,7 +505,7 @@ class Clock:
 
     `Clock(limits, moves)` runs `Moves` or a `Path` by a time of its own, which runs as planned until `rate` changes it. So the axes never leave
     their path. The axes have the limits in `limits`, an item for each: those of the plan and a reserve, 10 to 20 % for example, because
-    braking the time costs acceleration and jerk.
+    braking the time costs acceleration and jerk. ValueError says which limit is wrong.
 
     >>> import atraj
     >>> planned = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
@@ -539,7 +579,8 @@ class Shaper:
 
 @final
 class Shaped(Profile):
-    """A shaped move: what `Shaper.shape` gives. Its jerk is NaN, for the shaper does not tell it."""
+    """A shaped move: what `Shaper.shape` gives. Its jerk is NaN, because a shaper gives none, in C and Rust too. It keeps the limits of the
+    move's jerk."""
 
 @final
 class Steps:
@@ -593,6 +634,8 @@ __all__ = [
     "Trap",
     "TrapFields",
     "line",
+    "line_stop",
     "path",
     "synchronise",
+    "synchronise_within",
 ]

@@ -20,7 +20,9 @@ Move = f32.Move
 Axes = f32.Axes
 Moves = f32.Moves
 synchronise = f32.synchronise
+synchronise_within = f32.synchronise_within
 line = f32.line
+line_stop = f32.line_stop
 Path = f32.Path
 path = f32.path
 Clock = f32.Clock
@@ -45,6 +47,8 @@ __all__ = [
     "Steps",
     "Trap",
     "line",
+    "line_stop",
     "path",
     "synchronise",
+    "synchronise_within",
 ]

@@ -1,6 +1,6 @@
 //! Why there is no motion: which number is wrong. The core tells the kind of the error, and the arguments tell the number.
 
-use atraj::online::Limits;
+use atraj::online::{Limits, Move};
 use atraj::{Boundary, Error, State};
 use pyo3::prelude::*;
 
@@ -12,29 +12,34 @@ struct Claim {
     name: String,
     value: f64,
     holds: bool,
-    must: &'static str,
+    must: String,
 }
 
-fn claim<R: Number>(name: impl Into<String>, value: R, holds: bool, must: &'static str) -> Claim {
+fn claim<R: Number>(
+    name: impl Into<String>,
+    value: R,
+    holds: bool,
+    must: impl Into<String>,
+) -> Claim {
     Claim {
         name: name.into(),
         value: value.into(),
         holds,
-        must,
+        must: must.into(),
     }
 }
 
-/// A `ValueError` about the first claim that does not hold, else with the sentence of the core.
-fn first_broken(why: Error, claims: impl IntoIterator<Item = Claim>) -> PyErr {
+/// A `ValueError` about the first claim that does not hold, else with the sentence of the core. `axis` stands before this sentence.
+fn first_broken(why: Error, axis: &str, claims: impl IntoIterator<Item = Claim>) -> PyErr {
     match claims.into_iter().find(|claim| !claim.holds) {
         Some(Claim {
             name, value, must, ..
         }) => error(&format!("{name} = {value} {must}")),
-        None => error(&why.to_string()),
+        None => error(&format!("{axis}{why}")),
     }
 }
 
-const NUMBER: &str = "is infinite or not a number";
+pub const NUMBER: &str = "is infinite or not a number";
 const ABOVE: &str = "has the wrong sign: it must be above 0";
 const BELOW: &str = "has the wrong sign: it must be below 0";
 
@@ -132,8 +137,35 @@ fn target_claims<R: Number>(name: &str, limits: &Limits<R>, end: &State<R>) -> V
     ]
 }
 
-/// Other numbers of a call, which must be finite.
+/// Other numbers of a call. They are finite, but a lowest and a highest position may be infinite.
 type Others<'a, R> = &'a [(&'a str, R)];
+
+/// The lowest and the highest position, if they are the other numbers.
+fn positions<R: Number>(others: Others<R>) -> Option<[R; 2]> {
+    match *others {
+        [("lowest", lowest), ("highest", highest)] => Some([lowest, highest]),
+        _ => None,
+    }
+}
+
+/// Each state is between the positions.
+fn position_claims<R: Number>(
+    axis: &str,
+    states: &[(&str, State<R>)],
+    [lowest, highest]: [R; 2],
+) -> Vec<Claim> {
+    let [low, high]: [f64; 2] = [lowest.into(), highest.into()];
+    let between = |(name, state): &(&str, State<R>)| {
+        let x = state.position;
+        claim(
+            format!("{axis}{name}.position"),
+            x,
+            lowest <= x && x <= highest,
+            format!("leaves the positions from lowest = {low} to highest = {high}"),
+        )
+    };
+    states.iter().map(between).collect()
+}
 
 /// Why one axis is not planned: `axis` stands before the names, "axis 1: " for example.
 pub fn no_move<R: Number>(
@@ -153,10 +185,31 @@ pub fn no_move<R: Number>(
             for (name, state) in states {
                 claims.extend(state_claims(&format!("{axis}{name}"), state));
             }
-            let other = |&(name, x): &(&str, R)| claim(name, x, x.is_finite(), NUMBER);
+            let may_be_infinite = positions(others).is_some();
+            let other = |&(name, x): &(&str, R)| {
+                let holds = x.is_finite() || (may_be_infinite && is_number(x));
+                claim(format!("{axis}{name}"), x, holds, NUMBER)
+            };
             claims.extend(others.iter().map(other));
         }
-        Error::Limits => claims.extend(limits_claims(&format!("{axis}limits"), limits)),
+        Error::Limits => {
+            claims.extend(limits_claims(&format!("{axis}limits"), limits));
+            if let Some([lowest, highest]) = positions(others) {
+                let high: f64 = highest.into();
+                let must = format!("is not below highest = {high}");
+                claims.push(claim(
+                    format!("{axis}lowest"),
+                    lowest,
+                    lowest < highest,
+                    must,
+                ));
+            }
+        }
+        Error::Position => {
+            if let Some(positions) = positions(others) {
+                claims.extend(position_claims(axis, states, positions));
+            }
+        }
         Error::Target => {
             if let Some((name, end)) = states.last() {
                 claims.extend(target_claims(&format!("{axis}{name}"), limits, end));
@@ -176,7 +229,23 @@ pub fn no_move<R: Number>(
         }
         _ => {}
     }
-    first_broken(why, claims)
+    first_broken(why, axis, claims)
+}
+
+/// What one of several axes is asked for: its limits, its start and its end, and its lowest and its highest position.
+pub type Axis<R> = (Limits<R>, [State<R>; 2], [R; 2]);
+
+/// Says why the first of these axes that cannot be planned alone cannot be.
+pub fn each_alone<R: Number>(axes: impl IntoIterator<Item = Axis<R>>) -> PyResult<()> {
+    for (axis, (limits, [start, end], [lowest, highest])) in axes.into_iter().enumerate() {
+        let alone = Move::default().within(&limits, start, end, lowest, highest);
+        alone.map_err(|why| {
+            let states = [("start", start), ("end", end)];
+            let positions = [("lowest", lowest), ("highest", highest)];
+            no_move(why, &format!("axis {axis}: "), &limits, &states, &positions)
+        })?;
+    }
+    Ok(())
 }
 
 /// Why there is no double-S or trapezoid within these limits. Their signs are ignored.
@@ -232,7 +301,7 @@ pub fn no_profile<R: Number>(
         let must = "is also p0: liba finds no such move within the limits, for it takes no time";
         claims.push(claim("p1", p1, p0 != p1, must));
     }
-    first_broken(why, claims)
+    first_broken(why, "", claims)
 }
 
 /// Why there is no polynomial through these numbers in the time `t`.
@@ -242,11 +311,11 @@ pub fn no_polynomial<R: Number>(why: Error, t: R, ends: &[(&str, R)]) -> PyErr {
         claim("t", t, t.is_finite(), NUMBER),
         claim("t", t, t != R::ZERO, "takes no time"),
     ];
-    first_broken(why, time.into_iter().chain(ends.iter().map(number)))
+    first_broken(why, "", time.into_iter().chain(ends.iter().map(number)))
 }
 
 /// Why a number is no step, frequency, damping or time: the first of them that is not within its bounds.
 pub fn no_part<R: Number>(why: Error, numbers: &[(&str, R, bool, &'static str)]) -> PyErr {
     let number = |&(name, x, holds, must): &(&str, R, bool, _)| claim(name, x, holds, must);
-    first_broken(why, numbers.iter().map(number))
+    first_broken(why, "", numbers.iter().map(number))
 }

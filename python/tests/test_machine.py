@@ -55,7 +55,8 @@ def test_a_clock_says_why_not():
         "^rate = NaN is infinite": lambda: clock.rate(0.1, math.nan),
         "^x = inf is infinite": lambda: clock.rate(math.inf, 0),
         "limits has 1 items, and moves 2 axes": lambda: atraj.Clock(PLANNED[:1], moves),
-        "^axis 1: limits.jmax = -1 has the wrong sign": lambda: atraj.Clock([LIMITS[0], LIMITS[0]._replace(jmax=-1)], moves).rate(0.1, 0),
+        "^axis 1: limits.jmax = -1 has the wrong sign": lambda: atraj.Clock([LIMITS[0], LIMITS[0]._replace(jmax=-1)], moves),
+        "^the rate cannot change: no axis moves": lambda: atraj.Clock(LIMITS, atraj.synchronise(PLANNED, [0, 0], [0, 0])).rate(0.1, 0),
     }.items():
         with pytest.raises(ValueError, match=message):
             call()

@@ -244,6 +244,42 @@ def test_axes_move_together(real):
     np.testing.assert_allclose(y.position(times), 1 - 0.2 * x.position(times), atol=1e-5)
 
 
+@reals
+def test_axes_stay_between_their_positions(real):
+    limits, start, end = [LIMITS] * 2, [0, (9, 2)], [10, 8]
+    lowest, highest = np.array([-math.inf, 8]), [math.inf, 9.49]
+    assert real.module.synchronise(limits, start, end)[1].extremes().highest.position > 9.49
+    for times in [{}, {"duration": 5, "cycle": 0.25}]:
+        moves = real.module.synchronise_within(limits, start, end, lowest, highest, **times)
+        assert isinstance(moves, real.module.Moves) and moves.t == (5 if times else moves[0].t)
+        assert moves.state_at(0) == [atraj.State(0), atraj.State(9, 2)] and moves.state_at(moves.t) == [atraj.State(10), atraj.State(8)]
+        below, above = moves[1].extremes()
+        assert 8 <= below.position and above.position <= 9.49
+        # The second axis turns.
+        turns = atraj.Findings.OVERSHOOTS
+        assert moves.findings == turns and [axis.check(LIMITS) for axis in moves] == [atraj.Findings(0), turns]
+    everywhere = [-math.inf] * 2, [math.inf] * 2
+    assert real.module.synchronise_within(limits, start, end, *everywhere) == real.module.synchronise(limits, start, end)
+
+
+@reals
+def test_axes_stop_on_their_line(real):
+    limits, rounding = [LIMITS, atraj.Limits.symmetric(60, 20, 0.5)], 1e-5 if real.dtype == np.float32 else 1e-12
+    moves = real.module.line(limits, [0, 1], [10, -1])
+    for x in [0.1, 1.5, float(moves.t) - 0.1]:
+        stop = real.module.line_stop(limits, moves, x)
+        assert isinstance(stop, real.module.Moves) and stop.position(0).tolist() == moves.position(x).tolist()
+        np.testing.assert_allclose(stop.velocity(0), moves.velocity(x), atol=rounding)
+        assert stop.velocity(stop.t).tolist() == stop.acceleration(stop.t).tolist() == [0, 0] != stop.velocity(0).tolist()
+        p = stop.sample(0.001).p
+        np.testing.assert_allclose(p[:, 1], 1 - 0.2 * p[:, 0], atol=rounding)
+        assert [axis.check(limit) for axis, limit in zip(stop, limits)] == [atraj.Findings(0)] * 2
+        # A stop is on a line, too.
+        again = real.module.line_stop(limits, stop, 0.01)
+        np.testing.assert_allclose(again.position(again.t), stop.position(stop.t), atol=1e-2)
+    assert real.module.line_stop(limits, moves, 0).t == 0
+
+
 POINTS = [[0, 0, 1], [3, 1, 1], [4, 5, 1], [4, 5, 1], [-2, 4, 0]]
 
 
@@ -358,6 +394,11 @@ def test_paths_say_why_not():
 def test_moves_say_why_not():
     plan, state = atraj.Move.plan, atraj.State(0)
     fast = [LIMITS, LIMITS._replace(vmax=-3)]
+    two, moves = [LIMITS] * 2, atraj.line([LIMITS] * 2, [0, 0], [10, 5])
+
+    def between(lowest, highest, limits=two, **times):
+        return lambda: atraj.synchronise_within(limits, [0, (9, 3)], [10, 8], lowest, highest, **times)
+
     for message, call in {
         r"^start.position = NaN is infinite or not a number$": lambda: plan(LIMITS, math.nan, state),
         r"^end.acceleration = inf is infinite or not a number$": lambda: plan(LIMITS, 0, (1, 0, math.inf)),
@@ -374,6 +415,17 @@ def test_moves_say_why_not():
         r"^horizon = 0 is not a time above 0$": lambda: atraj.Move.track(LIMITS, 0, 0, 0),
         r"^lowest = 2 is not below highest = 1$": lambda: atraj.Move.within(LIMITS, 0, 1, 2, 1),
         r"^lowest = NaN is infinite or not a number$": lambda: atraj.Move.within(LIMITS, 0, 1, math.nan, 1),
+        r"^start.position = 0 leaves the positions from lowest = 1 to highest = 3$": lambda: atraj.Move.within(LIMITS, 0, 2, 1, 3),
+        r"^axis 1: lowest = 2 is not below highest = 1$": between([0, 2], [10, 1]),
+        r"^axis 0: highest = NaN is infinite or not a number$": between([0, 0], [math.nan, 1]),
+        r"^axis 1: end.position = 8 leaves the positions from lowest = 8.5 to highest = inf$": between([0, 8.5], [10, math.inf]),
+        r"^axis 1: the axis leaves the positions between which it has to stay$": between([0, 0], [10, 9.5]),
+        r"^axis 1: limits.vmax = -3 has the wrong sign: it must be above 0$": between([0, 0], [10, 20], fast),
+        r"^duration = -1 is not a time from 0 on$": between([0, 0], [10, 20], duration=-1),
+        r"^the lists have different lengths: limits 2, lowest 1, highest 2$": between([0], [10, 20]),
+        r"^the moves are not on one straight line$": lambda: atraj.line_stop(two, atraj.synchronise(two, [0, 0], [10, -1]), 1),
+        r"^limits has 1 items, and moves 2 axes$": lambda: atraj.line_stop([LIMITS], moves, 1),
+        r"^axis 1: limits.vmax = -3 has the wrong sign: ": lambda: atraj.line_stop(fast, moves, 1),
         r"^cycle = -1 is not a time from 0 on$": lambda: atraj.line([LIMITS], [state], [state], cycle=-1),
         r"^duration = inf is not a time from 0 on$": lambda: atraj.line([LIMITS], [state], [state], duration=math.inf),
         r"^axis 1: limits.vmax = -3 has the wrong sign": lambda: atraj.synchronise(fast, [0, 0], [1, 1]),

@@ -12,15 +12,20 @@ use super::online::Move;
 use super::profiles::rebuilding;
 use crate::motion::{Planned, Request, Rows};
 use crate::values::{GivenLimits, GivenState, error, to_findings, to_state};
-use crate::why::no_move;
+use crate::why::{each_alone, no_move};
 
 /// Adds the classes and the functions to a module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Axes>()?;
     module.add_class::<Moves>()?;
     module.add_function(wrap_pyfunction!(synchronise, module)?)?;
-    module.add_function(wrap_pyfunction!(line, module)?)
+    module.add_function(wrap_pyfunction!(synchronise_within, module)?)?;
+    module.add_function(wrap_pyfunction!(line, module)?)?;
+    module.add_function(wrap_pyfunction!(line_stop, module)?)
 }
+
+/// The lowest and the highest position of an axis that may be anywhere.
+pub const ANYWHERE: [Real; 2] = [Real::NEG_INFINITY, Real::INFINITY];
 
 /// A planned motion of several axes: what `Moves` and `Path` have in common.
 ///
@@ -55,6 +60,21 @@ impl Axes {
     /// Duration, s.
     pub fn lasts(&self) -> Real {
         self.times[self.sections.len()]
+    }
+
+    /// The limits of the axes, an item for each.
+    pub fn limits(&self, given: &[GivenLimits<Real>]) -> PyResult<Vec<Limits<Real>>> {
+        let axes = self.axes();
+        if given.len() != axes {
+            let count = given.len();
+            return Err(error(&format!(
+                "limits has {count} items, and moves {axes} axes"
+            )));
+        }
+        let limits: Vec<_> = given.iter().map(|limits| limits.0).collect();
+        let rest = [State::at(0.0); 2];
+        each_alone(limits.iter().map(|&limits| (limits, rest, ANYWHERE)))?;
+        Ok(limits)
     }
 
     /// The motions at the time `x`, s, and the time since the start of their section, s. A NaN is at the end, as for one axis.
@@ -189,7 +209,8 @@ impl Axes {
     }
 }
 
-/// Moves of several axes that arrive together: what `synchronise` and `line` plan. It is a sequence of a `Move` for each axis.
+/// Moves of several axes that arrive together: what `synchronise`, `synchronise_within`, `line` and `line_stop` plan. It is a sequence of a
+/// `Move` for each axis.
 #[pyclass(frozen, extends = Axes, sequence)]
 pub struct Moves;
 
@@ -256,15 +277,6 @@ impl Moves {
     }
 }
 
-type Plan = fn(
-    &mut [Motion<Real>],
-    &[Limits<Real>],
-    &[State<Real>],
-    &[State<Real>],
-    Real,
-    Real,
-) -> Result<Findings, Error>;
-
 /// Moves of several axes that arrive together: the shortest duration that is possible for each axis, is at least `duration`, s, and is
 /// a multiple of `cycle`, s (0: any). An item of `limits`, `start` and `end` belongs to one axis. ValueError as for one axis.
 ///
@@ -286,8 +298,53 @@ pub fn synchronise(
     duration: Real,
     cycle: Real,
 ) -> PyResult<Py<Moves>> {
-    let times = [duration, cycle];
-    together(py, axes::synchronise, &limits, [&start, &end], times)
+    let (ends, times) = ([&start[..], &end], [duration, cycle]);
+    let anywhere = |_| ANYWHERE;
+    together(py, &limits, ends, anywhere, times, |moves, limits, ends| {
+        let [start, end] = ends;
+        axes::synchronise(moves, limits, start, end, duration, cycle)
+    })
+}
+
+/// Moves of several axes that arrive together, as `synchronise` plans them, but each axis stays between two positions until its end: its
+/// items of `lowest` and `highest`, where `-inf` and `inf` are no limits.
+///
+/// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. ValueError as for
+/// `Move.within`, also if the fastest move of an axis leaves its positions.
+///
+/// >>> import atraj
+/// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+/// >>> start, end = [0, (9, 2)], [10, 8] # y turns
+/// >>> x, y = atraj.synchronise(limits, start, end)
+/// >>> round(y.extremes().highest.position, 4)
+/// 9.4912
+/// >>> x, y = atraj.synchronise_within(limits, start, end, lowest=[0, 0], highest=[10, 9.49])
+/// >>> round(y.extremes().highest.position, 4)
+/// 9.487
+#[pyfunction]
+#[pyo3(signature = (limits, start, end, lowest, highest, *, duration=0.0, cycle=0.0))]
+#[allow(clippy::too_many_arguments)]
+pub fn synchronise_within(
+    py: Python<'_>,
+    limits: Vec<GivenLimits<Real>>,
+    start: Vec<GivenState<Real>>,
+    end: Vec<GivenState<Real>>,
+    lowest: Vec<Real>,
+    highest: Vec<Real>,
+    duration: Real,
+    cycle: Real,
+) -> PyResult<Py<Moves>> {
+    are_as_long(&[
+        ("limits", limits.len()),
+        ("lowest", lowest.len()),
+        ("highest", highest.len()),
+    ])?;
+    let (ends, times) = ([&start[..], &end], [duration, cycle]);
+    let between = |axis: usize| [lowest[axis], highest[axis]];
+    together(py, &limits, ends, between, times, |moves, limits, ends| {
+        let ([start, end], positions) = (ends, [&lowest[..], &highest]);
+        axes::synchronise_within(moves, limits, start, end, positions, duration, cycle)
+    })
 }
 
 /// Moves of several axes on the straight line from their start to their end: the fastest motion on it that lasts at least `duration`,
@@ -308,50 +365,91 @@ pub fn line(
     duration: Real,
     cycle: Real,
 ) -> PyResult<Py<Moves>> {
-    let times = [duration, cycle];
-    together(py, axes::line, &limits, [&start, &end], times)
+    let (ends, times) = ([&start[..], &end], [duration, cycle]);
+    let anywhere = |_| ANYWHERE;
+    together(py, &limits, ends, anywhere, times, |moves, limits, ends| {
+        let [start, end] = ends;
+        axes::line(moves, limits, start, end, duration, cycle)
+    })
 }
 
+/// The moves that `plan` writes. ValueError names the first axis that cannot be planned alone, else a time.
 fn together(
     py: Python<'_>,
-    plan: Plan,
     limits: &[GivenLimits<Real>],
     [start, end]: [&[GivenState<Real>]; 2],
-    times: [Real; 2],
+    positions: impl Fn(usize) -> [Real; 2],
+    [duration, cycle]: [Real; 2],
+    plan: impl FnOnce(
+        &mut [Motion<Real>],
+        &[Limits<Real>],
+        [&[State<Real>]; 2],
+    ) -> Result<Findings, Error>,
 ) -> PyResult<Py<Moves>> {
-    let lengths = [limits.len(), start.len(), end.len()];
-    if lengths != [lengths[0]; 3] {
-        let [limits, start, end] = lengths;
-        return Err(error(&format!(
-            "the lists have different lengths: limits {limits}, start {start}, end {end}"
-        )));
-    }
+    are_as_long(&[
+        ("limits", limits.len()),
+        ("start", start.len()),
+        ("end", end.len()),
+    ])?;
     let limits: Vec<_> = limits.iter().map(|limits| limits.0).collect();
     let [start, end] = [start, end].map(|states| states.iter().map(|s| s.0).collect::<Vec<_>>());
-    let mut axes = vec![Motion::default(); limits.len()];
-    let found = plan(&mut axes, &limits, &start, &end, times[0], times[1]);
-    let findings = found.map_err(|why| refused(why, &limits, &start, &end, times))?;
-    Py::new(py, Moves::of(axes, findings))
+    let mut moves = vec![Motion::default(); limits.len()];
+    let findings = plan(&mut moves, &limits, [&start, &end]).map_err(|why| {
+        let asked = |axis: usize| (limits[axis], [start[axis], end[axis]], positions(axis));
+        let any = Limits::symmetric(1.0, 1.0, 1.0);
+        let times = [("duration", duration), ("cycle", cycle)];
+        match each_alone((0..limits.len()).map(asked)) {
+            Err(refused) => refused,
+            Ok(()) if why == Error::Axes => {
+                error("there is no axis: limits, start and end are empty")
+            }
+            Ok(()) => no_move(why, "", &any, &[], &times),
+        }
+    })?;
+    Py::new(py, Moves::of(moves, findings))
 }
 
-/// Why the axes are not planned: the first axis that is not planned alone, else a time.
-fn refused(
-    why: Error,
-    limits: &[Limits<Real>],
-    start: &[State<Real>],
-    end: &[State<Real>],
-    [duration, cycle]: [Real; 2],
-) -> PyErr {
-    for (axis, (limits, (&start, &end))) in limits.iter().zip(start.iter().zip(end)).enumerate() {
-        if let Err(why) = Motion::default().plan(limits, start, end) {
-            let states = [("start", start), ("end", end)];
-            return no_move(why, &format!("axis {axis}: "), limits, &states, &[]);
-        }
+/// ValueError if the lists, each with its name, have different lengths.
+fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
+    if lists.iter().all(|(_, length)| *length == lists[0].1) {
+        return Ok(());
     }
-    let times = [("duration", duration), ("cycle", cycle)];
-    let any = Limits::symmetric(1.0, 1.0, 1.0);
-    match why {
-        Error::Axes => error("there is no axis: limits, start and end are empty"),
-        _ => no_move(why, "", &any, &[], &times),
-    }
+    let lengths = lists
+        .iter()
+        .map(|(name, length)| format!("{name} {length}"));
+    let lengths = lengths.collect::<Vec<_>>().join(", ");
+    Err(error(&format!(
+        "the lists have different lengths: {lengths}"
+    )))
+}
+
+/// Moves that stop on the straight line of `moves`, from their time `x` on, s: a feed hold. The stop begins at its time 0.
+///
+/// It is the fastest stop on the line within `limits`, an item for each axis, so no reserve is needed. `moves` are those of `line`, or others
+/// on one straight line: ValueError if they are not.
+///
+/// >>> import atraj
+/// >>> limits = [atraj.Limits(jerk=20, acceleration=4, velocity=1), atraj.Limits(jerk=10, acceleration=2, velocity=0.8)]
+/// >>> moves = atraj.line(limits, [0, 0], [0.8, 0.4])
+/// >>> x, y = stop = atraj.line_stop(limits, moves, 0.5) # the button is pressed at 0.5 s
+/// >>> stop.velocity(stop.t)
+/// array([0., 0.])
+/// >>> abs(x.position(stop.t) - 2 * y.position(stop.t)) < 1e-15
+/// True
+#[pyfunction]
+pub fn line_stop(
+    py: Python<'_>,
+    limits: Vec<GivenLimits<Real>>,
+    moves: &Bound<'_, Moves>,
+    x: Real,
+) -> PyResult<Py<Moves>> {
+    let planned = moves.as_super().get();
+    let limits = planned.limits(&limits)?;
+    let mut moves = planned.sections[0].clone();
+    let stopped = axes::line_stop(&mut moves, &limits, x);
+    let findings = stopped.map_err(|why| match why {
+        Error::Line => error("the moves are not on one straight line"),
+        _ => error(&why.to_string()),
+    })?;
+    Py::new(py, Moves::of(moves, findings))
 }

@@ -13,7 +13,7 @@ use super::online::Move;
 use super::profiles::{Bell, Profile, rebuilding};
 use crate::motion::{Motion, Parts, Request, Rows};
 use crate::values::{GivenLimits, error, named, to_state};
-use crate::why::{no_move, no_part};
+use crate::why::{NUMBER, no_part};
 
 /// Adds the classes to a module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -212,7 +212,8 @@ impl Shaper {
     }
 }
 
-/// A shaped move: what `Shaper.shape` gives. Its jerk is NaN, for the shaper does not tell it.
+/// A shaped move: what `Shaper.shape` gives. Its jerk is NaN, because a shaper gives none, in C and Rust too. It keeps the limits of the
+/// move's jerk.
 #[pyclass(frozen, extends = Profile)]
 pub struct Shaped;
 
@@ -301,12 +302,7 @@ impl Steps {
     fn new(r#move: &Bound<'_, Move>, offset: Real, step: Real) -> PyResult<Self> {
         let of = r#move.get().0.motion;
         let numbers = [
-            (
-                "offset",
-                offset,
-                offset.is_finite(),
-                "is infinite or not a number",
-            ),
+            ("offset", offset, offset.is_finite(), NUMBER),
             (
                 "step",
                 step,
@@ -370,7 +366,7 @@ impl Steps {
 ///
 /// `Clock(limits, moves)` runs `Moves` or a `Path` by a time of its own, which runs as planned until `rate` changes it. So the axes never leave
 /// their path. The axes have the limits in `limits`, an item for each: those of the plan and a reserve, 10 to 20 % for example, because
-/// braking the time costs acceleration and jerk.
+/// braking the time costs acceleration and jerk. ValueError says which limit is wrong.
 ///
 /// >>> import atraj
 /// >>> planned = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
@@ -414,16 +410,9 @@ impl Rows<Real> for Clock {
 impl Clock {
     #[new]
     fn new(limits: Vec<GivenLimits<Real>>, moves: &Bound<'_, Axes>) -> PyResult<Self> {
-        let axes = moves.get().axes();
-        if limits.len() != axes {
-            let count = limits.len();
-            return Err(error(&format!(
-                "limits has {count} items, and moves {axes} axes"
-            )));
-        }
         Ok(Self {
             inner: machine::Clock::new(),
-            limits: limits.iter().map(|limits| limits.0).collect(),
+            limits: moves.get().limits(&limits)?,
             moves: moves.get().sections.concat(),
             t: moves.get().lasts(),
         })
@@ -439,18 +428,11 @@ impl Clock {
                 "no change to the rate {rate} at {x} s keeps the limits: they need a reserve beyond those of the plan"
             )),
             Error::NotFinite => no_part(why, &[
-                ("x", x, x.is_finite(), "is infinite or not a number"),
-                ("rate", rate, rate.is_finite(), "is infinite or not a number"),
+                ("x", x, x.is_finite(), NUMBER),
+                ("rate", rate, rate.is_finite(), NUMBER),
             ]),
-            _ => {
-                let mut each = self.limits.iter().enumerate();
-                let wrong = each.find(|(_, limits)| {
-                    let rest = State::at(0.0);
-                    atraj::online::Move::default().plan(limits, rest, rest).is_err()
-                });
-                let (axis, limits) = wrong.unwrap_or((0, &self.limits[0]));
-                no_move(why, &format!("axis {axis}: "), limits, &[], &[])
-            }
+            Error::Limits => error("the rate cannot change: no axis moves, or the axes that move have no finite jerk or no finite acceleration"),
+            _ => error(&why.to_string()),
         })
     }
 

@@ -98,15 +98,8 @@ impl Move {
         highest: Real,
     ) -> PyResult<Py<Self>> {
         let states = [("start", start), ("end", end)];
-        // Infinite positions are allowed, so a position is named only if it is no number.
-        let wrong = [("lowest", lowest), ("highest", highest)]
-            .map(|(name, x)| (name, if x.is_nan() { x } else { 0.0 }));
-        if lowest >= highest {
-            return Err(error(&format!(
-                "lowest = {lowest} is not below highest = {highest}"
-            )));
-        }
-        Self::planned(py, &limits, &states, &wrong, |axis| {
+        let positions = [("lowest", lowest), ("highest", highest)];
+        Self::planned(py, &limits, &states, &positions, |axis| {
             axis.within(&limits.0, start.0, end.0, lowest, highest)
         })
     }

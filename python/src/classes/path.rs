@@ -9,11 +9,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use super::Real;
-use super::axes::Axes;
+use super::axes::{ANYWHERE, Axes};
 use super::profiles::rebuilding;
 use crate::motion::Rows;
 use crate::values::{GivenLimits, GivenState, error, from_findings, limits_numbers, state_numbers};
-use crate::why::no_move;
+use crate::why::each_alone;
 
 /// Adds the class and the function to a module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -312,16 +312,13 @@ fn check(points: &[Vec<Coordinate>], limits: &[Limits<Real>], are_last: bool) ->
             )));
         }
     }
-    for (axis, limits) in limits.iter().enumerate() {
-        let mut end = last[axis].state();
-        if !are_last {
-            end = State::at(end.position);
-        }
-        let start = first[axis].state();
-        let plan = Move::default().plan(limits, start, end);
-        let states = [("start", start), ("end", end)];
-        plan.map_err(|why| no_move(why, &format!("axis {axis}: "), limits, &states, &[]))?;
-    }
+    let ends = first.iter().zip(last).map(|(first, last)| {
+        let [start, end] = [first, last].map(Coordinate::state);
+        let at_rest = State::at(end.position);
+        [start, if are_last { end } else { at_rest }]
+    });
+    let axes = limits.iter().zip(ends);
+    each_alone(axes.map(|(&limits, ends)| (limits, ends, ANYWHERE)))?;
     for (k, point) in (1..).zip(between) {
         for (axis, coordinate) in point.iter().enumerate() {
             let why = match coordinate {

@@ -71,7 +71,7 @@ impl Profile {
     }
 
     /// Jerk at the time `x`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
-    /// jumps.
+    /// jumps, and the jerk of a shaped move too, for a shaper gives none.
     fn jerk<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         at(x, |x| self.motion.jerk(x))
     }
