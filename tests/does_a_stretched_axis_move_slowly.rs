@@ -1,8 +1,9 @@
-//! Does an axis that waits for slower ones move slowly, instead of moving fast and standing still? `tests/oracle` judges all else.
+//! Does an axis that waits for slower ones move slowly, instead of moving fast and standing still, and does it cruise at one velocity where this
+//! is possible? `tests/oracle` judges all else.
 
 use atraj::State;
 use atraj::axes::synchronise;
-use atraj::online::{Limits, Move};
+use atraj::online::{Limits, Move, Phase};
 use support::{Random, Real, online, test_both_reals};
 
 const SETS: usize = 20_000;
@@ -44,4 +45,88 @@ fn from_rest_to_rest<R: Real>() {
     }
 }
 
-test_both_reals!(from_rest_to_rest);
+/// The ramp to the velocity `v`, in binary64: its duration and its displacement.
+fn ramp(limits: &Limits<f64>, from: State<f64>, v: f64) -> Option<[f64; 2]> {
+    let mut ramp = Move::default();
+    ramp.reach(limits, from, v, 0.0).ok()?;
+    Some([ramp.t, ramp.state_at(ramp.t).position - from.position])
+}
+
+/// Velocity and duration of the cruise that leads from start to end in the time `t`, if there is one. Halving finds the velocity.
+fn cruise(limits: &Limits<f64>, from: State<f64>, to: State<f64>, t: f64) -> Option<[f64; 2]> {
+    // Mirrored and in the other order of time, an axis keeps its velocity and its jerk.
+    let back = Limits {
+        amax: -limits.amin,
+        amin: -limits.amax,
+        ..*limits
+    };
+    let end = State {
+        acceleration: -to.acceleration,
+        ..to
+    };
+    let way = to.position - from.position;
+    let (mut low, mut high) = (limits.vmin, limits.vmax);
+    let mut found = None;
+    for _ in 0..100 {
+        let v = 0.5 * (low + high);
+        let ([t0, h0], [t1, h1]) = (ramp(limits, from, v)?, ramp(&back, end, v)?);
+        let lasts = t - t0 - t1;
+        let lacks = way - (h0 + v * lasts + h1);
+        if lacks > 0.0 {
+            low = v;
+        } else {
+            high = v;
+        }
+        let is_near = lacks.abs() <= 1e-12 * (way.abs() + v.abs() * t);
+        found = (is_near && lasts > 1e-3 * t).then_some([v, lasts]);
+    }
+    found
+}
+
+/// In motion, an axis with time to spare cruises at one velocity, where this is possible.
+fn in_motion<R: Real>() {
+    let mut random = Random::seeded(8);
+    let mut cruises = 0;
+    for _ in 0..SETS / 10 {
+        let limits = online::limits::<R>(&mut random);
+        let ends = [(); 2].map(|()| online::inside(&mut random, &limits));
+        let [from, to] = ends;
+        let is_at_rest = |state: State<R>| state == State::at(state.position);
+        let mut axes = [Move::default()];
+        let fastest = axes[0].plan(&limits, from, to);
+        assert!(fastest.is_ok(), "{fastest:?}: {limits:?} {from:?} {to:?}");
+        let duration = axes[0].t * R::of(1.0 + random.magnitude(-2.0, 1.0));
+        let planned = synchronise(&mut axes, &[limits], &[from], &[to], duration, R::of(0.0));
+        assert!(planned.is_ok(), "{planned:?}: {limits:?} {from:?} {to:?}");
+        let widened = online::limits_of(online::numbers_of(&limits).map(R::widen));
+        let [start, end] = ends.map(|state| State {
+            position: state.position.widen(),
+            velocity: state.velocity.widen(),
+            acceleration: state.acceleration.widen(),
+        });
+        let [axis] = axes;
+        if is_at_rest(from) && is_at_rest(to) || axis.t != duration {
+            continue;
+        }
+        let Some([v, lasts]) = cruise(&widened, start, end, duration.widen()) else {
+            continue;
+        };
+        let rounding = R::MACHINE_EPSILON.widen().sqrt();
+        let is_cruise = |phase: &Phase<R>| {
+            let none = R::of(0.0);
+            phase.acceleration == none
+                && phase.jerk == none
+                && (phase.velocity.widen() - v).abs() <= rounding * (widened.vmax - widened.vmin)
+                && (phase.duration.widen() - lasts).abs() <= rounding * duration.widen()
+        };
+        assert!(
+            axis.phases().iter().any(is_cruise),
+            "no cruise at {v} for {lasts} s: {axis:?} within {limits:?}"
+        );
+        cruises += 1;
+    }
+    println!("{}: {cruises} cruises", R::NAME);
+    assert!(cruises > SETS / 40);
+}
+
+test_both_reals!(from_rest_to_rest, in_motion);

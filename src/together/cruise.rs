@@ -46,8 +46,9 @@ impl<R: Real> Cruise<R> {
         let reversed = border.reversed();
         let mean = h / t;
         let ends = border.v0.abs() + border.v1.abs();
-        // The mean velocity of a ramp is at least half of the cruise's, beside what its own end adds. So the cruise is not faster.
-        let fastest = mean.abs() + mean.abs() + ends + border.undone;
+        // The mean velocity of a ramp is at least a third of the cruise's, beside what its own end adds: a half, if both jerks are equal. So
+        // the cruise is not faster.
+        let fastest = R::from(3) * (mean.abs() + ends + border.undone);
         let mut low = border.limits.vmin.at_least(-fastest);
         let mut high = border.limits.vmax.at_most(fastest);
         let mut v = mean;
