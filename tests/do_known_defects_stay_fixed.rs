@@ -294,6 +294,11 @@ fn finite_or_untouched<R: Real>(
     result
 }
 
+/// The largest finite number.
+fn largest<R: Real>() -> f64 {
+    f64::from(R::EXPONENTS.1).exp2() * (2.0 - R::MACHINE_EPSILON.widen())
+}
+
 /// The largest positions, velocities and durations overflowed, and the move was accepted.
 fn beyond_the_range<R: Real>() {
     // 1e160 in binary64, 1e20 in binary32.
@@ -308,31 +313,61 @@ fn beyond_the_range<R: Real>() {
     assert_eq!(refused, Err(Error::NotFinite));
     let refused = finite_or_untouched(|planned| planned.meet(&limits, State::at(zero), moving));
     assert_eq!(refused, Err(Error::NotFinite));
+    // The axis turns 0.6 % of the largest number behind its target, and 0.3 % behind it a phase ends, beyond the largest number.
+    let largest = largest::<R>();
+    let none = R::of(f64::INFINITY);
+    let target = State::at(R::of(0.999 * largest));
+    let beside = State {
+        velocity: R::of(largest.sqrt()),
+        ..target
+    };
+    let weak = Limits::symmetric(none, R::of(83.0), none);
+    let refused = finite_or_untouched(|planned| planned.meet(&weak, beside, target));
+    assert_eq!(refused, Err(Error::NotFinite));
     let (limits, near) = ([Limits::symmetric(one, one, one), limits], State::at(one));
     let mut axes = [Move::default(); 2];
     let from = [State::at(zero), moving];
-    let refused = synchronise(&mut axes, &limits, &from, &[near, near], zero, zero);
-    assert_eq!(refused, Err(Error::NotFinite));
-    assert_eq!(axes, [Move::default(); 2]);
+    let behind = State {
+        position: -one,
+        ..moving
+    };
+    for end in [near, behind] {
+        let refused = synchronise(&mut axes, &limits, &from, &[near, end], zero, zero);
+        assert_eq!(refused, Err(Error::NotFinite));
+        assert_eq!(axes, [Move::default(); 2]);
+    }
 }
 
-/// The same for numbers of all sizes.
+/// The same for numbers of all sizes. In binary32, two moves to a target in motion had infinite positions: an acceleration was moved by its
+/// rounding, or a short phase was joined, and the change travelled for ages.
 fn of_any_size<R: Real>() {
     let mut random = Random::seeded(1);
     let (mut planned, mut refused) = (0, 0);
     for _ in 0..100_000 {
         let most = f64::from(R::EXPONENTS.1) * random.pick(&[0.1, 0.2]);
+        let part = R::of(random.pick(&[0.0, 0.5]));
+        let is_steady = random.one_in(3);
         let mut number = || R::of(random.magnitude(-most, most));
         let limits = [(); 2].map(|()| {
             let [vmax, v, amax, a, jmax, j] = [(); 6].map(|()| number());
             online::limits_of([vmax, -v, amax, -a, jmax, -j])
         });
-        let from = [(); 2].map(|()| State {
+        // Within the limits, and with an acceleration that can have been built up.
+        let to = limits.map(
+            |Limits {
+                 vmax, amax, jmax, ..
+             }| State {
+                position: number(),
+                velocity: part * vmax,
+                acceleration: part
+                    * R::of(f64::min(amax.widen(), (vmax.widen() * jmax.widen()).sqrt())),
+            },
+        );
+        let from = to.map(|end| State {
             position: number(),
-            velocity: -number(),
+            velocity: if is_steady { end.velocity } else { -number() },
             acceleration: number(),
         });
-        let to = [(); 2].map(|()| State::at(number()));
         let (duration, cycle) = (number(), number());
         let results = [
             finite_or_untouched(|planned| planned.plan(&limits[0], from[0], to[0])),
@@ -354,6 +389,38 @@ fn of_any_size<R: Real>() {
     }
     println!("{}: {planned} planned, {refused} refused", R::NAME);
     assert!(planned > 10_000 && refused > 10_000);
+}
+
+/// The same for numbers near the largest one. A sum of three accelerations overflowed.
+fn at_the_border_of_the_range<R: Real>() {
+    let largest = largest::<R>();
+    let mut random = Random::seeded(2);
+    let (mut planned, mut refused) = (0, 0);
+    for _ in 0..20_000 {
+        let second = random.magnitude(-1.0, 3.0);
+        let size = largest * random.magnitude(-2.0, 0.0);
+        let mut number =
+            |order| R::of(size * random.magnitude(-2.0, 0.0) / f64::powi(second, order));
+        let limits = [1, 1, 2, 2, 3, 3].map(|order| number(order));
+        let [vmax, v, amax, a, jmax, j] = limits;
+        let limits = online::limits_of([vmax, -v, amax, -a, jmax, -j]);
+        let mut state = |part| State {
+            velocity: R::of(part) * vmax,
+            ..State::at(number(0))
+        };
+        let (from, to) = (state(0.3), state(0.6));
+        for result in [
+            finite_or_untouched(|planned| planned.plan(&limits, from, to)),
+            finite_or_untouched(|planned| planned.meet(&limits, from, to)),
+        ] {
+            match result {
+                Ok(_) => planned += 1,
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    println!("{}: {planned} planned, {refused} refused", R::NAME);
+    assert!(planned > 5_000 && refused > 5_000);
 }
 
 /// `OVERSHOOTS` had a tolerance that no header named.
@@ -425,5 +492,6 @@ test_both_reals!(
     from_a_state_to_itself,
     beyond_the_range,
     named_tolerance,
-    of_any_size
+    of_any_size,
+    at_the_border_of_the_range
 );

@@ -75,7 +75,7 @@ impl<R: Real> Phase<R> {
     }
 
     /// The phase that begins with the short phase `before`, of a move of the duration `t`. `None` if this changes an acceleration or a velocity by
-    /// more than roundings.
+    /// more than roundings, or if these roundings may be beyond the range of the real type.
     pub(super) fn joined(&self, before: &Self, t: R) -> Option<Self> {
         let shorter = before.duration;
         let acceleration = self.acceleration - shorter * self.jerk;
@@ -83,7 +83,8 @@ impl<R: Real> Phase<R> {
         let step_behind = (self.acceleration - before.acceleration(shorter)).abs();
         let duration = shorter + self.duration;
         let size = acceleration.abs() + self.acceleration(self.duration).abs();
-        let fits = size.is_finite()
+        // What the velocity changes by travels for the whole move.
+        let fits = (size * duration * t).is_finite()
             && step <= R::from(16) * R::EPSILON * (size + self.jerk.abs() * t)
             && shorter / duration * (step + step_behind) <= R::from(8) * R::EPSILON * size;
         fits.then_some(Self {

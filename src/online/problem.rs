@@ -140,10 +140,15 @@ impl<R: Real> Problem<R> {
     pub fn check(&self, profile: &Profile<R>, beside: R) -> Result<(), Error> {
         let Self { from, to, .. } = self;
         let t = self.duration(profile);
-        let a = from.acceleration.abs()
+        // A rise below 0 by rounding moves the accelerations of the fall: see `Border::segments`.
+        let moved = profile.first.at_most(profile.last).at_most(R::ZERO);
+        let accelerations = from.acceleration.abs()
             + self.border.a0.abs()
             + profile.peak.abs()
-            + profile.trough.abs();
+            + profile.trough.abs()
+            - moved;
+        // A segment adds three accelerations.
+        let a = R::from(3) * accelerations;
         let v = from.velocity.abs() + to.velocity.abs() + a * t;
         // Twice what the highest acceleration would reach in the whole time.
         let bound = from.position.abs() + to.position.abs() + v * t;
