@@ -147,8 +147,28 @@ fn nonsense_is_refused<R: Real>() {
     assert_eq!((axes, bent), (before, [before[0], other]));
 }
 
+/// Behind its end a line goes on, at last beyond the largest number: an axis stopped at an infinite position.
+fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
+    let [zero, one, three] = [0.0, 1.0, 3.0].map(R::of);
+    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
+    let state = |position, velocity| State {
+        position,
+        velocity,
+        acceleration: zero,
+    };
+    let from = [State::at(zero); 2];
+    let to = [state(one, one), state(three, three)];
+    let mut axes = [Move::default(); 2];
+    line(&mut axes, &limits, &from, &to, zero, zero).expect("a line");
+    let before = axes;
+    let late = R::of(f64::from(R::EXPONENTS.1).exp2());
+    assert_eq!(line_stop(&mut axes, &limits, late), Err(Error::NotFinite));
+    assert_eq!(axes, before);
+}
+
 test_both_reals!(
     stops_stay_on_the_line,
     a_tiny_way_is_no_reason_to_refuse,
-    nonsense_is_refused
+    nonsense_is_refused,
+    a_stop_beyond_all_numbers_is_refused
 );

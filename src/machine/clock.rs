@@ -76,7 +76,8 @@ impl<R: Real> Clock<R> {
     ///
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
     /// sampled. [`Error::Target`] if no change of the rate within the limits is found; then the clock goes on as it did. [`Error::Axes`] if there is no
-    /// axis or no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing moves.
+    /// axis or no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing
+    /// moves, or if no axis that moves has a finite jerk or acceleration.
     pub fn rate(
         &mut self,
         moves: &[Move<R>],

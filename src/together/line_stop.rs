@@ -9,6 +9,8 @@ use crate::state::State;
 /// Stops axes that move on a straight line, on this line, from the time `x` on, s: a feed hold. Each move becomes its stop, which begins at its
 /// time 0. The lead makes its fastest stop within the tightest limits of all, so no reserve is needed.
 ///
+/// A time before the start is the start; behind the end, the axes move on. An infinite time and NaN are the end.
+///
 /// [`Error::Line`] if the moves are not on one straight line. It returns the findings and the other errors of [`Move::stop`], and
 /// [`Error::Axes`] if there is no axis or the slices have different lengths. On an error no axis is written.
 pub fn line_stop<R: Real>(
@@ -51,8 +53,13 @@ pub fn line_stop<R: Real>(
             ..now
         },
     )?;
+    let beside = |axis: &Move<R>| stop.beside(axis.position(x), share(axis));
+    let is_finite = |axis: &Move<R>| beside(axis).end().position.is_finite();
+    if !axes.iter().all(is_finite) {
+        return Err(Error::NotFinite);
+    }
     for axis in axes {
-        *axis = stop.beside(axis.position(x), share(axis));
+        *axis = beside(axis);
     }
     Ok(found)
 }
