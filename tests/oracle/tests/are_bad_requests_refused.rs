@@ -1,6 +1,6 @@
-//! Are requests refused for which there is no move, of one axis or of several, each with its reason, and is nothing written then?
+//! Are requests refused for which there is no move or no path, of one axis or of several, each with its reason, and is nothing written then?
 
-use atraj::axes::{line, synchronise};
+use atraj::axes::{line, path_size, plan_path, synchronise};
 use atraj::online::{Error, Limits, Move, State};
 use atraj::{Extremes, Findings};
 use oracle::judge::axes::problems::{Set, Sets};
@@ -340,4 +340,56 @@ fn beyond_the_range<R: Real>() {
 fn axes_beyond_the_range_are_refused() {
     beyond_the_range::<f64>();
     beyond_the_range::<f32>();
+}
+
+/// What a path of one axis returns whose way is over before its last section, or not. On an error nothing is written.
+fn path_to<R: Real>(
+    positions: &[f64],
+    end: [f64; 2],
+    limits: &[Limits<R>],
+) -> Result<Findings, Error> {
+    let mut states: Vec<_> = positions.iter().map(|&p| State::at(R::of(p))).collect();
+    let last = states.len() - 1;
+    [states[last].velocity, states[last].acceleration] = end.map(R::of);
+    let before = states.clone();
+    let mut durations = vec![R::of(-1.0); last];
+    let mut work = vec![R::ZERO; path_size(1, last).expect("sections")];
+    let planned = plan_path(&mut states, &mut durations, limits, 0, &mut work);
+    if planned.is_err() {
+        assert!(states == before && durations.iter().all(|t| *t == R::of(-1.0)));
+    }
+    planned
+}
+
+/// The end lasts while nothing moves any more, so it is within the limits of the section before too, and the axis can stay.
+fn repeated_ends<R: Real>() {
+    let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
+    let slow = Limits {
+        vmax: R::of(0.5),
+        ..limits
+    };
+    let leaving = [0.9, 0.9];
+    assert_eq!(
+        path_to(&[0.0, 1.0], leaving, &[limits]),
+        Ok(Findings::ENDS_LEAVING)
+    );
+    assert_eq!(
+        path_to(&[0.0, 1.0, 1.0], leaving, &[limits]),
+        Err(Error::Target)
+    );
+    let fast = [0.8, 0.0];
+    assert_eq!(
+        path_to(&[0.0, 1.0, 2.0], fast, &[slow, limits]),
+        Ok(Findings::default())
+    );
+    assert_eq!(
+        path_to(&[0.0, 1.0, 1.0], fast, &[slow, limits]),
+        Err(Error::Target)
+    );
+}
+
+#[test]
+fn ends_that_cannot_last_are_refused() {
+    repeated_ends::<f64>();
+    repeated_ends::<f32>();
 }

@@ -1,7 +1,7 @@
-//! Is a path nearly the shortest: beside rsruckig's, beside long runs from random starts, and after improvements?
+//! Is a path nearly the shortest: beside rsruckig's, beside long runs from random starts, beside moves, and after improvements?
 
 use atraj::State;
-use atraj::online::Limits;
+use atraj::online::{Limits, Move};
 use oracle::judge::path::problems::{Chain, Chains, Family};
 use oracle::judge::path::{Path, Paths, Planner, wrong};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
@@ -248,4 +248,89 @@ fn improvements_shorten_f64() {
 #[test]
 fn improvements_shorten_f32() {
     improvements_shorten::<f32>();
+}
+
+/// An axis that is too fast to stop at its way points, and a quick one beside it that moves either way: the path takes as long as the move
+/// without way points, which passes them. A plan that turns takes far longer.
+fn beside_the_move<R: Original>() {
+    let mut random = Random::seeded(6);
+    let mut worst = [1.0; 2];
+    for _ in 0..200 {
+        let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
+        let limits = [1.0, 1e3].map(|more| {
+            Limits::symmetric(
+                R::of(more * jerk),
+                R::of(more * acceleration),
+                R::of(velocity),
+            )
+        });
+        let forward = random.sign();
+        let start = State {
+            velocity: R::of(forward * velocity * random.between(0.5, 1.0)),
+            ..State::at(R::of(random.between(-1.0, 1.0)))
+        };
+        let mut axis = Move::default();
+        axis.stop(&limits[0], start).expect("a stop");
+        let [p, end] = [start, axis.state_at(axis.t)].map(|state| state.position.widen());
+        let stop = end - p;
+        let places = [
+            random.between(0.1, 0.4),
+            random.between(0.5, 0.9),
+            random.between(2.0, 8.0),
+        ];
+        let beside = random.sign() * random.between(1.0, 2.0);
+        let mut states = vec![start, State::at(R::of(beside))];
+        for (place, side) in places.iter().zip([random.sign(), 0.0, random.sign()]) {
+            states.push(State::at(R::of(p + place * stop)));
+            states.push(State::at(R::of(beside + 1e-3 * side * stop)));
+        }
+        axis.plan(&limits[0], start, states[6]).expect("a plan");
+        let chain = Chain {
+            family: Family::InMotion,
+            axes: 2,
+            limits: limits.into(),
+            states,
+        };
+        let parts = [0, 200].map(|steps| {
+            let path = Paths.plan(&chain, steps).expect("a plan").0;
+            path.duration() / axis.t.widen()
+        });
+        for (worst, part) in worst.iter_mut().zip(parts) {
+            *worst = f64::max(*worst, part);
+        }
+    }
+    println!(
+        "{}: at most {worst:.5?} of the move, by default and with 200 steps",
+        R::NAME
+    );
+    let rounding = if size_of::<R>() == 8 { 1e-4 } else { 1e-3 };
+    assert!(worst[0] < 1.1 && worst[1] < 1.0 + rounding);
+}
+
+#[test]
+fn beside_the_move_f64() {
+    beside_the_move::<f64>();
+}
+
+#[test]
+fn beside_the_move_f32() {
+    beside_the_move::<f32>();
+}
+
+/// By default a path of 10 sections gets 48 steps, as `docs/path.md` says, and a shorter one fewer.
+#[test]
+fn ten_sections_get_all_steps() {
+    let mut chains = Chains::new(7);
+    let mut fewer = 0;
+    for _ in 0..10 {
+        let mut chain = chains.of::<f64>(Family::Dense);
+        let mut gets_all = |sections: usize| {
+            chain.states.truncate((sections + 1) * chain.axes);
+            let [default, all] = [0, 48].map(|steps| Paths.plan(&chain, steps).expect("a plan").0);
+            default.durations == all.durations
+        };
+        assert!(gets_all(10));
+        fewer += usize::from(!gets_all(9));
+    }
+    assert!(fewer > 5);
 }
