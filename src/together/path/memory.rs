@@ -204,3 +204,21 @@ impl<'a, R: Real> Memory<'a, R> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Memory, size};
+
+    /// The tables stand one behind the other, so the last one ends where the memory does.
+    #[test]
+    fn the_tables_take_all_of_the_memory() {
+        for (axes, sections) in [(1, 1), (1, 2), (3, 5), (4, 9)] {
+            let mut work = [0.0_f64; 2000];
+            let work = &mut work[..size(axes, sections).expect("a size")];
+            let end = work.as_ptr_range().end;
+            let memory = Memory::of(work, axes, sections).expect("room");
+            let last = memory.factor.row(sections - 1);
+            assert_eq!((last.len(), last.as_ptr_range().end), (sections, end));
+        }
+    }
+}

@@ -49,7 +49,11 @@ fn steps(storey: &str) -> Vec<Step> {
                 "oracle",
                 "is_a_path_nearly_the_shortest::beside_the_example",
             ),
+            ("oracle", "is_a_path_nearly_the_shortest::beside_the_move"),
+            ("oracle", "is_a_path_nearly_the_shortest::beside_random"),
+            ("oracle", "is_a_path_nearly_the_shortest::ten_sections"),
             ("oracle", "is_a_path_nearly_the_shortest::improvements"),
+            ("unit", ""),
             ("oracle", "does_every_plan_pass"),
         ],
         "machine" => &[
@@ -101,6 +105,7 @@ const TOGETHER: &[Step] = &[
     ("root", "does_a_line_stop_on_itself"),
     ("root", "is_a_signal_followed"),
     ("oracle", "do_axes_stay_inside"),
+    ("root", "does_a_loop_arrive_in_time::axes_arrive"),
 ];
 
 /// Judges the mutants that have no line in the results, a line for each: storey, verdict, the test that saw it, seconds, name. Several

@@ -202,11 +202,34 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, ran
         let latest = axes.iter().map(Walled::with_a_stop).fold(least, f64::max);
         let tick = cycle.widen().max(1e-6 * latest);
         assert!(t <= latest + tick, "{t} instead of {latest}: {}", what());
+        for (length, time) in [(3, -12), (-2, 12)] {
+            assert_eq!(in_units(set, axes, length, time), t, "{}", what());
+        }
         counts.later += 1;
         counts.factor = counts.factor.max(t / least);
     } else if is_left {
         counts.kept += 1;
     }
+}
+
+/// The common duration, planned in units that are smaller by these powers of two, s.
+fn in_units<R: Original>(set: &Set<R>, axes: &[Walled<R>], length: i8, time: i8) -> f64 {
+    let scaled = |x: R, power: i8| R::of(x.widen() * f64::from(power).exp2());
+    let problems = axes.iter().map(|axis| axis.problem.scaled(length, time));
+    let problems = Set {
+        axes: problems.collect(),
+        ..set.clone()
+    };
+    let (limits, from, to) = problems.columns();
+    let walls = [0, 1].map(|side| {
+        let walls = axes.iter().map(|axis| scaled(axis.walls[side], length));
+        walls.collect::<Vec<_>>()
+    });
+    let [duration, cycle] = [set.duration, set.cycle].map(|t| scaled(t, time));
+    let mut planned = vec![Move::default(); axes.len()];
+    let walls = [&walls[0][..], &walls[1]];
+    synchronise_within(&mut planned, &limits, &from, &to, walls, duration, cycle).expect("plans");
+    scaled(planned[0].t, -time).widen()
 }
 
 #[test]
