@@ -138,6 +138,15 @@ fn a_root_at_zero_is_no_switching_time() {
 }
 
 #[test]
+fn the_smallest_way_of_a_listing_is_a_motion() {
+    for (way, moves) in [(just_after(EPS), true), (EPS, true), (0.999 * EPS, false)] {
+        let mut listing = Profile::default();
+        listing.plan_listing(moving(0.0, 0.0), to(way));
+        assert_eq!(listing.tf > 0.0, moves, "{way}");
+    }
+}
+
+#[test]
 fn a_short_move_keeps_the_type_in_the_listing() {
     let mut listing = *started(Listing, to(10.0)).profile();
     assert_eq!(listing.kind, Kind::Trapezoidal);

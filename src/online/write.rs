@@ -125,10 +125,10 @@ impl<R: Real> Move<R> {
     pub(crate) fn wait_until(&mut self, t: R) {
         let count = self.phase_count();
         if let Some([wait, end]) = self.phase.get_mut(count..count + 2) {
-            *end = Phase { start: t, ..*wait };
+            *end = *wait;
             wait.duration = t - wait.start;
             self.count += 1;
-            self.t = t;
+            self.end_at(t);
         }
     }
 
