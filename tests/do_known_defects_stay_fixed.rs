@@ -401,7 +401,7 @@ fn at_the_border_of_the_range<R: Real>() {
         let size = largest * random.magnitude(-2.0, 0.0);
         let mut number =
             |order| R::of(size * random.magnitude(-2.0, 0.0) / f64::powi(second, order));
-        let limits = [1, 1, 2, 2, 3, 3].map(|order| number(order));
+        let limits = [1, 1, 2, 2, 3, 3].map(&mut number);
         let [vmax, v, amax, a, jmax, j] = limits;
         let limits = online::limits_of([vmax, -v, amax, -a, jmax, -j]);
         let mut state = |part| State {
