@@ -37,7 +37,8 @@
 #                             n, SOAK_SEEDS=n ends after n seeds; SOAK=calls, plans, moves (from any state to any state), replans, axes
 #                             (several axes that move together) or paths does one of these
 # make mutants                plants small faults into a copy of the library and counts those that the tests see: MUTANTS=60 of each storey,
-#                             drawn by MUTANT_SEED=1. It goes on where it was stopped
+#                             drawn by MUTANT_SEED=1. It goes on where it was stopped. MUTANT_BASE=<commit> plants them only in lines
+#                             that have changed since then
 # make coverage               prints which regions and branches of the library the tests reach; needs llvm-cov of rustc's LLVM
 # make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
 #                             FUZZ_SEED=n starts at seed n, not 1

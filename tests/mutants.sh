@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # mutants.sh SEED OF_EACH: judges so many random mutants of each storey, and prints the table and the survivors. It goes on where it was
-# stopped: target/mutants/SEED holds a line for each judged mutant. After a change of the library, take another seed.
+# stopped: target/mutants/SEED holds a line for each judged mutant. After a change of the library, take another seed. MUTANT_BASE=<commit> judges
+# only mutants of the lines that have changed since then, in target/mutants/changed-SEED.
 set -euo pipefail
 seed=$1 of_each=$2
-out=$PWD/target/mutants/$seed
+out=$PWD/target/mutants/${MUTANT_BASE:+changed-}$seed
 tree=$out/tree
 results=$out/results.tsv
 mkdir -p "$out"
@@ -18,10 +19,17 @@ copy() {
     git ls-files -z | xargs -0 cp --parents -t "$tree"
 }
 # cargo-mutants leaves unsafe functions out, and each C function is one. The places stay where they were.
+safe='s/pub unsafe extern "C" fn/pub        extern "C" fn/'
 if ! test -s "$out/list.json"; then
     copy
-    find "$tree/src/capi" -name '*.rs' -exec sed -i 's/pub unsafe extern "C" fn/pub        extern "C" fn/' {} +
-    (cd "$tree" && cargo mutants --list --json) > "$out/list.json"
+    find "$tree/src/capi" -name '*.rs' -exec sed -i "$safe" {} +
+    changed=()
+    if test -n "${MUTANT_BASE:-}"; then
+        git diff "$MUTANT_BASE" -- src | sed "$safe" > "$out/changes.diff"
+        changed=(--in-diff "$out/changes.diff")
+    fi
+    (cd "$tree" && cargo mutants --list --json "${changed[@]}") > "$out/list.json"
+    test -s "$out/list.json" || { echo 'no mutant stands in a line that has changed'; exit; }
 fi
 
 check() { (cd "$tree" && CARGO_TARGET_DIR=$out/programs/build cargo check --quiet --features capi --message-format=json) > "$out/messages.json"; }
