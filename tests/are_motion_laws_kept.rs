@@ -1,13 +1,16 @@
 //! Does every profile keep the laws of motion in Biagotti & Melchiorri: the prescribed ends, continuity over the borders of phases, the
-//! limits, the mirrored move, and the scaling laws of section 5.2?
+//! limits, the mirrored move, and the scaling laws of section 5.2? Do several axes keep the scaling laws?
 //!
 //! No law needs the original.
 
 use approx::assert_abs_diff_eq;
-use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
+use atraj::axes::{line, synchronise};
+use atraj::online::{Limits, Move};
+use atraj::{Bell, Boundary, Error, Poly3, Poly5, Poly7, State, Trap};
 use proptest::prelude::*;
-use support::Family;
+use support::online::{limits_of, numbers_of};
 use support::profiles::{Profile, bell_fields, trap_fields};
+use support::{Family, Random, online};
 
 /// Relative to the largest number that a value is computed from.
 const TOLERANCE: f64 = 1e-9;
@@ -58,6 +61,28 @@ impl Units {
         let [p0, p1] = [p0, p1].map(|p| self.of(0, p));
         let [v0, v1] = [v0, v1].map(|v| self.of(1, v));
         Boundary { p0, p1, v0, v1 }
+    }
+
+    fn of_state(self, state: &State<f64>) -> State<f64> {
+        State {
+            position: self.of(0, state.position),
+            velocity: self.of(1, state.velocity),
+            acceleration: self.of(2, state.acceleration),
+        }
+    }
+
+    fn of_move(self, axis: &Move<f64>) -> Move<f64> {
+        let mut scaled = *axis;
+        scaled.t *= self.time;
+        for phase in &mut scaled.phase {
+            phase.start *= self.time;
+            phase.duration *= self.time;
+            phase.position = self.of(0, phase.position);
+            phase.velocity = self.of(1, phase.velocity);
+            phase.acceleration = self.of(2, phase.acceleration);
+            phase.jerk = self.of(3, phase.jerk);
+        }
+        scaled
     }
 
     fn assert_scaled<const N: usize>(
@@ -169,4 +194,96 @@ proptest! {
         units.assert_scaled(&poly5, &Poly5::new(longer, far, far_a).unwrap(), x);
         units.assert_scaled(&poly7, &Poly7::new(longer, far, far_a, far_j).unwrap(), x);
     }
+}
+
+/// Limits, starts and ends of several axes.
+#[derive(Clone, Debug)]
+struct Set {
+    limits: Vec<Limits<f64>>,
+    ends: [Vec<State<f64>>; 2],
+}
+
+impl Set {
+    /// A lead, and axes beside it: each by itself, or nearly on a straight line with the lead.
+    fn random(random: &mut Random, is_straight: bool) -> Self {
+        let count = 1 + random.below(4);
+        let lead = online::limits(random);
+        let leads = [(); 2].map(|()| online::inside(random, &lead));
+        let (mut limits, mut ends) = (vec![lead], leads.map(|end| vec![end]));
+        for _ in 1..count {
+            let (share, offset) = (
+                random.sign() * random.magnitude(-3.0, 0.0),
+                random.magnitude(-1.0, 6.0),
+            );
+            let own = online::limits(random);
+            let mirrored = numbers_of(&lead).map(f64::abs);
+            let [vmax, v, amax, a, jmax, j] = mirrored;
+            let wide = Limits::symmetric(jmax.max(j), amax.max(a), vmax.max(v));
+            limits.push(if is_straight { wide } else { own });
+            for (end, lead) in ends.iter_mut().zip(leads) {
+                let beside = 1.0 + random.sign() * random.magnitude(-17.0, -9.0);
+                let on_line = State {
+                    position: offset + share * lead.position,
+                    velocity: share * lead.velocity * beside,
+                    acceleration: share * lead.acceleration,
+                };
+                end.push(if is_straight {
+                    on_line
+                } else {
+                    online::inside(random, &own)
+                });
+            }
+        }
+        Self { limits, ends }
+    }
+
+    fn scaled(&self, units: Units) -> Self {
+        let limits = |limits: &Limits<f64>| {
+            let orders = [1, 1, 2, 2, 3, 3].into_iter().zip(numbers_of(limits));
+            let scaled: Vec<_> = orders.map(|(order, x)| units.of(order, x)).collect();
+            limits_of(scaled.try_into().expect("six limits"))
+        };
+        Self {
+            limits: self.limits.iter().map(limits).collect(),
+            ends: self
+                .ends
+                .clone()
+                .map(|ends| ends.iter().map(|end| units.of_state(end)).collect()),
+        }
+    }
+
+    fn plan(&self, is_straight: bool, duration: f64) -> Result<Vec<Move<f64>>, Error> {
+        let mut axes = vec![Move::default(); self.limits.len()];
+        let [from, to] = &self.ends;
+        let plan = if is_straight { line } else { synchronise };
+        plan(&mut axes, &self.limits, from, to, duration, 0.0).map(|_| axes)
+    }
+}
+
+/// Several axes move alike in other units, and are refused alike.
+#[test]
+fn several_axes() {
+    let mut random = Random::seeded(9);
+    let mut planned = [0; 2];
+    for k in 0..8_000 {
+        let is_straight = k % 2 == 0;
+        let set = Set::random(&mut random, is_straight);
+        let power = |random: &mut Random| f64::exp2(random.between(-9.0, 9.0).round());
+        let units = Units {
+            length: power(&mut random),
+            time: power(&mut random),
+        };
+        let duration = random.pick(&[0.0, 0.0, 1.0, 10.0, 100.0]);
+        let near = set.plan(is_straight, duration);
+        let far = set.scaled(units).plan(is_straight, units.time * duration);
+        planned[k % 2] += u32::from(near.is_ok());
+        let near = near.map(|axes| {
+            axes.iter()
+                .map(|axis| units.of_move(axis))
+                .collect::<Vec<_>>()
+        });
+        assert_eq!(near, far, "{set:?} in {units:?}");
+    }
+    println!("{planned:?}");
+    assert!(planned[0] > 500 && planned[1] > 3_000, "{planned:?}");
 }

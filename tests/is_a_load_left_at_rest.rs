@@ -413,8 +413,13 @@ fn before_its_start_an_axis_keeps_its_velocity<R: Real>() {
         .plan(&limits, moving, State::at(R::of(10.0)))
         .expect("a plan");
     let shaper = Shaper::new(ShaperKind::Zv, R::of(2.0), R::of(0.0)).expect("a shaper");
-    let shaped = shaper.state(&planned, R::of(0.0)).acceleration;
-    assert_eq!(shaped, R::of(2.0));
+    // The mean of the start and of the axis a quarter of a second before it.
+    let shaped = State {
+        position: R::of(-0.125),
+        acceleration: R::of(2.0),
+        ..moving
+    };
+    assert_eq!(shaper.state(&planned, R::of(0.0)), shaped);
 }
 
 /// A refusal leaves the shaper.

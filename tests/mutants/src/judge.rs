@@ -102,6 +102,7 @@ const TOGETHER: &[Step] = &[
     ("oracle", "does_every_plan_pass"),
     ("root", "do_known_defects_stay_fixed"),
     ("root", "does_a_stretched_axis_move_slowly"),
+    ("root", "are_motion_laws_kept::several_axes"),
     ("root", "does_a_line_stop_on_itself"),
     ("root", "is_a_signal_followed"),
     ("oracle", "do_axes_stay_inside"),
