@@ -50,7 +50,7 @@ impl<R: Real> Bell<R> {
         for _ in 0..2 {
             bell = Self::within(jm, am, vm, boundary);
             let part = Self::shortest_part(bell.t);
-            if am >= R::HALF * jm * part {
+            if am >= R::HALF * jm * part || !part.is_finite() {
                 break;
             }
             jm = am / part;
