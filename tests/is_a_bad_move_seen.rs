@@ -1,7 +1,7 @@
 //! Does `check` see what is wrong with a move: what it exceeds, where it jumps, which phases are none?
 
 use atraj::online::{Error, Limits, Move, Phase};
-use atraj::{Findings, State};
+use atraj::{Bell, Boundary, Findings, State, Trap};
 use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = 2_000;
@@ -229,3 +229,57 @@ fn what_is_no_number_is_refused<R: Real>() {
 }
 
 test_both_reals!(what_is_no_number_is_refused);
+
+/// Phases of a double-S and of a trapezoid, there and back, that are not in order or do not meet.
+fn spoiled_profiles_are_seen<R: Real>() {
+    let [acceleration, velocity] = [2.0, 3.0].map(R::of);
+    for way in [20.0, -20.0] {
+        let boundary = Boundary::rest_to_rest(R::of(0.0), R::of(way));
+        let bell = Bell::fastest(R::ONE, acceleration, velocity, boundary).expect("a plan");
+        let trap = Trap::fastest(velocity, acceleration, -acceleration, boundary).expect("a plan");
+        let bells: [fn(&mut Bell<R>); 6] = [
+            |_| {},
+            |bell| bell.taj = bell.ta,
+            |bell| bell.tdj = bell.td,
+            |bell| bell.tv = bell.tv + bell.t,
+            |bell| bell.v0 = bell.v0 + R::ONE,
+            |bell| bell.p1 = bell.p1 + R::ONE,
+        ];
+        for (index, spoil) in bells.iter().enumerate() {
+            let mut bell = bell;
+            spoil(&mut bell);
+            let found = bell.check(R::ONE, acceleration, velocity).expect("numbers");
+            assert_eq!(
+                found.contains(Findings::JUMPS),
+                index > 0,
+                "{index} {found:?}"
+            );
+            assert_eq!(found.is_empty(), index == 0, "{index} {found:?}");
+        }
+        let traps: [fn(&mut Trap<R>); 8] = [
+            |_| {},
+            |trap| trap.ta = -R::ONE,
+            |trap| trap.ta = trap.cruise_end + R::ONE,
+            |trap| trap.cruise_end = trap.t + R::ONE,
+            |trap| trap.p0 = trap.p0 + R::ONE,
+            |trap| trap.pa = trap.pa + R::ONE,
+            |trap| trap.pd = trap.pd + R::ONE,
+            |trap| trap.v1 = trap.v1 + R::ONE,
+        ];
+        for (index, spoil) in traps.iter().enumerate() {
+            let mut trap = trap;
+            spoil(&mut trap);
+            let found = trap
+                .check(velocity, acceleration, -acceleration)
+                .expect("numbers");
+            assert_eq!(
+                found.contains(Findings::JUMPS),
+                index > 0,
+                "{index} {found:?}"
+            );
+            assert_eq!(found.is_empty(), index == 0, "{index} {found:?}");
+        }
+    }
+}
+
+test_both_reals!(spoiled_profiles_are_seen);

@@ -1,8 +1,9 @@
 //! Are requests refused for which there is no move or no path, of one axis or of several, each with its reason, and is nothing written then?
 
 use atraj::axes::{line, path_size, plan_path, synchronise};
+use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move, State};
-use atraj::{Extremes, Findings};
+use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
 use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
@@ -392,4 +393,59 @@ fn repeated_ends<R: Real>() {
 fn ends_that_cannot_last_are_refused() {
     repeated_ends::<f64>();
     repeated_ends::<f32>();
+}
+
+/// A way beyond the range of the real type, and what else is no profile.
+fn bad_profiles<R: Real>() {
+    let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
+    let far = R::of(if size_of::<R>() == 4 { 3e38 } else { 1.5e308 });
+    let boundary = Boundary::rest_to_rest(-far, far);
+    let bell = Bell::fastest(one, one, one, boundary);
+    assert_eq!(bell.err(), Some(Error::NotFinite));
+    let trap = Trap::fastest(one, one, -one, boundary);
+    assert_eq!(trap.err(), Some(Error::NotFinite));
+    let poly = |duration| Poly3::new(duration, boundary).err();
+    assert_eq!(poly(one), Some(Error::NotFinite));
+    assert_eq!(poly(zero), Some(Error::Duration));
+    assert_eq!(poly(nan), Some(Error::Duration));
+    let near = Boundary::rest_to_rest(zero, one);
+    for (rise, fall) in [(infinity, -one), (one, -infinity)] {
+        let trap = Trap::fastest(one, rise, fall, near);
+        assert_eq!(trap.err(), Some(Error::Limits));
+    }
+}
+
+#[test]
+fn profiles_beyond_the_range_are_refused() {
+    bad_profiles::<f64>();
+    bad_profiles::<f32>();
+}
+
+/// A clock of moves that stand, or whose jerk has no limit.
+fn bad_clocks<R: Real>() {
+    let [zero, one, infinity] = [0.0, 1.0, f64::INFINITY].map(R::of);
+    let limits = Limits::symmetric(one, one, one);
+    let mut clock = Clock::new();
+    let mut refused = |moves: &[Move<R>], limits: &[Limits<R>], error| {
+        assert_eq!(clock.rate(moves, limits, zero, zero), Err(error));
+        assert_eq!(clock, Clock::new());
+    };
+    let mut planned = Move::default();
+    refused(&[planned], &[limits], Error::Limits);
+    planned
+        .plan(&limits, State::at(zero), State::at(one))
+        .expect("a plan");
+    let free = Limits::symmetric(infinity, one, one);
+    refused(&[planned], &[free], Error::Limits);
+    refused(&[], &[limits], Error::Axes);
+    refused(&[planned], &[], Error::Axes);
+    refused(&[planned], &[limits, limits], Error::Axes);
+    let state = clock.state(&[], 1, zero);
+    assert!(state.iter().all(|x| x.widen().is_nan()));
+}
+
+#[test]
+fn clocks_without_a_motion_are_refused() {
+    bad_clocks::<f64>();
+    bad_clocks::<f32>();
 }
