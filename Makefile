@@ -39,7 +39,8 @@
 # make mutants                plants small faults into a copy of the library and counts those that the tests see: MUTANTS=60 of each storey,
 #                             drawn by MUTANT_SEED=1. It goes on where it was stopped. MUTANT_BASE=<commit> plants them only in lines
 #                             that have changed since then
-# make coverage               prints which regions and branches of the library the tests reach; needs llvm-cov of rustc's LLVM
+# make coverage               prints which regions of the library the tests reach, and fails at a branch without test and reason; needs
+#                             llvm-cov of rustc's LLVM
 # make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
 #                             FUZZ_SEED=n starts at seed n, not 1
 # make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and

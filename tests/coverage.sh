@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# coverage.sh: runs the tests with counters in the library, and prints how many regions and branches of each file they reach, then each branch
-# that none takes, with its line. C programs call the C functions. Needs llvm-cov of the LLVM that rustc is built with.
+# coverage.sh: runs the tests with counters in the library, and prints how many regions of each file they reach, and how many sides of all
+# conditions. C programs call the C functions. It fails if a side that no test takes is not in the table of docs/trust.md with its reason.
+# Needs llvm-cov of the LLVM that rustc is built with.
 set -euo pipefail
 out=$PWD/target/coverage
 tree=$out/tree
@@ -24,7 +25,32 @@ objects=()
 # The C functions have one name in each program, and the first program counts.
 for program in "$out"/programs/{c-*,unit,root,oracle}; do objects+=(--object "$program"); done
 cov() { "llvm-cov-$llvm" "$@" "${objects[@]:1}" --instr-profile "$out/profile" --sources "$tree/src"; }
-cov report | sed "s|$tree/||"
+cov report --show-branch-summary=false | sed "s|$tree/||"
+
+# A row for each side that no test takes. Each instance of a generic function has counts of its own; they count together.
+LC_ALL=C
 cov show --show-branches=count --show-instantiations=false | awk '
     /^\/.*:$/ { file = $0; sub(/.*\/src\//, "src/", file); sub(/:$/, "", file) }
-    /Branch \(/ && /(True|False): 0[],]/ { match($0, /\([0-9]+:[0-9]+\)/); print file ":" substr($0, RSTART + 1, RLENGTH - 2), substr($0, index($0, "[")) }'
+    /^ *[0-9]+\|/ { line = $0; sub(/^[^|]*\|[^|]*\|/, "", line); text[file, $1 + 0] = line }
+    /Branch \(.*True: / {
+        split($0, part, /[(:)]/)
+        condition = substr(text[file, part[2]], part[3])
+        sub(/( \{|;|,)$/, "", condition)
+        gsub(/\|/, "\\|", condition)
+        place = file SUBSEP part[2] SUBSEP part[3]
+        row[place] = "| `" file "` | `" condition "` |"
+        taken[place SUBSEP "true"] += !/True: 0,/
+        taken[place SUBSEP "false"] += !/False: 0\]/
+    }
+    END {
+        for (side in taken) {
+            sides++
+            split(side, part, SUBSEP)
+            if (taken[side]) { reached++ } else { print row[part[1] SUBSEP part[2] SUBSEP part[3]], part[4] " |" }
+        }
+        printf "%d of %d sides of conditions are taken\n", reached, sides > "/dev/stderr"
+    }' | sort > "$out/untaken"
+sed -n '/<!-- branches -->/,/<!-- end -->/s/^\(| `src.* |\) [a-z]* |$/\1/p' docs/trust.md | sort > "$out/listed"
+comm -13 "$out/untaken" "$out/listed" | sed 's/^/taken, so its row may go: /'
+unlisted=$(comm -23 "$out/untaken" "$out/listed")
+test -z "$unlisted" || { printf 'taken by no test, and not in docs/trust.md:\n%s\n' "$unlisted"; exit 1; }
