@@ -466,6 +466,16 @@ fn one_axis_takes_ages() {
     assert_eq!(axes, [Move::default(); 3]);
 }
 
+/// A rise came out below 0 by a rounding of 1.7e10, which became an acceleration that lasts for 2e14 s: the move had infinite positions.
+#[test]
+#[rustfmt::skip]
+fn a_rounding_lasts_for_ages() {
+    let limits = limits::<f32>([5.649306e10, -12355.702, 1.5512268e24, -9.938e-7, 4.5984237e24, -0.069765046]);
+    let (from, to) = (state([3.8446924e-8, -2.1336429e-19, 1.7401742e-5]), state([4.2870256e24, 2.824653e10, 2.548426e17]));
+    let refused = finite_or_untouched(|planned| planned.plan(&limits, from, to));
+    assert_eq!(refused, Err(Error::NotFinite));
+}
+
 /// No axis is written when a number falls below the range of the real type.
 #[test]
 #[rustfmt::skip]
