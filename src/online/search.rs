@@ -277,7 +277,7 @@ fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R
     }
     if !(base.top > R::ZERO || base.bottom > R::ZERO) {
         let piece = Piece::of(border, &base, false);
-        let end = first_hold(border, &base) - base.fall;
+        let end = until_hold(border, &base);
         if end > R::ZERO {
             match piece.first_over(lacks, end, true) {
                 Ok(x) => return piece.profile(x),
@@ -296,15 +296,24 @@ fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R
     }
 }
 
-/// How far the acceleration falls where a hold begins.
-fn first_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
+/// How much more the acceleration falls until a hold begins. The peak is not below 0 and the trough not above, so no digits cancel.
+fn until_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
     let Profile { peak, trough, .. } = *base;
-    let (bu, bd) = (border.limits.amax, -border.limits.amin);
-    // A ramp that just reaches a limit may pass the limit by a rounding.
-    let above = ((bu - peak) * (bu + peak)).at_least(R::ZERO);
-    let below = ((bd + trough) * (bd - trough)).at_least(R::ZERO);
-    let top = bu + (trough * trough + above).sqrt();
-    top.at_most(bd + (peak * peak + below).sqrt())
+    let until = |limit: R, reached: R, opposite: R| {
+        let remains = limit - reached;
+        let beyond = remains * (limit + reached);
+        if !beyond.is_finite() {
+            R::INFINITY
+        } else if beyond > R::ZERO {
+            remains + beyond / (opposite + (opposite * opposite + beyond).sqrt())
+        } else {
+            // A ramp that just reaches a limit may pass the limit by a rounding.
+            R::ZERO
+        }
+    };
+    let top = until(border.limits.amax, peak, -trough);
+    let bottom = until(-border.limits.amin, -trough, peak);
+    top.at_most(bottom)
 }
 
 /// The highest acceleration holds, and at last the lowest one too.
