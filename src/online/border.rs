@@ -99,6 +99,11 @@ impl<R: Real> Border<R> {
         }
     }
 
+    /// The shortest duration of all: that of the direct ramp, s.
+    pub fn shortest(&self) -> R {
+        self.passed(&self.direct(self.beyond_straight())).0
+    }
+
     /// The change of velocity behind the gap: it turns against both accelerations.
     pub fn behind_gap(&self) -> Ramp<R> {
         self.ramp(self.beyond_straight().0, self.a0 >= R::ZERO)

@@ -32,7 +32,7 @@ pub(crate) struct Slip<R> {
     pub most: R,
     /// So little that the acceleration changes by its roundings only: eight times the roundings that a check allows, s.
     pub little: R,
-    /// The part of a slip at the start. The rest is at the end. So both ends change by as many of their roundings.
+    /// What of a slip is at the start, at most, s. The rest is at the end.
     pub at_start: R,
 }
 
@@ -105,7 +105,7 @@ impl<R: Real> Problem<R> {
         Slip {
             most,
             little: most.at_most(R::from(8) * R::DOUBT * (duration + easing)),
-            at_start: start / (start + end),
+            at_start: start,
         }
     }
 

@@ -144,13 +144,13 @@ impl<R: Real> Move<R> {
         self.t = self.t + next.t;
     }
 
-    /// Lets the move take the duration `t`, which differs by roundings of the states at both ends. The part `at_start` of the slip lets the
-    /// move begin later or earlier on its way, the rest lets it end later or earlier. The states are found from the end again, so a loop
-    /// that plans anew in the next tick begins where the slip is over.
+    /// Lets the move take the duration `t`, which differs by roundings of the states at both ends. The move begins later or earlier on its way,
+    /// by `at_start` at most, s, and ends later or earlier by the rest. The way stays, so a loop that plans anew in the next tick is on the way
+    /// of its fastest move, and slips do not add up.
     pub(crate) fn slip(&mut self, t: R, at_start: R) {
         let slip = self.t - t;
         let count = self.phase_count();
-        let mut late = slip * at_start;
+        let mut late = slip.at_most(at_start).at_least(-at_start);
         let mut early = slip - late;
         for phase in self.phase.get_mut(2..count).unwrap_or_default() {
             phase.start = (phase.start - late).at_least(R::ZERO);
@@ -158,6 +158,8 @@ impl<R: Real> Move<R> {
         let phases = self.phase.get_mut(1..count).unwrap_or_default();
         for phase in phases.iter_mut() {
             let passed = late.at_most(phase.duration);
+            phase.position = phase.position(passed);
+            phase.velocity = phase.velocity(passed);
             phase.acceleration = phase.acceleration(passed);
             phase.duration = phase.duration - passed;
             late = late - passed;
@@ -167,7 +169,6 @@ impl<R: Real> Move<R> {
             phase.duration = phase.duration - left_out;
             early = early - left_out;
         }
-        self.find_states(count);
         self.end_at(t);
     }
 

@@ -93,8 +93,18 @@ pub(super) fn may_slip<R: Real>(
 ) -> bool {
     let slip = problem.slip(axis.t);
     let most = if is_detour { slip.most } else { slip.little };
-    let is_later = t >= axis.t;
-    (t - axis.t).abs() <= most || is_later && next_duration(problem, t) <= t
+    let is_possible = if t < axis.t {
+        may_hurry(problem, t)
+    } else {
+        next_duration(problem, t) <= t
+    };
+    (t - axis.t).abs() <= most || is_possible
+}
+
+/// Whether a duration below that of the fastest motion is possible up to roundings of the positions.
+fn may_hurry<R: Real>(problem: &Problem<R>, t: R) -> bool {
+    let shortest = problem.border.shortest();
+    problem.behind_inside(t) >= shortest && blend::next_duration(problem, t) <= t
 }
 
 /// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
@@ -123,7 +133,7 @@ pub(super) fn stretch<R: Real>(
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     let longer = t - axis.t;
     let slip = || problem.slip(axis.t);
-    if longer < R::ZERO {
+    if longer < R::ZERO && !may_hurry(problem, t) {
         axis.slip(t, slip().at_start);
     } else if let Some(cruise) = Cruise::of(problem, t) {
         cruise.write(problem, axis, t);

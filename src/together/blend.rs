@@ -42,8 +42,7 @@ impl<R: Real> Blend<R> {
     pub fn within(problem: &Problem<R>, duration: R) -> Option<Self> {
         let (h, t) = (problem.displacement().0, problem.behind_inside(duration));
         let border = &problem.border;
-        let (shortest, _) = border.passed(&border.direct(border.beyond_straight()));
-        let lasts = t >= shortest && t > R::ZERO;
+        let lasts = t >= border.shortest() && t > R::ZERO;
         Self::over(border, h, lasts.then_some(t)?).filter(Self::keeps_limits)
     }
 
