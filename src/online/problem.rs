@@ -32,7 +32,7 @@ pub(crate) struct Slip<R> {
     pub most: R,
     /// So little that the acceleration changes by its roundings only: eight times the roundings that a check allows, s.
     pub little: R,
-    /// What of a slip is at the start, at most, s. The rest is at the end.
+    /// How much of a slip the start takes at most, s. The end takes the rest.
     pub at_start: R,
 }
 
