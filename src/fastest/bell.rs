@@ -50,12 +50,13 @@ impl<R: Real> Bell<R> {
         for _ in 0..2 {
             bell = Self::within(jm, am, vm, boundary);
             let part = Self::shortest_part(bell.t);
-            if am >= R::HALF * jm * part || !part.is_finite() {
+            if am >= R::HALF * jm * part {
                 break;
             }
             jm = am / part;
         }
-        if bell.t.is_finite() {
+        // Where a jerk is below the range of the real type, the move would take no time.
+        if bell.t > R::ZERO && bell.t.is_finite() {
             Ok(bell)
         } else {
             Err(Error::NotFinite)
