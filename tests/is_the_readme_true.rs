@@ -135,9 +135,9 @@ fn its_figures_are_those_of_the_pages() {
         ("takes 1,076 rounds", "parity", "at most 1076;"),
         ("89.0 % of 364", "trust", "89.0 % of 364"),
         (
-            "1 of 30,000,000 plans",
+            "0 of 32,000,000 plans",
             "trust",
-            "plans | 0..15 | 30000000 | 1 |",
+            "plans | 0..16 | 32000000 | 0 |",
         ),
         (
             "1,816 bytes of stack",
