@@ -251,23 +251,6 @@ fn lines_arrive_in_time<R: Real>() {
     late::<R>(straight, &[1, 3, 6], on_a_line);
 }
 
-/// Between two holds of the highest acceleration, the fall was below a rounding: an acceleration stepped by 0.0037 m/s².
-fn no_fall_between_holds<R: Real>() {
-    let state = |[position, velocity, acceleration]: [f64; 3]| State {
-        position: R::of(position),
-        velocity: R::of(velocity),
-        acceleration: R::of(acceleration),
-    };
-    let [j, a, v] = [54.896553, 6.366892, 2.268614].map(R::of);
-    let problem = Problem {
-        limits: vec![Limits::symmetric(j, a, v)],
-        from: vec![state([0.818601, -0.16690297, -6.353302])],
-        to: vec![state([0.4556823, -1.8287257, 0.0])],
-    };
-    let (ticks, promised) = ticks(together, &problem);
-    assert!(ticks <= promised + SPARE, "{ticks} ticks, not {promised}");
-}
-
 /// From rest, past a position with the velocity 1 m/s: 17,071 ticks were taken instead of 858.
 fn from_rest_past_a_position<R: Real>() {
     let state = |position, velocity| State {
@@ -321,7 +304,6 @@ test_both_reals!(
     plans_arrive_in_time,
     axes_arrive_in_time,
     lines_arrive_in_time,
-    no_fall_between_holds,
     from_rest_past_a_position,
     states_of_a_line_lie_on_it
 );

@@ -232,10 +232,9 @@ impl<R: Real> Border<R> {
             self.without_cruise(t)
         };
         let rounding = few * (self.a0.abs() + self.a1.abs() + profile.fall);
-        // A rise that is longer at one end of the fall and shorter at the other moves the acceleration between them: in the fall this changes the
-        // velocity by twice its area. Here only the difference of both velocities is rounded, and the area: by 4 of the 16 roundings.
-        let fall = (self.per_jerk.q() + self.per_jerk.q()) * profile.fall;
-        let change = profile.top + fall + profile.bottom;
+        // A rise that is longer at one end of the fall and shorter at the other changes the velocity by twice the area of the fall. Here only
+        // the difference of both velocities is rounded, and the area: by 4 of the 16 roundings.
+        let change = (self.per_jerk.q() + self.per_jerk.q()) * profile.fall;
         let velocity = R::HALF * R::HALF * self.rounding_of_velocity();
         let is_rise = |rise: R| rise >= -rounding || change * -rise <= velocity;
         (is_rise(profile.first) && is_rise(profile.last)).then_some(profile)
