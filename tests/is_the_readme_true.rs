@@ -135,9 +135,9 @@ fn its_figures_are_those_of_the_pages() {
         ("takes 1,076 rounds", "parity", "at most 1076;"),
         ("89.0 % of 364", "trust", "89.0 % of 364"),
         (
-            "0 of 32,000,000 plans",
+            "2 of 68,000,000 plans",
             "trust",
-            "plans | 0..16 | 32000000 | 0 |",
+            "plans | 0..34 | 68000000 | 2 |",
         ),
         (
             "1,816 bytes of stack",
