@@ -149,20 +149,15 @@ pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positio
         } else {
             return t;
         };
-        t = match first_over(&axis, base, h, lacks) {
-            Ok(profile) => profile.duration(axis.per_jerk),
-            Err(start_of_gap) => {
-                let (start, duration) = (
-                    axis.displacement(&start_of_gap),
-                    start_of_gap.duration(axis.per_jerk),
-                );
-                // Roundings of the velocities may show a motion behind the start of the gap.
-                if h - start <= tie && duration >= t - R::from(6) * R::EPSILON * t {
-                    duration
-                } else {
-                    border.passed(&border.behind_gap()).0
-                }
-            }
+        let first = match first_over(&axis, base, h, lacks) {
+            Err(start_of_gap) if h - axis.displacement(&start_of_gap) > tie => None,
+            Ok(first) | Err(first) => Some(first.duration(axis.per_jerk)),
+        };
+        // Roundings of the velocities may show a motion behind the start of the gap. The motion that is found from there is before the gap.
+        let is_before = |first: R| first < t - R::from(6) * R::EPSILON * t;
+        t = match first {
+            Some(first) if !is_before(first) => first,
+            _ => border.passed(&border.behind_gap()).0,
         };
     }
     t
