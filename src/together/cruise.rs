@@ -51,7 +51,7 @@ impl<R: Real> Cruise<R> {
         let fastest = R::from(3) * (mean.abs() + ends + border.undone);
         let mut low = border.limits.vmin.at_least(-fastest);
         let mut high = border.limits.vmax.at_most(fastest);
-        let mut v = mean;
+        let mut v = mean.at_least(low).at_most(high);
         let mut is_end_asked = false;
         for _ in 0..MOST_ROUNDS {
             let cruise = Self::at(border, &reversed, v, t);
