@@ -79,7 +79,8 @@ impl<'a, R: Real + 'a> Line<R> {
             by_velocity: braking,
         });
         let longer = |one: Self, other: Self| {
-            if other.certain() >= one.certain() {
+            let (certain, least) = (other.certain(), one.certain());
+            if certain > least || certain == least && other.positions < one.positions {
                 other
             } else {
                 one
