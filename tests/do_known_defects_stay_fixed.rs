@@ -1,6 +1,6 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::axes::synchronise;
+use atraj::axes::{line, synchronise};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Error, Findings, State};
 use std::fs;
@@ -491,6 +491,48 @@ fn one_axis_hardly_accelerates() {
     let planned = synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001);
     assert_eq!(planned.err(), Some(Error::NotFinite));
     assert_eq!(axes, [Move::default(); 2]);
+}
+
+/// A tick lay in a gap, and roundings of the velocities hid the gap: the position jumped by 9e-5.
+#[test]
+#[rustfmt::skip]
+fn a_tick_lies_in_a_gap() {
+    let limits = [limits::<f32>([85.9869, -85.9869, 0.11413212, -0.048581503, 5.5834675, -35.320766])];
+    let from = [state([0.049860943, 58.217743, -0.028804097])];
+    let to = [state([0.097812474, 58.21772, -0.033586096])];
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.0, 3.248_935_2e-6).expect("a plan");
+    let jump = worst_jump(&axes[0]);
+    assert!(jump <= 64.0, "{jump} roundings");
+}
+
+/// An axis that hurried to a tick, by roundings of a far position, cruised over its limit.
+#[test]
+#[rustfmt::skip]
+fn an_axis_hurries() {
+    let limits = [limits::<f32>([0.029219883, -0.029219883, 1.5394503, -1.5394503, 793.2187, -793.2187])];
+    let from = [state([-158896.92, 0.028405145, -0.5780578])];
+    let to = [state([-158406.88, 0.0, 0.17031509])];
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.0, 18.79726).expect("a plan");
+    let (fastest, limit) = (axes[0].extremes().highest.velocity, limits[0].vmax);
+    assert!(fastest <= limit * (1.0 + 64.0 * f32::EPSILON), "{fastest}");
+}
+
+/// The axis whose positions are the largest led, and the positions of an axis near 0 jumped by the roundings of the lead.
+#[test]
+#[rustfmt::skip]
+fn two_ways_are_as_long() {
+    let limits = [
+        limits::<f32>([258.3159, -128.45663, 0.043431196, -0.08418166, 11.017084, -3.459211]),
+        limits([25.829498, -25.829498, 0.015187274, -0.015187274, 1.196893, -1.196893]),
+    ];
+    let from = [state([0.0, 2.4602778, -0.0054959883]), state([7.3900323, -2.4602778, 0.0054959883])];
+    let to = [state([9.536743e-7, 2.4602778, -0.0054959883]), state([7.3900313, -2.4602778, 0.0054959883])];
+    let mut axes = [Move::default(); 2];
+    line(&mut axes, &limits, &from, &to, 3.029068e-6, 0.0).expect("a line");
+    let jump = worst_jump(&axes[0]);
+    assert!(jump <= 64.0, "{jump} roundings");
 }
 
 test_both_reals!(

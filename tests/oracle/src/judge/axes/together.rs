@@ -71,18 +71,29 @@ pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f6
     let [.., jmax, jmin] = planned.motion().limits;
     let own = Scale::of(planned.problem(), &plan_of(axis));
     more.and(&own).times(8.0).and(&Scale {
-        acceleration: jmax.max(-jmin) * slip / doubt::<R>(),
+        acceleration: jmax.max(-jmin) * slip.abs() / doubt::<R>(),
         ..Scale::default()
     })
 }
 
-/// By how much an axis arrives earlier than its fastest move does, at a tick which the move misses by roundings, s; 0 if it does not.
+/// By how much an axis arrives earlier than its fastest move does, or later, at a tick which the move misses by roundings, s; 0 if it does
+/// not. A slip keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one.
 pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let mut fastest = Move::default();
     let planned = fastest.plan(&problem.limits, problem.from, problem.to);
     let t = axis.t.widen();
     let slip = fastest.t.widen() - t;
-    if planned.is_ok() && slip > 6.0 * R::MACHINE_EPSILON.widen() * t {
+    let count = fastest.count as usize;
+    let keeps_way = axis.count == fastest.count
+        && axis.phase[1].jerk == fastest.phase[1].jerk
+        && (2..count).all(|k| {
+            let [one, other] = [&axis.phase[k], &fastest.phase[k]];
+            one.position == other.position
+                && one.velocity == other.velocity
+                && one.jerk == other.jerk
+        });
+    let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
+    if planned.is_ok() && slip.abs() > rounding && (slip > 0.0 || keeps_way) {
         slip
     } else {
         0.0
@@ -93,7 +104,7 @@ pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
 pub struct Timing<'a, R> {
     /// The axes that share the duration.
     pub axes: &'a [Trial<R>],
-    /// By how much each axis arrives before its fastest move, s.
+    /// By how much each axis slips, s.
     pub slips: &'a [f64],
     /// The least duration, s.
     pub duration: f64,
