@@ -79,10 +79,8 @@ impl<R: Real> Bell<R> {
         if !is_blink {
             return jm;
         }
-        match Trap::fastest(vm, am, -am, boundary) {
-            Ok(trap) if trap.t > R::ZERO => (am / Self::shortest_part(trap.t)).at_most(jm),
-            _ => jm,
-        }
+        let trap = Trap::fastest(vm, am, -am, boundary);
+        trap.map_or(jm, |trap| (am / Self::shortest_part(trap.t)).at_most(jm))
     }
 
     /// There is nothing to do: no phase lasts.

@@ -95,20 +95,12 @@ impl<R: Real> Phase<R> {
         })
     }
 
-    /// When the axis is at `position` between two times, if it is. It does not turn between them, and it is at `far` in the end.
+    /// When the axis gets to `position` between two times, if it does. It does not turn between them, and it is at `far` in the end.
     pub(super) fn time_between(&self, from: R, to: R, far: R, position: R) -> Option<R> {
-        let near = self.position(from);
-        let direction = R::ONE.copysign(far - near);
+        let direction = R::ONE.copysign(far - self.position(from));
         let beyond = |z: R| direction * (self.position(z) - position);
-        if near == position {
-            Some(from)
-        } else if beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO {
-            Some(root_between(from, to, |z| {
-                (beyond(z), direction * self.velocity(z))
-            }))
-        } else {
-            None
-        }
+        let is_between = beyond(from) < R::ZERO && direction * (far - position) >= R::ZERO;
+        is_between.then(|| root_between(from, to, |z| (beyond(z), direction * self.velocity(z))))
     }
 
     /// Whether the velocity may pass 0 in the phase before `next`: between its ends, or on the way to an extreme and back.

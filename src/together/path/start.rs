@@ -12,16 +12,11 @@ use crate::together::cycle::Cycle;
 /// Durations that are tried for a section in which an axis passes its way point.
 const TRIED: u8 = 8;
 
-/// When an axis that moves on after its ramp is at the position, s; infinite if it never is.
+/// When an axis that moves on after its ramp is at the position, which is ahead of it, s.
 fn time_at<R: Real>(ramp: &Move<R>, position: R) -> R {
     ramp.time_at(position).unwrap_or_else(|| {
         let end = ramp.state_at(ramp.t);
-        let after = (position - end.position) / end.velocity;
-        if after >= R::ZERO {
-            ramp.t + after
-        } else {
-            R::INFINITY
-        }
+        ramp.t + (position - end.position) / end.velocity
     })
 }
 
