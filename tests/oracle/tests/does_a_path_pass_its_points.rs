@@ -1,8 +1,11 @@
 //! Does a path pass its way points within all limits, in the promised durations, and never later than with stops, in 2,000 paths per real type?
 
+use atraj::State;
+use atraj::axes::synchronise;
+use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::faults::Fault;
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, judge};
+use oracle::judge::path::{Path, Paths, Planner, judge, promised, stopping};
 use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -145,4 +148,95 @@ fn every_fault_is_seen_f64() {
 #[test]
 fn every_fault_is_seen_f32() {
     every_fault_is_seen::<f32>();
+}
+
+/// Two or three sections of one axis or two, whose numbers have any size up to 10 to the power of `most`.
+fn of_size<R: Real>(random: &mut Random, most: f64) -> Chain<R> {
+    let (axes, points) = (1 + random.below(2), 3 + random.below(2));
+    let number = |random: &mut Random| R::of(random.sign() * random.magnitude(-most, most));
+    let limit = |random: &mut Random, one_endless_in| {
+        let limit = R::of(random.magnitude(-most, most));
+        if random.one_in(one_endless_in) {
+            R::of(f64::INFINITY)
+        } else {
+            limit
+        }
+    };
+    let limits = (0..axes).map(|_| {
+        let acceleration = R::of(random.magnitude(-most, most));
+        Limits::symmetric(limit(random, 10), acceleration, limit(random, 5))
+    });
+    let limits = limits.collect();
+    let mut states: Vec<_> = (0..axes * points)
+        .map(|_| State::at(number(random)))
+        .collect();
+    for start in &mut states[..axes] {
+        if random.one_in(2) {
+            (start.velocity, start.acceleration) = (number(random), number(random));
+        }
+    }
+    Chain {
+        family: Family::InMotion,
+        axes,
+        limits,
+        states,
+    }
+}
+
+/// How many paths are refused, and how many sections have motions that are. Every other section takes the promised time.
+fn refused<R: Original>(most: f64) -> [usize; 2] {
+    let mut random = Random::seeded(0);
+    let (mut paths, mut sections) = (0, 0);
+    for k in 0..10 * PATHS {
+        let chain = of_size::<R>(&mut random, most);
+        let path = match Paths.plan(&chain, 0) {
+            Ok((path, _)) => path,
+            Err(error) => {
+                assert_eq!(error, Error::NotFinite, "{k}");
+                paths += 1;
+                continue;
+            }
+        };
+        for (section, &t) in path.durations.iter().enumerate() {
+            let [from, to] = [section, section + 1]
+                .map(|point| &path.states[point * chain.axes..][..chain.axes]);
+            let mut moves = vec![Move::default(); chain.axes];
+            match synchronise(&mut moves, &chain.limits, from, to, t, R::of(0.0)) {
+                Ok(_) => {
+                    let off = moves[0].t.widen() / t.widen() - 1.0;
+                    assert!(off.abs() <= promised::<R>(), "{k}: {off}");
+                }
+                Err(error) => {
+                    assert_eq!(error, Error::NotFinite, "{k}");
+                    sections += 1;
+                }
+            }
+        }
+        let part = path.duration() / stopping(&chain);
+        let roundings = 64.0 * R::MACHINE_EPSILON.widen();
+        assert!(part <= 1.0 + roundings, "{k}: {part}");
+    }
+    println!(
+        "{}, 1e{most:.0}: {paths} paths refused, {sections} sections",
+        R::NAME
+    );
+    [paths, sections]
+}
+
+/// Paths are refused near the borders of the range only.
+fn of_any_size<R: Original>() {
+    let most = 0.02 * f64::from(R::EXPONENTS.1);
+    assert_eq!(refused::<R>(most), [0; 2]);
+    let [paths, sections] = refused::<R>(5.0 * most);
+    assert!(paths < 5 * PATHS && sections < 2 * PATHS);
+}
+
+#[test]
+fn of_any_size_f64() {
+    of_any_size::<f64>();
+}
+
+#[test]
+fn of_any_size_f32() {
+    of_any_size::<f32>();
 }
