@@ -142,9 +142,27 @@ fn nonsense_is_refused<R: Real>() {
     other
         .plan(&limits[0], State::at(zero), State::at(R::of(9.0)))
         .expect("a plan");
-    let mut bent = [axes[0], other];
-    assert_eq!(line_stop(&mut bent, &limits, half), Err(Error::Line));
-    assert_eq!((axes, bent), (before, [before[0], other]));
+    let mut faster = axes[1];
+    for phase in &mut faster.phase {
+        phase.velocity = phase.velocity + half;
+    }
+    for other in [other, faster] {
+        let mut bent = [axes[0], other];
+        assert_eq!(line_stop(&mut bent, &limits, half), Err(Error::Line));
+        assert_eq!((axes, bent), (before, [before[0], other]));
+    }
+}
+
+/// Axes that stand have no direction, and stop where they are.
+fn axes_that_stand_stay<R: Real>() {
+    let [zero, half] = [0.0, 0.5].map(R::of);
+    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
+    let here = [2.0, -3.0].map(|p| State::at(R::of(p)));
+    let mut axes = [Move::default(); 2];
+    line(&mut axes, &limits, &here, &here, zero, zero).expect("a line");
+    line_stop(&mut axes, &limits, half).expect("a stop");
+    assert_eq!(axes.map(|axis| axis.t), [zero; 2]);
+    assert_eq!(axes.map(|axis| axis.state_at(half)), here);
 }
 
 /// Behind its end a line goes on, at last beyond the largest number: an axis stopped at an infinite position.
@@ -170,5 +188,6 @@ test_both_reals!(
     stops_stay_on_the_line,
     a_tiny_way_is_no_reason_to_refuse,
     nonsense_is_refused,
+    axes_that_stand_stay,
     a_stop_beyond_all_numbers_is_refused
 );

@@ -115,6 +115,12 @@ fn faults<R: Real>() -> Vec<Fault<R>> {
         ("a start that lasts", jumps, |planned, _| {
             planned.phase[0].duration = R::of(1.0)
         }),
+        ("a start a rounding before 0", jumps, |planned, _| {
+            planned.phase[0].start = -R::MACHINE_EPSILON * planned.t
+        }),
+        ("a start that lasts a rounding", jumps, |planned, _| {
+            planned.phase[0].duration = R::MACHINE_EPSILON * planned.t
+        }),
     ]
 }
 

@@ -185,6 +185,16 @@ fn a_motion_that_brakes_at_once_brakes_from_the_first_instant() {
     assert_eq!(profile.setpoint(0.0).acceleration, -4.0);
 }
 
+/// The square of the peak velocity is below the range of a number.
+#[test]
+fn the_smallest_ways_are_motions() {
+    for way in [1.8e-314, 1e-320, 5e-324] {
+        let (profile, _) = corrected(State::at(0.0), target([way, 1.0, EPS, 2.0 * EPS]));
+        assert!(borders(&profile).iter().all(|t| t.is_finite()), "{way}");
+        assert_eq!(profile.setpoint(just_after(profile.tf)), State::at(way));
+    }
+}
+
 #[test]
 fn an_empty_move_stands_still() {
     let (profile, _) = corrected(State::at(3.0), to(3.0));

@@ -233,3 +233,20 @@ impl<R: Real> Chain<'_, '_, R> {
         Some(logarithms.sum())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Logarithms;
+
+    /// Each factor is far within the range of binary32, and the product of all is far beyond it.
+    #[test]
+    fn no_sum_of_logarithms_leaves_the_range() {
+        for factor in [1e-9_f32, 0.5, 3.0, 1e9] {
+            let mut logarithms = Logarithms::none();
+            (0..200).for_each(|_| logarithms.add(factor));
+            let sum = 200.0 * f64::from(factor).ln();
+            let off = (f64::from(logarithms.sum()) - sum) / sum;
+            assert!(off.abs() < 1e-5, "{factor}: {off}");
+        }
+    }
+}

@@ -123,3 +123,34 @@ impl<R: Real> Bounds<R> {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Bounds;
+    use crate::limits::Limits;
+
+    /// A state just inside each limit, and one just outside.
+    #[test]
+    fn a_state_beyond_one_limit_is_outside() {
+        let limits = Limits {
+            vmin: -3.0,
+            amin: -5.0,
+            jmin: -20.0,
+            ..Limits::symmetric(10.0, 4.0, 2.0_f64)
+        };
+        let bounds = Bounds::of([limits].iter());
+        let held = |v, a| (bounds.product([v, a]).is_some(), bounds.hold([v, a]));
+        // While an acceleration of 2 falls at a jerk of 20, the velocity rises by 0.1; while one of -2 rises at 10, it falls by 0.2.
+        for [v, a] in [
+            [0.0, 4.0],
+            [0.0, -5.0],
+            [2.0, 0.0],
+            [-3.0, 0.0],
+            [1.9, 2.0],
+            [-2.8, -2.0],
+        ] {
+            assert_eq!(held(0.999 * v, 0.999 * a), (true, true), "{v} {a}");
+            assert_eq!(held(1.001 * v, 1.001 * a), (false, false), "{v} {a}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Are requests refused for which there is no move or no path, of one axis or of several, each with its reason, and is nothing written then?
 
-use atraj::axes::{line, path_size, plan_path, synchronise};
+use atraj::axes::{line, path_size, plan_path, synchronise, synchronise_within};
 use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move, State};
 use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
@@ -211,6 +211,27 @@ fn lengths<R: Real>() {
             assert_eq!(returned.err(), Some(Error::Axes));
         }
     }
+    for [lowest, highest] in [[2, 3], [3, 2], [4, 3], [3, 4]] {
+        let positions = [&[R::ZERO; 4][..lowest], &[R::ONE; 4][..highest]];
+        let mut axes = [Move::default(); 3];
+        let returned = synchronise_within(
+            &mut axes,
+            &limits,
+            &states,
+            &states,
+            positions,
+            R::ZERO,
+            R::ZERO,
+        );
+        assert_eq!(returned.err(), Some(Error::Axes));
+    }
+    // A path without an axis, and one with more than there may be.
+    for axes in [0, 4097] {
+        let limits = vec![limits[0]; axes];
+        let mut path = vec![states[0]; 2 * axes];
+        let returned = plan_path(&mut path, &mut [R::ONE], &limits, 0, &mut []);
+        assert_eq!(returned.err(), Some(Error::Axes));
+    }
 }
 
 #[test]
@@ -404,6 +425,16 @@ fn bad_profiles<R: Real>() {
     assert_eq!(bell.err(), Some(Error::NotFinite));
     let trap = Trap::fastest(one, one, -one, boundary);
     assert_eq!(trap.err(), Some(Error::NotFinite));
+    let slow = R::of(f64::exp2(-10.0));
+    let bell = Bell::fastest(one, one, slow, Boundary::rest_to_rest(zero, far));
+    assert_eq!(bell.err(), Some(Error::NotFinite));
+    // The duration is below the smallest number. Nothing to do takes no time: liba has no such plan.
+    let least = Boundary::rest_to_rest(zero, zero.neighbour(1));
+    let (high, higher) = (R::of(f64::exp2(10.0)), R::of(f64::exp2(30.0)));
+    let bell = Bell::fastest(higher, high, one, least);
+    assert_eq!(bell.err(), Some(Error::NotFinite));
+    let nothing = Bell::new(one, one, one, Boundary::rest_to_rest(one, one));
+    assert_eq!(nothing.err(), Some(Error::Unreachable));
     let poly = |duration| Poly3::new(duration, boundary).err();
     assert_eq!(poly(one), Some(Error::NotFinite));
     assert_eq!(poly(zero), Some(Error::Duration));
