@@ -135,7 +135,8 @@ setup:
 
 # What would end in a message of cargo that does not tell what to do.
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
-dist check doc soak mutants coverage bench instructions instructions-update fuzz python builds consumers firmware-check firmware-bounds: | rust
+dist deb check doc soak mutants coverage bench instructions instructions-update fuzz python builds consumers firmware-check firmware-bounds \
+    release: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
 	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/install.md' >&2; exit 1; }
@@ -226,6 +227,8 @@ install uninstall: $(ARCHIVE)
 	packaging/install.sh $@ $(DIST) $(NAME)
 
 deb:
+	@packaging/debian.sh tools deb
+	mkdir -p target
 	rm -rf target/deb
 	DEB_RULES_REQUIRES_ROOT=no env -u MAKEFLAGS debian/rules binary > target/deb.log 2>&1 || { cat target/deb.log >&2; exit 1; }
 	debian/rules clean >> target/deb.log
@@ -367,6 +370,7 @@ PYTHON_DIST := $(PYTHON_DIR)/dist
 MANYLINUX := manylinux2014
 
 $(VENV)/maturin: python/requirements-build.txt
+	@packaging/debian.sh tools python
 	$(PYTHON) -m venv $(PYTHON_DIR)/venv
 	$(PIP) install -r python/requirements-build.txt
 
