@@ -139,7 +139,8 @@ dist deb check doc soak mutants coverage bench instructions instructions-update 
     release: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
-	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs), or take a release: docs/install.md' >&2; exit 1; }
+	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs, or on Debian 12 sudo make setup FOR="dist rust"), or take a release:' \
+	    'docs/install.md' >&2; exit 1; }
 ifdef TARGET
 	@rustc --print target-list | grep -qxF -e '$(TARGET)' || { \
 	    echo 'TARGET=$(TARGET) does not exist: `rustc --print target-list` lists the names, packaging/chips.txt has those of chips.' >&2; \
@@ -308,6 +309,7 @@ for language in c cpp rs; do diff -u examples/expected/$1.txt $(EXAMPLES_OUT)/$1
 endef
 
 examples: dist
+	@command -v $(CXX) > /dev/null || packaging/debian.sh tools examples
 	rm -rf $(EXAMPLES_OUT)
 	mkdir -p $(EXAMPLES_OUT)
 	$(foreach name,$(EXAMPLES),$(call example,$(name)))

@@ -49,7 +49,7 @@ wrong_target() {
 
 no_rust() {
     tools=$(tools_but_rust)
-    needed='Rust >= 1.85 is needed (https://rustup.rs), or take a release: docs/install.md'
+    needed='Rust >= 1.85 is needed (https://rustup.rs, or on Debian 12 sudo make setup FOR="dist rust"), or take a release: docs/install.md'
     for goal in dist check install; do
         rm -rf "$copy/target/dist"
         PATH=$tools refused "$needed" make -C "$copy" $goal DESTDIR="$PWD"
