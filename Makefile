@@ -59,7 +59,10 @@
 
 CARGO ?= cargo
 CC ?= cc
-CXX ?= c++
+# make's own default is g++, which not every system has.
+ifeq ($(origin CXX),default)
+CXX := c++
+endif
 PREFIX ?= /usr/local
 LIBDIR ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
