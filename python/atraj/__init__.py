@@ -17,6 +17,7 @@ cannot be planned raises ValueError.
 
 from importlib.metadata import version
 
+from . import claraty, f32
 from ._atraj import f64
 from .values import (
     BellFields,

@@ -7,6 +7,8 @@ from matplotlib.axes import Axes as _Plot
 from matplotlib.figure import Figure
 from typing_extensions import Self, disjoint_base
 
+from . import claraty as claraty
+from . import f32 as f32
 from .values import BellFields as BellFields
 from .values import Extremes as Extremes
 from .values import Findings as Findings

@@ -3,7 +3,6 @@
 Floats go in and come out, and are rounded on the way in. Arrays are of `numpy.float32`.
 
 >>> import atraj
->>> import atraj.f32
 >>> atraj.f32.Bell(30, 10, 5, 0, 10).sample(n=3).p
 array([ 0.,  5., 10.], dtype=float32)
 """

@@ -4,6 +4,7 @@ import copy
 import inspect
 import math
 import pickle
+import subprocess
 import sys
 
 import numpy as np
@@ -32,6 +33,12 @@ def profiles(module):
 def test_version():
     manifest = (DIRECTORY.parents[1] / "Cargo.toml").read_text()
     assert f'\nversion = "{atraj.__version__}"\n' in manifest
+
+
+def test_one_import_brings_all():
+    program = "import atraj; print(atraj.f32.Move.__module__, atraj.claraty.Trajectory.__module__)"
+    printed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+    assert printed == "atraj.f32 atraj.claraty\n"
 
 
 @reals
@@ -498,8 +505,6 @@ def test_copies_are_equal(real):
 
 
 def test_what_comes_back_from_its_text():
-    import atraj.f32  # noqa: F401, for eval
-
     texts = 0
     for module in [atraj, atraj.f32]:
         for thing in things(module):
