@@ -19,6 +19,7 @@ SOURCE := atraj-$(VERSION)-source
 BILL := $(OUT)/atraj-$(VERSION).cdx.json
 
 export SOURCE_DATE_EPOCH := $(or $(SOURCE_DATE_EPOCH),$(shell git log -1 --format=%ct))
+$(if $(KEY),$(if $(wildcard $(KEY)),,$(error KEY=$(KEY) does not exist: it is the file of an SSH key)))
 $(if $(SOURCE_DATE_EPOCH),,$(error make release takes the sources and their date from git: start it in a clone))
 
 .DELETE_ON_ERROR:

@@ -44,14 +44,14 @@ complete() {
     done < targets > expected
     for file in source.tar.gz site.tar.gz playground.html; do echo "atraj-$version-$file"; done >> expected
     printf '%s\n' "atraj-$version.cdx.json" "atraj-$version-arduino.zip" "atraj-$version-vcpkg.zip" "atraj.atraj.$version.pack" \
-        SHA256SUMS >> expected
+        SHA256SUMS ${KEY:+SHA256SUMS.sig} >> expected
     (cd "$release" && ls ./*.deb ./*.whl) | sed 's|^\./||' > named_by_tools
     test "$(grep -c '^libatraj.*\.deb$' named_by_tools)" = 4
     grep '\.whl$' named_by_tools
     (cd "$release" && ls) | grep -v "^atraj-$version\.tar\.gz$" | LC_ALL=C sort > there
     cat expected named_by_tools | LC_ALL=C sort | diff - there
     (cd "$release" && sha256sum --check --strict SHA256SUMS)
-    test "$(wc -l < "$release/SHA256SUMS")" = "$(($(ls "$release" | wc -l) - 1))"
+    test "$(wc -l < "$release/SHA256SUMS")" = "$(ls "$release" | grep -vc '^SHA256SUMS')"
 }
 
 # from_release_to_program NAME: the commands of docs/install.md up to the one that enters the folder, and the commands that are shown there.
