@@ -174,6 +174,16 @@ site_is_whole() {
 
 # --- package managers, each by a stand-in, because none of their servers is asked
 
+core_of_arduino() {
+    cat > Arduino.h << 'END'
+struct { void begin(long) {} template <typename T> void println(T) {} } Serial;
+inline void delay(int) {}
+void setup();
+void loop();
+int main() { setup(); for (;;) { loop(); } }
+END
+}
+
 # Every folder of the library for Arduino has the archive of the release. The sketch is compiled and linked as for two boards.
 arduino() {
     unzip -q "$release/atraj-$version-arduino.zip"
@@ -182,13 +192,7 @@ arduino() {
     while read -r place target; do
         tar xzOf "$release/atraj-$version-$target-float.tar.gz" "atraj-$version-$target-float/lib/libatraj-float.a" | cmp - "atraj/src/$place/libatraj-float.a"
     done < boards
-    cat > Arduino.h << 'END'
-struct { void begin(long) {} template <typename T> void println(T) {} } Serial;
-inline void delay(int) {}
-void setup();
-void loop();
-int main() { setup(); for (;;) { loop(); } }
-END
+    core_of_arduino
     cp atraj/examples/Jog/Jog.ino jog.cpp
     sketch cortex-m4/fpv4-sp-d16-hard -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16
     sketch cortex-m0plus -mcpu=cortex-m0plus
@@ -203,9 +207,12 @@ sketch() {
     arm-none-eabi-gcc -mthumb "$@" --specs=nosys.specs jog.o "-Latraj/src/$place" -latraj-float -lm -o jog.elf
 }
 
-# PlatformIO reads the manifest and packs the library; the script chooses the archive from a board's flags.
-platformio_packs() {
+# PlatformIO packs the library, and builds its example for boards that are described here, with Debian's compilers: PlatformIO's own boards
+# and compilers are not on PyPI.
+platformio() {
     unzip -q "$release/atraj-$version-arduino.zip"
+    core_of_arduino
+    export PLATFORMIO_CORE_DIR=$PWD/core PLATFORMIO_SETTING_ENABLE_TELEMETRY=no
     # PlatformIO would fetch the names of all licences.
     cat > pio.py << 'END'
 from platformio.__main__ import main
@@ -214,26 +221,48 @@ from platformio.package.manifest.schema import ManifestSchema
 ManifestSchema.load_spdx_licenses = lambda self: {"licenses": [{"licenseId": "MIT"}, {"licenseId": "Apache-2.0"}]}
 raise SystemExit(main())
 END
-    PLATFORMIO_CORE_DIR=$PWD/core "$root/target/venv/bin/python" pio.py pkg pack -o packed.tar.gz atraj
+    pio pkg pack -o packed.tar.gz atraj
     tar tzf packed.tar.gz | grep -x 'src/cortex-m3/libatraj-float.a'
-    cat > choose.py << 'END'
-import sys
+    scons_for_pio
+    mkdir -p core/platforms
+    cp -R "$root/tests/consumers/platformio" core/platforms/desk
+    arm='arm-none-eabi- --specs=nosys.specs -mthumb'
+    example_on nrf52840 $arm -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16 > built
+    grep -F -e '-Llib/atraj/src/cortex-m4/fpv4-sp-d16-hard ' built
+    example_on samd21 $arm -mcpu=cortex-m0plus > built
+    grep -F -e '-Llib/atraj/src/cortex-m0plus ' built
+    example_on esp32c3 riscv64-unknown-elf- --specs=picolibc.specs -march=rv32imc -mabi=ilp32 > built
+    grep -F -e '-Llib/atraj/src/esp32c3 ' built
+    refused 'has no archive for' example_on stm32f4 $arm -mcpu=cortex-m4
+    refused 'has no archive for esp32s3' example_on esp32s3 arm-none-eabi-
+}
 
-class Env(dict):
-    def Dir(self, name): return self
-    def srcnode(self): return self
-    abspath = "atraj"
-    def Append(self, LIBPATH, LIBS): print(LIBPATH[0], *LIBS)
-    Exit = staticmethod(sys.exit)
+pio() {
+    "$root/target/venv/bin/python" pio.py "$@"
+}
 
-env = Env(CCFLAGS=sys.argv[2:], BOARD_MCU=sys.argv[1])
-exec(open("atraj/archive.py").read(), {"Import": lambda name: None, "env": env})
+# PlatformIO looks for SCons among its packages. Here it is PyPI's.
+scons_for_pio() {
+    scons=core/packages/tool-scons
+    mkdir -p $scons
+    needed=$("$root/target/venv/bin/python" -c \
+        'from platformio.dependencies import get_core_dependencies as all; print(all()["tool-scons"].lstrip("~"))')
+    echo '{"name": "tool-scons", "version": "'"$needed"'"}' > $scons/package.json
+    echo '{"type": "tool", "name": "tool-scons", "version": "'"$needed"'", "spec": {"owner": "platformio", "name": "tool-scons"}}' > $scons/.piopm
+    printf 'from SCons.Script.Main import main\n\nmain()\n' > $scons/scons.py
+}
+
+# example_on MCU COMPILER FLAGS…: builds the example for a board
+example_on() {
+    mcu=$1 compiler=$2
+    shift 2
+    mkdir -p core/platforms/desk/boards
+    cat > "core/platforms/desk/boards/$mcu.json" << END
+{"name": "$mcu", "vendor": "desk", "url": "https://example.org", "frameworks": ["arduino"],
+"upload": {"maximum_size": 1048576, "maximum_ram_size": 262144}, "build": {"mcu": "$mcu"},
+"desk": {"compiler": "$compiler", "flags": "$* -I$PWD"}}
 END
-    test "$(python3 choose.py nrf52840 -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16)" = 'atraj/src/cortex-m4/fpv4-sp-d16-hard atraj-float m'
-    test "$(python3 choose.py samd21 -mcpu=cortex-m0plus)" = 'atraj/src/cortex-m0plus atraj-float m'
-    test "$(python3 choose.py esp32c3 -march=rv32imc)" = 'atraj/src/esp32c3 atraj-float m'
-    refused 'has no archive for' python3 choose.py stm32f4 -mcpu=cortex-m4
-    refused 'has no archive for esp32s3' python3 choose.py esp32s3
+    pio ci atraj/examples/Jog/Jog.ino --lib atraj --board "$mcu" --verbose
 }
 
 cmsis_pack() {
@@ -351,7 +380,7 @@ done
 row "Debian's packages hold the library" debian_packages
 row "the site has every page" site_is_whole
 row "Arduino's library" arduino
-row "PlatformIO's library" platformio_packs
+row "PlatformIO's library" platformio
 row "CMSIS-Pack" cmsis_pack
 row "vcpkg's port" vcpkg_port
 row "sources build without a network" sources

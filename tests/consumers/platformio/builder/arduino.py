@@ -1,0 +1,1 @@
+"""Nothing is added for Arduino: the test gives its core. PlatformIO reads sketches for Arduino alone."""
