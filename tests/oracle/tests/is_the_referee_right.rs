@@ -2,6 +2,7 @@
 //! the peak velocity, which knows no border, finds the same durations of motions without acceleration at their ends.
 
 use atraj::online::{Limits, Move, Phase, State};
+use oracle::judge::planner::Fastest;
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
 use oracle::judge::referee::Walk;
@@ -111,6 +112,34 @@ fn no_random_motion_is_faster() {
     }
     println!("{motions} motions, {fastest} of them as fast as the fastest one");
     assert!(fastest > motions / 100);
+}
+
+/// A start beyond a velocity comes inside with an acceleration. It eases in the middle of the motion, and its border rises, falls and rises
+/// again. The fastest motion is below the first top, which the referee passed over.
+#[test]
+fn a_start_beyond_the_velocity_eases() {
+    let rows = [
+        (
+            [0.01, -6.13, 1.0, -16.7, 62.4, -32.0],
+            [-0.07, 5.2],
+            [0.03, -6.13],
+        ),
+        (
+            [0.03, -40.0, 1.0, -0.9214, 0.3434, -0.227],
+            [0.0, 5.04],
+            [-105.8, -14.27],
+        ),
+    ];
+    for ([vmax, vmin, amax, amin, jmax, jmin], [p0, v0], [p1, v1]) in rows {
+        let numbers = [vmax, vmin, amax, amin, jmax, jmin, p0, v0, 0.0, p1, v1, 0.0];
+        let problem = Problem::of(Kind::FarOutside, Request::Plan, numbers);
+        let trial = Trial::new(problem);
+        let verdict = trial.judge(&Fastest, &mut Random::seeded(0));
+        assert!(
+            matches!(verdict, Verdict::Good { error, .. } if error < 1e-12),
+            "{verdict:?}: {problem}"
+        );
+    }
 }
 
 /// The referee's motions end where they should, keep the limits, and have no phase of negative duration.

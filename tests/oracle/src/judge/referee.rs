@@ -63,7 +63,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the ends.
+    /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the target, and where the axis is
+    /// inside the limits.
     const SPARSE: Self = Self {
         part: 1.0,
         factor: 4.0,
@@ -170,7 +171,11 @@ impl Motion {
     /// The fastest motion to a target that is so much further and so much faster, from a start that is so much faster.
     pub fn best_beside(&self, beside: [f64; 3], grid: Grid) -> Best {
         let mut best = Best::default();
-        let is_accelerated = self.start[2] != 0.0 || self.target[2] != 0.0;
+        let [_, v0, a0] = self.start;
+        let [vmax, vmin, ..] = self.limits;
+        // A start beyond a velocity comes inside with an acceleration.
+        let comes_inside = v0 > vmax || v0 < vmin;
+        let is_accelerated = a0 != 0.0 || self.target[2] != 0.0 || comes_inside;
         let grid = if is_accelerated { grid } else { Grid::SPARSE };
         let Self {
             limits,
