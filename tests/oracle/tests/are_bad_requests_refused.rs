@@ -426,15 +426,21 @@ fn bad_profiles<R: Real>() {
     let trap = Trap::fastest(one, one, -one, boundary);
     assert_eq!(trap.err(), Some(Error::NotFinite));
     let slow = R::of(f64::exp2(-10.0));
-    let bell = Bell::fastest(one, one, slow, Boundary::rest_to_rest(zero, far));
-    assert_eq!(bell.err(), Some(Error::NotFinite));
-    // The duration is below the smallest number. Nothing to do takes no time: liba has no such plan.
+    for acceleration in [one, infinity] {
+        let boundary = Boundary::rest_to_rest(zero, far);
+        let bell = Bell::fastest(one, acceleration, slow, boundary);
+        assert_eq!(bell.err(), Some(Error::NotFinite));
+    }
+    // The duration is below the smallest number. liba has plans that take no time, and this library refuses them.
     let least = Boundary::rest_to_rest(zero, zero.neighbour(1));
     let (high, higher) = (R::of(f64::exp2(10.0)), R::of(f64::exp2(30.0)));
     let bell = Bell::fastest(higher, high, one, least);
     assert_eq!(bell.err(), Some(Error::NotFinite));
-    let nothing = Bell::new(one, one, one, Boundary::rest_to_rest(one, one));
-    assert_eq!(nothing.err(), Some(Error::Unreachable));
+    let here = Boundary::rest_to_rest(one, one);
+    for (fast, acceleration) in [(one, one), (huge(0.95), zero.neighbour(1))] {
+        let nothing = Bell::new(fast, acceleration, fast, here);
+        assert_eq!(nothing.err(), Some(Error::Unreachable));
+    }
     let poly = |duration| Poly3::new(duration, boundary).err();
     assert_eq!(poly(one), Some(Error::NotFinite));
     assert_eq!(poly(zero), Some(Error::Duration));
