@@ -45,6 +45,32 @@ fn from_rest_to_rest<R: Real>() {
     }
 }
 
+/// From rest to rest, an axis with time to spare makes its fastest move in slow motion, whatever the limits are.
+fn in_slow_motion<R: Real>() {
+    let mut random = Random::seeded(9);
+    for _ in 0..SETS / 10 {
+        let limits = online::limits::<R>(&mut random);
+        let [from, to] =
+            [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5))));
+        let mut fastest = Move::default();
+        fastest.plan(&limits, from, to).expect("a plan");
+        let duration = fastest.t * R::of(1.0 + random.magnitude(-2.0, 3.0));
+        let mut axes = [Move::default()];
+        let planned = synchronise(&mut axes, &[limits], &[from], &[to], duration, R::of(0.0));
+        assert!(planned.is_ok(), "{planned:?}: {limits:?} {from:?} {to:?}");
+        let size = from.position.widen().abs() + to.position.widen().abs();
+        for _ in 0..8 {
+            let part = R::of(random.unit());
+            let [slow, fast] =
+                [&axes[0], &fastest].map(|axis| axis.position(part * axis.t).widen());
+            assert!(
+                (slow - fast).abs() <= 64.0 * R::MACHINE_EPSILON.widen() * size,
+                "{slow} instead of {fast}: {limits:?} {from:?} {to:?}"
+            );
+        }
+    }
+}
+
 /// The ramp to the velocity `v`, in binary64: its duration and its displacement.
 fn ramp(limits: &Limits<f64>, from: State<f64>, v: f64) -> Option<[f64; 2]> {
     let mut ramp = Move::default();
@@ -129,4 +155,4 @@ fn in_motion<R: Real>() {
     assert!(cruises > SETS / 40);
 }
 
-test_both_reals!(from_rest_to_rest, in_motion);
+test_both_reals!(from_rest_to_rest, in_slow_motion, in_motion);

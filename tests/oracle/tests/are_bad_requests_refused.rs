@@ -446,6 +446,10 @@ fn bad_profiles<R: Real>() {
     assert_eq!(poly(zero), Some(Error::Duration));
     assert_eq!(poly(nan), Some(Error::Duration));
     let near = Boundary::rest_to_rest(zero, one);
+    for [jerk, acceleration, velocity] in [[zero, one, one], [one, zero, one], [one, one, zero]] {
+        let bell = Bell::fastest(jerk, acceleration, velocity, near);
+        assert_eq!(bell.err(), Some(Error::Limits));
+    }
     for (rise, fall) in [(infinity, -one), (one, -infinity)] {
         let trap = Trap::fastest(one, rise, fall, near);
         assert_eq!(trap.err(), Some(Error::Limits));

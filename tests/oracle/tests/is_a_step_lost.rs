@@ -63,6 +63,25 @@ fn no_step_is_lost_f32() {
     no_step_is_lost::<f32>();
 }
 
+/// A motor begins at the last line that is not above the start.
+fn starts_on_lines<R: Real>() {
+    for line in -4..=4_i8 {
+        let start = R::of(f64::from(line));
+        for (offset, expected) in [(0.0, line), (1e-3, line - 1), (-1e-3, line)] {
+            let mut there = Move::default();
+            there.phase[0].position = start;
+            let motor = Steps::new(&there, R::of(offset), R::of(1.0)).expect("a line");
+            assert_eq!(motor.count(), expected.into(), "{line} {offset}");
+        }
+    }
+}
+
+#[test]
+fn a_motor_starts_on_its_line() {
+    starts_on_lines::<f64>();
+    starts_on_lines::<f32>();
+}
+
 /// The judge must see a step that is lost, doubled, later or earlier, and two that are exchanged.
 fn faults_are_seen<R: Real>() {
     let mut random = Random::seeded(28);
