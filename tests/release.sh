@@ -165,9 +165,8 @@ debian_packages() {
 
 site_is_whole() {
     tar xzf "$release/atraj-$version-site.tar.gz"
-    for page in "$root"/docs/*.md; do
-        page=$(basename "$page" .md)
-        test -s "atraj-$version-site/$(echo "$page" | sed 's/^README$/index/').html"
+    for page in index $(cd "$root" && ls docs/*.md | sed 's/\.md$//'); do
+        test -s "atraj-$version-site/$page.html" || { echo "no $page.html"; exit 1; }
     done
     cmp "atraj-$version-site/playground.html" "$release/atraj-$version-playground.html"
 }
