@@ -12,6 +12,7 @@ use super::profile::{MOST_SEGMENTS, Profile, Segment};
 use super::ramp::{Change, PerJerk, Ramp, seen};
 use crate::limits::Limits;
 use crate::real::Real;
+use crate::roots::larger_root;
 
 /// The ends and the limits of the motions on the border.
 #[derive(Clone, Copy, Debug)]
@@ -223,25 +224,22 @@ impl<R: Real> Border<R> {
         }
         let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);
         let without_cruise = cruise.duration(self.per_jerk);
-        let profile = if t >= without_cruise {
-            Profile {
-                cruise: t - without_cruise,
-                ..cruise
-            }
-        } else {
-            self.without_cruise(t)
-        };
-        let rounding = few * (self.a0.abs() + self.a1.abs() + profile.fall);
-        // A rise that is longer at one end of the fall and shorter at the other changes the velocity by twice the area of the fall. Here only
-        // the difference of both velocities is rounded, and the area: by 4 of the 16 roundings.
-        let change = (self.per_jerk.q() + self.per_jerk.q()) * profile.fall;
-        let velocity = R::HALF * R::HALF * self.rounding_of_velocity();
-        let is_rise = |rise: R| rise >= -rounding || change * -rise <= velocity;
-        (is_rise(profile.first) && is_rise(profile.last)).then_some(profile)
+        if t < without_cruise {
+            return self.without_cruise(t);
+        }
+        Some(Profile {
+            cruise: t - without_cruise,
+            ..cruise
+        })
+    }
+
+    /// The roundings of the difference of both velocities and of the area of a fall: 4 of the 16.
+    fn rounding_of_area(&self) -> R {
+        R::HALF * R::HALF * self.rounding_of_velocity()
     }
 
     /// The motion of the duration `t` that gets farthest, if the duration is too short to cruise.
-    fn without_cruise(&self, t: R) -> Profile<R> {
+    fn without_cruise(&self, t: R) -> Option<Profile<R>> {
         let Self { a0, a1, dv, .. } = *self;
         let (bu, bd) = (self.limits.amax, -self.limits.amin);
         let (gu, q, half) = (self.per_jerk.gu, self.per_jerk.q(), R::HALF);
@@ -252,14 +250,18 @@ impl<R: Real> Border<R> {
         let (first, last) = (half * (rises + difference), half * (rises - difference));
         let (peak, trough) = (a0 + first, a1 - last);
         if peak <= bu && trough >= -bd {
-            return Profile {
+            let rounding = R::from(16) * R::EPSILON * (a0.abs() + a1.abs() + fall);
+            // A rise that is longer at one end of the fall and shorter at the other changes the velocity by twice the area of the fall.
+            let change = (q + q) * fall;
+            let is_rise = |rise: R| rise >= -rounding || change * -rise <= self.rounding_of_area();
+            return (is_rise(first) && is_rise(last)).then_some(Profile {
                 first,
                 peak,
                 fall,
                 trough,
                 last,
                 ..Profile::default()
-            };
+            });
         }
         let both = bu + bd;
         let holds = rest - (q + q) * both;
@@ -273,7 +275,7 @@ impl<R: Real> Border<R> {
             peak > bu
         };
         if holds >= R::ZERO && (top >= R::ZERO && bottom >= R::ZERO || is_trapezoid) {
-            Profile {
+            Some(Profile {
                 first: bu - a0,
                 peak: bu,
                 top: top.at_least(R::ZERO),
@@ -282,30 +284,38 @@ impl<R: Real> Border<R> {
                 bottom: bottom.at_least(R::ZERO),
                 last: a1 + bd,
                 ..Profile::default()
-            }
+            })
         } else if top_holds {
             self.top_alone(t)
         } else {
-            self.reversed().top_alone(t).reversed()
+            self.reversed().top_alone(t).map(Profile::reversed)
         }
     }
 
-    /// The motion of the duration `t` in which the highest acceleration holds and the lowest one does not.
-    fn top_alone(&self, t: R) -> Profile<R> {
+    /// The motion of the duration `t` in which the highest acceleration holds and the lowest one does not. `None` if the velocity at the end
+    /// cannot be reached in this duration.
+    fn top_alone(&self, t: R) -> Option<Profile<R>> {
         let Self { a0, a1, dv, .. } = *self;
-        let (gu, q, bu) = (self.per_jerk.gu, self.per_jerk.q(), self.limits.amax);
-        let beside = gu * (a0 - a1) * (bu - R::HALF * (a0 + a1));
-        let fall = ((bu * t - dv + beside) / q).at_least(R::ZERO).sqrt();
-        let trough = bu - fall;
-        Profile {
-            first: bu - a0,
-            peak: bu,
-            top: (t + gu * (a0 - a1) - (q + q) * fall).at_least(R::ZERO),
-            fall,
-            trough,
-            last: a1 - trough,
-            ..Profile::default()
-        }
+        let PerJerk { gu, gd } = self.per_jerk;
+        let (q, bu) = (self.per_jerk.q(), self.limits.amax);
+        let (first, least) = (bu - a0, bu - a1);
+        let held = bu * t;
+        // What the velocity would change too much by, if the acceleration fell to the end and no rise followed.
+        let beyond = held - dv - R::HALF * (gu * first * first + gd * least * least);
+        let rounding = self.rounding_of_area() + R::from(4) * R::EPSILON * held;
+        (beyond >= -rounding).then(|| {
+            // A rise below 0 by rounding is none. Else the hold would have to leave its acceleration.
+            let last = larger_root(least, -(beyond.at_least(R::ZERO) / q));
+            Profile {
+                first,
+                peak: bu,
+                top: (t - gu * (first + last) - gd * (least + last)).at_least(R::ZERO),
+                fall: least + last,
+                trough: a1 - last,
+                last,
+                ..Profile::default()
+            }
+        })
     }
 
     /// Displacement of a motion.

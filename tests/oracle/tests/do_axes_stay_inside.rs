@@ -120,6 +120,8 @@ struct Counts {
 
 fn axes_stay_inside<R: Original>() {
     let mut random = Random::seeded(26);
+    // What the judge looks at follows the plans. The walls do not.
+    let mut glances = Random::seeded(27);
     let mut counts = Counts::default();
     for set in Sets::<R>::new(26).take(SETS) {
         let axes: Option<Vec<_>> = set
@@ -128,7 +130,7 @@ fn axes_stay_inside<R: Original>() {
             .map(|axis| Walled::new(*axis, &mut random))
             .collect();
         if let Some(axes) = axes {
-            judge(&set, &axes, &mut counts, &mut random);
+            judge(&set, &axes, &mut counts, &mut glances);
         }
     }
     println!("{}: {counts:?}", R::NAME);
