@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# programs.sh TREE OUT: builds the tests of the copy TREE of this repository as few programs: OUT/unit, OUT/root, OUT/oracle, and OUT/c, which
-# runs the C programs OUT/c-*. `make mutants` and `make coverage` run them. The oracle's tests that are made for minutes are made for seconds
-# here.
+# programs.sh TREE OUT: builds the tests of the copy TREE of this repository as few programs: OUT/unit, OUT/root and OUT/oracle. OUT/c runs the C
+# programs OUT/c-*, OUT/compact runs them with the polynomials of the newest liba, and OUT/soft with the `double` of a core whose unit lacks it.
+# `make mutants` and `make coverage` run them. The oracle's tests that are made for minutes are made for seconds here.
 set -euo pipefail
 tree=$1 out=$2
 mkdir -p "$out"
@@ -40,23 +40,32 @@ program unit test --quiet --no-run --lib
 program root test --quiet --no-run --test all
 program oracle test --quiet --release --no-run --locked --manifest-path tests/oracle/Cargo.toml --test all
 
-cargo rustc --quiet --release --lib --crate-type staticlib --features capi --message-format=json-render-diagnostics -- --cfg atraj_archive \
-    > "$out/messages.json"
-library=$(sed -n 's|.*"filenames":\["\([^"]*/libatraj\.a\)".*|\1|p' "$out/messages.json")
-config=$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' "$out/messages.json")
-mkdir -p "$out/include"
-cp -R include/. "$out/include"
-cp "$config/atraj_config.h" "$out/include/a/"
 contracts='abi sample fastest move axes axis path clock shaper steps' replays='golden claraty'
-for source in $contracts $replays; do
-    # The symbol links what writes the counters of `make coverage`.
-    cc -std=c99 -O1 -I"$out/include" -Wl,--defsym=rust_eh_personality=0,--undefined=__llvm_profile_runtime "c_tests/$source.c" "$library" -lm -o "$out/c-$source"
-done
-cat > "$out/c" <<END
+# c_programs NAME FEATURES HEADER FLAGS…: the C programs beside the library that rustc builds with these flags, as OUT/NAME-*, and OUT/NAME,
+# which runs all of them. Each program includes the HEADER.
+c_programs() {
+    local name=$1 features=$2 header=$3 include=$out/include-$1 library config source
+    cargo rustc --quiet --release --lib --crate-type staticlib --features "$features" --message-format=json-render-diagnostics \
+        -- --cfg atraj_archive "${@:4}" > "$out/messages.json"
+    library=$(sed -n 's|.*"filenames":\["\([^"]*/libatraj\.a\)".*|\1|p' "$out/messages.json")
+    config=$(sed -n 's|.*"out_dir":"\([^"]*/build/atraj-[0-9a-f]*/out\)".*|\1|p' "$out/messages.json")
+    mkdir -p "$include"
+    cp -R include/. "$include"
+    cp "$config/atraj_config.h" "$include/a/"
+    for source in $contracts $replays; do
+        # The symbol links what writes the counters of `make coverage`.
+        cc -std=c99 -O1 -I"$include" -include "$header" -Wl,--defsym=rust_eh_personality=0,--undefined=__llvm_profile_runtime \
+            "c_tests/$source.c" "$library" -lm -o "$out/$name-$source"
+    done
+    cat > "$out/$name" <<END
 #!/bin/sh
 set -e
-for source in $contracts; do $out/c-\$source; done
-for source in $replays; do $out/c-\$source $tree/tests/golden; done
+for source in $contracts; do $out/$name-\$source; done
+for source in $replays; do $out/$name-\$source $tree/tests/golden; done
 END
-chmod +x "$out/c"
+    chmod +x "$out/$name"
+}
+c_programs c capi a/a.h
+c_programs compact capi,poly-compact a/a.h
+c_programs soft capi c_tests/aeabi.h --cfg unit_lacks_binary64
 touch "$out/whole"

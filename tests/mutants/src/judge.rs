@@ -73,6 +73,12 @@ fn steps(storey: &str) -> Vec<Step> {
         ],
     };
     let mut steps = vec![("c", "")];
+    // Builds that hold other code.
+    match storey {
+        "capi" => steps.push(("compact", "")),
+        "real" => steps.push(("soft", "")),
+        _ => {}
+    }
     steps.extend(ours);
     for &step in [ONLINE, TOGETHER].into_iter().flatten() {
         let is_later = matches!(storey, "real" | "capi" | "shared" | "online" | "fastest");
