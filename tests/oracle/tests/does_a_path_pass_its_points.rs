@@ -122,6 +122,35 @@ fn units_change_no_bit_f32() {
     units_change_no_bit::<f32>();
 }
 
+/// One axis moves and comes back to where it starts, the other one cannot stop before its way point: to both sides alike.
+fn there_and_back<R: Original>() {
+    let state = |numbers: [f64; 3]| {
+        let [position, velocity, acceleration] = numbers.map(R::of);
+        State {
+            position,
+            velocity,
+            acceleration,
+        }
+    };
+    let start = [[0.0, 0.05, -1.0], [0.0, 5.0, 0.0]];
+    let behind = [[0.0; 3], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
+    let chain = Chain {
+        family: Family::InMotion,
+        axes: 2,
+        limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2],
+        states: start.into_iter().chain(behind).map(state).collect(),
+    };
+    let [one, other] =
+        [&chain, &chain.mirrored()].map(|chain| Paths.plan(chain, 0).expect("a plan").0.durations);
+    assert_eq!(one, other);
+}
+
+#[test]
+fn an_axis_comes_back_to_both_sides_alike() {
+    there_and_back::<f64>();
+    there_and_back::<f32>();
+}
+
 fn every_fault_is_seen<R: Original>() {
     for fault in Fault::ALL {
         let (mut chains, mut random) = (Chains::new(0), Random::seeded(0));
