@@ -62,6 +62,7 @@ fn steps(storey: &str) -> Vec<Step> {
             ("oracle", "does_the_clock_keep_the_limits"),
             ("root", "is_a_signal_followed"),
             ("root", "do_known_defects_stay_fixed"),
+            ("root", "does_a_plan_take_over_in_time::in_its_own_tick"),
         ],
         _ => &[
             ("unit", ""),
