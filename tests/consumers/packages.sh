@@ -226,8 +226,8 @@ debian_packages() {
     lintian --allow-root --fail-on error,warning first/*.deb
     mkdir -p "$debian/var/lib/dpkg/updates" "$debian/var/lib/dpkg/info"
     touch "$debian/var/lib/dpkg/status"
-    # No package of Debian's own is in this folder.
-    dpkg --root="$debian" --force-depends --force-not-root --log=log -i first/*.deb
+    # No package of Debian's own is in this folder. The path of a user has no sbin, and dpkg wants programs of it.
+    PATH=$PATH:/usr/sbin:/sbin dpkg --root="$debian" --force-depends --force-not-root --log=log -i first/*.deb
 }
 
 debian_program() {
