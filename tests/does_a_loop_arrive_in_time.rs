@@ -16,7 +16,7 @@ const LONGEST: f64 = 1.5;
 const CYCLE: f64 = 1e-3;
 /// How many ticks later than the first plan a loop may arrive.
 const SPARE: usize = 2;
-/// One of so many loops may be late, by the roundings of its numbers: see "A slip" in `docs/planner.md`. On a line two of 2,091 loops are, and
+/// One of so many loops may be late, by the roundings of its numbers: see "A slip" in `docs/planner.md`. On a line one of 2,091 loops is, and
 /// one of 2,090 in binary32.
 const ONE_LATE_OF: usize = 1000;
 /// How a loop plans.
@@ -287,6 +287,43 @@ fn from_rest_past_a_position<R: Real>() {
     }
 }
 
+/// A loop on a line was refused after some thousand ticks: each tick turned the way by a rounding, until the velocity of the target pointed
+/// beside it.
+fn long_lines_go_on<R: Real>() {
+    let mut random = Random::seeded(24);
+    let mut lines = 0;
+    for number in 0..LOOPS {
+        let ends = Ends::ALL[number % 3];
+        let Problem {
+            limits,
+            mut from,
+            mut to,
+        } = on_a_line::<R>(&mut random, ends, 3);
+        let offset = random.pick(&[0.0, 10.0, 1e4]);
+        for (from, to) in from.iter_mut().zip(to.iter_mut()) {
+            let offset = R::of(random.sign() * offset);
+            from.position = from.position + offset;
+            to.position = to.position + offset;
+        }
+        let mut axes = [Move::default(); 3];
+        let planned = straight(&mut axes, &limits, &from, &to);
+        let t = axes[0].t.widen();
+        if planned.is_err() || !(6.0..30.0).contains(&t) {
+            continue;
+        }
+        lines += 1;
+        for tick in 0..(t / CYCLE) as usize - 100 {
+            for (from, axis) in from.iter_mut().zip(&axes) {
+                *from = axis.state_at(R::of(CYCLE));
+            }
+            let planned = straight(&mut axes, &limits, &from, &to);
+            assert!(planned.is_ok(), "{planned:?} at {tick} of {t} s: {from:?}");
+        }
+    }
+    println!("{}: {lines} long lines", R::NAME);
+    assert!(40 * lines > LOOPS, "{lines}");
+}
+
 /// States in the middle of a line's own motion were refused: of 2,000 lines all.
 fn states_of_a_line_lie_on_it<R: Real>() {
     let mut random = Random::seeded(24);
@@ -324,5 +361,6 @@ test_both_reals!(
     lines_arrive_in_time,
     a_hold_stays_at_its_limit,
     from_rest_past_a_position,
+    long_lines_go_on,
     states_of_a_line_lie_on_it
 );

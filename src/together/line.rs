@@ -56,9 +56,11 @@ struct Line<R> {
     positions: R,
     /// How long the slowest axis takes to brake, s.
     braking: R,
-    /// How far the velocities at both ends tell the direction of the line, beside the way, s. A way that is much shorter than the axis
-    /// takes to brake has the roundings of all the numbers before, so it tells the direction badly.
-    by_velocity: R,
+    /// How far the velocity at the start tells the direction of the line, beside the way, s. A way that is much shorter than the axis takes
+    /// to brake has the roundings of all the numbers before, so it tells the direction badly.
+    by_start: R,
+    /// How far the velocity at the end tells it, s. It stays in a loop, in which the roundings of all ticks turn the way.
+    by_end: R,
 }
 
 impl<'a, R: Real + 'a> Line<R> {
@@ -76,7 +78,8 @@ impl<'a, R: Real + 'a> Line<R> {
             },
             positions: from.position.abs() + to.position.abs(),
             braking,
-            by_velocity: braking,
+            by_start: braking,
+            by_end: braking,
         });
         let longer = |one: Self, other: Self| {
             let (certain, least) = (other.certain(), one.certain());
@@ -89,9 +92,12 @@ impl<'a, R: Real + 'a> Line<R> {
         let mut line = leads.reduce(longer).ok_or(Error::Axes)?;
         let way = line.from.position.abs();
         if way > R::HALF * line.reach() {
-            line.by_velocity = R::ZERO;
+            line.by_start = R::ZERO;
+            // As far as the way. Of a slow target less, because its velocity has the roundings of higher ones.
+            let by_end = (way / line.to.velocity.abs()).at_most(R::from(4) * way / line.speeds());
+            line.by_end = if by_end.is_finite() { by_end } else { R::ZERO };
         }
-        if line.reach().is_finite() {
+        if line.base().is_finite() && line.reach().is_finite() {
             Ok(line)
         } else {
             Err(Error::NotFinite)
@@ -119,11 +125,11 @@ impl<'a, R: Real + 'a> Line<R> {
     /// How far an axis moves while the lead moves by 1; 0 if nothing moves.
     fn share(&self, from: &State<R>, to: &State<R>) -> R {
         let along = |x: R, lead: R| x * R::ONE.copysign(lead);
-        let speeds =
-            along(from.velocity, self.from.velocity) + along(to.velocity, self.to.velocity);
+        let start = self.by_start * along(from.velocity, self.from.velocity);
+        let end = self.by_end * along(to.velocity, self.to.velocity);
         let way = along(from.position - to.position, self.from.position);
         if self.base() > R::ZERO {
-            (way + self.by_velocity * speeds) / self.base()
+            (way + start + end) / self.base()
         } else {
             R::ZERO
         }
@@ -131,7 +137,8 @@ impl<'a, R: Real + 'a> Line<R> {
 
     /// What of the lead the shares of the axes are parts of.
     fn base(&self) -> R {
-        self.from.position.abs() + self.by_velocity * self.speeds()
+        let start = self.by_start * self.from.velocity.abs();
+        self.from.position.abs() + start + self.by_end * self.to.velocity.abs()
     }
 
     /// The limits of the lead that keep the limits of all axes.
