@@ -59,49 +59,66 @@ struct Line<R> {
     /// How far the velocity at the start tells the direction of the line, beside the way, s. A way that is much shorter than the axis takes
     /// to brake has the roundings of all the numbers before, so it tells the direction badly.
     by_start: R,
-    /// How far the velocity at the end tells it, s. It stays in a loop, in which the roundings of all ticks turn the way.
-    by_end: R,
+    /// How far the velocity at the end tells it, s, and the acceleration there, s². Both stay in a loop, in which the roundings of all ticks
+    /// turn the way.
+    by_end: (R, R),
 }
 
 impl<'a, R: Real + 'a> Line<R> {
     /// The line along which the axis with the longest way leads.
     fn through(ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Self, Error> {
         let braking = ends.clone().map(braking).fold(R::ZERO, R::at_least);
-        let leads = ends.map(|(_, (from, to))| Self {
-            from: State {
-                position: from.position - to.position,
-                ..*from
-            },
-            to: State {
-                position: R::ZERO,
-                ..*to
-            },
-            positions: from.position.abs() + to.position.abs(),
-            braking,
-            by_start: braking,
-            by_end: braking,
+        let leads = ends.map(|(limits, (from, to))| {
+            let line = Self {
+                from: State {
+                    position: from.position - to.position,
+                    ..*from
+                },
+                to: State {
+                    position: R::ZERO,
+                    ..*to
+                },
+                positions: from.position.abs() + to.position.abs(),
+                braking,
+                by_start: braking,
+                by_end: (braking, R::ZERO),
+            };
+            (line, limits)
         });
-        let longer = |one: Self, other: Self| {
-            let (certain, least) = (other.certain(), one.certain());
-            if certain > least || certain == least && other.positions < one.positions {
+        let longer = |one: (Self, _), other: (Self, _)| {
+            let (certain, least) = (other.0.certain(), one.0.certain());
+            if certain > least || certain == least && other.0.positions < one.0.positions {
                 other
             } else {
                 one
             }
         };
-        let mut line = leads.reduce(longer).ok_or(Error::Axes)?;
+        let (mut line, limits) = leads.reduce(longer).ok_or(Error::Axes)?;
         let way = line.from.position.abs();
         if way > R::HALF * line.reach() {
             line.by_start = R::ZERO;
-            // As far as the way. Of a slow target less, because its velocity has the roundings of higher ones.
-            let by_end = (way / line.to.velocity.abs()).at_most(R::from(4) * way / line.speeds());
-            line.by_end = if by_end.is_finite() { by_end } else { R::ZERO };
+            line.by_end = line.weights_of_end(limits);
         }
         if line.base().is_finite() && line.reach().is_finite() {
             Ok(line)
         } else {
             Err(Error::NotFinite)
         }
+    }
+
+    /// How far the velocity and the acceleration at the end tell the direction of a long way: as much as the way. A small number tells less,
+    /// because it has the roundings of higher ones.
+    fn weights_of_end(&self, limits: &Limits<R>) -> (R, R) {
+        if self.to.is_at_rest() {
+            return (R::ZERO, R::ZERO);
+        }
+        let way = self.from.position.abs();
+        let (v, a) = highest(limits, way);
+        let weight = |x: R, highest: R| {
+            let weight = (way / x.abs()).at_most(R::from(4) * way / highest);
+            if weight.is_finite() { weight } else { R::ZERO }
+        };
+        (weight(self.to.velocity, v), weight(self.to.acceleration, a))
     }
 
     /// The way, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
@@ -126,7 +143,8 @@ impl<'a, R: Real + 'a> Line<R> {
     fn share(&self, from: &State<R>, to: &State<R>) -> R {
         let along = |x: R, lead: R| x * R::ONE.copysign(lead);
         let start = self.by_start * along(from.velocity, self.from.velocity);
-        let end = self.by_end * along(to.velocity, self.to.velocity);
+        let end = self.by_end.0 * along(to.velocity, self.to.velocity)
+            + self.by_end.1 * along(to.acceleration, self.to.acceleration);
         let way = along(from.position - to.position, self.from.position);
         if self.base() > R::ZERO {
             (way + start + end) / self.base()
@@ -138,7 +156,10 @@ impl<'a, R: Real + 'a> Line<R> {
     /// What of the lead the shares of the axes are parts of.
     fn base(&self) -> R {
         let start = self.by_start * self.from.velocity.abs();
-        self.from.position.abs() + start + self.by_end * self.to.velocity.abs()
+        let (by_velocity, by_acceleration) = self.by_end;
+        let end =
+            by_velocity * self.to.velocity.abs() + by_acceleration * self.to.acceleration.abs();
+        self.from.position.abs() + start + end
     }
 
     /// The limits of the lead that keep the limits of all axes.
@@ -173,18 +194,7 @@ impl<'a, R: Real + 'a> Line<R> {
         } else {
             R::ZERO
         };
-        let jerk = limits.jmax.at_least(-limits.jmin);
-        let v = limits.vmax.at_least(-limits.vmin);
-        let a = limits
-            .amax
-            .at_least(-limits.amin)
-            .at_most(((v + v) * jerk).sqrt());
-        let a = if jerk.is_finite() {
-            a.at_most((jerk * jerk * reach).cube_root_above())
-        } else {
-            a
-        };
-        let v = v.at_most((a * reach).sqrt());
+        let (v, a) = highest(limits, reach);
         let is_straight = ends.all(|(_, (from, to))| {
             let share = self.share(from, to);
             let positions =
@@ -211,6 +221,22 @@ impl<'a, R: Real + 'a> Line<R> {
             Err(Error::Line)
         }
     }
+}
+
+/// The highest velocity and the highest acceleration that an axis comes to on a way.
+fn highest<R: Real>(limits: &Limits<R>, way: R) -> (R, R) {
+    let jerk = limits.jmax.at_least(-limits.jmin);
+    let v = limits.vmax.at_least(-limits.vmin);
+    let a = limits
+        .amax
+        .at_least(-limits.amin)
+        .at_most(((v + v) * jerk).sqrt());
+    let a = if jerk.is_finite() {
+        a.at_most((jerk * jerk * way).cube_root_above())
+    } else {
+        a
+    };
+    (v.at_most((a * way).sqrt()), a)
 }
 
 /// How long an axis takes to brake from the higher velocity of both ends, s.
