@@ -39,6 +39,8 @@
 # make mutants                plants small faults into a copy of the library and counts those that the tests see: MUTANTS=60 of each storey,
 #                             drawn by MUTANT_SEED=1. It goes on where it was stopped. MUTANT_BASE=<commit> plants them only in lines
 #                             that have changed since then
+# make miri                   runs Miri on the C functions: no pointer leads outside the memory of its caller, nothing uninitialised is read;
+#                             needs nightly Rust with miri and rust-src
 # make coverage               prints which regions of the library the tests reach, and fails at a branch without test and reason; needs
 #                             llvm-cov of rustc's LLVM
 # make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
@@ -127,7 +129,7 @@ MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
 .PHONY: help setup rust dist dist-locked where install uninstall deb address identify demo examples consumers builds release release-check \
-    doc site-tool check soak mutants coverage fuzz python python-install python-update python-check playground playground-check \
+    doc site-tool check soak mutants miri coverage fuzz python python-install python-update python-check playground playground-check \
     firmware-setup firmware-check firmware-report firmware-bounds bench instructions instructions-update
 
 help:
@@ -138,7 +140,7 @@ setup:
 
 # What would end in a message of cargo that does not tell what to do.
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
-dist deb check doc soak mutants coverage bench instructions instructions-update fuzz python builds consumers firmware-check firmware-bounds \
+dist deb check doc soak mutants miri coverage bench instructions instructions-update fuzz python builds consumers firmware-check firmware-bounds \
     release: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
@@ -338,6 +340,10 @@ $(TOOLS)/bin/cargo-mutants:
 
 mutants: $(TOOLS)/bin/cargo-mutants
 	PATH="$(TOOLS)/bin:$$PATH" tests/mutants.sh $(MUTANT_SEED) $(MUTANTS)
+
+# Miri knows the square root of every processor but the host's.
+miri:
+	$(CARGO) +nightly miri test --target riscv64gc-unknown-linux-gnu --locked --manifest-path tests/miri/Cargo.toml
 
 coverage:
 	tests/coverage.sh

@@ -30,10 +30,11 @@ const TEST_ONLY: [(&str, &str); 4] = [
 ];
 /// What ships in an archive or a dependent program.
 const SHIPPED: [&str; 2] = ["atraj", "libc"];
-const LOCKED: [&str; 6] = [
+const LOCKED: [&str; 7] = [
     ".",
     "tests/oracle",
     "tests/handover",
+    "tests/miri",
     "tests/mutants",
     "fuzz",
     "python",

@@ -41,6 +41,7 @@ fn each_test_file_is_on_the_map() {
             "tests",
             "tests/oracle/tests",
             "tests/handover/tests",
+            "tests/miri/tests",
             "c_tests",
             "fuzz/fuzz_targets",
             "python/tests",

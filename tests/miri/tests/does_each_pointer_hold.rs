@@ -1,0 +1,746 @@
+//! Does each C function read and write no other memory than its caller promised, and only initialised memory? Miri is the judge.
+//!
+//! A table says for each function how many elements each argument points to. The test calls each function with arguments of its types: with
+//! NULL, with ordinary values and with arbitrary bytes. Each array is a heap allocation of its own, of just the promised length, so Miri sees one
+//! element too many. Natively the tests see a panic, a wrong answer, and a write to what a function may only read.
+
+use atraj::capi::a::{trajbell::*, trajpoly3::*, trajpoly5::*, trajpoly7::*, trajtrap::*};
+use atraj::capi::{atraj::*, claraty::*};
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
+use std::hint::black_box;
+use std::mem::MaybeUninit;
+use std::ptr::{null, null_mut};
+use std::thread;
+
+/// What a caller promises of an argument.
+enum Promise {
+    /// Any value.
+    Any,
+    /// This number of elements, which are given; as an integer the number itself.
+    Given(usize),
+    /// This number of elements, each of which is this number where arguments are ordinary.
+    Numbers(usize, f64),
+    /// Room for this number of elements, all of which are written.
+    Written(usize),
+    /// Room for this number of elements, which need not be initialised.
+    Room(usize),
+}
+
+macro_rules! promise {
+    (_) => {
+        Promise::Any
+    };
+    (($count:tt of $value:expr)) => {
+        Promise::Numbers($count, $value)
+    };
+    ([$count:expr]) => {
+        Promise::Written($count)
+    };
+    ({$count:expr}) => {
+        Promise::Room($count)
+    };
+    ($count:expr) => {
+        Promise::Given($count)
+    };
+}
+
+/// A call of a function with arguments for `n` axes, samples or way points.
+type Call = fn(&mut Caller, n: usize) -> Answer;
+
+/// `name(arguments);` where `3` are three elements to read, `[3]` three to write, `{3}` room for three, and `_` is any value.
+macro_rules! table {
+    (|$n:ident| $($name:ident($($argument:tt)*);)*) => {
+        const FUNCTIONS: &[(&str, Call)] = &[$((stringify!($name), |caller, $n| {
+            let _ = $n;
+            // SAFETY: each argument keeps what the table promises.
+            #[allow(unused_unsafe, reason = "two functions are safe")]
+            unsafe { $name($(caller.argument(promise!($argument))),*) }.into()
+        })),*];
+    };
+}
+
+table! { |n|
+    a_trajbell_gen({1} _ _ _ _ _ _ _);
+    a_trajbell_pos(1 _);
+    a_trajbell_vel(1 _);
+    a_trajbell_acc(1 _);
+    a_trajbell_jer(1 _);
+    a_trajpoly3_gen([1] _ _ _ _ _);
+    a_trajpoly3_gen0({1} _ _ _ _ _);
+    a_trajpoly3_gen1(1);
+    a_trajpoly3_gen2(1);
+    a_trajpoly3_pos(1 _);
+    a_trajpoly3_vel(1 _);
+    a_trajpoly3_acc(1 _);
+    a_trajpoly5_gen([1] _ _ _ _ _ _ _);
+    a_trajpoly5_gen0({1} _ _ _ _ _ _ _);
+    a_trajpoly5_gen1(1);
+    a_trajpoly5_gen2(1);
+    a_trajpoly5_pos(1 _);
+    a_trajpoly5_vel(1 _);
+    a_trajpoly5_acc(1 _);
+    a_trajpoly7_gen([1] _ _ _ _ _ _ _ _ _);
+    a_trajpoly7_gen0({1} _ _ _ _ _ _ _ _ _);
+    a_trajpoly7_gen1(1);
+    a_trajpoly7_gen2(1);
+    a_trajpoly7_gen3(1);
+    a_trajpoly7_pos(1 _);
+    a_trajpoly7_vel(1 _);
+    a_trajpoly7_acc(1 _);
+    a_trajpoly7_jer(1 _);
+    a_trajtrap_gen({1} _ (1 of 10.0) (1 of -10.0) _ _ _ _);
+    a_trajtrap_pos(1 _);
+    a_trajtrap_vel(1 _);
+    a_trajtrap_acc(1 _);
+    atraj_axis_go(1 1 1 (1 of 2.0));
+    atraj_axis_init({1} _ 1);
+    atraj_axis_reach(1 1 _ _ (1 of 2.0));
+    atraj_axis_stop(1 1 (1 of 2.0));
+    atraj_axis_tick(1 [1]);
+    atraj_axis_track(1 1 1 _ (1 of 2.0));
+    atraj_bell_check(1 _ _ _);
+    atraj_bell_extremes(1 [3] [3]);
+    atraj_bell_gen({1} _ _ _ _ _ _ _);
+    atraj_bell_sample(1 _ _ n [n] [n] [n] [n]);
+    atraj_bell_state(1 _ [1] [1] [1] [1]);
+    atraj_clock_rate(1 (n * n) n n n _ _);
+    atraj_clock_start({1});
+    atraj_clock_state(1 (n * n) n n _ [1] [1] [1] [1]);
+    atraj_clock_time(1 _);
+    atraj_clock_until(1);
+    atraj_limits_init([1] _ _ _);
+    atraj_message(_);
+    atraj_move_acc(1 _);
+    atraj_move_check(1 1);
+    atraj_move_extremes(1 [1] [1]);
+    atraj_move_jer(1 _);
+    atraj_move_meet({1} 1 1 1);
+    atraj_move_plan({1} 1 1 1);
+    atraj_move_pos(1 _);
+    atraj_move_reach({1} 1 1 _ _);
+    atraj_move_sample(1 _ _ n [n] [n] [n] [n]);
+    atraj_move_state(1 _ [1] [1] [1] [1]);
+    atraj_move_stop({1} 1 1);
+    atraj_move_time_at(1 (1 of 1.0));
+    atraj_move_track({1} 1 1 1 _);
+    atraj_move_vel(1 _);
+    atraj_move_within({1} 1 1 1 (1 of -9.0) (1 of 9.0));
+    atraj_moves_line({n} n n n n _ _);
+    atraj_moves_line_stop(n n n _);
+    atraj_moves_sync({n} n n n n _ _);
+    atraj_moves_sync_within({n} n n n (n of -9.0) (n of 9.0) n _ _);
+    atraj_path_improve((n * n + n) n n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_plan((n * n + n) {n} n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_plan_zones((n * n + n) {n} (n * n) n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_size(n n);
+    atraj_poly3_extremes(1 _ [3] [3]);
+    atraj_poly3_sample(1 _ _ n [n] [n] [n]);
+    atraj_poly3_state(1 _ [1] [1] [1]);
+    atraj_poly5_extremes(1 _ [3] [3]);
+    atraj_poly5_sample(1 _ _ n [n] [n] [n]);
+    atraj_poly5_state(1 _ [1] [1] [1]);
+    atraj_poly7_extremes(1 _ [3] [3]);
+    atraj_poly7_sample(1 _ _ n [n] [n] [n] [n]);
+    atraj_poly7_state(1 _ [1] [1] [1] [1]);
+    atraj_shaper_add(1 _ _ (1 of 0.1));
+    atraj_shaper_bell_state(1 1 _ [1]);
+    atraj_shaper_init({1} _ _ (1 of 0.1));
+    atraj_shaper_smooth({1} _);
+    atraj_shaper_state(1 1 _ [1]);
+    atraj_steps_follow(1 1);
+    atraj_steps_init({1} 1 _ _);
+    atraj_steps_next(1 1 {1});
+    atraj_trap_check(1 _ (1 of 10.0) (1 of -10.0));
+    atraj_trap_extremes(1 [3] [3]);
+    atraj_trap_gen({1} _ (1 of 10.0) (1 of -10.0) _ _ _ _);
+    atraj_trap_sample(1 _ _ n [n] [n] [n]);
+    atraj_trap_state(1 _ [1] [1] [1]);
+    claraty_trapezoid_advance_timer_by(1 _);
+    claraty_trapezoid_duration(1);
+    claraty_trapezoid_elapsed(1);
+    claraty_trapezoid_get_acceleration(1);
+    claraty_trapezoid_get_acceleration_at(1 _);
+    claraty_trapezoid_get_position(1);
+    claraty_trapezoid_get_position_at(1 _);
+    claraty_trapezoid_get_profile(1 [1]);
+    claraty_trapezoid_get_setpoint(1 {1} {1} {1});
+    claraty_trapezoid_get_setpoint_at(1 _ {1} {1} {1});
+    claraty_trapezoid_get_velocity(1);
+    claraty_trapezoid_get_velocity_at(1 _);
+    claraty_trapezoid_init({1});
+    claraty_trapezoid_is_started(1);
+    claraty_trapezoid_reset(1);
+    claraty_trapezoid_set(1 _ _ _ _);
+    claraty_trapezoid_set_clock(1 _ 1);
+    claraty_trapezoid_set_mode(1 _);
+    claraty_trapezoid_set_uniform_waypoints(1 n n _ _);
+    claraty_trapezoid_set_waypoints(1 n n n n);
+    claraty_trapezoid_start(1);
+    claraty_trapezoid_stop(1);
+}
+
+/// What a function returns.
+enum Answer {
+    Nothing,
+    Number(f64),
+    Code(c_int),
+    Count(usize),
+    Text(*const c_char),
+}
+
+macro_rules! answers {
+    ($($kind:ident($type:ty)),*) => {
+        $(impl From<$type> for Answer {
+            fn from(value: $type) -> Self {
+                Self::$kind(value)
+            }
+        })*
+    };
+}
+answers!(Number(f64), Code(c_int), Count(usize), Text(*const c_char));
+
+impl From<()> for Answer {
+    fn from((): ()) -> Self {
+        Self::Nothing
+    }
+}
+
+impl Answer {
+    /// Whether this is the documented answer of a function to NULL for each pointer.
+    fn is_for_null(&self, name: &str) -> bool {
+        match *self {
+            Self::Nothing => true,
+            Self::Number(x) if name.starts_with("a_") && name.ends_with("_gen") => x == 0.0,
+            Self::Number(x) => x.is_nan(),
+            Self::Code(code) if name == "atraj_steps_next" => code == 0,
+            Self::Code(code) => code == -1,
+            Self::Count(count) => count == 0 || name == "atraj_path_size",
+            Self::Text(_) => true,
+        }
+    }
+
+    /// Whether some arguments can give this answer.
+    fn is_documented(&self, name: &str, n: usize) -> bool {
+        match *self {
+            Self::Nothing | Self::Number(_) => true,
+            Self::Code(code) => (-9..128).contains(&code),
+            Self::Count(count) => count <= n || name == "atraj_path_size",
+            // SAFETY: a text lasts as long as the program.
+            Self::Text(text) => !unsafe { CStr::from_ptr(text) }.is_empty(),
+        }
+    }
+
+    fn is_success(&self) -> bool {
+        match *self {
+            Self::Number(x) => !x.is_nan(),
+            Self::Code(code) => code >= 0,
+            _ => true,
+        }
+    }
+}
+
+/// What pointers point to.
+#[derive(Clone, Copy, PartialEq)]
+enum Contents {
+    Ordinary,
+    Arbitrary,
+}
+
+/// Which pointers are NULL.
+#[derive(Clone, Copy, PartialEq)]
+enum Null {
+    None,
+    Some,
+    All,
+}
+
+/// Where arguments come from. It owns the memory that pointers point to.
+struct Caller {
+    contents: Contents,
+    null: Null,
+    random: u64,
+    is_at_rest: bool,
+    arrays: Vec<Array>,
+}
+
+/// An allocation, and what it must hold after the call.
+struct Array {
+    words: *mut [Word],
+    /// What a function may not change.
+    before: Vec<u64>,
+    /// Reads what a function has to write.
+    read: Option<fn(*const Word, usize)>,
+    count: usize,
+}
+type Word = MaybeUninit<u64>;
+
+impl Drop for Array {
+    fn drop(&mut self) {
+        // SAFETY: the allocation came from a box, and nobody uses it any more.
+        drop(unsafe { Box::from_raw(self.words) });
+    }
+}
+
+impl Caller {
+    fn new(contents: Contents, null: Null, seed: u64) -> Self {
+        Self {
+            contents,
+            null,
+            random: seed,
+            is_at_rest: seed.is_multiple_of(2),
+            arrays: Vec::new(),
+        }
+    }
+
+    fn argument<A: Argument>(&mut self, promise: Promise) -> A {
+        A::of(self, promise)
+    }
+
+    /// SplitMix64.
+    fn bits(&mut self) -> u64 {
+        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.random ^ (self.random >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        (self.bits() >> 33) as usize % end
+    }
+
+    /// From 0.1 to 2.
+    fn ordinary(&mut self) -> f64 {
+        0.1 + 1.9 * self.below(1000) as f64 / 1000.0
+    }
+
+    /// Bits of an ordinary number, of an extreme one, two small integers, or any.
+    fn arbitrary(&mut self) -> u64 {
+        let extreme = [
+            0.0,
+            -0.0,
+            -1.0,
+            1e-320,
+            1e300,
+            -1e300,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        match self.below(4) {
+            0 => self.ordinary().to_bits(),
+            1 => extreme[self.below(extreme.len())].to_bits(),
+            2 => (self.below(20) as u64) << 32 | self.below(20) as u64,
+            _ => self.bits(),
+        }
+    }
+
+    fn number(&mut self) -> f64 {
+        match self.contents {
+            Contents::Ordinary => self.ordinary(),
+            Contents::Arbitrary => f64::from_bits(self.arbitrary()),
+        }
+    }
+
+    fn integer(&mut self) -> u32 {
+        match self.contents {
+            Contents::Ordinary => self.below(3) as u32,
+            Contents::Arbitrary => self.arbitrary() as u32,
+        }
+    }
+
+    fn is_null(&mut self) -> bool {
+        match self.null {
+            Null::None => false,
+            Null::Some => self.below(4) == 0,
+            Null::All => true,
+        }
+    }
+
+    /// An array of its own, with what is promised.
+    fn array<T: Element>(&mut self, promise: &Promise, is_const: bool) -> *mut T {
+        let (Promise::Given(count)
+        | Promise::Numbers(count, _)
+        | Promise::Written(count)
+        | Promise::Room(count)) = *promise
+        else {
+            panic!("a pointer to nothing")
+        };
+        let words = Box::into_raw(Box::<[u64]>::new_uninit_slice(count * T::WORDS));
+        let first = words.cast::<Word>();
+        for k in 0..count {
+            // SAFETY: the element is inside.
+            let element = unsafe { first.add(k * T::WORDS) };
+            match *promise {
+                Promise::Numbers(_, value) if self.contents == Contents::Ordinary => {
+                    // SAFETY: there is a word.
+                    unsafe { element.cast::<f64>().write(value) };
+                }
+                Promise::Given(_) | Promise::Numbers(..) => {
+                    // SAFETY: there are as many words as the element has.
+                    unsafe { T::fill(self, element) };
+                }
+                _ => {}
+            }
+        }
+        let mut before = Vec::new();
+        if is_const && self.contents == Contents::Arbitrary && !T::IS_MADE {
+            // SAFETY: all words are initialised.
+            before.extend(
+                unsafe { &*words }
+                    .iter()
+                    .map(|word| unsafe { word.assume_init() }),
+            );
+        }
+        let read = matches!(promise, Promise::Written(_)).then_some(read::<T> as _);
+        self.arrays.push(Array {
+            words,
+            before,
+            read,
+            count,
+        });
+        first.cast()
+    }
+
+    /// Judges what the call has done to the memory.
+    fn judge(&self, name: &str) {
+        for array in &self.arrays {
+            // SAFETY: the array is there, and nobody uses it now.
+            let words = unsafe { &*array.words };
+            for (word, before) in words.iter().zip(&array.before) {
+                // SAFETY: the word was initialised before the call.
+                assert_eq!(
+                    unsafe { word.assume_init() },
+                    *before,
+                    "{name}: overwritten"
+                );
+            }
+            if let (Some(read), Null::None) = (array.read, self.null) {
+                read(words.as_ptr(), array.count);
+            }
+        }
+    }
+}
+
+/// Miri stops here if an element is not initialised.
+fn read<T: Element>(first: *const Word, count: usize) {
+    for k in 0..count {
+        // SAFETY: the element is inside, and the function that was called has written it.
+        black_box(unsafe { first.cast::<T>().add(k).read() });
+    }
+}
+
+/// An argument of a C function.
+trait Argument {
+    fn of(caller: &mut Caller, promise: Promise) -> Self;
+}
+
+impl Argument for f64 {
+    fn of(caller: &mut Caller, promise: Promise) -> Self {
+        match (promise, caller.contents) {
+            (Promise::Numbers(_, value), Contents::Ordinary) => value,
+            _ => caller.number(),
+        }
+    }
+}
+
+impl Argument for c_int {
+    fn of(caller: &mut Caller, _: Promise) -> Self {
+        caller.integer() as c_int
+    }
+}
+
+impl Argument for c_uint {
+    fn of(caller: &mut Caller, promise: Promise) -> Self {
+        match (promise, caller.contents) {
+            (Promise::Numbers(_, value), Contents::Ordinary) => value as c_uint,
+            _ => caller.integer(),
+        }
+    }
+}
+
+impl Argument for usize {
+    fn of(_: &mut Caller, promise: Promise) -> Self {
+        match promise {
+            Promise::Given(value) => value,
+            _ => panic!("any length"),
+        }
+    }
+}
+
+/// A clock that shows the number of its argument.
+impl Argument for claraty_clock {
+    fn of(caller: &mut Caller, _: Promise) -> Self {
+        unsafe extern "C" fn clock(user: *mut c_void) -> f64 {
+            // SAFETY: NULL, or a number that stays as long as the handle.
+            unsafe { user.cast::<f64>().as_ref() }.map_or(1.0, |now| *now)
+        }
+        (!caller.is_null()).then_some(clock)
+    }
+}
+
+impl<T: Element> Argument for *mut T {
+    fn of(caller: &mut Caller, promise: Promise) -> Self {
+        if caller.is_null() {
+            return null_mut();
+        }
+        caller.array(&promise, false)
+    }
+}
+
+/// Miri lets nobody write through what came from a shared reference.
+impl<T: Element> Argument for *const T {
+    fn of(caller: &mut Caller, promise: Promise) -> Self {
+        if caller.is_null() {
+            return null();
+        }
+        caller.array::<T>(&promise, true);
+        // SAFETY: the array was allocated just now.
+        let words: &[Word] = unsafe { &*caller.arrays[caller.arrays.len() - 1].words };
+        words.as_ptr().cast()
+    }
+}
+
+/// What a pointer of the C ABI points to. Its alignment is that of a word or less.
+trait Element: Sized {
+    const WORDS: usize = size_of::<Self>() / size_of::<Word>();
+    /// Some bytes of a struct that the library makes are not initialised.
+    const IS_MADE: bool = false;
+
+    /// An ordinary value, where numbers alone are none.
+    ///
+    /// # Safety
+    /// There is room for it, and ordinary numbers are there.
+    unsafe fn make(_: &mut Caller, _: *mut Self) {}
+
+    /// # Safety
+    /// There is room for `WORDS`.
+    unsafe fn fill(caller: &mut Caller, first: *mut Word) {
+        for k in 0..Self::WORDS {
+            let bits = match caller.contents {
+                Contents::Ordinary => caller.ordinary().to_bits(),
+                Contents::Arbitrary => caller.arbitrary(),
+            };
+            // SAFETY: by the contract of this function.
+            unsafe { (*first.add(k)).write(bits) };
+        }
+        if caller.contents == Contents::Ordinary {
+            // SAFETY: by the contract of this function.
+            unsafe { Self::make(caller, first.cast()) };
+        }
+    }
+}
+
+impl Element for f64 {}
+impl Element for a_trajpoly3 {}
+impl Element for a_trajpoly5 {}
+impl Element for a_trajpoly7 {}
+impl Element for claraty_profile {}
+/// The argument of the clock.
+impl Element for c_void {
+    const WORDS: usize = 1;
+}
+
+macro_rules! made {
+    ($($type:ty = |$caller:ident, $to:ident| $make:expr;)*) => {
+        $(impl Element for $type {
+            unsafe fn make($caller: &mut Caller, $to: *mut Self) {
+                // SAFETY: by the contract of this function.
+                let code: c_int = unsafe { $make };
+                assert!(code >= 0, "{}: {code}", stringify!($type));
+            }
+        })*
+    };
+}
+
+made! {
+    atraj_limits = |caller, to| {
+        atraj_limits_init(to, 30.0, 10.0, 4.0 + caller.ordinary());
+        0
+    };
+    atraj_state = |caller, to| {
+        if caller.is_at_rest {
+            ((*to).v, (*to).a) = (0.0, 0.0);
+        }
+        0
+    };
+    atraj_move = |caller, to| {
+        let (limits, from, at) = caller.problem();
+        atraj_move_plan(to, &limits, &from, &at)
+    };
+    a_trajbell = |caller, to| {
+        atraj_bell_gen(to, 30.0, 10.0, 5.0, 0.0, caller.ordinary(), 0.0, 0.0);
+        0
+    };
+    a_trajtrap = |caller, to| {
+        atraj_trap_gen(to, 5.0, 10.0, -10.0, 0.0, caller.ordinary(), 0.0, 0.0);
+        0
+    };
+    atraj_axis = |caller, to| atraj_axis_init(to, 1e-3, &caller.problem().1);
+    atraj_clock = |_caller, to| {
+        atraj_clock_start(to);
+        0
+    };
+    atraj_shaper = |caller, to| atraj_shaper_init(to, 0, caller.ordinary(), 0.1);
+    atraj_steps = |caller, to| {
+        let (limits, from, at) = caller.problem();
+        let mut planned = MaybeUninit::uninit();
+        atraj_move_plan(planned.as_mut_ptr(), &limits, &from, &at);
+        atraj_steps_init(to, planned.as_ptr(), 0.0, 0.1)
+    };
+}
+
+impl Caller {
+    /// Limits, a start and an end.
+    fn problem(&mut self) -> (atraj_limits, atraj_state, atraj_state) {
+        let mut problem = MaybeUninit::uninit();
+        let to: *mut (atraj_limits, atraj_state, atraj_state) = problem.as_mut_ptr();
+        // SAFETY: there is room for each, and a C function of this library fills the limits.
+        unsafe {
+            atraj_limits::fill(self, (&raw mut (*to).0).cast());
+            atraj_state::fill(self, (&raw mut (*to).1).cast());
+            atraj_state::fill(self, (&raw mut (*to).2).cast());
+            problem.assume_init()
+        }
+    }
+}
+
+/// The bytes of a handle are the library's own, so it makes them, of any numbers.
+impl Element for claraty_trapezoid {
+    const IS_MADE: bool = true;
+
+    unsafe fn fill(caller: &mut Caller, first: *mut Word) {
+        let h = first.cast::<Self>();
+        let mut x = [0.0; 5];
+        x.fill_with(|| caller.number());
+        // SAFETY: by the contract of this function.
+        unsafe {
+            claraty_trapezoid_init(h);
+            claraty_trapezoid_set_mode(h, caller.below(2) as c_int);
+            claraty_trapezoid_set(h, x[0], x[1], x[2], x[3]);
+            claraty_trapezoid_start(h);
+            claraty_trapezoid_advance_timer_by(h, x[4]);
+        }
+    }
+}
+
+#[test]
+fn the_table_has_each_function() {
+    let symbols = include_str!("../../symbols.txt").lines();
+    let table = FUNCTIONS.iter().map(|&(name, _)| name);
+    assert_eq!(table.collect::<BTreeSet<_>>(), symbols.collect());
+}
+
+#[test]
+fn null_gets_its_answer() {
+    for (name, call) in FUNCTIONS {
+        for contents in [Contents::Ordinary, Contents::Arbitrary] {
+            let answer = call(&mut Caller::new(contents, Null::All, 1), 1);
+            assert!(answer.is_for_null(name), "{name}");
+        }
+    }
+}
+
+/// Outputs and what is planned first are not initialised before the call, and outputs are after it.
+#[test]
+fn ordinary_arguments_are_read_and_all_outputs_written() {
+    for (name, call) in FUNCTIONS {
+        let mut succeeded = false;
+        for (seed, n) in [1, 1, 2].into_iter().enumerate() {
+            let mut caller = Caller::new(Contents::Ordinary, Null::None, seed as u64);
+            let answer = call(&mut caller, n);
+            assert!(answer.is_documented(name, n), "{name}");
+            caller.judge(name);
+            succeeded |= answer.is_success();
+        }
+        assert!(succeeded, "{name}");
+    }
+}
+
+#[test]
+fn any_bytes_stay_in_their_arrays() {
+    for (name, call) in FUNCTIONS {
+        for seed in 0..6 {
+            let null = if seed < 4 { Null::None } else { Null::Some };
+            let n = seed % 4;
+            let mut caller = Caller::new(Contents::Arbitrary, null, seed as u64);
+            let answer = call(&mut caller, n);
+            assert!(answer.is_documented(name, n), "{name}");
+            caller.judge(name);
+        }
+    }
+}
+
+#[test]
+fn lengths_that_no_array_has_are_refused() {
+    let mut caller = Caller::new(Contents::Ordinary, Null::None, 1);
+    for [axes, sections] in [[0, 1], [1, 0], [4097, 1], [1, 4097], [usize::MAX; 2]] {
+        for plan in [atraj_path_plan, atraj_path_improve, atraj_path_plan_zones] {
+            let (states, durations, limits, work): (_, _, *const atraj_limits, _) = (
+                caller.argument(Promise::Given(1)),
+                caller.argument(Promise::Given(1)),
+                caller.argument(Promise::Given(1)),
+                caller.argument(Promise::Given(1)),
+            );
+            // SAFETY: such arrays are refused before they are read.
+            let code = unsafe { plan(states, durations, limits, axes, sections, 0, work) };
+            assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+        }
+    }
+    for n in [0, usize::MAX / 8, usize::MAX] {
+        let handle = caller.argument(Promise::Given(1));
+        let [p, v, a] = [(); 3].map(|()| caller.argument::<*const f64>(Promise::Given(1)));
+        // SAFETY: as above.
+        let codes = unsafe {
+            [
+                claraty_trapezoid_set_waypoints(handle, p, v, a, n),
+                claraty_trapezoid_set_uniform_waypoints(handle, p, n, 1.0, 1.0),
+            ]
+        };
+        assert_eq!(codes, [claraty_result::CLARATY_ERR_WAYPOINTS as c_int; 2]);
+    }
+}
+
+/// Miri sees a data race, and a reference to a move that another thread writes.
+#[test]
+fn a_thread_ticks_an_axis_that_another_one_plans() {
+    struct Shared(*mut atraj_axis);
+    // SAFETY: an axis is made for one thread that ticks and one that plans.
+    unsafe impl Sync for Shared {}
+
+    let limits = Caller::new(Contents::Ordinary, Null::None, 0).problem().0;
+    let state = |p| atraj_state { p, v: 0.0, a: 0.0 };
+    let mut axis = MaybeUninit::uninit();
+    // SAFETY: there is room for an axis.
+    let code = unsafe { atraj_axis_init(axis.as_mut_ptr(), 1e-3, &state(0.0)) };
+    assert_eq!(code, 0);
+    let shared = &Shared(axis.as_mut_ptr());
+    let taken = Cell::new(0);
+    thread::scope(|scope| {
+        scope.spawn(move || {
+            let mut last = 0.0;
+            for _ in 0..200 {
+                let mut now = MaybeUninit::<atraj_state>::uninit();
+                // SAFETY: this thread alone ticks, and a tick writes the state.
+                let now = unsafe {
+                    atraj_axis_tick(shared.0, now.as_mut_ptr());
+                    now.assume_init()
+                };
+                assert!(
+                    (now.p - last).abs() < 0.01,
+                    "a jump from {last} to {}",
+                    now.p
+                );
+                last = now.p;
+                thread::yield_now();
+            }
+        });
+        for k in 0..12 {
+            let to = state(if k % 2 == 0 { 1.0 } else { -1.0 });
+            // SAFETY: this thread alone plans.
+            let code = unsafe { atraj_axis_go(shared.0, &limits, &to, 20) };
+            taken.set(taken.get() + usize::from(code >= 0));
+        }
+    });
+    assert!(taken.get() > 0);
+}
