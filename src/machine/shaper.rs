@@ -104,7 +104,7 @@ impl<R: Real> Shaper<R> {
         let other = Impulses::of(kind, frequency, damping);
         let mut shaper = Self {
             duration: self.duration + other.period * other.spacing * other.last(),
-            count: self.count * other.count,
+            count: self.count.saturating_mul(other.count),
             ..*self
         };
         if !(frequency > R::ZERO && frequency < R::INFINITY && shaper.duration < R::INFINITY) {

@@ -217,7 +217,7 @@ impl Answer {
             Self::Code(code) if name == "atraj_steps_next" => code == 0,
             Self::Code(code) => code == -1,
             Self::Count(count) => count == 0 || name == "atraj_path_size",
-            Self::Text(_) => true,
+            Self::Text(_) => name == "atraj_message",
         }
     }
 
@@ -246,6 +246,8 @@ impl Answer {
 enum Contents {
     Ordinary,
     Arbitrary,
+    /// Each argument is one or the other.
+    Mixed,
 }
 
 /// Which pointers are NULL.
@@ -295,7 +297,13 @@ impl Caller {
     }
 
     fn argument<A: Argument>(&mut self, promise: Promise) -> A {
-        A::of(self, promise)
+        let contents = self.contents;
+        if contents == Contents::Mixed {
+            self.contents = [Contents::Ordinary, Contents::Arbitrary][self.below(2)];
+        }
+        let argument = A::of(self, promise);
+        self.contents = contents;
+        argument
     }
 
     /// SplitMix64.
@@ -338,14 +346,14 @@ impl Caller {
     fn number(&mut self) -> f64 {
         match self.contents {
             Contents::Ordinary => self.ordinary(),
-            Contents::Arbitrary => f64::from_bits(self.arbitrary()),
+            _ => f64::from_bits(self.arbitrary()),
         }
     }
 
     fn integer(&mut self) -> u32 {
         match self.contents {
             Contents::Ordinary => self.below(3) as u32,
-            Contents::Arbitrary => self.arbitrary() as u32,
+            _ => self.arbitrary() as u32,
         }
     }
 
@@ -519,7 +527,7 @@ trait Element: Sized {
         for k in 0..Self::WORDS {
             let bits = match caller.contents {
                 Contents::Ordinary => caller.ordinary().to_bits(),
-                Contents::Arbitrary => caller.arbitrary(),
+                _ => caller.arbitrary(),
             };
             // SAFETY: by the contract of this function.
             unsafe { (*first.add(k)).write(bits) };
@@ -631,44 +639,59 @@ fn the_table_has_each_function() {
     assert_eq!(table.collect::<BTreeSet<_>>(), symbols.collect());
 }
 
-#[test]
-fn null_gets_its_answer() {
-    for (name, call) in FUNCTIONS {
-        for contents in [Contents::Ordinary, Contents::Arbitrary] {
-            let answer = call(&mut Caller::new(contents, Null::All, 1), 1);
-            assert!(answer.is_for_null(name), "{name}");
-        }
-    }
-}
-
-/// Outputs and what is planned first are not initialised before the call, and outputs are after it.
-#[test]
-fn ordinary_arguments_are_read_and_all_outputs_written() {
-    for (name, call) in FUNCTIONS {
-        let mut succeeded = false;
-        for (seed, n) in [1, 1, 2].into_iter().enumerate() {
-            let mut caller = Caller::new(Contents::Ordinary, Null::None, seed as u64);
+/// Calls each function in each round, with arguments for `n` axes, and judges the answer and the memory.
+fn each(rounds: &[(Contents, Null, usize)], mut judge: impl FnMut(&'static str, &Answer)) {
+    for &(name, call) in FUNCTIONS {
+        for (seed, &(contents, null, n)) in rounds.iter().enumerate() {
+            let mut caller = Caller::new(contents, null, seed as u64);
             let answer = call(&mut caller, n);
             assert!(answer.is_documented(name, n), "{name}");
             caller.judge(name);
-            succeeded |= answer.is_success();
+            judge(name, &answer);
         }
-        assert!(succeeded, "{name}");
     }
+    println!(
+        "{} calls of {} functions",
+        rounds.len() * FUNCTIONS.len(),
+        FUNCTIONS.len()
+    );
+}
+
+#[test]
+fn null_gets_its_answer() {
+    let rounds = [Contents::Ordinary, Contents::Arbitrary].map(|contents| (contents, Null::All, 1));
+    each(&rounds, |name, answer| {
+        assert!(answer.is_for_null(name), "{name}")
+    });
+}
+
+/// Outputs and what is planned first are not initialised before the call, and outputs are after it. In one round at least a function can
+/// do what it is asked for.
+#[test]
+fn ordinary_arguments_are_read_and_all_outputs_written() {
+    let mut failed: BTreeSet<_> = FUNCTIONS.iter().map(|&(name, _)| name).collect();
+    let rounds = [1, 1, 2].map(|n| (Contents::Ordinary, Null::None, n));
+    each(&rounds, |name, answer| {
+        if answer.is_success() {
+            failed.remove(name);
+        }
+    });
+    assert!(failed.is_empty(), "{failed:?}");
 }
 
 #[test]
 fn any_bytes_stay_in_their_arrays() {
-    for (name, call) in FUNCTIONS {
-        for seed in 0..6 {
-            let null = if seed < 4 { Null::None } else { Null::Some };
-            let n = seed % 4;
-            let mut caller = Caller::new(Contents::Arbitrary, null, seed as u64);
-            let answer = call(&mut caller, n);
-            assert!(answer.is_documented(name, n), "{name}");
-            caller.judge(name);
-        }
-    }
+    use Contents::{Arbitrary, Mixed};
+    let rounds = [
+        (Arbitrary, Null::None, 0),
+        (Arbitrary, Null::None, 1),
+        (Arbitrary, Null::None, 3),
+        (Arbitrary, Null::Some, 2),
+        (Mixed, Null::None, 1),
+        (Mixed, Null::None, 2),
+        (Mixed, Null::Some, 2),
+    ];
+    each(&rounds, |_, _| {});
 }
 
 #[test]
@@ -698,6 +721,24 @@ fn lengths_that_no_array_has_are_refused() {
             ]
         };
         assert_eq!(codes, [claraty_result::CLARATY_ERR_WAYPOINTS as c_int; 2]);
+    }
+}
+
+/// A product of counts may wrap to one that the arrays have room for.
+#[test]
+fn impulses_that_no_shaper_has_room_for_are_refused() {
+    let mut caller = Caller::new(Contents::Ordinary, Null::None, 1);
+    for count in [17, 1 << 31, c_uint::MAX] {
+        let shaper: *mut atraj_shaper = caller.argument(Promise::Given(1));
+        // SAFETY: the caller owns a shaper.
+        let (code, left) = unsafe {
+            (*shaper).count = count;
+            (atraj_shaper_add(shaper, 0, 1.0, 0.1), (*shaper).count)
+        };
+        assert_eq!(
+            (code, left),
+            (atraj_error::ATRAJ_ERR_LIMITS as c_int, count)
+        );
     }
 }
 
