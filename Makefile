@@ -343,7 +343,7 @@ mutants: $(TOOLS)/bin/cargo-mutants
 
 # Miri knows the square root of every processor but the host's.
 miri:
-	$(CARGO) +nightly miri test --target riscv64gc-unknown-linux-gnu --locked --manifest-path tests/miri/Cargo.toml
+	$(CARGO) +nightly miri test --target riscv64gc-unknown-linux-gnu --locked --manifest-path tests/miri/Cargo.toml -- --show-output
 
 coverage:
 	tests/coverage.sh
