@@ -104,7 +104,8 @@ impl<R: Real> Shaper<R> {
         let other = Impulses::of(kind, frequency, damping);
         let mut shaper = Self {
             duration: self.duration + other.period * other.spacing * other.last(),
-            count: self.count.saturating_mul(other.count),
+            // No product wraps, whatever the bytes of the shaper are.
+            count: self.count.min(MOST_IMPULSES as u32 + 1) * other.count,
             ..*self
         };
         if !(frequency > R::ZERO && frequency < R::INFINITY && shaper.duration < R::INFINITY) {
