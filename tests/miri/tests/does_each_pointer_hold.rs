@@ -6,12 +6,12 @@
 
 use atraj::capi::a::{trajbell::*, trajpoly3::*, trajpoly5::*, trajpoly7::*, trajtrap::*};
 use atraj::capi::{atraj::*, claraty::*};
-use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::thread;
 
 /// What a caller promises of an argument.
@@ -756,11 +756,11 @@ fn a_thread_ticks_an_axis_that_another_one_plans() {
     let code = unsafe { atraj_axis_init(axis.as_mut_ptr(), 1e-3, &state(0.0)) };
     assert_eq!(code, 0);
     let shared = &Shared(axis.as_mut_ptr());
-    let taken = Cell::new(0);
+    let is_over = &AtomicBool::new(false);
     thread::scope(|scope| {
         scope.spawn(move || {
             let mut last = 0.0;
-            for _ in 0..200 {
+            for _ in 0..400 {
                 let mut now = MaybeUninit::<atraj_state>::uninit();
                 // SAFETY: this thread alone ticks, and a tick writes the state.
                 let now = unsafe {
@@ -775,13 +775,23 @@ fn a_thread_ticks_an_axis_that_another_one_plans() {
                 last = now.p;
                 thread::yield_now();
             }
+            is_over.store(true, Relaxed);
         });
-        for k in 0..12 {
+        for k in 0.. {
             let to = state(if k % 2 == 0 { 1.0 } else { -1.0 });
-            // SAFETY: this thread alone plans.
-            let code = unsafe { atraj_axis_go(shared.0, &limits, &to, 20) };
-            taken.set(taken.get() + usize::from(code >= 0));
+            // SAFETY: this thread alone plans. A plan may be late.
+            unsafe { atraj_axis_go(shared.0, &limits, &to, 20) };
+            if is_over.load(Relaxed) {
+                break;
+            }
         }
     });
-    assert!(taken.get() > 0);
+    let mut now = state(0.0);
+    // SAFETY: nobody else plans or ticks any more.
+    let code = unsafe { atraj_axis_go(shared.0, &limits, &state(2.0), 20) };
+    for _ in 0..200 {
+        // SAFETY: as above.
+        unsafe { atraj_axis_tick(shared.0, &mut now) };
+    }
+    assert!(code >= 0 && now.p != 0.0, "{code}: no plan took over");
 }
