@@ -742,7 +742,7 @@ fn impulses_that_no_shaper_has_room_for_are_refused() {
     }
 }
 
-/// Miri sees a data race, and a reference to a move that another thread writes.
+/// Miri sees a reference to a move that the other thread writes.
 #[test]
 fn a_thread_ticks_an_axis_that_another_one_plans() {
     struct Shared(*mut atraj_axis);
