@@ -10,7 +10,8 @@ FNR == 1 {
 }
 {
     if (!((what, $1) in known)) { known[what, $1]; names[what, ++name_count[what]] = $1 }
-    bound[what, $1, build] = $2
+    # The most of several searches.
+    if (!((what, $1, build) in bound) || $2 + 0 > bound[what, $1, build] + 0) { bound[what, $1, build] = $2 }
 }
 function table(what, title,   k, b, row) {
     printf "## %s\n\n| function |", title
