@@ -167,6 +167,18 @@ fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<
     }
 }
 
+/// Three axes on a line, up to 1e4 lengths beside 0.
+fn line_beside_0<R: Real>(random: &mut Random, ends: Ends) -> Problem<R> {
+    let mut problem = on_a_line::<R>(random, ends, 3);
+    let offset = random.pick(&[0.0, 10.0, 1e4]);
+    for (from, to) in problem.from.iter_mut().zip(&mut problem.to) {
+        let offset = R::of(random.sign() * offset);
+        from.position = from.position + offset;
+        to.position = to.position + offset;
+    }
+    problem
+}
+
 /// Whether an axis steps from a setpoint to the next: its position or its velocity changes by more than its derivatives allow.
 fn steps<R: Real>(limits: &Limits<R>, from: &State<R>, to: &State<R>) -> bool {
     let numbers =
@@ -297,14 +309,8 @@ fn long_lines_go_on<R: Real>() {
         let Problem {
             limits,
             mut from,
-            mut to,
-        } = on_a_line::<R>(&mut random, ends, 3);
-        let offset = random.pick(&[0.0, 10.0, 1e4]);
-        for (from, to) in from.iter_mut().zip(to.iter_mut()) {
-            let offset = R::of(random.sign() * offset);
-            from.position = from.position + offset;
-            to.position = to.position + offset;
-        }
+            to,
+        } = line_beside_0::<R>(&mut random, ends);
         let mut axes = [Move::default(); 3];
         let planned = straight(&mut axes, &limits, &from, &to);
         let t = axes[0].t.widen();
@@ -372,15 +378,8 @@ fn states_of_a_line_lie_on_it<R: Real>() {
     let mut lines = 0;
     for number in 0..LOOPS {
         let ends = Ends::ALL[number % 3];
-        let mut problem = on_a_line::<R>(&mut random, ends, 3);
-        // As many lengths beside 0.
-        let offset = random.pick(&[0.0, 10.0, 1e4]);
-        let Problem { limits, from, to } = &mut problem;
-        for (from, to) in from.iter_mut().zip(to.iter_mut()) {
-            let offset = R::of(random.sign() * offset);
-            from.position = from.position + offset;
-            to.position = to.position + offset;
-        }
+        let problem = line_beside_0::<R>(&mut random, ends);
+        let Problem { limits, from, to } = &problem;
         let mut axes = [Move::default(); 3];
         if straight(&mut axes, limits, from, to).is_err() {
             continue;
