@@ -133,7 +133,8 @@ impl<R: Real> Move<R> {
             let [one, other] = phase.turns();
             let mut from = R::ZERO;
             for to in [one, other, phase.duration] {
-                if from < to && to <= phase.duration {
+                // A phase of no duration begins a rounding beside the next one, and the axis passes this gap at once.
+                if from <= to && to <= phase.duration {
                     let far = if to < phase.duration {
                         phase.position(to)
                     } else {
