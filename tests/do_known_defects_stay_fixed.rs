@@ -1,6 +1,6 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::axes::{line, synchronise};
+use atraj::axes::{improve_path, line, path_size, plan_path, synchronise};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Error, Findings, State};
 use std::fs;
@@ -529,10 +529,105 @@ fn two_ways_are_as_long() {
     ];
     let from = [state([0.0, 2.4602778, -0.0054959883]), state([7.3900323, -2.4602778, 0.0054959883])];
     let to = [state([9.536743e-7, 2.4602778, -0.0054959883]), state([7.3900313, -2.4602778, 0.0054959883])];
-    let mut axes = [Move::default(); 2];
-    line(&mut axes, &limits, &from, &to, 3.029068e-6, 0.0).expect("a line");
+    for [first, second] in [[0, 1], [1, 0]] {
+        let mut axes = [Move::default(); 2];
+        let (limits, from, to) = ([limits[first], limits[second]], [from[first], from[second]], [to[first], to[second]]);
+        line(&mut axes, &limits, &from, &to, 3.029068e-6, 0.0).expect("a line");
+        let jump = worst_jump(&axes[first]);
+        assert!(jump <= 64.0, "{jump} roundings");
+    }
+}
+
+/// An axis that cruises from end to end misses a tick by roundings. It arrives later on its way, and does not brake on the way.
+#[test]
+#[rustfmt::skip]
+fn an_axis_that_cruises_misses_a_tick() {
+    let limits = [limits::<f32>([39.01555, -39.01555, 11.779737, -42.994453, 11.3768015, -19.278675])];
+    let (from, to) = ([state([0.0, 39.01555, 0.0])], [state([0.999502, 39.01555, 0.0])]);
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.0, 3.421211e-5).expect("a plan");
+    let jerks: Vec<_> = axes[0].phases().iter().map(|phase| phase.jerk).collect();
+    assert_eq!(jerks, [0.0; 2]);
+    // The same tick is no tick too early if it is asked for.
+    let tick = axes[0].t;
+    synchronise(&mut axes, &limits, &from, &to, tick, 3.421211e-5).expect("a plan");
+    assert_eq!(axes[0].t, tick);
+}
+
+/// An axis that starts outside its limits missed a tick by roundings. Its start slipped by as much as an axis inside the limits can, and the
+/// velocity jumped by 2,400 roundings.
+#[test]
+#[rustfmt::skip]
+fn an_axis_outside_misses_a_tick() {
+    let limits = [limits::<f32>([45.96713, -45.96713, 0.012977194, -0.012977194, 0.09826026, -0.09826026])];
+    let from = [state([2.8909657, -54.078053, -0.54312253])];
+    let to = [state([2.8992696, 7.626151, -0.0106264325])];
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.0, 1.0810082).expect("a plan");
+    let jump = (axes[0].phase[1].velocity - from[0].velocity).abs();
+    assert!(jump <= 512.0 * f32::EPSILON * 54.078053, "{jump}");
+}
+
+/// Where one jerk is infinite, the roundings of a time showed a gap, and the axis hurried to a tick that is a fiftieth too early: its position
+/// jumped by a twenty-fifth of the way.
+#[test]
+#[rustfmt::skip]
+fn a_gap_is_long_over() {
+    let limits = [limits::<f64>([0.6257521516685459, -0.6257521516685459, 281.4482053905411, -67.5061572788349,
+                                 2.8118816224501266, f64::NEG_INFINITY])];
+    let from = [state([0.0, 0.0, 1.395187018055807])];
+    let to = [state([0.047079109128108414, 0.0, -58.79252047690602])];
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.0, 0.01713017967812304).expect("a plan");
     let jump = worst_jump(&axes[0]);
     assert!(jump <= 64.0, "{jump} roundings");
+}
+
+/// With infinite jerks the least ramp takes no time, and an axis hurried to tick 0: it jumped to its target.
+#[test]
+#[rustfmt::skip]
+fn an_axis_hurries_to_no_time() {
+    let limits = [limits::<f64>([0.03563089941887362, -0.03563089941887362, 0.5597946813770565, -0.5597946813770565,
+                                 f64::INFINITY, f64::NEG_INFINITY])];
+    let from = [state([168.90613716691834, 0.0, 0.4975756005997176])];
+    let to = [state([0.0, 0.0, 0.07827656765918123])];
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.0, 10981.297685419608).expect("a plan");
+    assert_eq!(axes[0].t, 10981.297685419608);
+}
+
+/// Both velocities are equal up to roundings, so the fastest motion is below the shortest ramp between them. Twice its duration is impossible,
+/// because the axis must brake and come again: it jumped by its way instead.
+#[test]
+#[rustfmt::skip]
+fn twice_the_duration_is_impossible() {
+    let limits = [limits::<f32>([27.263441, -27.263441, 1.5604597, -1.0479444, 1.186262, -1.186262])];
+    let (from, to) = ([state([-0.3379032, -25.372776, 0.0])], [state([-0.34565502, -25.372751, 0.0])]);
+    let mut axes = [Move::default()];
+    synchronise(&mut axes, &limits, &from, &to, 0.00064851233, 1.3801445e-6).expect("a plan");
+    let jump = worst_jump(&axes[0]);
+    assert!(jump <= 64.0, "{jump} roundings");
+}
+
+/// On a way of 7e24 numbers leave the range of the real type. The path was planned, and its improvement was refused.
+#[test]
+#[rustfmt::skip]
+fn a_planned_path_is_improved() {
+    let limits = [
+        limits::<f32>([1.9686776, -1.9686776, 0.43720758, -0.43720758, 1.2961658, -1.2961658]),
+        limits([5.4046774e34, -2.6022575, 0.02750298, -0.11001192, 0.29066238, -3.773015e32]),
+    ];
+    let at = |position: f32| State::at(position);
+    let mut states = [
+        state([0.3491586, 0.0, 0.08570656]), state([-3.0316488e-13, 1.6434601e-32, 0.043354165]),
+        at(-7.3950593e24), at(-7.376284e24), at(-4.3862787e-32), at(5.9977757e-35), at(0.5552102), at(0.0),
+        state([-0.040753532, -1.8863572, 0.09410906]), state([0.01841066, 2.5034626, -0.06502761]),
+    ];
+    let mut durations = [0.0; 4];
+    let mut work = vec![0.0; path_size(2, 4).expect("a size")];
+    plan_path(&mut states, &mut durations, &limits, 0, &mut work).expect("a plan");
+    improve_path(&mut states, &mut durations, &limits, 4, &mut work).expect("a plan");
+    assert!(durations.iter().all(|duration| duration.is_finite()));
 }
 
 test_both_reals!(

@@ -79,25 +79,25 @@ impl<R: Real> Problem<R> {
     /// By how much a duration may slip.
     pub fn slip(&self, duration: R) -> Slip<R> {
         let border = &self.border;
-        let Border { v0, a0, v1, a1, .. } = *border;
         let q = border.per_jerk.q();
         let steepest = border.per_jerk.gu.at_most(border.per_jerk.gd);
-        let speed = v0.abs().at_least(v1.abs()) + border.undone;
+        let speed = border.v0.abs().at_least(border.v1.abs()) + border.undone;
         let highest = border.limits.amax.at_least(-border.limits.amin);
         let easing = (speed * q).sqrt().at_most(highest * q);
         let position = search::tie(border, duration + easing, self.displacement().1);
         // The roundings of 16 plans.
         let velocity = R::from(16) * border.rounding_of_velocity();
         // A standstill is exact.
-        let of_end = |v: R, a: R| {
-            let roundings = v.abs() / position + a.abs() / velocity;
+        let of_end = |end: State<R>| {
+            let roundings = end.velocity.abs() / position + end.acceleration.abs() / velocity;
             if roundings > R::ZERO {
                 R::ONE / roundings
             } else {
                 R::ZERO
             }
         };
-        let (start, end) = (of_end(v0, a0), of_end(v1, a1));
+        // Outside its limits the axis may start with more than the border does.
+        let (start, end) = (of_end(self.from), of_end(self.to));
         // The jerk changes the velocity by its roundings only, and the phases stay.
         let most = (start + end)
             .at_most((velocity * steepest).sqrt())

@@ -133,7 +133,9 @@ pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positio
     for _ in 0..4 {
         let mirrored = border.mirrored();
         let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
-            t = border.passed(&border.behind_gap()).0;
+            // The fastest motion is below the shortest ramp, if its velocities are equal up to roundings.
+            let behind = border.passed(&border.behind_gap()).0;
+            t = behind.at_least(border.shortest());
             continue;
         };
         let tie = tie(border, t, positions);
@@ -157,7 +159,8 @@ pub(crate) fn next_duration<R: Real>(border: &Border<R>, mut t: R, h: R, positio
         let is_before = |first: R| first < t - R::from(6) * R::EPSILON * t;
         t = match first {
             Some(first) if !is_before(first) => first,
-            _ => border.passed(&border.behind_gap()).0,
+            // The time of an acceleration that an infinite jerk ends has large roundings. They show a gap that is long over.
+            _ => border.passed(&border.behind_gap()).0.at_least(t),
         };
     }
     t

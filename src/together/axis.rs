@@ -60,7 +60,7 @@ pub(super) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
         return t;
     }
     let next = blend::next_duration(problem, t);
-    // Roundings may hide a duration in which the axis cruises.
+    // Roundings, and numbers beyond the range, may hide a duration in which the axis cruises.
     if next > t && Cruise::of(problem, t).is_none() {
         next
     } else {
@@ -101,10 +101,12 @@ pub(super) fn may_slip<R: Real>(
     (t - axis.t).abs() <= most || is_possible
 }
 
-/// Whether a duration below that of the fastest motion is possible up to roundings of the positions.
+/// Whether a duration below that of the fastest motion is possible up to roundings of the positions. No way takes no time, also where an
+/// infinite jerk makes a ramp without a duration.
 fn may_hurry<R: Real>(problem: &Problem<R>, t: R) -> bool {
     let shortest = problem.border.shortest();
-    problem.behind_inside(t) >= shortest && blend::next_duration(problem, t) <= t
+    let lasts = t > R::ZERO && problem.behind_inside(t) >= shortest;
+    lasts && blend::next_duration(problem, t) <= t
 }
 
 /// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
@@ -133,11 +135,13 @@ pub(super) fn stretch<R: Real>(
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     let longer = t - axis.t;
     let slip = || problem.slip(axis.t);
+    // An axis that slips keeps its way.
+    let is_possible = |blend: &Blend<R>| blend.keeps_limits() || next_duration(problem, t) <= t;
     if longer < R::ZERO && !may_hurry(problem, t) {
         axis.slip(t, slip().at_start);
     } else if let Some(cruise) = Cruise::of(problem, t) {
         cruise.write(problem, axis, t);
-    } else if let Some(blend) = Blend::of(problem, t) {
+    } else if let Some(blend) = Blend::of(problem, t).filter(is_possible) {
         blend.write(problem, axis, t);
     } else {
         let slip = slip();

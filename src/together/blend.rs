@@ -77,7 +77,7 @@ impl<R: Real> Blend<R> {
     }
 
     /// Whether no weight is negative. Then the mean keeps the limits that both motions keep.
-    fn keeps_limits(&self) -> bool {
+    pub fn keeps_limits(&self) -> bool {
         self.share >= R::ZERO && self.share <= R::ONE
     }
 
