@@ -2,13 +2,15 @@
 
 use atraj::online::Move;
 use oracle::judge::axes::faults::Fault;
-use oracle::judge::axes::of_seed;
-use oracle::judge::axes::problems::Sets;
-use oracle::judge::axes::together::{Planner, Together};
+use oracle::judge::axes::problems::{Family, Set, Sets};
+use oracle::judge::axes::together::{self, Planner, Together};
+use oracle::judge::axes::{line, of_seed};
+use oracle::judge::problem::{Problem, Request};
+use oracle::judge::problems::Kind;
 use oracle::judge::tally::Tallies;
 use oracle::liba::abi::Original;
 use std::time::Instant;
-use support::Real;
+use support::{Random, Real};
 
 const SEEDS: u64 = 4;
 const SETS: usize = 5_000;
@@ -97,4 +99,63 @@ fn phases_follow_each_other_f64() {
 #[test]
 fn phases_follow_each_other_f32() {
     phases_follow_each_other::<f32>();
+}
+
+/// An axis: its limits, its start and its end.
+type Row = [f64; 12];
+
+/// These axes, which are to arrive on a tick.
+fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
+    let axis = |row: &Row| Problem::of(Kind::Moving, Request::Plan, row.map(R::of));
+    Set {
+        family: Family::Moves,
+        axes: rows.iter().map(axis).collect(),
+        duration: R::of(0.0),
+        cycle: R::of(cycle),
+    }
+}
+
+/// The planner counts the positions of a line from its end. So an axis that slips has the phases of its fastest move up to roundings, and the judge
+/// took it for one that jumps.
+#[test]
+#[rustfmt::skip]
+fn a_slip_on_a_line_is_known() {
+    let set = axes::<f32>(0.0002649748, &[
+        [570.6762, -683.005, 0.0015765755, -0.34183756, 0.00022960664, -0.00011802478, 5.1351995, -64.6683, 0.0, 5.118261, -64.6683, 0.0],
+        [100.61523, -100.61523, 0.053813163, -0.00036121882, 0.00011307208, -0.00010227046, 4.1300793, 64.6683, 0.0, 4.147018, 64.6683, 0.0],
+    ]);
+    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+}
+
+/// Of two axes that go as far, the judge let the one lead whose positions are far from 0, and its fastest move had large roundings.
+#[test]
+#[rustfmt::skip]
+fn the_finest_axis_leads() {
+    let set = axes::<f32>(8.467512e-9, &[
+        [1.5089617, -0.9301958, 0.56556946, -0.56556946, 680.40674, -80.83802, 0.29599607, 0.049285777, 0.019426448, 0.29599616, 0.049285777, 0.019426448],
+        [8.086602, -6.000829, 1.6318153, -1.3454347, 885.46893, -179.05002, 0.0, 0.049285777, 0.019426448, 8.940697e-8, 0.049285777, 0.019426448],
+    ]);
+    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+}
+
+/// An axis slips at its start and at its end. Each is within its roundings, and the judge allowed those of one end.
+#[test]
+#[rustfmt::skip]
+fn both_ends_slip() {
+    let set = axes::<f64>(3.674447319727584e-13, &[
+        [0.07560695002629314, -0.1960165993807255, 0.2177562829843771, -0.2177562829843771, 0.07902598402106711, -0.07902598402106711,
+         -5.314358103161447, 0.024209434683268152, -0.034392874159650484, -5.314358103153544, 0.02420943467204031, -0.0343928741510563],
+    ]);
+    assert_eq!(together::judge(&Together, &set, &mut Random::seeded(0)), None);
+}
+
+/// A ramp joins both ends up to roundings. The referee tries some of these ends only, and the judge called its duration impossible.
+#[test]
+#[rustfmt::skip]
+fn a_ramp_is_possible() {
+    let set = axes::<f64>(0.0, &[
+        [28.391020588992827, -28.391020588992827, 161.6011401515295, -37.45933811048514, 33.247303717053164, -11.378379200431727,
+         0.0, 11.9558487703089, -0.7271642198254368, 5.127720470454733e-10, 11.955848770277713, -0.7271642198254368],
+    ]);
+    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
 }

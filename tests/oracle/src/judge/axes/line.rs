@@ -9,12 +9,18 @@ use atraj::Findings;
 use atraj::online::Move;
 use support::{Random, Real};
 
-/// The shares of the axes in the longest way, and the axis that goes it.
+/// The shares of the axes in the longest way, and the axis that goes it. Of ways that are as long, the one with the finest roundings tells the
+/// fastest motion best. In the roundings of another one, a slow axis may arrive many ticks earlier or later.
 fn shares<R: Real>(set: &Set<R>) -> (Vec<R>, usize) {
     let way = |axis: &Problem<R>| axis.to.position - axis.from.position;
+    let length = |axis: &Problem<R>| way(axis).widen().abs();
+    let positions =
+        |axis: &Problem<R>| axis.from.position.widen().abs() + axis.to.position.widen().abs();
     let mut lead = 0;
     for (k, axis) in set.axes.iter().enumerate() {
-        if way(axis).widen().abs() > way(&set.axes[lead]).widen().abs() {
+        let leading = &set.axes[lead];
+        let as_long = length(axis) == length(leading);
+        if length(axis) > length(leading) || as_long && positions(axis) < positions(leading) {
             lead = k;
         }
     }
@@ -90,6 +96,7 @@ pub fn judge<R: Original>(
     let timing = Timing {
         axes: &[of_lead],
         slips: &[slip],
+        planned: &axes[lead..=lead],
         duration,
         cycle,
     };

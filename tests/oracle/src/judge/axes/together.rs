@@ -61,8 +61,9 @@ pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scal
 /// By how much the numbers of an axis may be larger than their own scale. The axis may slip, s: it arrives at a tick that its fastest motion
 /// misses by roundings.
 ///
-/// Then both ends change by up to eight times as many roundings of positions and velocities. A slip is a shift in time, so the acceleration
-/// changes by what the jerk changes in the slip. The positions and the velocities limit the slip.
+/// Then each end changes by up to eight times as many roundings of positions and velocities: 256 roundings of both velocities in sum are 512
+/// of the higher one. The motion is followed from its start, so the changes of the velocity at both ends add up. A slip is a shift in time, so
+/// the acceleration changes by what the jerk changes in the slip. The positions and the velocities limit the slip.
 pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f64) -> Scale {
     let more = scale_of_short_ramps(planned, axis.t.widen());
     if slip == 0.0 {
@@ -70,34 +71,47 @@ pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f6
     }
     let [.., jmax, jmin] = planned.motion().limits;
     let own = Scale::of(planned.problem(), &plan_of(axis));
-    more.and(&own).times(8.0).and(&Scale {
+    let of_end = more.and(&own).times(8.0);
+    of_end.and(&Scale {
+        velocity: of_end.velocity,
         acceleration: jmax.max(-jmin) * slip.abs() / doubt::<R>(),
         ..Scale::default()
     })
 }
 
 /// By how much an axis arrives earlier than its fastest move does, or later, at a tick which the move misses by roundings, s; 0 if it does
-/// not. A slip keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one.
+/// not. A slip keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one. On a line, the planner
+/// counts the positions from the end, and the shares of the axes are rounded. So the phases are the same up to roundings.
 pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let mut fastest = Move::default();
     let planned = fastest.plan(&problem.limits, problem.from, problem.to);
     let t = axis.t.widen();
     let slip = fastest.t.widen() - t;
-    let count = fastest.count as usize;
-    let keeps_way = axis.count == fastest.count
-        && axis.phase[1].jerk == fastest.phase[1].jerk
-        && (2..count).all(|k| {
-            let [one, other] = [&axis.phase[k], &fastest.phase[k]];
-            one.position == other.position
-                && one.velocity == other.velocity
-                && one.jerk == other.jerk
-        });
     let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
-    if planned.is_ok() && slip.abs() > rounding && (slip > 0.0 || keeps_way) {
+    if planned.is_ok()
+        && slip.abs() > rounding
+        && (slip > 0.0 || keeps_way(problem, axis, &fastest))
+    {
         slip
     } else {
         0.0
     }
+}
+
+/// Whether an axis has the phases of its fastest move behind the first one, up to roundings.
+fn keeps_way<R: Real>(problem: &Problem<R>, axis: &Move<R>, fastest: &Move<R>) -> bool {
+    let scale = Scale::of(problem, &plan_of(fastest));
+    let agree =
+        |one: R, other: R, scale: f64| (one.widen() - other.widen()).abs() <= doubt::<R>() * scale;
+    let count = (fastest.count as usize).max(1);
+    let mut phases = axis.phase[1..count].iter().zip(&fastest.phase[1..count]);
+    let mut behind = axis.phase[..count].iter().zip(&fastest.phase).skip(2);
+    axis.count == fastest.count
+        && phases.all(|(one, other)| agree(one.jerk, other.jerk, other.jerk.widen().abs()))
+        && behind.all(|(one, other)| {
+            agree(one.position, other.position, scale.position)
+                && agree(one.velocity, other.velocity, scale.velocity)
+        })
 }
 
 /// The durations of a set.
@@ -106,6 +120,8 @@ pub struct Timing<'a, R> {
     pub axes: &'a [Trial<R>],
     /// By how much each axis slips, s.
     pub slips: &'a [f64],
+    /// Their motions, whose states have been judged.
+    pub planned: &'a [Move<R>],
     /// The least duration, s.
     pub duration: f64,
     /// The period of the clock, s; 0: none.
@@ -129,9 +145,11 @@ impl<R: Original> Timing<'_, R> {
             let what = "the duration is not a multiple of the cycle";
             return Some((0, Verdict::Wrong(what)));
         }
-        // The states of an axis that slips are judged by themselves.
-        let mut axes = self.axes.iter().zip(self.slips);
-        let impossible = axes.position(|(axis, slip)| !axis.is_possible(t + slip));
+        // The states of an axis that slips are judged by themselves, and so are those of a ramp.
+        let mut axes = self.axes.iter().zip(self.slips).zip(self.planned);
+        let impossible = axes.position(|((axis, slip), planned)| {
+            !axis.is_possible(t + slip) && !axis.is_ramp(planned)
+        });
         if let Some(axis) = impossible {
             return Some((axis, Verdict::Impossible));
         }
@@ -152,8 +170,10 @@ impl<R: Original> Timing<'_, R> {
         let is_earlier = |x: &f64| *x < t * (1.0 - tolerance) && *x >= least;
         let mut tried = self.candidates(least, t, other);
         tried.retain(is_earlier);
+        // Without the neighbours of the ends, the question is cheap.
+        let all_may_arrive = |x: &f64| self.axes.iter().all(|axis| axis.motion().possible(*x));
         let all_arrive = |x: &f64| self.axes.iter().all(|axis| axis.is_surely_possible(*x));
-        tried.into_iter().find(all_arrive)
+        tried.into_iter().filter(all_may_arrive).find(all_arrive)
     }
 
     /// Durations to try: evenly spread ones, and the borders of the gaps; the ticks behind them if there is a clock.
@@ -201,6 +221,7 @@ pub fn judge<R: Original>(
     let timing = Timing {
         axes: &trials,
         slips: &slips,
+        planned: &axes,
         duration,
         cycle,
     };

@@ -113,12 +113,20 @@ impl<R: Real> Chain<R> {
         scaled
     }
 
-    /// The mirrored path.
-    pub fn mirrored(&self) -> Self {
-        let mut mirrored = self.scaled(-1.0, 1.0);
-        for limits in &mut mirrored.limits {
-            let [vmax, vmin, amax, amin, jmax, jmin] = numbers_of(limits);
-            *limits = limits_of([vmin, vmax, amin, amax, jmin, jmax]);
+    /// The path with the axes mirrored from the axis `first` on.
+    pub fn mirrored(&self, first: usize) -> Self {
+        let (mut mirrored, other) = (self.clone(), self.scaled(-1.0, 1.0));
+        let is_mirrored = |k: usize| k % self.axes >= first;
+        for (k, state) in mirrored.states.iter_mut().enumerate() {
+            if is_mirrored(k) {
+                *state = other.states[k];
+            }
+        }
+        for (k, limits) in mirrored.limits.iter_mut().enumerate() {
+            if is_mirrored(k) {
+                let [vmax, vmin, amax, amin, jmax, jmin] = numbers_of(&other.limits[k]);
+                *limits = limits_of([vmin, vmax, amin, amax, jmin, jmax]);
+            }
         }
         mirrored
     }
