@@ -212,3 +212,170 @@ impl<R: Real> Chain<'_, '_, R> {
 fn dot<R: Real>(x: &[R], y: &[R]) -> R {
     x.iter().zip(y).fold(R::ZERO, |sum, (x, y)| sum + *x * *y)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::chain::{Chain, Request};
+    use super::super::memory::{Memory, size};
+    use crate::findings::Findings;
+
+    /// Numbers between -1 and 1 that look random: the parts of the multiples of the golden ratio.
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut k = 0.0;
+        move || {
+            k += 1.618_033_988_749_895;
+            2.0 * (k - f64::floor(k)) - 1.0
+        }
+    }
+
+    /// A chain whose tables hold a system of equations: `diagonal` stands on the diagonal of the durations.
+    fn chain(
+        axes: usize,
+        sections: usize,
+        work: &mut [f64],
+        diagonal: f64,
+    ) -> Chain<'static, '_, f64> {
+        let mut memory = Memory::of(work, axes, sections).expect("room");
+        let mut number = numbers();
+        for row in 0..axes * (sections - 1) {
+            memory
+                .diagonal
+                .set(row, [4.0 + number(), number(), 4.0 + number()]);
+            memory.coupling.set(row, [(); 4].map(|()| number()));
+            memory.gradient.set(row, [(); 2].map(|()| number()));
+        }
+        for piece in 0..axes * sections {
+            memory.to_duration.set(piece, [(); 4].map(|()| number()));
+        }
+        for section in 0..sections {
+            memory.gradient_t.put(section, number());
+            memory.damping.put(section, 2.0 + number());
+            (0..section).for_each(|column| memory.matrix.add(section, column, number()));
+            memory.matrix.add(section, section, diagonal);
+        }
+        let request = Request {
+            axes,
+            sections,
+            states: &[],
+            limits: &[],
+        };
+        Chain {
+            request,
+            axes,
+            sections,
+            memory,
+            findings: Findings::default(),
+        }
+    }
+
+    /// The step of a state; none at the start and at the end.
+    fn direction(solved: &Chain<f64>, point: usize, axis: usize) -> [f64; 2] {
+        if point > 0 && point < solved.sections {
+            solved
+                .memory
+                .directions
+                .row((point - 1) * solved.axes + axis)
+        } else {
+            [0.0; 2]
+        }
+    }
+
+    /// What the equations of a state miss. The elimination overwrites the equations, so `given` is a copy of them.
+    fn errors_of_state(
+        given: &Memory<f64>,
+        solved: &Chain<f64>,
+        [point, axis]: [usize; 2],
+        lambda: f64,
+    ) -> [f64; 2] {
+        let row = (point - 1) * solved.axes + axis;
+        let ([g_v, g_a], [vv, va, aa]) = (given.gradient.row(row), given.diagonal.row(row));
+        let ([v, a], more) = (direction(solved, point, axis), 1.0 + lambda);
+        let mut sums = [g_v + more * vv * v + va * a, g_a + va * v + more * aa * a];
+        let mut add = |[by_v, by_a]: [f64; 2]| sums = [sums[0] + by_v, sums[1] + by_a];
+        if let Some(before) = row.checked_sub(solved.axes) {
+            let [vv, va, av, aa] = given.coupling.row(before);
+            let [v, a] = direction(solved, point - 1, axis);
+            add([vv * v + av * a, va * v + aa * a]);
+        }
+        let [vv, va, av, aa] = given.coupling.row(row);
+        let [v, a] = direction(solved, point + 1, axis);
+        add([vv * v + va * a, av * v + aa * a]);
+        let [.., v1, a1] = given.to_duration.row(row);
+        let [v0, a0, ..] = given.to_duration.row(row + solved.axes);
+        let [before, behind] = [point - 1, point].map(|section| solved.memory.changes.at(section));
+        add([v1 * before + v0 * behind, a1 * before + a0 * behind]);
+        sums
+    }
+
+    /// What the equation of a duration misses.
+    fn error_of_duration(
+        given: &Memory<f64>,
+        solved: &Chain<f64>,
+        section: usize,
+        lambda: f64,
+    ) -> f64 {
+        let change = |section| solved.memory.changes.at(section);
+        let mut sum =
+            given.gradient_t.at(section) + lambda * given.damping.at(section) * change(section);
+        for other in 0..solved.sections {
+            let (high, low) = (section.max(other), section.min(other));
+            sum += given.matrix.row(high)[low] * change(other);
+        }
+        for axis in 0..solved.axes {
+            let ends = given.to_duration.row(section * solved.axes + axis);
+            let [start, end] = [section, section + 1].map(|point| direction(solved, point, axis));
+            let products = ends.into_iter().zip(start.into_iter().chain(end));
+            sum += products.map(|(number, x)| number * x).sum::<f64>();
+        }
+        sum
+    }
+
+    /// What all equations miss.
+    fn errors(given: &Memory<f64>, solved: &Chain<f64>, lambda: f64) -> impl Iterator<Item = f64> {
+        let places =
+            (1..solved.sections).flat_map(|point| (0..solved.axes).map(move |axis| [point, axis]));
+        let of_states = places.flat_map(move |place| errors_of_state(given, solved, place, lambda));
+        let of_durations = (0..solved.sections)
+            .map(move |section| error_of_duration(given, solved, section, lambda));
+        of_states.chain(of_durations)
+    }
+
+    #[test]
+    fn the_step_solves_its_equations() {
+        for (axes, sections) in [(1, 1), (1, 2), (1, 4), (2, 3), (3, 5)] {
+            for lambda in [0.0, 0.5] {
+                let room = size(axes, sections).expect("a size");
+                let [mut work, mut copy] = [(); 2].map(|()| [0.0; 1_000]);
+                let given = chain(axes, sections, &mut copy[..room], 20.0).memory;
+                let mut chain = chain(axes, sections, &mut work[..room], 20.0);
+                let fall = chain.eliminate(lambda);
+                // With the durations held, the states alone take the step of the gradient.
+                chain.solve_states();
+                let rows = given.gradient.rows(axes * (sections - 1));
+                let directions = chain.memory.directions.rows(axes * (sections - 1));
+                let slope: f64 = rows
+                    .zip(directions)
+                    .map(|([g_v, g_a], [v, a])| g_v * v + g_a * a)
+                    .sum();
+                assert!(
+                    (fall + slope).abs() < 1e-12,
+                    "{axes} {sections}: {fall} {slope}"
+                );
+                assert_eq!(chain.solve_durations(lambda), Some(()));
+                chain.solve_states();
+                assert!(
+                    errors(&given, &chain, lambda).all(|error| error.abs() < 1e-12),
+                    "{axes} axes, {sections} sections, {lambda}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_positive_has_no_step() {
+        let mut work = [0.0; 1_000];
+        let mut chain = chain(2, 3, &mut work, -20.0);
+        chain.eliminate(0.0);
+        assert_eq!(chain.solve_durations(0.0), None);
+    }
+}

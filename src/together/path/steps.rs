@@ -185,3 +185,14 @@ impl<R: Real> Chain<'_, '_, R> {
         core::mem::swap(&mut memory.durations, &mut memory.tried);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::fallen;
+
+    #[test]
+    fn an_octave_halves_the_weight() {
+        let weights = [0.0, 0.5, 1.0, 1.5, 2.0].map(|octaves| fallen(8.0, octaves));
+        assert_eq!(weights, [8.0, 6.0, 4.0, 3.0, 2.0]);
+    }
+}
