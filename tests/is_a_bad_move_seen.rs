@@ -289,3 +289,17 @@ fn spoiled_profiles_are_seen<R: Real>() {
 }
 
 test_both_reals!(spoiled_profiles_are_seen);
+
+/// A set is written as a sentence for each finding, and for the programmer as their names.
+#[test]
+fn findings_are_told() {
+    let found = Findings::EXCEEDS_VELOCITY | Findings::OVERSHOOTS;
+    let told = "the velocity is above its limit; the move leaves the positions between its ends";
+    assert_eq!(found.to_string(), told);
+    assert_eq!(
+        format!("{found:?}"),
+        "Findings(EXCEEDS_VELOCITY | OVERSHOOTS)"
+    );
+    assert_eq!(Findings::default().to_string(), "nothing is wrong");
+    assert_eq!(format!("{:?}", Findings::default()), "Findings()");
+}

@@ -305,23 +305,26 @@ fn limits_are_kept<R: Real>() {
     }
 }
 
-/// A double-S and the move with its phases are shaped alike.
+/// A double-S and the move with its phases are shaped alike, from standstill to standstill and in motion.
 fn a_bell_is_shaped_as_a_move<R: Real>() {
-    let limits = [30.0, 10.0, 5.0].map(R::of);
-    let bell = Bell::fastest(
-        limits[0],
-        limits[1],
-        limits[2],
-        Boundary::rest_to_rest(R::of(1.0), R::of(11.0)),
-    )
-    .expect("a plan");
+    shaped_alike::<R>([0.0, 0.0]);
+    shaped_alike::<R>([1.0, 2.0]);
+}
+
+fn shaped_alike<R: Real>(ends: [f64; 2]) {
+    let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(R::of);
+    let [p0, p1] = [1.0, 11.0].map(R::of);
+    let [v0, v1] = ends.map(R::of);
+    let boundary = Boundary { p0, p1, v0, v1 };
+    let bell = Bell::fastest(jerk, acceleration, velocity, boundary).expect("a plan");
+    let moving = |position, velocity| State {
+        velocity,
+        ..State::at(position)
+    };
+    let limits = Limits::symmetric(jerk, acceleration, velocity);
     let mut planned = Move::default();
     planned
-        .plan(
-            &Limits::symmetric(limits[0], limits[1], limits[2]),
-            State::at(R::of(1.0)),
-            State::at(R::of(11.0)),
-        )
+        .plan(&limits, moving(p0, v0), moving(p1, v1))
         .expect("a plan");
     for (kind, smoothing) in KINDS.into_iter().zip([0.0, 0.1, 0.5, 2.0, 5.0]) {
         let mut shaper = Shaper::smooth(R::of(smoothing)).expect("a time");

@@ -196,3 +196,14 @@ fn from_any_state<R: Real>() {
 }
 
 test_both_reals!(polynomials, plans, from_any_state);
+
+/// A trapezoid that only brakes has no phase without acceleration.
+#[test]
+fn a_ramp_alone_never_cruises() {
+    let [p0, p1, v0, v1] = [0.0, 4.0, 4.0, 0.0];
+    let braking = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0, p1, v0, v1 }).expect("a plan");
+    assert_eq!(braking.ta, braking.cruise_end);
+    let reached = braking.extremes();
+    let accelerations = [reached.lowest, reached.highest].map(|state| state.acceleration);
+    assert_eq!(accelerations, [-2.0; 2]);
+}

@@ -79,6 +79,16 @@ fn a_stop_after_the_end_is_idle_unless_nobody_read_the_end_of_a_listing() {
 }
 
 #[test]
+fn a_motion_keeps_the_mode_in_which_it_began() {
+    for (mode, other) in [(Corrected, Listing), (Listing, Corrected)] {
+        let mut axis = started(mode, to(10.0));
+        assert_eq!([axis.mode(), axis.motion_mode()], [mode, mode]);
+        axis.set_mode(other);
+        assert_eq!([axis.mode(), axis.motion_mode()], [other, mode]);
+    }
+}
+
+#[test]
 fn reset_and_idle_stop_set_the_timer_to_zero_and_keep_the_profile() {
     for mode in MODES {
         let mut axis = started(mode, to(10.0));

@@ -98,6 +98,24 @@ fn bad_limits_are_refused() {
     assert_eq!(plan.err(), Some(Error::Limits));
 }
 
+#[test]
+fn profiles_with_a_limit_of_0_are_refused() {
+    let boundary = Boundary::rest_to_rest(0.0, 1.0);
+    for index in 0..3 {
+        let [mut bell, mut trap] = [[30.0, 10.0, 5.0], [5.0, 4.0, -2.0]];
+        (bell[index], trap[index]) = (0.0, 0.0);
+        let [jerk, acceleration, velocity] = bell;
+        let bell = Bell::fastest(jerk, acceleration, velocity, boundary);
+        let [velocity, acceleration, deceleration] = trap;
+        let trap = Trap::fastest(velocity, acceleration, deceleration, boundary);
+        assert_eq!(
+            (bell.err(), trap.err()),
+            (Some(Error::Limits), Some(Error::Limits)),
+            "{index}"
+        );
+    }
+}
+
 fn beside_plans<R: Real>() {
     let mut random = Random::seeded(5);
     for problem in Problems::<R>::new(5).take(PROBLEMS / 10) {

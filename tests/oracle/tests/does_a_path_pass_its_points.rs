@@ -72,21 +72,23 @@ fn units_change_no_bit<R: Original>() {
         let chain = chains.draw::<R>();
         let plan = |chain: &Chain<R>| Paths.plan(chain, 0).expect("a plan").0;
         let path = plan(&chain);
-        let other = plan(&chain.mirrored());
-        let back = Chain {
-            states: other.states,
-            ..chain.clone()
+        for first in 0..chain.axes.min(2) {
+            let other = plan(&chain.mirrored(first));
+            let back = Chain {
+                states: other.states,
+                ..chain.clone()
+            }
+            .mirrored(first);
+            let back = Path {
+                states: back.states,
+                durations: other.durations,
+            };
+            assert!(
+                bits(&path) == bits(&back),
+                "{k} {:?}: mirrored from {first} on",
+                chain.family
+            );
         }
-        .scaled(-1.0, 1.0);
-        let back = Path {
-            states: back.states,
-            durations: other.durations,
-        };
-        assert!(
-            bits(&path) == bits(&back),
-            "{k} {:?}: mirrored",
-            chain.family
-        );
         for (length, time) in [(8.0, 1.0), (1.0, 0.25), (0.5, 2.0)] {
             let other = plan(&chain.scaled(length, time));
             let scaled = Chain {
@@ -140,15 +142,61 @@ fn there_and_back<R: Original>() {
         limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2],
         states: start.into_iter().chain(behind).map(state).collect(),
     };
-    let [one, other] =
-        [&chain, &chain.mirrored()].map(|chain| Paths.plan(chain, 0).expect("a plan").0.durations);
-    assert_eq!(one, other);
+    to_both_sides_alike(&chain);
+}
+
+/// An axis cannot stop before its way points, and another one hardly gets to its own in time.
+fn hardly_in_time<R: Original>() {
+    let mut random = Random::seeded(7);
+    for _ in 0..200 {
+        let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
+        let limits = Limits::symmetric(R::of(jerk), R::of(acceleration), R::of(velocity));
+        let start = State {
+            velocity: R::of(velocity * random.between(0.5, 1.0)),
+            ..State::at(R::of(0.0))
+        };
+        let mut axis = Move::default();
+        axis.stop(&limits, start).expect("a stop");
+        let stop = axis.state_at(axis.t).position.widen();
+        let (place, slower) = (random.between(0.1, 0.9), random.magnitude(-1.0, 0.0));
+        let ways = [[0.0; 2], [place, slower * place], [2.0, slower], [3.0, 0.0]];
+        let mut states: Vec<_> = ways
+            .iter()
+            .flatten()
+            .map(|&part| State::at(R::of(part * stop)))
+            .collect();
+        states[0] = start;
+        to_both_sides_alike(&Chain {
+            family: Family::InMotion,
+            axes: 2,
+            limits: vec![limits; 2],
+            states,
+        });
+    }
+}
+
+/// All axes mirrored, and the second one alone: the durations stay.
+fn to_both_sides_alike<R: Original>(chain: &Chain<R>) {
+    let durations = |chain: &Chain<R>| Paths.plan(chain, 0).expect("a plan").0.durations;
+    for first in [0, 1] {
+        assert_eq!(
+            durations(chain),
+            durations(&chain.mirrored(first)),
+            "{chain:?}"
+        );
+    }
 }
 
 #[test]
 fn an_axis_comes_back_to_both_sides_alike() {
     there_and_back::<f64>();
     there_and_back::<f32>();
+}
+
+#[test]
+fn an_axis_gets_to_both_sides_alike() {
+    hardly_in_time::<f64>();
+    hardly_in_time::<f32>();
 }
 
 fn every_fault_is_seen<R: Original>() {
