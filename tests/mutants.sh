@@ -46,7 +46,8 @@ if ! test -e "$out/programs/whole"; then
     tests/programs.sh "$tree" "$out/programs"
 fi
 
-trap '"$tool" report "$results"' EXIT
+page=$PWD/docs/trust.md
+trap '"$tool" report "$results" "$page"' EXIT
 cd "$tree"
 rm -rf "$out/claims"
 mkdir "$out/claims"

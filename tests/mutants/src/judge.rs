@@ -38,10 +38,13 @@ fn steps(storey: &str) -> Vec<Step> {
             ("root", "is_a_bad_move_seen"),
             ("root", "do_known_defects_stay_fixed"),
             ("root", "are_motion_laws_kept"),
+            ("root", "is_an_extreme_missed"),
+            ("oracle", "is_the_fastest_motion_right"),
         ],
         "online" => ONLINE,
         "together" => TOGETHER,
         "together/path" => &[
+            ("unit", ""),
             ("oracle", "does_a_path_pass_its_points"),
             ("root", "do_known_defects_stay_fixed"),
             ("oracle", "are_bad_requests_refused"),
@@ -53,7 +56,6 @@ fn steps(storey: &str) -> Vec<Step> {
             ("oracle", "is_a_path_nearly_the_shortest::beside_random"),
             ("oracle", "is_a_path_nearly_the_shortest::ten_sections"),
             ("oracle", "is_a_path_nearly_the_shortest::improvements"),
-            ("unit", ""),
             ("oracle", "does_every_plan_pass"),
         ],
         "machine" => &[
@@ -101,6 +103,8 @@ const ONLINE: &[Step] = &[
     ("oracle", "does_every_plan_pass::plans_of_one"),
     ("oracle", "does_a_replan_detour"),
     ("oracle", "does_a_move_stay_inside"),
+    ("root", "are_motion_laws_kept"),
+    ("root", "does_a_loop_arrive_in_time::plans"),
 ];
 
 const TOGETHER: &[Step] = &[
@@ -109,11 +113,11 @@ const TOGETHER: &[Step] = &[
     ("oracle", "does_every_plan_pass"),
     ("root", "do_known_defects_stay_fixed"),
     ("root", "does_a_stretched_axis_move_slowly"),
-    ("root", "are_motion_laws_kept::several_axes"),
+    ("root", "are_motion_laws_kept"),
     ("root", "does_a_line_stop_on_itself"),
     ("root", "is_a_signal_followed"),
     ("oracle", "do_axes_stay_inside"),
-    ("root", "does_a_loop_arrive_in_time::axes_arrive"),
+    ("root", "does_a_loop_arrive_in_time"),
 ];
 
 /// Judges the mutants that have no line in the results, a line for each: storey, verdict, the test that saw it, seconds, name. Several

@@ -5,7 +5,7 @@
 //! - `mutants plant LIST TREE SEED OF_EACH UNVIABLE` plants a sample of the list into the files under `TREE/src`.
 //! - `mutants refuse TREE MESSAGES UNVIABLE` adds the mutants that the compiler's messages name to the file of unviable ones.
 //! - `mutants judge LIST SEED OF_EACH UNVIABLE CONSTANT PROGRAMS CLAIMS RESULTS` judges them, but for those that are in the results already.
-//! - `mutants report RESULTS` prints the table, and each survivor.
+//! - `mutants report RESULTS PAGE` prints the table, and each survivor with what the page says of it.
 
 mod judge;
 mod mutant;
@@ -50,7 +50,7 @@ fn main() {
                 Path::new(results),
             );
         }
-        ["report", results] => report::print(&read(results)),
+        ["report", results, page] => report::print(&read(results), &read(page)),
         _ => panic!("plant, refuse, judge or report: the first lines of src/main.rs"),
     }
 }
