@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# programs.sh TREE OUT: builds the tests of the copy TREE of this repository as few programs: OUT/unit, OUT/root and OUT/oracle. OUT/c runs the C
+# programs.sh TREE OUT: builds the tests of the copy TREE of this repository as few programs: OUT/unit, OUT/root, OUT/oracle and OUT/border. OUT/c runs the C
 # programs OUT/c-*, OUT/compact runs them with the polynomials of the newest liba, and OUT/soft with the `double` of a core whose unit lacks it.
 # `make mutants` and `make coverage` run them. The oracle's tests that are made for minutes are made for seconds here.
 set -euo pipefail
@@ -17,13 +17,21 @@ for size in $sizes; do
     sed -i "/^const $constant: /{s/= .*;/= $value;/;h};\${x;/./!{x;q1};x}" "tests/oracle/tests/$name.rs"
 done
 
-# `are_the_derivatives_right` compiles files of the library as its own, so it cannot be a part of another program. No test needs the bins.
-rm -r tests/oracle/tests/are_the_derivatives_right.rs tests/oracle/src/bin
+# No test needs the bins.
+rm -r tests/oracle/src/bin
+
+# This test compiles files of the library as its own, with the switch of a mutant if there is one. So it cannot be a part of another program.
+border=tests/oracle/tests/are_the_derivatives_right.rs
+if test -e src/mutant.rs; then
+    sed -i 's/^#!\[allow(/&warnings, /' "$border"
+    echo '#[path = "../../../src/mutant.rs"] mod mutant;' >> "$border"
+fi
 
 # One program for all tests of a package: the library is compiled once.
 merge() {
     local file modules=
     for file in "$1"/*.rs; do
+        test "$file" != "$border" || continue
         modules+="#[path = \"${file##*/}\"] mod $(basename "$file" .rs);"
     done
     echo "$modules" > "$1/all.rs"
@@ -39,6 +47,7 @@ program() {
 program unit test --quiet --no-run --lib
 program root test --quiet --no-run --test all
 program oracle test --quiet --release --no-run --locked --manifest-path tests/oracle/Cargo.toml --test all
+program border test --quiet --release --no-run --locked --manifest-path tests/oracle/Cargo.toml --test are_the_derivatives_right
 
 contracts='abi sample fastest move axes axis path clock shaper steps' replays='golden claraty'
 # c_programs NAME FEATURES HEADER FLAGS…: the C programs beside the library that rustc builds with these flags, as OUT/NAME-*, and OUT/NAME,

@@ -45,6 +45,7 @@ fn steps(storey: &str) -> Vec<Step> {
         "together" => TOGETHER,
         "together/path" => &[
             ("unit", ""),
+            ("border", ""),
             ("oracle", "does_a_path_pass_its_points"),
             ("root", "do_known_defects_stay_fixed"),
             ("oracle", "are_bad_requests_refused"),
