@@ -105,8 +105,7 @@ impl<R: Real> Bell<R> {
         let border = Border {
             v0: forward_v0 * per_jerk,
             dv: (forward_v1 - forward_v0) * per_jerk,
-            rise: am * per_jerk,
-            fall: am * per_jerk,
+            limit: am * per_jerk,
         };
         let h = h * per_jerk;
         let direct = border.direct();

@@ -23,10 +23,8 @@ pub(crate) struct Border<R> {
     pub v0: R,
     /// Change of velocity from the start to the end: one difference, taken before the division.
     pub dv: R,
-    /// Highest acceleration.
-    pub rise: R,
-    /// Highest deceleration, positive.
-    pub fall: R,
+    /// Highest acceleration and deceleration.
+    pub limit: R,
 }
 
 /// A ramp from one velocity to another, with the acceleration 0 at both ends.
@@ -59,25 +57,19 @@ impl<R: Real> Border<R> {
         Self {
             v0: -self.v0,
             dv: -self.dv,
-            rise: self.fall,
-            fall: self.rise,
+            ..self
         }
     }
 
     /// Displacement of the ramp that leads from the start straight to the end. Its duration allows no other displacement.
     pub fn direct(&self) -> R {
-        let limit = if self.dv < R::ZERO {
-            self.fall
-        } else {
-            self.rise
-        };
-        self.mean() * Ramp::over(self.dv.abs(), limit).t
+        self.mean() * Ramp::over(self.dv.abs(), self.limit).t
     }
 
     /// The two ramps by way of the velocity `v0 + room`, and their displacement.
     pub fn by_way_of(&self, room: R) -> ([Ramp<R>; 2], R) {
-        let up = Ramp::over(room, self.rise);
-        let down = Ramp::over((room - self.dv).at_least(R::ZERO), self.fall);
+        let up = Ramp::over(room, self.limit);
+        let down = Ramp::over((room - self.dv).at_least(R::ZERO), self.limit);
         let change = R::HALF * room * (up.t + down.t) + R::HALF * self.dv * down.t;
         ([up, down], self.v0 * (up.t + down.t) + change)
     }
@@ -85,21 +77,21 @@ impl<R: Real> Border<R> {
     /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the `direct` one. The
     /// peak velocity has no limit.
     pub fn first_over(&self, h: R, direct: R) -> [Ramp<R>; 2] {
-        // As the duration grows, one ramp holds its limit first, and later the other one too.
-        let (rise, fall) = (self.rise, self.fall);
-        let sum = rise + fall;
-        let up_first = (sum * sum + self.dv) * fall >= (sum * sum - self.dv) * rise;
+        // As the duration grows, the ramp with the larger change of velocity holds the limit first, and later the other one too.
+        let up_first = self.dv >= R::ZERO;
         let hold = Hold::of(self, up_first);
         let beyond = h - hold.least();
-        if beyond >= hold.displacement(hold.other).0 {
+        if beyond >= hold.displacement(hold.limit).0 {
             return self.both_holds(h);
         }
-        // Where the hold begins. There is no such place if a limit is infinite, or if the direct ramp has a hold too.
+        // Where the hold begins. There is no such place if the limit is infinite, or if the direct ramp has a hold too.
         let begins = hold.begins();
         let apart = self.dv.abs().sqrt();
         let y = hold.limit + begins - apart;
         let beyond_direct = (h - direct).at_least(R::ZERO);
-        if sum < R::INFINITY && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0) {
+        if self.limit < R::INFINITY
+            && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0)
+        {
             let [held, other] = hold.ramps(beyond);
             return if up_first {
                 [held, other]
@@ -174,29 +166,24 @@ impl<R: Real> Border<R> {
 
     /// With both holds the displacement is a quadratic in the duration of the first ramp.
     fn both_holds(&self, h: R) -> [Ramp<R>; 2] {
-        let Self { v0, dv, rise, fall } = *self;
-        // The second ramp lasts `ratio` times as long as the first, and `offset`.
-        let ratio = rise / fall;
-        let offset = ((fall - rise) * (fall + rise) - dv) / fall;
-        let change = R::HALF * (dv - rise * rise);
-        let twice_a = rise * (R::ONE + ratio);
-        let b = v0 * (R::ONE + ratio) + R::HALF * rise * (offset - rise) + ratio * change;
-        let c = offset * (v0 + change) - h;
-        let root = larger_root(b / twice_a, (c + c) / twice_a);
+        let Self { v0, dv, limit } = *self;
+        // The second ramp lasts so much longer.
+        let offset = -dv / limit;
+        let half_b = v0 / limit - R::HALF * limit;
+        let c = offset * (v0 + R::HALF * (dv - limit * limit)) - h;
+        let root = larger_root(half_b, c / limit);
         // Where one ramp is hardly more than the direct one, the root may come out shorter than its jerk parts by rounding.
-        let least = (rise + rise).at_least((fall + fall - offset) / ratio);
-        let up = root.at_least(least);
-        let down = (ratio * up + offset).at_least(fall + fall);
-        [Ramp { tj: rise, t: up }, Ramp { tj: fall, t: down }]
+        let least = limit + limit;
+        let up = root.at_least(least.at_least(least - offset));
+        let down = (up + offset).at_least(least);
+        [up, down].map(|t| Ramp { tj: limit, t })
     }
 }
 
-/// One ramp holds its limit, the other reaches less than its own. Reversed in time, the second ramp is the first.
+/// One ramp holds the limit, the other reaches less. Reversed in time, the second ramp is the first.
 struct Hold<R> {
-    /// Limit of the ramp that holds.
+    /// The limit of the acceleration.
     limit: R,
-    /// Limit of the other ramp.
-    other: R,
     /// Change of velocity from the end of the ramp that holds to the end of the other.
     dv: R,
     /// Velocity at the end of the other ramp.
@@ -207,15 +194,10 @@ struct Hold<R> {
 
 impl<R: Real> Hold<R> {
     fn of(border: &Border<R>, up: bool) -> Self {
-        let &Border { v0, dv, rise, fall } = border;
-        let (limit, other, dv, end) = if up {
-            (rise, fall, dv, v0 + dv)
-        } else {
-            (fall, rise, -dv, v0)
-        };
+        let &Border { v0, dv, limit } = border;
+        let (dv, end) = if up { (dv, v0 + dv) } else { (-dv, v0) };
         Self {
             limit,
-            other,
             dv,
             end,
             mean: border.mean(),
@@ -229,7 +211,7 @@ impl<R: Real> Hold<R> {
 
     /// The ramp that holds and the other one, over a displacement beyond the least one.
     fn ramps(&self, beyond: R) -> [Ramp<R>; 2] {
-        let bound = self.bound(beyond).at_most(self.other);
+        let bound = self.bound(beyond).at_most(self.limit);
         let w = convex_root(self.begins(), bound, |w| {
             let (displacement, slope) = self.displacement(w);
             (displacement - beyond, slope)
