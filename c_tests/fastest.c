@@ -107,6 +107,7 @@ static int findings(void)
     spoilt = trap;
     spoilt.vc = none;
     PROMISE(atraj_trap_check(&spoilt, 5, 4, -2) == -2);
+    PROMISE(atraj_trap_check(&trap, 5, 4, 2) == ATRAJ_ERR_LIMITS);
     PROMISE(atraj_trap_check(&trap, none, 4, -2) == -2);
     return 0;
 }

@@ -290,6 +290,47 @@ fn spoiled_profiles_are_seen<R: Real>() {
 
 test_both_reals!(spoiled_profiles_are_seen);
 
+/// A limit of 0 is kept by a cruise, and the order of the phases counts by itself. At its end a cruise has the deceleration of the plan.
+fn a_cruise_needs_no_acceleration<R: Real>() {
+    let [zero, one, few] = [0.0, 1.0, 4.0].map(R::of);
+    for sign in [one, -one] {
+        let boundary = Boundary {
+            v0: sign,
+            v1: sign,
+            ..Boundary::rest_to_rest(zero, sign * few)
+        };
+        let cruise = Trap::fastest(one, one, -one, boundary).expect("a plan");
+        let clean = Ok(Findings::default());
+        assert_eq!(cruise.check(one, zero, -sign), clean);
+        assert_eq!(cruise.check(one, -sign, zero), clean);
+        assert_eq!(cruise.check(one, sign, sign), Err(Error::Limits));
+        let nan = R::of(f64::NAN);
+        assert_eq!(cruise.check(one, nan, -sign), Err(Error::NotFinite));
+        let beyond = Trap {
+            cruise_end: cruise.t + one,
+            pd: cruise.p1 + sign,
+            ..cruise
+        };
+        let found = beyond.check(one, one, -one).expect("numbers");
+        assert!(found.contains(Findings::JUMPS), "{found:?}");
+    }
+}
+
+/// A double-S that only accelerates or only brakes has the jerk of its one ramp.
+fn one_ramp_has_a_jerk<R: Real>() {
+    let [zero, half, one] = [0.0, 0.5, 1.0].map(R::of);
+    for [v0, v1] in [[zero, one], [one, zero]] {
+        let [p0, p1] = [zero, one];
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let ramp = Bell::fastest(one, one, one, boundary).expect("a plan");
+        assert_eq!([ramp.taj > zero, ramp.tdj > zero], [v1 > v0, v0 > v1]);
+        assert_eq!(ramp.check(one, one, one), Ok(Findings::default()));
+        assert_eq!(ramp.check(half, one, one), Ok(Findings::EXCEEDS_JERK));
+    }
+}
+
+test_both_reals!(a_cruise_needs_no_acceleration, one_ramp_has_a_jerk);
+
 /// A set is written as a sentence for each finding, and for the programmer as their names.
 #[test]
 fn findings_are_told() {

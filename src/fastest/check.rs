@@ -1,11 +1,12 @@
 //! What a filled double-S or trapezoid reaches, and what is wrong with it.
 
+use super::trap::rise_and_fall;
 use crate::findings::{Error, Extremes, Findings};
 use crate::liba::bell::motion::Phase;
 use crate::liba::trap::motion::Phase as TrapPhase;
 use crate::liba::{Bell, Trap};
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{Boundary, State};
 
 impl<R: Real> Bell<R> {
     /// Examines the move against the magnitudes of `jerk`, `acceleration` and `velocity`; an infinite limit is no limit. Any plan may
@@ -168,7 +169,8 @@ impl<R: Real> Bell<R> {
 
 impl<R: Real> Trap<R> {
     /// Examines the move against the magnitude of `velocity` and two accelerations of opposite signs, in either order; an infinite limit
-    /// is no limit. Any plan may be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is not finite or a limit is NaN.
+    /// is no limit, and a limit of 0 allows none. Any plan may be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is
+    /// not finite or a limit is NaN; [`Error::Limits`] if both accelerations have one sign.
     ///
     /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
     pub fn check(&self, velocity: R, acceleration: R, deceleration: R) -> Result<Findings, Error> {
@@ -185,18 +187,18 @@ impl<R: Real> Trap<R> {
             pd,
             ..
         } = *self;
-        let (rise, fall) = if acceleration > R::ZERO {
-            (acceleration, -deceleration)
-        } else {
-            (deceleration, -acceleration)
-        };
+        let [rise, fall] = rise_and_fall(acceleration, deceleration);
         let vm = velocity.abs();
         let fields = [
             t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, self.a0, self.a1,
         ];
-        if !(fields.iter().all(|x| x.is_finite()) && [vm, rise, fall].iter().all(|&x| x >= R::ZERO))
-        {
+        if !fields.iter().all(|x| x.is_finite()) {
             return Err(Error::NotFinite);
+        }
+        let limits = [vm, rise, fall];
+        if !limits.iter().all(|&x| x >= R::ZERO) {
+            let boundary = Boundary { p0, p1, v0, v1 };
+            return Err(Error::of_plan(limits, boundary, Error::Limits));
         }
         let reached = self.extremes();
         let few = R::DOUBT; // 64 roundings

@@ -6,6 +6,15 @@ use crate::real::Real;
 use crate::roots::larger_root;
 use crate::state::{Boundary, Saturation, dips};
 
+/// The magnitudes of two accelerations of opposite signs: of the positive one, and of the negative one.
+pub(super) fn rise_and_fall<R: Real>(one: R, other: R) -> [R; 2] {
+    if one > other {
+        [one, -other]
+    } else {
+        [other, -one]
+    }
+}
+
 impl<R: Real> Trap<R> {
     /// Plans the fastest move there is within the magnitude of `velocity` and two accelerations of opposite signs, in either order: the
     /// positive one limits the acceleration towards larger positions, the negative one the acceleration towards smaller ones.
@@ -32,11 +41,7 @@ impl<R: Real> Trap<R> {
         boundary: Boundary<R>,
     ) -> Result<Self, Error> {
         let vm = velocity.magnitude();
-        let (rise, fall) = if acceleration > R::ZERO {
-            (acceleration, -deceleration)
-        } else {
-            (deceleration, -acceleration)
-        };
+        let [rise, fall] = rise_and_fall(acceleration, deceleration);
         let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, Saturation::Numbers);
         let limits = vm > R::ZERO && rise > R::ZERO && fall > R::ZERO;
         if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {

@@ -408,7 +408,7 @@ impl Trap {
     }
 
     /// The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
-    /// ValueError if a field is not finite, or a limit is not a number.
+    /// ValueError if a field is not finite, a limit is not a number, or both accelerations have one sign.
     fn check<'py>(
         &self,
         py: Python<'py>,

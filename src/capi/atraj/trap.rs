@@ -52,7 +52,8 @@ pub unsafe extern "C" fn atraj_trap_gen(
 /// @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
 /// @param ac acceleration of one sign, unit/s^2; infinite: no limit
 /// @param de acceleration of the other sign, unit/s^2; infinite: no limit
-/// @return 0 for a clean move, else a sum of `atraj_finding`; `ATRAJ_ERR_NULL` or `ATRAJ_ERR_NOT_FINITE` without an answer
+/// @return 0 for a clean move, else a sum of `atraj_finding`; `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE` or, if `ac` and `de` have one sign,
+/// `ATRAJ_ERR_LIMITS` without an answer
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_trap_check(
     ctx: *const a_trajtrap,
