@@ -153,3 +153,44 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_ordinary;
+    use crate::limits::Limits;
+    use crate::state::State;
+
+    /// Limits and states of which one number is `factor` times as large, or as small if it is a limit.
+    fn is_still_ordinary(number: usize, factor: f64) -> bool {
+        let mut numbers = [1.0; 13];
+        numbers[number] = if number < 6 { 1.0 / factor } else { factor };
+        let [vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration] = numbers;
+        let limits = Limits {
+            vmax,
+            vmin: -vmin,
+            amax,
+            amin: -amin,
+            jmax,
+            jmin: -jmin,
+        };
+        let [p0, p1, v0, v1, a0, a1] = ends;
+        let state = |position, velocity, acceleration| State {
+            position,
+            velocity,
+            acceleration,
+        };
+        is_ordinary(
+            (&limits, (&state(p0, v0, a0), &state(p1, v1, a1))),
+            duration,
+        )
+    }
+
+    #[test]
+    fn each_number_may_be_extraordinary() {
+        for number in 0..13 {
+            assert!(is_still_ordinary(number, 256.0), "{number}");
+            let large = f64::exp2(60.0);
+            assert!(!is_still_ordinary(number, large), "{number}");
+        }
+    }
+}

@@ -14,8 +14,8 @@ type Step = (&'static str, &'static str);
 /// Processor seconds that a test may take with a mutant: a fixed part, and a multiple of its time without one. A test that takes more hangs.
 const ALLOWED: (f64, f64) = (5.0, 10.0);
 
-/// The tests that can see a mutant of this storey, the fast ones first. The tests of the C functions take some milliseconds, so they are first
-/// everywhere.
+/// The tests that can see a mutant of this storey, the fast ones first. The tests of the C functions and the unit tests take some milliseconds, so
+/// they are first everywhere.
 fn steps(storey: &str) -> Vec<Step> {
     let ours: &[Step] = match storey {
         "liba" => &[
@@ -44,7 +44,6 @@ fn steps(storey: &str) -> Vec<Step> {
         "online" => ONLINE,
         "together" => TOGETHER,
         "together/path" => &[
-            ("unit", ""),
             ("border", ""),
             ("oracle", "does_a_path_pass_its_points"),
             ("root", "do_known_defects_stay_fixed"),
@@ -68,7 +67,6 @@ fn steps(storey: &str) -> Vec<Step> {
             ("root", "does_a_plan_take_over_in_time::in_its_own_tick"),
         ],
         _ => &[
-            ("unit", ""),
             ("root", "is_golden_data_met"),
             ("root", "do_samples_equal_calls"),
             ("root", "is_a_load_left_at_rest"),
@@ -76,7 +74,7 @@ fn steps(storey: &str) -> Vec<Step> {
             ("oracle", "does_the_c_abi_agree"),
         ],
     };
-    let mut steps = vec![("c", "")];
+    let mut steps = vec![("c", ""), ("unit", "")];
     // Builds that hold other code.
     match storey {
         "capi" => steps.push(("compact", "")),

@@ -334,3 +334,38 @@ fn ten_sections_get_all_steps() {
     }
     assert!(fewer > 5);
 }
+
+/// How long the default plan of one axis through these positions takes, s. It is in motion at both ends.
+#[rustfmt::skip]
+fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64; 2]) -> f64 {
+    let mut states: Vec<_> = positions.iter().map(|&position| State::at(R::of(position))).collect();
+    states[0].velocity = R::of(v0);
+    states[positions.len() - 1].velocity = R::of(v1);
+    let [vmax, vmin, amax, amin, jmax, jmin] = limits.map(R::of);
+    let limits = vec![Limits { vmax, vmin, amax, amin, jmax, jmin }];
+    let chain = Chain { family: Family::InMotion, axes: 1, limits, states };
+    let planned = Paths.plan(&chain, 0).expect("a plan").0;
+    planned.durations.iter().map(|duration| duration.widen()).sum()
+}
+
+/// The axis has to speed up at the end, where its acceleration falls slowly. So the last section must last more than a sixteenth longer before the
+/// steps can begin, and the plan that stops everywhere takes 71 s.
+#[test]
+#[rustfmt::skip]
+fn improvements_begin_far_inside() {
+    let limits = [7.159670624361445, -13.304736786064264, 23.568132238832195, -15.684154254318747, 41.3076190518182, -0.03687880531051443];
+    let positions = [-2.368494652249419, -0.23035103839058282, -0.38858956672634276, 1.1625790712239799, 0.6197050945210747,
+                     1.014140204589089, 0.29520539230798315, 1.717299698180752];
+    let duration = duration_of::<f64>(limits, &positions, [0.5822997321388476, 3.2217765793955357]);
+    assert!(duration < 56.0, "{duration} s");
+}
+
+/// The axis comes back to its way points from far away. A state at the second one that is no mean of two motions leads to 3,737 s.
+#[test]
+#[rustfmt::skip]
+fn improvements_begin_at_a_mean() {
+    let limits = [3252.5698, -3252.5698, 386.61682, -386.61682, 0.00868558, -0.00868558];
+    let positions = [0.0, 12.55309, 13.135509, 18.040173, 0.0, 0.0, -9.8475275];
+    let duration = duration_of::<f32>(limits, &positions, [1812.7721, 1642.051]);
+    assert!(duration < 3_700.0, "{duration} s");
+}
