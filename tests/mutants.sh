@@ -34,6 +34,8 @@ fi
 
 check() { (cd "$tree" && CARGO_TARGET_DIR=$out/programs/build cargo check --quiet --features capi --message-format=json) > "$out/messages.json"; }
 if ! test -e "$out/programs/whole"; then
+    # A mutant may leave a name unused.
+    export RUSTFLAGS=-Awarnings
     while
         copy
         "$tool" plant "$out/list.json" "$tree" "$seed" "$of_each" "$out/unviable" > "$out/constant" || exit

@@ -236,7 +236,12 @@ impl<R: Real> Chain<'_, '_, R> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::chain::{Chain, Request};
+    use super::super::elimination::tests::errors;
+    use super::super::steps::Steps;
     use super::Logarithms;
+    use crate::limits::Limits;
+    use crate::state::State;
 
     /// Each factor is far within the range of binary32, and the product of all is far beyond it.
     #[test]
@@ -248,5 +253,82 @@ mod tests {
             let off = (f64::from(logarithms.sum()) - sum) / sum;
             assert!(off.abs() < 1e-5, "{factor}: {off}");
         }
+    }
+
+    /// A path of two axes that differ, with two way points close to each other, in which the plan is inside.
+    fn with_path(judge: impl FnOnce(&mut Chain<f64>)) {
+        let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
+        let limits = [
+            symmetric,
+            Limits {
+                vmin: -4.0,
+                amin: -6.0,
+                jmin: -25.0,
+                ..symmetric
+            },
+        ];
+        let positions = [0.0, 0.0, 3.0, -1.0, 3.2, -1.1, 6.0, 2.0, 5.0, 4.0];
+        let mut states = positions.map(State::at);
+        (states[0].velocity, states[9].velocity) = (1.0, 0.5);
+        let request = Request {
+            axes: 2,
+            sections: 4,
+            states: &states,
+            limits: &limits,
+        };
+        let mut work = [0.0; 1_000];
+        let mut chain = Chain::of(request, &mut work).expect("room");
+        chain.stop_everywhere().expect("a plan");
+        assert!(chain.come_inside());
+        chain.shorten(Steps::of(8, 4), 0);
+        judge(&mut chain);
+    }
+
+    /// Six states and four durations.
+    type Step = [[f64; 2]; 8];
+
+    /// The first and the second derivative along a step, from gradient and Hessian.
+    fn derivatives(chain: &mut Chain<f64>, step: &Step) -> [f64; 2] {
+        let (states, durations) = step.split_at(6);
+        for (row, &state) in states.iter().enumerate() {
+            chain.memory.directions.set(row, state);
+        }
+        let changes = chain.memory.changes.numbers_mut();
+        changes.copy_from_slice(durations.as_flattened());
+        let memory = &chain.memory;
+        let durations = memory.gradient_t.numbers().iter().copied();
+        let gradient = memory.gradient.rows(6).flatten().chain(durations);
+        let product = |(number, step): (f64, &f64)| number * step;
+        let slope: f64 = gradient.zip(step.as_flattened()).map(product).sum();
+        // The equations miss the gradient, and the Hessian times the step.
+        let missed = errors(memory, chain, 0.0).zip(step.as_flattened());
+        [slope, missed.map(product).sum::<f64>() - slope]
+    }
+
+    /// Gradient and Hessian are those of what a step changes, by differences, also where a way point is moved along a curve.
+    #[test]
+    fn the_tables_are_derivatives() {
+        with_path(|chain| {
+            let is_narrow = |point| [0, 1].map(|axis| chain.is_narrow(point, axis));
+            let narrow = [[true; 2], [true; 2], [false, true]];
+            assert_eq!([1, 2, 3].map(is_narrow), narrow);
+            let (mu, little) = (0.05, 1e-5);
+            chain.assemble(mu).expect("a plan inside");
+            for (one, other) in (0..16).flat_map(|one| (0..=one).map(move |other| (one, other))) {
+                let mut step = Step::default();
+                for unknown in [one, other] {
+                    step[unknown / 2][unknown % 2] += if unknown < 12 { 1.0 } else { 0.1 };
+                }
+                let found = derivatives(chain, &step);
+                let mut change = |part| chain.try_step(part, mu).expect("a plan inside");
+                let (ahead, back) = (change(little), change(-little));
+                let slope = (ahead - back) / (2.0 * little);
+                let curvature = (ahead + back) / (little * little);
+                for (number, expected) in found.into_iter().zip([slope, curvature]) {
+                    let off = (number - expected).abs() / (1.0 + expected.abs());
+                    assert!(off < 1e-4, "{one} {other}: {number} {expected}");
+                }
+            }
+        });
     }
 }

@@ -214,7 +214,7 @@ fn dot<R: Real>(x: &[R], y: &[R]) -> R {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::chain::{Chain, Request};
     use super::super::memory::{Memory, size};
     use crate::findings::Findings;
@@ -330,8 +330,12 @@ mod tests {
         sum
     }
 
-    /// What all equations miss.
-    fn errors(given: &Memory<f64>, solved: &Chain<f64>, lambda: f64) -> impl Iterator<Item = f64> {
+    /// What all equations miss: those of the states, then those of the durations.
+    pub fn errors(
+        given: &Memory<f64>,
+        solved: &Chain<f64>,
+        lambda: f64,
+    ) -> impl Iterator<Item = f64> {
         let places =
             (1..solved.sections).flat_map(|point| (0..solved.axes).map(move |axis| [point, axis]));
         let of_states = places.flat_map(move |place| errors_of_state(given, solved, place, lambda));
