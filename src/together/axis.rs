@@ -133,24 +133,19 @@ pub(super) fn stretch<R: Real>(
 
 /// Lets an axis in motion that has made its fastest plan take the duration `t`.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
-    let longer = t - axis.t;
-    let slip = || problem.slip(axis.t);
     // An axis that slips keeps its way.
     let is_possible = |blend: &Blend<R>| blend.keeps_limits() || next_duration(problem, t) <= t;
-    if longer < R::ZERO && !may_hurry(problem, t) {
-        axis.slip(t, slip().at_start);
+    if t < axis.t && !may_hurry(problem, t) {
+        axis.slip(t, problem.slip(axis.t).at_start);
     } else if let Some(cruise) = Cruise::of(problem, t) {
         cruise.write(problem, axis, t);
     } else if let Some(blend) = Blend::of(problem, t).filter(is_possible) {
         blend.write(problem, axis, t);
+    } else if t > axis.t && problem.to().is_at_rest() {
+        // Where roundings hide the wait from both, the axis waits at its target.
+        axis.wait_until(t);
     } else {
-        let slip = slip();
-        if longer > slip.most && problem.to().is_at_rest() {
-            // Where roundings hide the wait from both, the axis waits at its target.
-            axis.wait_until(t);
-        } else {
-            axis.slip(t, slip.at_start);
-        }
+        axis.slip(t, problem.slip(axis.t).at_start);
     }
 }
 
@@ -160,10 +155,12 @@ mod tests {
     use crate::limits::Limits;
     use crate::state::State;
 
-    /// Limits and states of which one number is `factor` times as large, or as small if it is a limit.
-    fn is_still_ordinary(number: usize, factor: f64) -> bool {
+    /// Limits, states and a duration, of which these numbers are `factor` times as large, or as small if they are limits.
+    fn is_still_ordinary(changed: &[usize], factor: f64) -> bool {
         let mut numbers = [1.0; 13];
-        numbers[number] = if number < 6 { 1.0 / factor } else { factor };
+        for &number in changed {
+            numbers[number] = if number < 6 { 1.0 / factor } else { factor };
+        }
         let [vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration] = numbers;
         let limits = Limits {
             vmax,
@@ -188,9 +185,13 @@ mod tests {
     #[test]
     fn each_number_may_be_extraordinary() {
         for number in 0..13 {
-            assert!(is_still_ordinary(number, 256.0), "{number}");
+            assert!(is_still_ordinary(&[number], 256.0), "{number}");
             let large = f64::exp2(60.0);
-            assert!(!is_still_ordinary(number, large), "{number}");
+            assert!(!is_still_ordinary(&[number], large), "{number}");
+        }
+        // To undo a high acceleration with a low jerk takes a high velocity.
+        for [jerk, acceleration] in [[4, 10], [5, 11]] {
+            assert!(!is_still_ordinary(&[jerk, acceleration], 128.0));
         }
     }
 }
