@@ -374,6 +374,43 @@ fn several_axes() {
     assert!(planned[0] > 500 && planned[1] > 3_000, "{planned:?}");
 }
 
+/// A move is the same in other units, also where the change of velocity alone leads to the target up to roundings.
+#[test]
+fn nearly_direct() {
+    let mut random = Random::seeded(12);
+    let mut planned = 0;
+    for _ in 0..40_000 {
+        let mut set = Set::random(&mut random, false);
+        let (limits, [from, to]) = (set.limits[0], set.ends.each_mut());
+        let mut direct = Move::default();
+        let (velocity, acceleration) = (to[0].velocity, to[0].acceleration);
+        if direct
+            .reach(&limits, from[0], velocity, acceleration)
+            .is_err()
+        {
+            continue;
+        }
+        let rounding = random.sign() * random.magnitude(-18.0, -11.0);
+        let speed = from[0].velocity.abs() + velocity.abs();
+        let end = direct.state_at(direct.t).position;
+        to[0].position = end + rounding * (end.abs() + speed * direct.t);
+        let alone = Set {
+            limits: vec![limits],
+            ends: set.ends.map(|ends| vec![ends[0]]),
+        };
+        let units = any_units(&mut random);
+        let near = alone.plan(false, 0.0, 0.0);
+        planned += u32::from(near.is_ok());
+        let units = Units {
+            length: units.length.abs(),
+            ..units
+        };
+        let far = alone.scaled(units).plan(false, 0.0, 0.0);
+        assert_scaled_alike(units, &near, far);
+    }
+    assert!(planned > 30_000, "{planned}");
+}
+
 /// A move of which a number is changed by some roundings has the same findings in other units.
 #[test]
 fn spoiled_moves() {

@@ -314,6 +314,11 @@ fn beyond_the_range<R: Real>() {
     assert_eq!(refused, Err(Error::NotFinite));
     let refused = finite_or_untouched(|planned| planned.meet(&limits, State::at(zero), moving));
     assert_eq!(refused, Err(Error::NotFinite));
+    // Far, but within the range: the product of way and duration is beyond it.
+    let unit = Limits::symmetric(one, one, one);
+    let planned =
+        finite_or_untouched(|planned| planned.plan(&unit, State::at(zero), State::at(far)));
+    assert_eq!(planned, Ok(Findings::default()));
     // The axis turns 0.6 % of the largest number behind its target, and 0.3 % behind it a phase ends, beyond the largest number.
     let largest = largest::<R>();
     let none = R::of(f64::INFINITY);

@@ -306,6 +306,8 @@ fn a_cruise_needs_no_acceleration<R: Real>() {
         assert_eq!(cruise.check(one, sign, sign), Err(Error::Limits));
         let nan = R::of(f64::NAN);
         assert_eq!(cruise.check(one, nan, -sign), Err(Error::NotFinite));
+        let bell = Bell::fastest(one, one, one, boundary).expect("a plan");
+        assert_eq!(bell.check(zero, zero, one), clean);
         let beyond = Trap {
             cruise_end: cruise.t + one,
             pd: cruise.p1 + sign,

@@ -137,3 +137,45 @@ impl<R: Real> Parabola<R> {
         low >= wider * lowest && high <= wider * highest
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Parabola;
+    use crate::online::Phase;
+
+    /// The quantities of a phase, at times around 2 s, are in their parabolas. Only the position has a rest: a quarter of its part with the third
+    /// power.
+    #[test]
+    fn a_phase_is_in_its_parabolas() {
+        let phase = Phase {
+            start: 0.0,
+            duration: 4.0,
+            position: 1.0,
+            velocity: -3.0,
+            acceleration: 2.0,
+            jerk: 6.0,
+        };
+        let quantities = Parabola::between(1.5, 2.5).along(&phase);
+        for e in [-1.0_f64, -0.5, 0.0, 0.5, 1.0] {
+            let x = 2.0 + 0.5 * e;
+            let states = [
+                phase.position(x),
+                phase.velocity(x),
+                phase.acceleration(x),
+                phase.jerk,
+            ];
+            for (parabola, number) in quantities.into_iter().zip(states) {
+                let Parabola {
+                    middle,
+                    slope,
+                    bend,
+                    rest,
+                } = parabola;
+                let off = (number - (middle + slope * e + bend * e * e)).abs();
+                assert!(off <= rest + 1e-12, "{e}: {off} {rest}");
+            }
+        }
+        let rests = quantities.map(|parabola| parabola.rest);
+        assert_eq!(rests, [phase.jerk / 6.0 * 0.125 / 4.0, 0.0, 0.0, 0.0]);
+    }
+}
