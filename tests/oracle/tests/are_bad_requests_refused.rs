@@ -428,10 +428,23 @@ fn repeated_ends<R: Real>() {
     );
 }
 
+/// A way beyond the range of the real type is refused, and positions that are far away are not.
+fn far_paths<R: Real>() {
+    let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
+    let far = if size_of::<R>() == 4 { 3e38 } else { 1.5e308 };
+    let rest = [0.0; 2];
+    let beyond = path_to(&[-far, far, 0.0], rest, &[limits]);
+    assert_eq!(beyond, Err(Error::NotFinite));
+    let there = path_to(&[far; 3], rest, &[limits]);
+    assert_eq!(there, Ok(Findings::default()));
+}
+
 #[test]
-fn ends_that_cannot_last_are_refused() {
+fn paths_that_cannot_be_are_refused() {
     repeated_ends::<f64>();
     repeated_ends::<f32>();
+    far_paths::<f64>();
+    far_paths::<f32>();
 }
 
 /// A way beyond the range of the real type, and what else is no profile.

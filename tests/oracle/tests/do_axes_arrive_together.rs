@@ -1,5 +1,6 @@
 //! Do several axes arrive together, as early as they can, or stay on a straight line, in 20,000 sets of axes per real type?
 
+use atraj::axes::synchronise;
 use atraj::online::Move;
 use oracle::judge::axes::faults::Fault;
 use oracle::judge::axes::problems::{Family, Set, Sets};
@@ -158,4 +159,32 @@ fn a_ramp_is_possible() {
          0.0, 11.9558487703089, -0.7271642198254368, 5.127720470454733e-10, 11.955848770277713, -0.7271642198254368],
     ]);
     assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+}
+
+/// Each of four axes is a slower copy of the one before, and the end of its gap lies in the gap of the next one. So four gaps are passed.
+#[test]
+#[rustfmt::skip]
+fn each_gap_leads_to_the_next_one() {
+    let rows: Vec<Row> = [1.0_f64, 1.3, 1.69, 2.197].map(|slower| {
+        let [v, a, j] = [1, 2, 3].map(|order| slower.powi(-order));
+        [50.0 * v, -50.0 * v, 100.0 * a, -a, 1e4 * j, -1e4 * j, 0.0, v, 0.0, 0.49, v, 0.0]
+    }).into();
+    let set = axes::<f64>(0.0, &rows);
+    assert_eq!(together::judge(&Together, &set, &mut Random::seeded(0)), None);
+    let [alone, all] = [&rows[3..], &rows].map(|rows| duration_of(&axes(0.0, rows)));
+    // The gap of the slowest axis: its moves last up to 0.82 of the times, and from 1.21 on.
+    assert!(alone < 0.41 * 2.197 && all > 1.21 * 2.197, "{alone} {all}");
+}
+
+fn duration_of(set: &Set<f64>) -> f64 {
+    let [from, to] = [0, 1].map(|end| {
+        set.axes
+            .iter()
+            .map(|axis| [axis.from, axis.to][end])
+            .collect::<Vec<_>>()
+    });
+    let limits: Vec<_> = set.axes.iter().map(|axis| axis.limits).collect();
+    let mut planned = vec![Move::default(); limits.len()];
+    synchronise(&mut planned, &limits, &from, &to, 0.0, 0.0).expect("a plan");
+    planned[0].t
 }

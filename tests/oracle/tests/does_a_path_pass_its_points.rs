@@ -199,6 +199,40 @@ fn an_axis_gets_to_both_sides_alike() {
     hardly_in_time::<f32>();
 }
 
+/// The path with the positions of a point once more, at rest.
+fn with_a_copy<R: Real>(chain: &Chain<R>, point: usize) -> Chain<R> {
+    let mut longer = chain.clone();
+    let place = point * chain.axes;
+    let copy: Vec<_> = chain.states[place..place + chain.axes].to_vec();
+    longer.states.splice(place..place, copy);
+    longer
+}
+
+/// A section in which no axis moves takes no time, and the other sections take the same time as without it.
+fn repeated_points_take_no_time<R: Original>() {
+    let mut chains = Chains::new(11);
+    for _ in 0..100 {
+        let chain = chains.of::<R>(Family::AtRest);
+        let durations = |chain: &Chain<R>| Paths.plan(chain, 0).expect("a plan").0.durations;
+        let plain = durations(&chain);
+        for point in 0..chain.states.len() / chain.axes {
+            let mut durations = durations(&with_a_copy(&chain, point));
+            let of_copy = durations.remove(point.min(plain.len()));
+            assert_eq!((of_copy, durations), (R::of(0.0), plain.clone()), "{point}");
+        }
+    }
+}
+
+#[test]
+fn repeated_points_take_no_time_f64() {
+    repeated_points_take_no_time::<f64>();
+}
+
+#[test]
+fn repeated_points_take_no_time_f32() {
+    repeated_points_take_no_time::<f32>();
+}
+
 fn every_fault_is_seen<R: Original>() {
     for fault in Fault::ALL {
         let (mut chains, mut random) = (Chains::new(0), Random::seeded(0));
