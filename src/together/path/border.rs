@@ -389,3 +389,29 @@ pub(super) struct Derivatives<R> {
     /// By two of them, row by row up to the diagonal.
     pub second: [R; 15],
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Border, Ends};
+    use crate::limits::Limits;
+
+    /// From standstill to standstill the farthest motion of 4 s gets 2 units far: each second of jerk changes the acceleration by 1.
+    #[test]
+    fn a_border_is_no_place_for_a_plan() {
+        let limits = Limits::symmetric(1.0, 2.0, 3.0);
+        let rest = Ends {
+            v0: 0.0,
+            a0: 0.0,
+            v1: 0.0,
+            a1: 0.0,
+        };
+        for (h, slack) in [(2.0, None), (1.75, Some(0.25))] {
+            let [upper, lower] = Border::both(&limits, rest, 4.0, h);
+            assert_eq!(upper.farthest().map(|farthest| farthest.slack), slack);
+            assert_eq!(
+                lower.farthest().map(|farthest| farthest.slack),
+                Some(h + 2.0)
+            );
+        }
+    }
+}
