@@ -311,6 +311,7 @@ fn a_cruise_needs_no_acceleration<R: Real>() {
         let beyond = Trap {
             cruise_end: cruise.t + one,
             pd: cruise.p1 + sign,
+            a1: zero,
             ..cruise
         };
         let found = beyond.check(one, one, -one).expect("numbers");

@@ -155,13 +155,10 @@ mod tests {
     use crate::limits::Limits;
     use crate::state::State;
 
-    /// Limits, states and a duration, of which these numbers are `factor` times as large, or as small if they are limits.
-    fn is_still_ordinary(changed: &[usize], factor: f64) -> bool {
-        let mut numbers = [1.0; 13];
-        for &number in changed {
-            numbers[number] = if number < 6 { 1.0 / factor } else { factor };
-        }
-        let [vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration] = numbers;
+    /// The magnitudes of six limits, both positions, velocities and accelerations, and a duration.
+    fn is_ordinary_with(
+        [vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration]: [f64; 13],
+    ) -> bool {
         let limits = Limits {
             vmax,
             vmin: -vmin,
@@ -182,16 +179,41 @@ mod tests {
         )
     }
 
+    /// Limits of 1 and a standstill at 0, of which some numbers are larger by a power of two; limits are smaller.
+    fn with(octaves: i32, numbers: &[usize]) -> [f64; 13] {
+        let mut all = [0.0; 13];
+        all[..6].fill(1.0);
+        for &number in numbers {
+            let sign = if number < 6 { -1 } else { 1 };
+            all[number] = f64::from(sign * octaves).exp2();
+        }
+        all
+    }
+
     #[test]
     fn each_number_may_be_extraordinary() {
         for number in 0..13 {
-            assert!(is_still_ordinary(&[number], 256.0), "{number}");
-            let large = f64::exp2(60.0);
-            assert!(!is_still_ordinary(&[number], large), "{number}");
+            assert!(is_ordinary_with(with(8, &[number])), "{number}");
+            assert!(!is_ordinary_with(with(60, &[number])), "{number}");
         }
+    }
+
+    #[test]
+    fn several_numbers_may_be_extraordinary() {
         // To undo a high acceleration with a low jerk takes a high velocity.
         for [jerk, acceleration] in [[4, 10], [5, 11]] {
-            assert!(!is_still_ordinary(&[jerk, acceleration], 128.0));
+            assert!(!is_ordinary_with(with(7, &[jerk, acceleration])));
+        }
+        // A high velocity takes long to end.
+        assert!(!is_ordinary_with(with(24, &[2, 4, 8])));
+        let mut with_high_jerks = with(17, &[2, 8]);
+        with_high_jerks[4..6].fill(f64::exp2(17.0));
+        assert!(!is_ordinary_with(with_high_jerks));
+        // A low limit counts beside high ones.
+        for limit in 0..6 {
+            let mut numbers = with(-60, &[0, 1, 2, 3, 4, 5]);
+            numbers[limit] = 1.0 / numbers[limit];
+            assert!(!is_ordinary_with(numbers), "{limit}");
         }
     }
 }
