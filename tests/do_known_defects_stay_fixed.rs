@@ -524,6 +524,30 @@ fn an_axis_hurries() {
     assert!(fastest <= limit * (1.0 + 64.0 * f32::EPSILON), "{fastest}");
 }
 
+/// The straight change of the acceleration leads to the target up to roundings. The first axis has its highest deceleration at the start. So the ramp
+/// cannot grow to this side, and the axis made a detour of 0.3 s. In the second one both accelerations point against the change of velocity.
+#[test]
+#[rustfmt::skip]
+fn a_straight_ramp_leads_to_the_target() {
+    let rows = [
+        ([131.34531613387884, -0.03916873959763321, 3.497304854292848, -0.24922989794136802, 356.53330500140873, -605.9895581980758],
+         [0.0, -0.03357505053929079, -0.24922989794136802], [-1.499001669996313e-7, -0.03357615968683352, -0.24763813508741458], 4.5e-6),
+        ([28.91970349789517, -61.6449849221691, 190.40485869081132, -20.822888216532583, 0.6081794692014767, -88.3463436233739],
+         [-40.87343077105678, -59.69645772522634, 0.17179618431952076], [-40.98945887784726, -59.69629068989208, 8.284487068856965e-5], 1.95e-3),
+    ];
+    for (within, from, to, most) in rows {
+        let [vmax, vmin, amax, amin, jmax, jmin] = within;
+        for (sign, within) in [(1.0, within), (-1.0, [-vmin, -vmax, -amin, -amax, -jmin, -jmax])] {
+            let [from, to] = [from, to].map(|end: [f64; 3]| state(end.map(|number| sign * number)));
+            let mut axis = Move::default();
+            axis.plan(&limits::<f64>(within), from, to).expect("a plan");
+            assert!(axis.t < most, "{} s", axis.t);
+            let jump = worst_jump(&axis);
+            assert!(jump <= 64.0, "{jump} roundings");
+        }
+    }
+}
+
 /// The axis whose positions are the largest led, and the positions of an axis near 0 jumped by the roundings of the lead.
 #[test]
 #[rustfmt::skip]

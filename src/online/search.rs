@@ -94,24 +94,25 @@ fn without_detour<R: Real>(
     h: R,
     positions: R,
 ) -> Profile<R> {
-    let ramp = if ramp.is_straight() {
-        border.straight(lacks < R::ZERO)
+    let fitted = |ramp: &Ramp<R>| {
+        let (fitted, change) = border.fitted(ramp, lacks)?;
+        let (duration, displacement) = border.passed(&fitted);
+        let lacks = h - (displacement - change * duration);
+        (lacks.abs() <= tie(border, duration, positions)).then_some((fitted, duration))
+    };
+    let found = if ramp.is_straight() {
+        // Where the acceleration is at a limit, the ramp may grow to the other side.
+        let sides = [false, true].map(|mirrored| border.straight(mirrored));
+        sides.iter().find_map(fitted)
     } else {
-        *ramp
+        fitted(ramp)
     };
-    let Some((fitted, change)) = border.fitted(&ramp, lacks) else {
-        return motion;
-    };
-    let (duration, displacement) = border.passed(&fitted);
-    let lacks = h - (displacement - change * duration);
-    let tie = tie(border, duration, positions);
     // The ticks of a loop are no shorter than this.
-    let longest = duration + R::SIXTEENTH * R::SIXTEENTH * duration;
-    let is_detour = motion.duration(border.per_jerk.mirrored_if(motion.mirrored)) > longest;
-    if is_detour && lacks.abs() <= tie {
-        border.profile(&fitted)
-    } else {
-        motion
+    let longest = |duration: R| duration + R::SIXTEENTH * R::SIXTEENTH * duration;
+    let lasts = motion.duration(border.per_jerk.mirrored_if(motion.mirrored));
+    match found {
+        Some((ramp, duration)) if lasts > longest(duration) => border.profile(&ramp),
+        _ => motion,
     }
 }
 
