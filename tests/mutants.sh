@@ -32,14 +32,18 @@ if ! test -s "$out/list.json"; then
     test -s "$out/list.json" || { echo 'no mutant stands in a line that has changed'; exit; }
 fi
 
-check() { (cd "$tree" && CARGO_TARGET_DIR=$out/programs/build cargo check --quiet --features capi --message-format=json) > "$out/messages.json"; }
+# check FEATURES FLAGS: whether a build compiles.
+check() {
+    (cd "$tree" && CARGO_TARGET_DIR=$out/programs/build RUSTFLAGS="$RUSTFLAGS $2" cargo check --quiet --features "$1" --message-format=json) \
+        > "$out/messages.json"
+}
 if ! test -e "$out/programs/whole"; then
     # A mutant may leave a name unused.
     export RUSTFLAGS=-Awarnings
     while
         copy
         "$tool" plant "$out/list.json" "$tree" "$seed" "$of_each" "$out/unviable" > "$out/constant" || exit
-        ! check
+        ! { check capi '' && check capi,poly-compact '--cfg unit_lacks_binary64'; }
     do
         refused=$(wc -l < "$out/unviable")
         "$tool" refuse "$tree" "$out/messages.json" "$out/unviable"

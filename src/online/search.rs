@@ -101,8 +101,9 @@ fn without_detour<R: Real>(
         (lacks.abs() <= tie(border, duration, positions)).then_some((fitted, duration))
     };
     let found = if ramp.is_straight() {
-        // Where the acceleration is at a limit, the ramp may grow to the other side.
-        let sides = [false, true].map(|mirrored| border.straight(mirrored));
+        // The ramp grows to one side, or to the other one if its acceleration is at a limit.
+        let below = lacks < R::ZERO;
+        let sides = [below, !below].map(|mirrored| border.straight(mirrored));
         sides.iter().find_map(fitted)
     } else {
         fitted(ramp)
