@@ -214,7 +214,7 @@ class Trap(Profile):
         """The `TrapFields`: what liba's struct holds."""
     def check(self, velocity: float, ac: float, de: float) -> Findings:
         """The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
-        ValueError if a field is not finite, or a limit is not a number."""
+        ValueError if a field is not finite, a limit is not a number, or both accelerations have one sign."""
 
 @final
 class Poly3(Profile):
