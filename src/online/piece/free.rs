@@ -58,15 +58,6 @@ impl<R: Real> Free<R> {
         R::SIXTH * (R::HALF * self.per_jerk.gu + self.per_jerk.gd)
     }
 
-    /// `r` divided by how far the acceleration falls.
-    fn ratio(&self, fall: R) -> R {
-        if fall > R::ZERO {
-            self.r / fall
-        } else {
-            R::ZERO
-        }
-    }
-
     /// The product of the slope and of the square that the acceleration falls by is a quadratic in this square. In the unit of this formula
     /// nothing is out of range.
     pub fn turning_point(&self) -> Option<R> {
@@ -83,12 +74,11 @@ impl<R: Real> Free<R> {
         Some(unit * zero / ((square + zero).sqrt() + u))
     }
 
+    /// Only the bound of this piece is asked for, so its peak and trough stay.
     pub fn from(&self, x: R) -> Self {
-        let fall = self.u + x;
         Self {
-            u: fall,
+            u: self.u + x,
             s: R::ZERO,
-            r: self.u * self.ratio(fall),
             ..*self
         }
     }
