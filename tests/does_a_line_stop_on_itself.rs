@@ -165,6 +165,36 @@ fn axes_that_stand_stay<R: Real>() {
     assert_eq!(axes.map(|axis| axis.state_at(half)), here);
 }
 
+/// No axis has an acceleration, and the first one stands: the second one leads.
+fn a_cruise_stops_on_its_line<R: Real>() {
+    let [zero, one, two] = [0.0, 1.0, 2.0].map(R::of);
+    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
+    let moving = |position| State {
+        velocity: one,
+        ..State::at(position)
+    };
+    let (from, to) = (
+        [State::at(zero), moving(zero)],
+        [State::at(zero), moving(two)],
+    );
+    let mut axes = [Move::default(); 2];
+    let slow = Limits {
+        vmax: one,
+        ..limits[1]
+    };
+    line(&mut axes, &[limits[0], slow], &from, &to, zero, zero).expect("a line");
+    assert!(
+        axes.iter()
+            .all(|axis| axis.phases().iter().all(|phase| phase.jerk == zero))
+    );
+    line_stop(&mut axes, &limits, one).expect("a stop");
+    let ends = axes.map(|axis| axis.state_at(axis.t));
+    assert!(
+        axes[1].t > zero && ends[0] == from[0] && ends[1].velocity == zero,
+        "{axes:?}"
+    );
+}
+
 /// Behind its end a line goes on, at last beyond the largest number: an axis stopped at an infinite position.
 fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
     let [zero, one, three] = [0.0, 1.0, 3.0].map(R::of);
@@ -189,5 +219,6 @@ test_both_reals!(
     a_tiny_way_is_no_reason_to_refuse,
     nonsense_is_refused,
     axes_that_stand_stay,
+    a_cruise_stops_on_its_line,
     a_stop_beyond_all_numbers_is_refused
 );

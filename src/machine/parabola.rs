@@ -143,6 +143,32 @@ mod tests {
     use super::Parabola;
     use crate::online::Phase;
 
+    /// In a part of the time a parabola goes through the same numbers.
+    #[test]
+    fn a_part_of_a_parabola_is_on_it() {
+        let whole = Parabola {
+            middle: 1.0,
+            slope: -3.0,
+            bend: 5.0,
+            rest: 0.25,
+        };
+        let at = |parabola: Parabola<f64>, e| {
+            let Parabola {
+                middle,
+                slope,
+                bend,
+                ..
+            } = parabola;
+            middle + e * (slope + e * bend)
+        };
+        let [c, d] = [0.5, 0.25];
+        let part = whole.narrowed([c, d]);
+        for e in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+            assert_eq!(at(part, e), at(whole, c + d * e));
+        }
+        assert_eq!(part.rest, whole.rest);
+    }
+
     /// The quantities of a phase, at times around 2 s, are in their parabolas. Only the position has a rest: a quarter of its part with the third
     /// power.
     #[test]

@@ -375,6 +375,20 @@ pub(super) mod tests {
         }
     }
 
+    /// What counts as positive has no unit.
+    #[test]
+    fn small_numbers_have_a_step() {
+        let mut work = [0.0; 100];
+        let mut chain = chain(1, 1, &mut work, 0.0);
+        let (least, gradient) = (f64::exp2(-60.0), f64::exp2(-50.0));
+        chain.memory.matrix.clear();
+        chain.memory.matrix.add(0, 0, least);
+        chain.memory.damping.clear();
+        chain.memory.gradient_t.put(0, gradient);
+        assert_eq!(chain.solve_durations(0.0), Some(()));
+        assert_eq!(chain.memory.changes.at(0), -gradient / least);
+    }
+
     #[test]
     fn a_matrix_that_is_not_positive_has_no_step() {
         let mut work = [0.0; 1_000];

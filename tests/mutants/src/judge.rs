@@ -25,6 +25,7 @@ fn steps(storey: &str) -> Vec<Step> {
             ("oracle", "does_the_c_abi_agree"),
             ("root", "is_a_bad_move_seen"),
             ("root", "do_samples_equal_calls"),
+            ("root", "is_an_extreme_missed"),
             ("root", "are_motion_laws_kept"),
             ("oracle", "how_long_is_a_search"),
         ],

@@ -69,9 +69,9 @@ pub struct Paths;
 
 impl<R: Real> Planner<R> for Paths {}
 
-/// How much longer than promised a section may last.
+/// By which part of its promised duration a section may last longer or shorter: 4 roundings.
 pub fn promised<R: Real>() -> f64 {
-    if size_of::<R>() == 8 { 1e-6 } else { 1e-3 }
+    4.0 * R::MACHINE_EPSILON.widen()
 }
 
 /// What is wrong with a path, if something is.
