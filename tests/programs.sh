@@ -33,7 +33,7 @@ merge() {
         test "$file" != "$border" || continue
         modules+="#[path = \"${file##*/}\"] mod $(basename "$file" .rs);"
     done
-    echo "$modules" > "$1/all.rs"
+    printf '//! All tests as one program.\n%s\n' "$modules" > "$1/all.rs"
 }
 merge tests
 merge tests/oracle/tests
