@@ -20,11 +20,7 @@ fn main() {
     let poly5 = level("A_TRAJPOLY5", 3);
     let poly7 = level("A_TRAJPOLY7", 4);
     let version = package("VERSION");
-    let (major, minor, patch) = (
-        package("VERSION_MAJOR"),
-        package("VERSION_MINOR"),
-        package("VERSION_PATCH"),
-    );
+    let (major, minor, patch) = (package("VERSION_MAJOR"), package("VERSION_MINOR"), package("VERSION_PATCH"));
     let config = format!(
         "\
 /*!
@@ -60,16 +56,10 @@ fn main() {
     );
 
     let real = if size == 4 { "float" } else { "double" };
-    let polynomials = if compact == 1 {
-        "compact polynomials".into()
-    } else {
-        format!("polynomial levels {poly3} {poly5} {poly7}")
-    };
+    let polynomials =
+        if compact == 1 { "compact polynomials".into() } else { format!("polynomial levels {poly3} {poly5} {poly7}") };
     let target = env::var("TARGET").expect("cargo sets TARGET");
-    println!(
-        "cargo::rustc-env=ATRAJ_IDENTITY=atraj {version}, {real}, {polynomials}, {target}, cpu {}",
-        cpu()
-    );
+    println!("cargo::rustc-env=ATRAJ_IDENTITY=atraj {version}, {real}, {polynomials}, {target}, cpu {}", cpu());
 
     let out = env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     fs::write(Path::new(&out).join("atraj_config.h"), config).expect("OUT_DIR is writable");
@@ -79,10 +69,8 @@ fn main() {
 fn cpu() -> String {
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
     // Of several choices, the compiler takes the last.
-    let chosen = flags
-        .split('\x1f')
-        .filter_map(|flag| flag.trim_start_matches("-C").strip_prefix("target-cpu="))
-        .next_back();
+    let chosen =
+        flags.split('\x1f').filter_map(|flag| flag.trim_start_matches("-C").strip_prefix("target-cpu=")).next_back();
     chosen.unwrap_or("default").to_owned()
 }
 
@@ -114,17 +102,13 @@ fn level(variable: &str, highest: usize) -> usize {
         Ok(text) => match text.parse() {
             Ok(level) if (1..=highest).contains(&level) => level,
             _ => {
-                println!(
-                    "cargo::error={variable}={text} does not exist: set it to 1 … {highest} or leave it unset."
-                );
+                println!("cargo::error={variable}={text} does not exist: set it to 1 … {highest} or leave it unset.");
                 highest
             }
         },
     };
     if feature("POLY_COMPACT") && level != highest {
-        println!(
-            "cargo::error={variable} does not go with `poly-compact`, whose structs have no levels: unset one."
-        );
+        println!("cargo::error={variable} does not go with `poly-compact`, whose structs have no levels: unset one.");
     }
     let module = variable.trim_start_matches("A_").to_lowercase();
     for array in &["v", "a", "j"][..level - 1] {
