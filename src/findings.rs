@@ -19,6 +19,11 @@ macro_rules! set {
             pub(crate) const MEMBERS: &'static [(Self, &'static str, &'static core::ffi::CStr)] =
                 &[$((Self::$NAME, stringify!($NAME), $sentence)),+];
 
+            /// The members whose bits are in `bits`; the other bits are ignored.
+            pub const fn from_bits(bits: u8) -> Self {
+                Self(bits & ($($bit)|+))
+            }
+
             /// The set as the sum of its bits; 0 for the empty set.
             pub const fn bits(self) -> u8 {
                 self.0
@@ -120,9 +125,7 @@ pub(crate) fn text(sentence: &CStr) -> &str {
 
 /// Writes the words with the separator between two.
 pub(crate) fn join<'a>(
-    f: &mut fmt::Formatter<'_>,
-    separator: &str,
-    words: impl Iterator<Item = &'a str>,
+    f: &mut fmt::Formatter<'_>, separator: &str, words: impl Iterator<Item = &'a str>,
 ) -> fmt::Result {
     for (k, word) in words.enumerate() {
         f.write_str(if k > 0 { separator } else { "" })?;
@@ -131,56 +134,58 @@ pub(crate) fn join<'a>(
     Ok(())
 }
 
-/// Why there is no plan. The numbers are the codes of the C functions.
-///
-/// ```
-/// use atraj::online::{Error, Limits, Move, State};
-/// let why = Move::default().plan(&Limits::symmetric(0.0, 10.0, 5.0), State::at(0.0), State::at(1.0));
-/// assert_eq!(why, Err(Error::Limits));
-/// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-#[repr(i8)]
-pub enum Error {
-    /// There is no axis, or the slices have different lengths.
-    Axes = -1,
-    /// A number is infinite or not a number, or the motion is beyond the range of the real type.
-    NotFinite = -2,
-    /// A limit is 0 or has the wrong sign, or a lowest position is not below the highest. Or neither a jerk nor both accelerations are
-    /// finite.
-    Limits = -3,
-    /// The target is outside the limits, or the axis must have left them before.
-    Target = -4,
-    /// The duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time. Or a horizon is not
-    /// above 0.
-    Duration = -5,
-    /// The states of several axes do not lie on the straight line from their start to their end.
-    Line = -6,
-    /// The axis leaves the positions between which it has to stay.
-    Position = -7,
-    /// The tick at which a plan was to take over has begun. Or the plan was for no later tick, or for one that is too far ahead.
-    Late = -8,
-    /// liba finds no such move within the limits, or the move takes no time.
-    Unreachable = -9,
+/// A table of errors. Each has the code of the C functions and a sentence, which ends with a NUL for C.
+macro_rules! errors {
+    ($(#[$about:meta])* $Error:ident { $($(#[$doc:meta])* $Name:ident = $code:literal: $sentence:literal,)+ }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        #[repr(i8)]
+        pub enum $Error {
+            $($(#[$doc])* $Name = $code,)+
+        }
+
+        impl $Error {
+            /// Every error with its sentence.
+            pub(crate) const ALL: &'static [(Self, &'static CStr)] = &[$((Self::$Name, $sentence)),+];
+        }
+    };
+}
+
+errors! {
+    /// Why there is no plan. The numbers are the codes of the C functions.
+    ///
+    /// ```
+    /// use atraj::online::{Error, Limits, Move, State};
+    /// let why = Move::default().plan(&Limits::symmetric(0.0, 10.0, 5.0), State::at(0.0), State::at(1.0));
+    /// assert_eq!(why, Err(Error::Limits));
+    /// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time");
+    /// ```
+    Error {
+        /// There is no axis, or the slices have different lengths.
+        Axes = -1: c"there is no axis, a pointer is NULL, or the lists have different lengths",
+        /// A number is infinite or not a number, or the motion is beyond the range of the real type.
+        NotFinite = -2: c"a number is infinite or not a number, or the motion is beyond the range of the real type",
+        /// A limit is 0 or has the wrong sign, or a lowest position is not below the highest. Or neither a jerk nor both accelerations are
+        /// finite.
+        Limits = -3: c"a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
+        /// The target is outside the limits, or the axis must have left them before.
+        Target = -4: c"the target is outside the limits, or the axis must have left them before",
+        /// The duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time. Or a horizon is not
+        /// above 0.
+        Duration = -5: c"the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time",
+        /// The states of several axes do not lie on the straight line from their start to their end.
+        Line = -6: c"the states do not lie on the straight line from their start to their end",
+        /// The axis leaves the positions between which it has to stay.
+        Position = -7: c"the axis leaves the positions between which it has to stay",
+        /// The tick at which a plan was to take over has begun. Or the plan was for no later tick, or for one that is too far ahead.
+        Late = -8: c"the tick at which the plan was to take over has begun, or is too far ahead",
+        /// liba finds no such move within the limits, or the move takes no time.
+        Unreachable = -9: c"liba finds no such move within the limits, or the move takes no time",
+    }
 }
 
 impl Error {
-    /// Its sentence, which ends with a NUL for C.
-    pub(crate) const fn sentence(self) -> &'static CStr {
-        match self {
-            Self::Axes => c"there is no axis, a pointer is NULL, or the lists have different lengths",
-            Self::NotFinite => c"a number is infinite or not a number, or the motion is beyond the range of the real type",
-            Self::Limits => c"a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
-            Self::Target => c"the target is outside the limits, or the axis must have left them before",
-            Self::Duration => c"the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time",
-            Self::Line => c"the states do not lie on the straight line from their start to their end",
-            Self::Position => c"the axis leaves the positions between which it has to stay",
-            Self::Late => c"the tick at which the plan was to take over has begun, or is too far ahead",
-            Self::Unreachable => c"liba finds no such move within the limits, or the move takes no time",
-        }
-    }
-
     /// Why there is no plan within these limits: what is wrong with the arguments, else `otherwise`.
     pub(crate) fn of_plan<R: Real>(limits: [R; 3], boundary: Boundary<R>, otherwise: Self) -> Self {
         if !boundary.is_numbers() || limits.iter().any(|x| x.partial_cmp(x).is_none()) {
@@ -195,7 +200,8 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(text(self.sentence()))
+        let row = Self::ALL.iter().find(|row| row.0 == *self);
+        f.write_str(row.map_or("", |row| text(row.1)))
     }
 }
 
@@ -213,10 +219,7 @@ pub struct Extremes<R> {
 impl<R: Real> Extremes<R> {
     /// The extremes of one state.
     pub(crate) fn of(state: State<R>) -> Self {
-        Self {
-            lowest: state,
-            highest: state,
-        }
+        Self { lowest: state, highest: state }
     }
 
     pub(crate) fn include_position(&mut self, p: R) {
@@ -228,27 +231,17 @@ impl<R: Real> Extremes<R> {
     }
 
     pub(crate) fn include_acceleration(&mut self, a: R) {
-        include(
-            &mut self.lowest.acceleration,
-            &mut self.highest.acceleration,
-            a,
-        );
+        include(&mut self.lowest.acceleration, &mut self.highest.acceleration, a);
     }
 
     /// The highest magnitude of the velocity.
     pub(crate) fn speed(&self) -> R {
-        self.lowest
-            .velocity
-            .abs()
-            .at_least(self.highest.velocity.abs())
+        self.lowest.velocity.abs().at_least(self.highest.velocity.abs())
     }
 
     /// The highest magnitude of the acceleration.
     pub(crate) fn acceleration(&self) -> R {
-        self.lowest
-            .acceleration
-            .abs()
-            .at_least(self.highest.acceleration.abs())
+        self.lowest.acceleration.abs().at_least(self.highest.acceleration.abs())
     }
 
     /// Whether the positions leave the range from `p0` to `p1` by more than `rounding`.

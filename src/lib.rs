@@ -37,27 +37,6 @@
 //! | [`machine::Steps`] | | a stepper motor follows a move |
 //! | [`claraty::Trajectory`] | acceleration, deceleration, velocity | the target may change in mid-motion, or the axis must brake at any time |
 //!
-//! ## Double-S: [`Bell`]
-//!
-//! Acceleration rises and falls in ramps of constant jerk, so only the jerk jumps. The double-S is the gentlest of the limited
-//! profiles. Choose it for a load that can swing, spill or resonate.
-//!
-#![doc = include_str!("../docs/img/double-s-with-cruise.svg")]
-//!
-//! ## Trapezoid: [`Trap`]
-//!
-//! The axis accelerates fully, cruises and decelerates fully. No profile within the same limits of velocity and acceleration is
-//! faster, but the acceleration jumps at every border of a phase.
-//!
-#![doc = include_str!("../docs/img/trapezoid-with-cruise.svg")]
-//!
-//! ## Polynomials: [`Poly3`], [`Poly5`], [`Poly7`]
-//!
-//! The move takes exactly the given time, so several axes stay in step. A cubic meets position and velocity at both ends. A quintic
-//! also meets acceleration, and a septic also jerk. Nothing limits the motion between the ends.
-//!
-#![doc = include_str!("../docs/img/septic-polynomial.svg")]
-//!
 //! # Plans that never fail
 //!
 //! [`Bell::new`] and [`Trap::new`] plan as liba does, and refuse what liba refuses. [`Bell::fastest`] and [`Trap::fastest`] plan the
@@ -94,8 +73,10 @@ pub mod axes {
     //! assert_eq!(axes[0].t, axes[1].t);
     //! # Ok::<(), atraj::Error>(())
     //! ```
-    pub use crate::together::path::{improve_path, path_size, plan_path};
-    pub use crate::together::{line, line_stop, synchronise, synchronise_within};
+    pub use crate::path::{
+        improve_path, path_deviation, path_moves, path_size, path_size_near, plan_path, plan_path_near,
+    };
+    pub use crate::several::{line, line_stop, synchronise, synchronise_within};
 }
 #[cfg(feature = "capi")]
 #[allow(unsafe_code)]
@@ -103,15 +84,17 @@ pub mod capi;
 pub mod claraty;
 mod fastest;
 mod findings;
+mod interval;
 mod liba;
 mod limits;
 pub mod machine;
 pub mod online;
+mod path;
 mod real;
 mod roots;
 mod sampling;
+mod several;
 mod state;
-mod together;
 
 pub use findings::{Error, Extremes, Findings};
 pub use liba::{Bell, Poly, Poly3, Poly5, Poly7, Trap};

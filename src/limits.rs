@@ -27,102 +27,53 @@ impl<R: Real> Limits<R> {
     /// The same limits in both directions, in liba's order.
     pub fn symmetric(jerk: R, acceleration: R, velocity: R) -> Self {
         let [j, a, v] = [jerk, acceleration, velocity].map(|limit| limit.magnitude());
-        Self {
-            vmax: v,
-            vmin: -v,
-            amax: a,
-            amin: -a,
-            jmax: j,
-            jmin: -j,
-        }
+        Self { vmax: v, vmin: -v, amax: a, amin: -a, jmax: j, jmin: -j }
     }
 
     /// The limits of the mirrored axis.
     pub(crate) fn mirrored(self) -> Self {
-        Self {
-            vmax: -self.vmin,
-            vmin: -self.vmax,
-            amax: -self.amin,
-            amin: -self.amax,
-            jmax: -self.jmin,
-            jmin: -self.jmax,
-        }
+        let Self { vmax, vmin, amax, amin, jmax, jmin } = self;
+        Self { vmax: -vmin, vmin: -vmax, amax: -amin, amin: -amax, jmax: -jmin, jmin: -jmax }
     }
 
     /// The limits of the motions in the other order of time: what accelerates then brakes.
     pub(crate) fn reversed(self) -> Self {
-        Self {
-            amax: -self.amin,
-            amin: -self.amax,
-            ..self
-        }
+        Self { amax: -self.amin, amin: -self.amax, ..self }
     }
 
     /// Whether a motion between these states can be planned.
     pub(crate) fn check(&self, from: State<R>, to: State<R>) -> Result<(), Error> {
         self.are_limits()?;
         if !(from.is_finite() && to.is_finite()) {
-            Err(Error::NotFinite)
-        } else if !self.admit(to) {
-            Err(Error::Target)
-        } else {
-            Ok(())
+            return Err(Error::NotFinite);
         }
+        if self.admit(to) { Ok(()) } else { Err(Error::Target) }
     }
 
     pub(crate) fn are_limits(&self) -> Result<(), Error> {
-        let Self {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = *self;
-        let are_around_0 = vmax > R::ZERO
-            && vmin < R::ZERO
-            && amax > R::ZERO
-            && amin < R::ZERO
-            && jmax > R::ZERO
-            && jmin < R::ZERO;
+        let Self { vmax, vmin, amax, amin, jmax, jmin } = *self;
+        let are_around_0 =
+            vmax > R::ZERO && vmin < R::ZERO && amax > R::ZERO && amin < R::ZERO && jmax > R::ZERO && jmin < R::ZERO;
         let a_jerk_is_finite = || jmax < R::INFINITY || -jmin < R::INFINITY;
         let accelerations_are_finite = || amax < R::INFINITY && -amin < R::INFINITY;
-        if are_around_0 && (a_jerk_is_finite() || accelerations_are_finite()) {
-            Ok(())
-        } else {
-            Err(self.fault())
-        }
+        if are_around_0 && (a_jerk_is_finite() || accelerations_are_finite()) { Ok(()) } else { Err(self.fault()) }
     }
 
     /// What is wrong with limits that are not around 0.
     #[cold]
     #[inline(never)]
     fn fault(&self) -> Error {
-        let limits = [
-            self.vmax, self.vmin, self.amax, self.amin, self.jmax, self.jmin,
-        ];
+        let limits = [self.vmax, self.vmin, self.amax, self.amin, self.jmax, self.jmin];
         // The magnitudes have no infinities of both signs, so their sum is NaN only for a NaN.
         let sum = limits.into_iter().fold(R::ZERO, |sum, x| sum + x.abs());
-        if sum.partial_cmp(&sum).is_none() {
-            Error::NotFinite
-        } else {
-            Error::Limits
-        }
+        if sum.partial_cmp(&sum).is_none() { Error::NotFinite } else { Error::Limits }
     }
 
     /// Widens the limits for an axis which has come to this state.
     pub(crate) fn include(&mut self, state: State<R>) {
-        let State {
-            velocity: v,
-            acceleration: a,
-            ..
-        } = state;
+        let State { velocity: v, acceleration: a, .. } = state;
         let half_square = R::HALF * a * a;
-        let before = if a > R::ZERO {
-            v - half_square / self.jmax
-        } else {
-            v - half_square / self.jmin
-        };
+        let before = if a > R::ZERO { v - half_square / self.jmax } else { v - half_square / self.jmin };
         self.vmax = self.vmax.at_least(v).at_least(before);
         self.vmin = self.vmin.at_most(v).at_most(before);
         self.amax = self.amax.at_least(a);
@@ -131,40 +82,25 @@ impl<R: Real> Limits<R> {
 
     /// Whether an axis can come to this state without leaving the limits. It built the acceleration up from 0.
     fn admit(&self, state: State<R>) -> bool {
-        let State {
-            velocity,
-            acceleration,
-            ..
-        } = state;
+        let State { velocity, acceleration, .. } = state;
         acceleration <= self.amax
             && acceleration >= self.amin
             && velocity <= self.vmax
             && velocity >= self.vmin
             && (acceleration == R::ZERO
-                || self.keep(
-                    velocity,
-                    -self.change_per_jerk(acceleration, self.jmax, self.jmin),
-                ))
+                || self.keep(velocity, -self.change_per_jerk(acceleration, self.jmax, self.jmin)))
     }
 
     /// Whether an axis in this state is bound to leave the limits, because its acceleration does not vanish at once.
     pub(crate) fn are_left_after(&self, state: State<R>) -> bool {
-        let State {
-            velocity,
-            acceleration,
-            ..
-        } = state;
+        let State { velocity, acceleration, .. } = state;
         let change = self.change_per_jerk(acceleration, self.jmin, self.jmax);
         acceleration != R::ZERO && !self.keep(velocity, change)
     }
 
     /// The change of velocity between this acceleration and 0: with the jerk `along` if it is above 0, else with the jerk `against`.
     fn change_per_jerk(&self, acceleration: R, along: R, against: R) -> R {
-        let jerk = if acceleration > R::ZERO {
-            along
-        } else {
-            against
-        };
+        let jerk = if acceleration > R::ZERO { along } else { against };
         R::HALF * acceleration * acceleration.abs() * (R::ONE / jerk).abs()
     }
 
@@ -175,15 +111,15 @@ impl<R: Real> Limits<R> {
         changed <= self.vmax + rounding && changed >= self.vmin - rounding
     }
 
+    /// The speed that the limits allow in the time `t`.
+    pub(crate) fn speed_within(&self, t: R) -> R {
+        let Self { vmax, vmin, amax, amin, jmax, jmin } = *self;
+        let acceleration = (jmax.at_most(-jmin) * t).at_most(amax.at_least(-amin));
+        (acceleration * t).at_most(vmax.at_least(-vmin))
+    }
+
     /// Keeps the limits of another axis too, which moves `share` times as far.
     pub(crate) fn tighten(&mut self, other: &Self, share: R) {
-        let seen = |high: R, low: R| {
-            if share > R::ZERO {
-                (high / share, low / share)
-            } else {
-                (low / share, high / share)
-            }
-        };
         let pairs = [
             (&mut self.vmax, &mut self.vmin, other.vmax, other.vmin),
             (&mut self.amax, &mut self.amin, other.amax, other.amin),
@@ -193,9 +129,9 @@ impl<R: Real> Limits<R> {
             return;
         }
         for (highest, lowest, high, low) in pairs {
-            let (high, low) = seen(high, low);
-            *highest = highest.at_most(high);
-            *lowest = lowest.at_least(low);
+            let (high, low) = if share > R::ZERO { (high, low) } else { (low, high) };
+            *highest = highest.at_most(high / share);
+            *lowest = lowest.at_least(low / share);
         }
     }
 }

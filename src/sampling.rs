@@ -62,10 +62,7 @@ impl<R: Real> Sweep<R> {
     const FEW: i32 = 32;
 
     /// The state at each of the times.
-    pub fn states<const N: usize>(
-        self,
-        state: impl Fn(R) -> [R; N],
-    ) -> impl Iterator<Item = [R; N]> {
+    pub fn states<const N: usize>(self, state: impl Fn(R) -> [R; N]) -> impl Iterator<Item = [R; N]> {
         (0..i32::MAX).map(move |k| state(self.time(k)))
     }
 
@@ -75,9 +72,7 @@ impl<R: Real> Sweep<R> {
     /// The last run comes first, and each run begins a few samples early, where vectors are aligned. The next run overwrites
     /// these samples. A store across cache lines would cost more.
     pub fn sample<const N: usize, const B: usize>(
-        self,
-        profile: &impl Sampled<R, N, B>,
-        mut outputs: [&mut [R]; N],
+        self, profile: &impl Sampled<R, N, B>, mut outputs: [&mut [R]; N],
     ) -> usize {
         let borders = profile.borders();
         let count = Self::count(&outputs);
@@ -103,11 +98,7 @@ impl<R: Real> Sweep<R> {
 
     /// Fills every output of a profile without borders to its end; the number of samples.
     #[inline(always)]
-    pub fn fill<const N: usize>(
-        self,
-        mut outputs: [&mut [R]; N],
-        state: impl Fn(R) -> [R; N],
-    ) -> usize {
+    pub fn fill<const N: usize>(self, mut outputs: [&mut [R]; N], state: impl Fn(R) -> [R; N]) -> usize {
         let count = Self::count(&outputs);
         self.run(0..count, &mut outputs).fill(state);
         count as usize
@@ -118,11 +109,7 @@ impl<R: Real> Sweep<R> {
         longest.unwrap_or(0).min(MOST_SAMPLES) as i32
     }
 
-    fn run<'a, const N: usize>(
-        self,
-        numbers: Range<i32>,
-        outputs: &'a mut [&mut [R]; N],
-    ) -> Run<'a, R, N> {
+    fn run<'a, const N: usize>(self, numbers: Range<i32>, outputs: &'a mut [&mut [R]; N]) -> Run<'a, R, N> {
         let Range { start, end } = numbers;
         let first = start - Self::since_aligned(outputs, start).min(start);
         Run {
@@ -139,10 +126,7 @@ impl<R: Real> Sweep<R> {
     // A separate function keeps this loop out of the way of the fast ones.
     #[inline(never)]
     fn sample_each<const N: usize, const B: usize>(
-        self,
-        numbers: Range<i32>,
-        outputs: &mut [&mut [R]; N],
-        profile: &impl Sampled<R, N, B>,
+        self, numbers: Range<i32>, outputs: &mut [&mut [R]; N], profile: &impl Sampled<R, N, B>,
     ) {
         for k in numbers {
             for (output, value) in outputs.iter_mut().zip(profile.state(self.time(k))) {
@@ -179,11 +163,7 @@ impl<R: Real> Sweep<R> {
         // The border is the crossing up to rounding. Halving finds the crossing wherever it is.
         let guess = ((border.time() - self.x0) * rate).to_index();
         let mut range = narrow((0, last), guess);
-        let neighbour = if range.1 == guess {
-            guess - 1
-        } else {
-            guess.saturating_add(1)
-        };
+        let neighbour = if range.1 == guess { guess - 1 } else { guess.saturating_add(1) };
         range = narrow(range, neighbour);
         while range.1 - range.0 > 1 {
             range = narrow(range, range.0 + (range.1 - range.0) / 2);
@@ -260,12 +240,7 @@ impl<R: Real, const N: usize> Run<'_, R, N> {
     pub fn fill(self, state: impl Fn(R) -> [R; N]) {
         let len = self.outputs.first().map_or(0, |output| output.len());
         let alike = self.outputs.iter().all(|output| output.len() == len);
-        let Self {
-            sweep,
-            start,
-            mut outputs,
-            ..
-        } = self;
+        let Self { sweep, start, mut outputs, .. } = self;
         match outputs.as_mut_slice() {
             // One loop computes each time once.
             [p, v, a] if alike => {
@@ -277,11 +252,7 @@ impl<R: Real, const N: usize> Run<'_, R, N> {
                 }
             }
             [p, v, a, j] if alike => {
-                let outputs = p
-                    .iter_mut()
-                    .zip(v.iter_mut())
-                    .zip(a.iter_mut())
-                    .zip(j.iter_mut());
+                let outputs = p.iter_mut().zip(v.iter_mut()).zip(a.iter_mut()).zip(j.iter_mut());
                 for ((((p, v), a), j), k) in outputs.zip(start..) {
                     if let [position, velocity, acceleration, jerk] = state(sweep.time(k))[..] {
                         (*p, *v, *a, *j) = (position, velocity, acceleration, jerk);

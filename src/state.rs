@@ -17,25 +17,23 @@ pub struct State<R> {
 impl<R: Real> State<R> {
     /// At rest.
     pub fn at(position: R) -> Self {
+        Self { position, velocity: R::ZERO, acceleration: R::ZERO }
+    }
+
+    /// The state after the time `t`, s, at this jerk.
+    pub(crate) fn after(self, t: R, jerk: R) -> Self {
+        let Self { position, velocity, acceleration } = self;
         Self {
-            position,
-            velocity: R::ZERO,
-            acceleration: R::ZERO,
+            position: position + t * (velocity + t * (R::HALF * acceleration + t * jerk * R::SIXTH)),
+            velocity: velocity + t * (acceleration + R::HALF * t * jerk),
+            acceleration: acceleration + t * jerk,
         }
     }
 
-    /// The state after the time `t`, s, if the acceleration stays.
-    pub(crate) fn after(self, t: R) -> Self {
-        let Self {
-            position,
-            velocity,
-            acceleration,
-        } = self;
-        Self {
-            position: position + t * (velocity + R::HALF * t * acceleration),
-            velocity: velocity + t * acceleration,
-            acceleration,
-        }
+    /// The state of the mirrored axis.
+    pub(crate) fn mirrored(self) -> Self {
+        let Self { position, velocity, acceleration } = self;
+        Self { position: -position, velocity: -velocity, acceleration: -acceleration }
     }
 
     pub(crate) fn is_at_rest(self) -> bool {
@@ -44,11 +42,7 @@ impl<R: Real> State<R> {
 
     pub(crate) fn is_finite(self) -> bool {
         // A product with 0 is 0 for finite numbers only.
-        let Self {
-            position,
-            velocity,
-            acceleration,
-        } = self;
+        let Self { position, velocity, acceleration } = self;
         (position * R::ZERO + velocity * R::ZERO) + acceleration * R::ZERO == R::ZERO
     }
 }
@@ -86,12 +80,7 @@ pub struct Boundary<R> {
 impl<R: Real> Boundary<R> {
     /// A move that begins and ends at standstill.
     pub fn rest_to_rest(p0: R, p1: R) -> Self {
-        Self {
-            p0,
-            p1,
-            v0: R::ZERO,
-            v1: R::ZERO,
-        }
+        Self { p0, p1, v0: R::ZERO, v1: R::ZERO }
     }
 
     /// The move with both velocities limited to `-vm … vm`.
@@ -100,11 +89,7 @@ impl<R: Real> Boundary<R> {
             Saturation::Everything => R::limit,
             Saturation::Numbers => R::limit_numbers,
         };
-        Self {
-            v0: limit(self.v0, vm),
-            v1: limit(self.v1, vm),
-            ..self
-        }
+        Self { v0: limit(self.v0, vm), v1: limit(self.v1, vm), ..self }
     }
 
     /// Whether the positions are finite and no velocity is NaN.

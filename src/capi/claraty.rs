@@ -1,8 +1,7 @@
 //! `claraty/trapezoid.h`: CLARAty's trapezoid as a handle.
 
-use crate::claraty::{
-    EPS, Kind, LARGEST, Mode, OutOfRange, Route, Target, Trajectory, Warnings, Waypoints,
-};
+use crate::capi::assert_named;
+use crate::claraty::{EPS, Kind, LARGEST, Mode, OutOfRange, Route, Target, Trajectory, Warnings, Waypoints};
 use crate::state::State;
 use core::ffi::{c_int, c_void};
 use core::slice;
@@ -58,17 +57,20 @@ pub enum claraty_result {
     CLARATY_ERR_RANGE = -5,
 }
 use claraty_result::*;
+use claraty_warning::*;
 
 const _: () = assert!(
     claraty_mode::CLARATY_LISTING as isize == Mode::Listing as isize
         && claraty_type::CLARATY_TRAPEZOIDAL as isize == Kind::Trapezoidal as isize
-        && claraty_warning::CLARATY_WARN_ACCEL as u8 == Warnings::ACCELERATION.bits()
-        && claraty_warning::CLARATY_WARN_DECEL as u8 == Warnings::DECELERATION.bits()
-        && claraty_warning::CLARATY_WARN_VELOCITY as u8 == Warnings::VELOCITY.bits()
-        && claraty_warning::CLARATY_WARN_SWITCH as u8 == Warnings::SWITCH.bits()
         && EPS == 1e-10
         && LARGEST == 1e60
 );
+assert_named! { Warnings::MEMBERS;
+    Warnings::ACCELERATION.bits() => CLARATY_WARN_ACCEL,
+    Warnings::DECELERATION.bits() => CLARATY_WARN_DECEL,
+    Warnings::VELOCITY.bits() => CLARATY_WARN_VELOCITY,
+    Warnings::SWITCH.bits() => CLARATY_WARN_SWITCH,
+}
 
 /// A planned motion: acceleration until `t1`, cruise until `t2`, deceleration until `tf`. Times count from its start.
 #[repr(C)]
@@ -111,8 +113,7 @@ struct Handle {
 }
 
 const _: () = assert!(
-    size_of::<Handle>() <= size_of::<claraty_trapezoid>()
-        && align_of::<Handle>() <= align_of::<claraty_trapezoid>()
+    size_of::<Handle>() <= size_of::<claraty_trapezoid>() && align_of::<Handle>() <= align_of::<claraty_trapezoid>()
 );
 
 impl Handle {
@@ -132,11 +133,8 @@ impl Handle {
 
     /// Time on the clock, s. The manual clock stands still.
     fn now(&self) -> f64 {
-        match self.clock {
-            // SAFETY: the caller of `claraty_trapezoid_set_clock` gave the clock and its argument.
-            Some(clock) => unsafe { clock(self.user) },
-            None => 0.0,
-        }
+        // SAFETY: the caller of `claraty_trapezoid_set_clock` gave the clock and its argument.
+        self.clock.map_or(0.0, |clock| unsafe { clock(self.user) })
     }
 
     fn finite_now(&self) -> Result<f64, claraty_result> {
@@ -146,8 +144,7 @@ impl Handle {
 
     fn set(&mut self, route: Route<'static>) -> Result<(), claraty_result> {
         let now = self.finite_now()?;
-        let set = self.trajectory.set(route, now);
-        set.map_err(|OutOfRange| CLARATY_ERR_RANGE)
+        self.trajectory.set(route, now).map_err(|OutOfRange| CLARATY_ERR_RANGE)
     }
 
     fn setpoint(&mut self) -> Result<State<f64>, claraty_result> {
@@ -172,11 +169,9 @@ fn all_finite(values: &[f64]) -> Result<(), claraty_result> {
     values.iter().try_for_each(|&x| finite(x).map(drop))
 }
 
+/// No warning is 0, as `CLARATY_OK`.
 fn code(result: Result<(), claraty_result>) -> c_int {
-    match result {
-        Ok(()) => CLARATY_OK as c_int,
-        Err(error) => error as c_int,
-    }
+    warnings_or_code(result.map(|()| Warnings::default()))
 }
 
 fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
@@ -186,33 +181,25 @@ fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
     }
 }
 
-/// Makes a handle out of storage: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`. The handle reads the
-/// monotonic clock of the system; on Windows and on a target without a system it has the manual clock.
-/// @param h the handle, whose storage need not be initialised
+/// Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`.
+/// The handle reads the monotonic clock of the system; on Windows and on a target without a system it has the manual
+/// clock.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_init(h: *mut claraty_trapezoid) {
     if h.is_null() {
         return;
     }
-    let mut handle = Handle {
-        trajectory: Trajectory::default(),
-        clock: SYSTEM_CLOCK,
-        user: core::ptr::null_mut(),
-    };
+    let mut handle = Handle { trajectory: Trajectory::default(), clock: SYSTEM_CLOCK, user: core::ptr::null_mut() };
     handle.trajectory.reset(handle.now());
     // SAFETY: `h` points to storage for a handle by the contract of this module.
     unsafe { h.cast::<Handle>().write(handle) };
 }
 
 /// Chooses the mode of the following starts and stops. A motion under way keeps its mode.
-/// @param h the handle
 /// @param mode one of `claraty_mode`
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_MODE`
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn claraty_trapezoid_set_mode(
-    h: *mut claraty_trapezoid,
-    mode: c_int,
-) -> c_int {
+pub unsafe extern "C" fn claraty_trapezoid_set_mode(h: *mut claraty_trapezoid, mode: c_int) -> c_int {
     // SAFETY: by the contract of this module.
     code(unsafe { Handle::of(h) }.and_then(|handle| {
         handle.trajectory.set_mode(match mode {
@@ -224,17 +211,14 @@ pub unsafe extern "C" fn claraty_trapezoid_set_mode(
     }))
 }
 
-/// Gives the handle another clock. A motion under way goes on where it is; if the old or the new clock shows no
-/// finite number now, the motion is forgotten as by `claraty_trapezoid_reset`. The manual clock stands still: only
+/// Gives the handle another clock. A motion under way goes on where it is; if the old or the new clock shows no finite
+/// number now, the motion is forgotten as by `claraty_trapezoid_reset`. The manual clock stands still: only
 /// `claraty_trapezoid_advance_timer_by` moves the timer.
-/// @param h the handle
 /// @param clock monotonic seconds; NULL for the manual clock
 /// @param user the argument of every call of `clock`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_clock(
-    h: *mut claraty_trapezoid,
-    clock: claraty_clock,
-    user: *mut c_void,
+    h: *mut claraty_trapezoid, clock: claraty_clock, user: *mut c_void,
 ) {
     // SAFETY: by the contract of this module.
     if let Ok(handle) = unsafe { Handle::of(h) } {
@@ -246,89 +230,57 @@ pub unsafe extern "C" fn claraty_trapezoid_set_clock(
 
 /// Stores where to go next. Nothing moves before `claraty_trapezoid_start`. A motion along waypoints lets go of them:
 /// it ends at rest at the waypoint ahead.
-/// @param h the handle
 /// @param final_position relative to the start of the trajectory, unit
 /// @param max_velocity magnitude, unit/s
-/// @param accel magnitude of the rate from the present velocity to the cruise velocity, unit/s^2
-/// @param decel magnitude of the rate of the final stop, unit/s^2
+/// @param accel magnitude of the rate from the present velocity to the cruise velocity, `decel` of the final stop,
+/// unit/s^2
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE` or `CLARATY_ERR_RANGE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set(
-    h: *mut claraty_trapezoid,
-    final_position: f64,
-    max_velocity: f64,
-    accel: f64,
-    decel: f64,
+    h: *mut claraty_trapezoid, final_position: f64, max_velocity: f64, accel: f64, decel: f64,
 ) -> c_int {
     // SAFETY: by the contract of this module.
     code(unsafe { Handle::of(h) }.and_then(|handle| {
         all_finite(&[final_position, max_velocity, accel, decel])?;
-        let target = Target {
-            position: final_position,
-            velocity: max_velocity,
-            acceleration: accel,
-            deceleration: decel,
-        };
+        let target =
+            Target { position: final_position, velocity: max_velocity, acceleration: accel, deceleration: decel };
         handle.set(target.into())
     }))
 }
 
-/// Stores a way along `n` positions, with rest at each. Nothing moves before `claraty_trapezoid_start`. In both modes
+/// Stores a path along `n` positions, with rest at each. Nothing moves before `claraty_trapezoid_start`. In both modes
 /// the legs are corrected motions, and the first leg begins at the present motion. The caller must not change the
 /// arrays until the next set.
-/// @param h the handle
-/// @param n number of waypoints
 /// @param positions relative to the start of the trajectory, unit
 /// @param velocities maximum velocity of the leg to each position, unit/s
 /// @param accels acceleration and deceleration of the leg to each position, unit/s^2
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE`, `CLARATY_ERR_WAYPOINTS` or `CLARATY_ERR_RANGE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_waypoints(
-    h: *mut claraty_trapezoid,
-    positions: *const f64,
-    velocities: *const f64,
-    accels: *const f64,
-    n: usize,
+    h: *mut claraty_trapezoid, positions: *const f64, velocities: *const f64, accels: *const f64, n: usize,
 ) -> c_int {
     // SAFETY: by the contract of this module.
     code(unsafe { Handle::of(h) }.and_then(|handle| {
         // SAFETY: each array is NULL or holds `n` numbers that stay until the next set.
-        let [positions, velocities, accels] = unsafe {
-            [
-                finite_array(positions, n)?,
-                finite_array(velocities, n)?,
-                finite_array(accels, n)?,
-            ]
-        };
-        let waypoints =
-            Waypoints::new(positions, velocities, accels).ok_or(CLARATY_ERR_WAYPOINTS)?;
+        let [positions, velocities, accels] =
+            unsafe { [finite_array(positions, n)?, finite_array(velocities, n)?, finite_array(accels, n)?] };
+        let waypoints = Waypoints::new(positions, velocities, accels).ok_or(CLARATY_ERR_WAYPOINTS)?;
         handle.set(waypoints.into())
     }))
 }
 
-/// Stores a way along `n` positions as `claraty_trapezoid_set_waypoints` does. All legs have one velocity and one
-/// acceleration.
-/// @param h the handle
-/// @param positions relative to the start of the trajectory, unit
-/// @param n number of waypoints
-/// @param max_velocity maximum velocity of every leg, unit/s
-/// @param accel acceleration and deceleration of every leg, unit/s^2
-/// @return `CLARATY_OK`, `CLARATY_ERR_NULL`, `CLARATY_ERR_NOT_FINITE`, `CLARATY_ERR_WAYPOINTS` or `CLARATY_ERR_RANGE`
+/// As `claraty_trapezoid_set_waypoints`, with one maximum velocity, unit/s, and one acceleration, unit/s^2, for all
+/// legs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
-    h: *mut claraty_trapezoid,
-    positions: *const f64,
-    n: usize,
-    max_velocity: f64,
-    accel: f64,
+    h: *mut claraty_trapezoid, positions: *const f64, n: usize, max_velocity: f64, accel: f64,
 ) -> c_int {
     // SAFETY: by the contract of this module.
     code(unsafe { Handle::of(h) }.and_then(|handle| {
         // SAFETY: the array is NULL or holds `n` numbers that stay until the next set.
         let positions = unsafe { finite_array(positions, n)? };
         all_finite(&[max_velocity, accel])?;
-        let waypoints =
-            Waypoints::uniform(positions, max_velocity, accel).ok_or(CLARATY_ERR_WAYPOINTS)?;
+        let waypoints = Waypoints::uniform(positions, max_velocity, accel).ok_or(CLARATY_ERR_WAYPOINTS)?;
         handle.set(waypoints.into())
     }))
 }
@@ -349,7 +301,6 @@ unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], c
 }
 
 /// Sets off with the timer at 0. The motion begins at the setpoint if a motion is under way, else at rest at 0.
-/// @param h the handle
 /// @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c_int {
@@ -361,8 +312,7 @@ pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c
 }
 
 /// Brakes a motion under way. The timer is set to 0 also if no motion is under way.
-/// @param h the handle
-/// @return the sum of `claraty_warning` bits, or `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
+/// @return as `claraty_trapezoid_start`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_stop(h: *mut claraty_trapezoid) -> c_int {
     // SAFETY: by the contract of this module.
@@ -374,7 +324,6 @@ pub unsafe extern "C" fn claraty_trapezoid_stop(h: *mut claraty_trapezoid) -> c_
 
 /// Forgets the motion and sets the timer to 0. The axis does not brake, and the last profile stays readable. If the
 /// clock shows no finite number now, the timer goes on unchanged.
-/// @param h the handle
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_reset(h: *mut claraty_trapezoid) {
     // SAFETY: by the contract of this module.
@@ -383,64 +332,44 @@ pub unsafe extern "C" fn claraty_trapezoid_reset(h: *mut claraty_trapezoid) {
     }
 }
 
-/// Whether a motion is under way: from the start until a setpoint after the end has been read.
-/// @param h the handle
-/// @return 1, 0 or `CLARATY_ERR_NULL`
+/// Whether a motion is under way, 1 or 0: from the start until a setpoint after the end has been read.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_is_started(h: *const claraty_trapezoid) -> c_int {
     // SAFETY: by the contract of this module.
-    match unsafe { Handle::of_const(h) } {
-        Some(handle) => handle.trajectory.is_started().into(),
-        None => CLARATY_ERR_NULL as c_int,
-    }
+    unsafe { Handle::of_const(h) }.map_or(CLARATY_ERR_NULL as c_int, |handle| handle.trajectory.is_started().into())
 }
 
-/// Adds to the time on the clock. A number that is not finite, and an advance that overflows, are ignored. The next
-/// start, stop or reset drops an advance of more than 1e6 s, because the clock would lose digits beside it.
-/// @param h the handle
-/// @param seconds time to add, s; may be negative
+/// Adds to the time on the clock, s; a negative number too. A number that is not finite, and an advance that overflows,
+/// are ignored. The next start, stop or reset drops an advance of more than 1e6 s, because the clock would lose digits
+/// next to it.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn claraty_trapezoid_advance_timer_by(
-    h: *mut claraty_trapezoid,
-    seconds: f64,
-) {
+pub unsafe extern "C" fn claraty_trapezoid_advance_timer_by(h: *mut claraty_trapezoid, seconds: f64) {
     // SAFETY: by the contract of this module.
     if let (Ok(handle), Ok(seconds)) = (unsafe { Handle::of(h) }, finite(seconds)) {
         handle.trajectory.advance_timer_by(seconds);
     }
 }
 
-/// Reads the timer.
-/// @param h the handle
-/// @return time since the last start, stop or reset, s; NaN if `h` is NULL
+/// Reads the timer: the time since the last start, stop or reset, s.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_elapsed(h: *const claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
-    unsafe { Handle::of_const(h) }
-        .map_or(f64::NAN, |handle| handle.trajectory.elapsed(handle.now()))
+    unsafe { Handle::of_const(h) }.map_or(f64::NAN, |handle| handle.trajectory.elapsed(handle.now()))
 }
 
-/// Reads the duration of the motion, over all legs.
-/// @param h the handle
-/// @return time from the start to rest, s; 0 before the first start; NaN if `h` is NULL
+/// Reads the duration of the motion from the start to rest, over all legs, s; 0 before the first start.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_duration(h: *const claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
     unsafe { Handle::of_const(h) }.map_or(f64::NAN, |handle| handle.trajectory.duration())
 }
 
-/// Reads the setpoint now. A reading after the end of the motion ends the motion.
-/// @param h the handle
-/// @param position NULL, or where to write the position, unit
-/// @param velocity NULL, or where to write the velocity, unit/s
-/// @param accel NULL, or where to write the acceleration, unit/s^2
+/// Reads the setpoint now: position, unit, velocity, unit/s, and acceleration, unit/s^2, each to its place or to NULL.
+/// A reading after the end of the motion ends the motion.
 /// @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_setpoint(
-    h: *mut claraty_trapezoid,
-    position: *mut f64,
-    velocity: *mut f64,
-    accel: *mut f64,
+    h: *mut claraty_trapezoid, position: *mut f64, velocity: *mut f64, accel: *mut f64,
 ) -> c_int {
     // SAFETY: by the contract of this module.
     let setpoint = unsafe { Handle::of(h) }.and_then(Handle::setpoint);
@@ -448,22 +377,13 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint(
     code(setpoint.map(|setpoint| unsafe { write_setpoint(setpoint, position, velocity, accel) }))
 }
 
-/// Reads the setpoint at a time after the start. In a corrected motion a look changes nothing, and a time before the
-/// start gives the state at the start. A motion of the listing behaves as the listing: a look beyond the end ends it,
-/// a time before the start gives 0, and a time that is not finite is accepted.
-/// @param h the handle
-/// @param time since the start, s
-/// @param position NULL, or where to write the position, unit
-/// @param velocity NULL, or where to write the velocity, unit/s
-/// @param accel NULL, or where to write the acceleration, unit/s^2
-/// @return `CLARATY_OK`, `CLARATY_ERR_NULL` or `CLARATY_ERR_NOT_FINITE`
+/// Reads the setpoint at a time after the start, s, as `claraty_trapezoid_get_setpoint` does. In a corrected motion a
+/// look changes nothing, and a time before the start gives the state at the start. A motion of the listing behaves as
+/// the listing: a look beyond the end ends it, a time before the start gives 0, and a time that is not finite is
+/// accepted.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_setpoint_at(
-    h: *mut claraty_trapezoid,
-    time: f64,
-    position: *mut f64,
-    velocity: *mut f64,
-    accel: *mut f64,
+    h: *mut claraty_trapezoid, time: f64, position: *mut f64, velocity: *mut f64, accel: *mut f64,
 ) -> c_int {
     // SAFETY: by the contract of this module.
     let setpoint = unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time));
@@ -473,17 +393,8 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint_at(
 
 /// # Safety
 /// Each pointer is NULL or valid to write.
-unsafe fn write_setpoint(
-    setpoint: State<f64>,
-    position: *mut f64,
-    velocity: *mut f64,
-    accel: *mut f64,
-) {
-    for (to, value) in [
-        (position, setpoint.position),
-        (velocity, setpoint.velocity),
-        (accel, setpoint.acceleration),
-    ] {
+unsafe fn write_setpoint(setpoint: State<f64>, position: *mut f64, velocity: *mut f64, accel: *mut f64) {
+    for (to, value) in [(position, setpoint.position), (velocity, setpoint.velocity), (accel, setpoint.acceleration)] {
         if !to.is_null() {
             // SAFETY: not NULL, so valid to write.
             unsafe { to.write(value) };
@@ -491,92 +402,57 @@ unsafe fn write_setpoint(
     }
 }
 
-/// Reads the position of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
-/// @param h the handle
-/// @return position, unit; NaN where `claraty_trapezoid_get_setpoint` fails
+/// The position of `claraty_trapezoid_get_setpoint`, unit; NaN where that fails.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_position(h: *mut claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(Handle::setpoint);
-    setpoint.map_or(f64::NAN, |setpoint| setpoint.position)
+    unsafe { Handle::of(h) }.and_then(Handle::setpoint).map_or(f64::NAN, |setpoint| setpoint.position)
 }
 
-/// Reads the velocity of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
-/// @param h the handle
-/// @return velocity, unit/s; NaN where `claraty_trapezoid_get_setpoint` fails
+/// The velocity of `claraty_trapezoid_get_setpoint`, unit/s; NaN where that fails.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_velocity(h: *mut claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(Handle::setpoint);
-    setpoint.map_or(f64::NAN, |setpoint| setpoint.velocity)
+    unsafe { Handle::of(h) }.and_then(Handle::setpoint).map_or(f64::NAN, |setpoint| setpoint.velocity)
 }
 
-/// Reads the acceleration of the setpoint now, as `claraty_trapezoid_get_setpoint` does.
-/// @param h the handle
-/// @return acceleration, unit/s^2; NaN where `claraty_trapezoid_get_setpoint` fails
+/// The acceleration of `claraty_trapezoid_get_setpoint`, unit/s^2; NaN where that fails.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_acceleration(h: *mut claraty_trapezoid) -> f64 {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(Handle::setpoint);
-    setpoint.map_or(f64::NAN, |setpoint| setpoint.acceleration)
+    unsafe { Handle::of(h) }.and_then(Handle::setpoint).map_or(f64::NAN, |setpoint| setpoint.acceleration)
 }
 
-/// Reads the position of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
-/// @param h the handle
-/// @param time since the start, s
-/// @return position, unit; NaN where `claraty_trapezoid_get_setpoint_at` fails
+/// The position of `claraty_trapezoid_get_setpoint_at`, unit; NaN where that fails.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn claraty_trapezoid_get_position_at(
-    h: *mut claraty_trapezoid,
-    time: f64,
-) -> f64 {
+pub unsafe extern "C" fn claraty_trapezoid_get_position_at(h: *mut claraty_trapezoid, time: f64) -> f64 {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time));
-    setpoint.map_or(f64::NAN, |setpoint| setpoint.position)
+    unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time)).map_or(f64::NAN, |setpoint| setpoint.position)
 }
 
-/// Reads the velocity of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
-/// @param h the handle
-/// @param time since the start, s
-/// @return velocity, unit/s; NaN where `claraty_trapezoid_get_setpoint_at` fails
+/// The velocity of `claraty_trapezoid_get_setpoint_at`, unit/s; NaN where that fails.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn claraty_trapezoid_get_velocity_at(
-    h: *mut claraty_trapezoid,
-    time: f64,
-) -> f64 {
+pub unsafe extern "C" fn claraty_trapezoid_get_velocity_at(h: *mut claraty_trapezoid, time: f64) -> f64 {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time));
-    setpoint.map_or(f64::NAN, |setpoint| setpoint.velocity)
+    unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time)).map_or(f64::NAN, |setpoint| setpoint.velocity)
 }
 
-/// Reads the acceleration of the setpoint at a time, as `claraty_trapezoid_get_setpoint_at` does.
-/// @param h the handle
-/// @param time since the start, s
-/// @return acceleration, unit/s^2; NaN where `claraty_trapezoid_get_setpoint_at` fails
+/// The acceleration of `claraty_trapezoid_get_setpoint_at`, unit/s^2; NaN where that fails.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn claraty_trapezoid_get_acceleration_at(
-    h: *mut claraty_trapezoid,
-    time: f64,
-) -> f64 {
+pub unsafe extern "C" fn claraty_trapezoid_get_acceleration_at(h: *mut claraty_trapezoid, time: f64) -> f64 {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time));
-    setpoint.map_or(f64::NAN, |setpoint| setpoint.acceleration)
+    unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time)).map_or(f64::NAN, |state| state.acceleration)
 }
 
-/// Reads the profile of the last start or stop; before the first start all of it is 0. Along waypoints it is the
-/// profile of the leg last looked at, and its times count from the start of this leg.
-/// @param h the handle
-/// @param out NULL, or where to write the profile
+/// Reads the profile of the last start or stop to `out`, or to NULL; before the first start all of it is 0. Along
+/// waypoints it is the profile of the leg last looked at, and its times count from the start of this leg.
 /// @return `CLARATY_OK` or `CLARATY_ERR_NULL`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_get_profile(
-    h: *const claraty_trapezoid,
-    out: *mut claraty_profile,
+    h: *const claraty_trapezoid, out: *mut claraty_profile,
 ) -> c_int {
     // SAFETY: by the contract of this module.
-    let Some(handle) = (unsafe { Handle::of_const(h) }) else {
-        return CLARATY_ERR_NULL as c_int;
-    };
+    let Some(handle) = (unsafe { Handle::of_const(h) }) else { return CLARATY_ERR_NULL as c_int };
     if !out.is_null() {
         let profile = handle.trajectory.profile();
         // SAFETY: not NULL, so valid to write.

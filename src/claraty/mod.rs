@@ -20,12 +20,10 @@
 //! # Ok::<(), atraj::claraty::OutOfRange>(())
 //! ```
 
-mod clock;
 mod profile;
 mod route;
 mod trajectory;
 
-pub use clock::Timer;
 pub use profile::{EPS, Kind, Profile, Warnings};
 pub use route::{LARGEST, OutOfRange, Route, Target, Waypoints};
 pub use trajectory::{Mode, Trajectory};

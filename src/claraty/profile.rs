@@ -131,11 +131,7 @@ impl Profile {
         self.clear_phases(start, target.position);
         let distance = target.position - start.position;
         if distance != 0.0 || start.velocity != 0.0 {
-            let direction = sgn(if start.velocity != 0.0 {
-                start.velocity
-            } else {
-                distance
-            });
+            let direction = sgn(if start.velocity != 0.0 { start.velocity } else { distance });
             if !self.advance(direction, limits) && !self.brake(direction, limits) {
                 self.return_to_target(-direction, limits);
             }
@@ -145,10 +141,7 @@ impl Profile {
 
     /// Brakes at the target's deceleration. The position and the velocity of the target are ignored.
     pub fn plan_stop(&mut self, start: State<f64>, target: Target) -> Warnings {
-        let (limits, warnings) = Limits::of(Target {
-            velocity: EPS,
-            ..target
-        });
+        let (limits, warnings) = Limits::of(Target { velocity: EPS, ..target });
         let v0 = start.velocity;
         let deceleration = limits.deceleration;
         let way = sgn(v0) * (0.5 * sq(v0) / deceleration);
@@ -163,36 +156,22 @@ impl Profile {
     /// Position, velocity and acceleration at time `t`, s. Before the motion it is the start without acceleration; after the motion
     /// it is rest at the final position.
     pub fn setpoint(&self, t: f64) -> State<f64> {
-        let State {
-            position, velocity, ..
-        } = self.start;
+        let State { position, velocity, .. } = self.start;
         let (position, velocity, acceleration) = if self.is_over(t) {
             (self.final_position, 0.0, 0.0)
         } else if t < 0.0 {
             (position, velocity, 0.0)
         } else if t <= self.t1 {
             let a = self.acceleration;
-            (
-                0.5 * a * sq(t) + velocity * t + position,
-                a * t + velocity,
-                a,
-            )
+            (0.5 * a * sq(t) + velocity * t + position, a * t + velocity, a)
         } else if t <= self.t2 {
             (self.velocity * t + self.cruise_origin, self.velocity, 0.0)
         } else {
             let d = self.deceleration;
             let z = t - self.tf;
-            (
-                0.5 * d * sq(z) + FINAL_VELOCITY * z + self.final_position,
-                d * z + FINAL_VELOCITY,
-                d,
-            )
+            (0.5 * d * sq(z) + FINAL_VELOCITY * z + self.final_position, d * z + FINAL_VELOCITY, d)
         };
-        State {
-            position,
-            velocity,
-            acceleration,
-        }
+        State { position, velocity, acceleration }
     }
 
     /// Whether the motion has ended at time `t`. A NaN is after the end. The listing may plan a phase that ends at a NaN; the motion
@@ -223,9 +202,7 @@ impl Profile {
         if direction * self.acceleration <= 0.0 {
             return false;
         }
-        let Some(t1) = self.switching_time() else {
-            return false;
-        };
+        let Some(t1) = self.switching_time() else { return false };
         self.peak_at(t1, t1 * self.acceleration + self.start.velocity, limits);
         self.close_seam(direction, limits);
         true
@@ -234,16 +211,8 @@ impl Profile {
     /// Joins the phases of a triangle. If the axis hardly accelerates, the root of [`Self::switching_time`] cancels, and the
     /// phases miss each other at `t1`. The peak velocity from the remaining room has no cancellation.
     fn close_seam(&mut self, direction: f64, limits: Limits) {
-        let Limits {
-            acceleration: a,
-            deceleration: d,
-            ..
-        } = limits;
-        let State {
-            position: p0,
-            velocity: v0,
-            ..
-        } = self.start;
+        let Limits { acceleration: a, deceleration: d, .. } = limits;
+        let State { position: p0, velocity: v0, .. } = self.start;
         let distance = self.final_position - p0;
         let before = 0.5 * self.acceleration * sq(self.t1) + v0 * self.t1 + p0;
         let after = 0.5 * self.deceleration * sq(self.t1 - self.tf) + self.final_position;
@@ -258,11 +227,7 @@ impl Profile {
     /// Brakes without room to accelerate: at the acceleration first, then at the deceleration. The rates switch at the velocity
     /// that lands on the target. The result is false if neither rate stops the axis before the target.
     fn brake(&mut self, direction: f64, limits: Limits) -> bool {
-        let Limits {
-            acceleration: a,
-            deceleration: d,
-            ..
-        } = limits;
+        let Limits { acceleration: a, deceleration: d, .. } = limits;
         let speed = self.start.velocity.abs();
         let energy = sq(self.start.velocity);
         let distance = direction * (self.final_position - self.start.position);
@@ -275,11 +240,7 @@ impl Profile {
         let (mut t1, mut switch) = (0.0, speed);
         if a > d {
             let left = beyond_a * (2.0 * (a * (d / (a - d))));
-            switch = if left > 0.0 {
-                lower(Operations::sqrt(left), speed)
-            } else {
-                0.0
-            };
+            switch = if left > 0.0 { lower(Operations::sqrt(left), speed) } else { 0.0 };
             t1 = (speed - switch) / a;
         } else if a < d {
             let lost = lower(beyond_d * (2.0 * (a * (d / (d - a)))), energy);
@@ -311,11 +272,7 @@ impl Profile {
         } else if let Some(t1) = self.switching_time() {
             self.peak_at(t1, t1 * self.acceleration + v0, limits);
         } else {
-            let Limits {
-                acceleration: a,
-                deceleration: d,
-                ..
-            } = limits;
+            let Limits { acceleration: a, deceleration: d, .. } = limits;
             let distance = direction * (self.final_position - self.start.position);
             let way_back = 0.5 * sq(v0) / a + distance;
             let peak = Operations::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
@@ -338,11 +295,7 @@ impl Profile {
 
     /// Position at which the acceleration phase reaches a velocity.
     fn position_at(&self, velocity: f64) -> f64 {
-        let State {
-            position: p0,
-            velocity: v0,
-            ..
-        } = self.start;
+        let State { position: p0, velocity: v0, .. } = self.start;
         0.5 * (sq(velocity) - sq(v0)) / self.acceleration + p0
     }
 
@@ -350,11 +303,7 @@ impl Profile {
     /// negative.
     fn switching_time(&self) -> Option<f64> {
         let (a, d) = (self.acceleration, self.deceleration);
-        let State {
-            position: p0,
-            velocity: v0,
-            ..
-        } = self.start;
+        let State { position: p0, velocity: v0, .. } = self.start;
         let c = (0.5 * (sq(FINAL_VELOCITY) - sq(v0)) + d * (p0 - self.final_position)) / (d - a);
         let half = Operations::sqrt(sq(v0) - 2.0 * a * c) / a;
         match (-v0 / a + half, -v0 / a - half) {

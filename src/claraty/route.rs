@@ -41,63 +41,30 @@ pub struct Waypoints<'w> {
 
 #[derive(Clone, Copy, Debug)]
 enum LegLimits<'w> {
-    Each {
-        velocities: &'w [f64],
-        accelerations: &'w [f64],
-    },
-    Same {
-        velocity: f64,
-        acceleration: f64,
-    },
+    Each { velocities: &'w [f64], accelerations: &'w [f64] },
+    Same { velocity: f64, acceleration: f64 },
 }
 
 impl<'w> Waypoints<'w> {
     /// Each leg has its own maximum velocity and its own acceleration, which is its deceleration too. The result is `None` if
     /// there is no position, or if the slices differ in length.
-    pub fn new(
-        positions: &'w [f64],
-        velocities: &'w [f64],
-        accelerations: &'w [f64],
-    ) -> Option<Self> {
-        let same_count =
-            velocities.len() == positions.len() && accelerations.len() == positions.len();
-        (same_count && !positions.is_empty()).then_some(Self {
-            positions,
-            limits: LegLimits::Each {
-                velocities,
-                accelerations,
-            },
-        })
+    pub fn new(positions: &'w [f64], velocities: &'w [f64], accelerations: &'w [f64]) -> Option<Self> {
+        let same_count = velocities.len() == positions.len() && accelerations.len() == positions.len();
+        (same_count && !positions.is_empty())
+            .then_some(Self { positions, limits: LegLimits::Each { velocities, accelerations } })
     }
 
     /// All legs have the same maximum velocity and acceleration. The result is `None` if there is no position.
     pub fn uniform(positions: &'w [f64], velocity: f64, acceleration: f64) -> Option<Self> {
-        (!positions.is_empty()).then_some(Self {
-            positions,
-            limits: LegLimits::Same {
-                velocity,
-                acceleration,
-            },
-        })
+        (!positions.is_empty()).then_some(Self { positions, limits: LegLimits::Same { velocity, acceleration } })
     }
 
     fn get(&self, index: usize) -> Option<Target> {
         let (velocity, acceleration) = match self.limits {
-            LegLimits::Each {
-                velocities,
-                accelerations,
-            } => (*velocities.get(index)?, *accelerations.get(index)?),
-            LegLimits::Same {
-                velocity,
-                acceleration,
-            } => (velocity, acceleration),
+            LegLimits::Each { velocities, accelerations } => (*velocities.get(index)?, *accelerations.get(index)?),
+            LegLimits::Same { velocity, acceleration } => (velocity, acceleration),
         };
-        Some(Target {
-            position: *self.positions.get(index)?,
-            velocity,
-            acceleration,
-            deceleration: acceleration,
-        })
+        Some(Target { position: *self.positions.get(index)?, velocity, acceleration, deceleration: acceleration })
     }
 }
 
@@ -114,15 +81,8 @@ impl Route<'_> {
     /// Refuses a number larger than [`LARGEST`], or NaN.
     pub(super) fn check_range(&self) -> Result<(), OutOfRange> {
         let is_in_range = |target: Target| {
-            let Target {
-                position,
-                velocity,
-                acceleration,
-                deceleration,
-            } = target;
-            [position, velocity, acceleration, deceleration]
-                .iter()
-                .all(|number| number.abs() <= LARGEST)
+            let Target { position, velocity, acceleration, deceleration } = target;
+            [position, velocity, acceleration, deceleration].iter().all(|number| number.abs() <= LARGEST)
         };
         let mut targets = (0..usize::MAX).map_while(|leg| self.target(leg));
         targets.all(is_in_range).then_some(()).ok_or(OutOfRange)

@@ -1,6 +1,6 @@
 //! A trajectory in time: start, stop, reset, and the setpoint of the leg that the time falls into.
 
-use super::{OutOfRange, Profile, Route, Target, Timer, Warnings};
+use super::{OutOfRange, Profile, Route, Target, Warnings};
 use crate::state::State;
 
 /// The profile that a trajectory follows.
@@ -14,6 +14,9 @@ pub enum Mode {
     Listing = 1,
 }
 
+/// The clock still resolves a tenth of a nanosecond after an advance of this length, s. A restart drops a longer one.
+const LONGEST_ADVANCE: f64 = 1e6;
+
 /// The motion of one axis. `now` is always a finite reading of the same clock, in seconds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Trajectory<'w> {
@@ -22,7 +25,10 @@ pub struct Trajectory<'w> {
     /// Of the motion in hand.
     motion_mode: Mode,
     route: Route<'w>,
-    timer: Timer,
+    /// What the clock showed, advances included, when the timer was at zero, s.
+    origin: f64,
+    /// Time added by hand, s: a clock that stands still and is advanced gives the bits of a clock that runs.
+    advanced: f64,
     started: bool,
     /// Where the motion began. The route is walked again from here when time goes back.
     departure: State<f64>,
@@ -37,12 +43,8 @@ pub struct Trajectory<'w> {
 impl<'w> Trajectory<'w> {
     /// The trajectory is not started, at position 0, with the timer at zero.
     pub fn new(mode: Mode, now: f64) -> Self {
-        let mut trajectory = Self {
-            mode,
-            motion_mode: mode,
-            ..Self::default()
-        };
-        trajectory.timer.restart(now);
+        let mut trajectory = Self { mode, motion_mode: mode, ..Self::default() };
+        trajectory.restart(now);
         trajectory
     }
 
@@ -56,8 +58,7 @@ impl<'w> Trajectory<'w> {
         self.motion_mode
     }
 
-    /// Chooses the mode of the following starts and stops. A motion under way keeps its
-    /// mode.
+    /// Chooses the mode of the following starts and stops. A motion under way keeps its mode.
     pub fn set_mode(&mut self, mode: Mode) {
         self.mode = mode;
         if !self.started {
@@ -82,7 +83,7 @@ impl<'w> Trajectory<'w> {
     /// Sets off with the timer at zero. The motion begins at the setpoint if a motion is under way, else at rest at 0.
     pub fn start(&mut self, now: f64) -> Warnings {
         self.departure = self.under_way(now).unwrap_or_default();
-        self.timer.restart(now);
+        self.restart(now);
         self.motion_mode = self.mode;
         self.started = true;
         self.on_route = true;
@@ -98,21 +99,15 @@ impl<'w> Trajectory<'w> {
     /// Brakes a motion under way. The timer is set to zero also if no motion is under way.
     pub fn stop(&mut self, now: f64) -> Warnings {
         let under_way = self.under_way(now);
-        self.timer.restart(now);
-        let (Some(state), Some(limits)) = (under_way, self.route.target(self.leg)) else {
-            return Warnings::default();
-        };
+        self.restart(now);
+        let (Some(state), Some(limits)) = (under_way, self.route.target(self.leg)) else { return Warnings::default() };
         self.motion_mode = self.mode;
         self.started = true;
         self.on_route = false;
         self.leg_start = 0.0;
         let warnings = match self.mode {
             Mode::Listing => {
-                let here = Target {
-                    position: state.position,
-                    velocity: state.velocity,
-                    ..limits
-                };
+                let here = Target { position: state.position, velocity: state.velocity, ..limits };
                 self.profile.plan_listing(state, here)
             }
             Mode::Corrected => self.profile.plan_stop(state, limits),
@@ -125,7 +120,7 @@ impl<'w> Trajectory<'w> {
     /// unchanged.
     pub fn reset(&mut self, now: f64) {
         self.started = false;
-        self.timer.restart(now);
+        self.restart(now);
     }
 
     /// Whether a motion is under way: from the start until a setpoint after the end has been read.
@@ -135,20 +130,25 @@ impl<'w> Trajectory<'w> {
 
     /// Time since the last start, stop or reset, s.
     pub fn elapsed(&self, now: f64) -> f64 {
-        self.timer.elapsed(now)
+        now + self.advanced - self.origin
     }
 
     /// Adds `seconds` to what the clock shows. An advance that overflows is ignored. The next start, stop or reset drops an advance
     /// of more than 10<sup>6</sup> s, because the clock would lose digits beside it.
     pub fn advance_timer_by(&mut self, seconds: f64) {
-        self.timer.advance_by(seconds);
+        let advanced = self.advanced + seconds;
+        if advanced.is_finite() {
+            self.advanced = advanced;
+        }
     }
 
     /// Another clock, which shows `instead`, replaces the clock that shows `now`. A motion under way goes on where it is. If no
     /// motion is under way, or if a reading is not finite, the change is a [`Self::reset`].
     pub fn change_clock(&mut self, now: f64, instead: f64) {
         if self.started && self.elapsed(now).is_finite() && instead.is_finite() {
-            self.timer.change_clock(now, instead);
+            let elapsed = self.elapsed(now);
+            self.restart(instead);
+            self.origin -= elapsed;
         } else {
             self.reset(instead);
         }
@@ -183,6 +183,17 @@ impl<'w> Trajectory<'w> {
         setpoint
     }
 
+    /// Sets the timer to zero. If `now` is not finite, the timer goes on unchanged.
+    fn restart(&mut self, now: f64) {
+        if !now.is_finite() {
+            return;
+        }
+        if self.advanced.abs() > LONGEST_ADVANCE {
+            self.advanced = 0.0;
+        }
+        self.origin = now + self.advanced;
+    }
+
     /// The state to carry on from.
     fn under_way(&mut self, now: f64) -> Option<State<f64>> {
         let was_started = self.started;
@@ -193,10 +204,7 @@ impl<'w> Trajectory<'w> {
             Mode::Corrected => self.started,
         };
         // The acceleration of a trapezoid may jump, so the next motion does not continue it.
-        under_way.then_some(State {
-            acceleration: 0.0,
-            ..setpoint
-        })
+        under_way.then_some(State { acceleration: 0.0, ..setpoint })
     }
 
     fn look(&mut self, t: f64) -> State<f64> {
@@ -232,9 +240,7 @@ impl<'w> Trajectory<'w> {
         self.leg = 0;
         self.leg_start = 0.0;
         match (&self.route, self.motion_mode) {
-            (&Route::Target(target), Mode::Listing) => {
-                self.profile.plan_listing(self.departure, target)
-            }
+            (&Route::Target(target), Mode::Listing) => self.profile.plan_listing(self.departure, target),
             (route, _) => {
                 let target = route.target(0).unwrap_or_default();
                 self.profile.plan_corrected(self.departure, target)
@@ -245,10 +251,7 @@ impl<'w> Trajectory<'w> {
     /// Takes the next leg in hand, from rest at the end of the present leg. The result is `None` after the last leg.
     fn next_leg(&mut self) -> Option<Warnings> {
         let target = self.route.target(self.leg + 1)?;
-        let rest = State {
-            position: self.profile.final_position,
-            ..State::default()
-        };
+        let rest = State { position: self.profile.final_position, ..State::default() };
         self.leg += 1;
         self.leg_start += self.profile.tf;
         Some(self.profile.plan_corrected(rest, target))

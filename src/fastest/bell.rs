@@ -24,24 +24,16 @@ impl<R: Real> Bell<R> {
     /// let bell = Bell::fastest(30.0, 10.0, 5.0, boundary).expect("the arguments are numbers");
     /// assert_eq!((bell.position(bell.t), bell.velocity(bell.t)), (0.1, 0.0));
     /// ```
-    pub fn fastest(
-        jerk: R,
-        acceleration: R,
-        velocity: R,
-        boundary: Boundary<R>,
-    ) -> Result<Self, Error> {
-        let (jm, am, vm) = (
-            jerk.magnitude(),
-            acceleration.magnitude(),
-            velocity.magnitude(),
-        );
+    pub fn fastest(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Result<Self, Error> {
+        let (jm, am, vm) = (jerk.magnitude(), acceleration.magnitude(), velocity.magnitude());
         let limits_are_positive = jm > R::ZERO && am > R::ZERO && vm > R::ZERO;
         let limits_an_acceleration = jm < R::INFINITY || am < R::INFINITY;
         if !(limits_are_positive && limits_an_acceleration && boundary.is_numbers()) {
             return Err(Error::of_plan([jm, am, vm], boundary, Error::Limits));
         }
         let boundary = boundary.limit_velocities(vm, Saturation::Numbers);
-        if boundary.p0 == boundary.p1 && boundary.v0 == boundary.v1 {
+        let Boundary { p0, p1, v0, v1 } = boundary;
+        if p0 == p1 && v0 == v1 {
             return Ok(Self::nothing(boundary));
         }
         let mut jm = Self::resolved_jerk(jm, am, vm, boundary);
@@ -55,12 +47,10 @@ impl<R: Real> Bell<R> {
             }
             jm = am / part;
         }
-        // Where a jerk is below the range of the real type, the move would take no time.
-        if bell.t > R::ZERO && bell.t.is_finite() {
-            Ok(bell)
-        } else {
-            Err(Error::NotFinite)
-        }
+        // Between equal velocities the direct ramp takes no time. Else a move takes some, unless its jerk is below the range of the real type.
+        let is_there = (p1 - p0).abs() <= R::DOUBT * p0.abs() + R::DOUBT * p1.abs() && v0 == v1;
+        let lasts = bell.t > R::ZERO || is_there;
+        if lasts && bell.t.is_finite() { Ok(bell) } else { Err(Error::NotFinite) }
     }
 
     /// The shortest jerk part that the clock of a move of this duration resolves. A shorter one would show as a spike in the
@@ -74,8 +64,7 @@ impl<R: Real> Bell<R> {
         let Boundary { p0, p1, v0, v1 } = boundary;
         let tj = am / jm;
         let blink = R::from(16) * R::EPSILON;
-        let is_blink = tj * am <= blink * (v0.abs() + v1.abs())
-            || tj * tj * am <= blink * blink * (p1 - p0).abs();
+        let is_blink = tj * am <= blink * (v0.abs() + v1.abs()) || tj * tj * am <= blink * blink * (p1 - p0).abs();
         if !is_blink {
             return jm;
         }
@@ -86,14 +75,7 @@ impl<R: Real> Bell<R> {
     /// There is nothing to do: no phase lasts.
     fn nothing(boundary: Boundary<R>) -> Self {
         let Boundary { p0, p1, v0, v1 } = boundary;
-        Self {
-            p0,
-            p1,
-            v0,
-            v1,
-            vm: v0,
-            ..Self::default()
-        }
+        Self { p0, p1, v0, v1, vm: v0, ..Self::default() }
     }
 
     /// The fastest move; the jerk is finite.
@@ -102,11 +84,8 @@ impl<R: Real> Bell<R> {
         let [h, forward_v0, forward_v1] = R::forward(p1 - p0, v0, v1);
         // A product takes a fraction of the time of a quotient.
         let per_jerk = R::ONE / jm;
-        let border = Border {
-            v0: forward_v0 * per_jerk,
-            dv: (forward_v1 - forward_v0) * per_jerk,
-            limit: am * per_jerk,
-        };
+        let border =
+            Border { v0: forward_v0 * per_jerk, dv: (forward_v1 - forward_v0) * per_jerk, limit: am * per_jerk };
         let h = h * per_jerk;
         let direct = border.direct();
         let positions = (p0.abs() + p1.abs()) * per_jerk;

@@ -43,10 +43,7 @@ impl<R: Real> Ramp<R> {
             let tj = dv.sqrt();
             Self { tj, t: tj + tj }
         } else {
-            Self {
-                tj: limit,
-                t: limit + dv / limit,
-            }
+            Self { tj: limit, t: limit + dv / limit }
         }
     }
 }
@@ -54,11 +51,7 @@ impl<R: Real> Ramp<R> {
 impl<R: Real> Border<R> {
     /// The axis seen from the other side.
     pub fn mirrored(self) -> Self {
-        Self {
-            v0: -self.v0,
-            dv: -self.dv,
-            ..self
-        }
+        Self { v0: -self.v0, dv: -self.dv, ..self }
     }
 
     /// Displacement of the ramp that leads from the start straight to the end. Its duration allows no other displacement.
@@ -89,15 +82,9 @@ impl<R: Real> Border<R> {
         let apart = self.dv.abs().sqrt();
         let y = hold.limit + begins - apart;
         let beyond_direct = (h - direct).at_least(R::ZERO);
-        if self.limit < R::INFINITY
-            && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0)
-        {
+        if self.limit < R::INFINITY && !(begins > R::ZERO && beyond_direct < self.no_hold(apart, y).0) {
             let [held, other] = hold.ramps(beyond);
-            return if up_first {
-                [held, other]
-            } else {
-                [other, held]
-            };
+            return if up_first { [held, other] } else { [other, held] };
         }
         self.without_hold(beyond_direct, apart, y)
     }
@@ -127,18 +114,11 @@ impl<R: Real> Border<R> {
     /// by `u = apart + y`; in the direct ramp it falls by `apart = sqrt(|dv|)`. The displacement is convex.
     fn no_hold(&self, apart: R, y: R) -> (R, R) {
         let quarter_y = R::HALF * R::HALF * y;
-        let ratio = if apart > R::ZERO {
-            apart / (apart + y)
-        } else {
-            R::ZERO
-        };
+        let ratio = if apart > R::ZERO { apart / (apart + y) } else { R::ZERO };
         let slope = self.direct_slope();
         let cubic = y + apart * (R::from(3) - ratio);
         let its_slope = R::from(3) * y + apart * (R::from(6) - ratio * (R::ONE + ratio));
-        (
-            y * (slope + quarter_y * cubic),
-            slope + quarter_y * its_slope,
-        )
+        (y * (slope + quarter_y * cubic), slope + quarter_y * its_slope)
     }
 
     /// The derivative of the displacement in the direct ramp: twice the higher velocity of both ends.
@@ -155,12 +135,8 @@ impl<R: Real> Border<R> {
             let quadratic = ((beyond + beyond) / apart).sqrt();
             return (beyond / slope).at_most(quadratic.at_most(cubic));
         }
-        let cubic = (R::from(8) * beyond)
-            .cube_root_above()
-            .at_least((R::from(8) * -slope).sqrt());
-        let quadratic = (R::from(4) * beyond / apart)
-            .sqrt()
-            .at_least(R::from(4) * -slope / apart);
+        let cubic = (R::from(8) * beyond).cube_root_above().at_least((R::from(8) * -slope).sqrt());
+        let quadratic = (R::from(4) * beyond / apart).sqrt().at_least(R::from(4) * -slope / apart);
         quadratic.at_most(cubic)
     }
 
@@ -196,12 +172,7 @@ impl<R: Real> Hold<R> {
     fn of(border: &Border<R>, up: bool) -> Self {
         let &Border { v0, dv, limit } = border;
         let (dv, end) = if up { (dv, v0 + dv) } else { (-dv, v0) };
-        Self {
-            limit,
-            dv,
-            end,
-            mean: border.mean(),
-        }
+        Self { limit, dv, end, mean: border.mean() }
     }
 
     /// The acceleration that the other ramp reaches where the hold begins; 0 if the direct ramp has a hold too.
@@ -216,22 +187,13 @@ impl<R: Real> Hold<R> {
             let (displacement, slope) = self.displacement(w);
             (displacement - beyond, slope)
         });
-        let held = Ramp {
-            tj: self.limit,
-            t: self.limit + (w * w + self.dv) / self.limit,
-        };
+        let held = Ramp { tj: self.limit, t: self.limit + (w * w + self.dv) / self.limit };
         [held, Ramp { tj: w, t: w + w }]
     }
 
     /// The displacement where the other ramp reaches no acceleration.
     fn least(&self) -> R {
-        let Self {
-            limit,
-            dv,
-            end,
-            mean,
-            ..
-        } = *self;
+        let Self { limit, dv, end, mean, .. } = *self;
         limit * end + dv / limit * (mean - R::HALF * limit * limit)
     }
 
@@ -241,22 +203,14 @@ impl<R: Real> Hold<R> {
         let Self { limit, end, .. } = *self;
         let u = limit + w;
         let ratio = w / limit;
-        (
-            ratio * (end * (u + limit) + R::HALF * u * u * w),
-            (R::ONE + ratio) * (end + end + w * (u + w)),
-        )
+        (ratio * (end * (u + limit) + R::HALF * u * u * w), (R::ONE + ratio) * (end + end + w * (u + w)))
     }
 
     /// Not below the `w` of a displacement beyond the least one, and above it by a small factor.
     fn bound(&self, beyond: R) -> R {
         let against = (-(self.end + self.end)).at_least(R::ZERO);
-        let product = against
-            + (against * against + R::from(2) * self.limit * beyond.at_least(R::ZERO)).sqrt();
+        let product = against + (against * against + R::from(2) * self.limit * beyond.at_least(R::ZERO)).sqrt();
         let bound = (product / self.limit).at_most(product.sqrt());
-        if self.end > R::ZERO {
-            bound.at_most(beyond / (self.end + self.end))
-        } else {
-            bound
-        }
+        if self.end > R::ZERO { bound.at_most(beyond / (self.end + self.end)) } else { bound }
     }
 }

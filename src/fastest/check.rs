@@ -35,11 +35,7 @@ impl<R: Real> Bell<R> {
         let few = R::DOUBT; // 64 roundings
         let speed_scale = reached.speed() + reached.acceleration() * self.t;
         let position_scale = self.p0.abs() + self.p1.abs() + reached.speed() * self.t;
-        let jerk = if self.taj > R::ZERO || self.tdj > R::ZERO {
-            self.jm.abs()
-        } else {
-            R::ZERO
-        };
+        let jerk = if self.taj > R::ZERO || self.tdj > R::ZERO { self.jm.abs() } else { R::ZERO };
         Ok(Findings::EXCEEDS_JERK.when(jerk > jm + few * jm)
             | Findings::EXCEEDS_ACCELERATION.when(reached.acceleration() > am + few * am)
             | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + few * speed_scale)
@@ -49,11 +45,7 @@ impl<R: Real> Bell<R> {
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
     pub fn extremes(&self) -> Extremes<R> {
-        let mut reached = Extremes::of(State {
-            position: self.p0,
-            velocity: self.v0,
-            acceleration: R::ZERO,
-        });
+        let mut reached = Extremes::of(State { position: self.p0, velocity: self.v0, acceleration: R::ZERO });
         reached.include_position(self.p1);
         reached.include_velocity(self.v1);
         reached.include_velocity(self.orient(self.vm));
@@ -66,16 +58,7 @@ impl<R: Real> Bell<R> {
             reached.include_acceleration(self.orient(self.dm));
         }
         // Where the velocity passes through 0 the axis turns.
-        let Self {
-            t,
-            ta,
-            td,
-            taj,
-            tdj,
-            am,
-            dm,
-            ..
-        } = *self;
+        let Self { t, ta, td, taj, tdj, am, dm, .. } = *self;
         let turns = [
             self.turn(self.orient(self.v0), am, taj, ta),
             self.turn(self.orient(self.v1), -dm, tdj, td).map(|z| t - z),
@@ -106,63 +89,22 @@ impl<R: Real> Bell<R> {
 
     /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
     fn jumps(&self, of_position: R, of_velocity: R) -> bool {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            ..
-        } = *self;
+        let Self { t, tv, ta, td, taj, tdj, .. } = *self;
         let [p0, p1, v0, v1] = [self.p0, self.p1, self.v0, self.v1].map(|y| self.orient(y));
-        let borders = [
-            R::ZERO,
-            taj,
-            ta - taj,
-            ta,
-            ta + tv,
-            t - td + tdj,
-            t - tdj,
-            t,
-        ];
-        let at = |phase, x| {
-            let position = self.position_in(phase, x, p0, p1, v0, v1);
-            (position, self.velocity_in(phase, x, v0, v1))
-        };
+        let borders = [R::ZERO, taj, ta - taj, ta, ta + tv, t - td + tdj, t - tdj, t];
+        let at = |phase, x| (self.position_in(phase, x, p0, p1, v0, v1), self.velocity_in(phase, x, v0, v1));
         let late = R::DOUBT * t;
-        let in_order = borders
-            .iter()
-            .zip(borders.iter().skip(1))
-            .all(|(&x, &y)| x <= y + late);
-        let agree = borders
-            .iter()
-            .zip(Phase::ALL.iter().zip(Phase::ALL.iter().skip(1)));
-        !in_order
-            || agree.into_iter().any(|(&x, (&before, &after))| {
-                let ((p, v), (q, w)) = (at(before, x), at(after, x));
-                let fits = (p - q).abs() <= of_position && (v - w).abs() <= of_velocity;
-                !fits
-            })
+        let in_order = borders.iter().zip(borders.iter().skip(1)).all(|(&x, &y)| x <= y + late);
+        let mut meetings = borders.iter().zip(Phase::ALL.iter().zip(Phase::ALL.iter().skip(1)));
+        let fits = |(&x, (&before, &after)): (&R, (&Phase, &Phase))| {
+            let ((p, v), (q, w)) = (at(before, x), at(after, x));
+            (p - q).abs() <= of_position && (v - w).abs() <= of_velocity
+        };
+        !(in_order && meetings.all(fits))
     }
 
     fn fields(&self) -> [R; 14] {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            p0,
-            p1,
-            v0,
-            v1,
-            vm,
-            jm,
-            am,
-            dm,
-        } = *self;
+        let Self { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm } = *self;
         [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
     }
 }
@@ -174,24 +116,10 @@ impl<R: Real> Trap<R> {
     ///
     /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
     pub fn check(&self, velocity: R, acceleration: R, deceleration: R) -> Result<Findings, Error> {
-        let Self {
-            t,
-            p0,
-            p1,
-            v0,
-            v1,
-            vc,
-            ta,
-            cruise_end,
-            pa,
-            pd,
-            ..
-        } = *self;
+        let Self { t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, .. } = *self;
         let [rise, fall] = rise_and_fall(acceleration, deceleration);
         let vm = velocity.abs();
-        let fields = [
-            t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, self.a0, self.a1,
-        ];
+        let fields = [t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, self.a0, self.a1];
         if !fields.iter().all(|x| x.is_finite()) {
             return Err(Error::NotFinite);
         }
@@ -206,14 +134,8 @@ impl<R: Real> Trap<R> {
         let steepest = self.a0.abs().at_least(self.a1.abs());
         let of_velocity = few * (reached.speed() + steepest * t);
         let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
-        let State {
-            acceleration: lowest,
-            ..
-        } = reached.lowest;
-        let State {
-            acceleration: highest,
-            ..
-        } = reached.highest;
+        let State { acceleration: lowest, .. } = reached.lowest;
+        let State { acceleration: highest, .. } = reached.highest;
         let steep = highest > rise + few * rise || -lowest > fall + few * fall;
         Ok(Findings::EXCEEDS_ACCELERATION.when(steep)
             | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)
@@ -223,22 +145,11 @@ impl<R: Real> Trap<R> {
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
     pub fn extremes(&self) -> Extremes<R> {
-        let Self {
-            t,
-            v0,
-            vc,
-            ta,
-            cruise_end,
-            ..
-        } = *self;
+        let Self { t, v0, vc, ta, cruise_end, .. } = *self;
         let mut reached = Extremes::of(State {
             position: self.p0,
             velocity: v0,
-            acceleration: if ta > R::ZERO {
-                self.a0
-            } else {
-                self.acceleration(R::ZERO)
-            },
+            acceleration: if ta > R::ZERO { self.a0 } else { self.acceleration(R::ZERO) },
         });
         // The ends of the cruise, because the clock may pass a short ramp, and its turn, in no time.
         for position in [self.pa, self.pd, self.p1] {
@@ -251,10 +162,7 @@ impl<R: Real> Trap<R> {
         }
         reached.include_acceleration(self.acceleration(t));
         // Where the velocity passes through 0 the axis turns.
-        for (x, from, to) in [
-            (-v0 / self.a0, R::ZERO, ta),
-            (cruise_end - vc / self.a1, cruise_end, t),
-        ] {
+        for (x, from, to) in [(-v0 / self.a0, R::ZERO, ta), (cruise_end - vc / self.a1, cruise_end, t)] {
             if x > from && x < to {
                 reached.include_position(self.position(x));
             }
@@ -265,9 +173,7 @@ impl<R: Real> Trap<R> {
     /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
     fn jumps(&self, of_position: R, of_velocity: R) -> bool {
         let late = R::DOUBT * self.t;
-        let in_order = self.ta >= R::ZERO
-            && self.ta <= self.cruise_end + late
-            && self.cruise_end <= self.t + late;
+        let in_order = self.ta >= R::ZERO && self.ta <= self.cruise_end + late && self.cruise_end <= self.t + late;
         let at = |phase, x| (self.position_in(phase, x), self.velocity_in(phase, x));
         let fits = |before, after, x| {
             let ((p, v), (q, w)) = (at(before, x), at(after, x));

@@ -8,11 +8,7 @@ use crate::state::{Boundary, Saturation, dips};
 
 /// The magnitudes of two accelerations of opposite signs: of the positive one, and of the negative one.
 pub(super) fn rise_and_fall<R: Real>(one: R, other: R) -> [R; 2] {
-    if one > other {
-        [one, -other]
-    } else {
-        [other, -one]
-    }
+    if one > other { [one, -other] } else { [other, -one] }
 }
 
 impl<R: Real> Trap<R> {
@@ -34,12 +30,7 @@ impl<R: Real> Trap<R> {
     /// # Ok::<(), atraj::Error>(())
     /// ```
     #[inline(always)] // saves a copy of the struct, and the double-S, which wants the duration alone, the rest of the plan
-    pub fn fastest(
-        velocity: R,
-        acceleration: R,
-        deceleration: R,
-        boundary: Boundary<R>,
-    ) -> Result<Self, Error> {
+    pub fn fastest(velocity: R, acceleration: R, deceleration: R, boundary: Boundary<R>) -> Result<Self, Error> {
         let vm = velocity.magnitude();
         let [rise, fall] = rise_and_fall(acceleration, deceleration);
         let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, Saturation::Numbers);
@@ -54,11 +45,7 @@ impl<R: Real> Trap<R> {
 
         // In the axis in which the first ramp goes up.
         let [h, v0_up, v1_up] = [h, v0, v1].map(|x| x.negate_if(down_first));
-        let (first, second) = if down_first {
-            (fall, rise)
-        } else {
-            (rise, fall)
-        };
+        let (first, second) = if down_first { (fall, rise) } else { (rise, fall) };
         let mut up = (vm - v0_up) / first;
         let mut down = (vm - v1_up) / second;
         let by_way_of_vm = R::HALF * (v0_up + vm) * up + R::HALF * (v1_up + vm) * down;
@@ -91,11 +78,7 @@ impl<R: Real> Trap<R> {
             a0,
             a1,
         };
-        if trap.t.is_finite() {
-            Ok(trap)
-        } else {
-            Err(Error::NotFinite)
-        }
+        if trap.t.is_finite() { Ok(trap) } else { Err(Error::NotFinite) }
     }
 }
 

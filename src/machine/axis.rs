@@ -29,11 +29,7 @@ impl<R: Real> Axis<R> {
     /// An axis in this state, which gets a tick every `period`, s. [`Error::Duration`] if the period is not above 0 or not finite;
     /// [`Error::NotFinite`] if the state is not made of numbers.
     pub fn new(period: R, state: State<R>) -> Result<Self, Error> {
-        let mut axis = Self {
-            handover: Handover::new(),
-            period,
-            moves: [Move::default(); 3],
-        };
+        let mut axis = Self { handover: Handover::new(), period, moves: [Move::default(); 3] };
         axis.init(period, state)?;
         Ok(axis)
     }
@@ -65,16 +61,8 @@ impl<R: Real> Axis<R> {
     }
 
     /// Goes to a velocity and an acceleration, by [`Move::reach`], after `lead` ticks. It returns the findings and errors of [`Axis::go`].
-    pub fn reach(
-        &mut self,
-        limits: &Limits<R>,
-        velocity: R,
-        acceleration: R,
-        lead: u32,
-    ) -> Result<Findings, Error> {
-        self.next(lead, |next, from, _| {
-            next.reach(limits, from, velocity, acceleration)
-        })
+    pub fn reach(&mut self, limits: &Limits<R>, velocity: R, acceleration: R, lead: u32) -> Result<Findings, Error> {
+        self.next(lead, |next, from, _| next.reach(limits, from, velocity, acceleration))
     }
 
     /// Stops, by [`Move::stop`], after `lead` ticks. It returns the findings and errors of [`Axis::go`].
@@ -82,27 +70,19 @@ impl<R: Real> Axis<R> {
         self.next(lead, |next, from, _| next.stop(limits, from))
     }
 
-    /// Follows a signal, by [`Move::track`], after `lead` ticks. Call it in every round of the main loop. `signal` is the state of the signal
-    /// in the last tick before the call. It is taken to go on with its acceleration until the plan takes over, and for the time `horizon`, s,
-    /// from then on. It returns the findings and errors of [`Move::track`] and [`Axis::go`]; [`Error::NotFinite`] also if the signal goes on
-    /// beyond the range of the real type.
+    /// Follows a signal, by [`Move::track`], after `lead` ticks. Call it in every round of the main loop. `signal` and `jerk` are those of
+    /// the last tick before the call. The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon`, s, from then
+    /// on. It returns the findings and errors of [`Move::track`] and [`Axis::go`]; [`Error::NotFinite`] also if the signal goes on beyond the range of
+    /// the real type.
     pub fn track(
-        &mut self,
-        limits: &Limits<R>,
-        signal: State<R>,
-        horizon: R,
-        lead: u32,
+        &mut self, limits: &Limits<R>, signal: State<R>, jerk: R, horizon: R, lead: u32,
     ) -> Result<Findings, Error> {
-        self.next(lead, |next, from, ahead| {
-            next.track(limits, from, signal.after(ahead), horizon)
-        })
+        self.next(lead, |next, from, ahead| next.track(limits, from, signal.after(ahead, jerk), jerk, horizon))
     }
 
     /// `plan` gets the state and the time in which the next move takes over, s from the last tick.
     fn next(
-        &mut self,
-        lead: u32,
-        plan: impl FnOnce(&mut Move<R>, State<R>, R) -> Result<Findings, Error>,
+        &mut self, lead: u32, plan: impl FnOnce(&mut Move<R>, State<R>, R) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         let (period, moves) = (self.period, &mut self.moves);
         hand_over(&self.handover, lead, |takeover| {
@@ -120,17 +100,11 @@ impl<R: Real> Axis<R> {
 
 /// Plans a move and lets it take over.
 pub(crate) fn hand_over(
-    handover: &Handover,
-    lead: u32,
-    plan: impl FnOnce(&Takeover) -> Result<Findings, Error>,
+    handover: &Handover, lead: u32, plan: impl FnOnce(&Takeover) -> Result<Findings, Error>,
 ) -> Result<Findings, Error> {
     let takeover = handover.prepare(lead).ok_or(Error::Late)?;
     let findings = plan(&takeover)?;
-    if handover.publish(&takeover) {
-        Ok(findings)
-    } else {
-        Err(Error::Late)
-    }
+    if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
 }
 
 /// The time since the start of the move, s: a product, because a sum of periods would drift.

@@ -58,14 +58,8 @@ impl<R: Real> Clock<R> {
     /// A clock that runs as planned. Its time is the time of the path.
     pub fn new() -> Self {
         let mut time = Move::default();
-        time.stay(State {
-            velocity: R::ONE,
-            ..State::at(R::ZERO)
-        });
-        Self {
-            begin: R::ZERO,
-            time,
-        }
+        time.stay(State { velocity: R::ONE, ..State::at(R::ZERO) });
+        Self { begin: R::ZERO, time }
     }
 
     /// Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, -1 back along the path. The axes have the limits
@@ -78,13 +72,7 @@ impl<R: Real> Clock<R> {
     /// sampled. [`Error::Target`] if no change of the rate within the limits is found; then the clock goes on as it did. [`Error::Axes`] if there is no
     /// axis or no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing
     /// moves, or if no axis that moves has a finite jerk or acceleration.
-    pub fn rate(
-        &mut self,
-        moves: &[Move<R>],
-        limits: &[Limits<R>],
-        x: R,
-        rate: R,
-    ) -> Result<(), Error> {
+    pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<(), Error> {
         let (n, mut left) = (limits.len(), moves.len());
         while n > 0 && left > n {
             left -= n;
@@ -98,12 +86,7 @@ impl<R: Real> Clock<R> {
         for limits in limits {
             limits.are_limits()?;
         }
-        let change = Change {
-            moves,
-            limits,
-            from: self.time.state_at(x - self.begin),
-            rate,
-        };
+        let change = Change { moves, limits, from: self.time.state_at(x - self.begin), rate };
         let (time, limits) = change.first()?;
         (self.begin, self.time) = (x, change.faster(time, limits)?);
         Ok(())
@@ -128,12 +111,8 @@ impl<R: Real> Clock<R> {
         };
         let [position, v, a, j] = of.state(s - start);
         let square = rate * rate;
-        [
-            position,
-            v * rate,
-            a * square + v * slowing,
-            j * square * rate + R::from(3) * a * rate * slowing + v * bending,
-        ]
+        let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
+        [position, v * rate, a * square + v * slowing, jerk]
     }
 }
 
@@ -177,26 +156,17 @@ impl<'a, R: Real> Axis<'a, R> {
 
     /// The duration.
     fn duration(self) -> R {
-        self.sections()
-            .last()
-            .map_or(R::ZERO, |(of, start, _)| start + of.t)
+        self.sections().last().map_or(R::ZERO, |(of, start, _)| start + of.t)
     }
 }
 
 /// The phases of a move that starts at `start`, each with the time at which it starts and the time at which the next one does. If the move goes on, its end
 /// is the last one.
-fn phases<R: Real>(
-    of: &Move<R>,
-    start: R,
-    goes_on: bool,
-) -> impl Iterator<Item = (&Phase<R>, R, R)> {
+fn phases<R: Real>(of: &Move<R>, start: R, goes_on: bool) -> impl Iterator<Item = (&Phase<R>, R, R)> {
     let count = of.phases().len();
     let used = of.phase.iter().take(count + usize::from(goes_on));
     // Phase 0 is the start.
-    let lasting = used
-        .enumerate()
-        .skip(1)
-        .filter(move |(index, phase)| phase.duration > R::ZERO || *index == count);
+    let lasting = used.enumerate().skip(1).filter(move |(index, phase)| phase.duration > R::ZERO || *index == count);
     lasting.map(move |(index, phase)| {
         let next = of.phase.get(index + 1).filter(|_| index < count);
         let next = next.map_or(R::INFINITY, |next| start + next.start);
@@ -259,11 +229,7 @@ impl<R: Real> Change<'_, R> {
 
     /// The fastest change within limits of its own.
     fn within(&self, [up, down, slowing]: [R; 3]) -> Result<Move<R>, Error> {
-        let limits = Limits {
-            jmax: up,
-            jmin: -down,
-            ..Limits::symmetric(R::ONE, slowing, R::INFINITY)
-        };
+        let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
         let mut time = Move::default();
         time.reach(&limits, self.from, self.rate, R::ZERO)?;
         Ok(time)
@@ -297,23 +263,10 @@ impl<R: Real> Trial<'_, R> {
 
     /// The new rate as a phase of the clock.
     fn after(&self) -> Phase<R> {
-        let State {
-            position: s,
-            velocity: rate,
-            ..
-        } = self.time.end();
-        let way = if rate > R::ZERO {
-            self.axis.duration() - s
-        } else {
-            s
-        };
-        let lasts = rate != R::ZERO && way > R::ZERO;
-        Phase {
-            duration: if lasts { way / rate.abs() } else { R::ZERO },
-            position: s,
-            velocity: rate,
-            ..Phase::default()
-        }
+        let State { position: s, velocity: rate, .. } = self.time.end();
+        let way = if rate > R::ZERO { self.axis.duration() - s } else { s };
+        let duration = if rate != R::ZERO && way > R::ZERO { way / rate.abs() } else { R::ZERO };
+        Phase { duration, position: s, velocity: rate, ..Phase::default() }
     }
 
     /// During a phase of the clock: as a whole, or else each half of it, and so on.
@@ -339,9 +292,8 @@ impl<R: Real> Trial<'_, R> {
         let [passed, ..] = part.along(of);
         let [low, high] = passed.range();
         let is_touched = |start: R, end: R| high >= start && low <= end;
-        let touched = |(section, begin, end)| {
-            is_touched(begin, end).then(|| phases(section, begin, end == R::INFINITY))
-        };
+        let touched =
+            |(section, begin, end)| is_touched(begin, end).then(|| phases(section, begin, end == R::INFINITY));
         self.axis.sections().filter_map(touched).all(|mut phases| {
             phases.all(|(phase, start, end)| {
                 let part = part.narrowed(passed.when_between(start, end));
@@ -351,21 +303,13 @@ impl<R: Real> Trial<'_, R> {
     }
 
     /// While the axis is in a phase that starts at the time `start` of the path, and the time of the path and its derivatives are in these parts.
-    fn keeps_beside(
-        &self,
-        phase: &Phase<R>,
-        start: R,
-        [s, rate, slowing, bending]: [Parabola<R>; 4],
-    ) -> bool {
+    fn keeps_beside(&self, phase: &Phase<R>, start: R, [s, rate, slowing, bending]: [Parabola<R>; 4]) -> bool {
         let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
         let square = rate.times(rate);
         let three = Parabola::constant(R::from(3));
         let acceleration = a.times(square).plus(v.times(slowing));
         let turning = three.times(a).times(rate.times(slowing));
-        let jerk = j
-            .times(square.times(rate))
-            .plus(turning)
-            .plus(v.times(bending));
+        let jerk = j.times(square.times(rate)).plus(turning).plus(v.times(bending));
         let limits = self.limits;
         v.times(rate).is_between(limits.vmin, limits.vmax)
             && acceleration.is_between(limits.amin, limits.amax)

@@ -138,10 +138,7 @@ impl Handover {
         let halves = About::new((age / u64::from(HALF)) as u32, now.place());
         self.halves.store(halves.0, Release);
         self.now.store(now.0, Release);
-        Moment {
-            place: now.place(),
-            age,
-        }
+        Moment { place: now.place(), age }
     }
 
     /// The main loop, before it plans: where to plan to, and from where. The new move takes over after `lead` ticks. If a move waits for
@@ -159,10 +156,7 @@ impl Handover {
         let ticks = if waits { lead.min(until) } else { lead };
         let is_free = |&place: &usize| place != now.place() && !(waits && place == last);
         Some(Takeover {
-            from: Moment {
-                place: now.place(),
-                age: self.age(halves, now) + u64::from(ticks),
-            },
+            from: Moment { place: now.place(), age: self.age(halves, now) + u64::from(ticks) },
             place: (0..2).find(is_free).unwrap_or(2),
             ticks,
             time: now.after(ticks),
@@ -171,9 +165,7 @@ impl Handover {
 
     /// The main loop, after it has planned: whether the move takes over.
     pub fn publish(&self, takeover: &Takeover) -> bool {
-        let Takeover {
-            from, place, time, ..
-        } = *takeover;
+        let Takeover { from, place, time, .. } = *takeover;
         at(&self.starts, place).store(time.number(), Relaxed);
         self.due.store(time.due(place), Release);
         fence(SeqCst);
@@ -192,11 +184,7 @@ impl Handover {
     fn age(&self, halves: About, now: About) -> u64 {
         let start = at(&self.starts, now.place()).load(Relaxed);
         let ticks = now.number().wrapping_sub(start) & TICKS;
-        let known = if halves.place() == now.place() {
-            halves.number()
-        } else {
-            0
-        };
+        let known = if halves.place() == now.place() { halves.number() } else { 0 };
         let missing = (known ^ (ticks / HALF)) & 1;
         u64::from(known + missing) * u64::from(HALF) + u64::from(ticks % HALF)
     }

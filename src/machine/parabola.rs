@@ -16,32 +16,19 @@ pub struct Parabola<R> {
 impl<R: Real> Parabola<R> {
     pub fn constant(middle: R) -> Self {
         let zero = R::ZERO;
-        Self {
-            middle,
-            slope: zero,
-            bend: zero,
-            rest: zero,
-        }
+        Self { middle, slope: zero, bend: zero, rest: zero }
     }
 
     /// From one number to another one.
     pub fn between(from: R, to: R) -> Self {
-        Self {
-            slope: R::HALF * (to - from),
-            ..Self::constant(R::HALF * (from + to))
-        }
+        Self { slope: R::HALF * (to - from), ..Self::constant(R::HALF * (from + to)) }
     }
 
     /// Position, velocity, acceleration and jerk of a phase at this time.
     pub fn along(self, phase: &Phase<R>) -> [Self; 4] {
         let z = self.middle;
-        let [p, v, a, j] = [
-            phase.position(z),
-            phase.velocity(z),
-            phase.acceleration(z),
-            phase.jerk,
-        ]
-        .map(Self::constant);
+        let [p, v, a, j] =
+            [phase.position(z), phase.velocity(z), phase.acceleration(z), phase.jerk].map(Self::constant);
         let [half, third] = [R::HALF, R::SIXTH + R::SIXTH].map(Self::constant);
         let d = self.plus(Self::constant(-z));
         let (change, half) = (d.times(j), d.times(half));
@@ -58,11 +45,8 @@ impl<R: Real> Parabola<R> {
         if self.slope < R::ZERO {
             ends.reverse();
         }
-        let [from, to] = if self.slope == R::ZERO {
-            [-R::ONE, R::ONE]
-        } else {
-            ends.map(|e| e.at_least(-R::ONE).at_most(R::ONE))
-        };
+        let [from, to] =
+            if self.slope == R::ZERO { [-R::ONE, R::ONE] } else { ends.map(|e| e.at_least(-R::ONE).at_most(R::ONE)) };
         [R::HALF * (from + to), R::HALF * (to - from)]
     }
 
@@ -95,13 +79,8 @@ impl<R: Real> Parabola<R> {
         let size = |of: Self| of.middle.abs() + of.slope.abs() + of.bend.abs();
         Self {
             middle: self.middle * other.middle - eighth,
-            slope: self.middle * other.slope
-                + self.slope * other.middle
-                + (third - quarter * third),
-            bend: self.middle * other.bend
-                + self.slope * other.slope
-                + self.bend * other.middle
-                + fourth,
+            slope: self.middle * other.slope + self.slope * other.middle + (third - quarter * third),
+            bend: self.middle * other.bend + self.slope * other.slope + self.bend * other.middle + fourth,
             rest: quarter * third.abs()
                 + eighth.abs()
                 + size(self) * other.rest
@@ -111,23 +90,11 @@ impl<R: Real> Parabola<R> {
 
     /// The lowest and the highest value.
     pub fn range(self) -> [R; 2] {
-        let Self {
-            middle,
-            slope,
-            bend,
-            rest,
-        } = self;
+        let Self { middle, slope, bend, rest } = self;
         let [one, other] = [middle + bend - slope, middle + bend + slope];
         // At `e = -slope/(2 bend)`, if this is between -1 and 1.
-        let turn = if slope.abs() < (bend + bend).abs() {
-            middle - slope * slope / (R::from(4) * bend)
-        } else {
-            one
-        };
-        [
-            one.at_most(other).at_most(turn) - rest,
-            one.at_least(other).at_least(turn) + rest,
-        ]
+        let turn = if slope.abs() < (bend + bend).abs() { middle - slope * slope / (R::from(4) * bend) } else { one };
+        [one.at_most(other).at_most(turn) - rest, one.at_least(other).at_least(turn) + rest]
     }
 
     /// Up to 64 roundings of the limits.
@@ -146,19 +113,9 @@ mod tests {
     /// In a part of the time a parabola goes through the same numbers.
     #[test]
     fn a_part_of_a_parabola_is_on_it() {
-        let whole = Parabola {
-            middle: 1.0,
-            slope: -3.0,
-            bend: 5.0,
-            rest: 0.25,
-        };
+        let whole = Parabola { middle: 1.0, slope: -3.0, bend: 5.0, rest: 0.25 };
         let at = |parabola: Parabola<f64>, e| {
-            let Parabola {
-                middle,
-                slope,
-                bend,
-                ..
-            } = parabola;
+            let Parabola { middle, slope, bend, .. } = parabola;
             middle + e * (slope + e * bend)
         };
         let [c, d] = [0.5, 0.25];
@@ -173,30 +130,13 @@ mod tests {
     /// power.
     #[test]
     fn a_phase_is_in_its_parabolas() {
-        let phase = Phase {
-            start: 0.0,
-            duration: 4.0,
-            position: 1.0,
-            velocity: -3.0,
-            acceleration: 2.0,
-            jerk: 6.0,
-        };
+        let phase = Phase { start: 0.0, duration: 4.0, position: 1.0, velocity: -3.0, acceleration: 2.0, jerk: 6.0 };
         let quantities = Parabola::between(1.5, 2.5).along(&phase);
         for e in [-1.0_f64, -0.5, 0.0, 0.5, 1.0] {
             let x = 2.0 + 0.5 * e;
-            let states = [
-                phase.position(x),
-                phase.velocity(x),
-                phase.acceleration(x),
-                phase.jerk,
-            ];
+            let states = [phase.position(x), phase.velocity(x), phase.acceleration(x), phase.jerk];
             for (parabola, number) in quantities.into_iter().zip(states) {
-                let Parabola {
-                    middle,
-                    slope,
-                    bend,
-                    rest,
-                } = parabola;
+                let Parabola { middle, slope, bend, rest } = parabola;
                 let off = (number - (middle + slope * e + bend * e * e)).abs();
                 assert!(off <= rest + 1e-12, "{e}: {off} {rest}");
             }

@@ -72,15 +72,10 @@ pub struct Shaper<R> {
 impl<R: Real> Default for Shaper<R> {
     /// The shaper that changes nothing.
     fn default() -> Self {
-        let mut shaper = Self {
-            duration: R::ZERO,
-            smoothing: R::ZERO,
-            count: 1,
-            weights: [R::ZERO; MOST_IMPULSES],
-            delays: [R::ZERO; MOST_IMPULSES],
-        };
-        shaper.weights[0] = R::ONE;
-        shaper
+        let zeros = [R::ZERO; MOST_IMPULSES];
+        let mut weights = zeros;
+        weights[0] = R::ONE;
+        Self { duration: R::ZERO, smoothing: R::ZERO, count: 1, weights, delays: zeros }
     }
 }
 
@@ -115,9 +110,7 @@ impl<R: Real> Shaper<R> {
             return Err(Error::Limits);
         }
         let places = shaper.weights.iter_mut().zip(&mut shaper.delays);
-        let pairs = other
-            .each()
-            .flat_map(|other| self.impulses().map(move |own| (own, other)));
+        let pairs = other.each().flat_map(|other| self.impulses().map(move |own| (own, other)));
         for ((weight, delay), (own, other)) in places.zip(pairs) {
             *weight = own.0 * other.0;
             *delay = own.1 + other.1;
@@ -134,11 +127,7 @@ impl<R: Real> Shaper<R> {
         if !(time >= R::ZERO && time < R::INFINITY) {
             return Err(Error::Duration);
         }
-        Ok(Self {
-            duration: time,
-            smoothing: time,
-            ..Self::default()
-        })
+        Ok(Self { duration: time, smoothing: time, ..Self::default() })
     }
 
     /// How much longer a shaped move takes, s.
@@ -148,32 +137,17 @@ impl<R: Real> Shaper<R> {
 
     /// The shaped motion at time `x`, s, since the start of the move.
     pub fn state(&self, of: &Move<R>, x: R) -> State<R> {
-        self.mean(
-            x,
-            || of.borders().map(|border| border.time()),
-            |x| beyond(of.state_at(x), x.at_most(R::ZERO)),
-        )
+        self.mean(x, || of.borders().map(|border| border.time()), |x| beyond(of.state_at(x), x.at_most(R::ZERO)))
     }
 
     /// The shaped motion of a double-S at time `x`, s.
     pub fn bell_state(&self, of: &Bell<R>, x: R) -> State<R> {
-        self.mean(
-            x,
-            || of.borders().map(|border| border.time()),
-            |x| {
-                let after = (x - of.t).at_least(R::ZERO);
-                beyond(of.state_at(x), x.at_most(R::ZERO) + after)
-            },
-        )
+        let outside = |x: R| x.at_most(R::ZERO) + (x - of.t).at_least(R::ZERO);
+        self.mean(x, || of.borders().map(|border| border.time()), |x| beyond(of.state_at(x), outside(x)))
     }
 
     /// The mean over the impulses, counted from the last one: where all are equal, it is exact.
-    fn mean<const N: usize>(
-        &self,
-        x: R,
-        borders: impl Fn() -> [R; N],
-        state: impl Fn(R) -> State<R>,
-    ) -> State<R> {
+    fn mean<const N: usize>(&self, x: R, borders: impl Fn() -> [R; N], state: impl Fn(R) -> State<R>) -> State<R> {
         let last = self.window(x - (self.duration - self.smoothing), &borders, &state);
         let mut mean = last;
         for (weight, delay) in self.impulses() {
@@ -186,51 +160,40 @@ impl<R: Real> Shaper<R> {
     }
 
     /// The mean over the smoothing before `x`. Simpson's rule is exact between two borders, where position and velocity are polynomials of the
-    /// third degree at most.
-    fn window<const N: usize>(
-        &self,
-        x: R,
-        borders: &impl Fn() -> [R; N],
-        state: &impl Fn(R) -> State<R>,
-    ) -> State<R> {
+    /// third degree at most. The acceleration is a mean of accelerations: a difference of velocities would lose digits and leave the limit.
+    fn window<const N: usize>(&self, x: R, borders: &impl Fn() -> [R; N], state: &impl Fn(R) -> State<R>) -> State<R> {
         let (end, mut from) = (state(x), x - self.smoothing);
         if from >= x || !from.is_finite() {
             return end;
         }
-        let begin = state(from);
-        let (mut position, mut velocity, mut left) = (R::ZERO, R::ZERO, begin);
-        let borders = borders();
+        let (mut mean, mut left, borders) = (end, state(from), borders());
+        // Rounded from `x - smoothing`, so that the weights of the parts have the sum 1.
+        let whole = x - from;
         // Each round passes a border.
         for _ in 0..=N {
             let ahead = borders.into_iter().filter(|border| *border > from);
             let to = ahead.fold(x, R::at_most);
             let (middle, right) = (state(from + R::HALF * (to - from)), state(to));
-            let part = (to - from) * R::SIXTH / self.smoothing;
-            let four = R::from(4);
+            let part = (to - from) / whole;
+            let sixth = part * R::SIXTH;
             let simpson = |left: R, middle: R, right: R, end: R| {
-                part * ((left - end) + four * (middle - end) + (right - end))
+                sixth * ((left - end) + R::from(4) * (middle - end) + (right - end))
             };
-            position =
-                position + simpson(left.position, middle.position, right.position, end.position);
-            velocity =
-                velocity + simpson(left.velocity, middle.velocity, right.velocity, end.velocity);
+            mean.position = mean.position + simpson(left.position, middle.position, right.position, end.position);
+            mean.velocity = mean.velocity + simpson(left.velocity, middle.velocity, right.velocity, end.velocity);
+            mean.acceleration = mean.acceleration + part * (middle.acceleration - end.acceleration);
             if to >= x {
                 break;
             }
             (from, left) = (to, right);
         }
-        State {
-            position: end.position + position,
-            velocity: end.velocity + velocity,
-            acceleration: (end.velocity - begin.velocity) / self.smoothing,
-        }
+        mean
     }
 
     /// Weights and delays.
     fn impulses(&self) -> impl Iterator<Item = (R, R)> {
         let all = self.weights.iter().zip(&self.delays);
-        all.map(|(&weight, &delay)| (weight, delay))
-            .take(self.count as usize)
+        all.map(|(&weight, &delay)| (weight, delay)).take(self.count as usize)
     }
 }
 
@@ -239,11 +202,7 @@ fn beyond<R: Real>(end: State<R>, time: R) -> State<R> {
     if time == R::ZERO || !time.is_finite() {
         return end;
     }
-    State {
-        position: end.position + time * end.velocity,
-        acceleration: R::ZERO,
-        ..end
-    }
+    State { position: end.position + time * end.velocity, acceleration: R::ZERO, ..end }
 }
 
 /// The impulses of one frequency.

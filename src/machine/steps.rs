@@ -62,15 +62,7 @@ impl<R: Real> Steps<R> {
         if step <= R::ZERO {
             return Err(Error::Limits);
         }
-        let mut steps = Self {
-            offset,
-            step,
-            from: R::ZERO,
-            to: R::ZERO,
-            count: 0,
-            far: 0,
-            phase: 0,
-        };
+        let mut steps = Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 };
         steps.follow(of)?;
         steps.count = steps.line_below(of.position(R::ZERO));
         steps.far = steps.count;
@@ -84,10 +76,7 @@ impl<R: Real> Steps<R> {
         let start = next.position(R::ZERO);
         let most = (R::ONE / R::EPSILON).at_most(R::from_index(MOST_STEPS));
         let is_countable = |p: R| ((p - self.offset) / self.step).abs() <= most;
-        if ![start, lowest.position, highest.position]
-            .into_iter()
-            .all(is_countable)
-        {
+        if ![start, lowest.position, highest.position].into_iter().all(is_countable) {
             return Err(Error::NotFinite);
         }
         (self.phase, self.from, self.to) = (0, R::ZERO, R::ZERO);
@@ -106,27 +95,35 @@ impl<R: Real> Steps<R> {
         while self.count == self.far {
             self.enter_next_part(of)?;
         }
-        let (phase, next) = of.phase_and_next(self.phase as usize)?;
+        let (phase, next) = self.phase_and_next(of)?;
         let direction = if self.far > self.count { 1 } else { -1 };
         let line = self.count.max(self.count + direction);
         self.count += direction;
-        self.from = self.time_at(phase, line, R::from_index(direction));
-        Some(Step {
-            time: (phase.start + self.from).at_most(next.start),
-            direction,
-        })
+        self.from = self.time_at(&phase, line, R::from_index(direction));
+        Some(Step { time: (phase.start + self.from).at_most(next.start), direction })
+    }
+
+    /// The phase and the one after it. Phase 1 begins at the start up to rounding; here it begins at the start, so that an axis on a line does
+    /// not pass the line by this rounding.
+    fn phase_and_next<'a>(&self, of: &'a Move<R>) -> Option<(Phase<R>, &'a Phase<R>)> {
+        let (&phase, next) = of.phase_and_next(self.phase as usize)?;
+        let start = of.start();
+        let is_first = self.phase == 1;
+        let (position, velocity) =
+            if is_first { (start.position, start.velocity) } else { (phase.position, phase.velocity) };
+        Some((Phase { position, velocity, ..phase }, next))
     }
 
     /// Goes on to where the axis turns next in the phase, else to the end of the phase.
     fn enter_next_part(&mut self, of: &Move<R>) -> Option<()> {
-        let (phase, next) = of.phase_and_next(self.phase as usize)?;
+        let (phase, next) = self.phase_and_next(of)?;
         let lasts = self.to < phase.duration; // not if a number is none
         let (phase, next) = if lasts {
             (phase, next)
         } else {
             self.phase += 1;
             self.to = R::ZERO;
-            of.phase_and_next(self.phase as usize)?
+            self.phase_and_next(of)?
         };
         self.from = self.to;
         let is_ahead = |z: &R| *z > self.from && *z < phase.duration;
@@ -140,10 +137,7 @@ impl<R: Real> Steps<R> {
     fn time_at(&self, phase: &Phase<R>, line: i32, direction: R) -> R {
         let line = self.offset + R::from_index(line) * self.step;
         // Positions counted from the line have the roundings of the way alone.
-        let seen = Phase {
-            position: phase.position - line,
-            ..*phase
-        };
+        let seen = Phase { position: phase.position - line, ..*phase };
         let beyond = |z: R| (direction * seen.position(z), direction * seen.velocity(z));
         // The part may end at the line.
         if self.count == self.far && beyond(self.to).0 <= R::ZERO {
@@ -162,11 +156,7 @@ impl<R: Real> Steps<R> {
     fn line_below(&self, position: R) -> i32 {
         let steps = (position - self.offset) / self.step;
         let towards_0 = steps.to_index();
-        if steps < R::from_index(towards_0) {
-            towards_0.saturating_sub(1)
-        } else {
-            towards_0
-        }
+        if steps < R::from_index(towards_0) { towards_0.saturating_sub(1) } else { towards_0 }
     }
 }
 

@@ -46,33 +46,17 @@ impl<R: Real> Move<R> {
         let reached = self.extremes();
         let (lowest, highest) = (reached.lowest, reached.highest);
         let few = R::DOUBT; // 64 roundings
-        let exceeds = |x: R, y: R, low: R, high: R, rounding: R| {
-            x < low - few * rounding || y > high + few * rounding
-        };
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            ..
-        } = *limits;
+        let exceeds = |x: R, y: R, low: R, high: R, rounding: R| x < low - few * rounding || y > high + few * rounding;
+        let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (a0, a1) = (lowest.acceleration, highest.acceleration);
         let (v0, v1) = (lowest.velocity, highest.velocity);
-        Ok(
-            Findings::EXCEEDS_JERK.when(self.exceeds_jerk(limits, &scale))
-                | Findings::EXCEEDS_ACCELERATION.when(exceeds(
-                    a0,
-                    a1,
-                    amin,
-                    amax,
-                    scale.acceleration,
-                ))
-                | Findings::EXCEEDS_VELOCITY.when(exceeds(v0, v1, vmin, vmax, scale.velocity))
-                | Findings::JUMPS.when(self.is_no_sequence() || self.jumps(&scale))
-                | Findings::OVERSHOOTS.when(self.overshoots())
-                | Findings::STARTS_OUTSIDE.when(self.starts_outside(limits))
-                | Findings::ENDS_LEAVING.when(limits.are_left_after(self.end())),
-        )
+        Ok(Findings::EXCEEDS_JERK.when(self.exceeds_jerk(limits, &scale))
+            | Findings::EXCEEDS_ACCELERATION.when(exceeds(a0, a1, amin, amax, scale.acceleration))
+            | Findings::EXCEEDS_VELOCITY.when(exceeds(v0, v1, vmin, vmax, scale.velocity))
+            | Findings::JUMPS.when(self.is_no_sequence() || self.jumps(&scale))
+            | Findings::OVERSHOOTS.when(self.overshoots())
+            | Findings::STARTS_OUTSIDE.when(self.starts_outside(limits))
+            | Findings::ENDS_LEAVING.when(limits.are_left_after(self.end())))
     }
 
     fn scale(&self, limits: &Limits<R>) -> Scale<R> {
@@ -82,38 +66,17 @@ impl<R: Real> Move<R> {
         for phase in self.phases() {
             // An acceleration that changes has an error in proportion to the highest one. An acceleration that holds is exact.
             let holds = phase.jerk == R::ZERO;
-            let a = if holds {
-                phase.acceleration.abs()
-            } else {
-                acceleration
-            };
+            let a = if holds { phase.acceleration.abs() } else { acceleration };
             changes = changes + phase.duration.abs() * a;
             jerk = jerk.at_least(phase.jerk.abs());
         }
         let (a0, a1) = (self.phase[0].acceleration, self.end().acceleration);
         let per_jerk = R::ONE / limits.jmax - R::ONE / limits.jmin;
         let undone = R::HALF * (a0 * a0 + a1 * a1) * per_jerk;
-        let velocity = reached.speed() + changes + undone + self.speed_within(limits);
+        // A mean of two motions has their roundings, and they may use the limits fully.
+        let velocity = reached.speed() + changes + undone + limits.speed_within(self.t);
         let positions = reached.lowest.position.abs() + reached.highest.position.abs();
-        Scale {
-            position: positions + velocity * self.t,
-            velocity,
-            acceleration: acceleration + jerk * self.t,
-        }
-    }
-
-    /// The speed that the limits allow in the time of the move. A mean of two motions has their roundings, and they may use the limits fully.
-    fn speed_within(&self, limits: &Limits<R>) -> R {
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-        } = *limits;
-        let acceleration = (jmax.at_most(-jmin) * self.t).at_most(amax.at_least(-amin));
-        (acceleration * self.t).at_most(vmax.at_least(-vmin))
+        Scale { position: positions + velocity * self.t, velocity, acceleration: acceleration + jerk * self.t }
     }
 
     /// Each two phases that follow each other, from the start to the end.
@@ -125,21 +88,11 @@ impl<R: Real> Move<R> {
     /// Whether a jerk is beyond its limit, or the acceleration makes a step though the jerk has a limit.
     fn exceeds_jerk(&self, limits: &Limits<R>, scale: &Scale<R>) -> bool {
         let few = R::DOUBT;
-        let (most, least) = (
-            limits.jmax + few * limits.jmax,
-            limits.jmin + few * limits.jmin,
-        );
-        let beyond = self
-            .phases()
-            .iter()
-            .any(|phase| phase.jerk > most || phase.jerk < least);
+        let (most, least) = (limits.jmax + few * limits.jmax, limits.jmin + few * limits.jmin);
+        let beyond = self.phases().iter().any(|phase| phase.jerk > most || phase.jerk < least);
         let steps = self.neighbours().any(|(before, after)| {
             let step = after.acceleration - before.acceleration(before.duration);
-            let jerk = if step > R::ZERO {
-                limits.jmax
-            } else {
-                -limits.jmin
-            };
+            let jerk = if step > R::ZERO { limits.jmax } else { -limits.jmin };
             jerk.is_finite() && step.abs() > few * (scale.acceleration + jerk * self.t)
         });
         beyond || steps
@@ -153,9 +106,7 @@ impl<R: Real> Move<R> {
             let gap = after.start - (before.start + before.duration);
             before.duration >= R::ZERO && before.start <= after.start && gap.abs() <= late
         });
-        let ends = end.is_some_and(|end| {
-            end.start == self.t && end.duration == R::ZERO && end.jerk == R::ZERO
-        });
+        let ends = end.is_some_and(|end| end.start == self.t && end.duration == R::ZERO && end.jerk == R::ZERO);
         let starts = start.start == R::ZERO && start.duration == R::ZERO;
         let is_count = self.count as usize <= MOST_PHASES;
         !(follow && starts && ends && is_count)
@@ -174,17 +125,9 @@ impl<R: Real> Move<R> {
 
     /// Whether the start is outside the limits, or bound to leave them.
     fn starts_outside(&self, limits: &Limits<R>) -> bool {
-        let Phase {
-            velocity: v,
-            acceleration: a,
-            ..
-        } = self.phase[0];
+        let Phase { velocity: v, acceleration: a, .. } = self.phase[0];
         let few = R::DOUBT;
-        let jerk = if a > R::ZERO {
-            -limits.jmin
-        } else {
-            limits.jmax
-        };
+        let jerk = if a > R::ZERO { -limits.jmin } else { limits.jmax };
         let change = R::HALF * a * a.abs() / jerk;
         let rounding = few * (v.abs() + change.abs());
         v.at_least(v + change) > limits.vmax + rounding
@@ -195,14 +138,7 @@ impl<R: Real> Move<R> {
 }
 
 fn is_finite<R: Real>(phase: &Phase<R>) -> bool {
-    let Phase {
-        start,
-        duration,
-        position,
-        velocity,
-        acceleration,
-        jerk,
-    } = *phase;
+    let Phase { start, duration, position, velocity, acceleration, jerk } = *phase;
     let numbers = [start, duration, position, velocity, acceleration, jerk];
     numbers.iter().all(|x| x.is_finite())
 }

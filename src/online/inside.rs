@@ -1,8 +1,9 @@
 //! The fastest way to a state from which the limits can be kept.
 
-use super::border::Border;
-use super::profile::Segment;
-use super::ramp::{Change, PerJerk, Ramp};
+use crate::interval::border::Border;
+use crate::interval::profile::Segment;
+use crate::interval::ramp::{Change, PerJerk, Ramp};
+use crate::interval::rounding::of_state;
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
@@ -27,11 +28,7 @@ pub(crate) struct Inside<R> {
 impl<R: Real> Inside<R> {
     /// The way from the state `from`. It has no duration if `from` is inside.
     pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
-        let State {
-            velocity: v,
-            acceleration: a,
-            ..
-        } = from;
+        let State { velocity: v, acceleration: a, .. } = from;
         // The velocity after the acceleration is undone.
         let undone = v + per_jerk.straight(a, R::ZERO);
         let is_inside = a <= limits.amax
@@ -54,17 +51,10 @@ impl<R: Real> Inside<R> {
 
     /// The way from a velocity and an acceleration that may be outside.
     fn way(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), undone: R) -> Self {
-        let Limits {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            ..
-        } = *limits;
+        let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
         // A start beyond a velocity by rounding stays there. A way inside would be a detour for a target beside it.
-        let few = R::from(16) * R::EPSILON;
-        let rounding = few * (v.abs() + (undone - v).abs());
+        let rounding = of_state(v.abs() + (undone - v).abs());
         let (highest, lowest) = (vmax + rounding, vmin - rounding);
         // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
         let (to, way, rises, hold) = if undone > highest {
@@ -81,30 +71,16 @@ impl<R: Real> Inside<R> {
         let change = Change::of(a, to, ramp).hold(to, hold);
         let starts_outside = undone.at_least(v) > highest
             || undone.at_most(v) < lowest
-            || above > few * amax
-            || -below < few * amin;
-        Self {
-            acceleration: to,
-            rises,
-            ramp,
-            hold,
-            change,
-            starts_outside,
-        }
+            || above > of_state(amax)
+            || below > of_state(-amin);
+        Self { acceleration: to, rises, ramp, hold, change, starts_outside }
     }
 
     /// The motions from the end of the way on.
-    pub fn border(
-        &self,
-        limits: &Limits<R>,
-        per_jerk: PerJerk<R>,
-        from: State<R>,
-        to: State<R>,
-    ) -> Border<R> {
+    pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>, to: State<R>) -> Border<R> {
         let change = self.change.velocity;
         let [before, behind] = [self.acceleration, to.acceleration];
-        let undone =
-            per_jerk.straight(before, R::ZERO).abs() + per_jerk.straight(R::ZERO, behind).abs();
+        let undone = Border::undone(per_jerk, before, behind);
         Border {
             v0: from.velocity + change,
             a0: self.acceleration,
@@ -123,9 +99,6 @@ impl<R: Real> Inside<R> {
     pub fn segments(&self, limits: &Limits<R>, from: R) -> [Segment<R>; 2] {
         let to = self.acceleration;
         let jerk = if self.rises { limits.jmax } else { limits.jmin };
-        [
-            Segment::new(from, jerk, self.ramp),
-            Segment::new(to, R::ZERO, self.hold),
-        ]
+        [Segment::new(from, jerk, self.ramp), Segment::new(to, R::ZERO, self.hold)]
     }
 }

@@ -15,16 +15,13 @@
 //! # Ok::<(), atraj::Error>(())
 //! ```
 
-pub(crate) mod border;
 mod check;
 mod inside;
 mod motion;
 mod phase;
-mod piece;
 pub(crate) mod problem;
-pub(crate) mod profile;
-pub(crate) mod ramp;
-pub(crate) mod search;
+mod track;
+mod turn;
 mod write;
 
 pub use crate::findings::Error;
@@ -55,24 +52,20 @@ impl<R: Real> Move<R> {
     /// assert_eq!((axis.position(axis.t), axis.velocity(axis.t)), (3.0, 0.0));
     /// # Ok::<(), atraj::Error>(())
     /// ```
-    pub fn plan(
-        &mut self,
-        limits: &Limits<R>,
-        from: State<R>,
-        to: State<R>,
-    ) -> Result<Findings, Error> {
+    pub fn plan(&mut self, limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<Findings, Error> {
         limits.check(from, to)?;
         let problem = Problem::new(limits, from, to);
         problem.write(self, &problem.fastest())?;
         Ok(problem.findings(self))
     }
 
-    /// Plans the fastest motion to a state, as [`Move::plan`] does, if it stays between two positions until its end, up to 128 roundings. An
+    /// Plans the fastest motion to a state, as [`Move::plan`] does, that stays between two positions until its end, up to 128 roundings. An
     /// infinite position is no limit. It returns the findings and errors of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
     /// number, [`Error::Limits`] if `lowest` is not below `highest`.
     ///
-    /// [`Error::Position`] if the fastest motion leaves the positions. Then the fastest stop from the start leaves them too, or the fastest
-    /// motion from rest to the target does: an axis that can stop between the positions, and whose target is at rest between them, is never refused.
+    /// Where the fastest stop from the start would leave a position, the axis brakes harder, and turns at this position. [`Error::Position`] if the
+    /// hardest brake leaves the positions too, or if the target cannot be reached from within them, or if they are so near each other that the axis
+    /// would turn at both before it can stop.
     ///
     /// ```
     /// use atraj::online::{Error, Limits, Move, State};
@@ -84,12 +77,7 @@ impl<R: Real> Move<R> {
     /// # Ok::<(), atraj::Error>(())
     /// ```
     pub fn within(
-        &mut self,
-        limits: &Limits<R>,
-        from: State<R>,
-        to: State<R>,
-        lowest: R,
-        highest: R,
+        &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, lowest: R, highest: R,
     ) -> Result<Findings, Error> {
         if lowest.partial_cmp(&highest).is_none() {
             return Err(Error::NotFinite);
@@ -100,7 +88,10 @@ impl<R: Real> Move<R> {
             return Err(Error::Limits);
         }
         if planned.leaves(lowest, highest) {
-            return Err(Error::Position);
+            planned.plan_with_turns(limits, from, to, [lowest, highest])?;
+            let found = Problem::new(limits, from, to).findings(&planned);
+            *self = planned;
+            return Ok(found);
         }
         *self = planned;
         Ok(found)
@@ -108,17 +99,9 @@ impl<R: Real> Move<R> {
 
     /// Plans the fastest motion to a velocity and an acceleration. The position is free. It returns the findings and errors of [`Move::plan`].
     pub fn reach(
-        &mut self,
-        limits: &Limits<R>,
-        from: State<R>,
-        velocity: R,
-        acceleration: R,
+        &mut self, limits: &Limits<R>, from: State<R>, velocity: R, acceleration: R,
     ) -> Result<Findings, Error> {
-        let to = State {
-            velocity,
-            acceleration,
-            ..from
-        };
+        let to = State { velocity, acceleration, ..from };
         limits.check(from, to)?;
         let mut problem = Problem::new(limits, from, to);
         let direct = problem.reach();
@@ -136,27 +119,14 @@ impl<R: Real> Move<R> {
     /// target accelerates, or if its velocity is on a limit.
     ///
     /// Seen from the target, the limits of the velocity are shifted and the target is at rest.
-    pub fn meet(
-        &mut self,
-        limits: &Limits<R>,
-        from: State<R>,
-        target: State<R>,
-    ) -> Result<Findings, Error> {
+    pub fn meet(&mut self, limits: &Limits<R>, from: State<R>, target: State<R>) -> Result<Findings, Error> {
         limits.check(from, target)?;
         let v = target.velocity;
-        let seen = Limits {
-            vmax: limits.vmax - v,
-            vmin: limits.vmin - v,
-            ..*limits
-        };
+        let seen = Limits { vmax: limits.vmax - v, vmin: limits.vmin - v, ..*limits };
         if seen.are_limits().is_err() || target.acceleration != R::ZERO {
             return Err(Error::Target);
         }
-        let seen_from = State {
-            position: from.position - target.position,
-            velocity: from.velocity - v,
-            ..from
-        };
+        let seen_from = State { position: from.position - target.position, velocity: from.velocity - v, ..from };
         let problem = Problem::new(&seen, seen_from, State::at(R::ZERO));
         let profile = problem.fastest();
         let way = v.abs() * problem.duration(&profile);

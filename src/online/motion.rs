@@ -38,11 +38,7 @@ pub struct Move<R> {
 
 impl<R: Real> Default for Move<R> {
     fn default() -> Self {
-        Self {
-            t: R::ZERO,
-            count: 0,
-            phase: [Phase::default(); 16],
-        }
+        Self { t: R::ZERO, count: 0, phase: [Phase::default(); 16] }
     }
 }
 
@@ -79,11 +75,7 @@ impl<R: Real> Move<R> {
     /// Position, velocity and acceleration at time `x`, s: the start of another plan.
     pub fn state_at(&self, x: R) -> State<R> {
         let [position, velocity, acceleration, _] = self.state(x);
-        State {
-            position,
-            velocity,
-            acceleration,
-        }
+        State { position, velocity, acceleration }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -135,11 +127,7 @@ impl<R: Real> Move<R> {
             for to in [one, other, phase.duration] {
                 // A phase of no duration begins a rounding beside the next one, and the axis passes this gap at once.
                 if from <= to && to <= phase.duration {
-                    let far = if to < phase.duration {
-                        phase.position(to)
-                    } else {
-                        next.position
-                    };
+                    let far = if to < phase.duration { phase.position(to) } else { next.position };
                     if let Some(z) = phase.time_between(from, to, far, position) {
                         return Some((phase.start + z).at_most(next.start));
                     }
@@ -165,16 +153,10 @@ impl<R: Real> Move<R> {
         let (first, later) = self.moving();
         let mut phase = first;
         let turns_before = |next| {
-            let Phase {
-                acceleration,
-                jerk,
-                duration,
-                ..
-            } = *phase;
+            let Phase { acceleration, jerk, duration, .. } = *phase;
             phase = next;
             // The velocity may be lowest in the phase, if the acceleration passes 0 by more than rounding, or at its end.
-            let dips = goes_back(acceleration)
-                && direction * (beyond * acceleration + jerk * duration) > R::ZERO;
+            let dips = goes_back(acceleration) && direction * (beyond * acceleration + jerk * duration) > R::ZERO;
             dips || goes_back(next.velocity)
         };
         let turns = goes_back(self.phase[0].velocity) || later.iter().any(turns_before);
@@ -202,8 +184,7 @@ impl<R: Real> Move<R> {
             phase = next;
             let turns = |z: R| before.lasts_beyond(z) && is_outside(before.position(z));
             // An axis may also turn between two phases.
-            is_outside(next.position)
-                || before.may_turn(next) && before.turns().into_iter().any(turns)
+            is_outside(next.position) || before.may_turn(next) && before.turns().into_iter().any(turns)
         })
     }
 
@@ -258,8 +239,14 @@ impl<R: Real> Move<R> {
         (self.count as usize).min(MOST_PHASES)
     }
 
+    /// When the first phase after the time `x` begins, s. The end is the last one.
+    pub(crate) fn border_after(&self, x: R) -> Option<R> {
+        let mut later = self.phase.iter().skip(1).take(self.phase_count()).map(|phase| phase.start);
+        later.find(|start| *start > x)
+    }
+
     /// The phase at the time `x`. Phase 0 is the start. Behind the last phase is one without duration, the end.
-    fn phase_at(&self, x: R) -> &Phase<R> {
+    pub(crate) fn phase_at(&self, x: R) -> &Phase<R> {
         let [start, later @ ..] = &self.phase;
         let mut found = start;
         if x <= R::ZERO && self.t > R::ZERO {
@@ -289,12 +276,7 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
     }
 
     fn each(&self, x: R) -> [R; 4] {
-        [
-            self.position(x),
-            self.velocity(x),
-            self.acceleration(x),
-            self.jerk(x),
-        ]
+        [self.position(x), self.velocity(x), self.acceleration(x), self.jerk(x)]
     }
 
     #[inline(always)]
@@ -302,12 +284,7 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
         let phase = self.phase_at(x);
         let z = phase.time(x);
         let jerk = phase.jerk;
-        [
-            phase.position(z),
-            phase.velocity(z),
-            phase.acceleration(z),
-            jerk,
-        ]
+        [phase.position(z), phase.velocity(z), phase.acceleration(z), jerk]
     }
 
     fn fill(&self, run: Run<'_, R, 4>) {
@@ -315,12 +292,7 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
         let jerk = self.jerk(run.x);
         run.fill(|x| {
             let z = phase.time(x);
-            [
-                phase.position(z),
-                phase.velocity(z),
-                phase.acceleration(z),
-                jerk,
-            ]
+            [phase.position(z), phase.velocity(z), phase.acceleration(z), jerk]
         })
     }
 }

@@ -39,33 +39,18 @@ impl<R: Real> Phase<R> {
 
     /// The state at its start.
     pub(crate) fn state(&self) -> State<R> {
-        State {
-            position: self.position,
-            velocity: self.velocity,
-            acceleration: self.acceleration,
-        }
+        State { position: self.position, velocity: self.velocity, acceleration: self.acceleration }
     }
 
     #[inline(always)]
     pub(crate) fn position(&self, z: R) -> R {
-        let Self {
-            position,
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *self;
+        let Self { position, velocity, acceleration, jerk, .. } = *self;
         position + z * (velocity + z * (R::HALF * acceleration + z * jerk * R::SIXTH))
     }
 
     #[inline(always)]
     pub(crate) fn velocity(&self, z: R) -> R {
-        let Self {
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *self;
+        let Self { velocity, acceleration, jerk, .. } = *self;
         velocity + z * (acceleration + R::HALF * z * jerk)
     }
 
@@ -87,12 +72,7 @@ impl<R: Real> Phase<R> {
         let fits = (size * duration * t).is_finite()
             && step <= R::from(16) * R::EPSILON * (size + self.jerk.abs() * t)
             && shorter / duration * (step + step_behind) <= R::from(8) * R::EPSILON * size;
-        fits.then_some(Self {
-            start: before.start,
-            duration,
-            acceleration,
-            ..*self
-        })
+        fits.then_some(Self { start: before.start, duration, acceleration, ..*self })
     }
 
     /// When the axis gets to `position` between two times, if it does. It does not turn between them, and it is at `far` in the end.
@@ -105,13 +85,8 @@ impl<R: Real> Phase<R> {
 
     /// Whether the velocity may pass 0 in the phase before `next`: between its ends, or on the way to an extreme and back.
     pub(super) fn may_turn(&self, next: &Self) -> bool {
-        let Self {
-            velocity: v,
-            acceleration: a,
-            ..
-        } = *self;
-        v * next.velocity <= R::ZERO
-            || v * a <= R::ZERO && a * self.acceleration(self.duration) < R::ZERO
+        let Self { velocity: v, acceleration: a, .. } = *self;
+        v * next.velocity <= R::ZERO || v * a <= R::ZERO && a * self.acceleration(self.duration) < R::ZERO
     }
 
     /// Whether `z` is a time inside the phase.
@@ -121,19 +96,10 @@ impl<R: Real> Phase<R> {
 
     /// Where the axis turns, in order: the times in the phase at which its velocity passes 0. Other values mean nothing.
     pub(crate) fn turns(&self) -> [R; 2] {
-        let Self {
-            velocity,
-            acceleration,
-            jerk,
-            ..
-        } = *self;
+        let Self { velocity, acceleration, jerk, .. } = *self;
         let d = acceleration * acceleration - (velocity + velocity) * jerk;
         let sum = -(acceleration + d.sqrt().copysign(acceleration));
         let (one, other) = ((velocity + velocity) / sum, sum / jerk);
-        if one < other {
-            [one, other]
-        } else {
-            [other, one]
-        }
+        if one < other { [one, other] } else { [other, one] }
     }
 }

@@ -2,14 +2,15 @@
 //!
 //! A problem has two clocks. The clock of the move begins at the start. The clock of the border begins where the way inside ends.
 
-use super::border::Border;
 use super::inside::Inside;
 use super::motion::Move;
-use super::profile::{Profile, Segment};
-use super::ramp::PerJerk;
-use super::search;
 use super::write::Writer;
 use crate::findings::{Error, Findings};
+use crate::interval::border::Border;
+use crate::interval::crossing::{self, Displacement};
+use crate::interval::profile::{Profile, Segment};
+use crate::interval::ramp::PerJerk;
+use crate::interval::rounding::{of_check, of_state};
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
@@ -26,28 +27,12 @@ pub(crate) struct Problem<R> {
     pub border: Border<R>,
 }
 
-/// By how much a duration may slip, because the states at both ends have roundings.
-pub(crate) struct Slip<R> {
-    /// s
-    pub most: R,
-    /// So little that the acceleration changes by its roundings only: eight times the roundings that a check allows, s.
-    pub little: R,
-    /// How much of a slip the start takes at most, s. The end takes the rest.
-    pub at_start: R,
-}
-
 impl<R: Real> Problem<R> {
     pub fn new(limits: &Limits<R>, from: State<R>, to: State<R>) -> Self {
         let per_jerk = PerJerk::of(limits);
         let inside = Inside::from(limits, per_jerk, from);
         let border = inside.border(limits, per_jerk, from, to);
-        Self {
-            from,
-            to,
-            positions: from.position.abs() + to.position.abs(),
-            inside,
-            border,
-        }
+        Self { from, to, positions: from.position.abs() + to.position.abs(), inside, border }
     }
 
     /// The problem of an axis whose positions are counted from its end. The sum of the magnitudes of its true positions tells their rounding.
@@ -59,7 +44,7 @@ impl<R: Real> Problem<R> {
     pub fn reach(&mut self) -> Profile<R> {
         let border = &self.border;
         let direct = border.direct(border.beyond_straight());
-        let displacement = self.displacement_inside() + border.passed(&direct).1;
+        let displacement = self.displacement_inside() + border.passed(&direct).displacement;
         self.to.position = self.from.position + displacement;
         border.profile(&direct)
     }
@@ -70,43 +55,55 @@ impl<R: Real> Problem<R> {
         self.from.velocity * change.duration + change.displacement
     }
 
-    /// Displacement behind the way inside the limits, and the sum of the magnitudes of both positions, which tells their rounding.
-    pub fn displacement(&self) -> (R, R) {
+    /// The displacement behind the way inside the limits.
+    pub fn displacement(&self) -> Displacement<R> {
         let way = self.to.position - self.from.position;
-        (way - self.displacement_inside(), self.positions)
+        Displacement { h: way - self.displacement_inside(), positions: self.positions }
     }
 
-    /// By how much a duration may slip.
-    pub fn slip(&self, duration: R) -> Slip<R> {
-        let border = &self.border;
+    /// Whether the start may be shifted in time along the first phase of the fastest motion, so that the rest lasts `t`: position, velocity
+    /// and acceleration at the start change by rounding errors only.
+    pub fn may_shift(&self, fastest: &Move<R>, t: R) -> bool {
+        let Self { from, to, ref border, .. } = *self;
+        let (first, shift) = (&fastest.phase[1], fastest.t - t);
+        if shift > first.duration || fastest.phase_count() < 2 {
+            return false;
+        }
+        let size = shift.abs();
+        // What the axis travels while its acceleration eases does not vanish at the end of a motion.
         let q = border.per_jerk.q();
-        let steepest = border.per_jerk.gu.at_most(border.per_jerk.gd);
         let speed = border.v0.abs().at_least(border.v1.abs()) + border.undone;
         let highest = border.limits.amax.at_least(-border.limits.amin);
         let easing = (speed * q).sqrt().at_most(highest * q);
-        let position = search::tie(border, duration + easing, self.displacement().1);
-        // The roundings of 16 plans.
-        let velocity = R::from(16) * border.rounding_of_velocity();
-        // A standstill is exact.
-        let of_end = |end: State<R>| {
-            let roundings = end.velocity.abs() / position + end.acceleration.abs() / velocity;
-            if roundings > R::ZERO {
-                R::ONE / roundings
-            } else {
-                R::ZERO
-            }
+        // Both ends have rounding errors.
+        let tie = border.rounding_of_displacement(t + easing, self.positions);
+        let acceleration = from.acceleration.abs().at_least(first.acceleration.abs());
+        let jerk = first.jerk.abs();
+        // An acceleration is known up to its own rounding error, and up to what changes the velocity by its rounding error until the end.
+        let velocity = border.rounding_of_velocity();
+        let own = of_state(from.acceleration.abs() + to.acceleration.abs());
+        from.velocity.abs() * size <= tie + tie
+            && acceleration * size <= velocity
+            && jerk * size <= own + (velocity / t).at_most(of_check(jerk * t))
+    }
+
+    /// Whether the interval of the duration `t` holds the displacement, up to rounding.
+    pub fn takes(&self, t: R) -> bool {
+        let behind = self.behind_inside(t);
+        let lasts = t > R::ZERO && behind + of_state(t) >= self.border.shortest();
+        lasts && crossing::next_duration(&self.border, behind, self.displacement()) <= behind
+    }
+
+    /// The problem behind the way inside the limits, with another velocity at its start.
+    pub fn starting_faster(&self, change: R) -> Self {
+        let border = Border {
+            v0: self.border.v0 + change,
+            dv: self.border.dv - change,
+            above: self.border.above - change,
+            below: self.border.below + change,
+            ..self.border
         };
-        // Outside its limits the axis may start with more than the border does.
-        let (start, end) = (of_end(self.from), of_end(self.to));
-        // The jerk changes the velocity by its roundings only, and the phases stay.
-        let most = (start + end)
-            .at_most((velocity * steepest).sqrt())
-            .at_most(duration / R::from(64));
-        Slip {
-            most,
-            little: most.at_most(R::from(8) * R::DOUBT * (duration + easing)),
-            at_start: start,
-        }
+        Self { border, ..*self }
     }
 
     /// A duration of the move on the clock of the border, s.
@@ -121,8 +118,7 @@ impl<R: Real> Problem<R> {
 
     /// The fastest motion.
     pub fn fastest(&self) -> Profile<R> {
-        let (h, positions) = self.displacement();
-        search::fastest(&self.border, h, positions)
+        crossing::fastest(&self.border, self.displacement())
     }
 
     /// Duration of a motion with the way inside the limits, up to rounding, s.
@@ -132,8 +128,7 @@ impl<R: Real> Problem<R> {
     }
 
     fn way_inside(&self) -> [Segment<R>; 2] {
-        self.inside
-            .segments(&self.border.limits, self.from.acceleration)
+        self.inside.segments(&self.border.limits, self.from.acceleration)
     }
 
     /// Whether a motion, and `beside` added to any of its numbers, is within the range of the real type.
@@ -142,22 +137,15 @@ impl<R: Real> Problem<R> {
         let t = self.duration(profile);
         // A rise below 0 by rounding moves the accelerations of the fall: see `Border::segments`.
         let moved = profile.first.at_most(profile.last).at_most(R::ZERO);
-        let accelerations = from.acceleration.abs()
-            + self.border.a0.abs()
-            + profile.peak.abs()
-            + profile.trough.abs()
-            - moved;
+        let accelerations =
+            from.acceleration.abs() + self.border.a0.abs() + profile.peak.abs() + profile.trough.abs() - moved;
         // A segment adds three accelerations.
         let a = R::from(3) * accelerations;
         let v = from.velocity.abs() + to.velocity.abs() + a * t;
         // Twice what the highest acceleration would reach in the whole time.
         let bound = from.position.abs() + to.position.abs() + v * t;
         let is_small = (bound + bound + beside).is_finite();
-        if is_small || (t + self.sum(profile) + beside).is_finite() {
-            Ok(())
-        } else {
-            Err(Error::NotFinite)
-        }
+        if is_small || (t + self.sum(profile) + beside).is_finite() { Ok(()) } else { Err(Error::NotFinite) }
     }
 
     /// The sum of the magnitudes of all positions and velocities that [`Problem::write`] writes. No infinity gets lost in it.
@@ -165,11 +153,7 @@ impl<R: Real> Problem<R> {
     fn sum(&self, profile: &Profile<R>) -> R {
         let way = self.way_inside();
         let motion = self.border.segments(profile);
-        let State {
-            mut position,
-            mut velocity,
-            ..
-        } = self.to;
+        let State { mut position, mut velocity, .. } = self.to;
         let mut sum = position.abs() + velocity.abs();
         let segments = way.iter().chain(&motion).rev();
         for segment in segments.filter(|segment| segment.duration > R::ZERO) {
@@ -214,8 +198,7 @@ impl<R: Real> Problem<R> {
     /// What is outside the limits before or behind the move.
     pub fn outside(&self) -> Findings {
         let is_leaving = self.border.limits.are_left_after(self.to);
-        Findings::STARTS_OUTSIDE.when(self.inside.starts_outside)
-            | Findings::ENDS_LEAVING.when(is_leaving)
+        Findings::STARTS_OUTSIDE.when(self.inside.starts_outside) | Findings::ENDS_LEAVING.when(is_leaving)
     }
 
     /// What there is to know of a written move.

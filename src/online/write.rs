@@ -2,7 +2,7 @@
 
 use super::motion::{MOST_PHASES, Move};
 use super::phase::Phase;
-use super::profile::Segment;
+use crate::interval::profile::Segment;
 use crate::real::Real;
 use crate::state::State;
 
@@ -21,32 +21,14 @@ pub(crate) struct Writer<'a, R> {
 
 impl<'a, R: Real> Writer<'a, R> {
     pub fn new(ctx: &'a mut Move<R>, from: State<R>) -> Self {
-        let State {
-            position,
-            velocity,
-            acceleration,
-        } = from;
-        ctx.phase[0] = Phase {
-            position,
-            velocity,
-            acceleration,
-            ..Phase::default()
-        };
-        Self {
-            ctx,
-            t: R::ZERO,
-            shortest: R::INFINITY,
-            count: 1,
-        }
+        let State { position, velocity, acceleration } = from;
+        ctx.phase[0] = Phase { position, velocity, acceleration, ..Phase::default() };
+        Self { ctx, t: R::ZERO, shortest: R::INFINITY, count: 1 }
     }
 
     /// Adds a phase, if it has a duration.
     pub fn write(&mut self, segment: &Segment<R>) {
-        let Segment {
-            from,
-            jerk,
-            duration,
-        } = *segment;
+        let Segment { from, jerk, duration } = *segment;
         if !(duration > R::ZERO && self.count < MOST_PHASES) {
             return;
         }
@@ -63,29 +45,14 @@ impl<'a, R: Real> Writer<'a, R> {
 
     /// Ends the move in this state.
     pub fn end(self, to: State<R>) {
-        let Self {
-            ctx,
-            t,
-            shortest,
-            mut count,
-        } = self;
+        let Self { ctx, t, shortest, mut count } = self;
         let sliver = R::from(4) * R::EPSILON * t;
         if shortest < sliver {
             count = ctx.join_slivers(count, t, sliver);
         }
-        let State {
-            position,
-            velocity,
-            acceleration,
-        } = to;
+        let State { position, velocity, acceleration } = to;
         if let Some(end) = ctx.phase.get_mut(count) {
-            *end = Phase {
-                start: t,
-                position,
-                velocity,
-                acceleration,
-                ..Phase::default()
-            };
+            *end = Phase { start: t, position, velocity, acceleration, ..Phase::default() };
         }
         ctx.find_states(count);
         ctx.t = t;
@@ -107,6 +74,45 @@ impl<R: Real> Move<R> {
             phase.velocity = phase.velocity + target.velocity;
         }
         (self.phase[0].position, self.phase[0].velocity) = (from.position, from.velocity);
+    }
+
+    /// Adds the motion of a `signal` of constant jerk, and begins at `from`, where the axis is. The sums have the rounding of both motions, so each
+    /// phase begins where the one before it leads. A step of the acceleration stays, where a jerk is infinite.
+    pub(crate) fn add(&mut self, signal: &Phase<R>, from: State<R>) {
+        let State { position, velocity, acceleration } = from;
+        let [first, later @ ..] = &mut self.phase;
+        *first = Phase { position, velocity, acceleration, ..Phase::default() };
+        let mut before = *first;
+        for phase in later.iter_mut().take(self.count as usize) {
+            let [own, other] = [phase.acceleration, signal.acceleration(phase.start)];
+            let (sum, led) = (own + other, before.acceleration(before.duration));
+            let is_step = (sum - led).abs() > R::DOUBT * (own.abs() + other.abs());
+            phase.position = before.position(before.duration);
+            phase.velocity = before.velocity(before.duration);
+            phase.acceleration = if is_step { sum } else { led };
+            if phase.duration > R::ZERO {
+                phase.jerk = phase.jerk + signal.jerk;
+            }
+            before = *phase;
+        }
+    }
+
+    /// Lets a move that ends at rest end at `t`: it ends on its way, or waits.
+    pub(crate) fn cut(&mut self, t: R) {
+        if t >= self.t {
+            return self.wait_until(t);
+        }
+        let count = self.phase_count();
+        let begun = |phase: &&Phase<R>| phase.start < t;
+        let last = self.phase.iter().skip(1).take(count.saturating_sub(1)).filter(begun).count();
+        if let Some([phase, end]) = self.phase.get_mut(last..last + 2) {
+            let z = t - phase.start;
+            phase.duration = z;
+            let [position, velocity, acceleration] = [phase.position(z), phase.velocity(z), phase.acceleration(z)];
+            *end = Phase { start: t, position, velocity, acceleration, ..Phase::default() };
+        }
+        self.count = 1 + last as u32;
+        self.t = t;
     }
 
     /// Lets the move end at `t`. The two durations differ by rounding only. A short last phase may begin there.
@@ -144,30 +150,20 @@ impl<R: Real> Move<R> {
         self.t = self.t + next.t;
     }
 
-    /// Lets the move take the duration `t`, which differs by roundings of the states at both ends. The move begins later or earlier on its way,
-    /// by `at_start` at most, s, and ends later or earlier by the rest. The way stays, so a loop that plans anew in the next tick is on the way
-    /// of its fastest move, and slips do not add up.
-    pub(crate) fn slip(&mut self, t: R, at_start: R) {
-        let slip = self.t - t;
+    /// Shifts the start in time along the move, which then lasts `t`.
+    pub(crate) fn shift_in_time(&mut self, t: R) {
+        let mut late = self.t - t;
         let count = self.phase_count();
-        let mut late = slip.at_most(at_start).at_least(-at_start);
-        let mut early = slip - late;
         for phase in self.phase.get_mut(2..count).unwrap_or_default() {
             phase.start = (phase.start - late).at_least(R::ZERO);
         }
-        let phases = self.phase.get_mut(1..count).unwrap_or_default();
-        for phase in phases.iter_mut() {
+        for phase in self.phase.get_mut(1..count).unwrap_or_default() {
             let passed = late.at_most(phase.duration);
             phase.position = phase.position(passed);
             phase.velocity = phase.velocity(passed);
             phase.acceleration = phase.acceleration(passed);
             phase.duration = phase.duration - passed;
             late = late - passed;
-        }
-        for phase in phases.iter_mut().rev() {
-            let left_out = early.at_most(phase.duration);
-            phase.duration = phase.duration - left_out;
-            early = early - left_out;
         }
         self.end_at(t);
     }
@@ -203,11 +199,7 @@ impl<R: Real> Move<R> {
         let (mut position, mut velocity) = (end.position, end.velocity);
         let phases = self.phase.get_mut(1..count).unwrap_or_default();
         for phase in phases.iter_mut().rev() {
-            let segment = Segment {
-                from: phase.acceleration,
-                jerk: phase.jerk,
-                duration: phase.duration,
-            };
+            let segment = Segment { from: phase.acceleration, jerk: phase.jerk, duration: phase.duration };
             (position, velocity) = segment.start(position, velocity);
             (phase.position, phase.velocity) = (position, velocity);
         }

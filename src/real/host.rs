@@ -7,11 +7,7 @@ use super::primitives::Primitives;
 /// LLVM emits a bare instruction only if the argument cannot be negative. Any other root comes with a call for negative
 /// arguments, and values have to be saved around the call.
 pub fn sqrt<R: Primitives>(x: R) -> R {
-    if x < R::ZERO {
-        R::NAN
-    } else {
-        x.abs().plain_sqrt().copysign(x)
-    }
+    if x < R::ZERO { R::NAN } else { x.abs().plain_sqrt().copysign(x) }
 }
 
 /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.

@@ -42,8 +42,7 @@ pub trait Operations: Primitives {
             // Halley's step leaves two thirds of the cube of the error: 0.003 %. The factor is above 1 by 0.006 %.
             let root = self.rough_cube_root();
             let cube = root * root * root;
-            let factor = Self::ONE
-                + Self::HALF * Self::HALF * Self::SIXTEENTH * Self::SIXTEENTH * Self::SIXTEENTH;
+            let factor = Self::ONE + Self::HALF * Self::HALF * Self::SIXTEENTH * Self::SIXTEENTH * Self::SIXTEENTH;
             factor * root * ((cube + self + self) / (cube + cube + self))
         } else {
             self
@@ -151,89 +150,66 @@ impl<R: Primitives> Operations for R {}
 
 #[cfg(test)]
 mod tests {
-    use super::Operations;
+    macro_rules! tests_of {
+        ($R:ident, $Bits:ident) => {
+            mod $R {
+                use crate::real::Operations;
 
-    macro_rules! roots_are_the_standard_librarys {
-        ($test:ident, $R:ident, $Bits:ident) => {
-            #[test]
-            fn $test() {
-                let special = [0.0, 1.0, $R::MIN_POSITIVE / 4.0, $R::INFINITY, $R::NAN];
-                let special = special.into_iter().flat_map(|x| [x, -x]);
-                // A step that shares no factor with the range visits every kind of exponent and significand.
-                let spread = (0..200_000)
-                    .map(|k| $R::from_bits((k as $Bits).wrapping_mul($Bits::MAX / 61 * 17)));
-                for x in special.chain(spread) {
-                    let (root, expected) = (Operations::sqrt(x), x.sqrt());
-                    let same =
-                        root.to_bits() == expected.to_bits() || root.is_nan() && expected.is_nan();
-                    assert!(same, "sqrt({x:e}) = {root:e}, not {expected:e}");
+                #[test]
+                fn roots_are_the_standard_librarys() {
+                    let special = [0.0, 1.0, $R::MIN_POSITIVE / 4.0, $R::INFINITY, $R::NAN];
+                    let special = special.into_iter().flat_map(|x| [x, -x]);
+                    // A step that shares no factor with the range visits every kind of exponent and significand.
+                    let spread = (0..200_000).map(|k| $R::from_bits((k as $Bits).wrapping_mul($Bits::MAX / 61 * 17)));
+                    for x in special.chain(spread) {
+                        let (root, expected) = (Operations::sqrt(x), x.sqrt());
+                        let same = root.to_bits() == expected.to_bits() || root.is_nan() && expected.is_nan();
+                        assert!(same, "sqrt({x:e}) = {root:e}, not {expected:e}");
+                    }
                 }
-            }
-        };
-    }
-    roots_are_the_standard_librarys!(roots_of_f32, f32, u32);
-    roots_are_the_standard_librarys!(roots_of_f64, f64, u64);
 
-    macro_rules! logarithms_are_near {
-        ($test:ident, $R:ident) => {
-            #[test]
-            fn $test() {
-                for octave in -60..60 {
-                    for k in 0..1000 {
-                        let x = (1.0 + k as $R / 1000.0) * (2.0 as $R).powi(octave);
-                        let error = f64::from(Operations::ln(x)) - f64::from(x).ln();
-                        let roundings = 8.0 * f64::from($R::EPSILON) * f64::from(x).ln().abs();
-                        assert!(error.abs() < 1e-8 + roundings, "ln({x:e}): {error:e}");
+                #[test]
+                fn logarithms_are_near() {
+                    for octave in -60..60 {
+                        for k in 0..1000 {
+                            let x = (1.0 + k as $R / 1000.0) * (2.0 as $R).powi(octave);
+                            let error = f64::from(Operations::ln(x)) - f64::from(x).ln();
+                            let roundings = 8.0 * f64::from($R::EPSILON) * f64::from(x).ln().abs();
+                            assert!(error.abs() < 1e-8 + roundings, "ln({x:e}): {error:e}");
+                        }
+                    }
+                }
+
+                #[test]
+                fn powers_are_near() {
+                    for k in 0..100_000 {
+                        let x = k as $R / 5000.0;
+                        let exact = (-f64::from(x)).exp();
+                        let error = (f64::from(Operations::exp_of_negative(x)) - exact).abs();
+                        let roundings = (12.0 + f64::from(x)) * f64::from($R::EPSILON);
+                        assert!(error <= roundings * exact, "exp(-{x:e}): {error:e}");
+                    }
+                    assert_eq!(Operations::exp_of_negative($R::MAX), 0.0);
+                }
+
+                #[test]
+                fn cube_roots_are_just_above() {
+                    let excess = |x: $R| Operations::cube_root_above(x) / x.cbrt() - 1.0;
+                    // Three octaves, in each of which the rough root errs differently.
+                    let octaves = (0..100_000).map(|k| 1.0 + 7.0 * k as $R / 100_000.0);
+                    for x in octaves.clone().chain([$R::MIN_POSITIVE, $R::MAX / 12.0]) {
+                        assert!((0.0..1e-4).contains(&excess(x)), "{x:e}: {}", excess(x));
+                    }
+                    for x in octaves {
+                        for (octaves, factor) in [(8.0, 2.0), (0.125, 0.5)] {
+                            let above = Operations::cube_root_above(x) * factor;
+                            assert!(Operations::cube_root_above(x * octaves) == above, "{x}");
+                        }
                     }
                 }
             }
         };
     }
-    logarithms_are_near!(logarithms_of_f32, f32);
-    logarithms_are_near!(logarithms_of_f64, f64);
-
-    macro_rules! powers_are_near {
-        ($test:ident, $R:ident) => {
-            #[test]
-            fn $test() {
-                for k in 0..100_000 {
-                    let x = k as $R / 5000.0;
-                    let exact = (-f64::from(x)).exp();
-                    let error = (f64::from(Operations::exp_of_negative(x)) - exact).abs();
-                    let roundings = (12.0 + f64::from(x)) * f64::from($R::EPSILON);
-                    assert!(error <= roundings * exact, "exp(-{x:e}): {error:e}");
-                }
-                assert_eq!(Operations::exp_of_negative($R::MAX), 0.0);
-            }
-        };
-    }
-    powers_are_near!(powers_of_f32, f32);
-    powers_are_near!(powers_of_f64, f64);
-
-    macro_rules! cube_roots_are_just_above {
-        ($test:ident, $R:ident) => {
-            #[test]
-            fn $test() {
-                // Three octaves, in each of which the rough root errs differently.
-                for k in 0..100_000 {
-                    let x = 1.0 + 7.0 * k as $R / 100_000.0;
-                    let above = Operations::cube_root_above(x);
-                    let excess = above / x.cbrt() - 1.0;
-                    assert!((0.0..1e-4).contains(&excess), "{x}: {excess}");
-                    for (octaves, factor) in [(8.0, 2.0), (0.125, 0.5)] {
-                        assert!(
-                            Operations::cube_root_above(x * octaves) == above * factor,
-                            "{x}"
-                        );
-                    }
-                }
-                for x in [$R::MIN_POSITIVE, $R::MAX / 12.0] {
-                    let excess = Operations::cube_root_above(x) / x.cbrt() - 1.0;
-                    assert!((0.0..1e-4).contains(&excess), "{x:e}: {excess}");
-                }
-            }
-        };
-    }
-    cube_roots_are_just_above!(cube_roots_of_f32, f32);
-    cube_roots_are_just_above!(cube_roots_of_f64, f64);
+    tests_of!(f32, u32);
+    tests_of!(f64, u64);
 }

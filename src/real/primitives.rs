@@ -79,32 +79,47 @@ fn third<const EXPONENT: u32>(bits: u32) -> u32 {
     (exponent << EXPONENT) + (((rest >> (EXPONENT - 14)) * 0x5555) >> (30 - EXPONENT))
 }
 
+/// What `f32` and `f64` have in the same way: constants, and operations of the processor.
+macro_rules! same_way {
+    ($R:ident, $sqrt:ident, $HAS_UNIT:ident) => {
+        const ZERO: Self = 0.0;
+        const SIXTEENTH: Self = 0.0625;
+        const SIXTH: Self = 1.0 / 6.0;
+        const HALF: Self = 0.5;
+        const ONE: Self = 1.0;
+        const EPSILON: Self = $R::EPSILON;
+        const DOUBT: Self = 64.0 * $R::EPSILON;
+        const HUGE: Self = 1.0 / ($R::EPSILON * $R::EPSILON * $R::EPSILON * $R::EPSILON);
+        const INFINITY: Self = $R::INFINITY;
+        const NAN: Self = $R::NAN;
+        const LN_2: Self = core::$R::consts::LN_2;
+        const PI: Self = core::$R::consts::PI;
+        const HAS_UNIT: bool = processor::$HAS_UNIT;
+
+        fn abs(self) -> Self {
+            $R::abs(self)
+        }
+
+        fn copysign(self, sign: Self) -> Self {
+            $R::copysign(self, sign)
+        }
+
+        fn plain_sqrt(self) -> Self {
+            $sqrt(self)
+        }
+
+        fn from_index(k: i32) -> Self {
+            k as Self
+        }
+
+        fn to_index(self) -> i32 {
+            self as i32
+        }
+    };
+}
+
 impl Primitives for f32 {
-    const ZERO: Self = 0.0;
-    const SIXTEENTH: Self = 0.0625;
-    const SIXTH: Self = 1.0 / 6.0;
-    const HALF: Self = 0.5;
-    const ONE: Self = 1.0;
-    const EPSILON: Self = f32::EPSILON;
-    const DOUBT: Self = 64.0 * f32::EPSILON;
-    const HUGE: Self = 1.0 / (f32::EPSILON * f32::EPSILON * f32::EPSILON * f32::EPSILON);
-    const INFINITY: Self = f32::INFINITY;
-    const NAN: Self = f32::NAN;
-    const LN_2: Self = core::f32::consts::LN_2;
-    const PI: Self = core::f32::consts::PI;
-    const HAS_UNIT: bool = processor::HAS_BINARY32_UNIT;
-
-    fn abs(self) -> Self {
-        f32::abs(self)
-    }
-
-    fn copysign(self, sign: Self) -> Self {
-        f32::copysign(self, sign)
-    }
-
-    fn plain_sqrt(self) -> Self {
-        sqrtf(self)
-    }
+    same_way!(f32, sqrtf, HAS_BINARY32_UNIT);
 
     fn rough_cube_root(self) -> Self {
         f32::from_bits(third::<23>(self.to_bits()) + 0x2a51_4067)
@@ -115,42 +130,10 @@ impl Primitives for f32 {
         let significand = Self::from_bits(bits & 0x007f_ffff | 0x3f80_0000);
         (significand, (bits >> 23) as i32 - 127)
     }
-
-    fn from_index(k: i32) -> Self {
-        k as Self
-    }
-
-    fn to_index(self) -> i32 {
-        self as i32
-    }
 }
 
 impl Primitives for f64 {
-    const ZERO: Self = 0.0;
-    const SIXTEENTH: Self = 0.0625;
-    const SIXTH: Self = 1.0 / 6.0;
-    const HALF: Self = 0.5;
-    const ONE: Self = 1.0;
-    const EPSILON: Self = f64::EPSILON;
-    const DOUBT: Self = 64.0 * f64::EPSILON;
-    const HUGE: Self = 1.0 / (f64::EPSILON * f64::EPSILON * f64::EPSILON * f64::EPSILON);
-    const INFINITY: Self = f64::INFINITY;
-    const NAN: Self = f64::NAN;
-    const LN_2: Self = core::f64::consts::LN_2;
-    const PI: Self = core::f64::consts::PI;
-    const HAS_UNIT: bool = processor::HAS_BINARY64_UNIT;
-
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-
-    fn copysign(self, sign: Self) -> Self {
-        f64::copysign(self, sign)
-    }
-
-    fn plain_sqrt(self) -> Self {
-        sqrt(self)
-    }
+    same_way!(f64, sqrt, HAS_BINARY64_UNIT);
 
     fn rough_cube_root(self) -> Self {
         let upper_half = third::<20>((self.to_bits() >> 32) as u32) + 0x2a9f_7893;
@@ -161,13 +144,5 @@ impl Primitives for f64 {
         let bits = self.to_bits();
         let significand = Self::from_bits(bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000);
         (significand, (bits >> 52) as i32 - 1023)
-    }
-
-    fn from_index(k: i32) -> Self {
-        k as Self
-    }
-
-    fn to_index(self) -> i32 {
-        self as i32
     }
 }

@@ -53,32 +53,22 @@ impl From<u8> for Soft64 {
     }
 }
 
-impl Add for Soft64 {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self(__aeabi_dadd(other.0, self.0))
-    }
+macro_rules! calls {
+    ($($Operator:ident $method:ident: $a:ident $b:ident => $call:expr;)+) => {
+        $(impl $Operator for Soft64 {
+            type Output = Self;
+            fn $method(self, Self($b): Self) -> Self {
+                let Self($a) = self;
+                Self($call)
+            }
+        })+
+    };
 }
-
-impl Sub for Soft64 {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self(__aeabi_drsub(other.0, self.0))
-    }
-}
-
-impl Mul for Soft64 {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self(__aeabi_dmul(other.0, self.0))
-    }
-}
-
-impl Div for Soft64 {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        Self(__aeabi_ddiv(self.0, other.0))
-    }
+calls! {
+    Add add: a b => __aeabi_dadd(b, a);
+    Sub sub: a b => __aeabi_drsub(b, a);
+    Mul mul: a b => __aeabi_dmul(b, a);
+    Div div: a b => __aeabi_ddiv(a, b);
 }
 
 impl Neg for Soft64 {

@@ -42,10 +42,7 @@ impl Place {
 /// # Safety
 /// `ctx` is NULL or points to a struct that stores the polynomial and, if structs have levels, its derivatives up to this one.
 #[cfg(not(feature = "poly-compact"))]
-pub unsafe fn evaluate<const N: usize, const ORDER: usize>(
-    ctx: *const Number,
-    x: a_float,
-) -> a_float {
+pub unsafe fn evaluate<const N: usize, const ORDER: usize>(ctx: *const Number, x: a_float) -> a_float {
     // SAFETY: both functions have the same contract.
     unsafe { evaluate_at(ctx, const { Place::new(N, ORDER) }, x) }
 }
@@ -68,10 +65,7 @@ unsafe fn evaluate_at(ctx: *const Number, place: Place, x: a_float) -> a_float {
 /// # Safety
 /// `ctx` is NULL or points to a struct that stores the polynomial.
 #[cfg(feature = "poly-compact")]
-pub unsafe fn evaluate<const N: usize, const ORDER: usize>(
-    ctx: *const Number,
-    x: a_float,
-) -> a_float {
+pub unsafe fn evaluate<const N: usize, const ORDER: usize>(ctx: *const Number, x: a_float) -> a_float {
     // SAFETY: by the contract of this function.
     match unsafe { ctx.cast::<Poly<Number, N>>().as_ref() } {
         Some(poly) => poly.derivative_at(ORDER, x.into()).into(),
@@ -102,10 +96,7 @@ unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
     // SAFETY: not NULL, so both arrays are there by the contract of this function, and they do not overlap.
     let (c, derivative) = unsafe {
         let c = ctx.add(place.first());
-        (
-            slice::from_raw_parts(c, count),
-            slice::from_raw_parts_mut(c.add(count), count - 1),
-        )
+        (slice::from_raw_parts(c, count), slice::from_raw_parts_mut(c.add(count), count - 1))
     };
     target::differentiate(c, derivative);
 }
@@ -116,9 +107,7 @@ unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
 /// `ctx` is NULL or points to a struct that stores the polynomial, and `output` is NULL or has room for `M` reals.
 #[cfg(feature = "poly-compact")]
 pub unsafe fn copy_out<const N: usize, const M: usize>(
-    ctx: *const Poly<Number, N>,
-    output: *mut a_float,
-    derive: impl Fn(&Poly<Number, N>) -> Poly<Number, M>,
+    ctx: *const Poly<Number, N>, output: *mut a_float, derive: impl Fn(&Poly<Number, N>) -> Poly<Number, M>,
 ) {
     // SAFETY: by the contract of this function.
     let derivative = unsafe { ctx.as_ref() }.map(derive);
@@ -127,3 +116,79 @@ pub unsafe fn copy_out<const N: usize, const M: usize>(
         unsafe { output.cast::<[Number; M]>().write(c) };
     }
 }
+
+/// What C does not see of a polynomial: the layout of its struct, its state at a time, and the plan of the coefficients that the struct
+/// stores. A quantity is named with its number of coefficients; `$end` are the derivatives at both ends that liba's plan takes after the
+/// velocities, and `$in_registers` says whether a plan still has its coefficients in registers and so derives the others at once.
+macro_rules! polynomial {
+    ($Struct:ident, $Poly:ident; $quantities:literal quantities: $p:ident: $N:literal,
+     $($q:ident: $n:literal from $before:ident if $level:ident),+; ends: $($($end:ident)+),*; in registers: $in_registers:expr) => {
+        #[cfg(feature = "poly-compact")]
+        $crate::capi::assert_same_layout!($Struct, $Poly<Number>, c);
+        #[cfg(not(feature = "poly-compact"))]
+        const _: () = assert!(core::mem::offset_of!($Struct, $p) == 0);
+        // SAFETY: the struct begins with the polynomial of position.
+        #[cfg(not(feature = "poly-compact"))]
+        unsafe impl $crate::capi::Face for $Struct {
+            type Core = $Poly<Number>;
+        }
+
+        impl $Struct {
+            /// The state at a time, from a copy of the coefficients that no output of a call can overlap. Derivatives that the struct
+            /// does not store are computed from the position coefficients.
+            pub(in crate::capi) fn state(&self) -> impl Fn(Number) -> [Number; $quantities] + use<> {
+                #[cfg(feature = "poly-compact")]
+                let $p = Poly { c: self.c };
+                #[cfg(not(feature = "poly-compact"))]
+                let $p = Poly { c: self.$p };
+                $(
+                    #[cfg(all(not(feature = "poly-compact"), $level))]
+                    let $q = Poly { c: self.$q };
+                    #[cfg(any(feature = "poly-compact", not($level)))]
+                    let $q: Poly<_, $n> = $before.derivative();
+                )+
+                move |x| [$p.position(x), $($q.position(x)),+]
+            }
+        }
+
+        /// The coefficients of position and, for `all`, the stored ones that derive from them.
+        ///
+        /// # Safety
+        /// `ctx` is NULL or valid by the contract of this module.
+        unsafe fn plan(
+            ctx: *mut $Struct, all: bool, ts: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float, $($($end: a_float),+),*
+        ) {
+            // SAFETY: by the contract of this function.
+            let Some(position) = (unsafe { $crate::capi::of_mut(ctx) }) else { return };
+            position.plan(ts.into(), $crate::capi::boundary(p0, p1, v0, v1), $([$($end.into()),+]),*);
+            if all {
+                $(
+                    #[cfg(all(not(feature = "poly-compact"), $level))]
+                    // SAFETY: not NULL, so valid by the contract of this function; `position` is not used any more.
+                    unsafe { $crate::liba::poly::target::differentiate(&(*ctx).$before, &mut (*ctx).$q) };
+                )+
+            }
+        }
+
+        /// All coefficients that the struct stores.
+        ///
+        /// # Safety
+        /// `ctx` is NULL or valid by the contract of this module.
+        unsafe fn plan_all(
+            ctx: *mut $Struct, ts: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float, $($($end: a_float),+),*
+        ) {
+            let in_registers = $in_registers;
+            // SAFETY: the contract of this function is the contract of each of these.
+            unsafe {
+                plan(ctx, in_registers, ts, p0, p1, v0, v1, $($($end),+),*);
+                if !in_registers {
+                    $(
+                        #[cfg(all(not(feature = "poly-compact"), $level))]
+                        poly::differentiate::<{ $N }, { $N - $n - 1 }>(ctx.cast());
+                    )+
+                }
+            }
+        }
+    };
+}
+pub(super) use polynomial;

@@ -1,12 +1,8 @@
 //! `a/trajpoly3.h`: the cubic polynomial.
 
-use super::poly;
-#[cfg(feature = "poly-compact")]
-use crate::capi::assert_same_layout;
-use crate::capi::{Number, a_float, boundary};
-#[cfg(not(feature = "poly-compact"))]
-use crate::liba::poly::target;
-use crate::liba::{Poly, Poly3};
+use super::poly::{self, polynomial};
+use crate::capi::{Number, a_float};
+use crate::liba::{Poly, Poly3, poly::target};
 
 /// @brief Cubic polynomial trajectory.
 ///
@@ -28,120 +24,36 @@ pub struct a_trajpoly3 {
     pub a: [Number; 2],
 }
 
-// A pointer to the struct is a pointer to the polynomial of position.
-#[cfg(feature = "poly-compact")]
-assert_same_layout!(a_trajpoly3, Poly3<Number>, c);
-#[cfg(not(feature = "poly-compact"))]
-const _: () = assert!(core::mem::offset_of!(a_trajpoly3, p) == 0);
-
-impl a_trajpoly3 {
-    /// The state at a time, from a copy of the coefficients that no output of a call can overlap. Derivatives that the struct does
-    /// not store are computed from the position coefficients.
-    pub(in crate::capi) fn state(&self) -> impl Fn(Number) -> [Number; 3] + use<> {
-        #[cfg(feature = "poly-compact")]
-        let p = Poly { c: self.c };
-        #[cfg(not(feature = "poly-compact"))]
-        let p = Poly { c: self.p };
-        #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
-        let v = Poly { c: self.v };
-        #[cfg(any(feature = "poly-compact", not(trajpoly3_v)))]
-        let v: Poly<_, 3> = p.derivative();
-        #[cfg(all(not(feature = "poly-compact"), trajpoly3_a))]
-        let a = Poly { c: self.a };
-        #[cfg(any(feature = "poly-compact", not(trajpoly3_a)))]
-        let a: Poly<_, 2> = v.derivative();
-        move |x| [p.position(x), v.position(x), a.position(x)]
-    }
+polynomial! {
+    a_trajpoly3, Poly3; 3 quantities: p: 4, v: 3 from p if trajpoly3_v, a: 2 from v if trajpoly3_a;
+    ends: ; in registers: target::derives_in_registers::<Number>()
 }
 
 /// @brief Plan a cubic polynomial trajectory: all coefficients that the struct holds.
 ///
-/// A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
-/// @param ctx points to an instance of cubic polynomial trajectory, which need not be initialised
+/// A duration of 0, an infinity or a NaN gives coefficients that are not finite.
 /// @param ts duration, s, other than 0
-/// @param p0 initial position, unit
-/// @param p1 final position, unit
-/// @param v0 initial velocity, unit/s
-/// @param v1 final velocity, unit/s
+/// @param p0 initial position, unit; `p1` final position
+/// @param v0 initial velocity, unit/s; `v1` final velocity
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen(
-    ctx: *mut a_trajpoly3,
-    ts: a_float,
-    p0: a_float,
-    p1: a_float,
-    v0: a_float,
-    v1: a_float,
+    ctx: *mut a_trajpoly3, ts: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float,
 ) {
-    // SAFETY: the contract of this function is the contract of each of these.
-    unsafe {
-        #[cfg(not(feature = "poly-compact"))]
-        if !target::derives_in_registers::<Number>() {
-            a_trajpoly3_gen0(ctx, ts, p0, p1, v0, v1);
-            #[cfg(trajpoly3_v)]
-            a_trajpoly3_gen1(ctx);
-            #[cfg(trajpoly3_a)]
-            a_trajpoly3_gen2(ctx);
-            return;
-        }
-        plan(ctx, true, ts, p0, p1, v0, v1);
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    unsafe { plan_all(ctx, ts, p0, p1, v0, v1) };
 }
 
-/// @brief Coefficients of position of a cubic polynomial trajectory.
-///
-/// A duration of 0, an infinity or a NaN gives coefficients that are not finite. Nothing happens if `ctx` is NULL.
-/// @param ctx points to an instance of cubic polynomial trajectory, which need not be initialised
-/// @param ts duration, s, other than 0
-/// @param p0 initial position, unit
-/// @param p1 final position, unit
-/// @param v0 initial velocity, unit/s
-/// @param v1 final velocity, unit/s
+/// @brief Coefficients of position alone, from the arguments of `a_trajpoly3_gen`.
 #[cfg(not(feature = "poly-compact"))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen0(
-    ctx: *mut a_trajpoly3,
-    ts: a_float,
-    p0: a_float,
-    p1: a_float,
-    v0: a_float,
-    v1: a_float,
+    ctx: *mut a_trajpoly3, ts: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float,
 ) {
-    // SAFETY: both functions have the same contract.
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
     unsafe { plan(ctx, false, ts, p0, p1, v0, v1) };
 }
 
-/// The coefficients of position and, for `all`, the stored ones that derive from them.
-///
-/// # Safety
-/// `ctx` is NULL or valid by the contract of this module.
-unsafe fn plan(
-    ctx: *mut a_trajpoly3,
-    all: bool,
-    ts: a_float,
-    p0: a_float,
-    p1: a_float,
-    v0: a_float,
-    v1: a_float,
-) {
-    // SAFETY: by the contract of this function, and the coefficients of position come first.
-    let Some(position) = (unsafe { ctx.cast::<Poly3<Number>>().as_mut() }) else {
-        return;
-    };
-    position.plan(ts.into(), boundary(p0, p1, v0, v1));
-    if all {
-        #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
-        // SAFETY: not NULL, so valid by the contract of this function; `position` is not used any more.
-        unsafe {
-            let poly = &mut *ctx;
-            target::differentiate(&poly.p, &mut poly.v);
-            #[cfg(trajpoly3_a)]
-            target::differentiate(&poly.v, &mut poly.a);
-        }
-    }
-}
-
-/// @brief Coefficients of velocity, from the coefficients of position: `v[i] = p[i+1]*(i+1)`.
-/// @param ctx points to an instance of cubic polynomial trajectory; nothing happens if it is NULL
+/// @brief Coefficients of velocity, from those of position: `v[i] = p[i+1]*(i+1)`.
 #[cfg(all(not(feature = "poly-compact"), trajpoly3_v))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
@@ -149,8 +61,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
     unsafe { poly::differentiate::<4, 0>(ctx.cast()) };
 }
 
-/// @brief Coefficients of acceleration, from the coefficients of velocity: `a[i] = v[i+1]*(i+1)`.
-/// @param ctx points to an instance of cubic polynomial trajectory; nothing happens if it is NULL
+/// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
 #[cfg(all(not(feature = "poly-compact"), trajpoly3_a))]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
@@ -158,9 +69,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
     unsafe { poly::differentiate::<4, 1>(ctx.cast()) };
 }
 
-/// @brief Copy the coefficients of position out.
-/// @param ctx points to a planned instance of cubic polynomial trajectory
-/// @param c0 array of 4, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+/// @brief Copy the 4 coefficients of position out; `c0` may lie inside `ctx`.
 #[cfg(feature = "poly-compact")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_float) {
@@ -168,9 +77,7 @@ pub unsafe extern "C" fn a_trajpoly3_c0(ctx: *const a_trajpoly3, c0: *mut a_floa
     unsafe { poly::copy_out(ctx.cast(), c0, |c: &Poly3<Number>| *c) };
 }
 
-/// @brief Copy the coefficients of velocity out.
-/// @param ctx points to a planned instance of cubic polynomial trajectory
-/// @param c1 array of 3, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+/// @brief Copy the 3 coefficients of velocity out; `c1` may lie inside `ctx`.
 #[cfg(feature = "poly-compact")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_c1(ctx: *const a_trajpoly3, c1: *mut a_float) {
@@ -178,34 +85,22 @@ pub unsafe extern "C" fn a_trajpoly3_c1(ctx: *const a_trajpoly3, c1: *mut a_floa
     unsafe { poly::copy_out(ctx.cast(), c1, |c: &Poly3<Number>| c.derivative::<3>()) };
 }
 
-/// @brief Copy the coefficients of acceleration out.
-/// @param ctx points to a planned instance of cubic polynomial trajectory
-/// @param c2 array of 2, which may lie inside `ctx`; nothing happens if it or `ctx` is NULL
+/// @brief Copy the 2 coefficients of acceleration out; `c2` may lie inside `ctx`.
 #[cfg(feature = "poly-compact")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_c2(ctx: *const a_trajpoly3, c2: *mut a_float) {
     // SAFETY: `ctx` is NULL or valid, and `c2` is NULL or has room for 2, by the contract of this module.
-    unsafe {
-        poly::copy_out(ctx.cast(), c2, |c: &Poly3<Number>| {
-            c.derivative::<3>().derivative::<2>()
-        })
-    };
+    unsafe { poly::copy_out(ctx.cast(), c2, |c: &Poly3<Number>| c.derivative::<3>().derivative::<2>()) };
 }
 
-/// @brief Position of a cubic polynomial trajectory, by Horner's rule.
-/// @param ctx points to a planned instance of cubic polynomial trajectory
-/// @param x time since the start, s; the polynomial goes on outside the move
-/// @return position, unit; NaN if `ctx` is NULL
+/// @brief Position, unit, by Horner's rule.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_pos(ctx: *const a_trajpoly3, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     unsafe { poly::evaluate::<4, 0>(ctx.cast(), x) }
 }
 
-/// @brief Velocity of a cubic polynomial trajectory, by Horner's rule.
-/// @param ctx points to a planned instance of cubic polynomial trajectory
-/// @param x time since the start, s; the polynomial goes on outside the move
-/// @return velocity, unit/s; NaN if `ctx` is NULL
+/// @brief Velocity, unit/s, by Horner's rule.
 #[cfg(trajpoly3_v)]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) -> a_float {
@@ -213,10 +108,7 @@ pub unsafe extern "C" fn a_trajpoly3_vel(ctx: *const a_trajpoly3, x: a_float) ->
     unsafe { poly::evaluate::<4, 1>(ctx.cast(), x) }
 }
 
-/// @brief Acceleration of a cubic polynomial trajectory, by Horner's rule.
-/// @param ctx points to a planned instance of cubic polynomial trajectory
-/// @param x time since the start, s; the polynomial goes on outside the move
-/// @return acceleration, unit/s^2; NaN if `ctx` is NULL
+/// @brief Acceleration, unit/s^2, by Horner's rule.
 #[cfg(trajpoly3_a)]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_acc(ctx: *const a_trajpoly3, x: a_float) -> a_float {

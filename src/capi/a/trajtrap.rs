@@ -1,6 +1,6 @@
 //! `a/trajtrap.h`: the trapezoidal profile.
 
-use crate::capi::{Number, SATURATION, a_float, assert_same_layout, boundary, nan};
+use crate::capi::{Number, SATURATION, a_float, assert_same_layout, boundary, of, of_mut, value};
 use crate::liba::Trap;
 
 /// @brief Trapezoidal velocity trajectory.
@@ -34,92 +34,45 @@ pub struct a_trajtrap {
     /// acceleration after constant velocity
     pub de: a_float,
 }
-assert_same_layout!(
-    a_trajtrap,
-    Trap<Number>,
-    t = t,
-    p0 = p0,
-    p1 = p1,
-    v0 = v0,
-    v1 = v1,
-    vc = vc,
-    ta = ta,
-    td = cruise_end,
-    pa = pa,
-    pd = pd,
-    ac = a0,
-    de = a1
-);
+assert_same_layout!(a_trajtrap, Trap<Number>, t p0 p1 v0 v1 vc ta td = cruise_end pa pd ac = a0 de = a1);
 
 /// @brief Plan a trapezoidal velocity trajectory.
 ///
-/// Both slopes meet at the squared velocity `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`. If `c > vm^2`, the move cruises
-/// at `vm`. Otherwise it peaks at `sqrt(c)`. If the distance is too short to reach `v1`, the move only speeds up or only slows down,
-/// and the struct's `v1` is the velocity at its end.
-/// @param ctx points to an instance of trapezoidal velocity trajectory; the instance may be uninitialised
+/// Both slopes meet at the squared velocity `c = (v1^2*ac - v0^2*de - 2*(p1-p0)*ac*de)/(ac-de)`. If `c > vm^2`, the
+/// move cruises at `vm`. Otherwise it peaks at `sqrt(c)`. If the distance is too short to reach `v1`, the move only
+/// speeds up or only slows down, and the struct's `v1` is the velocity at its end.
 /// @param vm maximum velocity, unit/s; its sign is ignored
-/// @param ac acceleration before constant velocity, unit/s^2, with its sign
-/// @param de acceleration after constant velocity, unit/s^2, with its sign; it must differ from `ac`
-/// @param p0 initial position, unit
-/// @param p1 final position, unit
-/// @param v0 initial velocity, unit/s, limited to -vm .. vm
-/// @param v1 final velocity, unit/s, limited to -vm .. vm
+/// @param ac acceleration before constant velocity, unit/s^2, `de` after it; both with their signs; they must differ
+/// @param p0 initial position, unit; `p1` final position
+/// @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
 /// @return total duration, s; 0 if no such trajectory exists or `ctx` is NULL. A NaN argument gives NaN or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_gen(
-    ctx: *mut a_trajtrap,
-    vm: a_float,
-    ac: a_float,
-    de: a_float,
-    p0: a_float,
-    p1: a_float,
-    v0: a_float,
-    v1: a_float,
+    ctx: *mut a_trajtrap, vm: a_float, ac: a_float, de: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float,
 ) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(trap) = (unsafe { ctx.cast::<Trap<Number>>().as_mut() }) else {
-        return 0.0;
-    };
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let Some(trap) = (unsafe { of_mut(ctx) }) else { return 0.0 };
     let boundary = boundary(p0, p1, v0, v1);
-    trap.plan_saturated(vm.into(), ac.into(), de.into(), boundary, SATURATION)
-        .map_or(0.0, Into::into)
+    trap.plan_saturated(vm.into(), ac.into(), de.into(), boundary, SATURATION).map_or(0.0, Into::into)
 }
 
-/// @brief Position of a trapezoidal velocity trajectory.
-/// @param ctx points to a planned instance of trapezoidal velocity trajectory
-/// @param x time since the start, s
-/// @return position, unit: `p0` before the start and for a NaN `x`, `p1` after the end; NaN if `ctx` is NULL
+/// @brief Position, unit: `p0` before the start and for a NaN `x`, `p1` after the end.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_pos(ctx: *const a_trajtrap, x: a_float) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
-        Some(trap) => trap.position(x.into()).into(),
-        None => nan(),
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    value(unsafe { of(ctx) }, |trap| trap.position(x.into()))
 }
 
-/// @brief Velocity of a trapezoidal velocity trajectory.
-/// @param ctx points to a planned instance of trapezoidal velocity trajectory
-/// @param x time since the start, s
-/// @return velocity, unit/s: `v0` before the start and for a NaN `x`, `v1` after the end; NaN if `ctx` is NULL
+/// @brief Velocity, unit/s: `v0` before the start and for a NaN `x`, `v1` after the end.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_vel(ctx: *const a_trajtrap, x: a_float) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
-        Some(trap) => trap.velocity(x.into()).into(),
-        None => nan(),
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    value(unsafe { of(ctx) }, |trap| trap.velocity(x.into()))
 }
 
-/// @brief Acceleration of a trapezoidal velocity trajectory.
-/// @param ctx points to a planned instance of trapezoidal velocity trajectory
-/// @param x time since the start, s
-/// @return acceleration, unit/s^2: 0 outside the move and for a NaN `x`; NaN if `ctx` is NULL
+/// @brief Acceleration, unit/s^2: 0 outside the move and for a NaN `x`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajtrap_acc(ctx: *const a_trajtrap, x: a_float) -> a_float {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe { ctx.cast::<Trap<Number>>().as_ref() } {
-        Some(trap) => trap.acceleration(x.into()).into(),
-        None => nan(),
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    value(unsafe { of(ctx) }, |trap| trap.acceleration(x.into()))
 }

@@ -1,8 +1,8 @@
 //! `atraj/axis.h`: an axis between main loop and interrupt.
 
-use super::r#move::{atraj_limits, atraj_move, atraj_state, limits_of, state};
-use super::{ATRAJ_ERR_NULL, code};
-use crate::capi::{Number, a_float, assert_same_layout};
+use super::r#move::{atraj_limits, atraj_move, atraj_state};
+use super::{answer, write_state};
+use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::{Error, Findings};
 use crate::machine::axis::{Axis, ahead, elapsed, hand_over};
 use crate::online::Move;
@@ -19,165 +19,102 @@ pub struct atraj_axis {
     /// one is in force, one may wait for its tick, one is planned
     pub moves: [atraj_move; 3],
 }
-assert_same_layout!(
-    atraj_axis,
-    Axis<Number>,
-    words = handover,
-    period = period,
-    moves = moves
-);
+assert_same_layout!(atraj_axis, Axis<Number>, words = handover period moves);
 
-/// @brief Put an axis in a state. It stays there until a plan takes over. Neither main loop nor interrupt may use the axis meanwhile.
-/// @param ctx points to an instance of an axis, which need not be initialised; untouched on an error
+/// @brief Put an axis in the state `now`. It stays there until a plan takes over. Neither main loop nor interrupt may
+/// use the axis meanwhile.
 /// @param period from one tick to the next, s
-/// @param now points to the state of the axis
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_DURATION` if the period is not above 0 or not finite, or
-/// `ATRAJ_ERR_NOT_FINITE`
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_DURATION` if the period is not above 0 or not finite,
+/// or `ATRAJ_ERR_NOT_FINITE`
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_axis_init(
-    ctx: *mut atraj_axis,
-    period: a_float,
-    now: *const atraj_state,
-) -> c_int {
+pub unsafe extern "C" fn atraj_axis_init(ctx: *mut atraj_axis, period: a_float, now: *const atraj_state) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module, and nobody else uses the axis now.
-    match unsafe { (ctx.cast::<Axis<Number>>().as_mut(), state(now)) } {
-        (Some(axis), Some(now)) => {
-            code(axis.init(period.into(), now).map(|()| Findings::default()))
-        }
-        _ => ATRAJ_ERR_NULL as c_int,
-    }
+    answer(|| unsafe { Some(of_mut(ctx)?.init(period.into(), *of(now)?).map(|()| Findings::default())) })
 }
 
 /// @brief The next setpoint. For the timer interrupt, once in each tick.
 ///
-/// It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n` periods, with the
-/// bits of `atraj_move_state`: nothing adds up. In `float` the number of ticks has 24 bits, so an axis that moves on after its end needs
-/// a new plan within 16 million ticks.
-/// @param ctx points to an axis; if it is NULL, the state is not a number
-/// @param now NULL or the place for the state of the axis in this tick
+/// It takes about as long as `atraj_move_state`, whatever the main loop does. Tick `n` of a move gives its state at `n`
+/// periods, with the bits of `atraj_move_state`: nothing adds up. In `float` the number of ticks has 24 bits, so an
+/// axis that moves on after its end needs a new plan within 16 million ticks.
+/// @param now NULL or the place for the state of the axis in this tick; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_state) {
     let axis = ctx.cast::<Axis<Number>>();
-    let state = if axis.is_null() {
-        let nan = a_float::NAN.into();
-        State {
-            position: nan,
-            velocity: nan,
-            acceleration: nan,
-        }
-    } else {
+    let state = (!axis.is_null()).then(|| {
         // SAFETY: `axis` is valid by the contract of this module. The main loop uses the words as atomics too, and only reads the period.
         let (handover, period) = unsafe { (&(*axis).handover, (*axis).period) };
         let moment = handover.tick();
         // SAFETY: the place is below 3. Nobody writes to the move in force: see `machine/handover.rs`.
         let in_force = unsafe { &*place(axis, moment.place) };
         in_force.state_at(elapsed(period, moment))
-    };
-    if !now.is_null() {
-        // SAFETY: `now` is writable by the contract of this module, and the layouts are the same.
-        unsafe { now.cast::<State<Number>>().write(state) };
-    }
+    });
+    // SAFETY: `now` is NULL or writable by the contract of this module.
+    unsafe { write_state(now, state) };
 }
 
-/// @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop, while the interrupt ticks.
+/// @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop, while the
+/// interrupt ticks.
 ///
-/// The plan starts from the state that the axis will have in tick `n + lead`, where `n` is the last tick before the call. Until that tick
-/// the axis goes on in its move. If another plan still waits for its tick, the new plan replaces it, and takes over in that tick or
-/// earlier.
-/// @param ctx points to an axis
-/// @param limits points to the limits
-/// @param to points to the state at the end
+/// The plan starts from the state that the axis will have in tick `n + lead`, where `n` is the last tick before the
+/// call. Until that tick the axis goes on in its move. If another plan still waits for its tick, the new plan replaces
+/// it, and takes over in that tick or earlier.
 /// @param lead number of ticks: as many as a plan takes, rounded up, and one more
-/// @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above 134217727. On an error the
-/// axis goes on in its move. A plan that waits goes on waiting, unless the new one was to take over before it and came late.
-/// On several processors, `ATRAJ_ERR_LATE` may also come while another processor runs the very tick, and may then be wrong.
+/// @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above
+/// 134217727. On an error the axis goes on in its move. A plan that waits goes on waiting, unless the new one was to
+/// take over before it and came late. On several processors, `ATRAJ_ERR_LATE` may also come while another processor
+/// runs the very tick, and may then be wrong.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_go(
-    ctx: *mut atraj_axis,
-    limits: *const atraj_limits,
-    to: *const atraj_state,
-    lead: c_uint,
+    ctx: *mut atraj_axis, limits: *const atraj_limits, to: *const atraj_state, lead: c_uint,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    match unsafe { (limits_of(limits), state(to)) } {
-        // SAFETY: both functions have the same contract.
-        (Some(limits), Some(to)) => unsafe {
-            plan(ctx, lead, |next, from, _| next.plan(limits, from, to))
-        },
-        _ => ATRAJ_ERR_NULL as c_int,
-    }
+    answer(|| unsafe {
+        let (limits, to) = (of(limits)?, *of(to)?);
+        plan(ctx, lead, |next, from, _| next.plan(limits, from, to))
+    })
 }
 
-/// @brief Plan the fastest move to a velocity and an acceleration, and let it take over some ticks ahead. The position is free.
-/// @param ctx points to an axis
-/// @param limits points to the limits
-/// @param v1 velocity at the end, unit/s
-/// @param a1 acceleration at the end, unit/s^2
-/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
-/// @return as `atraj_axis_go`
+/// @brief As `atraj_axis_go`, to the velocity `v1`, unit/s, and the acceleration `a1`, unit/s^2. The position is free.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_reach(
-    ctx: *mut atraj_axis,
-    limits: *const atraj_limits,
-    v1: a_float,
-    a1: a_float,
-    lead: c_uint,
+    ctx: *mut atraj_axis, limits: *const atraj_limits, v1: a_float, a1: a_float, lead: c_uint,
 ) -> c_int {
-    // SAFETY: `limits` is NULL or valid by the contract of this module.
-    match unsafe { limits_of(limits) } {
-        // SAFETY: both functions have the same contract.
-        Some(limits) => unsafe {
-            plan(ctx, lead, |next, from, _| {
-                next.reach(limits, from, v1.into(), a1.into())
-            })
-        },
-        None => ATRAJ_ERR_NULL as c_int,
-    }
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    answer(|| unsafe {
+        let limits = of(limits)?;
+        plan(ctx, lead, |next, from, _| next.reach(limits, from, v1.into(), a1.into()))
+    })
 }
 
-/// @brief Plan the fastest stop, and let it take over some ticks ahead. The position is free.
-/// @param ctx points to an axis
-/// @param limits points to the limits
-/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
-/// @return as `atraj_axis_go`
+/// @brief As `atraj_axis_go`, to the fastest stop. The position is free.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_axis_stop(
-    ctx: *mut atraj_axis,
-    limits: *const atraj_limits,
-    lead: c_uint,
-) -> c_int {
+pub unsafe extern "C" fn atraj_axis_stop(ctx: *mut atraj_axis, limits: *const atraj_limits, lead: c_uint) -> c_int {
     // SAFETY: both functions have the same contract.
     unsafe { atraj_axis_reach(ctx, limits, 0.0, 0.0, lead) }
 }
 
-/// @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. Call it in every round of the main loop.
+/// @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. Call it in every round of the main
+/// loop.
 ///
-/// The signal is taken to go on with its acceleration until the plan takes over, and for the time `horizon` from then on. The answer is
-/// the closer, the earlier the next call.
-/// @param ctx points to an axis
-/// @param limits points to the limits
+/// The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon` from then on. The
+/// shorter the time to the next call, the smaller the error.
 /// @param signal points to the state of the signal in the last tick before the call
-/// @param horizon time from the takeover until the axis is to be beside the signal, s
-/// @param lead number of ticks: as many as a plan takes, rounded up, and one more
-/// @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the range of `a_float`
+/// @param jerk jerk of the signal, unit/s^3; 0 if it is not known
+/// @param horizon time from the takeover until the axis is to be next to the signal, s
+/// @param lead as for `atraj_axis_go`
+/// @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the
+/// range of `a_float`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_track(
-    ctx: *mut atraj_axis,
-    limits: *const atraj_limits,
-    signal: *const atraj_state,
-    horizon: a_float,
+    ctx: *mut atraj_axis, limits: *const atraj_limits, signal: *const atraj_state, jerk: a_float, horizon: a_float,
     lead: c_uint,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    match unsafe { (limits_of(limits), state(signal)) } {
-        // SAFETY: both functions have the same contract.
-        (Some(limits), Some(signal)) => unsafe {
-            plan(ctx, lead, |next, from, ahead| {
-                next.track(limits, from, signal.after(ahead), horizon.into())
-            })
-        },
-        _ => ATRAJ_ERR_NULL as c_int,
-    }
+    answer(|| unsafe {
+        let (limits, signal, jerk) = (of(limits)?, *of(signal)?, jerk.into());
+        plan(ctx, lead, |next, from, ahead| next.track(limits, from, signal.after(ahead, jerk), jerk, horizon.into()))
+    })
 }
 
 /// Plans from the state in which the next move takes over, and from the time until then.
@@ -185,26 +122,20 @@ pub unsafe extern "C" fn atraj_axis_track(
 /// # Safety
 /// `ctx` is NULL or valid, and no other planner uses it.
 unsafe fn plan(
-    ctx: *mut atraj_axis,
-    lead: c_uint,
+    ctx: *mut atraj_axis, lead: c_uint,
     plan: impl FnOnce(&mut Move<Number>, State<Number>, Number) -> Result<Findings, Error>,
-) -> c_int {
+) -> Option<Result<Findings, Error>> {
     let axis = ctx.cast::<Axis<Number>>();
     if axis.is_null() {
-        return ATRAJ_ERR_NULL as c_int;
+        return None;
     }
     // SAFETY: `axis` is valid. The interrupt uses the words as atomics too, and only reads the period.
     let (handover, period) = unsafe { (&(*axis).handover, (*axis).period) };
-    code(hand_over(handover, lead, |takeover| {
+    Some(hand_over(handover, lead, |takeover| {
         let moment = takeover.from;
         // SAFETY: both places are below 3 and differ. Nobody writes to the move in force, and the interrupt does not read the other one:
         // see `machine/handover.rs`.
-        let (in_force, next) = unsafe {
-            (
-                &*place(axis, moment.place),
-                &mut *place(axis, takeover.place),
-            )
-        };
+        let (in_force, next) = unsafe { (&*place(axis, moment.place), &mut *place(axis, takeover.place)) };
         let from = in_force.state_at(elapsed(period, moment));
         plan(next, from, ahead(period, takeover))
     }))
@@ -216,9 +147,5 @@ unsafe fn plan(
 /// `axis` is valid.
 unsafe fn place(axis: *mut Axis<Number>, place: usize) -> *mut Move<Number> {
     // SAFETY: by the contract of this function; the place is at most 2.
-    unsafe {
-        (&raw mut (*axis).moves)
-            .cast::<Move<Number>>()
-            .add(place.min(2))
-    }
+    unsafe { (&raw mut (*axis).moves).cast::<Move<Number>>().add(place.min(2)) }
 }

@@ -1,5 +1,6 @@
 //! `atraj/codes.h`: what the functions of `atraj.h` find and refuse.
 
+use crate::capi::assert_named;
 use crate::findings::{Error, Findings, NOTHING};
 use core::ffi::{c_char, c_int};
 
@@ -49,38 +50,26 @@ pub enum atraj_error {
 }
 pub(super) use atraj_error::*;
 
-const _: () = assert!(
-    ATRAJ_EXCEEDS_JERK as u8 == Findings::EXCEEDS_JERK.bits()
-        && ATRAJ_EXCEEDS_ACCELERATION as u8 == Findings::EXCEEDS_ACCELERATION.bits()
-        && ATRAJ_EXCEEDS_VELOCITY as u8 == Findings::EXCEEDS_VELOCITY.bits()
-        && ATRAJ_JUMPS as u8 == Findings::JUMPS.bits()
-        && ATRAJ_OVERSHOOTS as u8 == Findings::OVERSHOOTS.bits()
-        && ATRAJ_STARTS_OUTSIDE as u8 == Findings::STARTS_OUTSIDE.bits()
-        && ATRAJ_ENDS_LEAVING as u8 == Findings::ENDS_LEAVING.bits()
-);
-const _: () = assert!(
-    ATRAJ_ERR_NULL as i8 == Error::Axes as i8
-        && ATRAJ_ERR_NOT_FINITE as i8 == Error::NotFinite as i8
-        && ATRAJ_ERR_LIMITS as i8 == Error::Limits as i8
-        && ATRAJ_ERR_TARGET as i8 == Error::Target as i8
-        && ATRAJ_ERR_DURATION as i8 == Error::Duration as i8
-        && ATRAJ_ERR_LINE as i8 == Error::Line as i8
-        && ATRAJ_ERR_POSITION as i8 == Error::Position as i8
-        && ATRAJ_ERR_LATE as i8 == Error::Late as i8
-        && ATRAJ_ERR_UNREACHABLE as i8 == Error::Unreachable as i8
-);
-
-const ERRORS: [Error; 9] = [
-    Error::Axes,
-    Error::NotFinite,
-    Error::Limits,
-    Error::Target,
-    Error::Duration,
-    Error::Line,
-    Error::Position,
-    Error::Late,
-    Error::Unreachable,
-];
+assert_named! { Findings::MEMBERS;
+    Findings::EXCEEDS_JERK.bits() => ATRAJ_EXCEEDS_JERK,
+    Findings::EXCEEDS_ACCELERATION.bits() => ATRAJ_EXCEEDS_ACCELERATION,
+    Findings::EXCEEDS_VELOCITY.bits() => ATRAJ_EXCEEDS_VELOCITY,
+    Findings::JUMPS.bits() => ATRAJ_JUMPS,
+    Findings::OVERSHOOTS.bits() => ATRAJ_OVERSHOOTS,
+    Findings::STARTS_OUTSIDE.bits() => ATRAJ_STARTS_OUTSIDE,
+    Findings::ENDS_LEAVING.bits() => ATRAJ_ENDS_LEAVING,
+}
+assert_named! { Error::ALL;
+    Error::Axes => ATRAJ_ERR_NULL,
+    Error::NotFinite => ATRAJ_ERR_NOT_FINITE,
+    Error::Limits => ATRAJ_ERR_LIMITS,
+    Error::Target => ATRAJ_ERR_TARGET,
+    Error::Duration => ATRAJ_ERR_DURATION,
+    Error::Line => ATRAJ_ERR_LINE,
+    Error::Position => ATRAJ_ERR_POSITION,
+    Error::Late => ATRAJ_ERR_LATE,
+    Error::Unreachable => ATRAJ_ERR_UNREACHABLE,
+}
 
 /// @brief The English sentence for a code, for a log or a display.
 ///
@@ -93,22 +82,8 @@ const ERRORS: [Error; 9] = [
 pub extern "C" fn atraj_message(code: c_int) -> *const c_char {
     let sentence = match code {
         0 => Some(NOTHING),
-        1.. => Findings::MEMBERS
-            .iter()
-            .find(|(finding, ..)| code & c_int::from(finding.bits()) != 0)
-            .map(|&(_, _, sentence)| sentence),
-        _ => ERRORS
-            .iter()
-            .find(|&&error| code == error as c_int)
-            .map(|error| error.sentence()),
+        1.. => Findings::MEMBERS.iter().find(|row| code & c_int::from(row.0.bits()) != 0).map(|row| row.2),
+        _ => Error::ALL.iter().find(|row| code == row.0 as c_int).map(|row| row.1),
     };
     sentence.unwrap_or(c"this code is unknown").as_ptr()
-}
-
-/// What C gets for findings, or for an error.
-pub(super) fn code(answer: Result<Findings, Error>) -> c_int {
-    match answer {
-        Ok(findings) => findings.bits().into(),
-        Err(error) => error as c_int,
-    }
 }

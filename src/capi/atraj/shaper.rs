@@ -1,14 +1,11 @@
 //! `atraj/shaper.h`: input shapers.
 
 use super::r#move::{atraj_move, atraj_state};
-use super::{ATRAJ_ERR_LIMITS, ATRAJ_ERR_NULL, code};
+use super::{answer, put, write_state};
 use crate::capi::a::trajbell::a_trajbell;
-use crate::capi::{Number, a_float, assert_same_layout};
-use crate::findings::Findings;
-use crate::liba::Bell;
+use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
+use crate::findings::{Error, Findings};
 use crate::machine::shaper::{Shaper, ShaperKind};
-use crate::online::Move;
-use crate::state::State;
 use core::ffi::{c_int, c_uint};
 
 /// How a shaper meets a frequency that is not exactly known.
@@ -40,136 +37,68 @@ pub struct atraj_shaper {
     /// when the impulses come, s
     pub delays: [a_float; 16],
 }
-assert_same_layout!(
-    atraj_shaper,
-    Shaper<Number>,
-    t = duration,
-    smoothing = smoothing,
-    count = count,
-    weights = weights,
-    delays = delays
-);
+assert_same_layout!(atraj_shaper, Shaper<Number>, t = duration smoothing count weights delays);
 
 /// @brief Make a shaper for a load that swings.
-/// @param ctx points to a shaper, which need not be initialised; untouched on an error
 /// @param kind one of `atraj_shaper_kind`
-/// @param frequency of the load, Hz
-/// @param damping of the load, a part of the critical damping
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_DURATION` if the frequency is not above 0 or has no finite period, or
-/// `ATRAJ_ERR_LIMITS` if there is no such kind or the damping is not from 0 to below 1
+/// @param frequency of the load, Hz; `damping`: a part of the critical damping
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_DURATION` if the frequency is not above 0 or has no
+/// finite period, or `ATRAJ_ERR_LIMITS` if there is no such kind or the damping is not from 0 to below 1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_init(
-    ctx: *mut atraj_shaper,
-    kind: c_int,
-    frequency: a_float,
-    damping: a_float,
+    ctx: *mut atraj_shaper, kind: c_int, frequency: a_float, damping: a_float,
 ) -> c_int {
-    if ctx.is_null() {
-        return ATRAJ_ERR_NULL as c_int;
-    }
-    let Some(kind) = kind_of(kind) else {
-        return ATRAJ_ERR_LIMITS as c_int;
-    };
-    code(
-        Shaper::new(kind, frequency.into(), damping.into()).map(|shaper| {
-            // SAFETY: `ctx` is writable by the contract of this module, and the layouts are the same.
-            unsafe { ctx.cast::<Shaper<Number>>().write(shaper) };
-            Findings::default()
-        }),
-    )
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    unsafe { put(ctx, || Shaper::new(kind_of(kind)?, frequency.into(), damping.into())) }
 }
 
 /// @brief Shape the shaped motion once more: for another frequency of the load. The impulses of both are multiplied.
-/// @param ctx points to a shaper; untouched on an error
-/// @param kind one of `atraj_shaper_kind`
-/// @param frequency of the load, Hz
-/// @param damping of the load, a part of the critical damping
 /// @return as `atraj_shaper_init`; `ATRAJ_ERR_LIMITS` also if there are more than 16 impulses
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_add(
-    ctx: *mut atraj_shaper,
-    kind: c_int,
-    frequency: a_float,
-    damping: a_float,
+    ctx: *mut atraj_shaper, kind: c_int, frequency: a_float, damping: a_float,
 ) -> c_int {
-    // SAFETY: `ctx` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(shaper) = (unsafe { ctx.cast::<Shaper<Number>>().as_mut() }) else {
-        return ATRAJ_ERR_NULL as c_int;
-    };
-    match kind_of(kind) {
-        Some(kind) => {
-            let added = shaper.add(kind, frequency.into(), damping.into());
-            code(added.map(|()| Findings::default()))
-        }
-        None => ATRAJ_ERR_LIMITS as c_int,
-    }
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    answer(|| unsafe {
+        let shaper = of_mut(ctx)?;
+        let added = kind_of(kind).and_then(|kind| shaper.add(kind, frequency.into(), damping.into()));
+        Some(added.map(|()| Findings::default()))
+    })
 }
 
 /// @brief Make a shaper without a frequency: the motion becomes its mean over a time, so that its acceleration changes evenly.
 ///
 /// The derivative of the jerk is at most twice the limit of the jerk, divided by the time. `atraj_shaper_add` adds frequencies.
-/// @param ctx points to a shaper, which need not be initialised; untouched on an error
 /// @param time over which the mean is taken, s; 0: the shaper changes nothing
 /// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_DURATION` if the time is negative or not finite
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_smooth(ctx: *mut atraj_shaper, time: a_float) -> c_int {
-    if ctx.is_null() {
-        return ATRAJ_ERR_NULL as c_int;
-    }
-    code(Shaper::smooth(time.into()).map(|shaper| {
-        // SAFETY: `ctx` is writable by the contract of this module, and the layouts are the same.
-        unsafe { ctx.cast::<Shaper<Number>>().write(shaper) };
-        Findings::default()
-    }))
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    unsafe { put(ctx, || Shaper::smooth(time.into())) }
 }
 
-/// @brief The shaped motion. It keeps every limit of the move, starts and ends where the move does, and takes `t` of the shaper longer.
-///
-/// Before its start a move is taken to go on with the velocity that it has there.
-/// @param ctx points to a shaper
-/// @param move points to a planned instance of a move
-/// @param x time since the start of the move, s; a NaN is the end
-/// @param now NULL or the place for the state; not a number if `ctx` or `move` is NULL
+/// @brief The shaped motion of a move at the time `x`: it keeps every limit of the move, starts and ends where the move
+/// does, and takes `t` of the shaper longer. Before its start a move is taken to go on with the velocity that it has
+/// there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_state(
-    ctx: *const atraj_shaper,
-    r#move: *const atraj_move,
-    x: a_float,
-    now: *mut atraj_state,
+    ctx: *const atraj_shaper, r#move: *const atraj_move, x: a_float, now: *mut atraj_state,
 ) {
-    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
-    let state = match unsafe { (shaper_of(ctx), r#move.cast::<Move<Number>>().as_ref()) } {
-        (Some(shaper), Some(of)) => Some(shaper.state(of, x.into())),
-        _ => None,
-    };
-    // SAFETY: `now` is NULL or writable by the contract of this module.
-    unsafe { write_state(now, state) };
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    unsafe { write_state(now, of(ctx).zip(of(r#move)).map(|(shaper, of)| shaper.state(of, x.into()))) };
 }
 
-/// @brief The shaped motion of a bell-shaped velocity trajectory. It keeps every limit of the trajectory, and takes `t` of the shaper longer.
-///
-/// Before its start and after its end the trajectory is taken to go on with the velocity that it has there.
-/// @param ctx points to a shaper
-/// @param bell points to a planned instance of bell-shaped velocity trajectory
-/// @param x time since the start of the move, s; a NaN is the end
-/// @param now NULL or the place for the state; not a number if `ctx` or `bell` is NULL
+/// @brief The shaped motion of a bell-shaped velocity trajectory, as of a move. After its end, too, it is taken to go
+/// on with the velocity that it has there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_bell_state(
-    ctx: *const atraj_shaper,
-    bell: *const a_trajbell,
-    x: a_float,
-    now: *mut atraj_state,
+    ctx: *const atraj_shaper, bell: *const a_trajbell, x: a_float, now: *mut atraj_state,
 ) {
-    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
-    let state = match unsafe { (shaper_of(ctx), bell.cast::<Bell<Number>>().as_ref()) } {
-        (Some(shaper), Some(of)) => Some(shaper.bell_state(of, x.into())),
-        _ => None,
-    };
-    // SAFETY: `now` is NULL or writable by the contract of this module.
-    unsafe { write_state(now, state) };
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    unsafe { write_state(now, of(ctx).zip(of(bell)).map(|(shaper, of)| shaper.bell_state(of, x.into()))) };
 }
 
-fn kind_of(kind: c_int) -> Option<ShaperKind> {
+fn kind_of(kind: c_int) -> Result<ShaperKind, Error> {
     use atraj_shaper_kind::*;
     let kinds = [
         (ATRAJ_SHAPER_ZV, ShaperKind::Zv),
@@ -179,29 +108,5 @@ fn kind_of(kind: c_int) -> Option<ShaperKind> {
         (ATRAJ_SHAPER_EI2, ShaperKind::Ei2),
     ];
     let mut named = kinds.into_iter().map(|(name, kind)| (name as c_int, kind));
-    named.find_map(|(name, named)| (name == kind).then_some(named))
-}
-
-/// # Safety
-/// `ctx` is NULL or valid.
-unsafe fn shaper_of<'a>(ctx: *const atraj_shaper) -> Option<&'a Shaper<Number>> {
-    // SAFETY: by the contract of this function; the layouts are the same.
-    unsafe { ctx.cast::<Shaper<Number>>().as_ref() }
-}
-
-/// Writes a state, or what is not a number.
-///
-/// # Safety
-/// `now` is NULL or writable.
-pub(super) unsafe fn write_state(now: *mut atraj_state, state: Option<State<Number>>) {
-    let nan = a_float::NAN.into();
-    let state = state.unwrap_or(State {
-        position: nan,
-        velocity: nan,
-        acceleration: nan,
-    });
-    if !now.is_null() {
-        // SAFETY: by the contract of this function; the layouts are the same.
-        unsafe { now.cast::<State<Number>>().write(state) };
-    }
+    named.find_map(|(name, named)| (name == kind).then_some(named)).ok_or(Error::Limits)
 }

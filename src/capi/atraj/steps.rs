@@ -1,11 +1,10 @@
 //! `atraj/steps.h`: the times at which a stepper motor steps.
 
 use super::r#move::atraj_move;
-use super::{ATRAJ_ERR_NULL, code};
-use crate::capi::{Number, a_float, assert_same_layout};
+use super::{ATRAJ_ERR_NULL, answer, put};
+use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::Findings;
 use crate::machine::steps::Steps;
-use crate::online::Move;
 use core::ffi::{c_int, c_uint};
 
 /// @brief The steps of a motor that follows a move. Copy it to look ahead.
@@ -29,83 +28,46 @@ pub struct atraj_steps {
 assert_same_layout!(atraj_steps, Steps<Number>, offset step from to count far phase);
 
 /// @brief Begin with the steps of a move. The motor stands at the last line that is not above the start.
-/// @param ctx points to the steps, which need not be initialised; untouched on an error
-/// @param move points to a planned instance of a move
 /// @param offset position of line 0, unit; half a step more or less keeps the motor within half a step of the axis
 /// @param step from one line to the next, unit
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS` if `step` is not above 0, or `ATRAJ_ERR_NOT_FINITE`, also if the move
-/// goes further from `offset` than 1000000000 steps, in `float` 8388608
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS` if `step` is not above 0, or
+/// `ATRAJ_ERR_NOT_FINITE`, also if the move goes further from `offset` than 1000000000 steps, in `float` 8388608
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_steps_init(
-    ctx: *mut atraj_steps,
-    r#move: *const atraj_move,
-    offset: a_float,
-    step: a_float,
+    ctx: *mut atraj_steps, r#move: *const atraj_move, offset: a_float, step: a_float,
 ) -> c_int {
-    if ctx.is_null() {
-        return ATRAJ_ERR_NULL as c_int;
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    unsafe {
+        match of(r#move) {
+            Some(of) => put(ctx, || Steps::new(of, offset.into(), step.into())),
+            None => ATRAJ_ERR_NULL as c_int,
+        }
     }
-    // SAFETY: `move` is NULL or valid by the contract of this module, and the layouts are the same.
-    let Some(of) = (unsafe { r#move.cast::<Move<Number>>().as_ref() }) else {
-        return ATRAJ_ERR_NULL as c_int;
-    };
-    code(Steps::new(of, offset.into(), step.into()).map(|steps| {
-        // SAFETY: `ctx` is writable by the contract of this module, and the layouts are the same.
-        unsafe { ctx.cast::<Steps<Number>>().write(steps) };
-        Findings::default()
-    }))
 }
 
 /// @brief Go on with another move from its start, and keep the motor where it is. So no step is lost where the moves meet: a line between
 /// the motor and the start is passed at the time 0.
-/// @param ctx points to the steps; untouched on an error
-/// @param next points to a planned instance of a move
 /// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_steps_init`
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_steps_follow(
-    ctx: *mut atraj_steps,
-    next: *const atraj_move,
-) -> c_int {
-    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
-    match unsafe {
-        (
-            ctx.cast::<Steps<Number>>().as_mut(),
-            next.cast::<Move<Number>>().as_ref(),
-        )
-    } {
-        (Some(steps), Some(next)) => code(steps.follow(next).map(|()| Findings::default())),
-        _ => ATRAJ_ERR_NULL as c_int,
-    }
+pub unsafe extern "C" fn atraj_steps_follow(ctx: *mut atraj_steps, next: *const atraj_move) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    answer(|| unsafe { Some(of_mut(ctx)?.follow(of(next)?).map(|()| Findings::default())) })
 }
 
 /// @brief The next step until the end of the move.
 ///
 /// The motor steps up when the axis passes the next line, and down when the axis passes the line of the motor on its way back. No
 /// time is before the time of the step before, and after the last step the motor is at the line of the end.
-/// @param ctx points to the steps
 /// @param move points to the move that the steps belong to
 /// @param time NULL or the place for the time of the step since the start of the move, s; untouched if there is no step
 /// @return 1 for a step towards larger positions, -1 for one back, 0 if there is no step any more or a pointer is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_steps_next(
-    ctx: *mut atraj_steps,
-    r#move: *const atraj_move,
-    time: *mut a_float,
+    ctx: *mut atraj_steps, r#move: *const atraj_move, time: *mut a_float,
 ) -> c_int {
-    // SAFETY: the pointers are NULL or valid by the contract of this module, and the layouts are the same.
-    let step = match unsafe {
-        (
-            ctx.cast::<Steps<Number>>().as_mut(),
-            r#move.cast::<Move<Number>>().as_ref(),
-        )
-    } {
-        (Some(steps), Some(of)) => steps.next(of),
-        _ => None,
-    };
-    let Some(step) = step else {
-        return 0;
-    };
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    let Some(step) = (unsafe { of_mut(ctx).zip(of(r#move)).and_then(|(steps, of)| steps.next(of)) }) else { return 0 };
     // SAFETY: `time` is NULL or writable by the contract of this module.
-    unsafe { super::write([time], [step.time.into()]) };
+    unsafe { super::write([time], Some([step.time])) };
     step.direction
 }

@@ -18,8 +18,11 @@ use crate::state::{Boundary, Saturation, State};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
 ///
-/// Jerk is piecewise constant, acceleration trapezoidal, velocity bell-shaped. Fields carry the book's symbols. For a move
-/// towards smaller positions (`p0 > p1`) the fields `vm`, `jm`, `am` and `dm` hold in the mirrored axis.
+/// Jerk is piecewise constant, acceleration trapezoidal, velocity bell-shaped. It is the gentlest of the limited profiles, for a load
+/// that can swing, spill or resonate. Fields carry the book's symbols. For a move towards smaller positions (`p0 > p1`) the fields `vm`,
+/// `jm`, `am` and `dm` hold in the mirrored axis.
+///
+#[doc = include_str!("../../../docs/img/double-s-with-cruise.svg")]
 ///
 /// ```
 /// use atraj::{Bell, Boundary};
@@ -68,47 +71,25 @@ impl<R: Real> Bell<R> {
     ///
     /// Boundary velocities beyond `±velocity` are limited to it. [`Error::Unreachable`] if liba finds no such move, or if the move
     /// takes no time; [`Error::NotFinite`] if an argument is not a number, or a position infinite; [`Error::Limits`] if a limit is 0.
-    pub fn new(
-        jerk: R,
-        acceleration: R,
-        velocity: R,
-        boundary: Boundary<R>,
-    ) -> Result<Self, Error> {
-        Self::new_saturated(
-            jerk,
-            acceleration,
-            velocity,
-            boundary,
-            Saturation::Everything,
-        )
+    pub fn new(jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Result<Self, Error> {
+        Self::new_saturated(jerk, acceleration, velocity, boundary, Saturation::Everything)
     }
 
     /// [`Bell::new`] with the saturation of either generation of liba.
     pub fn new_saturated(
-        jerk: R,
-        acceleration: R,
-        velocity: R,
-        boundary: Boundary<R>,
-        saturation: Saturation,
+        jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>, saturation: Saturation,
     ) -> Result<Self, Error> {
         let mut bell = Self::default();
         match bell.plan_saturated(jerk, acceleration, velocity, boundary, saturation) {
             Some(duration) if duration > R::ZERO => Ok(bell),
-            _ => {
-                let limits = [jerk, acceleration, velocity];
-                Err(Error::of_plan(limits, boundary, Error::Unreachable))
-            }
+            _ => Err(Error::of_plan([jerk, acceleration, velocity], boundary, Error::Unreachable)),
         }
     }
 
     /// Position, velocity and acceleration at time `x`, s: the start of another plan.
     pub fn state_at(&self, x: R) -> State<R> {
         let [position, velocity, acceleration, _] = self.state(x);
-        State {
-            position,
-            velocity,
-            acceleration,
-        }
+        State { position, velocity, acceleration }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.

@@ -56,11 +56,7 @@ impl<R: Real> Bell<R> {
     /// Velocity at time `x`, s. Before the start it is `v0`, after the end and for a NaN `v1`.
     pub fn velocity(&self, x: R) -> R {
         let Self { v0, v1, .. } = *self;
-        if self.is_backward() {
-            -self.forward_velocity(x, -v0, -v1)
-        } else {
-            self.forward_velocity(x, v0, v1)
-        }
+        if self.is_backward() { -self.forward_velocity(x, -v0, -v1) } else { self.forward_velocity(x, v0, v1) }
     }
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
@@ -123,28 +119,16 @@ impl<R: Real> Bell<R> {
     fn phase(&self, x: R, is_ahead: impl Fn(R, R) -> bool) -> Phase {
         if x < self.ta {
             if is_ahead(x, self.taj) {
-                if x <= R::ZERO {
-                    Phase::Before
-                } else {
-                    Phase::AccelerationRises
-                }
+                if x <= R::ZERO { Phase::Before } else { Phase::AccelerationRises }
             } else if x < self.ta - self.taj {
                 Phase::AccelerationHolds
             } else {
                 Phase::AccelerationFalls
             }
         } else if x < self.t - self.td + self.tdj {
-            if is_ahead(x, self.ta + self.tv) {
-                Phase::Cruise
-            } else {
-                Phase::DecelerationRises
-            }
+            if is_ahead(x, self.ta + self.tv) { Phase::Cruise } else { Phase::DecelerationRises }
         } else if x < self.t {
-            if x < self.t - self.tdj {
-                Phase::DecelerationHolds
-            } else {
-                Phase::DecelerationFalls
-            }
+            if x < self.t - self.tdj { Phase::DecelerationHolds } else { Phase::DecelerationFalls }
         } else {
             Phase::After
         }
@@ -194,9 +178,7 @@ impl<R: Real> Bell<R> {
             Phase::AccelerationFalls => self.vm - jerk_velocity(self.jm, x - self.ta),
             Phase::Cruise => self.vm,
             Phase::DecelerationRises => self.vm - jerk_velocity(self.jm, x - (self.t - self.td)),
-            Phase::DecelerationHolds => {
-                self.vm + self.dm * (x - self.t + self.td - R::HALF * self.tdj)
-            }
+            Phase::DecelerationHolds => self.vm + self.dm * (x - self.t + self.td - R::HALF * self.tdj),
             Phase::DecelerationFalls => v1 + jerk_velocity(self.jm, x - self.t),
             Phase::After => v1,
         }
@@ -240,15 +222,7 @@ impl<R: Real> Bell<R> {
 
 impl<R: Real> Sampled<R, 4, 10> for Bell<R> {
     fn borders(&self) -> [Edge<R>; 10] {
-        let Self {
-            t,
-            tv,
-            ta,
-            td,
-            taj,
-            tdj,
-            ..
-        } = *self;
+        let Self { t, tv, ta, td, taj, tdj, .. } = *self;
         [
             Edge::Below(R::ZERO),
             Edge::UpTo(R::ZERO),
@@ -264,12 +238,7 @@ impl<R: Real> Sampled<R, 4, 10> for Bell<R> {
     }
 
     fn each(&self, x: R) -> [R; 4] {
-        [
-            self.position(x),
-            self.velocity(x),
-            self.acceleration(x),
-            self.jerk(x),
-        ]
+        [self.position(x), self.velocity(x), self.acceleration(x), self.jerk(x)]
     }
 
     #[inline(always)]

@@ -9,37 +9,16 @@ impl<R: Real> Bell<R> {
     /// [`Bell::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
     #[must_use = "`None` says that there is no plan"]
-    pub fn plan(
-        &mut self,
-        jerk: R,
-        acceleration: R,
-        velocity: R,
-        boundary: Boundary<R>,
-    ) -> Option<R> {
-        self.plan_saturated(
-            jerk,
-            acceleration,
-            velocity,
-            boundary,
-            Saturation::Everything,
-        )
+    pub fn plan(&mut self, jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>) -> Option<R> {
+        self.plan_saturated(jerk, acceleration, velocity, boundary, Saturation::Everything)
     }
 
     /// [`Bell::plan`] with the saturation of either generation of liba.
     #[must_use = "`None` says that there is no plan"]
     pub fn plan_saturated(
-        &mut self,
-        jerk: R,
-        acceleration: R,
-        velocity: R,
-        boundary: Boundary<R>,
-        saturation: Saturation,
+        &mut self, jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>, saturation: Saturation,
     ) -> Option<R> {
-        let (jm, am, vm) = (
-            jerk.magnitude(),
-            acceleration.magnitude(),
-            velocity.magnitude(),
-        );
+        let (jm, am, vm) = (jerk.magnitude(), acceleration.magnitude(), velocity.magnitude());
         let boundary = boundary.limit_velocities(vm, saturation);
         (self.p0, self.p1) = (boundary.p0, boundary.p1);
         (self.v0, self.v1) = (boundary.v0, boundary.v1);
@@ -52,15 +31,9 @@ impl<R: Real> Bell<R> {
         (self.tdj, self.td, self.dm) = ramp(vm - v1, jm, am, full_tj);
         self.dm = -self.dm;
 
-        self.tv = h / vm
-            - R::HALF * self.ta * (R::ONE + v0 / vm)
-            - R::HALF * self.td * (R::ONE + v1 / vm);
+        self.tv = h / vm - R::HALF * self.ta * (R::ONE + v0 / vm) - R::HALF * self.td * (R::ONE + v1 / vm);
         let planned = self.tv > R::ZERO || self.plan_without_cruise(am, h, v0, v1);
-        self.t = if planned {
-            self.ta + self.tv + self.td
-        } else {
-            R::ZERO
-        };
+        self.t = if planned { self.ta + self.tv + self.td } else { R::ZERO };
         planned.then_some(self.t)
     }
 

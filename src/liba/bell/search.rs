@@ -35,11 +35,7 @@ impl<R: Real> Bell<R> {
         let two = R::from(2);
         let s = v0 + v1;
         let q = two * (v0 * v0 + v1 * v1);
-        let Round {
-            mut trial,
-            mut step,
-            single,
-        } = self.skip_plain_rounds(am, h, v0, v1, s, q);
+        let Round { mut trial, mut step, single } = self.skip_plain_rounds(am, h, v0, v1, s, q);
         if single {
             // The single ramp overwrites every other duration of this round.
             self.taj = trial / self.jm;
@@ -78,10 +74,7 @@ impl<R: Real> Bell<R> {
             }
             step = half_step;
             // Not `step <= EPSILON`: a NaN step ends the search too.
-            #[expect(
-                clippy::neg_cmp_op_on_partial_ord,
-                reason = "a NaN step ends the search"
-            )]
+            #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN step ends the search")]
             if !(step > R::EPSILON) {
                 break (Fit::TooSteep, tj);
             }
@@ -110,11 +103,7 @@ impl<R: Real> Bell<R> {
         // A search from at least `DOUBT` is settled when its step runs out, so its last round writes all durations.
         let (mut trial, mut step) = (am, am);
         if !(target::skipping_rounds_pays(R::HAS_UNIT) && am >= R::DOUBT && h >= R::EPSILON) {
-            return Round {
-                trial,
-                step,
-                single: false,
-            };
+            return Round { trial, step, single: false };
         }
         let two = R::from(2);
         let w = (v0 - v1).abs();
@@ -132,22 +121,14 @@ impl<R: Real> Bell<R> {
             let excess = distance - ws;
             let above_shortest = excess + k2 * half_w;
             let below_longest = k2 * (k2 + slope) - excess;
-            let margin = if below_longest < above_shortest {
-                below_longest
-            } else {
-                above_shortest
-            };
+            let margin = if below_longest < above_shortest { below_longest } else { above_shortest };
             let clear = size < R::HUGE && half_step > R::EPSILON;
             if clear && margin > doubt {
                 trial = trial - half_step;
             } else if clear && margin < -doubt && trial != am && step >= self.dm {
                 trial = trial + half_step;
             } else {
-                return Round {
-                    trial,
-                    step,
-                    single: clear && above_shortest < -doubt,
-                };
+                return Round { trial, step, single: clear && above_shortest < -doubt };
             }
             step = half_step;
         }

@@ -4,10 +4,7 @@
 /// The bodies that differ between targets: two files with one face.
 #[cfg_attr(target_os = "none", path = "bare_metal.rs")]
 #[cfg_attr(not(target_os = "none"), path = "host.rs")]
-#[allow(
-    dead_code,
-    reason = "the structs of C store what a polynomial computes"
-)]
+#[allow(dead_code, reason = "the structs of C store what a polynomial computes")]
 pub(crate) mod target;
 
 use crate::findings::{Error, Extremes};
@@ -17,8 +14,8 @@ use crate::state::{Boundary, State};
 
 /// Polynomial of time with `N` coefficients.
 ///
-/// It is the position of an axis: a move of [`Poly3`], [`Poly5`] or [`Poly7`], or the derivative of such a move. The polynomial
-/// goes on outside the move.
+/// It is the position of an axis: a move of [`Poly3`], [`Poly5`] or [`Poly7`], or the derivative of such a move. The move takes exactly
+/// the given time, so several axes stay in step. Nothing limits the motion between its ends, and the polynomial goes on outside them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Poly<R, const N: usize> {
@@ -47,6 +44,8 @@ pub type Poly3<R> = Poly<R, 4>;
 pub type Poly5<R> = Poly<R, 6>;
 
 /// Septic polynomial: position, velocity, acceleration and jerk are prescribed at both ends.
+///
+#[doc = include_str!("../../../docs/img/septic-polynomial.svg")]
 ///
 /// ```
 /// use atraj::{Boundary, Poly7};
@@ -104,8 +103,7 @@ impl<R: Real> Poly5<R> {
         c[1] = v0;
         c[2] = a0 * R::HALF;
         c[3] = R::HALF * (u1 * (a1 - n(3) * a0) - u2 * (n(12) * v0 + n(8) * v1) + u3 * h * n(20));
-        c[4] = R::HALF
-            * (u2 * (n(3) * a0 - n(2) * a1) + u3 * (n(16) * v0 + n(14) * v1) - u4 * h * n(30));
+        c[4] = R::HALF * (u2 * (n(3) * a0 - n(2) * a1) + u3 * (n(16) * v0 + n(14) * v1) - u4 * h * n(30));
         c[5] = R::HALF * (u3 * (a1 - a0) - u4 * (v0 + v1) * n(6) + u5 * h * n(12));
     }
 }
@@ -113,12 +111,7 @@ impl<R: Real> Poly5<R> {
 impl<R: Real> Poly7<R> {
     /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. It returns the errors of
     /// [`Poly3::new`].
-    pub fn new(
-        duration: R,
-        boundary: Boundary<R>,
-        acceleration: [R; 2],
-        jerk: [R; 2],
-    ) -> Result<Self, Error> {
+    pub fn new(duration: R, boundary: Boundary<R>, acceleration: [R; 2], jerk: [R; 2]) -> Result<Self, Error> {
         let mut poly = Self::default();
         poly.plan(duration, boundary, acceleration, jerk);
         poly.finite(duration)
@@ -142,20 +135,15 @@ impl<R: Real> Poly7<R> {
         c[2] = a0 * R::HALF;
         c[3] = j0 * R::SIXTH;
         c[4] = R::SIXTH
-            * (u1 * (-n(4) * j0 - j1) + u2 * (n(15) * a1 - n(30) * a0)
-                - u3 * (n(120) * v0 + n(90) * v1)
+            * (u1 * (-n(4) * j0 - j1) + u2 * (n(15) * a1 - n(30) * a0) - u3 * (n(120) * v0 + n(90) * v1)
                 + u4 * h * n(210));
         c[5] = R::HALF
-            * (u2 * (n(2) * j0 + j1)
-                + u3 * (n(20) * a0 - n(14) * a1)
-                + u4 * (n(90) * v0 + n(78) * v1)
+            * (u2 * (n(2) * j0 + j1) + u3 * (n(20) * a0 - n(14) * a1) + u4 * (n(90) * v0 + n(78) * v1)
                 - u5 * h * n(168));
         c[6] = R::SIXTH
-            * (u3 * (-n(4) * j0 - n(3) * j1) + u4 * (n(39) * a1 - n(45) * a0)
-                - u5 * (n(216) * v0 + n(204) * v1)
+            * (u3 * (-n(4) * j0 - n(3) * j1) + u4 * (n(39) * a1 - n(45) * a0) - u5 * (n(216) * v0 + n(204) * v1)
                 + u6 * h * (n(210) + n(210)));
-        c[7] = R::SIXTH
-            * (u4 * (j0 + j1) + u5 * (a0 - a1) * n(12) + u6 * (v0 + v1) * n(60) - u7 * h * n(120));
+        c[7] = R::SIXTH * (u4 * (j0 + j1) + u5 * (a0 - a1) * n(12) + u6 * (v0 + v1) * n(60) - u7 * h * n(120));
     }
 }
 
@@ -182,22 +170,13 @@ impl<R: Real, const N: usize> Poly<R, N> {
 
     /// Position, velocity, acceleration and jerk at time `x`, s.
     pub fn state(&self, x: R) -> [R; 4] {
-        [
-            self.position(x),
-            self.velocity(x),
-            self.acceleration(x),
-            self.jerk(x),
-        ]
+        [self.position(x), self.velocity(x), self.acceleration(x), self.jerk(x)]
     }
 
     /// Position, velocity and acceleration at time `x`, s: the start of another plan.
     pub fn state_at(&self, x: R) -> State<R> {
         let [position, velocity, acceleration, _] = self.state(x);
-        State {
-            position,
-            velocity,
-            acceleration,
-        }
+        State { position, velocity, acceleration }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -205,10 +184,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
         Sweep { x0, dt }.states(|x| self.state(x))
     }
 
-    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of
-    /// the single calls. Each output is filled to its own end and may be empty.
-    ///
-    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    /// Writes positions, velocities, accelerations and jerks, as [`Bell::sample_into`](crate::Bell::sample_into).
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         let poly = *self;
         Sweep { x0, dt }.fill(outputs, |x| poly.state(x))
@@ -216,13 +192,9 @@ impl<R: Real, const N: usize> Poly<R, N> {
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `duration`, s. A polynomial limits none of them.
     pub fn extremes(&self, duration: R) -> Extremes<R> {
-        let at = |x| State {
-            position: self.position(x),
-            velocity: self.velocity(x),
-            acceleration: self.acceleration(x),
-        };
-        let mut reached = Extremes::of(at(R::ZERO));
-        let end = at(duration);
+        let at =
+            |x| State { position: self.position(x), velocity: self.velocity(x), acceleration: self.acceleration(x) };
+        let (mut reached, end) = (Extremes::of(at(R::ZERO)), at(duration));
         reached.include_position(end.position);
         reached.include_velocity(end.velocity);
         reached.include_acceleration(end.acceleration);
@@ -247,10 +219,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
         let mut zeros = Zeros::default();
         let mut from = R::ZERO;
         for &to in turns.iter().chain([&duration]) {
-            let (start, end) = (
-                self.derivative_at(order, from),
-                self.derivative_at(order, to),
-            );
+            let (start, end) = (self.derivative_at(order, from), self.derivative_at(order, to));
             if start < R::ZERO && end > R::ZERO || start > R::ZERO && end < R::ZERO {
                 zeros.push(self.zero_between(order, from, to));
             } else if end == R::ZERO {
@@ -294,15 +263,8 @@ impl<R: Real, const N: usize> Poly<R, N> {
     /// The derivative of this order at time `x`, s, by Horner's rule: from the highest power down, multiplication and addition
     /// rounded apart.
     pub(crate) fn derivative_at(&self, order: usize, x: R) -> R {
-        let differentiate =
-            |(power, &c): (usize, &R)| (0..order).fold(c, |c, k| c * R::from((power - k) as u8));
-        let mut terms = self
-            .c
-            .iter()
-            .enumerate()
-            .skip(order)
-            .rev()
-            .map(differentiate);
+        let differentiate = |(power, &c): (usize, &R)| (0..order).fold(c, |c, k| c * R::from((power - k) as u8));
+        let mut terms = self.c.iter().enumerate().skip(order).rev().map(differentiate);
         let highest = terms.next().unwrap_or_default();
         terms.fold(highest, |y, c| y * x + c)
     }

@@ -13,7 +13,10 @@ use crate::state::{Boundary, Saturation};
 /// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
 /// each other.
 ///
+/// No profile within the same limits of velocity and acceleration is faster, but the acceleration jumps at every border of a phase.
 /// Fields carry the book's symbols and are signed: for a move towards smaller positions `vc` and `a0` are negative.
+///
+#[doc = include_str!("../../../docs/img/trapezoid-with-cruise.svg")]
 ///
 /// ```
 /// use atraj::{Boundary, Trap};
@@ -58,37 +61,18 @@ impl<R: Real> Trap<R> {
     /// velocities beyond `±velocity` are limited to it; a final velocity out of reach is replaced by the one that is
     /// reached. [`Error::Unreachable`] if liba finds no such move, or if the move takes no time; [`Error::NotFinite`] if an argument
     /// is not a number, or a position infinite; [`Error::Limits`] if a limit is 0.
-    pub fn new(
-        velocity: R,
-        acceleration: R,
-        deceleration: R,
-        boundary: Boundary<R>,
-    ) -> Result<Self, Error> {
-        Self::new_saturated(
-            velocity,
-            acceleration,
-            deceleration,
-            boundary,
-            Saturation::Everything,
-        )
+    pub fn new(velocity: R, acceleration: R, deceleration: R, boundary: Boundary<R>) -> Result<Self, Error> {
+        Self::new_saturated(velocity, acceleration, deceleration, boundary, Saturation::Everything)
     }
 
     /// [`Trap::new`] with the saturation of either generation of liba.
     pub fn new_saturated(
-        velocity: R,
-        acceleration: R,
-        deceleration: R,
-        boundary: Boundary<R>,
-        saturation: Saturation,
+        velocity: R, acceleration: R, deceleration: R, boundary: Boundary<R>, saturation: Saturation,
     ) -> Result<Self, Error> {
         let mut trap = Self::default();
         match trap.plan_saturated(velocity, acceleration, deceleration, boundary, saturation) {
             Some(duration) if duration > R::ZERO => Ok(trap),
-            _ => Err(Error::of_plan(
-                [velocity, acceleration, deceleration],
-                boundary,
-                Error::Unreachable,
-            )),
+            _ => Err(Error::of_plan([velocity, acceleration, deceleration], boundary, Error::Unreachable)),
         }
     }
 }

@@ -50,11 +50,7 @@ impl<R: Real> Trap<R> {
     /// Position, velocity and acceleration at time `x`, s: the start of another plan.
     pub fn state_at(&self, x: R) -> State<R> {
         let [position, velocity, acceleration] = self.state(x);
-        State {
-            position,
-            velocity,
-            acceleration,
-        }
+        State { position, velocity, acceleration }
     }
 
     /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
@@ -62,10 +58,7 @@ impl<R: Real> Trap<R> {
         Sweep { x0, dt }.states(|x| self.state(x))
     }
 
-    /// Writes positions, velocities and accelerations at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of
-    /// the single calls. Each output is filled to its own end and may be empty.
-    ///
-    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    /// Writes positions, velocities and accelerations, as [`Bell::sample_into`](crate::Bell::sample_into).
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
         Sweep { x0, dt }.sample(self, outputs)
     }
@@ -116,9 +109,7 @@ impl<R: Real> Trap<R> {
 
 impl<R: Real> Sampled<R, 3, 7> for Trap<R> {
     fn borders(&self) -> [Edge<R>; 7] {
-        let Self {
-            t, ta, cruise_end, ..
-        } = *self;
+        let Self { t, ta, cruise_end, .. } = *self;
         [
             Edge::Below(R::ZERO),
             Edge::UpTo(R::ZERO),

@@ -20,31 +20,14 @@ impl<R: Real> Trap<R> {
     /// [`Trap::new`] in place and literally the C function: the duration, also if it is NaN, or `None` where the C
     /// function gives up. What a failed plan does not reach keeps its old value.
     #[must_use = "`None` says that there is no plan"]
-    pub fn plan(
-        &mut self,
-        velocity: R,
-        acceleration: R,
-        deceleration: R,
-        boundary: Boundary<R>,
-    ) -> Option<R> {
-        self.plan_saturated(
-            velocity,
-            acceleration,
-            deceleration,
-            boundary,
-            Saturation::Everything,
-        )
+    pub fn plan(&mut self, velocity: R, acceleration: R, deceleration: R, boundary: Boundary<R>) -> Option<R> {
+        self.plan_saturated(velocity, acceleration, deceleration, boundary, Saturation::Everything)
     }
 
     /// [`Trap::plan`] with the saturation of either generation of liba.
     #[must_use = "`None` says that there is no plan"]
     pub fn plan_saturated(
-        &mut self,
-        velocity: R,
-        acceleration: R,
-        deceleration: R,
-        boundary: Boundary<R>,
-        saturation: Saturation,
+        &mut self, velocity: R, acceleration: R, deceleration: R, boundary: Boundary<R>, saturation: Saturation,
     ) -> Option<R> {
         let (a0, a1) = (acceleration, deceleration);
         if a0 == a1 {
@@ -113,9 +96,5 @@ impl<R: Real> Trap<R> {
 /// The root of a squared velocity; `None` below 0.
 fn root<R: Real>(squared: R) -> Option<R> {
     // Not `squared >= 0`: a NaN goes on, as in the C function.
-    if squared < R::ZERO {
-        None
-    } else {
-        Some(squared.sqrt())
-    }
+    if squared < R::ZERO { None } else { Some(squared.sqrt()) }
 }

@@ -1,0 +1,427 @@
+//! The motion of a given duration that gets farthest.
+//!
+//! The displacements that an axis can reach in a duration form an interval, because limits are convex: a mean of two motions within
+//! the limits keeps the limits and travels the mean. The fastest motion over a displacement lies on the border of the first interval that
+//! holds the displacement. `docs/planner.md` has the theory and the letters: `bu` and `bd` are the highest acceleration and the highest
+//! deceleration.
+//!
+//! On the upper border the acceleration rises, (holds), falls, (holds) and rises. If the highest velocity is reached, the axis cruises in
+//! the middle of the fall. The lower border is the upper border of the mirrored axis.
+
+use super::profile::{MOST_SEGMENTS, Profile, Segment};
+use super::ramp::{Change, Fitted, Passed, PerJerk, Ramp, seen};
+use super::rounding::{of_check, of_formula, of_state};
+use crate::limits::Limits;
+use crate::real::Real;
+use crate::roots::larger_root;
+
+/// The ends and the limits of the motions on the border.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Border<R> {
+    /// Velocity at the start.
+    pub v0: R,
+    /// Acceleration at the start.
+    pub a0: R,
+    /// Velocity at the end.
+    pub v1: R,
+    /// Acceleration at the end.
+    pub a1: R,
+    /// Change of velocity from the start to the end. It is formed once, from the arguments.
+    pub dv: R,
+    /// From the velocity at the start up to the highest one. It is formed once, from the arguments.
+    pub above: R,
+    /// From the lowest velocity up to the one at the start. It is formed once, from the arguments.
+    pub below: R,
+    /// The changes of velocity in which the accelerations at both ends are undone, in sum.
+    pub undone: R,
+    pub limits: Limits<R>,
+    pub per_jerk: PerJerk<R>,
+}
+
+/// How much the change of velocity exceeds the one of the straight change of the acceleration.
+#[derive(Clone, Copy)]
+pub(crate) struct Excess<R> {
+    pub velocity: R,
+    /// Whether it is more than rounding.
+    pub is_real: bool,
+}
+
+impl<R: Real> Border<R> {
+    /// The motions between velocities and accelerations within the limits.
+    pub fn between([[v0, a0], [v1, a1]]: [[R; 2]; 2], limits: &Limits<R>) -> Self {
+        let per_jerk = PerJerk::of(limits);
+        Self {
+            v0,
+            a0,
+            v1,
+            a1,
+            dv: v1 - v0,
+            above: limits.vmax - v0,
+            below: v0 - limits.vmin,
+            undone: Self::undone(per_jerk, a0, a1),
+            limits: *limits,
+            per_jerk,
+        }
+    }
+
+    /// The changes of velocity in which the accelerations at both ends are undone, in sum.
+    pub fn undone(per_jerk: PerJerk<R>, a0: R, a1: R) -> R {
+        per_jerk.straight(a0, R::ZERO).abs() + per_jerk.straight(R::ZERO, a1).abs()
+    }
+
+    /// The mirrored axis.
+    #[inline(never)]
+    pub fn mirrored(self) -> Self {
+        Self {
+            v0: -self.v0,
+            a0: -self.a0,
+            v1: -self.v1,
+            a1: -self.a1,
+            dv: -self.dv,
+            above: self.below,
+            below: self.above,
+            undone: self.undone,
+            limits: self.limits.mirrored(),
+            per_jerk: self.per_jerk.mirrored(),
+        }
+    }
+
+    /// The mirrored axis if `mirrored`, else this one.
+    pub fn mirrored_if(self, mirrored: bool) -> Self {
+        if mirrored { self.mirrored() } else { self }
+    }
+
+    /// The motions in the other order of time, which have the same displacements.
+    #[inline(never)]
+    pub fn reversed(self) -> Self {
+        Self {
+            v0: self.v1,
+            a0: -self.a1,
+            v1: self.v0,
+            a1: -self.a0,
+            dv: -self.dv,
+            above: self.above - self.dv,
+            below: self.below + self.dv,
+            limits: self.limits.reversed(),
+            ..self
+        }
+    }
+
+    /// How much the change of velocity exceeds the one of the straight change of the acceleration. The rounding is the sum of the roundings
+    /// of the velocities at both ends, also with the acceleration undone.
+    pub fn beyond_straight(&self) -> Excess<R> {
+        let Self { a0, a1, .. } = *self;
+        let velocity = self.dv - self.per_jerk.straight(a0, a1);
+        Excess { velocity, is_real: velocity.abs() > self.rounding_of_velocity() }
+    }
+
+    /// The sum of the magnitudes of the velocities at both ends, and of what undoing the accelerations adds.
+    fn speeds(&self) -> R {
+        self.v0.abs() + self.v1.abs() + self.undone
+    }
+
+    /// The rounding error of the velocities at both ends, also with the accelerations undone.
+    pub fn rounding_of_velocity(&self) -> R {
+        of_state(self.speeds())
+    }
+
+    /// The rounding error of the difference of both velocities and of the area of a fall.
+    pub fn rounding_of_area(&self) -> R {
+        of_formula(self.speeds())
+    }
+
+    /// The largest change of the velocity at the start that a check of a motion of the duration `t` accepts.
+    pub fn accepted_step(&self, t: R) -> R {
+        of_check(self.speeds() + self.limits.speed_within(t))
+    }
+
+    /// The rounding error of a displacement of this duration, from that of the states at both ends: of the positions, whose magnitudes have the
+    /// sum `positions`, and of what the velocities and the accelerations travel. It is 0 between standstills, where no rounding costs a detour.
+    #[inline(never)] // for its size: it is asked in five places
+    pub fn rounding_of_displacement(&self, duration: R, positions: R) -> R {
+        let (a0, a1) = (self.a0.abs(), self.a1.abs());
+        let added = self.undone.at_most(a0.at_least(a1) * duration);
+        let speed = self.v0.abs().at_least(self.v1.abs()) + added;
+        let of_end = of_state(positions + speed * duration);
+        if speed > R::ZERO { of_end + of_end } else { R::ZERO }
+    }
+
+    /// The fastest change of velocity: the direct ramp. Its duration allows no other displacement. The argument comes from
+    /// [`Border::beyond_straight`].
+    pub fn direct(&self, Excess { velocity: beyond, is_real }: Excess<R>) -> Ramp<R> {
+        // Where both accelerations point against the ramp, the least ramp is a long one. A rounding is no reason for such a ramp.
+        let against = self.a0 * beyond < R::ZERO && self.a1 * beyond < R::ZERO;
+        if beyond == R::ZERO || against && !is_real {
+            Ramp::straight(self.a0, self.a1)
+        } else {
+            self.ramp(beyond, beyond < R::ZERO)
+        }
+    }
+
+    /// The shortest duration of all: that of the direct ramp, s.
+    pub fn shortest(&self) -> R {
+        self.passed(&self.direct(self.beyond_straight())).duration
+    }
+
+    /// How much faster the start is to be for the direct ramp to last `t`; 0 if it lasts no longer, or if a check sees the step at the
+    /// start.
+    pub fn faster_for(&self, t: R) -> R {
+        let direct = self.direct(self.beyond_straight());
+        let shorter = t - self.passed(&direct).duration;
+        let mirrored = direct.mirrored;
+        let limit = if mirrored { -self.limits.amin } else { self.limits.amax };
+        let most = self.accepted_step(t);
+        let fitted = direct.longer(shorter, limit, most, self.per_jerk.mirrored_if(mirrored));
+        fitted.filter(|_| shorter < R::ZERO).map_or(R::ZERO, |fitted| -fitted.faster.negate_if(mirrored))
+    }
+
+    /// The change of velocity behind the gap: it turns against both accelerations.
+    pub fn behind_gap(&self) -> Ramp<R> {
+        self.ramp(self.beyond_straight().velocity, self.a0 >= R::ZERO)
+    }
+
+    /// The change of velocity by way of a higher acceleration, in the mirrored axis if `mirrored`.
+    fn ramp(&self, beyond: R, mirrored: bool) -> Ramp<R> {
+        let [beyond, a0, a1] = seen([beyond, self.a0, self.a1], mirrored);
+        let limit = if mirrored { -self.limits.amin } else { self.limits.amax };
+        let ramp = Ramp::over(beyond, a0, a1, limit, self.per_jerk.mirrored_if(mirrored));
+        ramp.mirrored_if(mirrored)
+    }
+
+    /// The straight change of the acceleration, in the mirrored axis if `mirrored`.
+    pub fn straight(&self, mirrored: bool) -> Ramp<R> {
+        let (a0, a1) = (self.a0.negate_if(mirrored), self.a1.negate_if(mirrored));
+        Ramp::straight(a0, a1).mirrored_if(mirrored)
+    }
+
+    /// The ramp that makes up for what its displacement `lacks`. The end stays, so the start is the slower. `None` if that is more than rounding.
+    pub fn fitted(&self, ramp: &Ramp<R>, lacks: R) -> Option<Fitted<R>> {
+        let mirrored = ramp.mirrored;
+        let (v0, lacks) = (self.v0.negate_if(mirrored), lacks.negate_if(mirrored));
+        let limit = if mirrored { -self.limits.amin } else { self.limits.amax };
+        let per_jerk = self.per_jerk.mirrored_if(mirrored);
+        // While the axis holds its highest acceleration longer, it travels at its velocity there, and before at a lower velocity.
+        let faster = v0 - R::HALF * per_jerk.gu * ramp.rise * ramp.rise;
+        let most = self.rounding_of_velocity();
+        let Fitted { ramp, faster } = ramp.longer(lacks / faster, limit, most, per_jerk)?;
+        Some(Fitted { ramp, faster: faster.negate_if(mirrored) })
+    }
+
+    /// What a ramp passes.
+    pub fn passed(&self, ramp: &Ramp<R>) -> Passed<R> {
+        let mirrored = ramp.mirrored;
+        let [v0, a0, a1] = seen([self.v0, self.a0, self.a1], mirrored);
+        let per_jerk = self.per_jerk.mirrored_if(mirrored);
+        let Passed { duration, displacement } = ramp.passed(v0, a0, a1, per_jerk);
+        Passed { duration, displacement: displacement.negate_if(mirrored) }
+    }
+
+    /// The profile of a ramp.
+    #[inline(never)] // for its size: it is asked in nine places
+    pub fn profile(&self, ramp: &Ramp<R>) -> Profile<R> {
+        let Ramp { mirrored, rise, peak, hold, fall } = *ramp;
+        if mirrored {
+            Profile { peak: self.a0, fall: rise, trough: -peak, bottom: hold, last: fall, ..Profile::default() }
+        } else {
+            Profile { first: rise, peak, top: hold, fall, trough: self.a1, ..Profile::default() }
+        }
+    }
+
+    /// The fastest ramps from the start up to the highest velocity, and from the end up to it in the other order of time.
+    pub fn ramps_to_vmax(&self) -> [Ramp<R>; 2] {
+        let per_jerk = self.per_jerk;
+        let (a0, a1) = (self.a0, -self.a1);
+        let up = self.above - per_jerk.straight(a0, R::ZERO);
+        let down = self.above - self.dv - per_jerk.straight(a1, R::ZERO);
+        [
+            Ramp::over(up, a0, R::ZERO, self.limits.amax, per_jerk),
+            Ramp::over(down, a1, R::ZERO, -self.limits.amin, per_jerk),
+        ]
+    }
+
+    /// The motion that cruises for the duration `cruise` between the ramps to the highest velocity.
+    pub fn by_way_of_vmax([up, down]: [Ramp<R>; 2], cruise: R) -> Profile<R> {
+        Profile {
+            mirrored: false,
+            first: up.rise,
+            peak: up.peak,
+            top: up.hold,
+            fall: up.fall + down.fall,
+            cruise,
+            trough: -down.peak,
+            bottom: down.hold,
+            last: down.rise,
+        }
+    }
+
+    /// The motion of the duration `t` that gets farthest. `None` if the end cannot be reached in this duration, which is not below that of
+    /// the direct ramp.
+    pub fn farthest(&self, t: R) -> Option<Profile<R>> {
+        let straight = self.profile(&Ramp::straight(self.a0, self.a1));
+        let waits = t - straight.duration(self.per_jerk);
+        if !self.beyond_straight().is_real && waits.abs() <= of_state(t) {
+            return Some(straight);
+        }
+        let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);
+        let without_cruise = cruise.duration(self.per_jerk);
+        // Ramps of infinite numbers have an infinite duration, or NaN.
+        if t >= without_cruise {
+            return Some(Profile { cruise: t - without_cruise, ..cruise });
+        }
+        self.without_cruise(t)
+    }
+
+    /// The motion of the duration `t` that gets farthest between ends that are strictly inside their limits. `None` if it is no more than a ramp,
+    /// or if the end cannot be reached in this duration.
+    #[inline]
+    pub fn farthest_inside(&self, t: R) -> Option<Profile<R>> {
+        let Self { a0, a1, .. } = *self;
+        let gu = self.per_jerk.gu;
+        let rises = t > gu * (a1 - a0);
+        let profile = rises.then(|| self.without_cruise(t))??;
+        let Profile { peak, trough, top, .. } = profile;
+        // Where the velocity is highest, its change is more than what is left up to `vmax`.
+        let above = self.above + R::HALF * gu * a0 * a0;
+        if peak > R::ZERO && trough < R::ZERO && peak * (self.per_jerk.q() * peak + top) > above {
+            let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);
+            // By rounding the cruise may be below 0.
+            let rest = (t - cruise.duration(self.per_jerk)).at_least(R::ZERO);
+            return Some(Profile { cruise: rest, ..cruise });
+        }
+        (peak >= a0 && trough <= a1).then_some(profile)
+    }
+
+    /// The motion of the duration `t` that gets farthest, if the duration is too short to cruise.
+    fn without_cruise(&self, t: R) -> Option<Profile<R>> {
+        let Self { a0, a1, dv, .. } = *self;
+        let (bu, bd) = (self.limits.amax, -self.limits.amin);
+        let (gu, q, half) = (self.per_jerk.gu, self.per_jerk.q(), R::HALF);
+        let rest = t + gu * (a0 - a1);
+        let fall = half * rest / q;
+        let rises = fall - (a0 - a1);
+        let difference = (dv - half * t * (a0 + a1)) / (q * fall);
+        let (first, last) = (half * (rises + difference), half * (rises - difference));
+        let (peak, trough) = (a0 + first, a1 - last);
+        if peak <= bu && trough >= -bd {
+            let rounding = of_state(a0.abs() + a1.abs() + fall);
+            // A rise that is longer at one end of the fall and shorter at the other changes the velocity by twice the area of the fall.
+            let change = (q + q) * fall;
+            let is_rise = |rise: R| rise >= -rounding || change * -rise <= self.rounding_of_area();
+            return (is_rise(first) && is_rise(last)).then_some(Profile {
+                first,
+                peak,
+                fall,
+                trough,
+                last,
+                ..Profile::default()
+            });
+        }
+        let both = bu + bd;
+        let holds = rest - (q + q) * both;
+        let turned = dv + half * gu * (a0 * a0 - a1 * a1) - q * (bu * bu - bd * bd);
+        let top = (turned + bd * holds) / both;
+        let bottom = (bu * holds - turned) / both;
+        let is_trapezoid = q == R::ZERO;
+        let top_holds = if holds >= R::ZERO { top >= R::ZERO } else { peak > bu };
+        if holds >= R::ZERO && (top >= R::ZERO && bottom >= R::ZERO || is_trapezoid) {
+            Some(Profile {
+                first: bu - a0,
+                peak: bu,
+                top: top.at_least(R::ZERO),
+                fall: both,
+                trough: -bd,
+                bottom: bottom.at_least(R::ZERO),
+                last: a1 + bd,
+                ..Profile::default()
+            })
+        } else if top_holds {
+            self.top_alone(t)
+        } else {
+            self.reversed().top_alone(t).map(Profile::reversed)
+        }
+    }
+
+    /// The motion of the duration `t` in which the highest acceleration holds and the lowest one does not. `None` if the velocity at the end
+    /// cannot be reached in this duration.
+    fn top_alone(&self, t: R) -> Option<Profile<R>> {
+        let Self { a0, a1, dv, .. } = *self;
+        let PerJerk { gu, gd } = self.per_jerk;
+        let (q, bu) = (self.per_jerk.q(), self.limits.amax);
+        let (first, least) = (bu - a0, bu - a1);
+        let held = bu * t;
+        // What the velocity would change too much by, if the acceleration fell to the end and no rise followed.
+        let beyond = held - dv - R::HALF * (gu * first * first + gd * least * least);
+        let rounding = self.rounding_of_area() + of_formula(held);
+        (beyond >= -rounding).then(|| {
+            // A rise below 0 by rounding is none. Else the hold would have to leave its acceleration.
+            let last = larger_root(least, -(beyond.at_least(R::ZERO) / q));
+            Profile {
+                first,
+                peak: bu,
+                top: (t - gu * (first + last) - gd * (least + last)).at_least(R::ZERO),
+                fall: least + last,
+                trough: a1 - last,
+                last,
+                ..Profile::default()
+            }
+        })
+    }
+
+    /// Displacement of a motion.
+    pub fn displacement(&self, profile: &Profile<R>) -> R {
+        let change = self.change(profile);
+        self.v0 * change.duration + change.displacement
+    }
+
+    /// What a motion changes.
+    #[inline]
+    pub fn change(&self, profile: &Profile<R>) -> Change<R> {
+        let Profile { first, peak, top, fall, cruise, trough, bottom, last, .. } = *profile;
+        let PerJerk { gu, gd } = self.per_jerk;
+        let rise = Change::of(self.a0, peak, gu * first).hold(peak, top);
+        let fall = if cruise > R::ZERO {
+            rise.then(peak, R::ZERO, gd * peak).hold(R::ZERO, cruise).then(R::ZERO, trough, gd * -trough)
+        } else {
+            rise.then(peak, trough, gd * fall)
+        };
+        fall.hold(trough, bottom).then(trough, self.a1, gu * last)
+    }
+
+    /// The derivative of the displacement on the border with respect to the duration.
+    pub fn slope(&self, profile: &Profile<R>) -> R {
+        let Profile { trough, fall, bottom, last, .. } = *profile;
+        let PerJerk { gu, gd } = self.per_jerk;
+        let before_last = self.v1 - R::HALF * gu * last * (self.a1 + trough);
+        before_last - trough * (R::HALF * gd * fall + bottom)
+    }
+
+    /// The segments of a motion on this border, or on the border of the mirrored axis, in order of time.
+    pub fn segments(&self, profile: &Profile<R>) -> [Segment<R>; MOST_SEGMENTS] {
+        let Profile { mirrored, first, peak, top, fall, cruise, trough, bottom, last } = *profile;
+        let PerJerk { gu, gd } = self.per_jerk.mirrored_if(mirrored);
+        let Limits { jmax, jmin, .. } = self.limits;
+        let (rising, falling) = if mirrored { (jmin, jmax) } else { (jmax, jmin) };
+        // A rise may come out below 0 by rounding. The sum of both stays, and with it the duration.
+        let rises = first + last;
+        let first_rise = first.at_least(R::ZERO).at_most(rises);
+        let last = if first_rise == first { last } else { rises - first_rise };
+        // Then the fall begins and ends at other accelerations. The accelerations at the ends of the motion are exact.
+        let moved = first_rise - first;
+        let first = first_rise;
+        let (peak, trough) = ((peak + moved).negate_if(mirrored), (trough + moved).negate_if(mirrored));
+        let peak = if first + top > R::ZERO { peak } else { self.a0 };
+        let trough = if last + bottom > R::ZERO { trough } else { self.a1 };
+        // The fall pauses at 0 for the cruise.
+        let (pause, before, after) =
+            if cruise > R::ZERO { (R::ZERO, peak.abs(), trough.abs()) } else { (trough, fall, R::ZERO) };
+        [
+            Segment::new(self.a0, rising, gu * first),
+            Segment::new(peak, R::ZERO, top),
+            Segment::new(peak, falling, gd * before),
+            Segment::new(pause, R::ZERO, cruise),
+            Segment::new(pause, falling, gd * after),
+            Segment::new(trough, R::ZERO, bottom),
+            Segment::new(trough, rising, gu * last),
+        ]
+    }
+}

@@ -1,0 +1,326 @@
+//! The first motion on the border that gets as far as wanted.
+//!
+//! The search begins at the direct ramp, whose duration allows one displacement only. From there the pieces of the border follow each other
+//! as the duration grows: the acceleration eases, changes its sign, holds at one limit, holds at both, and the axis cruises.
+
+use super::border::Border;
+use super::piece::{Easing, Piece};
+use super::profile::Profile;
+use super::ramp::{Fitted, Passed, Ramp};
+use super::rounding::of_formula;
+use crate::real::Real;
+use crate::roots::larger_root;
+
+/// A displacement between two positions.
+#[derive(Clone, Copy)]
+pub(crate) struct Displacement<R> {
+    pub h: R,
+    /// The sum of the magnitudes of both positions, which tells their rounding.
+    pub positions: R,
+}
+
+/// What the displacement of a motion lacks.
+#[derive(Clone, Copy)]
+struct Shortfall<R> {
+    lacks: R,
+    /// What of it is rounding.
+    tie: R,
+}
+
+impl<R: Real> Shortfall<R> {
+    fn is_rounding(&self) -> bool {
+        self.lacks.abs() <= self.tie
+    }
+}
+
+/// Where the border first gets as far as wanted, before a gap: durations in which the end cannot be reached.
+enum Crossing<R> {
+    /// The motion.
+    At(Profile<R>),
+    /// A gap comes first: the last motion before it.
+    GapAfter(Profile<R>),
+}
+
+impl<R: Real> Crossing<R> {
+    fn map(self, motion: impl Fn(Profile<R>) -> Profile<R>) -> Self {
+        match self {
+            Self::At(profile) => Self::At(motion(profile)),
+            Self::GapAfter(profile) => Self::GapAfter(motion(profile)),
+        }
+    }
+}
+
+/// How the search before a gap ends.
+enum Found<R> {
+    Crossing(Crossing<R>),
+    /// The displacement is not reached, and no gap comes: the last motion of the piece, and what its displacement lacks.
+    Lacking(Profile<R>, R),
+}
+
+/// The fastest motion over a displacement.
+pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> Profile<R> {
+    if border.a0 == R::ZERO && border.a1 == R::ZERO && border.dv == R::ZERO {
+        return from_steady(border, wanted.h, border.rounding_of_displacement(R::ZERO, wanted.positions));
+    }
+    let excess = border.beyond_straight();
+    // What is left of a move may be a straight change of the acceleration, up to rounding.
+    if excess.velocity != R::ZERO && !excess.is_real {
+        let straight = Ramp::straight(border.a0, border.a1);
+        let shortfall = shortfall(border, &straight, wanted);
+        if shortfall.is_rounding() && shortfall.tie.is_finite() {
+            return border.profile(&straight);
+        }
+    }
+    let direct = border.direct(excess);
+    let of_direct = shortfall(border, &direct, wanted);
+    let last_before_gap = match first_from(border, &direct, wanted.h, of_direct) {
+        Crossing::At(first) => return without_detour(border, first, &direct, of_direct.lacks, wanted),
+        Crossing::GapAfter(last) => last.as_ramp(),
+    };
+    if shortfall(border, &last_before_gap, wanted).is_rounding() {
+        return border.profile(&last_before_gap);
+    }
+    let behind = border.behind_gap();
+    let first = match first_from(border, &behind, wanted.h, shortfall(border, &behind, wanted)) {
+        Crossing::At(first) => first,
+        Crossing::GapAfter(_) => border.profile(&behind),
+    };
+    // The fastest ramp is the last one that is tried.
+    let ramps = [&behind, &last_before_gap, &direct];
+    let shorter = |first, ramp| without_detour(border, first, ramp, shortfall(border, ramp, wanted).lacks, wanted);
+    ramps.into_iter().fold(first, shorter)
+}
+
+/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only, whose shortfall is given.
+fn first_from<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>) -> Crossing<R> {
+    let lacks = shortfall.lacks;
+    if shortfall.is_rounding() && shortfall.tie.is_finite() {
+        let fitted = border.fitted(ramp, lacks).filter(|_| !ramp.is_straight());
+        return Crossing::At(border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp)));
+    }
+    let mirrored = lacks < R::ZERO;
+    let axis = border.mirrored_if(mirrored);
+    let mut base = axis.profile(&ramp.mirrored_if(mirrored));
+    split_at_0(&axis, &mut base);
+    first_over(&axis, base, h.negate_if(mirrored), lacks.abs()).map(|profile| Profile { mirrored, ..profile })
+}
+
+/// The motion, or the ramp, if the motion is a detour only because of roundings of the velocities: with a change of the velocity at the start
+/// by its roundings, the ramp, whose displacement lacks `lacks` of `h`, is the motion.
+fn without_detour<R: Real>(
+    border: &Border<R>, motion: Profile<R>, ramp: &Ramp<R>, lacks: R, wanted: Displacement<R>,
+) -> Profile<R> {
+    let fitted = |ramp: &Ramp<R>| {
+        let Fitted { ramp, faster } = border.fitted(ramp, lacks)?;
+        let Passed { duration, displacement } = border.passed(&ramp);
+        let lacks = wanted.h - (displacement - faster * duration);
+        (lacks.abs() <= border.rounding_of_displacement(duration, wanted.positions)).then_some((ramp, duration))
+    };
+    let found = if ramp.is_straight() {
+        // The ramp grows to one side, or to the other one if its acceleration is at a limit.
+        let below = lacks < R::ZERO;
+        let sides = [below, !below].map(|mirrored| border.straight(mirrored));
+        sides.iter().find_map(fitted)
+    } else {
+        fitted(ramp)
+    };
+    let lasts = motion.duration(border.per_jerk.mirrored_if(motion.mirrored));
+    match found {
+        Some((ramp, duration)) if lasts > duration => border.profile(&ramp),
+        _ => motion,
+    }
+}
+
+/// The fastest motion over `h` between equal velocities without acceleration: the direct ramp has no duration.
+fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
+    let mirrored = h < R::ZERO;
+    let way = h.abs();
+    let stay = border.profile(&Ramp::straight(border.a0, border.a1));
+    if way <= tie {
+        return stay;
+    }
+    let motion = turning(&border.mirrored_if(mirrored), stay, way, way);
+    Profile { mirrored, ..motion }
+}
+
+/// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
+pub(crate) fn next_duration<R: Real>(
+    border: &Border<R>, mut t: R, Displacement { h, positions }: Displacement<R>,
+) -> R {
+    // A displacement may become impossible once, and a gap may follow, on each side.
+    for _ in 0..4 {
+        let mirrored = border.mirrored();
+        let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
+            // The fastest motion is below the shortest ramp, if its velocities are equal up to roundings.
+            let behind = border.passed(&border.behind_gap()).duration;
+            t = behind.at_least(border.shortest());
+            continue;
+        };
+        let tie = border.rounding_of_displacement(t, positions);
+        let lacks = h - border.displacement(&farthest);
+        let exceeds = -h - mirrored.displacement(&nearest);
+        if !(lacks - exceeds).is_finite() {
+            return R::INFINITY;
+        }
+        let (axis, h, base, lacks) = if lacks > tie {
+            (*border, h, farthest, lacks)
+        } else if exceeds > tie {
+            (mirrored, -h, nearest, exceeds)
+        } else {
+            return t;
+        };
+        let first = match first_over(&axis, base, h, lacks) {
+            Crossing::GapAfter(last) if h - axis.displacement(&last) > tie => None,
+            Crossing::At(first) | Crossing::GapAfter(first) => Some(first.duration(axis.per_jerk)),
+        };
+        // Roundings of the velocities may show a motion behind the start of the gap. The motion that is found from there is before the gap.
+        let is_before = |first: R| first < t - of_formula(t);
+        t = match first {
+            Some(first) if !is_before(first) => first,
+            // The time of an acceleration that an infinite jerk ends has large roundings. They show a gap that is long over.
+            _ => border.passed(&border.behind_gap()).duration.at_least(t),
+        };
+    }
+    t
+}
+
+/// What the displacement of a ramp lacks of the one that is wanted.
+fn shortfall<R: Real>(border: &Border<R>, ramp: &Ramp<R>, wanted: Displacement<R>) -> Shortfall<R> {
+    let Passed { duration, displacement } = border.passed(ramp);
+    Shortfall { lacks: wanted.h - displacement, tie: border.rounding_of_displacement(duration, wanted.positions) }
+}
+
+/// Makes a straight rise through 0, or from or to 0, two rises: the acceleration may pause at 0.
+fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
+    let is_straight = profile.fall == R::ZERO && profile.top + profile.bottom == R::ZERO;
+    if is_straight && border.a0 <= R::ZERO && border.a1 >= R::ZERO {
+        (profile.first, profile.last) = (-border.a0, border.a1);
+        (profile.peak, profile.trough) = (R::ZERO, R::ZERO);
+    }
+}
+
+/// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in
+/// the middle of the motion.
+fn first_over<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
+    let (base, lacks) = if base.trough > R::ZERO || base.peak < R::ZERO {
+        match before_gap(border, base, lacks) {
+            Found::Crossing(crossing) => return crossing,
+            Found::Lacking(base, lacks) => (base, lacks),
+        }
+    } else {
+        (base, lacks)
+    };
+    Crossing::At(turning(border, base, h, lacks))
+}
+
+/// The part of the border in which the acceleration keeps its sign in the middle of the motion.
+fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Found<R> {
+    if base.trough > R::ZERO {
+        return easing(border, base, lacks);
+    }
+    match easing(&border.reversed(), base.reversed(), lacks) {
+        Found::Crossing(crossing) => Found::Crossing(crossing.map(Profile::reversed)),
+        Found::Lacking(profile, lacks) => Found::Lacking(profile.reversed(), lacks),
+    }
+}
+
+/// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
+fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Found<R> {
+    // A hold ends once at most.
+    for _ in 0..2 {
+        let piece = Piece::of(border, &base, base.top > R::ZERO);
+        let (end, what) = piece.end_of_easing(border.a0);
+        match piece.first_over(lacks, end, false) {
+            Ok(x) => return Found::Crossing(Crossing::At(piece.profile(x))),
+            Err(beyond) => lacks = beyond,
+        }
+        base = piece.profile(end);
+        match what {
+            Easing::HoldEnds => base.top = R::ZERO,
+            Easing::Vanishes => {
+                // Exact, where the digits of high accelerations cancel.
+                (base.peak, base.trough) = (base.fall, R::ZERO);
+                return Found::Lacking(base, lacks);
+            }
+            Easing::IsFollowedByGap => {
+                base.last = base.last + base.first;
+                base.trough = base.trough - base.first;
+                (base.first, base.peak) = (R::ZERO, border.a0);
+                break;
+            }
+        }
+    }
+    Found::Crossing(Crossing::GapAfter(base))
+}
+
+/// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it
+/// gets `lacks` farther than `base`.
+fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R) -> Profile<R> {
+    let ramps @ [up, down] = border.ramps_to_vmax();
+    let while_up = up.passed(border.v0, border.a0, R::ZERO, border.per_jerk).displacement;
+    let while_down = down.passed(border.v1, -border.a1, R::ZERO, border.per_jerk).displacement;
+    let displacement = while_up + while_down;
+    if h >= displacement {
+        return Border::by_way_of_vmax(ramps, (h - displacement) / border.limits.vmax);
+    }
+    if !(base.top > R::ZERO || base.bottom > R::ZERO) {
+        let piece = Piece::of(border, &base, false);
+        let end = until_hold(border, &base);
+        if end > R::ZERO {
+            match piece.first_over(lacks, end, true) {
+                Ok(x) => return piece.profile(x),
+                Err(beyond) => lacks = beyond,
+            }
+            base = piece.profile(end);
+        }
+    }
+    let holds = base.top > R::ZERO || base.bottom > R::ZERO;
+    let (bu, bd) = (border.limits.amax, -border.limits.amin);
+    let nearer = bu - base.peak <= bd + base.trough;
+    if base.top > R::ZERO || !holds && nearer {
+        holding(border, base, lacks)
+    } else {
+        holding(&border.reversed(), base.reversed(), lacks).reversed()
+    }
+}
+
+/// How much more the acceleration falls until a hold begins. The peak is not below 0 and the trough not above, so no digits cancel.
+fn until_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
+    let Profile { peak, trough, .. } = *base;
+    let until = |limit: R, reached: R, opposite: R| {
+        let remains = limit - reached;
+        let beyond = remains * (limit + reached);
+        if !beyond.is_finite() {
+            R::INFINITY
+        } else if beyond > R::ZERO {
+            remains + beyond / (opposite + (opposite * opposite + beyond).sqrt())
+        } else {
+            // A ramp that just reaches a limit may pass the limit by a rounding.
+            R::ZERO
+        }
+    };
+    let top = until(border.limits.amax, peak, -trough);
+    let bottom = until(-border.limits.amin, -trough, peak);
+    top.at_most(bottom)
+}
+
+/// The highest acceleration holds, and at last the lowest one too.
+fn holding<R: Real>(border: &Border<R>, mut base: Profile<R>, lacks: R) -> Profile<R> {
+    base.peak = border.limits.amax;
+    let piece = Piece::of(border, &base, true);
+    let end = (base.trough - border.limits.amin).at_least(R::ZERO);
+    match piece.first_over(lacks, end, true) {
+        Ok(x) => piece.profile(x),
+        Err(lacks) => both_hold(border, piece.profile(end), lacks),
+    }
+}
+
+/// Both accelerations hold, and the displacement is a quadratic.
+fn both_hold<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Profile<R> {
+    let (bu, bd) = (border.limits.amax, -border.limits.amin);
+    let sum = bu + bd;
+    let curvature = bu * bd / sum;
+    let slope = border.slope(&base);
+    let longer = larger_root(slope / curvature, -(lacks + lacks) / curvature);
+    Profile { top: base.top + bd / sum * longer, trough: -bd, bottom: base.bottom + bu / sum * longer, ..base }
+}

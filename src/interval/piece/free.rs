@@ -1,0 +1,112 @@
+//! The piece of the border on which no acceleration holds.
+
+use super::easing::Easing;
+use crate::interval::border::Border;
+use crate::interval::profile::Profile;
+use crate::interval::ramp::PerJerk;
+use crate::real::Real;
+use crate::roots::first_zero;
+
+pub(crate) struct Free<R> {
+    first: Profile<R>,
+    per_jerk: PerJerk<R>,
+    /// How far the acceleration falls in the first motion.
+    u: R,
+    /// The slope of the first motion.
+    pub(super) s: R,
+    /// The sum of peak and trough in the first motion.
+    r: R,
+}
+
+impl<R: Real> Free<R> {
+    pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
+        Self {
+            first: *first,
+            per_jerk: border.per_jerk,
+            u: first.fall,
+            s: border.slope(first),
+            r: first.peak + first.trough,
+        }
+    }
+
+    pub fn displacement(&self, x: R) -> (R, R) {
+        let Self { u, s, .. } = *self;
+        let PerJerk { gu, gd } = self.per_jerk;
+        let (half, three) = (R::HALF, R::from(3));
+        let [first, last] = self.parts(x);
+        let quarter_gu = half * half * gu;
+        let third = R::SIXTH + R::SIXTH;
+        let rises = quarter_gu * (first * last * (u + x) - (third + third) * x);
+        let sum = rises + R::SIXTH * gd * (three * u + x);
+        let growth = quarter_gu * first * last + half * gd;
+        let twice_slope = s + s + x * (u + u + x) * growth;
+        let q = self.per_jerk.q();
+        (q * x * (s + s + x * sum), q * twice_slope)
+    }
+
+    /// What the first rise and the last one grow by, for each half of `x`: `(x - 2 trough)/(u + x)` and `(x + 2 peak)/(u + x)`. Where the
+    /// acceleration changes its sign, no digits cancel in them.
+    fn parts(&self, x: R) -> [R; 2] {
+        let Profile { peak, trough, .. } = self.first;
+        let fall = self.u + x;
+        [x - (trough + trough), x + (peak + peak)].map(|part| if fall > R::ZERO { part / fall } else { R::ZERO })
+    }
+
+    /// `(gu + 2 gd)/12`
+    fn c(&self) -> R {
+        R::SIXTH * (R::HALF * self.per_jerk.gu + self.per_jerk.gd)
+    }
+
+    /// The product of the slope and of the square that the acceleration falls by is a quadratic in this square. In the unit of this formula
+    /// nothing is out of range.
+    pub fn turning_point(&self) -> Option<R> {
+        let Self { u, s, r, .. } = *self;
+        let cubic = R::from(3) * self.c();
+        let unit = (s.abs() / cubic).sqrt();
+        let unit = u.at_least(r.abs()).at_least(unit);
+        let (u, r) = (u / unit, r / unit);
+        let s = s / (cubic * unit) / unit;
+        let square = u * u;
+        let quarter_gu = R::HALF * R::HALF * self.per_jerk.gu / cubic;
+        let p = R::HALF * (square - quarter_gu * r * r) + s;
+        let zero = first_zero(p, (s + s) * square)?;
+        Some(unit * zero / ((square + zero).sqrt() + u))
+    }
+
+    /// Only the bound of this piece is asked for, so its peak and trough stay.
+    pub fn from(&self, x: R) -> Self {
+        Self { u: self.u + x, s: R::ZERO, ..*self }
+    }
+
+    pub fn bound(&self, displacement: R) -> R {
+        let slope = self.s.at_least(R::ZERO); // -0 too
+        let reduced = displacement / self.per_jerk.q();
+        let linear = reduced / slope;
+        let square = (reduced + reduced) / (self.per_jerk.gd * self.u);
+        let cube = (reduced / self.c()).cube_root_above();
+        (R::HALF * linear).at_most(square.sqrt().at_most(cube))
+    }
+
+    /// The lowest trough has the square of this function: then no rise is left at the start. Of two forms, it takes the one whose terms are
+    /// small.
+    pub fn end_of_easing(&self, a0: R) -> (R, Easing) {
+        let Self { u, first, .. } = *self;
+        let Profile { first: rise, peak, trough, .. } = first;
+        let trough = trough.at_least(R::ZERO); // by rounding
+        let (change, sum, remains) = if rise < u { (rise, peak + a0, trough) } else { (u, peak + trough, a0) };
+        let square = remains * remains - change * sum;
+        if a0 > R::ZERO && square > R::ZERO {
+            let end = change * (sum / (remains + square.sqrt()) - R::ONE);
+            (end, Easing::IsFollowedByGap)
+        } else {
+            let least_peak = (u * (peak + trough)).sqrt();
+            (least_peak - u, Easing::Vanishes)
+        }
+    }
+
+    pub fn profile(&self, x: R) -> Profile<R> {
+        let half = R::HALF * x;
+        let [more, rest] = self.parts(x).map(|part| half * part);
+        self.first.falling_by(x, more, rest)
+    }
+}

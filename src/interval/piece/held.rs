@@ -1,0 +1,83 @@
+//! The piece of the border on which the highest acceleration holds.
+
+use super::easing::Easing;
+use crate::interval::border::Border;
+use crate::interval::profile::Profile;
+use crate::interval::ramp::PerJerk;
+use crate::real::Real;
+use crate::roots::first_zero;
+
+pub(crate) struct Held<R> {
+    first: Profile<R>,
+    per_jerk: PerJerk<R>,
+    /// The highest acceleration.
+    bu: R,
+    /// How far the acceleration falls in the first motion.
+    u: R,
+    /// The slope of the first motion.
+    pub(super) s: R,
+    /// The derivative of the slope in the first motion.
+    k: R,
+}
+
+impl<R: Real> Held<R> {
+    pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
+        let Profile { fall: u, trough: y, .. } = *first;
+        let PerJerk { gu, gd } = border.per_jerk;
+        Self {
+            first: *first,
+            per_jerk: border.per_jerk,
+            bu: border.limits.amax,
+            u,
+            s: border.slope(first),
+            k: R::HALF * gd * (u - y) - gu * y,
+        }
+    }
+
+    pub fn displacement(&self, x: R) -> (R, R) {
+        let Self { bu, u, s, k, .. } = *self;
+        let (half, third, q) = (R::HALF, R::SIXTH + R::SIXTH, self.per_jerk.q());
+        let cubic = q * x * (third * u + half * half * x);
+        let sum = s * (u + half * x) + x * (k * (half * u + third * x) + cubic);
+        let slope = s + x * (k + q * x);
+        let factor = (q + q) / bu;
+        (factor * x * sum, factor * (u + x) * slope)
+    }
+
+    /// The slope is a quadratic.
+    pub fn turning_point(&self) -> Option<R> {
+        let q = self.per_jerk.q();
+        first_zero(R::HALF * self.k / q, self.s / q)
+    }
+
+    pub fn from(&self, x: R) -> Self {
+        let q = self.per_jerk.q();
+        Self { u: self.u + x, s: R::ZERO, k: self.k + (q + q) * x, ..*self }
+    }
+
+    pub fn bound(&self, displacement: R) -> R {
+        let Self { bu, u, s, k, .. } = *self;
+        let q = self.per_jerk.q();
+        let slope = s.at_least(R::ZERO); // -0 too
+        let reduced = displacement / q;
+        let fourth = (reduced + reduced) / bu / q;
+        let reduced = reduced * bu;
+        let linear = reduced / (slope * u);
+        let square = reduced / (k * u);
+        let fourth = (bu * fourth.sqrt()).sqrt();
+        (R::HALF * linear).at_most(square.sqrt().at_most(fourth))
+    }
+
+    pub fn end_of_easing(&self) -> (R, Easing) {
+        let Profile { top, trough: y, .. } = self.first;
+        let product = top * self.bu / self.per_jerk.q();
+        let d = y * y - product;
+        if d >= R::ZERO { (product / (y + d.sqrt()), Easing::HoldEnds) } else { (y, Easing::Vanishes) }
+    }
+
+    pub fn profile(&self, x: R) -> Profile<R> {
+        let Profile { top, trough: y, .. } = self.first;
+        let longer = self.per_jerk.q() * x * (x - (y + y)) / self.bu;
+        Profile { top: (top + longer).at_least(R::ZERO), ..self.first.falling_by(x, R::ZERO, x) }
+    }
+}

@@ -1,0 +1,120 @@
+//! Pieces of the border. On one piece all motions have the same shape, and the displacement is a polynomial in one quantity: how much more
+//! the acceleration falls than in the first motion of the piece.
+//!
+//! A piece counts displacements from its first motion. `docs/planner.md` has the formulas and the letters: `u`, `y`, `r`, `s`, `k`, `c`, `x`.
+
+mod easing;
+mod free;
+mod held;
+
+use super::border::Border;
+use super::profile::Profile;
+use crate::real::Real;
+use crate::roots::root_between;
+pub(super) use easing::Easing;
+use free::Free;
+use held::Held;
+
+/// A piece of the border.
+pub(super) enum Piece<R> {
+    /// No acceleration holds.
+    Free(Free<R>),
+    /// The highest acceleration holds.
+    Held(Held<R>),
+}
+
+impl<R: Real> Piece<R> {
+    /// The piece that begins with the motion `first`. `holds`: the highest acceleration holds in it, else none.
+    pub fn of(border: &Border<R>, first: &Profile<R>, holds: bool) -> Self {
+        if holds { Self::Held(Held::new(border, first)) } else { Self::Free(Free::new(border, first)) }
+    }
+
+    /// The displacement where the acceleration falls by `x` more, and its derivative with respect to `x`.
+    #[inline(never)] // for its size: it is asked in five places
+    pub fn displacement(&self, x: R) -> (R, R) {
+        match self {
+            Self::Free(free) => free.displacement(x),
+            Self::Held(held) => held.displacement(x),
+        }
+    }
+
+    /// The motion in which the acceleration falls by `x` more.
+    pub fn profile(&self, x: R) -> Profile<R> {
+        match self {
+            Self::Free(free) => free.profile(x),
+            Self::Held(held) => held.profile(x),
+        }
+    }
+
+    /// How the easing ends, and where. `a0` is the acceleration at the start of the motion.
+    pub fn end_of_easing(&self, a0: R) -> (R, Easing) {
+        match self {
+            Self::Free(free) => free.end_of_easing(a0),
+            Self::Held(held) => held.end_of_easing(),
+        }
+    }
+
+    /// Where the displacement is `lacks` for the first time; else what it lacks at `end`. `turns`: the acceleration changes its sign in the
+    /// middle of the motion. Then the displacement is convex wherever it rises.
+    pub fn first_over(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
+        let beside = |x| {
+            let (displacement, slope) = self.displacement(x);
+            (displacement - lacks, slope)
+        };
+        let rises = self.slope() >= R::ZERO;
+        let mut low = R::ZERO;
+        if !(turns && rises) {
+            if let Some(x) = self.turning_point().filter(|x| *x < end) {
+                if rises && beside(x).0 >= R::ZERO {
+                    return Ok(root_between(R::ZERO, x, beside));
+                }
+                low = x;
+            }
+        }
+        if end < R::INFINITY {
+            let beyond = beside(end).0;
+            if beyond < R::ZERO {
+                return Err(-beyond);
+            }
+        }
+        let mut high = end;
+        if turns {
+            let bound = if low > R::ZERO { low + self.from(low).bound(-beside(low).0) } else { self.bound(lacks) };
+            high = bound.at_most(end);
+        }
+        Ok(root_between(low, high, beside))
+    }
+
+    /// The derivative of the displacement with respect to the duration, in the first motion.
+    fn slope(&self) -> R {
+        match self {
+            Self::Free(free) => free.s,
+            Self::Held(held) => held.s,
+        }
+    }
+
+    /// Where the displacement first stops rising, or falling.
+    fn turning_point(&self) -> Option<R> {
+        match self {
+            Self::Free(free) => free.turning_point(),
+            Self::Held(held) => held.turning_point(),
+        }
+    }
+
+    /// The piece from the turning point `x` on, where the slope is 0.
+    fn from(&self, x: R) -> Self {
+        match self {
+            Self::Free(free) => Self::Free(free.from(x)),
+            Self::Held(held) => Self::Held(held.from(x)),
+        }
+    }
+
+    /// Not below the `x` of a displacement, on a piece on which the displacement rises and is convex: each of its terms alone would have to
+    /// reach farther.
+    fn bound(&self, displacement: R) -> R {
+        match self {
+            Self::Free(free) => free.bound(displacement),
+            Self::Held(held) => held.bound(displacement),
+        }
+    }
+}

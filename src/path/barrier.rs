@@ -1,0 +1,419 @@
+//! What the steps make small: the sum of the durations, less `mu` times the weighted logarithms of all slacks.
+//!
+//! `docs/path.md` has the theory, in "The barrier".
+
+use super::chain::Chain;
+use super::memory::{group, tile};
+use super::slack::Side;
+use crate::interval::derivatives::Derivatives;
+use crate::real::Real;
+
+/// The products of two numbers each, row by row up to the diagonal.
+#[rustfmt::skip]
+fn products<R: Real>([v0, a0, v1, a1, t]: [R; 5]) -> [R; 15] {
+    [
+        v0 * v0,
+        a0 * v0, a0 * a0,
+        v1 * v0, v1 * a0, v1 * v1,
+        a1 * v0, a1 * a0, a1 * v1, a1 * a1,
+        t * v0, t * a0, t * v1, t * a1, t * t,
+    ]
+}
+
+fn scaled<R: Real>([v0, a0, v1, a1, t]: [R; 5], by: R) -> [R; 5] {
+    [by * v0, by * a0, by * v1, by * a1, by * t]
+}
+
+/// Replaces the derivatives of a slack and of the opposite one by the derivatives of `-mu` times the sum of their logarithms. Gives the gradients of
+/// both logarithms.
+fn take_logarithms<R: Real>(
+    [above, below]: [R; 2], upper: &mut Derivatives<R>, lower: &Derivatives<R>, mu: R,
+) -> [[R; 5]; 2] {
+    let (per_above, per_below) = (R::ONE / above, R::ONE / below);
+    let (x, z) = (scaled(upper.first, per_above), scaled(lower.first, per_below));
+    let products = products(x).into_iter().zip(products(z));
+    let entries = upper.second.iter_mut().zip(&lower.second);
+    for ((entry, other), (xx, zz)) in entries.zip(products) {
+        *entry = mu * ((xx - per_above * *entry) + (zz - per_below * *other));
+    }
+    let ([x0, x1, x2, x3, x_t], [z0, z1, z2, z3, z_t]) = (x, z);
+    let sums = [x0 + z0, x1 + z1, x2 + z2, x3 + z3, x_t + z_t];
+    upper.first = scaled(sums, -mu);
+    [x, z]
+}
+
+/// The derivatives of `-mu` times the sum of both logarithms by the displacement `h`. The gradients of the logarithms are given.
+struct ByDisplacement<R> {
+    first: R,
+    /// By `h` and `v0`, `a0`, `v1`, `a1`, `t`.
+    mixed: [R; 5],
+    second: R,
+}
+
+impl<R: Real> ByDisplacement<R> {
+    /// The slack above falls by what the displacement grows, and the one below grows.
+    fn of([above, below]: [R; 2], [x, z]: [[R; 5]; 2], mu: R) -> Self {
+        let (per_above, per_below) = (R::ONE / above, R::ONE / below);
+        let mut mixed = x;
+        for (x, z) in mixed.iter_mut().zip(z) {
+            *x = mu * (per_below * z - per_above * *x);
+        }
+        Self {
+            first: mu * (per_above - per_below),
+            mixed,
+            second: mu * (per_above * per_above + per_below * per_below),
+        }
+    }
+}
+
+/// The duration `t` changed by `change` on a curve that is `t exp(change/t)` up to the second order and never reaches 0. `None` if it would change
+/// by more than a factor of 31.
+fn along_curve<R: Real>(t: R, change: R) -> Option<R> {
+    let half = R::HALF * change / t;
+    let is_near = half.abs() <= R::ONE - R::SIXTEENTH;
+    is_near.then(|| t * (R::ONE + half) / (R::ONE - half))
+}
+
+/// A sum of logarithms: products, and few logarithms.
+struct Logarithms<R> {
+    sum: R,
+    product: R,
+}
+
+impl<R: Real> Logarithms<R> {
+    fn none() -> Self {
+        Self { sum: R::ZERO, product: R::ONE }
+    }
+
+    fn add(&mut self, factor: R) {
+        self.product = self.product * factor;
+        // The next factor must not leave the range of binary32.
+        let most = R::from(1 << 7) * R::from(1 << 7) * R::from(1 << 7);
+        let is_small = self.product < most && self.product * most > R::ONE;
+        if !is_small {
+            *self = Self { sum: self.sum(), product: R::ONE };
+        }
+    }
+
+    fn sum(&self) -> R {
+        self.sum + self.product.ln()
+    }
+}
+
+impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
+    /// How many logarithms the barrier has.
+    pub fn logarithms(&self) -> usize {
+        self.axes * (2 * self.sections + 2 * K * (self.sections - 1))
+    }
+
+    /// Weighs the logarithms of a section as its duration: long sections must not crowd out short ones.
+    pub fn weigh(&mut self) {
+        let mean = self.duration() / R::from_index(self.sections as i32);
+        for section in 0..self.sections {
+            let weight = self.memory.durations.at(section) / mean;
+            self.memory.weights.put(section, weight);
+        }
+    }
+
+    /// The weight of a way point.
+    fn weight_of_point(&self, point: usize) -> R {
+        let weights = &self.memory.weights;
+        weights.at(point - 1).at_most(weights.at(point))
+    }
+
+    /// Finds slacks, gradient and Hessian of the plan as it stands. `None` if the plan is not inside.
+    pub fn assemble(&mut self, mu: R) -> Option<()> {
+        self.memory.of_durations.clear();
+        self.memory.mixed.clear();
+        self.memory.damping.clear();
+        self.memory.gradient_t.numbers_mut().fill(R::ONE);
+        for axis in 0..self.axes {
+            for section in 0..self.sections {
+                self.assemble_section(section, axis, mu)?;
+            }
+            for point in 1..self.sections {
+                self.assemble_point(point, axis, mu)?;
+            }
+        }
+        for section in 0..self.sections {
+            let memory = &mut self.memory;
+            let per_duration = memory.gradient_t.at(section) / memory.durations.at(section);
+            memory.of_durations.add(section, [per_duration]);
+        }
+        Some(())
+    }
+
+    fn assemble_section(&mut self, section: usize, axis: usize, mu: R) -> Option<()> {
+        let ends = [self.at(section, axis), self.at(section + 1, axis)];
+        let duration = self.memory.durations.at(section);
+        let mu = mu * self.memory.weights.at(section);
+        let limits = self.limits(section, axis).ok()?;
+        let upper = self.upper(limits, (section, axis), ends, duration);
+        let lower = upper.lower();
+        let (above, below) = (upper.farthest()?, lower.farthest()?);
+        let slacks = [above.slack, below.slack];
+        let mut terms = upper.derivatives(&above);
+        let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&below), mu);
+        self.damp((section, axis), logarithms, mu);
+        let ByDisplacement { first: g_h, mixed: [hv0, ha0, hv1, ha1, ht], second: hh } =
+            ByDisplacement::of(slacks, logarithms, mu);
+        let Derivatives { first, second } = &terms;
+        let [g_v0, g_a0, g_v1, g_a1, g_t] = *first;
+        let [v0v0, a0v0, a0a0, v1v0, v1a0, v1v1, a1v0, a1a0, a1v1, a1a1, tv0, ta0, tv1, ta1, tt] = *second;
+        let piece = section * self.axes + axis;
+        let memory = &mut self.memory;
+        // What the offsets of both ends change of the displacement.
+        let y = memory.tolerances.at(piece);
+        let x = piece.checked_sub(self.axes).map_or(R::ZERO, |start| -memory.tolerances.at(start));
+        memory.slacks.set(piece, slacks);
+        memory.gradient_t.add(section, [g_t]);
+        memory.of_durations.add(section, [tt]);
+        memory.to_duration.set(2 * piece, group([tv0, ta0, x * ht]));
+        memory.to_duration.set(2 * piece + 1, group([tv1, ta1, y * ht]));
+        // Way point `k` has the row before that of section `k`.
+        if let Some(start) = piece.checked_sub(self.axes) {
+            memory.gradient.add(start, group([g_v0, g_a0, x * g_h]));
+            memory.diagonal.add(start, [v0v0, a0v0, a0a0]);
+            if K > 2 {
+                memory.of_offsets.add(start, [x * hv0, x * ha0, x * x * hh]);
+            }
+            let coupling = [[v1v0, a1v0, y * hv0], [v1a0, a1a0, y * ha0], [x * hv1, x * ha1, x * y * hh]];
+            memory.coupling.set(start, tile(coupling));
+        }
+        memory.gradient.set(piece, group([g_v1, g_a1, y * g_h]));
+        memory.diagonal.set(piece, [v1v1, a1v1, a1a1]);
+        if K > 2 {
+            memory.of_offsets.set(piece, [y * hv1, y * ha1, y * y * hh]);
+        }
+        Some(())
+    }
+
+    /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points beside
+    /// the section, which is that of the step before.
+    fn damp(&mut self, (section, axis): (usize, usize), logarithms: [[R; 5]; 2], mu: R) {
+        let [before, start] = self.slopes(section, axis);
+        let [end, after] = self.slopes(section + 1, axis);
+        let products = logarithms.map(|[v0, a0, v1, a1, t]| {
+            let of_start = |[v, a]: [R; 2]| v0 * v + a0 * a;
+            let of_end = |[v, a]: [R; 2]| v1 * v + a1 * a;
+            [of_start(before), t + of_start(start) + of_end(end), of_end(after)]
+        });
+        let [[before, own, after], [other_before, other_own, other_after]] = products;
+        let squares = |x: R, z: R| [mu * (x * x + z * z)];
+        let damping = &mut self.memory.damping;
+        if let Some(previous) = section.checked_sub(1) {
+            damping.add(previous, squares(before, other_before));
+        }
+        damping.add(section, squares(own, other_own));
+        damping.add(section + 1, squares(after, other_after));
+    }
+
+    fn assemble_point(&mut self, point: usize, axis: usize, mu: R) -> Option<()> {
+        let row = (point - 1) * self.axes + axis;
+        let (bounds, state) = (self.bounds(point, axis), self.at(point, axis));
+        let mu = mu * self.weight_of_point(point);
+        let ([g_v, g_a], hessian) = bounds.barrier(state, mu);
+        let offset = self.memory.offsets.at(row);
+        let (x, z) = (R::ONE / (R::ONE - offset), R::ONE / (R::ONE + offset));
+        self.memory.gradient.add(row, group([g_v, g_a, mu * (x - z)]));
+        self.memory.diagonal.add(row, hessian);
+        if K > 2 {
+            self.memory.of_offsets.add(row, [R::ZERO, R::ZERO, mu * (x * x + z * z)]);
+        }
+        if self.is_narrow(point, axis) {
+            let gradient = self.memory.gradient.row(row);
+            let (g_v, g_a) = (gradient[0], gradient[1]);
+            let parabola = self.parabola(point, axis, &self.memory.durations);
+            let [before, mixed, behind] = parabola.bends(g_v, g_a);
+            // What the curves of the durations add.
+            let curves = [point - 1, point].map(|section| R::ONE / self.memory.durations.at(section));
+            let [first, second] = parabola.slopes.map(|[v, a]| g_v * v + g_a * a);
+            self.memory.of_durations.add(point - 1, [before + first * curves[0]]);
+            self.memory.mixed.add(point - 1, [mixed]);
+            self.memory.of_durations.add(point, [behind + second * curves[1]]);
+        }
+        Some(())
+    }
+
+    /// How the plan changes if it takes the part `part` of the step: the change of the objective. `None` if it is not inside then.
+    pub fn try_step(&mut self, part: R, mu: R) -> Option<R> {
+        let mut change = R::ZERO;
+        for section in 0..self.sections {
+            let duration = self.memory.durations.at(section);
+            let tried = along_curve(duration, part * self.change(section))?;
+            self.memory.tried.put(section, tried);
+            change = change + (tried - duration);
+        }
+        for point in 1..self.sections {
+            for axis in 0..self.axes {
+                let moved = self.moved(point, axis, part);
+                let row = point * self.axes + axis;
+                self.memory.tried_states.set(row, moved);
+                if K > 2 {
+                    let offset = self.memory.offsets.at(row - self.axes) + part * self.direction(point, axis)[K - 1];
+                    self.memory.tried_offsets.put(row - self.axes, offset);
+                }
+            }
+        }
+        let mut logarithms = R::ZERO;
+        for section in 0..self.sections {
+            let weight = self.memory.weights.at(section);
+            logarithms = logarithms + weight * self.try_section(section)?;
+        }
+        for point in 1..self.sections {
+            logarithms = logarithms + self.weight_of_point(point) * self.try_point(point)?;
+        }
+        Some(change - mu * logarithms)
+    }
+
+    /// The change of the logarithms of a section's slacks.
+    fn try_section(&self, section: usize) -> Option<R> {
+        let tried = self.memory.tried.at(section);
+        let mut logarithms = Logarithms::none();
+        for axis in 0..self.axes {
+            let piece = section * self.axes + axis;
+            let states = &self.memory.tried_states;
+            let ends = [states.row(piece), states.row(piece + self.axes)];
+            let h = self.displacement_with(&self.memory.tried_offsets, section, axis);
+            let t = self.inside(section, axis, tried);
+            let [upper, lower] = Side::upper(self.limits(section, axis).ok()?, ends, t, h).slacks()?;
+            let [was_upper, was_lower] = self.memory.slacks.row(piece);
+            logarithms.add((upper / was_upper) * (lower / was_lower));
+        }
+        Some(logarithms.sum())
+    }
+
+    /// The change of the logarithms of a way point's slacks.
+    fn try_point(&self, point: usize) -> Option<R> {
+        let mut logarithms = Logarithms::none();
+        for axis in 0..self.axes {
+            let bounds = self.bounds(point, axis);
+            let tried = self.memory.tried_states.row(point * self.axes + axis);
+            logarithms.add(bounds.product(tried)? / bounds.product(self.at(point, axis))?);
+            if K > 2 {
+                let row = (point - 1) * self.axes + axis;
+                let left = |offset: R| (R::ONE - offset) * (R::ONE + offset);
+                let left_then = left(self.memory.tried_offsets.at(row));
+                (left_then > R::ZERO).then_some(())?;
+                logarithms.add(left_then / left(self.memory.offsets.at(row)));
+            }
+        }
+        Some(logarithms.sum())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::chain::{Chain, Request};
+    use super::super::elimination::tests::errors;
+    use super::super::plan_path;
+    use super::super::steps::Steps;
+    use super::Logarithms;
+    use crate::limits::Limits;
+    use crate::state::State;
+
+    /// Each factor is far within the range of binary32, and the product of all is far beyond it.
+    #[test]
+    fn no_sum_of_logarithms_leaves_the_range() {
+        for factor in [1e-9_f32, 0.5, 3.0, 1e9] {
+            let mut logarithms = Logarithms::none();
+            (0..200).for_each(|_| logarithms.add(factor));
+            let sum = 200.0 * f64::from(factor).ln();
+            let off = (f64::from(logarithms.sum()) - sum) / sum;
+            assert!(off.abs() < 1e-5, "{factor}: {off}");
+        }
+    }
+
+    /// A path of two axes that differ, with two way points close to each other, in which the plan is inside. With three unknowns one position
+    /// alone is exact.
+    fn with_path<const K: usize>(judge: impl FnOnce(&mut Chain<f64, K>)) {
+        let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
+        let limits = [symmetric, Limits { vmin: -4.0, amin: -6.0, jmin: -25.0, ..symmetric }];
+        let positions = [0.0, 0.0, 3.0, -1.0, 3.2, -1.1, 6.0, 2.0, 5.0, 4.0];
+        let mut states = positions.map(State::at);
+        (states[0].velocity, states[9].velocity) = (1.0, 0.5);
+        let mut durations = [0.0; 4];
+        let mut work = [0.0; 2_000];
+        plan_path(&mut states, &mut durations, &limits, 2, 6, &mut work).expect("a plan");
+        let tolerances = [0.02, 0.1, 0.02, 0.1, 0.0, 0.1];
+        let request = Request {
+            axes: 2,
+            sections: 4,
+            states: &states,
+            limits: &limits,
+            tolerances: &tolerances,
+            is_begun: false,
+        };
+        let mut chain = Chain::of(request, &mut work).expect("room");
+        chain.slow_down(&durations, 48).expect("a plan inside");
+        chain.shorten(Steps::of(2, 4), 0);
+        judge(&mut chain);
+    }
+
+    /// Six states and four durations.
+    #[derive(Clone, Copy)]
+    struct Step<const K: usize> {
+        states: [[f64; K]; 6],
+        durations: [f64; 4],
+    }
+
+    impl<const K: usize> Step<K> {
+        fn numbers_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+            self.states.as_flattened_mut().iter_mut().chain(&mut self.durations)
+        }
+    }
+
+    /// The first and the second derivative along a step, from gradient and Hessian.
+    fn derivatives<const K: usize>(chain: &mut Chain<f64, K>, mut step: Step<K>) -> [f64; 2] {
+        // Two axes: the groups of a waypoint, and then the duration of the section after it.
+        for (section, duration) in step.durations.iter().enumerate() {
+            chain.memory.step.set(3 * section + 2, [(); K].map(|()| *duration));
+            if let Some(point) = section.checked_sub(1) {
+                chain.memory.step.set(3 * section, step.states[2 * point]);
+                chain.memory.step.set(3 * section + 1, step.states[2 * point + 1]);
+            }
+        }
+        let memory = &chain.memory;
+        let durations = memory.gradient_t.numbers().iter().copied();
+        let gradient = memory.gradient.rows(6).flatten().chain(durations);
+        let product = |(number, step): (f64, &mut f64)| number * *step;
+        let slope: f64 = gradient.zip(step.numbers_mut()).map(product).sum();
+        // The equations miss the gradient, and the Hessian times the step.
+        let missed = errors(memory, chain, 0.0).zip(step.numbers_mut());
+        [slope, missed.map(product).sum::<f64>() - slope]
+    }
+
+    fn tables_are_derivatives<const K: usize>() {
+        with_path::<K>(|chain| {
+            let is_narrow = |point| [0, 1].map(|axis| chain.is_narrow(point, axis));
+            let narrow = [[true, false], [true, false], [false; 2]];
+            assert_eq!([1, 2, 3].map(is_narrow), narrow);
+            let (mu, little) = (0.05, 1e-5);
+            chain.assemble(mu).expect("a plan inside");
+            let unknowns = 6 * K + 4;
+            for (one, other) in (0..unknowns).flat_map(|one| (0..=one).map(move |other| (one, other))) {
+                let mut step = Step { states: [[0.0; K]; 6], durations: [0.0; 4] };
+                for unknown in [one, other] {
+                    let more = if unknown < 6 * K { 1.0 } else { 0.1 };
+                    *step.numbers_mut().nth(unknown).expect("an unknown") += more;
+                }
+                let found = derivatives(chain, step);
+                let mut change = |part| chain.try_step(part, mu).expect("a plan inside");
+                let (ahead, back) = (change(little), change(-little));
+                let slope = (ahead - back) / (2.0 * little);
+                let curvature = (ahead + back) / (little * little);
+                for (number, expected) in found.into_iter().zip([slope, curvature]) {
+                    let off = (number - expected).abs() / (1.0 + expected.abs());
+                    assert!(off < 1e-4, "{one} {other}: {number} {expected}");
+                }
+            }
+        });
+    }
+
+    /// Gradient and Hessian are those of what a step changes, by differences, also where a way point is moved along a curve.
+    #[test]
+    fn the_tables_are_derivatives() {
+        tables_are_derivatives::<2>();
+        tables_are_derivatives::<3>();
+    }
+}

@@ -1,0 +1,149 @@
+//! The limits of the states at a way point, and their logarithmic barrier.
+
+use crate::interval::ramp::PerJerk;
+use crate::limits::Limits;
+use crate::real::Real;
+
+/// The tightest limits of the sections at a way point.
+struct Tightest<R> {
+    vmax: R,
+    vmin: R,
+    amax: R,
+    amin: R,
+    /// In which the acceleration rises by 1, s³ per unit.
+    gu: R,
+    /// In which the acceleration falls by 1, s³ per unit.
+    gd: R,
+}
+
+impl<R: Real> Tightest<R> {
+    fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
+    where
+        R: 'a,
+    {
+        let mut tightest = Self {
+            vmax: R::INFINITY,
+            vmin: -R::INFINITY,
+            amax: R::INFINITY,
+            amin: -R::INFINITY,
+            gu: R::ZERO,
+            gd: R::ZERO,
+        };
+        for limits in all {
+            let PerJerk { gu, gd } = PerJerk::of(limits);
+            tightest = Self {
+                vmax: tightest.vmax.at_most(limits.vmax),
+                vmin: tightest.vmin.at_least(limits.vmin),
+                amax: tightest.amax.at_most(limits.amax),
+                amin: tightest.amin.at_least(limits.amin),
+                gu: tightest.gu.at_least(gu),
+                gd: tightest.gd.at_least(gd),
+            };
+        }
+        tightest
+    }
+}
+
+/// The limits of a way point as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite
+/// limit is 0.
+pub(super) struct Bounds<R>(pub [R; 6]);
+
+impl<R: Real> Bounds<R> {
+    pub fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
+    where
+        R: 'a,
+    {
+        let Tightest { vmax, vmin, amax, amin, gu, gd } = Tightest::of(all);
+        let [amax, amin, vmax, vmin] = [amax, amin, vmax, vmin].map(|limit| R::ONE / limit);
+        Self([amax, amin, vmax, vmin, R::HALF * gd * vmax, -R::HALF * gu * vmin])
+    }
+
+    /// What the acceleration, and the velocity after the acceleration is undone, leave of both limits: parts of the limits. An infinite limit
+    /// leaves 1.
+    fn slacks(&self, [v, a]: [R; 2]) -> [R; 4] {
+        let Self([amax, amin, vmax, vmin, down, up]) = *self;
+        let square = a * a;
+        [R::ONE - a * amax, R::ONE - a * amin, R::ONE - (v * vmax + square * down), R::ONE - (v * vmin + square * up)]
+    }
+
+    /// The product of the slacks, if the state is inside.
+    pub fn product(&self, state: [R; 2]) -> Option<R> {
+        let [amax, amin, vmax, vmin] = self.slacks(state);
+        let is_inside = amax > R::ZERO && amin > R::ZERO && vmax > R::ZERO && vmin > R::ZERO;
+        is_inside.then_some((amax * amin) * (vmax * vmin))
+    }
+
+    /// Whether a state is inside, up to roundings.
+    pub fn hold(&self, state: [R; 2]) -> bool {
+        self.slacks(state).iter().all(|slack| *slack >= -R::DOUBT)
+    }
+
+    /// Gradient and Hessian of `-mu` times the logarithm of the product, as `v, a` and `vv, va, aa`.
+    pub fn barrier(&self, state @ [_, a]: [R; 2], mu: R) -> ([R; 2], [R; 3]) {
+        let Self([amax, amin, vmax, vmin, down, up]) = *self;
+        let [of_amax, of_amin, of_vmax, of_vmin] = self.slacks(state).map(|slack| R::ONE / slack);
+        let accelerations = [amax * of_amax, amin * of_amin];
+        let velocities = [vmax * of_vmax, vmin * of_vmin];
+        // What an acceleration changes of the velocity after it is undone.
+        let (down, up) = (down * of_vmax, up * of_vmin);
+        let undone = [(a + a) * down, (a + a) * up];
+        // Terms of the upper and the lower limit are summed first, so the mirrored axis has the same roundings.
+        let sum = |[x, y]: [R; 2]| x + y;
+        let dot = |[x, y]: [R; 2], [z, w]: [R; 2]| x * z + y * w;
+        (
+            [mu * sum(velocities), mu * (sum(accelerations) + sum(undone))],
+            [
+                mu * dot(velocities, velocities),
+                mu * dot(velocities, undone),
+                mu * (dot(accelerations, accelerations) + (dot(undone, undone) + ((down + up) + (down + up)))),
+            ],
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Bounds;
+    use crate::limits::Limits;
+
+    /// The bounds of limits that all differ.
+    fn unequal() -> Bounds<f64> {
+        let limits = Limits { vmin: -3.0, amin: -5.0, jmin: -20.0, ..Limits::symmetric(10.0, 4.0, 2.0) };
+        Bounds::of([limits].iter())
+    }
+
+    /// A state just inside each limit, and one just outside.
+    #[test]
+    fn a_state_beyond_one_limit_is_outside() {
+        let bounds = unequal();
+        let held = |v, a| (bounds.product([v, a]).is_some(), bounds.hold([v, a]));
+        // While an acceleration of 2 falls at a jerk of 20, the velocity rises by 0.1; while one of -2 rises at 10, it falls by 0.2.
+        for [v, a] in [[0.0, 4.0], [0.0, -5.0], [2.0, 0.0], [-3.0, 0.0], [1.9, 2.0], [-2.8, -2.0]] {
+            assert_eq!(held(0.999 * v, 0.999 * a), (true, true), "{v} {a}");
+            assert_eq!(held(1.001 * v, 1.001 * a), (false, false), "{v} {a}");
+        }
+    }
+
+    /// The gradient and the Hessian are those of the logarithm of the product, by differences.
+    #[test]
+    fn the_barrier_has_its_derivatives() {
+        let bounds = unequal();
+        let (mu, little) = (0.5, 1e-5);
+        let value = |v, a| -mu * bounds.product([v, a]).expect("a state inside").ln();
+        let gradient = |v, a| bounds.barrier([v, a], mu).0;
+        for [v, a] in [[0.0, 0.0], [1.2, 1.0], [-2.0, -3.0], [1.2, -4.5], [-2.0, 3.5]] {
+            let (by_v, by_a) =
+                (value(v + little, a) - value(v - little, a), value(v, a + little) - value(v, a - little));
+            let [by_v, by_a] = [by_v, by_a].map(|change| change / (2.0 * little));
+            let [g_v, g_a] = gradient(v, a);
+            assert!((g_v - by_v).abs() + (g_a - by_a).abs() < 1e-6, "{v} {a}");
+            let ([v1, _], [v0, _]) = (gradient(v + little, a), gradient(v - little, a));
+            let ([v3, a3], [v2, a2]) = (gradient(v, a + little), gradient(v, a - little));
+            let expected = [v1 - v0, v3 - v2, a3 - a2].map(|change| change / (2.0 * little));
+            let hessian = bounds.barrier([v, a], mu).1;
+            for (number, expected) in hessian.into_iter().zip(expected) {
+                assert!((number - expected).abs() < 1e-6 * (1.0 + number.abs()), "{v} {a}");
+            }
+        }
+    }
+}

@@ -1,0 +1,321 @@
+//! The sections of a path, one behind the other: what is given, and the plan as it stands.
+
+use super::bounds::Bounds;
+use super::memory::{Column, Memory};
+use super::slack::Side;
+use crate::findings::{Error, Findings};
+use crate::limits::Limits;
+use crate::online::problem::Problem;
+use crate::real::Real;
+use crate::state::State;
+
+/// The sum of durations, s.
+pub(super) fn total<R: Real>(durations: &[R]) -> R {
+    durations.iter().fold(R::ZERO, |sum, t| sum + *t)
+}
+
+/// What is asked for: points with their states, and limits.
+#[derive(Clone, Copy)]
+pub(super) struct Request<'a, R> {
+    pub axes: usize,
+    pub sections: usize,
+    /// The states of all axes, point by point. Between start and end the positions alone count.
+    pub states: &'a [State<R>],
+    /// The limits of all axes, or of all axes section by section.
+    pub limits: &'a [Limits<R>],
+    /// How far the position of each axis may be from the given one, for each point between start and end. None: all points are exact.
+    pub tolerances: &'a [R],
+    /// Whether the first section is what is left of a followed plan. It lasts, even if rounding hides its displacement.
+    pub is_begun: bool,
+}
+
+impl<'a, R: Real> Request<'a, R> {
+    /// Whether the sections have limits of their own.
+    pub fn has_zones(&self) -> bool {
+        self.limits.len() > self.axes
+    }
+
+    pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
+        self.zone(section).get(axis).ok_or(Error::Axes)
+    }
+
+    /// The limits of all axes in a section.
+    pub fn zone(&self, section: usize) -> &'a [Limits<R>] {
+        let first = if self.has_zones() { section * self.axes } else { 0 };
+        self.limits.get(first..first + self.axes).unwrap_or_default()
+    }
+
+    /// The states of all axes at the start and at the end of a section.
+    pub fn ends(&self, section: usize) -> [&'a [State<R>]; 2] {
+        let states = [section, section + 1].map(|point| self.states.get(point * self.axes..(point + 1) * self.axes));
+        states.map(Option::unwrap_or_default)
+    }
+
+    pub fn state(&self, point: usize, axis: usize) -> State<R> {
+        let state = self.states.get(point * self.axes + axis);
+        state.copied().unwrap_or_default()
+    }
+
+    /// Refuses what cannot be planned.
+    pub fn check(&self) -> Result<(), Error> {
+        let mut limits = self.limits.iter();
+        limits.try_for_each(Limits::are_limits)?;
+        for axis in 0..self.axes {
+            let end = self.state(self.sections, axis);
+            // The end lasts while nothing moves any more.
+            let mut section = self.sections - 1;
+            self.limits(section, axis)?.check(self.state(0, axis), end)?;
+            while section > 0 && !self.moves(section) {
+                // An axis that is bound to leave its limits cannot stay.
+                if self.limits(section, axis)?.are_left_after(end) {
+                    return Err(Error::Target);
+                }
+                section -= 1;
+                self.limits(section, axis)?.check(end, end)?;
+            }
+        }
+        let mut ways = self.states.iter().zip(self.states.iter().skip(self.axes));
+        let is_finite = ways.all(|(from, to)| (to.position - from.position).is_finite());
+        is_finite.then_some(()).ok_or(Error::NotFinite)
+    }
+
+    /// Whether an axis moves in this section.
+    fn moves(&self, section: usize) -> bool {
+        let way = |axis| self.state(section + 1, axis).position - self.state(section, axis).position;
+        (0..self.axes).any(|axis| way(axis) != R::ZERO)
+    }
+
+    /// Whether all axes can stay in the state of the start.
+    fn can_stay(&self, section: usize) -> bool {
+        let mut axes = 0..self.axes;
+        axes.all(|axis| {
+            let start = self.state(0, axis);
+            let limits = self.limits(section, axis);
+            limits.is_ok_and(|limits| limits.check(start, start).is_ok() && !limits.are_left_after(start))
+        })
+    }
+
+    /// Which sections last: each section in which an axis moves, and one in which the start comes inside its limits. If none does, the last one.
+    fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
+        let mut has_begun = false;
+        let last = self.sections - 1;
+        (0..self.sections).filter(move |&section| {
+            let begins = !has_begun && (section == last || !self.can_stay(section));
+            let lasts = begins || self.moves(section) || section == 0 && self.is_begun;
+            has_begun = has_begun || lasts;
+            lasts
+        })
+    }
+}
+
+/// A plan of the sections that last. An axis has `K` unknowns at a point: the third one is its position.
+pub(super) struct Chain<'a, 'w, R, const K: usize = 2> {
+    pub request: Request<'a, R>,
+    pub axes: usize,
+    /// How many sections last.
+    pub sections: usize,
+    pub memory: Memory<'w, R, K>,
+    /// Whether an axis starts outside its limits, or is bound to leave them at the end.
+    pub findings: Findings,
+}
+
+impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
+    /// The sections that last, with no plan yet.
+    pub fn of(request: Request<'a, R>, work: &'w mut [R]) -> Result<Self, Error> {
+        let axes = request.axes;
+        let sections = request.lasting().count();
+        let mut memory = Memory::of(work, axes, sections).ok_or(Error::Axes)?;
+        for (section, place) in request.lasting().enumerate() {
+            memory.places.put(section, R::from_index(place as i32));
+        }
+        let mut chain = Self { request, axes, sections, memory, findings: Findings::default() };
+        chain.memory.states.clear();
+        chain.memory.offsets.clear();
+        for axis in 0..axes {
+            for section in 0..sections {
+                let (from, to) = chain.positions(section, axis);
+                let piece = section * axes + axis;
+                chain.memory.displacements.put(piece, to - from);
+            }
+            for point in 1..sections {
+                chain.set_bounds(point, axis);
+                chain.set_tolerance(point, axis);
+            }
+            chain.start(axis)?;
+        }
+        Ok(chain)
+    }
+
+    /// Lets an axis come inside its limits in the first section, and sets the states of both ends.
+    fn start(&mut self, axis: usize) -> Result<(), Error> {
+        let target = State::at(self.positions(0, axis).1);
+        let start = self.request.state(0, axis);
+        let inside = Problem::new(self.limits(0, axis)?, start, target);
+        let (v0, a0) = (inside.border.v0, inside.border.a0);
+        self.memory.states.set(axis, [v0, a0]);
+        self.memory.inside.put(axis, inside.with_inside(R::ZERO));
+        self.memory.displacements.put(axis, inside.displacement().h);
+        self.findings |= inside.outside();
+        let end = self.request.state(self.request.sections, axis);
+        let last = self.request.limits(self.request.sections - 1, axis)?;
+        self.findings |= Findings::ENDS_LEAVING.when(last.are_left_after(end));
+        let State { velocity, acceleration, .. } = end;
+        let end = self.sections * self.axes + axis;
+        self.memory.states.set(end, [velocity, acceleration]);
+        Ok(())
+    }
+
+    /// Which section of the caller this one is.
+    pub fn place(&self, section: usize) -> usize {
+        self.memory.places.at(section).to_index() as usize
+    }
+
+    pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
+        let place = if self.request.has_zones() { self.place(section) } else { 0 };
+        self.request.limits(place, axis)
+    }
+
+    /// The limits of a way point: the limits of both sections, and of sections between them that do not last.
+    pub fn bounds(&self, point: usize, axis: usize) -> Bounds<R> {
+        Bounds(self.memory.bounds.row((point - 1) * self.axes + axis))
+    }
+
+    fn set_bounds(&mut self, point: usize, axis: usize) {
+        let places = self.place(point - 1)..=self.place(point);
+        let limits = places.flat_map(|place| self.request.limits(place, axis));
+        let Bounds(row) = Bounds::of(limits);
+        self.memory.bounds.set((point - 1) * self.axes + axis, row);
+    }
+
+    /// Points that repeat are one point, with the least of their tolerances.
+    fn set_tolerance(&mut self, point: usize, axis: usize) {
+        let places = self.place(point - 1)..self.place(point);
+        let tolerances = self.request.tolerances;
+        let tolerances = places.filter_map(|place| tolerances.get(place * self.axes + axis));
+        let least = tolerances.fold(R::INFINITY, |least, &tolerance| least.at_most(tolerance));
+        self.memory.tolerances.put((point - 1) * self.axes + axis, least);
+    }
+
+    /// The positions of both ends as they are given.
+    fn positions(&self, section: usize, axis: usize) -> (R, R) {
+        let from = self.place(section);
+        let position = |point| self.request.state(point, axis).position;
+        (position(from), position(from + 1))
+    }
+
+    /// Velocity and acceleration at a point.
+    pub fn at(&self, point: usize, axis: usize) -> [R; 2] {
+        self.memory.states.row(point * self.axes + axis)
+    }
+
+    /// The states of an axis at both ends of a section, at the start as given.
+    pub fn ends(&self, section: usize, axis: usize) -> (State<R>, State<R>) {
+        let (from, to) = self.positions(section, axis);
+        let state = |point, position| {
+            let [velocity, acceleration] = self.at(point, axis);
+            State { position: self.memory.moved(position, point * self.axes + axis, self.axes), velocity, acceleration }
+        };
+        let start = if section == 0 {
+            let given = self.request.state(0, axis);
+            State { position: from, ..given }
+        } else {
+            state(section, from)
+        };
+        (start, state(section + 1, to))
+    }
+
+    /// How long an axis moves inside its limits, if the section lasts `duration`, s.
+    pub fn inside(&self, section: usize, axis: usize, duration: R) -> R {
+        if section == 0 { duration - self.memory.inside.at(axis) } else { duration }
+    }
+
+    /// How long a section is.
+    pub fn displacement(&self, section: usize, axis: usize) -> R {
+        self.displacement_with(&self.memory.offsets, section, axis)
+    }
+
+    /// How long a section is if its ends have these offsets.
+    pub fn displacement_with(&self, offsets: &Column<R>, section: usize, axis: usize) -> R {
+        let end = section * self.axes + axis;
+        let given = self.memory.displacements.at(end);
+        if K == 2 {
+            return given;
+        }
+        let offset = |row: usize| self.memory.tolerances.at(row) * offsets.at(row);
+        given + (offset(end) - end.checked_sub(self.axes).map_or(R::ZERO, offset))
+    }
+
+    /// How much farther than the section an axis gets to both sides, if the section can last `duration` between these states.
+    pub fn slacks(&self, section: usize, axis: usize, ends: [[R; 2]; 2], duration: R) -> Option<[R; 2]> {
+        let limits = self.limits(section, axis).ok()?;
+        self.upper(limits, (section, axis), ends, duration).slacks()
+    }
+
+    /// The upper side of a section between these states.
+    pub fn upper(
+        &self, limits: &Limits<R>, (section, axis): (usize, usize), ends: [[R; 2]; 2], duration: R,
+    ) -> Side<R> {
+        let t = self.inside(section, axis, duration);
+        let h = self.displacement(section, axis);
+        Side::upper(limits, ends, t, h)
+    }
+
+    /// Whether every axis can take `duration` for a section, with slack to both sides.
+    pub fn is_possible(&self, section: usize, duration: R) -> bool {
+        let mut axes = 0..self.axes;
+        axes.all(|axis| {
+            let ends = [self.at(section, axis), self.at(section + 1, axis)];
+            self.slacks(section, axis, ends, duration).is_some()
+        })
+    }
+
+    /// Whether the states of all waypoints are strictly inside their limits.
+    pub fn points_are_inside(&self) -> bool {
+        let mut points = 1..self.sections;
+        points.all(|point| (0..self.axes).all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some()))
+    }
+
+    /// The sum of all durations, s.
+    pub fn duration(&self) -> R {
+        let durations = self.memory.durations.rows(self.sections);
+        durations.fold(R::ZERO, |sum, [t]| sum + t)
+    }
+}
+
+/// A plan that is done.
+pub(super) struct Planned<'w, R, const K: usize> {
+    axes: usize,
+    sections: usize,
+    memory: Memory<'w, R, K>,
+    findings: Findings,
+}
+
+impl<'w, R: Real, const K: usize> Chain<'_, 'w, R, K> {
+    /// The plan alone, if its numbers are within the range of the real type.
+    pub fn done(self) -> Result<Planned<'w, R, K>, Error> {
+        let Self { axes, sections, memory, findings, .. } = self;
+        let is_finite = memory.durations.numbers().iter().all(|t| t.is_finite());
+        let planned = Planned { axes, sections, memory, findings };
+        is_finite.then_some(planned).ok_or(Error::NotFinite)
+    }
+}
+
+impl<R: Real, const K: usize> Planned<'_, R, K> {
+    /// Writes the states of the way points and the durations of all sections. A section that does not last keeps the state.
+    pub fn write(self, states: &mut [State<R>], durations: &mut [R]) -> Findings {
+        let Self { axes, sections, memory, findings } = self;
+        let mut point = 0;
+        for (place, duration) in durations.iter_mut().enumerate() {
+            let lasts = point < sections && memory.places.at(point).to_index() as usize == place;
+            *duration = if lasts { memory.durations.at(point) } else { R::ZERO };
+            point += usize::from(lasts);
+            let end = states.iter_mut().skip((place + 1) * axes).take(axes);
+            for (axis, state) in end.enumerate() {
+                let row = point * axes + axis;
+                state.position = memory.moved(state.position, row, axes);
+                [state.velocity, state.acceleration] = memory.states.row(row);
+            }
+        }
+        findings
+    }
+}

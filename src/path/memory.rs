@@ -1,0 +1,315 @@
+//! The working memory of a path: tables of numbers, which the caller provides.
+
+use crate::real::Real;
+
+/// A table with `W` numbers a row. A row that is not there has zeros, and is not written.
+pub(super) struct Table<'a, R, const W: usize>(&'a mut [R]);
+
+impl<R: Real, const W: usize> Table<'_, R, W> {
+    pub fn row(&self, k: usize) -> [R; W] {
+        match self.0.get(k * W..k * W + W).and_then(<[R]>::first_chunk) {
+            Some(row) => *row,
+            None => [R::ZERO; W],
+        }
+    }
+
+    pub fn set(&mut self, k: usize, row: [R; W]) {
+        if let Some(place) = self.row_mut(k) {
+            *place = row;
+        }
+    }
+
+    pub fn add(&mut self, k: usize, more: [R; W]) {
+        if let Some(row) = self.row_mut(k) {
+            for (number, more) in row.iter_mut().zip(more) {
+                *number = *number + more;
+            }
+        }
+    }
+
+    fn row_mut(&mut self, k: usize) -> Option<&mut [R; W]> {
+        self.0.get_mut(k * W..k * W + W)?.first_chunk_mut()
+    }
+
+    pub fn clear(&mut self) {
+        self.0.fill(R::ZERO);
+    }
+
+    pub fn copy(&mut self, other: &Self) {
+        for (number, other) in self.0.iter_mut().zip(&*other.0) {
+            *number = *other;
+        }
+    }
+
+    /// The first `count` rows.
+    pub fn rows(&self, count: usize) -> impl DoubleEndedIterator<Item = [R; W]> + ExactSizeIterator {
+        let rows = self.0.chunks_exact(W).take(count);
+        rows.map(|row| row.first_chunk().copied().unwrap_or([R::ZERO; W]))
+    }
+}
+
+/// A column of numbers.
+pub(super) type Column<'a, R> = Table<'a, R, 1>;
+
+impl<R: Real> Column<'_, R> {
+    pub fn at(&self, k: usize) -> R {
+        let [number] = self.row(k);
+        number
+    }
+
+    pub fn put(&mut self, k: usize, number: R) {
+        self.set(k, [number]);
+    }
+
+    pub fn numbers(&self) -> &[R] {
+        self.0
+    }
+
+    pub fn numbers_mut(&mut self) -> &mut [R] {
+        self.0
+    }
+}
+
+/// The unknowns of an axis at a point by those of another: `K` rows.
+pub(super) type Tile<R, const K: usize> = [[R; K]; K];
+
+/// The first `K` numbers.
+#[inline(always)] // the place of each number is known then
+pub(super) fn group<R: Real, const K: usize>(numbers: [R; 3]) -> [R; K] {
+    let mut group = [R::ZERO; K];
+    for (number, new) in group.iter_mut().zip(numbers) {
+        *number = new;
+    }
+    group
+}
+
+/// The first `K` numbers of the first `K` rows.
+#[inline(always)] // the place of each number is known then
+pub(super) fn tile<R: Real, const K: usize>(rows: [[R; 3]; 3]) -> Tile<R, K> {
+    let mut tile = [[R::ZERO; K]; K];
+    for (row, numbers) in tile.iter_mut().zip(rows) {
+        *row = group(numbers);
+    }
+    tile
+}
+
+/// A table of tiles.
+pub(super) struct Tiles<'a, R, const K: usize>(&'a mut [R]);
+
+impl<R: Real, const K: usize> Tiles<'_, R, K> {
+    pub fn tile(&self, k: usize) -> Tile<R, K> {
+        let mut tile = [[R::ZERO; K]; K];
+        if let Some(numbers) = self.0.get(k * K * K..(k + 1) * K * K) {
+            for (number, found) in tile.as_flattened_mut().iter_mut().zip(numbers) {
+                *number = *found;
+            }
+        }
+        tile
+    }
+
+    pub fn set(&mut self, k: usize, tile: Tile<R, K>) {
+        if let Some(numbers) = self.0.get_mut(k * K * K..(k + 1) * K * K) {
+            for (number, new) in numbers.iter_mut().zip(tile.as_flattened()) {
+                *number = *new;
+            }
+        }
+    }
+}
+
+/// The tiles of a matrix up to its diagonal, row by row.
+pub(super) struct Triangle<'a, R, const K: usize>(Tiles<'a, R, K>);
+
+/// How many tiles stand before row `k`.
+fn before(k: usize) -> usize {
+    k * (k + 1) / 2
+}
+
+impl<R: Real, const K: usize> Triangle<'_, R, K> {
+    pub fn tile(&self, row: usize, column: usize) -> Tile<R, K> {
+        self.0.tile(before(row) + column)
+    }
+
+    pub fn set(&mut self, row: usize, column: usize, tile: Tile<R, K>) {
+        self.0.set(before(row) + column, tile);
+    }
+}
+
+/// A triangle for each section, one after the other.
+pub(super) struct Triangles<'a, R, const K: usize> {
+    numbers: &'a mut [R],
+    size: usize,
+}
+
+impl<R: Real, const K: usize> Triangles<'_, R, K> {
+    pub fn at(&mut self, section: usize) -> Triangle<'_, R, K> {
+        let numbers = self.numbers.get_mut(section * self.size..(section + 1) * self.size);
+        Triangle(Tiles(numbers.unwrap_or_default()))
+    }
+
+    /// The triangle of a section and that of the next one.
+    pub fn with_next(&mut self, section: usize) -> (Triangle<'_, R, K>, Triangle<'_, R, K>) {
+        let (before, after) = self.numbers.split_at_mut_checked((section + 1) * self.size).unwrap_or_default();
+        let [one, next] =
+            [before.get_mut(section * self.size..), after.get_mut(..self.size)].map(Option::unwrap_or_default);
+        (Triangle(Tiles(one)), Triangle(Tiles(next)))
+    }
+}
+
+/// All tables. A row of a point or of a section stands for one axis: that of axis `i` at point or section `k` is `k * axes + i`. An axis has `K`
+/// unknowns at a point: velocity, acceleration, and as the third one, if the point has a tolerance, the position.
+pub(super) struct Memory<'a, R, const K: usize> {
+    /// Velocity and acceleration at each point, also at the start and at the end.
+    pub states: Table<'a, R, 2>,
+    /// The states of a step that is tried, also of the start and of the end.
+    pub tried_states: Table<'a, R, 2>,
+    /// How far each way point is from where it is given, in tolerances. Only with three unknowns, as all tables of positions.
+    pub offsets: Column<'a, R>,
+    /// The offsets of a step that is tried.
+    pub tried_offsets: Column<'a, R>,
+    pub tolerances: Column<'a, R>,
+    /// The step in groups of `K`, section by section: of the state of each axis at its start, and of its duration with zeros. Those of the first
+    /// start mean nothing.
+    pub step: Table<'a, R, K>,
+    /// Displacements of the sections between the given points; in the first section behind the way inside the limits.
+    pub displacements: Column<'a, R>,
+    /// How long each axis comes inside the limits in the first section, s.
+    pub inside: Column<'a, R>,
+    /// The slacks of both borders.
+    pub slacks: Table<'a, R, 2>,
+    /// The limits of the way points.
+    pub bounds: Table<'a, R, 6>,
+    /// `D`: the blocks of the way points, as `vv`, `va`, `aa`.
+    pub diagonal: Table<'a, R, 3>,
+    /// The rest of `D`, with the offset `x`: `vx`, `ax`, `xx`.
+    pub of_offsets: Table<'a, R, 3>,
+    /// `E`: the blocks between a way point and the next one.
+    pub coupling: Tiles<'a, R, K>,
+    /// `B`: the blocks between a section's ends and its duration: a row for the start, and one for the end.
+    pub to_duration: Table<'a, R, K>,
+    /// The gradient by the unknowns of the way points.
+    pub gradient: Table<'a, R, K>,
+    /// Which section of the caller each one is.
+    pub places: Column<'a, R>,
+    /// s
+    pub durations: Column<'a, R>,
+    /// The durations of a step that is tried, s.
+    pub tried: Column<'a, R>,
+    /// The weights of the sections' logarithms.
+    pub weights: Column<'a, R>,
+    /// The gradient by the durations.
+    pub gradient_t: Column<'a, R>,
+    /// The second derivatives by each duration.
+    pub of_durations: Column<'a, R>,
+    /// The second derivatives by each duration and the next one.
+    pub mixed: Column<'a, R>,
+    /// `G`: the part of `of_durations` that is never negative.
+    pub damping: Column<'a, R>,
+    /// The factors of the matrix, section by section.
+    pub factors: Triangles<'a, R, K>,
+    /// The coupling between a section and the next one, solved by the factors of the section.
+    pub front: Triangle<'a, R, K>,
+    /// The coupling with the next section times the step of that.
+    pub product: Table<'a, R, K>,
+}
+
+/// The most axes and the most sections. So a count of numbers stays within 32 bits, and a processor without a long product counts it.
+const MOST_AXES: usize = 128;
+const MOST_SECTIONS: usize = 65_536;
+
+/// How many numbers the tables have with `K` unknowns. `None` if there is no axis or no section, or too many: three unknowns leave half of the
+/// sections.
+pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize> {
+    let is_count = |count: usize, most: usize| count > 0 && count <= most;
+    let fits = is_count(axes, MOST_AXES) && is_count(sections, MOST_SECTIONS >> (K - 2));
+    fits.then(|| {
+        if K == 2 {
+            sections * (axes * (2 * axes + 34) + 14) + 2 * axes * (axes - 1) + 6
+        } else {
+            sections * (axes * (9 * axes + 113) / 2 + 20) + 9 * axes * (axes - 1) / 2 + 12 - axes
+        }
+    })
+}
+
+/// Takes numbers off the front of the memory.
+fn take<'a, R>(rest: &mut &'a mut [R], count: usize) -> Option<&'a mut [R]> {
+    let (taken, left) = core::mem::take(rest).split_at_mut_checked(count)?;
+    *rest = left;
+    Some(taken)
+}
+
+impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
+    /// No section counts as narrow until its slacks are known.
+    pub fn forget_slacks(&mut self) {
+        self.slacks.0.fill(R::INFINITY);
+    }
+
+    /// The position of the state in row `row`, which is given at `position`. Rounding does not take it out of the tolerance.
+    pub fn moved(&self, position: R, row: usize, axes: usize) -> R {
+        let Some(row) = row.checked_sub(axes).filter(|_| K > 2) else {
+            return position;
+        };
+        let tolerance = self.tolerances.at(row);
+        let moved = position + tolerance * self.offsets.at(row);
+        if (moved - position).abs() <= tolerance { moved } else { position }
+    }
+
+    /// The tables, if the memory has room for them.
+    pub fn of(mut work: &'a mut [R], axes: usize, sections: usize) -> Option<Self> {
+        size::<K>(axes, sections).filter(|&size| size <= work.len())?;
+        let (way_points, points) = (axes * (sections - 1), axes * (sections + 1));
+        let (pieces, groups) = (axes * sections, axes + 1);
+        let positions = (K - 2) * way_points;
+        let (tile, triangle) = (K * K, K * K * before(groups));
+        let mut table = |numbers| take(&mut work, numbers);
+        Some(Self {
+            states: Table(table(2 * points)?),
+            tried_states: Table(table(2 * points)?),
+            offsets: Table(table(positions)?),
+            tried_offsets: Table(table(positions)?),
+            tolerances: Table(table(positions)?),
+            step: Table(table(K * groups * sections)?),
+            displacements: Table(table(pieces)?),
+            inside: Table(table(axes)?),
+            slacks: Table(table(2 * pieces)?),
+            bounds: Table(table(6 * way_points)?),
+            diagonal: Table(table(3 * way_points)?),
+            of_offsets: Table(table(3 * positions)?),
+            coupling: Tiles(table(tile * way_points)?),
+            to_duration: Table(table(2 * K * pieces)?),
+            gradient: Table(table(K * way_points)?),
+            places: Table(table(sections)?),
+            durations: Table(table(sections)?),
+            tried: Table(table(sections)?),
+            weights: Table(table(sections)?),
+            gradient_t: Table(table(sections)?),
+            of_durations: Table(table(sections)?),
+            mixed: Table(table(sections)?),
+            damping: Table(table(sections)?),
+            factors: Triangles { numbers: table(triangle * sections)?, size: triangle },
+            front: Triangle(Tiles(table(triangle)?)),
+            product: Table(table(K * groups)?),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Memory, size};
+
+    /// The tables stand one behind the other, so the last one ends where the memory does.
+    #[test]
+    fn the_tables_take_all_of_the_memory() {
+        ends_with_the_memory::<2>();
+        ends_with_the_memory::<3>();
+    }
+
+    fn ends_with_the_memory<const K: usize>() {
+        for (axes, sections) in [(1, 1), (1, 2), (3, 5), (4, 9)] {
+            let mut work = [0.0_f64; 4000];
+            let work = &mut work[..size::<K>(axes, sections).expect("a size")];
+            let end = work.as_ptr_range().end;
+            let memory = Memory::<_, K>::of(work, axes, sections).expect("room");
+            assert_eq!((memory.product.0.len(), memory.product.0.as_ptr_range().end), (K * (axes + 1), end));
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! What a section can spare: how much farther the farthest motion of its duration gets than the section is long.
+
+use crate::interval::border::Border;
+use crate::interval::derivatives::Derivatives;
+use crate::interval::profile::Profile;
+use crate::limits::Limits;
+use crate::real::Real;
+
+/// One side of a section of an axis.
+pub(super) struct Side<R> {
+    border: Border<R>,
+    /// The duration, s.
+    t: R,
+    /// How long the section is.
+    h: R,
+    /// 1, and -1 in the mirrored axis.
+    sign: R,
+}
+
+/// The motion of a duration that gets farthest.
+pub(super) struct Farthest<R> {
+    profile: Profile<R>,
+    /// How much farther the motion gets than the section is long.
+    pub slack: R,
+}
+
+impl<R: Real> Side<R> {
+    /// The upper side.
+    pub fn upper(limits: &Limits<R>, ends: [[R; 2]; 2], t: R, h: R) -> Self {
+        Self { border: Border::between(ends, limits), t, h, sign: R::ONE }
+    }
+
+    /// The lower side of an upper one: the upper side of the mirrored axis.
+    pub fn lower(&self) -> Self {
+        Self { border: self.border.mirrored(), t: self.t, h: -self.h, sign: -self.sign }
+    }
+
+    /// The farthest motion, if there is one, and if it gets farther than the section is long.
+    pub fn farthest(&self) -> Option<Farthest<R>> {
+        let profile = self.border.farthest_inside(self.t)?;
+        let way = self.border.change(&profile);
+        let slack = (self.border.v0 * self.t - self.h) + way.displacement;
+        (slack > R::ZERO).then_some(Farthest { profile, slack })
+    }
+
+    /// The slacks of this side and of the lower one, if there are both.
+    pub fn slacks(&self) -> Option<[R; 2]> {
+        Some([self.farthest()?.slack, self.lower().farthest()?.slack])
+    }
+
+    /// The derivatives of the slack.
+    pub fn derivatives(&self, farthest: &Farthest<R>) -> Derivatives<R> {
+        self.border.derivatives(&farthest.profile, self.sign)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Side;
+    use crate::limits::Limits;
+
+    /// From standstill to standstill the farthest motion of 4 s gets 2 units far: each second of jerk changes the acceleration by 1.
+    #[test]
+    fn a_border_is_no_place_for_a_plan() {
+        let limits = Limits::symmetric(1.0, 2.0, 3.0);
+        for (h, slack) in [(2.0, None), (1.75, Some(0.25))] {
+            let upper = Side::upper(&limits, [[0.0; 2]; 2], 4.0, h);
+            assert_eq!(upper.farthest().map(|farthest| farthest.slack), slack);
+            assert_eq!(upper.lower().farthest().map(|farthest| farthest.slack), Some(h + 2.0));
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! The plan before the first step, from a plan that is there.
+//!
+//! A slower plan is off all limits at once: with durations longer by the factor `s`, velocities are divided by `s` and accelerations by `s²`. A
+//! plan that begins in motion slows down by and by: velocities are `v/s`, accelerations `(a - v ṡ/s)/s²`.
+
+use super::chain::{Chain, total};
+use super::steps::Steps;
+use crate::findings::Error;
+use crate::limits::Limits;
+use crate::real::Real;
+
+/// How much slower than the plan that is there the first plan is, in thousandths; by how many powers of two its logarithms weigh less; and how
+/// many steps it takes at least to win back what is lost.
+const SLOWER: [(u8, u8, u32); 6] = [(200, 2, 10), (100, 3, 10), (50, 4, 6), (20, 5, 6), (5, 5, 3), (0, 5, 1)];
+
+/// How a plan slows down: at once, or while it eases from its own speed.
+struct Slowing<R> {
+    /// `s` in the end.
+    factor: R,
+    /// How long it eases, s.
+    ease: R,
+}
+
+/// What is left of the speed of a plan at one of its times.
+struct Slow<R> {
+    /// `s`
+    factor: R,
+    /// `ṡ`, 1/s
+    rate: R,
+    /// How much later the slower plan is there, s: the integral of `s - 1`.
+    later: R,
+}
+
+impl<R: Real> Slowing<R> {
+    /// `s = 1 + (S - 1) x² (3 - 2x)` with `x = t/ease`.
+    fn at(&self, t: R) -> Slow<R> {
+        let Self { factor, ease } = *self;
+        let more = factor - R::ONE;
+        if t >= ease {
+            return Slow { factor, rate: R::ZERO, later: more * (t - R::HALF * ease) };
+        }
+        let x = t / ease;
+        let rest = R::ONE - x;
+        Slow {
+            factor: R::ONE + more * x * x * (R::ONE + (rest + rest)),
+            rate: R::from(6) * more * x * rest / ease,
+            later: more * ease * x * x * x * (R::ONE - R::HALF * x),
+        }
+    }
+}
+
+/// What came of a plan that is there.
+pub(super) enum Improved {
+    /// It is as short as the steps make it.
+    Shorter,
+    /// It stays, because its first section is too short to slow down in.
+    Held,
+}
+
+impl<R: Real> Chain<'_, '_, R> {
+    /// Shortens a plan; if it is impossible, plans again from stops. Its first section may be held.
+    pub fn improve(&mut self, given: &[R], steps: Steps, may_be_held: bool) -> Result<Improved, Error> {
+        let before = self.take_given(given)?;
+        match (self.shorten_given(given, steps)?, before) {
+            (true, _) => {}
+            (false, Some(_)) if may_be_held && self.sections > 1 => return Ok(Improved::Held),
+            _ => self.plan(steps)?,
+        }
+        let is_shorter = before.is_none_or(|before| self.duration() < before);
+        if !is_shorter {
+            self.take_given(given)?;
+        }
+        Ok(Improved::Shorter)
+    }
+
+    /// Takes over the plan that is there. Gives its duration if it is possible, s.
+    fn take_given(&mut self, given: &[R]) -> Result<Option<R>, Error> {
+        let full = Slow { factor: R::ONE, rate: R::ZERO, later: R::ZERO };
+        for point in 1..self.sections {
+            self.take_state(point, &full)?;
+        }
+        let mut is_possible = true;
+        for section in 0..self.sections {
+            let duration = self.given(section, given)?;
+            let least = self.shortest(section, duration)?;
+            let is_kept = duration == R::ZERO || least <= duration + R::DOUBT * duration;
+            is_possible = is_possible && (is_kept || section == 0 && self.is_left(given));
+            let taken = if duration == R::ZERO { least } else { duration };
+            self.memory.durations.put(section, taken);
+        }
+        for point in 1..self.sections {
+            for axis in 0..self.axes {
+                let bounds = self.bounds(point, axis);
+                is_possible = is_possible && bounds.hold(self.at(point, axis));
+            }
+        }
+        Ok(is_possible.then(|| self.duration()))
+    }
+
+    /// Whether the first section is what is left of a section of a possible plan. The state under way has rounding errors: those of the
+    /// positions, and those of the clock. A little more jerk makes up for them.
+    fn is_left(&self, given: &[R]) -> bool {
+        let Ok(duration) = self.given(0, given) else {
+            return false;
+        };
+        let all = total(given);
+        let clock = R::DOUBT * all;
+        let mut axes = 0..self.axes;
+        axes.all(|axis| {
+            let points = 0..=self.request.sections;
+            let farthest = points.map(|point| self.request.state(point, axis).position.abs());
+            let position = R::DOUBT * farthest.fold(R::ZERO, R::at_least);
+            let limits = self.limits(0, axis).map(|limits| with_errors(limits, duration, all, [position, clock]));
+            limits.is_ok_and(|limits| {
+                let ends = [self.at(0, axis), self.at(1, axis)];
+                self.upper(&limits, (0, axis), ends, duration).slacks().is_some()
+            })
+        })
+    }
+}
+
+impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
+    /// Shortens a plan that is there, if a slower one is strictly inside. Whether one is.
+    pub fn shorten_given(&mut self, given: &[R], steps: Steps) -> Result<bool, Error> {
+        let Some(octaves) = self.slow_down(given, steps.most) else {
+            return Ok(false);
+        };
+        self.shorten(steps, octaves);
+        self.promise()?;
+        Ok(true)
+    }
+
+    /// The duration of a section in the plan that is there, s.
+    fn given(&self, section: usize, given: &[R]) -> Result<R, Error> {
+        let duration = given.get(self.place(section)).copied().unwrap_or(R::NAN);
+        let is_duration = duration >= R::ZERO && duration.is_finite();
+        is_duration.then_some(duration).ok_or(Error::Duration)
+    }
+
+    fn take_state(&mut self, point: usize, slow: &Slow<R>) -> Result<(), Error> {
+        for axis in 0..self.axes {
+            let state = self.request.state(self.place(point), axis);
+            let velocity = state.velocity / slow.factor;
+            let acceleration = (state.acceleration - velocity * slow.rate) / (slow.factor * slow.factor);
+            if !(velocity.is_finite() && acceleration.is_finite()) {
+                return Err(Error::NotFinite);
+            }
+            self.memory.states.set(point * self.axes + axis, [velocity, acceleration]);
+        }
+        Ok(())
+    }
+
+    /// Takes over the slowest of some plans like the one that is there, if one is strictly inside. Gives the powers of two for the first step. A
+    /// path of one section needs no step. A plan that begins in motion eases over a quarter of its duration. From the given plan itself no step
+    /// opens new sections.
+    pub fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
+        if self.sections == 1 {
+            return None;
+        }
+        // New sections begin with stops, far from the best plan.
+        let mut is_new = false;
+        for section in 0..self.sections {
+            is_new |= self.given(section, given) == Ok(R::ZERO);
+        }
+        // For fewer than 3 steps there is no other.
+        let may_be = |thousandths, least| least <= steps && (thousandths > 0 || !is_new || steps < 3);
+        let mut moves = false;
+        for axis in 0..self.axes {
+            moves |= self.at(0, axis) != [R::ZERO; 2];
+        }
+        let ease = if moves { R::HALF * R::HALF * total(given) } else { R::ZERO };
+        let mut slower = SLOWER.into_iter().filter(|&(thousandths, _, least)| may_be(thousandths, least));
+        slower.find_map(|(thousandths, octaves, _)| {
+            let factor = R::ONE + R::from(thousandths) / (R::from(250) * R::from(4));
+            self.take_slower(&Slowing { factor, ease }, given).map(|()| if is_new { 0 } else { octaves })
+        })
+    }
+
+    /// Takes over the plan that is there, slowed down.
+    fn take_slower(&mut self, slowing: &Slowing<R>, given: &[R]) -> Option<()> {
+        let (mut time, mut later) = (R::ZERO, R::ZERO);
+        for section in 0..self.sections {
+            let duration = self.given(section, given).ok()?;
+            time = time + duration;
+            let slow = slowing.at(time);
+            if section + 1 < self.sections {
+                self.take_state(section + 1, &slow).ok()?;
+            }
+            self.memory.durations.put(section, duration + (slow.later - later));
+            later = slow.later;
+        }
+        for section in 0..self.sections {
+            if self.given(section, given) == Ok(R::ZERO) {
+                let least = self.shortest(section, R::ZERO).ok()?;
+                self.memory.durations.put(section, least + R::SIXTEENTH * least);
+            }
+            self.is_possible(section, self.memory.durations.at(section)).then_some(())?;
+        }
+        self.points_are_inside().then_some(())
+    }
+}
+
+/// Limits so wide that a motion of the duration `t` makes up for the rounding errors of its start: that of its position, and what the one of the
+/// clock changes. In a path that takes `all` an axis is no faster than its limits, or the limits of their derivatives, let it be.
+fn with_errors<R: Real>(limits: &Limits<R>, t: R, all: R, [position, clock]: [R; 2]) -> Limits<R> {
+    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
+    let j = jmax.at_least(-jmin);
+    let a = amax.at_least(-amin).at_most(j * all);
+    let v = vmax.at_least(-vmin).at_most(a * all);
+    // The quintic that ends such an error has at most 60, 36 and 9 times these jerks.
+    let jerk = ((position + v * clock) / t + a * clock) / (t * t) + j * clock / t;
+    let (more_j, more_a, more_v) = (R::from(64) * jerk, R::from(8) * jerk * t, R::from(2) * jerk * t * t);
+    Limits {
+        vmax: vmax + more_v,
+        vmin: vmin - more_v,
+        amax: amax + more_a,
+        amin: amin - more_a,
+        jmax: jmax + more_j,
+        jmin: jmin - more_j,
+    }
+}

@@ -1,0 +1,171 @@
+//! One axis among several.
+
+use super::blend::{self, Blend};
+use super::cruise::Cruise;
+use crate::findings::Error;
+use crate::interval::rounding::of_formula;
+use crate::limits::Limits;
+use crate::online::Move;
+use crate::online::problem::Problem;
+use crate::real::Real;
+use crate::state::State;
+
+/// The limits of an axis, and its states at the start and at the end.
+pub(crate) type Axis<'a, R> = (&'a Limits<R>, (&'a State<R>, &'a State<R>));
+
+/// Limits and states of the axes, if each of them can be planned.
+pub(crate) fn checked<'a, R: Real>(
+    count: usize, limits: &'a [Limits<R>], from: &'a [State<R>], to: &'a [State<R>],
+) -> Result<impl Iterator<Item = Axis<'a, R>> + Clone, Error> {
+    let differ = limits.len() != count || from.len() != count || to.len() != count;
+    if count == 0 || differ {
+        return Err(Error::Axes);
+    }
+    let ends = limits.iter().zip(from.iter().zip(to));
+    for (limits, (&from, &to)) in ends.clone() {
+        limits.check(from, to)?;
+    }
+    Ok(ends)
+}
+
+/// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the
+/// range of the real type: the way in which the axis brakes, and the time in which it comes back, and one unit of length farther, at the
+/// least limits.
+pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -> bool {
+    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
+    let [per_v, per_a, per_j] =
+        [(vmax, vmin), (amax, amin), (jmax, jmin)].map(|(high, low)| R::ONE / high.at_most(-low));
+    let a = from.acceleration.abs() + to.acceleration.abs();
+    let v = from.velocity.abs() + to.velocity.abs() + a * a * per_j;
+    let t = R::ONE + v * (per_a + per_j) + a * per_j;
+    let way = R::ONE + from.position.abs() + to.position.abs() + v * t;
+    let t = t + duration + way * (per_v + per_a + per_j);
+    // The other axes may have to take as long.
+    (way + (t + v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
+}
+
+/// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
+pub(crate) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
+    // An axis can wait where it stands.
+    if problem.from().is_at_rest() || problem.to().is_at_rest() {
+        return t;
+    }
+    let next = blend::next_duration(problem, t);
+    // Roundings, and numbers beyond the range, may hide a duration in which the axis cruises.
+    if next > t && Cruise::of(problem, t).is_none() { next } else { t }
+}
+
+/// The shortest possible duration from `t` on of an axis that has made its fastest plan, s.
+pub(super) fn next_of_plan<R: Real>(axis: &Move<R>, problem: &dyn Fn() -> Problem<R>, t: R) -> R {
+    if lasts(axis, t) || axis.start().is_at_rest() || axis.end().is_at_rest() {
+        t
+    } else {
+        next_duration(&problem(), t)
+    }
+}
+
+/// Whether a plan takes the duration `t` up to rounding: a tick is early by the rounding of a formula, and its quotient and product add half as
+/// much.
+pub(super) fn lasts<R: Real>(axis: &Move<R>, t: R) -> bool {
+    let rounding = of_formula(t);
+    (t - axis.t).abs() <= rounding + R::HALF * rounding
+}
+
+/// Whether an axis that has made its fastest plan can take the duration `t`, up to the rounding of its states.
+pub(super) fn takes<R: Real>(axis: &Move<R>, problem: &Problem<R>, t: R) -> bool {
+    let is_possible = t >= axis.t && next_of_plan(axis, &|| *problem, t) <= t;
+    is_possible || lasts(axis, t) || problem.may_shift(axis, t) || neighbour(problem, t).is_some()
+}
+
+/// The problem, or one whose velocity at the start differs by rounding, if it takes the duration `t`.
+fn neighbour<R: Real>(problem: &Problem<R>, t: R) -> Option<Problem<R>> {
+    let rounding = problem.border.rounding_of_velocity();
+    let fitting = problem.border.faster_for(problem.behind_inside(t));
+    let neighbours = [fitting, R::ZERO, rounding, -rounding].map(|change| problem.starting_faster(change));
+    neighbours.into_iter().find(|problem| problem.takes(t))
+}
+
+/// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
+pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem<R>, t: R) -> Result<(), Error> {
+    let is_slow = axis.start().is_at_rest() && axis.end().is_at_rest();
+    if lasts(axis, t) {
+        axis.end_at(t);
+    } else if problem().may_shift(axis, t) {
+        axis.shift_in_time(t);
+    } else if is_slow && t > axis.t && axis.t > R::EPSILON * t {
+        // The jerk falls by the third power of the factor. It stays within the range of the real type.
+        axis.slow_down(t);
+    } else {
+        fill(axis, &problem(), t);
+    }
+    if axis.is_finite() { Ok(()) } else { Err(Error::NotFinite) }
+}
+
+/// Lets an axis in motion that has made its fastest plan take the duration `t`.
+fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
+    let is_possible = t >= axis.t && next_duration(problem, t) <= t;
+    let problem = if is_possible { *problem } else { neighbour(problem, t).unwrap_or(*problem) };
+    if let Some(cruise) = Cruise::of(&problem, t) {
+        cruise.write(&problem, axis, t);
+    } else if let Some(blend) = Blend::of(&problem, t) {
+        blend.write(&problem, axis, t);
+    } else if problem.to().is_at_rest() {
+        // Where rounding hides the wait from both, the axis waits at its target.
+        axis.wait_until(t);
+    } else {
+        axis.shift_in_time(t);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_ordinary;
+    use crate::limits::Limits;
+    use crate::state::State;
+
+    /// The magnitudes of six limits, both positions, velocities and accelerations, and a duration.
+    fn is_ordinary_with([vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration]: [f64; 13]) -> bool {
+        let limits = Limits { vmax, vmin: -vmin, amax, amin: -amin, jmax, jmin: -jmin };
+        let [p0, p1, v0, v1, a0, a1] = ends;
+        let state = |position, velocity, acceleration| State { position, velocity, acceleration };
+        is_ordinary((&limits, (&state(p0, v0, a0), &state(p1, v1, a1))), duration)
+    }
+
+    /// Limits of 1 and a standstill at 0, of which some numbers are larger by a power of two; limits are smaller.
+    fn with(octaves: i32, numbers: &[usize]) -> [f64; 13] {
+        let mut all = [0.0; 13];
+        all[..6].fill(1.0);
+        for &number in numbers {
+            let sign = if number < 6 { -1 } else { 1 };
+            all[number] = f64::from(sign * octaves).exp2();
+        }
+        all
+    }
+
+    #[test]
+    fn each_number_may_be_extraordinary() {
+        for number in 0..13 {
+            assert!(is_ordinary_with(with(8, &[number])), "{number}");
+            assert!(!is_ordinary_with(with(60, &[number])), "{number}");
+        }
+    }
+
+    #[test]
+    fn several_numbers_may_be_extraordinary() {
+        // To undo a high acceleration with a low jerk takes a high velocity.
+        for [jerk, acceleration] in [[4, 10], [5, 11]] {
+            assert!(!is_ordinary_with(with(7, &[jerk, acceleration])));
+        }
+        // A high velocity takes long to end.
+        assert!(!is_ordinary_with(with(24, &[2, 4, 8])));
+        let mut with_high_jerks = with(17, &[2, 8]);
+        with_high_jerks[4..6].fill(f64::exp2(17.0));
+        assert!(!is_ordinary_with(with_high_jerks));
+        // A low limit counts beside high ones.
+        for limit in 0..6 {
+            let mut numbers = with(-60, &[0, 1, 2, 3, 4, 5]);
+            numbers[limit] = 1.0 / numbers[limit];
+            assert!(!is_ordinary_with(numbers), "{limit}");
+        }
+    }
+}

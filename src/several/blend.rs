@@ -1,0 +1,228 @@
+//! The motion of a given duration: a mean of two motions on the border.
+//!
+//! `docs/planner.md` has the theory, in "Several axes".
+
+use crate::interval::border::Border;
+use crate::interval::crossing;
+use crate::interval::profile::{MOST_SEGMENTS, Profile, Segment};
+use crate::online::Move;
+use crate::online::problem::Problem;
+use crate::real::Real;
+
+/// Two motions of the same duration, whose mean travels a displacement.
+pub(super) struct Blend<R> {
+    /// The motion that gets farthest.
+    farthest: Profile<R>,
+    /// The motion that gets farthest in the mirrored axis.
+    nearest: Profile<R>,
+    /// The weight of the first motion.
+    share: R,
+}
+
+/// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s.
+pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
+    let t = problem.behind_inside(duration);
+    let next = crossing::next_duration(&problem.border, t, problem.displacement());
+    if next > t { problem.with_inside(next) } else { duration }
+}
+
+impl<R: Real> Blend<R> {
+    /// A motion of this duration, if one is possible: a slow one if there is one.
+    pub fn of(problem: &Problem<R>, duration: R) -> Option<Self> {
+        let (h, t) = (problem.displacement().h, problem.behind_inside(duration));
+        Self::slow(problem, duration).or_else(|| Self::over(&problem.border, h, t))
+    }
+
+    /// A slow motion of this duration, if there is one.
+    fn slow(problem: &Problem<R>, duration: R) -> Option<Self> {
+        let (h, t) = (problem.displacement().h, problem.behind_inside(duration));
+        Self::over(&slower(&problem.border, h, t), h, t).filter(Self::keeps_limits)
+    }
+
+    /// The mean over `h` of the motions of the duration `t`. `None` if the end cannot be reached in this duration.
+    fn over(border: &Border<R>, h: R, t: R) -> Option<Self> {
+        let mirrored = border.mirrored();
+        let farthest = border.farthest(t)?;
+        let nearest = Profile { mirrored: true, ..mirrored.farthest(t)? };
+        let most = border.displacement(&farthest);
+        let least = -mirrored.displacement(&nearest);
+        let (beyond, width) = (h - least, most - least);
+        // An axis that need not move has no width.
+        let share = if beyond == width { R::ONE } else { beyond / width };
+        Some(Self { farthest, nearest, share })
+    }
+
+    /// Whether no weight is negative. Then the mean keeps the limits that both motions keep.
+    pub fn keeps_limits(&self) -> bool {
+        self.share >= R::ZERO && self.share <= R::ONE
+    }
+
+    /// Writes the way inside the limits and the mean.
+    pub fn write(&self, problem: &Problem<R>, ctx: &mut Move<R>, duration: R) {
+        let t = problem.behind_inside(duration);
+        let share = self.share.at_least(R::ZERO).at_most(R::ONE);
+        // The motion with the larger weight comes first. So the mean of equal numbers is exact, and a small one has small roundings.
+        let (motions, weight) = if share > R::HALF {
+            ([&self.farthest, &self.nearest], R::ONE - share)
+        } else {
+            ([&self.nearest, &self.farthest], share)
+        };
+        let (mut one, mut other) = (Cursor::new(t), Cursor::new(t));
+        for (cursor, profile) in [&mut one, &mut other].into_iter().zip(motions) {
+            cursor.fill(&problem.border.segments(profile));
+        }
+        let mean = |x: R, y: R| x + weight * (y - x);
+        let mut writer = problem.writer(ctx);
+        let mut now = Instant::start(t);
+        // Each round ends a segment of one motion, or of both.
+        for _ in 1..one.count + other.count {
+            let next = one.end().first(other.end());
+            writer.write(&Segment {
+                from: mean(one.acceleration(now), other.acceleration(now)),
+                jerk: mean(one.segment().jerk, other.segment().jerk),
+                duration: next.since(now),
+            });
+            one.pass(next);
+            other.pass(next);
+            now = next;
+        }
+        writer.end(problem.to());
+        ctx.end_at(duration);
+    }
+}
+
+/// The axis with a lower limit of its velocity, if it has time: twice the mean velocity is enough between standstills. So the numbers of a
+/// slow motion are small, and with them their roundings.
+fn slower<R: Real>(border: &Border<R>, h: R, t: R) -> Border<R> {
+    let mean = h.abs() / t;
+    let speed = mean + mean + border.v0.abs() + border.v1.abs() + border.undone;
+    let mut slower = *border;
+    slower.limits.vmax = border.limits.vmax.at_most(speed);
+    slower.limits.vmin = border.limits.vmin.at_least(-speed);
+    slower.above = border.above.at_most(speed - border.v0);
+    slower.below = border.below.at_most(speed + border.v0);
+    slower
+}
+
+/// A time in a motion. It is counted from the nearer end, so that a short segment beside a long cruise keeps its digits.
+#[derive(Clone, Copy)]
+struct Instant<R> {
+    /// Since the start, s.
+    since_start: R,
+    /// Until the end, s.
+    until_end: R,
+}
+
+impl<R: Real> Instant<R> {
+    fn start(t: R) -> Self {
+        Self { since_start: R::ZERO, until_end: t }
+    }
+
+    fn end(t: R) -> Self {
+        Self { since_start: t, until_end: R::ZERO }
+    }
+
+    fn is_late(self) -> bool {
+        self.until_end < self.since_start
+    }
+
+    fn first(self, other: Self) -> Self {
+        let later = if self.is_late() && other.is_late() {
+            self.until_end < other.until_end
+        } else {
+            self.since_start > other.since_start
+        };
+        if later { other } else { self }
+    }
+
+    /// Time from an earlier instant to this one.
+    fn since(self, earlier: Self) -> R {
+        if earlier.is_late() { earlier.until_end - self.until_end } else { self.since_start - earlier.since_start }
+    }
+}
+
+/// A place in a motion that moves on in order of time.
+struct Cursor<R> {
+    t: R,
+    segments: [Segment<R>; MOST_SEGMENTS],
+    /// When each segment ends.
+    ends: [Instant<R>; MOST_SEGMENTS],
+    count: usize,
+    current: usize,
+    /// When the segment under way began.
+    began: Instant<R>,
+}
+
+impl<R: Real> Cursor<R> {
+    /// At the start of a motion of the duration `t`.
+    fn new(t: R) -> Self {
+        Self {
+            t,
+            segments: [Segment::default(); MOST_SEGMENTS],
+            ends: [Instant::end(t); MOST_SEGMENTS],
+            count: 0,
+            current: 0,
+            began: Instant::start(t),
+        }
+    }
+
+    /// Takes the segments of the motion.
+    fn fill(&mut self, segments: &[Segment<R>; MOST_SEGMENTS]) {
+        for segment in segments {
+            self.add(segment);
+        }
+        self.count_from_end();
+    }
+
+    /// Adds a segment, if it has a duration.
+    fn add(&mut self, segment: &Segment<R>) {
+        let before = self.ends.get(self.count.wrapping_sub(1));
+        let began = before.map_or(R::ZERO, |end| end.since_start);
+        let places = self.segments.get_mut(self.count).zip(self.ends.get_mut(self.count));
+        if let Some((place, end)) = places.filter(|_| segment.duration > R::ZERO) {
+            *place = *segment;
+            end.since_start = began + segment.duration;
+            self.count += 1;
+        }
+    }
+
+    /// Finds when the segments end, seen from the end of the motion.
+    fn count_from_end(&mut self) {
+        let mut until_end = R::ZERO;
+        let segments = self.segments.iter().zip(&mut self.ends).take(self.count);
+        for (segment, end) in segments.rev() {
+            end.until_end = until_end;
+            // One of both counts rules.
+            if end.is_late() {
+                end.since_start = self.t - until_end;
+            } else {
+                end.until_end = self.t - end.since_start;
+            }
+            until_end = until_end + segment.duration;
+        }
+    }
+
+    fn segment(&self) -> Segment<R> {
+        self.segments.get(self.current).copied().unwrap_or_default()
+    }
+
+    /// When the segment under way ends.
+    fn end(&self) -> Instant<R> {
+        let end = self.ends.get(self.current).copied();
+        end.unwrap_or(Instant::end(self.t))
+    }
+
+    fn acceleration(&self, now: Instant<R>) -> R {
+        let segment = self.segment();
+        segment.from + segment.jerk * now.since(self.began)
+    }
+
+    /// Goes on to the instant `next`.
+    fn pass(&mut self, next: Instant<R>) {
+        let end = self.end();
+        if self.current + 1 < self.count && end.since(next) <= R::ZERO {
+            self.began = end;
+            self.current += 1;
+        }
+    }
+}

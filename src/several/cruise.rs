@@ -1,0 +1,163 @@
+//! The motion of a given duration that cruises: a ramp to one velocity, the cruise, and a ramp to the end.
+//!
+//! `docs/planner.md` has the theory, in "Several axes".
+
+use crate::interval::border::Border;
+use crate::interval::profile::{MOST_SEGMENTS, Segment};
+use crate::interval::ramp::{Passed, PerJerk, Ramp, seen};
+use crate::interval::rounding::of_formula;
+use crate::online::Move;
+use crate::online::problem::Problem;
+use crate::real::Real;
+
+/// A motion at the velocity `v` between two ramps.
+pub(super) struct Cruise<R> {
+    v: R,
+    /// How long the axis cruises, s.
+    c: R,
+    /// From the start to the cruise.
+    start: Side<R>,
+    /// From the end to the cruise, in the other order of time.
+    end: Side<R>,
+}
+
+/// A ramp between one end of the motion and the cruise.
+struct Side<R> {
+    ramp: Ramp<R>,
+    /// The jerks in the ramp's own axis.
+    per_jerk: PerJerk<R>,
+    /// s
+    duration: R,
+    displacement: R,
+}
+
+/// More rounds than the velocity of a cruise takes.
+const MOST_ROUNDS: u32 = 24;
+
+impl<R: Real> Cruise<R> {
+    /// The motion of a problem in the duration `duration`. `None` if the ramps take longer at the velocity that travels the displacement.
+    pub fn of(problem: &Problem<R>, duration: R) -> Option<Self> {
+        let (h, t) = (problem.displacement().h, problem.behind_inside(duration));
+        Self::over(&problem.border, h, t)
+    }
+
+    /// The slope of the displacement is positive wherever the axis cruises. A step of Newton's method fits a quadratic. The first step that
+    /// leaves the range that holds the velocity becomes a step to its end, and each later one becomes a halving of the range.
+    fn over(border: &Border<R>, h: R, t: R) -> Option<Self> {
+        let reversed = border.reversed();
+        let mean = h / t;
+        let ends = border.v0.abs() + border.v1.abs();
+        // The mean velocity of a ramp is at least a third of the cruise's, beside what its own end adds: a half, if both jerks are equal. So
+        // the cruise is not faster.
+        let fastest = R::from(3) * (mean.abs() + ends + border.undone);
+        let mut low = border.limits.vmin.at_least(-fastest);
+        let mut high = border.limits.vmax.at_most(fastest);
+        let mut v = mean.at_least(low).at_most(high);
+        let mut is_end_asked = false;
+        for _ in 0..MOST_ROUNDS {
+            let cruise = Self::at(border, &reversed, v, t);
+            let beyond = cruise.displacement() - h;
+            if beyond.abs() <= of_formula(h.abs() + (ends + v.abs()) * t) {
+                return (cruise.c >= R::ZERO).then_some(cruise);
+            }
+            let end = if beyond > R::ZERO { low } else { high };
+            let is_end = v == end;
+            if is_end {
+                // The velocity is between the end and the velocities before.
+            } else if beyond > R::ZERO {
+                high = v;
+            } else {
+                low = v;
+            }
+            let next = v - cruise.step(beyond);
+            v = if !is_end && next > low && next < high {
+                next
+            } else if is_end_asked {
+                low + R::HALF * (high - low)
+            } else {
+                is_end_asked = true;
+                end
+            };
+        }
+        None
+    }
+
+    fn at(border: &Border<R>, reversed: &Border<R>, v: R, t: R) -> Self {
+        let (start, end) = (Side::to(border, v), Side::to(reversed, v));
+        let c = t - start.duration - end.duration;
+        Self { v, c, start, end }
+    }
+
+    fn displacement(&self) -> R {
+        self.start.displacement + self.v * self.c + self.end.displacement
+    }
+
+    /// How much the velocity is to fall for the displacement to fall by `beyond`, where the displacement is taken for a quadratic.
+    fn step(&self, beyond: R) -> R {
+        let slope = self.c + R::HALF * (self.start.beside() + self.end.beside());
+        let newton = beyond / slope;
+        let bend = newton * (self.start.curvature() + self.end.curvature()) / slope;
+        if bend.abs() < R::HALF { (newton + newton) / (R::ONE + (R::ONE - (bend + bend)).sqrt()) } else { newton }
+    }
+
+    /// Writes the way inside the limits and the motion.
+    pub fn write(&self, problem: &Problem<R>, axis: &mut Move<R>, duration: R) {
+        let mut writer = problem.writer(axis);
+        for segment in &self.segments(&problem.border) {
+            writer.write(segment);
+        }
+        writer.end(problem.to());
+        axis.end_at(duration);
+    }
+
+    /// The segments in order of time. In the other order of time an acceleration has the other sign, and a jerk has the same.
+    fn segments(&self, border: &Border<R>) -> [Segment<R>; MOST_SEGMENTS] {
+        let (jmax, jmin) = (border.limits.jmax, border.limits.jmin);
+        let jerks = |side: &Side<R>| {
+            if side.ramp.mirrored { (jmin, jmax) } else { (jmax, jmin) }
+        };
+        let (start, end) = (&self.start, &self.end);
+        let ((away, back), (off, onto)) = (jerks(start), jerks(end));
+        let peak = start.ramp.peak.negate_if(start.ramp.mirrored);
+        let trough = -end.ramp.peak.negate_if(end.ramp.mirrored);
+        [
+            (border.a0, away, start.per_jerk.gu * start.ramp.rise),
+            (peak, R::ZERO, start.ramp.hold),
+            (peak, back, start.beside()),
+            (R::ZERO, R::ZERO, self.c),
+            (R::ZERO, onto, end.beside()),
+            (trough, R::ZERO, end.ramp.hold),
+            (trough, off, end.per_jerk.gu * end.ramp.rise),
+        ]
+        .map(|(from, jerk, duration)| Segment { from, jerk, duration })
+    }
+}
+
+impl<R: Real> Side<R> {
+    /// From the start of the border to the cruise at `v`.
+    fn to(border: &Border<R>, v: R) -> Self {
+        let beyond = (v - border.v0) - border.per_jerk.straight(border.a0, R::ZERO);
+        let mirrored = beyond < R::ZERO;
+        let limit = if mirrored { -border.limits.amin } else { border.limits.amax };
+        let [beyond, a0, v0] = seen([beyond, border.a0, border.v0], mirrored);
+        let per_jerk = border.per_jerk.mirrored_if(mirrored);
+        let ramp = Ramp::over(beyond, a0, R::ZERO, limit, per_jerk);
+        let Passed { duration, displacement } = ramp.passed(v0, a0, R::ZERO, per_jerk);
+        Self { ramp: ramp.mirrored_if(mirrored), per_jerk, duration, displacement: displacement.negate_if(mirrored) }
+    }
+
+    /// How long the phase beside the cruise lasts, s.
+    fn beside(&self) -> R {
+        self.per_jerk.gd * self.ramp.fall
+    }
+
+    /// What the side adds to the second derivative of the displacement with respect to the velocity of the cruise.
+    fn curvature(&self) -> R {
+        let shape = if self.ramp.hold > R::ZERO {
+            R::ONE
+        } else {
+            R::ONE - R::HALF * R::HALF * self.per_jerk.gd / self.per_jerk.q()
+        };
+        -(shape / self.ramp.peak).negate_if(self.ramp.mirrored)
+    }
+}

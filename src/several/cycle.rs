@@ -1,0 +1,84 @@
+//! The ticks on which axes arrive.
+
+use crate::findings::Error;
+use crate::interval::rounding::of_formula;
+use crate::real::Real;
+
+/// The period of a control loop. All axes arrive on one of its ticks.
+pub(crate) struct Cycle<R> {
+    /// s; 0 if any time will do.
+    period: R,
+    /// The axes arrive no earlier, s.
+    earliest: R,
+}
+
+impl<R: Real> Cycle<R> {
+    /// The cycle for a move that lasts at least `duration`, s.
+    pub fn new(duration: R, period: R) -> Result<Self, Error> {
+        let is_time = |t: R| t >= R::ZERO && t.is_finite();
+        if is_time(duration) && is_time(period) {
+            Ok(Self { period, earliest: duration })
+        } else {
+            Err(Error::Duration)
+        }
+    }
+
+    /// The first tick from `slowest` on at which all axes can arrive, unless it is beyond the range of the real type. `next_duration` gives
+    /// the shortest possible duration of the slowest axis from a duration on.
+    pub fn until_possible(&self, axes: usize, slowest: R, next_duration: impl Fn(R) -> R) -> Result<R, Error> {
+        let mut t = self.from(slowest);
+        // Every round passes a gap of an axis. An axis has at most one to each side.
+        for _ in 0..2 * axes + 2 {
+            let next = self.from(next_duration(t));
+            if next <= t {
+                break;
+            }
+            t = next;
+        }
+        if t.is_finite() { Ok(t) } else { Err(Error::NotFinite) }
+    }
+
+    /// The shortest duration that all axes can take up to rounding, if it is much below the possible duration `t`: one of their own
+    /// `durations`, or its nearest tick. Near its end each axis has a duration with rounding errors of its own, and the next possible one may
+    /// be far away.
+    pub fn earlier(&self, t: R, slowest: R, durations: impl Iterator<Item = R>, all_take: impl Fn(R) -> bool) -> R {
+        let mut shortest = t;
+        if t <= slowest + R::EPSILON.sqrt() * slowest {
+            return t;
+        }
+        let near = durations.chain([slowest]).filter(|duration| *duration >= slowest - R::SIXTEENTH * slowest);
+        for tick in near.map(|duration| self.nearest(duration)) {
+            let is_early = tick < self.earliest - of_formula(tick);
+            if tick < shortest && !is_early && all_take(tick) {
+                shortest = tick;
+            }
+        }
+        shortest
+    }
+
+    /// The first tick from `t` on, up to rounding.
+    fn from(&self, t: R) -> R {
+        self.count(t).map_or(t, |count| {
+            let nearest = whole(count);
+            let is_early = nearest < count - of_formula(count);
+            self.period * if is_early { nearest + R::ONE } else { nearest }
+        })
+    }
+
+    /// The tick next to `t`.
+    fn nearest(&self, t: R) -> R {
+        self.count(t).map_or(t, |count| self.period * whole(count))
+    }
+
+    /// `t` in periods. `None` if any time will do.
+    fn count(&self, t: R) -> Option<R> {
+        let count = t / self.period;
+        (self.period > R::ZERO && count < R::ONE / R::EPSILON).then_some(count)
+    }
+}
+
+/// The whole number next to a number below `1/ε`. Adding and subtracting `1/ε` rounds.
+fn whole<R: Real>(x: R) -> R {
+    let whole = R::ONE / R::EPSILON;
+    (x + whole) - whole
+}

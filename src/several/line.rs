@@ -1,0 +1,190 @@
+//! Several axes on the straight line from their start to their end.
+
+use super::axis::{Axis, checked, next_of_plan, stretch, takes};
+use super::cycle::Cycle;
+use crate::findings::{Error, Findings};
+use crate::interval::rounding::{of_check, of_formula};
+use crate::limits::Limits;
+use crate::online::Move;
+use crate::online::problem::Problem;
+use crate::real::Real;
+use crate::state::State;
+
+/// Plans all axes on the straight line from their start to their end: the fastest motion on it that lasts at least `duration` and a multiple
+/// of `cycle` (0: any), s.
+///
+/// [`Error::Line`] if the velocities and accelerations do not point along the line. An error of any axis is returned, and then no axis is
+/// written.
+pub fn line<R: Real>(
+    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], duration: R, cycle: R,
+) -> Result<Findings, Error> {
+    let cycle = Cycle::new(duration, cycle)?;
+    let ends = checked(axes.len(), limits, from, to)?;
+    let line = Line::through(ends.clone())?;
+    let limits = line.tightest(ends.clone())?;
+    limits.check(line.from, line.to)?;
+    line.check(ends.clone())?;
+    let problem = Problem::new(&limits, line.from, line.to).beside(line.positions);
+    let mut lead = Move::default();
+    problem.write(&mut lead, &problem.fastest())?;
+    let slowest = duration.at_least(lead.t);
+    let t = cycle.until_possible(1, slowest, |t| next_of_plan(&lead, &|| problem, t))?;
+    let t = cycle.earlier(t, slowest, [lead.t].into_iter(), |t| takes(&lead, &problem, t));
+    stretch(&mut lead, &|| problem, t)?;
+    for ((_, (from, to)), axis) in ends.zip(axes) {
+        *axis = lead.beside(to.position, line.share(from, to).times);
+        axis.set_ends(*from, *to);
+    }
+    Ok(problem.findings(&lead))
+}
+
+/// A straight line in the space of all axes. The axis with the longest way leads; of ways that are as long, the one with the finest
+/// roundings. Its positions are counted from its end, so they have the roundings of the way alone.
+struct Line<R> {
+    /// The lead at the start.
+    from: State<R>,
+    /// The lead at the end.
+    to: State<R>,
+    /// The sum of the magnitudes of the lead's true positions, which tells their rounding.
+    positions: R,
+    /// How long the slowest axis takes to brake, s.
+    braking: R,
+    /// The highest velocity and acceleration of the lead. A small one has their rounding errors, because it is a sum of higher ones.
+    highest: (R, R),
+}
+
+/// How far an axis moves while the lead moves by 1.
+#[derive(Clone, Copy)]
+struct Share<R> {
+    times: R,
+    /// The rounding error of the share.
+    rounding: R,
+}
+
+impl<'a, R: Real + 'a> Line<R> {
+    /// The line along which the axis with the longest way leads.
+    fn through(ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Self, Error> {
+        let braking = ends.clone().map(braking).fold(R::ZERO, R::at_least);
+        let leads = ends.map(|(limits, (from, to))| {
+            let line = Self {
+                from: State { position: from.position - to.position, ..*from },
+                to: State { position: R::ZERO, ..*to },
+                positions: from.position.abs() + to.position.abs(),
+                braking,
+                highest: (R::ZERO, R::ZERO),
+            };
+            (line, limits)
+        });
+        let longer = |one: (Self, _), other: (Self, _)| {
+            let (certain, least) = (other.0.certain(), one.0.certain());
+            if certain > least || certain == least && other.0.positions < one.0.positions { other } else { one }
+        };
+        let (mut line, limits) = leads.reduce(longer).ok_or(Error::Axes)?;
+        let (v, a) = highest(limits, line.reach());
+        let jerk = limits.jmax.at_most(-limits.jmin);
+        let at_end = |State { velocity, acceleration, .. }: State<R>| {
+            let built_up = (acceleration * acceleration / jerk).at_most(limits.vmax - limits.vmin);
+            (velocity.abs().at_least(built_up), acceleration.abs())
+        };
+        let ((v0, a0), (v1, a1)) = (at_end(line.from), at_end(line.to));
+        line.highest = (v.at_least(v0).at_least(v1), a.at_least(a0).at_least(a1));
+        if line.reach().is_finite() { Ok(line) } else { Err(Error::NotFinite) }
+    }
+
+    /// The way, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
+    fn reach(&self) -> R {
+        self.from.position.abs() + self.braking * self.speeds()
+    }
+
+    /// The reach without the part that the roundings of the positions make uncertain.
+    fn certain(&self) -> R {
+        let reach = self.reach();
+        // Both positions and their difference are rounded.
+        let part = reach / (reach + of_formula(self.positions));
+        if part > R::ZERO { reach * part } else { reach }
+    }
+
+    fn speeds(&self) -> R {
+        self.from.velocity.abs() + self.to.velocity.abs()
+    }
+
+    /// The slope of the five numbers of the axis (its way, and velocity and acceleration at both ends) on those of the lead, by least squares.
+    /// Each number counts in units of its rounding error. The share is 0 if nothing moves.
+    fn share(&self, from: &State<R>, to: &State<R>) -> Share<R> {
+        let own_positions = from.position.abs() + to.position.abs();
+        let positions = self.positions + self.reach() + own_positions;
+        let (v, a) = self.highest;
+        let numbers = [
+            (from.position - to.position, self.from.position, positions),
+            (from.velocity, self.from.velocity, v),
+            (from.acceleration, self.from.acceleration, a),
+            (to.velocity, self.to.velocity, v),
+            (to.acceleration, self.to.acceleration, a),
+        ];
+        let (mut product, mut square) = (R::ZERO, R::ZERO);
+        let mut largest = if positions > R::ZERO { own_positions / positions } else { R::ZERO };
+        for (own, lead, size) in numbers.into_iter().filter(|(.., size)| *size > R::ZERO) {
+            let (own, lead) = (own / size, lead / size);
+            product = product + own * lead;
+            square = square + lead * lead;
+            largest = largest.at_least(own.abs());
+        }
+        if square > R::ZERO {
+            // The numbers of the axis are rounded, and those of the lead.
+            let times = product / square;
+            Share { times, rounding: of_check(largest + times.abs()) / square.sqrt() }
+        } else {
+            Share { times: R::ZERO, rounding: R::ZERO }
+        }
+    }
+
+    /// The limits of the lead that keep the limits of all axes.
+    fn tightest(&self, ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Limits<R>, Error> {
+        let (first, _) = ends.clone().next().ok_or(Error::Axes)?;
+        if self.reach() == R::ZERO {
+            return Ok(*first);
+        }
+        let endless = R::INFINITY;
+        let mut tightest = Limits::symmetric(endless, endless, endless);
+        for (limits, (from, to)) in ends {
+            tightest.tighten(limits, self.share(from, to).times);
+        }
+        // Every axis may be in its target. So the lead may, and only roundings of the shares deny it.
+        tightest.include(self.to);
+        Ok(tightest)
+    }
+
+    /// Whether all states lie on the line, up to rounding.
+    fn check(&self, mut ends: impl Iterator<Item = Axis<'a, R>>) -> Result<(), Error> {
+        let (v, a) = self.highest;
+        let is_straight = ends.all(|(_, (from, to))| {
+            let Share { times: share, rounding } = self.share(from, to);
+            let positions = from.position.abs() + to.position.abs() + share.abs() * (self.positions + self.reach());
+            let agree = |x: R, y: R, scale: R| (x - share * y).abs() <= of_check(scale) + rounding * y.abs();
+            let lies = |own: &State<R>, lead: &State<R>| {
+                agree(own.velocity, lead.velocity, own.velocity.abs() + share.abs() * v)
+                    && agree(own.acceleration, lead.acceleration, own.acceleration.abs() + share.abs() * a)
+            };
+            let way = from.position - to.position;
+            agree(way, self.from.position, positions) && lies(from, &self.from) && lies(to, &self.to)
+        });
+        if is_straight { Ok(()) } else { Err(Error::Line) }
+    }
+}
+
+/// The highest velocity and the highest acceleration that an axis comes to on a way.
+fn highest<R: Real>(limits: &Limits<R>, way: R) -> (R, R) {
+    let jerk = limits.jmax.at_least(-limits.jmin);
+    let v = limits.vmax.at_least(-limits.vmin);
+    let a = limits.amax.at_least(-limits.amin).at_most(((v + v) * jerk).sqrt());
+    let a = if jerk.is_finite() { a.at_most((jerk * jerk * way).cube_root_above()) } else { a };
+    (v.at_most((a * way).sqrt()), a)
+}
+
+/// How long an axis takes to brake from the higher velocity of both ends, s.
+fn braking<R: Real>((limits, (from, to)): Axis<R>) -> R {
+    let speed = from.velocity.abs().at_least(to.velocity.abs());
+    let j = limits.jmax.at_most(-limits.jmin);
+    let a = limits.amax.at_most(-limits.amin).at_most((speed * j).sqrt());
+    if speed > R::ZERO { speed / a + a / j } else { R::ZERO }
+}

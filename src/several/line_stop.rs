@@ -1,0 +1,116 @@
+//! The stop of axes that move on a straight line, on this line.
+
+use crate::findings::{Error, Findings};
+use crate::interval::rounding::of_check;
+use crate::limits::Limits;
+use crate::online::{Move, Phase};
+use crate::real::Real;
+use crate::state::State;
+
+/// Stops axes that move on a straight line, on this line, from the time `x` on, s: a feed hold. Each move becomes its stop, which begins at its
+/// time 0. The lead makes its fastest stop within the tightest limits of all, so no reserve is needed.
+///
+/// A time before the start is the start; behind the end, the axes move on. An infinite time and NaN are the end.
+///
+/// [`Error::Line`] if the moves are not on one straight line. It returns the findings and the other errors of [`Move::stop`], and
+/// [`Error::Axes`] if there is no axis or the slices have different lengths. On an error no axis is written.
+pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> Result<Findings, Error> {
+    if axes.len() != limits.len() {
+        return Err(Error::Axes);
+    }
+    let Highest { lead, place, order } = Highest::of(axes);
+    let lead = *axes.get(lead).ok_or(Error::Axes)?;
+    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| order.of(phase));
+    let share = |axis: &Move<R>| {
+        if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) }
+    };
+    let now = lead.state_at(x);
+    let endless = R::INFINITY;
+    let mut tightest = Limits::symmetric(endless, endless, endless);
+    for (axis, limits) in axes.iter().zip(limits) {
+        limits.are_limits()?;
+        if !goes_beside(share(axis), axis, &lead) {
+            return Err(Error::Line);
+        }
+        tightest.tighten(limits, share(axis));
+    }
+    let mut stop = Move::default();
+    let found = stop.stop(&tightest, State { position: R::ZERO, ..now })?;
+    let beside = |axis: &Move<R>| stop.beside(axis.position(x), share(axis));
+    let is_finite = |axis: &Move<R>| beside(axis).end().position.is_finite();
+    if !axes.iter().all(is_finite) {
+        return Err(Error::NotFinite);
+    }
+    for axis in axes {
+        *axis = beside(axis);
+    }
+    Ok(found)
+}
+
+/// Which quantity of a phase tells the shares of the axes.
+#[derive(Clone, Copy)]
+enum Order {
+    Jerk,
+    Acceleration,
+    Velocity,
+}
+
+impl Order {
+    fn of<R: Real>(self, phase: &Phase<R>) -> R {
+        match self {
+            Self::Jerk => phase.jerk,
+            Self::Acceleration => phase.acceleration,
+            Self::Velocity => phase.velocity,
+        }
+    }
+}
+
+/// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
+/// tells the shares of the axes. Their ways may be so short that roundings hide them.
+struct Highest {
+    /// Whose number it is.
+    lead: usize,
+    /// The phase.
+    place: usize,
+    order: Order,
+}
+
+impl Highest {
+    fn of<R: Real>(axes: &[Move<R>]) -> Self {
+        let mut size = R::ZERO;
+        let (lead, place) = (0, 0);
+        let order = Order::Velocity;
+        let mut highest = Self { lead, place, order };
+        for order in [Order::Jerk, Order::Acceleration, Order::Velocity] {
+            for (lead, axis) in axes.iter().enumerate() {
+                for (place, phase) in axis.phases().iter().enumerate() {
+                    let number = order.of(phase).abs();
+                    if number > size {
+                        size = number;
+                        highest = Self { lead, place, order };
+                    }
+                }
+            }
+            if size > R::ZERO {
+                break;
+            }
+        }
+        highest
+    }
+}
+
+/// Whether every phase of the move is that of the lead times `share`. The states at both ends are the caller's, with roundings of their own, so
+/// they count only where there are no others.
+fn goes_beside<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
+    let ends = usize::from(lead.phases().len() > 1);
+    let mut phases = axis.phases().iter().zip(lead.phases()).skip(ends);
+    let are_beside =
+        phases.all(|(phase, other)| phase.start == other.start && lies_on(share, &phase.state(), &other.state()));
+    are_beside && axis.count == lead.count
+}
+
+/// Whether velocity and acceleration are the lead's, times `share`.
+fn lies_on<R: Real>(share: R, state: &State<R>, lead: &State<R>) -> bool {
+    let agree = |x: R, y: R| (x - share * y).abs() <= of_check(x.abs() + (share * y).abs());
+    agree(state.velocity, lead.velocity) && agree(state.acceleration, lead.acceleration)
+}

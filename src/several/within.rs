@@ -1,0 +1,182 @@
+//! Several axes in the same time, each between two positions.
+//!
+//! A motion that cruises stays between the positions between which the fastest one stays: see `docs/planner.md`, "Between two positions". So
+//! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position. Then it makes its fastest move and
+//! waits, or it stops, waits and goes.
+
+use super::axis::{Axis, checked, lasts, next_duration, stretch};
+use super::cycle::Cycle;
+use crate::findings::{Error, Findings};
+use crate::interval::rounding::of_formula;
+use crate::limits::Limits;
+use crate::online::Move;
+use crate::online::problem::Problem;
+use crate::real::Real;
+use crate::state::State;
+
+/// How often the delay doubles until every axis has time to stop on its way: the duration is at most a 4,096th of this delay, or twice the
+/// least delay, too long.
+const DOUBLINGS: u32 = 12;
+
+/// Plans all axes for the same duration, as [`synchronise`](super::synchronise) does, and lets each of them stay between two positions until
+/// its end, up to 128 roundings. `positions` are the lowest position of each axis and the highest ones. An infinite position is no limit.
+///
+/// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. Where it has no
+/// time to stop on its way, all axes take longer.
+///
+/// [`Error::Position`] if no move of an axis stays between its positions, as [`Move::within`] says. It returns the other findings and errors of
+/// [`synchronise`](super::synchronise) and [`Move::within`]. On an error no axis is written.
+///
+/// ```
+/// use atraj::axes::synchronise_within;
+/// use atraj::online::{Limits, Move, State};
+/// let limits = [Limits::symmetric(30.0, 10.0, 5.0); 2];
+/// let (from, to) = ([State::at(0.0); 2], [State::at(10.0), State::at(-1.0)]);
+/// let mut axes = [Move::default(); 2];
+/// synchronise_within(&mut axes, &limits, &from, &to, [&[0.0, -1.0], &[10.0, 1.0]], 0.0, 0.0)?;
+/// assert_eq!(axes[0].t, axes[1].t);
+/// # Ok::<(), atraj::Error>(())
+/// ```
+pub fn synchronise_within<R: Real>(
+    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], positions: [&[R]; 2], duration: R,
+    cycle: R,
+) -> Result<Findings, Error> {
+    let cycle = Cycle::new(duration, cycle)?;
+    let ends = checked(axes.len(), limits, from, to)?;
+    let [lowest, highest] = positions;
+    if lowest.len() != axes.len() || highest.len() != axes.len() {
+        return Err(Error::Axes);
+    }
+    let walls = lowest.iter().zip(highest);
+    let within = ends.zip(walls).map(|(ends, (&lowest, &highest))| Within { ends, lowest, highest });
+    let mut slowest = duration;
+    for axis in within.clone() {
+        slowest = slowest.at_least(axis.shortest()?);
+    }
+    let t = common_duration(&cycle, slowest, within.clone())?;
+    let mut found = Findings::default();
+    for (within, axis) in within.zip(axes) {
+        within.plan(axis, t)?;
+        found |= within.problem().findings(axis);
+    }
+    Ok(found)
+}
+
+/// A duration in which every axis can stay between its positions, nearly the shortest one, s.
+fn common_duration<'a, R: Real + 'a>(
+    cycle: &Cycle<R>, slowest: R, axes: impl Iterator<Item = Within<'a, R>> + Clone,
+) -> Result<R, Error> {
+    let possible = |t: R| {
+        cycle.until_possible(axes.clone().count(), t, |t| {
+            let next = axes.clone().map(|axis| next_duration(&axis.problem(), t));
+            next.fold(t, R::at_least)
+        })
+    };
+    let all_inside = |t: R| {
+        let t = possible(t)?;
+        let mut axis = Move::default();
+        for within in axes.clone() {
+            within.plan(&mut axis, t)?;
+        }
+        Ok(t)
+    };
+    let mut answer = all_inside(slowest);
+    if answer != Err(Error::Position) {
+        return answer;
+    }
+    let mut latest = slowest;
+    for axis in axes.clone() {
+        latest = latest.at_least(axis.with_a_stop()?);
+    }
+    let mut delay = (latest - slowest + of_formula(latest)) / R::from_index(1 << DOUBLINGS);
+    for _ in 0..=DOUBLINGS {
+        answer = all_inside(slowest + delay);
+        if answer != Err(Error::Position) {
+            break;
+        }
+        delay = delay + delay;
+    }
+    answer
+}
+
+/// An axis between two positions.
+#[derive(Clone, Copy)]
+struct Within<'a, R> {
+    ends: Axis<'a, R>,
+    lowest: R,
+    highest: R,
+}
+
+impl<R: Real> Within<'_, R> {
+    fn problem(&self) -> Problem<R> {
+        let (limits, (&from, &to)) = self.ends;
+        Problem::new(limits, from, to)
+    }
+
+    /// The duration of the fastest move, s.
+    fn shortest(&self) -> Result<R, Error> {
+        let (limits, (&from, &to)) = self.ends;
+        let mut axis = Move::default();
+        axis.within(limits, from, to, self.lowest, self.highest)?;
+        Ok(axis.t)
+    }
+
+    /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found that stays between the positions.
+    fn plan(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
+        let (limits, (&from, &to)) = self.ends;
+        axis.plan(limits, from, to)?;
+        stretch(axis, &|| self.problem(), t)?;
+        if axis.leaves(self.lowest, self.highest) {
+            self.plan_wait(axis, t)?;
+        }
+        if axis.leaves(self.lowest, self.highest) {
+            return Err(Error::Position);
+        }
+        Ok(())
+    }
+
+    /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.
+    #[cold]
+    fn plan_wait(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
+        let (limits, (&from, &to)) = self.ends;
+        axis.within(limits, from, to, self.lowest, self.highest)?;
+        if lasts(axis, t) {
+            axis.end_at(t);
+            return Ok(());
+        }
+        let mut behind = Move::default();
+        self.plan_around_wait([axis, &mut behind])?;
+        let until = t - behind.t;
+        if axis.t > until {
+            return Err(Error::Position);
+        }
+        axis.wait_until(until);
+        if axis.t < until {
+            return Err(Error::Position); // no phase is left for the wait
+        }
+        axis.append(&behind)?;
+        axis.end_at(t);
+        Ok(())
+    }
+
+    /// Plans the moves before and behind a wait: at the target, or where the fastest stop ends.
+    fn plan_around_wait(&self, [before, behind]: [&mut Move<R>; 2]) -> Result<(), Error> {
+        let (limits, (&from, &to)) = self.ends;
+        if to.is_at_rest() {
+            before.within(limits, from, to, self.lowest, self.highest)?;
+            behind.stay(to);
+        } else {
+            before.stop_within(limits, from, [self.lowest, self.highest])?;
+            behind.within(limits, State::at(before.end().position), to, self.lowest, self.highest)?;
+        }
+        Ok(())
+    }
+
+    /// The duration of the moves before and behind a wait, s.
+    #[cold]
+    fn with_a_stop(&self) -> Result<R, Error> {
+        let (mut before, mut behind) = (Move::default(), Move::default());
+        self.plan_around_wait([&mut before, &mut behind])?;
+        Ok(before.t + behind.t)
+    }
+}
