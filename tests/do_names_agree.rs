@@ -1,5 +1,11 @@
-//! Has the same thing the same name in C, C++, Rust and Python, as the tables of `docs/names.md` say? And is the rule for infinite
-//! limits said in the same words?
+//! Has the same thing the same name in C, C++, Rust and Python, as `names.csv` says? And is the rule for infinite limits said in the
+//! same words?
+//!
+//! C and C++ have liba's short names: `gen`, `pos`, `vel`, `acc`, `jer`. Rust and Python have whole words, and the same ones. The
+//! crate's name is left out of Rust's paths, and the package's out of Python's. Four names differ for a reason: `gen` is liba's own plan,
+//! so the plan that never fails is `fastest` in C++ too; Rust's `sample_into` fills arrays of the caller; Rust's `state_at` gives a whole
+//! `State`, and its `state` plain numbers with the jerk; Python's `path` also makes the motions of a path, and its `Shaper.shape` gives
+//! the shaped move as a motion.
 
 use atraj::machine::{Axis, Clock, Shaper, ShaperKind, Step, Steps};
 use atraj::online::{Limits, Move, Phase};
@@ -9,25 +15,17 @@ use std::fs;
 use std::path::Path;
 use support::repository::root;
 
-/// A row of a table: what it names, and its name in C, C++, Rust and Python; empty without one.
+/// What a row names, and its name in C, C++, Rust and Python; empty without one. The trapezoid and the polynomials have the names of the
+/// double-S, as far as they have the function.
 struct Row([String; 5]);
 
 fn rows() -> Vec<Row> {
-    let page = fs::read_to_string(root().join("docs/names.md")).unwrap();
-    let cells = |line: &str| -> Vec<String> {
-        let cells = line.trim_matches('|').split('|');
-        cells
-            .map(|cell| cell.trim().trim_matches('`').to_owned())
-            .collect()
-    };
-    let rows: Vec<_> = page
-        .lines()
-        .filter(|line| line.starts_with("| ") && !line.starts_with("| what |"))
-        .map(|line| match &cells(line)[..] {
-            [what, c, cpp, rust, python] => Row([what, c, cpp, rust, python].map(Clone::clone)),
-            [what, c, rust, python] => {
-                Row([what, c, &String::new(), rust, python].map(Clone::clone))
-            }
+    let table = fs::read_to_string(root().join("tests/names.csv")).unwrap();
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("what,C,C++,Rust,Python"));
+    let rows: Vec<_> = lines
+        .map(|line| match &line.split(',').collect::<Vec<_>>()[..] {
+            [what, c, cpp, rust, python] => Row([what, c, cpp, rust, python].map(|cell| (*cell).to_owned())),
             _ => panic!("not a row: {line}"),
         })
         .collect();
@@ -56,9 +54,8 @@ fn headers(directory: &Path) -> String {
 /// Whether `text` has `word` with no letter, digit or `_` on either side.
 fn has_word(text: &str, word: &str) -> bool {
     let inside = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
-    text.match_indices(word).any(|(at, _)| {
-        !inside(text[..at].chars().next_back()) && !inside(text[at + word.len()..].chars().next())
-    })
+    text.match_indices(word)
+        .any(|(at, _)| !inside(text[..at].chars().next_back()) && !inside(text[at + word.len()..].chars().next()))
 }
 
 /// What stands between the first `start` and the next `end`.
@@ -83,32 +80,56 @@ fn c_has_the_names() {
         let is_function = symbols.lines().any(|symbol| symbol == name);
         assert!(declared || is_function, "{name}");
     }
-    // Every finding and error has a row.
+    // Every error has a row, and every function that is not liba's or CLARAty's.
     let codes = fs::read_to_string(root().join("include/atraj/codes.h")).unwrap();
-    let codes = codes
-        .lines()
-        .filter_map(|line| line.trim().split_once(" = "));
-    let codes: Vec<_> = codes.map(|(name, _)| name).collect();
-    assert!(
-        codes.len() == 16 && codes.iter().all(|&code| column(1).contains(code)),
-        "{codes:?}"
-    );
+    let errors = codes.lines().filter_map(|line| line.trim().split_once(" = ")).map(|(name, _)| name);
+    let ours = errors.chain(symbols.lines()).filter(|name| name.starts_with("atraj_") || name.starts_with("ATRAJ_ERR"));
+    for name in ours {
+        let of_bell = ["trap", "poly3", "poly5", "poly7", "move"]
+            .iter()
+            .fold(name.to_owned(), |name, profile| name.replace(&format!("_{profile}_"), "_bell_"));
+        let has_row =
+            [name.to_owned(), of_bell.replace("atraj_", "a_traj"), of_bell].iter().any(|name| column(1).contains(name));
+        assert!(has_row, "{name} has no row in names.csv");
+    }
+}
+
+/// Whether Python's class has just the members that the core's set has, given as text: `Set(NAME)` for each bit alone.
+fn python_has_members(class: &str, shown: impl Fn(u8) -> String) {
+    let text = fs::read_to_string(root().join("python/atraj/values.py")).unwrap();
+    let body = between(&text, &format!("class {class}(IntFlag):"), "\nclass ");
+    let in_python: Vec<_> = body.lines().filter(|line| line.contains(" = ")).map(str::trim).collect();
+    let bits = (0..8).map(|k| 1 << k).map(|bit| (bit, shown(bit)));
+    let in_rust: Vec<_> = bits.filter(|(_, text)| !text.ends_with("()")).collect();
+    let in_rust: Vec<_> = in_rust.iter().map(|(bit, text)| format!("{} = {bit}", between(text, "(", ")"))).collect();
+    assert_eq!(in_python, in_rust, "{class}");
+}
+
+/// The build asserts that C has every member.
+#[test]
+fn every_finding_has_its_copies() {
+    python_has_members("Warnings", |bit| format!("{:?}", claraty::Warnings::from_bits(bit)));
+    python_has_members("Findings", |bit| format!("{:?}", Findings::from_bits(bit)));
+    let (in_c, in_rust, in_python) = (column(1), column(3), column(4));
+    for bit in (0..8).map(|k| 1 << k).filter(|&bit| !Findings::from_bits(bit).is_empty()) {
+        let shown = format!("{:?}", Findings::from_bits(bit));
+        let name = between(&shown, "(", ")");
+        let [c, rust, python] = ["ATRAJ_", "Findings::", "Findings."].map(|space| format!("{space}{name}"));
+        assert!(
+            in_c.contains(&c) && in_rust.contains(&rust) && in_python.contains(&python),
+            "{name} has no row in names.csv"
+        );
+    }
 }
 
 #[test]
 fn cpp_has_the_names() {
     let headers = headers(&root().join("include"));
     for name in column(2) {
-        let short = format!(
-            "typedef struct {} {};",
-            name.replace("::", "_"),
-            last(&name)
-        );
+        let short = format!("typedef struct {} {};", name.replace("::", "_"), last(&name));
         let is_declared = |text: &str| {
             let call = format!("{}(", last(&name));
-            [" ", "*"]
-                .iter()
-                .any(|before| text.contains(&format!("{before}{call}")))
+            [" ", "*"].iter().any(|before| text.contains(&format!("{before}{call}")))
         };
         let exists = match name.split("::").collect::<Vec<_>>()[..] {
             [_, _] if headers.contains(&short) => true,
@@ -116,18 +137,14 @@ fn cpp_has_the_names() {
             [space, _] => headers
                 .match_indices(&format!("namespace {space}\n{{\n"))
                 .any(|(at, start)| is_declared(between(&headers[at..], start, "\n} /* namespace"))),
-            [space, object, _] => is_declared(between(
-                &headers,
-                &format!("struct {space}_{object} {{"),
-                "\n};",
-            )),
+            [space, object, _] => is_declared(between(&headers, &format!("struct {space}_{object} {{"), "\n};")),
             _ => false,
         };
         assert!(exists, "{name}");
     }
 }
 
-/// Compiles each path and gives its text as the page writes it.
+/// Compiles each path and gives its text as the table writes it.
 macro_rules! paths {
     (types: $($Type:ty),+; values: $($value:expr),+ $(,)?) => {{
         $(let _ = size_of::<$Type>();)+
@@ -146,7 +163,9 @@ fn rust_has_the_names() {
             Bell::<f64>::velocity, Bell::<f64>::acceleration, Bell::<f64>::jerk, Bell::<f64>::state_at,
             Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check,
             Move::<f64>::reach, Move::<f64>::stop, Move::<f64>::meet, Move::<f64>::time_at, Move::<f64>::phases,
-            axes::synchronise::<f64>, axes::synchronise_within::<f64>, axes::line::<f64>, axes::path_size, axes::plan_path::<f64>, axes::improve_path::<f64>,
+            axes::synchronise::<f64>, axes::synchronise_within::<f64>, axes::line::<f64>, axes::path_size, axes::path_size_near,
+            axes::plan_path::<f64>, axes::plan_path_near::<f64>, axes::improve_path::<f64>,
+            axes::path_moves::<f64>, axes::path_deviation::<f64>,
             Axis::<f64>::new, Axis::<f64>::tick, Axis::<f64>::go, Axis::<f64>::reach, Axis::<f64>::track, Axis::<f64>::stop,
             Steps::<f64>::new, Steps::<f64>::next, Steps::<f64>::follow, Shaper::<f64>::new,
             Shaper::<f64>::add, Shaper::<f64>::smooth, Shaper::<f64>::state, Shaper::<f64>::bell_state,
@@ -156,13 +175,8 @@ fn rust_has_the_names() {
             Findings::EXCEEDS_VELOCITY, Findings::JUMPS, Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING, Error::Axes,
             Error::NotFinite, Error::Limits, Error::Target, Error::Duration, Error::Line, Error::Position, Error::Late, Error::Unreachable,
     );
-    let named = column(3)
-        .into_iter()
-        .map(|name| name.replace("online::", "").replace("machine::", ""));
-    assert_eq!(
-        named.collect::<BTreeSet<_>>(),
-        compiled.into_iter().collect()
-    );
+    let named = column(3).into_iter().map(|name| name.replace("online::", "").replace("machine::", ""));
+    assert_eq!(named.collect::<BTreeSet<_>>(), compiled.into_iter().collect());
 }
 
 /// The names that the type stubs of a module declare: classes, functions and the members of classes, inherited ones too.
@@ -178,16 +192,11 @@ fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
             if is_docstring || begins_or_ends {
                 continue;
             }
-            let word = |line: &str| -> String {
-                line.chars()
-                    .take_while(|c| c.is_alphanumeric() || *c == '_')
-                    .collect()
-            };
+            let word =
+                |line: &str| -> String { line.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect() };
             if let Some(rest) = line.strip_prefix("class ") {
                 class = word(rest);
-                let base = rest
-                    .split_once('(')
-                    .map_or(String::new(), |(_, base)| word(base));
+                let base = rest.split_once('(').map_or(String::new(), |(_, base)| word(base));
                 let inherited: Vec<_> = names
                     .iter()
                     .filter_map(|name: &String| name.strip_prefix(&format!("{module}{base}.")))
@@ -226,9 +235,7 @@ fn names_agree() {
         if !python.is_empty() && last(&python) != "sample" {
             assert_eq!(last(rust), last(&python), "{what}");
         }
-        let code = c
-            .strip_prefix("ATRAJ_")
-            .map(|code| code.trim_start_matches("ERR_").replace('_', ""));
+        let code = c.strip_prefix("ATRAJ_").map(|code| code.trim_start_matches("ERR_").replace('_', ""));
         if let Some(code) = code.filter(|_| c != "ATRAJ_ERR_NULL") {
             assert_eq!(code, last(rust).replace('_', "").to_uppercase(), "{what}");
         }
@@ -238,19 +245,10 @@ fn names_agree() {
 #[test]
 fn the_rule_for_infinite_limits_has_one_wording() {
     for file in [
-        "src/limits.rs",
-        "src/fastest/bell.rs",
-        "src/capi/atraj/bell.rs",
-        "src/capi/atraj/move.rs",
-        "include/atraj.h",
-        "include/atraj/move.h",
-        "python/atraj/values.py",
-        "python/src/classes/profiles.rs",
+        "src/limits.rs", "src/fastest/bell.rs", "src/capi/atraj/bell.rs", "src/capi/atraj/move.rs", "include/atraj.h",
+        "include/atraj/move.h", "python/atraj/values.py", "python/src/classes/profiles.rs",
     ] {
         let text = fs::read_to_string(root().join(file)).unwrap();
-        assert!(
-            text.contains("A jerk, or both accelerations, are finite."),
-            "{file}"
-        );
+        assert!(text.contains("A jerk, or both accelerations, are finite."), "{file}");
     }
 }

@@ -4,9 +4,7 @@ use atraj::online::{Move, Phase};
 use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
 use std::array;
 use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
-use support::{
-    Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family,
-};
+use support::{Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family};
 
 /// A sweep of `n` samples.
 #[derive(Clone, Copy)]
@@ -18,11 +16,7 @@ struct Sweep<R> {
 
 /// One sweep. Output `i` has `lengths[i]` elements and begins `offset` elements into its memory.
 fn check_sweep<R: Real, const N: usize>(
-    comparison: &mut Comparison,
-    place: &str,
-    profile: &impl Profile<R, N>,
-    [x0, dt]: [R; 2],
-    lengths: [usize; N],
+    comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, [x0, dt]: [R; 2], lengths: [usize; N],
     offset: usize,
 ) {
     let untouched = R::of(77.0);
@@ -48,26 +42,16 @@ fn check_sweep<R: Real, const N: usize>(
     }
     for (memory, len) in memory.iter().zip(lengths) {
         let mut around = memory[..offset].iter().chain(&memory[offset + len..]);
-        assert!(
-            around.all(|&x| x == untouched),
-            "{place}: written outside the output"
-        );
+        assert!(around.all(|&x| x == untouched), "{place}: written outside the output");
     }
 }
 
 /// Sweeps of every kind over a profile that changes at the times `borders`.
 fn check_profile<R: Real, const N: usize>(
-    comparison: &mut Comparison,
-    place: &str,
-    profile: &impl Profile<R, N>,
-    borders: &[R],
+    comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, borders: &[R],
 ) {
     let end = borders[borders.len() - 1];
-    let all = [
-        sweeps_over(end),
-        sweeps_around(borders),
-        sweeps_of_special_times(),
-    ];
+    let all = [sweeps_over(end), sweeps_around(borders), sweeps_of_special_times()];
     for (i, Sweep { x0, dt, n }) in all.into_iter().flatten().enumerate() {
         let some = array::from_fn(|output| if i >> output & 1 == 1 { n } else { 0 });
         for lengths in [[n; N], some] {
@@ -82,16 +66,9 @@ fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
     let of_length = |n: u8| {
         let dt = end / R::of(f64::from(n.max(2) - 1));
         let sweeps = [(zero, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
-        sweeps.map(|(x0, dt)| Sweep {
-            x0,
-            dt,
-            n: n.into(),
-        })
+        sweeps.map(|(x0, dt)| Sweep { x0, dt, n: n.into() })
     };
-    [0, 1, 2, 3, 9, 70]
-        .into_iter()
-        .flat_map(of_length)
-        .collect()
+    [0, 1, 2, 3, 9, 70].into_iter().flat_map(of_length).collect()
 }
 
 /// By single roundings across each border, standing at it, and from zero to it.
@@ -123,10 +100,7 @@ fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
 }
 
 /// Every golden move through sweeps.
-fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(
-    family: Family,
-    profile: fn(&[R]) -> P,
-) {
+fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(family: Family, profile: fn(&[R]) -> P) {
     let mut comparison = Comparison::default();
     for golden in golden::moves::<R>(family) {
         let borders = family.borders(&golden.arguments, &golden.fields);
@@ -219,16 +193,10 @@ fn many_samples() {
     let bell = Bell::new(30.0, 10.0, 5.0, Boundary::rest_to_rest(0.0, 10.0)).unwrap();
     let dt = bell.t / ((1 << 24) + 500) as f32;
     let mut jerk = vec![0.0_f32; MANY];
-    assert_eq!(
-        bell.sample_into(0.0, dt, [&mut [], &mut [], &mut [], &mut jerk]),
-        MANY
-    );
+    assert_eq!(bell.sample_into(0.0, dt, [&mut [], &mut [], &mut [], &mut jerk]), MANY);
     for (k, &sampled) in jerk.iter().enumerate() {
         let single = bell.jerk(k as f32 * dt);
-        assert!(
-            sampled.same(single),
-            "sample {k}: {sampled} instead of {single}"
-        );
+        assert!(sampled.same(single), "sample {k}: {sampled} instead of {single}");
     }
     assert_eq!(jerk[(1 << 24) - 1000], 30.0);
     assert_eq!(jerk[MANY - 1], 0.0);

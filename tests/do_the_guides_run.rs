@@ -49,9 +49,7 @@ fn followed(reader: &str) -> String {
     let mut shell = Command::new("sh");
     shell.args(["-euc", &script]).current_dir(&directory);
     // The repository's dependencies are there, and a test needs no network for others.
-    shell
-        .env_remove("MAKEFLAGS")
-        .env("CARGO_NET_OFFLINE", "true");
+    shell.env_remove("MAKEFLAGS").env("CARGO_NET_OFFLINE", "true");
     let said = String::from_utf8(run(&mut shell).stdout).unwrap();
     fs::remove_dir_all(directory).unwrap();
     said

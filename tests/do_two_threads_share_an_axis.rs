@@ -14,15 +14,7 @@ const EARLY: &str = "-DPUBLISHED_EARLY";
 /// The compiler of C with the program `c_tests/threads.c` for a variant.
 fn compiler(variant: &Variant, flags: &[&str]) -> Command {
     let mut command = Command::new("cc");
-    command.args([
-        "-std=c11",
-        "-Wall",
-        "-Wextra",
-        "-Wpedantic",
-        "-Werror",
-        "-O2",
-        "-pthread",
-    ]);
+    command.args(["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-pthread"]);
     command.arg("-I").arg(variant.dist().join("include"));
     command.arg(root().join("c_tests/threads.c")).args(flags);
     command
@@ -53,33 +45,14 @@ fn without_a_jump() {
 /// The archive, in which ThreadSanitizer watches each access.
 fn watched_archive() -> PathBuf {
     let mut cargo = Command::new(env!("CARGO"));
-    cargo
-        .current_dir(root())
-        .args(["rustc", "--quiet", "--release", "--lib"]);
-    cargo.args([
-        "--crate-type",
-        "staticlib",
-        "--no-default-features",
-        "--features",
-        "capi",
-    ]);
+    cargo.current_dir(root()).args(["rustc", "--quiet", "--release", "--lib"]);
+    cargo.args(["--crate-type", "staticlib", "--no-default-features", "--features", "capi"]);
     // With --target, cargo compiles build.rs without these flags.
-    cargo.args([
-        "--target",
-        host().as_str(),
-        "--target-dir",
-        "target/watched",
-    ]);
+    cargo.args(["--target", host().as_str(), "--target-dir", "target/watched"]);
     cargo.env("RUSTC_BOOTSTRAP", "1");
-    cargo.env(
-        "RUSTFLAGS",
-        "-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer",
-    );
+    cargo.env("RUSTFLAGS", "-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer");
     run(cargo.args(["--", "--cfg", "atraj_archive"]));
-    root()
-        .join("target/watched")
-        .join(host())
-        .join("release/libatraj.a")
+    root().join("target/watched").join(host()).join("release/libatraj.a")
 }
 
 fn host() -> String {
@@ -94,29 +67,18 @@ fn watched_program(archive: &Path, library: &Path, flags: &[&str]) -> Output {
     let mut command = compiler(&DOUBLE, flags);
     run(command.args(["-fsanitize=thread", "-c", "-o"]).arg(&object));
     let mut link = Command::new("cc");
-    link.args(["-no-pie", "-rdynamic", "-pthread"])
-        .arg(object)
-        .arg(archive)
-        .arg(library);
-    run(link
-        .args(["-lm", "-ldl", "-lrt", "-lstdc++", "-o"])
-        .arg(&program));
+    link.args(["-no-pie", "-rdynamic", "-pthread"]).arg(object).arg(archive).arg(library);
+    run(link.args(["-lm", "-ldl", "-lrt", "-lstdc++", "-o"]).arg(&program));
     Command::new(program).output().unwrap()
 }
 
 #[test]
 fn without_a_data_race() {
     let sysroot = lines(Command::new("rustc").args(["--print", "sysroot"])).concat();
-    let libraries = Path::new(&sysroot)
-        .join("lib/rustlib")
-        .join(host())
-        .join("lib");
+    let libraries = Path::new(&sysroot).join("lib/rustlib").join(host()).join("lib");
     let library = libraries.join("librustc-stable_rt.tsan.a");
     if !library.exists() {
-        println!(
-            "SKIPPED: {} is missing, so ThreadSanitizer watches nothing",
-            library.display()
-        );
+        println!("SKIPPED: {} is missing, so ThreadSanitizer watches nothing", library.display());
         return;
     }
     let archive = watched_archive();

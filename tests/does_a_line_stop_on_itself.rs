@@ -25,11 +25,7 @@ fn stops_stay_on_the_line<R: Real>() {
             .iter()
             .map(|axis| {
                 let reached = axis.extremes();
-                reached
-                    .highest
-                    .velocity
-                    .widen()
-                    .max(-reached.lowest.velocity.widen())
+                reached.highest.velocity.widen().max(-reached.lowest.velocity.widen())
             })
             .collect();
         line_stop(&mut axes, &limits, x).expect("a stop");
@@ -44,21 +40,11 @@ fn stops_stay_on_the_line<R: Real>() {
             let begin = axis.state_at(zero);
             let off = (begin.velocity.widen() - now[i].velocity.widen()).abs();
             let goes_on = begin.position == now[i].position && off <= 64.0 * epsilon * speeds[i];
-            assert!(
-                axis.t == axes[0].t && goes_on,
-                "line {number}, axis {i}: {begin:?} {:?}",
-                now[i]
-            );
+            assert!(axis.t == axes[0].t && goes_on, "line {number}, axis {i}: {begin:?} {:?}", now[i]);
             let end = axis.state_at(axis.t);
-            assert!(
-                end.velocity == zero && end.acceleration == zero,
-                "line {number}, axis {i}"
-            );
+            assert!(end.velocity == zero && end.acceleration == zero, "line {number}, axis {i}");
             let found = axis.check(&limits[i]).expect("numbers");
-            assert!(
-                found.is_empty(),
-                "line {number}, axis {i}: {found:?} {axis:?}"
-            );
+            assert!(found.is_empty(), "line {number}, axis {i}: {found:?} {axis:?}");
             for _ in 0..8 {
                 let z = R::of(t * random.between(0.0, 1.0));
                 let part = |k: usize| axes[k].position(z).widen() - from[k].position.widen();
@@ -68,21 +54,14 @@ fn stops_stay_on_the_line<R: Real>() {
                     + to[i].position.widen().abs()
                     + way(lead).abs()
                     + from[lead].position.widen().abs();
-                assert!(
-                    off.abs() <= 64.0 * epsilon * size,
-                    "line {number}, axis {i}: {off:e}"
-                );
+                assert!(off.abs() <= 64.0 * epsilon * size, "line {number}, axis {i}: {off:e}");
             }
         }
         // Nothing stops sooner on the line: one axis alone is bound to its limits.
         if n == 1 {
             let mut stop = Move::default();
             stop.stop(&limits[0], now[0]).expect("a stop");
-            assert!(
-                (stop.t.widen() - t).abs() <= 64.0 * epsilon * t,
-                "line {number}: {t} {:?}",
-                stop.t
-            );
+            assert!((stop.t.widen() - t).abs() <= 64.0 * epsilon * t, "line {number}: {t} {:?}", stop.t);
         }
     }
 }
@@ -93,8 +72,7 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
     let zero = R::of(0.0);
     for number in 0..LINES {
         let limits = online::limits::<R>(&mut random);
-        let limits =
-            [limits; 3].map(|limits| Limits::symmetric(limits.jmax, limits.amax, limits.vmax));
+        let limits = [limits; 3].map(|limits| Limits::symmetric(limits.jmax, limits.amax, limits.vmax));
         let part = random.unit();
         let speed = part * limits[0].vmax.widen();
         let way = 1e3 * R::MACHINE_EPSILON.widen() * speed;
@@ -128,20 +106,12 @@ fn nonsense_is_refused<R: Real>() {
     let to = [10.0, -3.0].map(|p| State::at(R::of(p)));
     line(&mut axes, &limits, &[State::at(zero); 2], &to, zero, zero).expect("a line");
     let before = axes;
-    let no_limits = [
-        limits[0],
-        Limits {
-            vmax: zero,
-            ..limits[1]
-        },
-    ];
+    let no_limits = [limits[0], Limits { vmax: zero, ..limits[1] }];
     assert_eq!(line_stop::<R>(&mut [], &[], half), Err(Error::Axes));
     assert_eq!(line_stop(&mut axes, &limits[..1], half), Err(Error::Axes));
     assert_eq!(line_stop(&mut axes, &no_limits, half), Err(Error::Limits));
     let mut other = Move::default();
-    other
-        .plan(&limits[0], State::at(zero), State::at(R::of(9.0)))
-        .expect("a plan");
+    other.plan(&limits[0], State::at(zero), State::at(R::of(9.0))).expect("a plan");
     let mut faster = axes[1];
     for phase in &mut faster.phase {
         phase.velocity = phase.velocity + half;
@@ -169,41 +139,22 @@ fn axes_that_stand_stay<R: Real>() {
 fn a_cruise_stops_on_its_line<R: Real>() {
     let [zero, one, two] = [0.0, 1.0, 2.0].map(R::of);
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
-    let moving = |position| State {
-        velocity: one,
-        ..State::at(position)
-    };
-    let (from, to) = (
-        [State::at(zero), moving(zero)],
-        [State::at(zero), moving(two)],
-    );
+    let moving = |position| State { velocity: one, ..State::at(position) };
+    let (from, to) = ([State::at(zero), moving(zero)], [State::at(zero), moving(two)]);
     let mut axes = [Move::default(); 2];
-    let slow = Limits {
-        vmax: one,
-        ..limits[1]
-    };
+    let slow = Limits { vmax: one, ..limits[1] };
     line(&mut axes, &[limits[0], slow], &from, &to, zero, zero).expect("a line");
-    assert!(
-        axes.iter()
-            .all(|axis| axis.phases().iter().all(|phase| phase.jerk == zero))
-    );
+    assert!(axes.iter().all(|axis| axis.phases().iter().all(|phase| phase.jerk == zero)));
     line_stop(&mut axes, &limits, one).expect("a stop");
     let ends = axes.map(|axis| axis.state_at(axis.t));
-    assert!(
-        axes[1].t > zero && ends[0] == from[0] && ends[1].velocity == zero,
-        "{axes:?}"
-    );
+    assert!(axes[1].t > zero && ends[0] == from[0] && ends[1].velocity == zero, "{axes:?}");
 }
 
 /// Behind its end a line goes on, at last beyond the largest number: an axis stopped at an infinite position.
 fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
     let [zero, one, three] = [0.0, 1.0, 3.0].map(R::of);
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
-    let state = |position, velocity| State {
-        position,
-        velocity,
-        acceleration: zero,
-    };
+    let state = |position, velocity| State { position, velocity, acceleration: zero };
     let from = [State::at(zero); 2];
     let to = [state(one, one), state(three, three)];
     let mut axes = [Move::default(); 2];
@@ -215,10 +166,6 @@ fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
 }
 
 test_both_reals!(
-    stops_stay_on_the_line,
-    a_tiny_way_is_no_reason_to_refuse,
-    nonsense_is_refused,
-    axes_that_stand_stay,
-    a_cruise_stops_on_its_line,
-    a_stop_beyond_all_numbers_is_refused
+    stops_stay_on_the_line, a_tiny_way_is_no_reason_to_refuse, nonsense_is_refused, axes_that_stand_stay,
+    a_cruise_stops_on_its_line, a_stop_beyond_all_numbers_is_refused
 );

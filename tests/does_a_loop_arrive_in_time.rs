@@ -16,12 +16,11 @@ const LONGEST: f64 = 1.5;
 const CYCLE: f64 = 1e-3;
 /// How many ticks later than the first plan a loop may arrive.
 const SPARE: usize = 2;
-/// One of so many loops may be late, by the roundings of its numbers: see "A slip" in `docs/planner.md`. On a line one of 2,091 loops is, and
+/// One of so many loops may be late, by the roundings of its numbers: see "Known limits" in `docs/rounding.md`. On a line one of 2,091 loops is, and
 /// two of 2,090 in binary32.
 const ONE_LATE_OF: usize = 1000;
 /// How a loop plans.
-type Plan<R> =
-    fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Result<Findings, Error>;
+type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Result<Findings, Error>;
 
 #[derive(Debug)]
 struct Problem<R> {
@@ -42,28 +41,19 @@ impl<R: Real> Problem<R> {
 }
 
 fn single<R: Real>(
-    axes: &mut [Move<R>],
-    limits: &[Limits<R>],
-    from: &[State<R>],
-    to: &[State<R>],
+    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>],
 ) -> Result<Findings, Error> {
     axes[0].plan(&limits[0], from[0], to[0])
 }
 
 fn together<R: Real>(
-    axes: &mut [Move<R>],
-    limits: &[Limits<R>],
-    from: &[State<R>],
-    to: &[State<R>],
+    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>],
 ) -> Result<Findings, Error> {
     synchronise(axes, limits, from, to, R::of(0.0), R::of(CYCLE))
 }
 
 fn straight<R: Real>(
-    axes: &mut [Move<R>],
-    limits: &[Limits<R>],
-    from: &[State<R>],
-    to: &[State<R>],
+    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>],
 ) -> Result<Findings, Error> {
     line(axes, limits, from, to, R::of(0.0), R::of(CYCLE))
 }
@@ -87,28 +77,15 @@ impl Ends {
 fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State<R>) {
     let mut pair = |low: f64, high: f64| {
         let most = random.between(low, high);
-        let least = if random.one_in(2) {
-            most
-        } else {
-            random.between(low, high)
-        };
+        let least = if random.one_in(2) { most } else { random.between(low, high) };
         (most, -least)
     };
-    let ((vmax, vmin), (amax, amin), (jmax, jmin)) =
-        (pair(1.0, 5.0), pair(1.0, 10.0), pair(1.0, 60.0));
+    let ((vmax, vmin), (amax, amin), (jmax, jmin)) = (pair(1.0, 5.0), pair(1.0, 10.0), pair(1.0, 60.0));
     let limits = [vmax, vmin, amax, amin, jmax, jmin];
     let mut state = |accelerated: bool| {
-        let a = if accelerated {
-            random.between(amin, amax)
-        } else {
-            0.0
-        };
+        let a = if accelerated { random.between(amin, amax) } else { 0.0 };
         let (above, below) = (0.51 * a * a / -jmin, 0.51 * a * a / jmax);
-        let (a, above, below) = if vmin + below < vmax - above {
-            (a, above, below)
-        } else {
-            (0.0, 0.0, 0.0)
-        };
+        let (a, above, below) = if vmin + below < vmax - above { (a, above, below) } else { (0.0, 0.0, 0.0) };
         let velocity = random.between(vmin + below, vmax - above);
         (random.between(-1.0, 1.0), velocity, a)
     };
@@ -117,11 +94,7 @@ fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State
     if matches!(ends, Ends::AtZero) {
         to.0 = 0.0;
     }
-    let real = |(p, v, a): (f64, f64, f64)| State {
-        position: R::of(p),
-        velocity: R::of(v),
-        acceleration: R::of(a),
-    };
+    let real = |(p, v, a): (f64, f64, f64)| State { position: R::of(p), velocity: R::of(v), acceleration: R::of(a) };
     (limits_of(limits.map(R::of)), real(from), real(to))
 }
 
@@ -138,15 +111,7 @@ fn free<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
 /// Axes on a line, each with limits of its own.
 fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
     let (limits, from, to) = axis::<R>(random, ends);
-    let shares: Vec<f64> = (0..count)
-        .map(|index| {
-            if index == 0 {
-                1.0
-            } else {
-                random.between(-1.0, 1.0)
-            }
-        })
-        .collect();
+    let shares: Vec<f64> = (0..count).map(|index| if index == 0 { 1.0 } else { random.between(-1.0, 1.0) }).collect();
     let scaled = |state: State<R>| {
         shares
             .iter()
@@ -160,11 +125,7 @@ fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<
             })
             .collect::<Vec<_>>()
     };
-    Problem {
-        limits: vec![limits; count],
-        from: scaled(from),
-        to: scaled(to),
-    }
+    Problem { limits: vec![limits; count], from: scaled(from), to: scaled(to) }
 }
 
 /// Three axes on a line, up to 1e4 lengths beside 0.
@@ -181,8 +142,7 @@ fn line_beside_0<R: Real>(random: &mut Random, ends: Ends) -> Problem<R> {
 
 /// Whether an axis steps from a setpoint to the next: its position or its velocity changes by more than its derivatives allow.
 fn steps<R: Real>(limits: &Limits<R>, from: &State<R>, to: &State<R>) -> bool {
-    let numbers =
-        |state: &State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
+    let numbers = |state: &State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
     let ([p0, v0, a0], [p1, v1, a1]) = (numbers(from), numbers(to));
     let jerk = f64::max(limits.jmax.widen(), -limits.jmin.widen());
     // By the trapezoidal rule. Each plan may step by the roundings of both ends of a tie: 256 of the velocity.
@@ -216,10 +176,7 @@ fn ticks<R: Real>(plan: Plan<R>, problem: &Problem<R>) -> (usize, usize) {
         }
         for ((from, axis), limits) in from.iter_mut().zip(&axes).zip(limits) {
             let next = axis.state_at(R::of(CYCLE));
-            assert!(
-                !steps(limits, from, &next),
-                "{tick}: {limits:?} {from:?} {next:?}"
-            );
+            assert!(!steps(limits, from, &next), "{tick}: {limits:?} {from:?} {next:?}");
             *from = next;
         }
         tick += 1;
@@ -227,11 +184,7 @@ fn ticks<R: Real>(plan: Plan<R>, problem: &Problem<R>) -> (usize, usize) {
 }
 
 /// Runs loops with all kinds of ends. Hardly one is late.
-fn late<R: Real>(
-    plan: Plan<R>,
-    counts: &[usize],
-    problem: fn(&mut Random, Ends, usize) -> Problem<R>,
-) {
+fn late<R: Real>(plan: Plan<R>, counts: &[usize], problem: fn(&mut Random, Ends, usize) -> Problem<R>) {
     let mut random = Random::seeded(24);
     let (mut loops, mut late) = (0, 0);
     for ends in Ends::ALL {
@@ -283,11 +236,8 @@ fn a_hold_stays_at_its_limit<R: Real>() {
 
 /// From rest, past a position with the velocity 1 m/s: 17,071 ticks were taken instead of 858.
 fn from_rest_past_a_position<R: Real>() {
-    let state = |position, velocity| State {
-        position: R::of(position),
-        velocity: R::of(velocity),
-        acceleration: R::of(0.0),
-    };
+    let state =
+        |position, velocity| State { position: R::of(position), velocity: R::of(velocity), acceleration: R::of(0.0) };
     let problem = Problem {
         limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))],
         from: vec![state(0.0, 0.0)],
@@ -306,11 +256,7 @@ fn long_lines_go_on<R: Real>() {
     let mut lines = 0;
     for number in 0..LOOPS {
         let ends = Ends::ALL[number % 3];
-        let Problem {
-            limits,
-            mut from,
-            to,
-        } = line_beside_0::<R>(&mut random, ends);
+        let Problem { limits, mut from, to } = line_beside_0::<R>(&mut random, ends);
         let mut axes = [Move::default(); 3];
         let planned = straight(&mut axes, &limits, &from, &to);
         let t = axes[0].t.widen();
@@ -351,10 +297,7 @@ fn slow_ends_tell_the_direction<R: Real>() {
         for tick in 0..13_800 {
             from = axes.map(|axis| axis.state_at(R::of(CYCLE)));
             let planned = straight(&mut axes, &limits, &from, &to);
-            assert!(
-                planned.is_ok(),
-                "{planned:?} at {tick}: {velocity} {acceleration}"
-            );
+            assert!(planned.is_ok(), "{planned:?} at {tick}: {velocity} {acceleration}");
         }
     }
     let mut random = Random::seeded(24);
@@ -362,11 +305,7 @@ fn slow_ends_tell_the_direction<R: Real>() {
         let from = states(-13.37, 0.0, 0.0);
         let rounding = R::MACHINE_EPSILON.widen();
         let mut small = |_| R::of(rounding * random.between(-1.0, 1.0));
-        let to = states(0.123, 0.0, 0.0).map(|state| State {
-            velocity: small(()),
-            acceleration: small(()),
-            ..state
-        });
+        let to = states(0.123, 0.0, 0.0).map(|state| State { velocity: small(()), acceleration: small(()), ..state });
         let planned = straight(&mut [Move::default(); 3], &limits, &from, &to);
         assert!(planned.is_ok(), "{planned:?}: {to:?}");
     }
@@ -397,12 +336,6 @@ fn states_of_a_line_lie_on_it<R: Real>() {
 }
 
 test_both_reals!(
-    plans_arrive_in_time,
-    axes_arrive_in_time,
-    lines_arrive_in_time,
-    a_hold_stays_at_its_limit,
-    from_rest_past_a_position,
-    long_lines_go_on,
-    slow_ends_tell_the_direction,
-    states_of_a_line_lie_on_it
+    plans_arrive_in_time, axes_arrive_in_time, lines_arrive_in_time, a_hold_stays_at_its_limit,
+    from_rest_past_a_position, long_lines_go_on, slow_ends_tell_the_direction, states_of_a_line_lie_on_it
 );

@@ -1,23 +1,7 @@
-//! Does a plan of an axis take over in its own tick or never, wherever the interrupt comes?
-//!
-//! The tests of the package in `tests/handover` ask for one processor and for two. This test runs them.
+//! Does a plan of an axis take over in its own tick? The package `handover` asks it of every place where an interrupt may come.
 
 use atraj::machine::Axis;
 use atraj::online::{Error, Limits, Move, State};
-use std::path::Path;
-use std::process::Command;
-
-#[test]
-fn wherever_the_interrupt_comes() {
-    let package = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/handover");
-    let status = Command::new(env!("CARGO"))
-        .args(["test", "--release", "--locked"])
-        .args(["--", "--nocapture"])
-        .current_dir(package)
-        .status()
-        .expect("cargo runs");
-    assert!(status.success(), "a plan took over wrongly: see above");
-}
 
 /// From the tick of its takeover on, the axis has the states of the move that is planned from there.
 #[test]

@@ -46,10 +46,7 @@ fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
     fs::write(&source, text).unwrap();
     let program = tests.join(name);
     let mut cc = Command::new("cc");
-    cc.arg("-O2")
-        .args(flags)
-        .arg("-I")
-        .arg(DOUBLE.dist().join("include"));
+    cc.arg("-O2").args(flags).arg("-I").arg(DOUBLE.dist().join("include"));
     cc.arg(source).arg(archive).arg("-lm");
     run(cc.arg("-o").arg(&program));
     program
@@ -70,10 +67,7 @@ fn the_library_itself() {
 fn readelf_finds_the_note() {
     let mut readelf = Command::new("readelf");
     let notes = lines(readelf.arg("-n").arg(DOUBLE.archive()));
-    assert!(
-        notes.iter().any(|l| l.trim().starts_with("atraj ")),
-        "{notes:?}"
-    );
+    assert!(notes.iter().any(|l| l.trim().starts_with("atraj ")), "{notes:?}");
 }
 
 /// Size of code, data and zeroed data.
@@ -125,26 +119,12 @@ fn a_file_without_the_library_is_answered_with_a_sentence() {
 fn the_preprocessor_knows_the_version() {
     let version = env!("CARGO_PKG_VERSION");
     let mut macros = Command::new("cc");
-    macros.args([
-        "-dM",
-        "-E",
-        "-x",
-        "c",
-        "-include",
-        "atraj.h",
-        "/dev/null",
-        "-I",
-    ]);
+    macros.args(["-dM", "-E", "-x", "c", "-include", "atraj.h", "/dev/null", "-I"]);
     let macros = lines(macros.arg(DOUBLE.dist().join("include")));
     let numbers = version.split(['.', '-']);
     let names = ["MAJOR", "MINOR", "PATCH"].map(|part| format!("ATRAJ_VERSION_{part}"));
     let mut wanted = vec![format!("#define ATRAJ_VERSION \"{version}\"")];
-    wanted.extend(
-        names
-            .iter()
-            .zip(numbers)
-            .map(|(name, number)| format!("#define {name} {number}")),
-    );
+    wanted.extend(names.iter().zip(numbers).map(|(name, number)| format!("#define {name} {number}")));
     for line in wanted {
         assert!(macros.contains(&line), "{line}");
     }

@@ -31,16 +31,10 @@ fn from_rest_to_rest<R: Real>() {
         for ((axis, from), to) in axes.iter().zip(&from).zip(&to) {
             let distance = (to.position.widen() - from.position.widen()).abs();
             let reached = axis.extremes();
-            let fastest = f64::max(
-                reached.highest.velocity.widen(),
-                -reached.lowest.velocity.widen(),
-            );
+            let fastest = f64::max(reached.highest.velocity.widen(), -reached.lowest.velocity.widen());
             let rounding = 1.0 + 64.0 * R::MACHINE_EPSILON.widen();
             let covered = axis.t.widen() * fastest;
-            assert!(
-                covered <= 2.0 * distance * rounding,
-                "{axis:?} to {to:?} within {limits:?}"
-            );
+            assert!(covered <= 2.0 * distance * rounding, "{axis:?} to {to:?} within {limits:?}");
         }
     }
 }
@@ -50,8 +44,7 @@ fn in_slow_motion<R: Real>() {
     let mut random = Random::seeded(9);
     for _ in 0..SETS / 10 {
         let limits = online::limits::<R>(&mut random);
-        let [from, to] =
-            [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5))));
+        let [from, to] = [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5))));
         let mut fastest = Move::default();
         fastest.plan(&limits, from, to).expect("a plan");
         let duration = fastest.t * R::of(1.0 + random.magnitude(-2.0, 3.0));
@@ -61,8 +54,7 @@ fn in_slow_motion<R: Real>() {
         let size = from.position.widen().abs() + to.position.widen().abs();
         for _ in 0..8 {
             let part = R::of(random.unit());
-            let [slow, fast] =
-                [&axes[0], &fastest].map(|axis| axis.position(part * axis.t).widen());
+            let [slow, fast] = [&axes[0], &fastest].map(|axis| axis.position(part * axis.t).widen());
             assert!(
                 (slow - fast).abs() <= 64.0 * R::MACHINE_EPSILON.widen() * size,
                 "{slow} instead of {fast}: {limits:?} {from:?} {to:?}"
@@ -81,15 +73,8 @@ fn ramp(limits: &Limits<f64>, from: State<f64>, v: f64) -> Option<[f64; 2]> {
 /// Velocity and duration of the cruise that leads from start to end in the time `t`, if there is one. Halving finds the velocity.
 fn cruise(limits: &Limits<f64>, from: State<f64>, to: State<f64>, t: f64) -> Option<[f64; 2]> {
     // Mirrored and in the other order of time, an axis keeps its velocity and its jerk.
-    let back = Limits {
-        amax: -limits.amin,
-        amin: -limits.amax,
-        ..*limits
-    };
-    let end = State {
-        acceleration: -to.acceleration,
-        ..to
-    };
+    let back = Limits { amax: -limits.amin, amin: -limits.amax, ..*limits };
+    let end = State { acceleration: -to.acceleration, ..to };
     let way = to.position - from.position;
     let (mut low, mut high) = (limits.vmin, limits.vmax);
     let mut found = None;
@@ -145,10 +130,7 @@ fn in_motion<R: Real>() {
                 && (phase.velocity.widen() - v).abs() <= rounding * (widened.vmax - widened.vmin)
                 && (phase.duration.widen() - lasts).abs() <= rounding * duration.widen()
         };
-        assert!(
-            axis.phases().iter().any(is_cruise),
-            "no cruise at {v} for {lasts} s: {axis:?} within {limits:?}"
-        );
+        assert!(axis.phases().iter().any(is_cruise), "no cruise at {v} for {lasts} s: {axis:?} within {limits:?}");
         cruises += 1;
     }
     println!("{}: {cruises} cruises", R::NAME);

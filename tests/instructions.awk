@@ -10,6 +10,6 @@ NR == FNR { allowed[$1] = $2; next }
 END {
     for (name in allowed) { print "gone: " name; failed = 1 }
     if (!count) { print "nothing was counted"; failed = 1 }
-    if (failed) { print "`make instructions-update` accepts the new counts" }
+    if (failed) { print "`make instructions UPDATE=1` accepts the new counts" }
     exit failed
 }

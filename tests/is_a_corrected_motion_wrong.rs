@@ -13,7 +13,7 @@ use support::claraty::{borders, corrected, moving, target};
 use support::real::just_after;
 use support::{Random, Real};
 
-const SCRIPTS: usize = 1_000_000;
+const SCRIPTS: usize = if support::BRIEF { 100_000 } else { 1_000_000 };
 
 /// The highest ratio of acceleration and deceleration. Far higher ratios show the cancellation in the listing's formulas.
 const RATIO: f64 = 1e6;
@@ -22,17 +22,9 @@ const LOWEST_RATE: f64 = 1e-9;
 
 /// What a script asks of the axis: the first move, then any of the others. The outcomes of each request are counted apart.
 const REQUESTS: [&str; 11] = [
-    "first move from rest",
-    "retarget anywhere",
-    "retarget to a point behind",
-    "retarget too near to stop",
-    "retarget at the stopping distance",
-    "tiny retarget",
-    STOP,
-    "maximum velocity raised",
-    "maximum velocity lowered",
-    "maximum velocity as now",
-    "acceleration and deceleration changed",
+    "first move from rest", "retarget anywhere", "retarget to a point behind", "retarget too near to stop",
+    "retarget at the stopping distance", "tiny retarget", STOP, "maximum velocity raised", "maximum velocity lowered",
+    "maximum velocity as now", "acceleration and deceleration changed",
 ];
 const STOP: &str = "stop";
 
@@ -68,11 +60,7 @@ impl Order {
     /// The side that the motion starts towards: -1 or +1.
     fn side(&self) -> f64 {
         let is_at_rest = self.start.velocity == 0.0;
-        f64::signum(if is_at_rest {
-            self.distance()
-        } else {
-            self.start.velocity
-        })
+        f64::signum(if is_at_rest { self.distance() } else { self.start.velocity })
     }
 
     /// The distance to the target, towards the side that the motion starts to.
@@ -119,12 +107,7 @@ fn sample_times([t1, t2, tf]: [f64; 3], random: &mut Random) -> Vec<f64> {
 }
 
 /// What is wrong with a motion, judged from its setpoints alone. `None` if it is right. No phase border lies between two times.
-fn fault(
-    order: &Order,
-    times: &[f64],
-    duration: f64,
-    mut at: impl FnMut(f64) -> State<f64>,
-) -> Option<&'static str> {
+fn fault(order: &Order, times: &[f64], duration: f64, mut at: impl FnMut(f64) -> State<f64>) -> Option<&'static str> {
     if !(duration >= 0.0 && duration.is_finite()) {
         return Some("no duration");
     }
@@ -190,31 +173,18 @@ struct Tally {
 
 impl Tally {
     /// Plans one order in both modes from the same state of `axis`, and leaves `axis` on the corrected motion.
-    fn run(
-        &mut self,
-        axis: &mut Trajectory,
-        (request, order): (&'static str, &Order),
-        now: f64,
-        random: &mut Random,
-    ) {
+    fn run(&mut self, axis: &mut Trajectory, (request, order): (&'static str, &Order), now: f64, random: &mut Random) {
         let mut listed = *axis;
         listed.set_mode(Mode::Listing);
         let share = self.shares.entry(request).or_default();
         share[0] += 1;
         let mut all_times = vec![];
         let [wrong, listing_wrong] = [&mut *axis, &mut listed].map(|axis| {
-            let warnings = if request == STOP {
-                axis.stop(now)
-            } else {
-                axis.start(now)
-            };
+            let warnings = if request == STOP { axis.stop(now) } else { axis.start(now) };
             let times = sample_times(borders(axis.profile()), random);
             let fault = fault(order, &times, axis.duration(), |t| axis.setpoint_at(t));
             all_times.push(times);
-            warnings
-                .contains(Warnings::SWITCH)
-                .then_some("gave up")
-                .or(fault)
+            warnings.contains(Warnings::SWITCH).then_some("gave up").or(fault)
         });
         if let Some(fault) = wrong {
             share[1] += 1;
@@ -230,11 +200,7 @@ impl Tally {
     /// Compares a corrected motion with a right motion of the listing. The bits must be the same, except in moves below `EPS`,
     /// in the acceleration at the first instant of a stop, and in ties.
     fn compare(
-        &mut self,
-        axis: &mut Trajectory,
-        listed: &mut Trajectory,
-        times: &[f64],
-        (request, order): (&str, &Order),
+        &mut self, axis: &mut Trajectory, listed: &mut Trajectory, times: &[f64], (request, order): (&str, &Order),
     ) {
         if request != STOP && order.distance().abs() < EPS {
             return;
@@ -253,8 +219,7 @@ impl Tally {
         } else if !order.is_tie(tf.max(listed_tf)) {
             let [profile, listing] = [axis.profile(), listed.profile()];
             let plans = format!("corrected {profile:?}\n  listing   {listing:?}");
-            self.differing
-                .push(format!("{request}: {order:?}\n  {plans}"));
+            self.differing.push(format!("{request}: {order:?}\n  {plans}"));
         } else if tf < listed_tf {
             self.braked += 1;
         } else {
@@ -264,22 +229,14 @@ impl Tally {
 
     fn print(&self) {
         println!("{:40} {:>9} corrected wrong  listing wrong", "", "motions");
-        for (request, [motions, wrong, listing_wrong]) in
-            REQUESTS.map(|request| (request, self.shares[request]))
-        {
+        for (request, [motions, wrong, listing_wrong]) in REQUESTS.map(|request| (request, self.shares[request])) {
             let percent = 100.0 * listing_wrong as f64 / motions as f64;
             println!("{request:40} {motions:9} {wrong:15} {percent:13.2}%");
         }
         let (same, differing) = (self.same_bits, self.differing.len());
         println!("where the listing is right: {same} with its bits, {differing} differing,");
-        println!(
-            "{} at a stopping distance, where two motions are right;",
-            self.ties
-        );
-        println!(
-            "{} more, where the corrected motion arrives first",
-            self.braked
-        );
+        println!("{} at a stopping distance, where two motions are right;", self.ties);
+        println!("{} more, where the corrected motion arrives first", self.braked);
     }
 }
 
@@ -300,16 +257,10 @@ fn next_target(request: &str, state: State<f64>, mut next: Target, random: &mut 
     let rates = 1.0 / next.acceleration + 1.0 / next.deceleration;
     let length = 0.5 * next.velocity * next.velocity * rates;
     let velocity = state.velocity;
-    let side = if velocity == 0.0 {
-        random.sign()
-    } else {
-        velocity.signum()
-    };
+    let side = if velocity == 0.0 { random.sign() } else { velocity.signum() };
     let mut go = |distance: f64| next.position = state.position + distance;
     match request {
-        "first move from rest" | "retarget anywhere" => {
-            go(random.sign() * length * random.magnitude(-3.0, 2.0))
-        }
+        "first move from rest" | "retarget anywhere" => go(random.sign() * length * random.magnitude(-3.0, 2.0)),
         "retarget to a point behind" => go(-side * length * random.magnitude(-6.0, 1.0)),
         "retarget too near to stop" => {
             let weaker = next.acceleration.min(next.deceleration);
@@ -350,11 +301,7 @@ fn run_script(tally: &mut Tally, random: &mut Random) {
     let mut request = REQUESTS[0];
     for _ in 0..1 + random.bits() % 4 {
         let setpoint = axis.setpoint(now);
-        let start = if axis.is_started() {
-            setpoint
-        } else {
-            State::default()
-        };
+        let start = if axis.is_started() { setpoint } else { State::default() };
         if request == STOP && !axis.is_started() {
             request = "retarget anywhere";
         }
@@ -382,24 +329,13 @@ fn a_million_scripts_without_a_wrong_motion() {
     }
     println!("{SCRIPTS} scripts");
     tally.print();
-    for (what, all) in [
-        ("wrong", &tally.faults),
-        ("differ from a right listing", &tally.differing),
-    ] {
+    for (what, all) in [("wrong", &tally.faults), ("differ from a right listing", &tally.differing)] {
         let first = &all[..all.len().min(8)];
-        assert!(
-            all.is_empty(),
-            "{} {what}:\n{}",
-            all.len(),
-            first.join("\n")
-        );
+        assert!(all.is_empty(), "{} {what}:\n{}", all.len(), first.join("\n"));
     }
     assert!(tally.braked > 0, "the corrected motion never arrives first");
     let few_ties = tally.ties * 1000 < tally.same_bits;
-    assert!(
-        tally.same_bits > SCRIPTS && few_ties,
-        "hardly anything was compared"
-    );
+    assert!(tally.same_bits > SCRIPTS && few_ties, "hardly anything was compared");
 }
 
 /// The listing's root cancels when the axis has hardly to accelerate. The ratios are higher than in the scripts, so that the
@@ -429,10 +365,7 @@ fn a_target_at_the_stopping_distance_is_reached_by_braking() {
     let mut random = Random(7);
     let mut short = 0;
     for _ in 0..300_000 {
-        let start = moving(
-            random.between(-10.0, 10.0),
-            random.sign() * random.between(0.1, 5.0),
-        );
+        let start = moving(random.between(-10.0, 10.0), random.sign() * random.between(0.1, 5.0));
         let v0 = start.velocity;
         let [vm, a, d] = [(); 3].map(|()| random.between(0.1, 10.0));
         let position = start.position + v0 * v0.abs() / (2.0 * d);
@@ -440,14 +373,8 @@ fn a_target_at_the_stopping_distance_is_reached_by_braking() {
         let order = Order { start, target };
         short += usize::from(order.ahead() < stopping_distance(v0, d));
         let (profile, _) = corrected(start, target);
-        let (tf, shortest) = (
-            profile.tf,
-            time_to_the_stopping_distance(v0.abs(), [vm, a, d]),
-        );
-        assert!(
-            tf <= shortest * (1.0 + 1e-6),
-            "{tf} s instead of {shortest}: {order:?}"
-        );
+        let (tf, shortest) = (profile.tf, time_to_the_stopping_distance(v0.abs(), [vm, a, d]));
+        assert!(tf <= shortest * (1.0 + 1e-6), "{tf} s instead of {shortest}: {order:?}");
         for t in sample_times(borders(&profile), &mut random) {
             let velocity = order.side() * profile.setpoint(t).velocity;
             assert!(velocity >= -1e-12, "reverses at {t}: {order:?}");

@@ -23,31 +23,16 @@ struct Move<R> {
 
 impl<R: Real> Move<R> {
     fn new<const N: usize>(
-        profile: impl Profile<R, N> + 'static,
-        duration: R,
-        reached: Extremes<R>,
-        scales: [f64; 3],
-        borders: Vec<R>,
+        profile: impl Profile<R, N> + 'static, duration: R, reached: Extremes<R>, scales: [f64; 3], borders: Vec<R>,
     ) -> Self {
         let each = Box::new(move |x| std::array::from_fn(|i| profile.each(x)[i].widen()));
-        Self {
-            duration,
-            reached,
-            each,
-            scales,
-            borders,
-        }
+        Self { duration, reached, each, scales, borders }
     }
 }
 
 fn boundary<R: Real>(random: &mut Random) -> Boundary<R> {
     let mut number = || R::of(random.sign() * random.magnitude(-2.0, 2.0));
-    Boundary {
-        p0: number(),
-        p1: number(),
-        v0: number(),
-        v1: number(),
-    }
+    Boundary { p0: number(), p1: number(), v0: number(), v1: number() }
 }
 
 fn polynomial<R: Real>(random: &mut Random) -> Move<R> {
@@ -125,9 +110,7 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     let parts = 0..=40;
     let inside = |part: i32| {
         let share = R::of(f64::from(part) / 40.0);
-        phases
-            .iter()
-            .map(move |phase| phase.start + share * phase.duration)
+        phases.iter().map(move |phase| phase.start + share * phase.duration)
     };
     let borders = parts.flat_map(inside).collect();
     Move::new(planned, planned.t, planned.extremes(), scales, borders)
@@ -152,10 +135,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     let mut worst = 0.0_f64;
     for quantity in 0..3 {
         let at = times.iter().map(|&x| (the_move.each)(x)[quantity]);
-        let (sampled_low, sampled_high) = at
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| {
-                (l.min(y), h.max(y))
-            });
+        let (sampled_low, sampled_high) = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
         let (low, high) = (lowest[quantity], highest[quantity]);
         let rounding = R::MACHINE_EPSILON.widen() * the_move.scales[quantity];
         let missed = 0.01 * (sampled_high - sampled_low) + ROUNDINGS * rounding;
@@ -176,10 +156,7 @@ fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
             most = most.max(worst(&the_move));
         }
     }
-    println!(
-        "{}: a sample lies {most:.1} roundings beyond an extreme",
-        R::NAME
-    );
+    println!("{}: a sample lies {most:.1} roundings beyond an extreme", R::NAME);
     assert!(most <= ROUNDINGS, "{most}");
 }
 

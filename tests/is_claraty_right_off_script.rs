@@ -3,9 +3,7 @@
 use Mode::{Corrected, Listing};
 use approx::assert_abs_diff_eq;
 use atraj::State;
-use atraj::claraty::{
-    EPS, Kind, LARGEST, Mode, OutOfRange, Profile, Route, Target, Trajectory, Warnings, Waypoints,
-};
+use atraj::claraty::{EPS, Kind, LARGEST, Mode, OutOfRange, Profile, Route, Target, Trajectory, Warnings, Waypoints};
 use support::Random;
 use support::claraty::{borders, corrected, moving, target};
 use support::real::just_after;
@@ -209,11 +207,7 @@ fn the_smallest_ways_are_motions() {
 fn an_empty_move_stands_still() {
     let (profile, _) = corrected(State::at(3.0), to(3.0));
     assert_eq!(profile.tf, 0.0);
-    assert!(
-        [-1.0, 0.0, 1.0]
-            .iter()
-            .all(|&t| profile.setpoint(t) == State::at(3.0))
-    );
+    assert!([-1.0, 0.0, 1.0].iter().all(|&t| profile.setpoint(t) == State::at(3.0)));
 }
 
 #[test]
@@ -260,17 +254,10 @@ fn setpoint_of(moves: &[(f64, Profile)], t: f64) -> State<f64> {
 #[test]
 fn waypoints_are_the_sum_of_single_moves_at_any_time() {
     let mut random = Random(3);
-    for (mode, now) in MODES
-        .into_iter()
-        .flat_map(|mode| [100.0, 0.7, 3.0].map(|now| (mode, now)))
-    {
+    for (mode, now) in MODES.into_iter().flat_map(|mode| [100.0, 0.7, 3.0].map(|now| (mode, now))) {
         let mut axis = started(mode, to(10.0));
         let present = axis.setpoint(now);
-        let mut from = if axis.is_started() {
-            present
-        } else {
-            State::default()
-        };
+        let mut from = if axis.is_started() { present } else { State::default() };
         from.acceleration = 0.0;
         axis.set(waypoints().into(), now).unwrap();
         assert_eq!(axis.setpoint(now), present, "set moves nothing");
@@ -412,16 +399,7 @@ fn a_corrected_setpoint_is_finite_up_to_the_largest_numbers() {
             }
             let [t1, t2, tf] = borders(axis.profile());
             let at = random.between(0.0, 1.0) * axis.duration();
-            for t in [
-                0.0,
-                t1,
-                just_after(t1),
-                0.5 * t1,
-                t2,
-                just_after(t2),
-                tf,
-                at,
-            ] {
+            for t in [0.0, t1, just_after(t1), 0.5 * t1, t2, just_after(t2), tf, at] {
                 let setpoint = axis.setpoint_at(t);
                 let sum = setpoint.position + setpoint.velocity + setpoint.acceleration;
                 assert!(sum.is_finite(), "{setpoint:?} at {t}");

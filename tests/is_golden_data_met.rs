@@ -1,8 +1,6 @@
 //! Does the Rust API give the bits of both generations of the original C library on every golden row?
 
-use support::{
-    Comparison, Family, Ours, OursNewest, Real, golden, test_both_reals, test_each_family,
-};
+use support::{Comparison, Family, Ours, OursNewest, Real, golden, test_both_reals, test_each_family};
 
 fn meets_golden_data<R: Real>(family: Family) {
     let mut comparison = Comparison::default();
@@ -22,10 +20,7 @@ fn newest<R: Real>() {
         let mut older = Comparison::default();
         golden::compare_plans(&mut older, &Ours, family, &moves);
         let (name, differing) = (family.name(), older.differences.len());
-        assert!(
-            differing > 100,
-            "{name}: the generations hardly differ, in {differing} values"
-        );
+        assert!(differing > 100, "{name}: the generations hardly differ, in {differing} values");
     }
 }
 
@@ -56,9 +51,7 @@ fn a_missing_golden_file_fails() {
 }
 
 #[test]
-#[should_panic(
-    expected = "row 7: position is -0e0 (8000000000000000), golden 0e0 (0000000000000000)"
-)]
+#[should_panic(expected = "row 7: position is -0e0 (8000000000000000), golden 0e0 (0000000000000000)")]
 fn a_differing_sign_of_zero_fails_and_shows_both() {
     let mut comparison = Comparison::default();
     comparison.check("row 7", "position", -0.0, 0.0);

@@ -13,9 +13,7 @@ fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
     let phases = &planned.phase[..=planned.count as usize];
     let part = |x: R, duration: R, k: usize, of: usize| x + R::of(k as f64 / of as f64) * duration;
     let whole = (0..=SAMPLES).map(|k| part(R::of(0.0), planned.t, k, SAMPLES));
-    let each = phases
-        .iter()
-        .flat_map(|phase| (0..=40).map(|k| part(phase.start, phase.duration, k, 40)));
+    let each = phases.iter().flat_map(|phase| (0..=40).map(|k| part(phase.start, phase.duration, k, 40)));
     let mut times: Vec<R> = whole.chain(each).collect();
     times.retain(|x| *x <= planned.t);
     times.sort_by(|x, y| x.partial_cmp(y).expect("no NaN"));
@@ -25,12 +23,9 @@ fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
 /// How wrong a position may be by rounding: the whole way, and what the rounding of a velocity adds up to.
 fn rounding<R: Real>(planned: &Move<R>) -> f64 {
     let reached = planned.extremes();
-    let State {
-        position, velocity, ..
-    } = reached.highest;
+    let State { position, velocity, .. } = reached.highest;
     let size = |x: R, y: R| x.widen().abs().max(y.widen().abs());
-    let way = size(position, reached.lowest.position)
-        + size(velocity, reached.lowest.velocity) * planned.t.widen();
+    let way = size(position, reached.lowest.position) + size(velocity, reached.lowest.velocity) * planned.t.widen();
     16.0 * R::MACHINE_EPSILON.widen() * way
 }
 
@@ -56,12 +51,8 @@ fn in_random_moves<R: Real>() {
                 _ => R::of(random.between(low.widen(), high.widen())),
             };
             let place = format!("move {number} at {wanted:e}: {planned:?}");
-            let Some(x) = planned.time_at(wanted) else {
-                // A position within the extremes is reached, but for rounding.
-                let depth = (wanted.widen() - low.widen()).min(high.widen() - wanted.widen());
-                assert!(depth <= rounding, "nothing found, {place}");
-                continue;
-            };
+            // Every position from the lowest to the highest is reached, whatever is rounded.
+            let x = planned.time_at(wanted).unwrap_or_else(|| panic!("nothing found, {place}"));
             found += 1;
             assert!(x >= R::of(0.0) && x <= planned.t, "{x:e}, {place}");
             let [there, asked] = [planned.position(x), wanted].map(R::widen);
@@ -69,10 +60,8 @@ fn in_random_moves<R: Real>() {
             assert!(is_there, "{there:e} at {x:e}, {place}");
             // Before the first time the axis is on one side.
             let before = times.iter().zip(&positions).take_while(|(t, _)| **t < x);
-            let sides: Vec<f64> = before
-                .map(|(_, p)| p.widen() - wanted.widen())
-                .filter(|side| side.abs() > rounding)
-                .collect();
+            let sides: Vec<f64> =
+                before.map(|(_, p)| p.widen() - wanted.widen()).filter(|side| side.abs() > rounding).collect();
             let one_side = sides.iter().all(|side| side * sides[0] > 0.0);
             assert!(one_side, "passed before {x:e}, {place}");
         }
@@ -83,7 +72,7 @@ fn in_random_moves<R: Real>() {
         }
     }
     println!("{}: {found} times found, {never} never", R::NAME);
-    assert!(found > MOVES * 7 && never == MOVES * 3);
+    assert!(found == MOVES * 8 && never == MOVES * 3);
 }
 
 /// A move that slips may have a phase of no duration, which begins a rounding beside the next phase.
@@ -107,15 +96,10 @@ test_both_reals!(beside_a_phase_of_no_duration, in_random_moves);
 /// The axis passes its target, turns and comes back.
 #[test]
 fn the_first_of_two() {
-    let from = State {
-        velocity: 4.0,
-        ..State::at(0.0)
-    };
+    let from = State { velocity: 4.0, ..State::at(0.0) };
     let mut planned = Move::default();
     let limits = Limits::symmetric(30.0, 10.0, 5.0);
-    planned
-        .plan(&limits, from, State::at(1.0))
-        .expect("numbers");
+    planned.plan(&limits, from, State::at(1.0)).expect("numbers");
     let x: f64 = planned.time_at(1.0).expect("the target");
     assert!(x < 0.5 * planned.t && planned.velocity(x) > 0.0);
     assert_abs_diff_eq!(planned.position(x), 1.0, epsilon = 1e-14);
@@ -125,9 +109,7 @@ fn the_first_of_two() {
 fn at_rest() {
     let mut planned = Move::default();
     let here = State::at(2.0);
-    planned
-        .plan(&Limits::symmetric(30.0, 10.0, 5.0), here, here)
-        .expect("numbers");
+    planned.plan(&Limits::symmetric(30.0, 10.0, 5.0), here, here).expect("numbers");
     assert_eq!(planned.time_at(2.0), Some(0.0));
     assert_eq!(planned.time_at(2.5), None);
 }

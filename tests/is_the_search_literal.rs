@@ -55,11 +55,7 @@ fn near_tie(random: &mut Random) -> [f64; 7] {
     };
     let trial = am * (1 + random.below(32)) as f64 / 2f64.powi(5 + random.below(6) as i32);
     let (s, w, k) = (v0 + v1, (v0 - v1).abs(), trial * trial / jm);
-    let twice_p_trial = if random.one_in(2) {
-        w * s - w * k
-    } else {
-        w * s + k * (4.0 * k + 4.0 * s + 3.0 * w)
-    };
+    let twice_p_trial = if random.one_in(2) { w * s - w * k } else { w * s + k * (4.0 * k + 4.0 * s + 3.0 * w) };
     let off = 2f64.powi(-(random.below(60) as i32)) * random.pick(&[-1.0, 0.0, 1.0]);
     let p = twice_p_trial / (2.0 * trial) * (1.0 + off);
     // A short way does not cruise anyway. A longer one needs a high `vm` for that.
@@ -115,10 +111,7 @@ fn same_bits_as_the_literal_search<R: Range>() {
         let plan = reference::plan(&arguments, &mut literal);
         long += u32::from(plan.rounds > 3);
 
-        let written = Family::Bell
-            .fields()
-            .iter()
-            .zip(ours.into_iter().zip(literal));
+        let written = Family::Bell.fields().iter().zip(ours.into_iter().zip(literal));
         let returned = (&"duration", (duration, plan.duration));
         for (name, (ours, literal)) in written.chain([returned]) {
             assert!(
@@ -130,10 +123,7 @@ fn same_bits_as_the_literal_search<R: Range>() {
             );
         }
     }
-    assert!(
-        long > MOVES / 10,
-        "only {long} searches longer than 3 rounds"
-    );
+    assert!(long > MOVES / 10, "only {long} searches longer than 3 rounds");
 }
 
 test_both_reals!(same_bits_as_the_literal_search);

@@ -1,65 +1,50 @@
 #!/usr/bin/env bash
-# mutants.sh SEED OF_EACH: judges so many random mutants of each storey, and prints the table and the survivors. It goes on where it was
-# stopped: target/mutants/SEED holds a line for each judged mutant. After a change of the library, take another seed. MUTANT_BASE=<commit> judges
-# only mutants of the lines that have changed since then, in target/mutants/changed-SEED.
+# mutants.sh COUNT SEED: judges about COUNT mutants, every n-th of all, and prints the mutation score and those that survived, as rows of
+# docs/data/mutants.csv. MUTANT_BASE=<commit> draws from the lines that have changed since then. .cargo/mutants.toml says what judges them.
 set -euo pipefail
-seed=$1 of_each=$2
-out=$PWD/target/mutants/${MUTANT_BASE:+changed-}$seed
+count=$1 seed=$2
+out=$PWD/target/mutants
 tree=$out/tree
-results=$out/results.tsv
-mkdir -p "$out"
-touch "$out/unviable" "$results"
-tool=$PWD/target/mutants/tool/release/mutants
-
-CARGO_TARGET_DIR=target/mutants/tool cargo build --quiet --release --locked --manifest-path tests/mutants/Cargo.toml
-
-copy() {
-    rm -rf "$tree"
-    mkdir -p "$tree"
-    git ls-files -z | xargs -0 cp --parents -t "$tree"
-}
+rm -rf "$tree" "$out"/{all,compact,soft}
+mkdir -p "$tree"
+git ls-files -z | xargs -0 cp -p --parents -t "$tree"
 # cargo-mutants leaves unsafe functions out, and each C function is one. The places stay where they were.
 safe='s/pub unsafe extern "C" fn/pub        extern "C" fn/'
-if ! test -s "$out/list.json"; then
-    copy
-    find "$tree/src/capi" -name '*.rs' -exec sed -i "$safe" {} +
-    changed=()
-    if test -n "${MUTANT_BASE:-}"; then
-        git diff "$MUTANT_BASE" -- src | sed "$safe" > "$out/changes.diff"
-        changed=(--in-diff "$out/changes.diff")
-    fi
-    (cd "$tree" && cargo mutants --list --json "${changed[@]}") > "$out/list.json"
-    test -s "$out/list.json" || { echo 'no mutant stands in a line that has changed'; exit; }
-fi
+find "$tree/src/capi" -name '*.rs' -exec sed -i "$safe" {} +
 
-# check FEATURES FLAGS: whether a build compiles.
-check() {
-    (cd "$tree" && CARGO_TARGET_DIR=$out/programs/build RUSTFLAGS="$RUSTFLAGS $2" cargo check --quiet --features "$1" --message-format=json) \
-        > "$out/messages.json"
+drawn=()
+if test -n "${MUTANT_BASE:-}"; then
+    git diff "$MUTANT_BASE" -- src | sed "$safe" > "$out/changes.diff"
+    drawn=(--in-diff "$out/changes.diff")
+fi
+mutants() { cargo mutants --dir "$tree" --colors never "$@"; }
+of=$((($(mutants "${drawn[@]}" --list 2> /dev/null | wc -l) + count - 1) / count))
+test "$of" -gt 0 || { echo 'no mutant stands in a line that has changed'; exit; }
+
+export BRIEF=1 RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=$out/build
+# The unit tests of the library are linked with the library itself, through the package `support`: each C function stands there twice, the same.
+export RUSTFLAGS='-C link-arg=-Wl,-z,muldefs'
+# judge NAME OPTIONS…: exit codes 2 and 3 mean that mutants survived or hung.
+judge() { mutants --in-place --output "$out/$1" "${@:2}" >&2 || [[ $? == [23] ]]; }
+# again NAME FOLDER OPTIONS…: judges the survivors of a folder in a build that holds other code.
+again() {
+    local survivors
+    survivors=$(sed -n "\|^$2|s/[][\\.*^\$+?(){}|]/\\\\&/gp" "$out/all/mutants.out/missed.txt" | paste -sd'|')
+    test -z "$survivors" || judge "$1" --re "^($survivors)\$" "${@:3}"
 }
-if ! test -e "$out/programs/whole"; then
-    # A mutant may leave a name unused.
-    export RUSTFLAGS=-Awarnings
-    while
-        copy
-        "$tool" plant "$out/list.json" "$tree" "$seed" "$of_each" "$out/unviable" > "$out/constant" || exit
-        ! { check capi '' && check capi,poly-compact '--cfg unit_lacks_binary64'; }
-    do
-        refused=$(wc -l < "$out/unviable")
-        "$tool" refuse "$tree" "$out/messages.json" "$out/unviable"
-        test "$(wc -l < "$out/unviable")" -gt "$refused" || { echo 'the planted library does not compile' >&2; exit 1; }
-    done
-    tests/programs.sh "$tree" "$out/programs"
-fi
+judge all "${drawn[@]}" --shard "$((seed % of))/$of" --sharding round-robin
+again compact src/capi/a/ --features oracle/poly-compact
+RUSTFLAGS="$RUSTFLAGS --cfg unit_lacks_binary64" again soft src/real/soft.rs
 
-page=$PWD/docs/trust.md
-trap '"$tool" report "$results" "$page"' EXIT
-cd "$tree"
-rm -rf "$out/claims"
-mkdir "$out/claims"
-judges=()
-for _ in $(seq "$(nproc)"); do
-    "$tool" judge "$out/list.json" "$seed" "$of_each" "$out/unviable" "$out/constant" "$out/programs" "$out/claims" "$results" &
-    judges+=($!)
+# Wilson's interval. A survivor is known if the table has a row for it: file and change, without the line.
+cd "$out"
+sort -u {all,compact,soft}/mutants.out/{caught,timeout}.txt 2> /dev/null > found.txt || true
+sort all/mutants.out/missed.txt | comm -23 - found.txt > missed.txt
+awk -v unviable="$(wc -l < all/mutants.out/unviable.txt)" -v found="$(wc -l < found.txt)" -v missed="$(wc -l < missed.txt)" 'BEGIN {
+    n = found + missed; if (!n) exit; p = found / n; z = 1.959964
+    middle = p + z * z / 2 / n; half = z * sqrt(p * (1 - p) / n + z * z / 4 / n / n); whole = 1 + z * z / n
+    printf "%d mutants, %d found: %.1f %%, with 95 %% confidence %.1f to %.1f %%; %d more do not compile\n",
+        n, found, 100 * p, 100 * (middle - half) / whole, 100 * (middle + half) / whole, unviable }'
+sed 's/:[0-9]*:[0-9]*: /: /' missed.txt | while IFS= read -r name; do
+    grep -F -m1 -e ",$name," -e ",\"$name\"," "$OLDPWD/docs/data/mutants.csv" || echo "$seed,\"$name\",open,"
 done
-for judge in "${judges[@]}"; do wait "$judge"; done

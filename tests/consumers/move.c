@@ -7,15 +7,13 @@
 #include <stdio.h>
 #include <string.h>
 
-static void show(const char *name, double value)
-{
+static void show(const char *name, double value) {
     uint64_t bits;
     memcpy(&bits, &value, sizeof(bits));
     printf("%s %016" PRIx64 "\n", name, bits);
 }
 
-int main(void)
-{
+int main(void) {
     a_trajbell bell;
     show("bell duration", a_trajbell_gen(&bell, 30, 10, 5, 0, 1, 0, 0));
     show("bell position", a_trajbell_pos(&bell, (a_float)0.3));

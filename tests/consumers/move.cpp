@@ -7,15 +7,13 @@
 #include <iomanip>
 #include <iostream>
 
-static void show(const char *name, double value)
-{
+static void show(const char *name, double value) {
     a_u64 bits;
     std::memcpy(&bits, &value, sizeof(bits));
     std::cout << name << ' ' << std::hex << std::setfill('0') << std::setw(16) << bits << '\n';
 }
 
-int main()
-{
+int main() {
     a::trajbell bell;
     show("bell duration", bell.gen(30, 10, 5, 0, 1));
     show("bell position", bell.pos(a_float(0.3)));

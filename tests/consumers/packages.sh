@@ -13,15 +13,7 @@ clone_of_the_sources() {
     git -c user.name=nobody -c user.email=nobody@localhost commit --quiet --message='the present files'
 }
 
-unpacked_release() {
-    cp -R "$root/target/dist${package#atraj}" "$unpacked-$package"
-}
-
-# prints_the_bits PROGRAM
-prints_the_bits() {
-    "$1" > printed
-    diff "$work/$real.expected" printed
-}
+unpacked_release() { cp -R "$root/target/dist${package#atraj}" "$unpacked-$package"; }
 
 # --- CMake
 
@@ -168,12 +160,6 @@ END
 
 # --- Meson and Conan
 
-# The versions of requirements.txt, in target/venv.
-python_tools() {
-    test -x "$root/target/venv/bin/pip" || python3 -m venv "$root/target/venv"
-    "$root/target/venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$sources/requirements.txt"
-}
-
 # by_meson ARGUMENT…: builds program.c
 by_meson() {
     rm -rf build
@@ -274,7 +260,7 @@ if have cmake && have arm-none-eabi-gcc; then
 fi
 
 if have python3; then
-    row "Meson and Conan from PyPI" python_tools
+    row "Meson and Conan from PyPI" tools_from_pypi
     PATH=$root/target/venv/bin:$PATH
     for real in double float; do
         about $real

@@ -4,8 +4,7 @@
 __declspec(dllimport) void __stdcall ExitProcess(unsigned);
 int _fltused; /* Microsoft's compilers ask for it where a program has floating-point numbers. */
 
-void start(void)
-{
+void start(void) {
     atraj_limits limits;
     atraj_state const here = {0, 1, 2}, there = {10, 0, 0};
     atraj_move move;

@@ -24,10 +24,7 @@ struct Axis<H> {
 
 impl<H: Handover> Axis<H> {
     fn new() -> Self {
-        let rest = Plan {
-            is_whole: true,
-            ..Plan::default()
-        };
+        let rest = Plan { is_whole: true, ..Plan::default() };
         Self {
             words: H::new(),
             plans: [Cell::new(rest), Cell::default(), Cell::default()],
@@ -45,11 +42,7 @@ impl<H: Handover> Axis<H> {
         if plan.id == id {
             assert_eq!(next, age + 1, "a jump in a move");
         } else {
-            assert_eq!(
-                (plan.from, next),
-                ((id, age + 1), 0),
-                "a jump between two moves"
-            );
+            assert_eq!((plan.from, next), ((id, age + 1), 0), "a jump between two moves");
             self.taken.borrow_mut().push(plan.id);
         }
         self.now.set((plan.id, next));
@@ -61,11 +54,7 @@ impl<H: Handover> Axis<H> {
         let (from, age, place) = H::places(&takeover);
         self.plans[place].set(Plan::default());
         atomic::step();
-        let plan = Plan {
-            id,
-            from: (self.plans[from].get().id, age),
-            is_whole: true,
-        };
+        let plan = Plan { id, from: (self.plans[from].get().id, age), is_whole: true };
         atomic::step();
         self.plans[place].set(plan);
         Some((plan, self.words.publish(&takeover)))
@@ -73,11 +62,7 @@ impl<H: Handover> Axis<H> {
 }
 
 /// Calls with these leads, in which the interrupt comes before the given steps. Returns the number of steps, and how many plans were accepted.
-fn run<H: Handover + 'static>(
-    ticks_before: u64,
-    leads: &[u32],
-    interrupted: &[usize],
-) -> (usize, usize) {
+fn run<H: Handover + 'static>(ticks_before: u64, leads: &[u32], interrupted: &[usize]) -> (usize, usize) {
     let axis = Rc::new(Axis::<H>::new());
     for _ in 0..ticks_before {
         axis.tick();
@@ -93,10 +78,7 @@ fn run<H: Handover + 'static>(
         }
     };
     atomic::set_interrupt(Some(Rc::new(interrupt)));
-    let answers: Vec<_> = (1..)
-        .zip(leads)
-        .map(|(id, &lead)| axis.go(id, lead))
-        .collect();
+    let answers: Vec<_> = (1..).zip(leads).map(|(id, &lead)| axis.go(id, lead)).collect();
     atomic::set_interrupt(None);
     // The counter wraps once more.
     for _ in 0..20 {
@@ -114,10 +96,7 @@ fn run<H: Handover + 'static>(
             None => {}
         }
         if let (Some((plan, true)), Some(Some((later, true)))) = (answer, answers.get(call + 1)) {
-            assert!(
-                later.from.0 != plan.from.0 || later.from.1 <= plan.from.1,
-                "a plan is replaced by a later one"
-            );
+            assert!(later.from.0 != plan.from.0 || later.from.1 <= plan.from.1, "a plan is replaced by a later one");
         }
         accepted += usize::from(matches!(answer, Some((_, true))));
     }
@@ -125,11 +104,7 @@ fn run<H: Handover + 'static>(
 }
 
 /// Calls `run` with every choice of `ticks` steps. Returns the number of runs, and of plans in them that were not accepted.
-fn everywhere<H: Handover + 'static>(
-    ticks_before: u64,
-    leads: &[u32],
-    ticks: usize,
-) -> (usize, usize) {
+fn everywhere<H: Handover + 'static>(ticks_before: u64, leads: &[u32], ticks: usize) -> (usize, usize) {
     let (steps, _) = run::<H>(ticks_before, leads, &[]);
     let mut interrupted = vec![0; ticks];
     let (mut runs, mut late) = (0, 0);

@@ -35,11 +35,7 @@ impl<H: Handover> Axis<H> {
         if plan.id == id {
             assert_eq!(next, age + 1, "a jump in a move");
         } else {
-            assert_eq!(
-                (plan.from, next),
-                ((id, age + 1), 0),
-                "a jump between two moves"
-            );
+            assert_eq!((plan.from, next), ((id, age + 1), 0), "a jump between two moves");
         }
         (plan.id, next)
     }
@@ -50,10 +46,7 @@ impl<H: Handover> Axis<H> {
             return false;
         };
         let (from, age, place) = H::places(&takeover);
-        let plan = Plan {
-            id,
-            from: (self.plan(from).id, age),
-        };
+        let plan = Plan { id, from: (self.plan(from).id, age) };
         // SAFETY: loom checks the access.
         self.plans[place].with_mut(|next| unsafe { *next = plan });
         self.words.publish(&takeover)
@@ -61,27 +54,17 @@ impl<H: Handover> Axis<H> {
 }
 
 /// One thread ticks while the other one plans with these leads, after some ticks. An accepted plan takes over if no other call comes behind it.
-fn run<H: Handover + Send + Sync + 'static>(
-    ticks_before: usize,
-    ticks: usize,
-    leads: &'static [u32],
-) {
+fn run<H: Handover + Send + Sync + 'static>(ticks_before: usize, ticks: usize, leads: &'static [u32]) {
     let mut model = loom::model::Builder::new();
     model.preemption_bound = Some(3);
     model.check(move || {
-        let axis = Arc::new(Axis {
-            words: H::new(),
-            plans: std::array::from_fn(|_| UnsafeCell::new(Plan::default())),
-        });
+        let axis = Arc::new(Axis { words: H::new(), plans: std::array::from_fn(|_| UnsafeCell::new(Plan::default())) });
         let now = (0..ticks_before).fold((0, 0), |now, _| axis.tick(now));
         let interrupt = thread::spawn({
             let axis = axis.clone();
             move || (0..ticks).fold(now, |now, _| axis.tick(now))
         });
-        let accepted = (1..)
-            .zip(leads)
-            .map(|(id, &lead)| (id, axis.go(id, lead)))
-            .last();
+        let accepted = (1..).zip(leads).map(|(id, &lead)| (id, axis.go(id, lead))).last();
         let now = interrupt.join().unwrap();
         let (id, _) = (0..8).fold(now, |now, _| axis.tick(now));
         if let Some((last, true)) = accepted {

@@ -99,7 +99,7 @@ table! { |n|
     atraj_axis_reach(1 1 _ _ (1 of 2.0));
     atraj_axis_stop(1 1 (1 of 2.0));
     atraj_axis_tick(1 [1]);
-    atraj_axis_track(1 1 1 _ (1 of 2.0));
+    atraj_axis_track(1 1 1 _ _ (1 of 2.0));
     atraj_bell_check(1 _ _ _);
     atraj_bell_extremes(1 [3] [3]);
     atraj_bell_gen({1} _ _ _ _ _ _ _);
@@ -124,17 +124,22 @@ table! { |n|
     atraj_move_state(1 _ [1] [1] [1] [1]);
     atraj_move_stop({1} 1 1);
     atraj_move_time_at(1 (1 of 1.0));
-    atraj_move_track({1} 1 1 1 _);
+    atraj_move_track({1} 1 1 1 _ _);
     atraj_move_vel(1 _);
     atraj_move_within({1} 1 1 1 (1 of -9.0) (1 of 9.0));
     atraj_moves_line({n} n n n n _ _);
     atraj_moves_line_stop(n n n _);
     atraj_moves_sync({n} n n n n _ _);
     atraj_moves_sync_within({n} n n n (n of -9.0) (n of 9.0) n _ _);
+    atraj_path_deviation((n * n) n n);
     atraj_path_improve((n * n + n) n n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_moves({n * n} n (n * n + n) (n of 9.0) n n);
+    atraj_path_moves_zones({n * n} (n * n) (n * n + n) (n of 9.0) n n);
     atraj_path_plan((n * n + n) {n} n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_plan_near((n * n + n) {n} n ((n * n - n) of 0.5) n n (1 of 1.0) {atraj_path_size_near(n, n)});
     atraj_path_plan_zones((n * n + n) {n} (n * n) n n (1 of 1.0) {atraj_path_size(n, n)});
     atraj_path_size(n n);
+    atraj_path_size_near(n n);
     atraj_poly3_extremes(1 _ [3] [3]);
     atraj_poly3_sample(1 _ _ n [n] [n] [n]);
     atraj_poly3_state(1 _ [1] [1] [1]);
@@ -216,7 +221,7 @@ impl Answer {
             Self::Number(x) => x.is_nan(),
             Self::Code(code) if name == "atraj_steps_next" => code == 0,
             Self::Code(code) => code == -1,
-            Self::Count(count) => count == 0 || name == "atraj_path_size",
+            Self::Count(count) => count == 0 || name.starts_with("atraj_path_size"),
             Self::Text(_) => name == "atraj_message",
         }
     }
@@ -226,7 +231,7 @@ impl Answer {
         match *self {
             Self::Nothing | Self::Number(_) => true,
             Self::Code(code) => (-9..128).contains(&code),
-            Self::Count(count) => count <= n || name == "atraj_path_size",
+            Self::Count(count) => count <= n || name.starts_with("atraj_path_size"),
             // SAFETY: a text lasts as long as the program.
             Self::Text(text) => !unsafe { CStr::from_ptr(text) }.is_empty(),
         }
@@ -256,6 +261,8 @@ enum Null {
     None,
     Some,
     All,
+    /// The pointer of this number alone.
+    One(usize),
 }
 
 /// Where arguments come from. It owns the memory that pointers point to.
@@ -264,6 +271,15 @@ struct Caller {
     null: Null,
     random: u64,
     is_at_rest: bool,
+    /// Whether all memory is initialised before the call and compared after it.
+    keeps: bool,
+    /// The number that is NaN, if one is.
+    bad: Option<usize>,
+    /// How many pointers and numbers there were.
+    pointers: usize,
+    numbers: usize,
+    /// What was promised of the pointer that is NULL alone.
+    lacks: Option<Promise>,
     arrays: Vec<Array>,
 }
 
@@ -292,6 +308,11 @@ impl Caller {
             null,
             random: seed,
             is_at_rest: seed.is_multiple_of(2),
+            keeps: false,
+            bad: None,
+            pointers: 0,
+            numbers: 0,
+            lacks: None,
             arrays: Vec::new(),
         }
     }
@@ -325,16 +346,7 @@ impl Caller {
 
     /// Bits of an ordinary number, of an extreme one, two small integers, or any.
     fn arbitrary(&mut self) -> u64 {
-        let extreme = [
-            0.0,
-            -0.0,
-            -1.0,
-            1e-320,
-            1e300,
-            -1e300,
-            f64::INFINITY,
-            f64::NAN,
-        ];
+        let extreme = [0.0, -0.0, -1.0, 1e-320, 1e300, -1e300, f64::INFINITY, f64::NAN];
         match self.below(4) {
             0 => self.ordinary().to_bits(),
             1 => extreme[self.below(extreme.len())].to_bits(),
@@ -357,8 +369,16 @@ impl Caller {
         }
     }
 
+    /// Whether this number has to be NaN.
+    fn is_bad(&mut self) -> bool {
+        self.numbers += 1;
+        self.bad == Some(self.numbers - 1)
+    }
+
     fn is_null(&mut self) -> bool {
+        self.pointers += 1;
         match self.null {
+            Null::One(k) => self.pointers - 1 == k,
             Null::None => false,
             Null::Some => self.below(4) == 0,
             Null::All => true,
@@ -367,13 +387,12 @@ impl Caller {
 
     /// An array of its own, with what is promised.
     fn array<T: Element>(&mut self, promise: &Promise, is_const: bool) -> *mut T {
-        let (Promise::Given(count)
-        | Promise::Numbers(count, _)
-        | Promise::Written(count)
-        | Promise::Room(count)) = *promise
+        let (Promise::Given(count) | Promise::Numbers(count, _) | Promise::Written(count) | Promise::Room(count)) =
+            *promise
         else {
             panic!("a pointer to nothing")
         };
+        let is_output = matches!(promise, Promise::Written(_) | Promise::Room(_));
         let words = Box::into_raw(Box::<[u64]>::new_uninit_slice(count * T::WORDS));
         let first = words.cast::<Word>();
         for k in 0..count {
@@ -390,23 +409,28 @@ impl Caller {
                 }
                 _ => {}
             }
+            for word in 0..T::WORDS {
+                // SAFETY: as above.
+                let word = unsafe { element.add(word) };
+                let bits = if is_output && self.keeps {
+                    self.arbitrary()
+                } else if !is_output && T::ARE_NUMBERS && self.is_bad() {
+                    f64::NAN.to_bits()
+                } else {
+                    continue;
+                };
+                // SAFETY: as above.
+                unsafe { (*word).write(bits) };
+            }
         }
         let mut before = Vec::new();
-        if is_const && self.contents == Contents::Arbitrary && !T::IS_MADE {
+        let is_all_written = self.contents == Contents::Arbitrary && (is_const || self.keeps) && !T::IS_MADE;
+        if is_all_written || is_output && self.keeps {
             // SAFETY: all words are initialised.
-            before.extend(
-                unsafe { &*words }
-                    .iter()
-                    .map(|word| unsafe { word.assume_init() }),
-            );
+            before.extend(unsafe { &*words }.iter().map(|word| unsafe { word.assume_init() }));
         }
         let read = matches!(promise, Promise::Written(_)).then_some(read::<T> as _);
-        self.arrays.push(Array {
-            words,
-            before,
-            read,
-            count,
-        });
+        self.arrays.push(Array { words, before, read, count });
         first.cast()
     }
 
@@ -417,13 +441,11 @@ impl Caller {
             let words = unsafe { &*array.words };
             for (word, before) in words.iter().zip(&array.before) {
                 // SAFETY: the word was initialised before the call.
-                assert_eq!(
-                    unsafe { word.assume_init() },
-                    *before,
-                    "{name}: overwritten"
-                );
+                let after = unsafe { word.assume_init() };
+                let is_none = self.keeps && f64::from_bits(after).is_nan();
+                assert!(after == *before || is_none, "{name}: overwritten");
             }
-            if let (Some(read), Null::None) = (array.read, self.null) {
+            if let (Some(read), Null::None, false) = (array.read, self.null, self.keeps) {
                 read(words.as_ptr(), array.count);
             }
         }
@@ -445,6 +467,9 @@ trait Argument {
 
 impl Argument for f64 {
     fn of(caller: &mut Caller, promise: Promise) -> Self {
+        if caller.is_bad() {
+            return f64::NAN;
+        }
         match (promise, caller.contents) {
             (Promise::Numbers(_, value), Contents::Ordinary) => value,
             _ => caller.number(),
@@ -490,6 +515,7 @@ impl Argument for claraty_clock {
 impl<T: Element> Argument for *mut T {
     fn of(caller: &mut Caller, promise: Promise) -> Self {
         if caller.is_null() {
+            caller.lacks = Some(promise);
             return null_mut();
         }
         caller.array(&promise, false)
@@ -500,6 +526,7 @@ impl<T: Element> Argument for *mut T {
 impl<T: Element> Argument for *const T {
     fn of(caller: &mut Caller, promise: Promise) -> Self {
         if caller.is_null() {
+            caller.lacks = Some(promise);
             return null();
         }
         caller.array::<T>(&promise, true);
@@ -514,6 +541,8 @@ trait Element: Sized {
     const WORDS: usize = size_of::<Self>() / size_of::<Word>();
     /// Some bytes of a struct that the library makes are not initialised.
     const IS_MADE: bool = false;
+    /// A function that plans refuses NaN in each of its words.
+    const ARE_NUMBERS: bool = false;
 
     /// An ordinary value, where numbers alone are none.
     ///
@@ -539,7 +568,9 @@ trait Element: Sized {
     }
 }
 
-impl Element for f64 {}
+impl Element for f64 {
+    const ARE_NUMBERS: bool = true;
+}
 impl Element for a_trajpoly3 {}
 impl Element for a_trajpoly5 {}
 impl Element for a_trajpoly7 {}
@@ -550,8 +581,9 @@ impl Element for c_void {
 }
 
 macro_rules! made {
-    ($($type:ty = |$caller:ident, $to:ident| $make:expr;)*) => {
+    ($($type:ty $(: $are_numbers:literal)? = |$caller:ident, $to:ident| $make:expr;)*) => {
         $(impl Element for $type {
+            $(const ARE_NUMBERS: bool = $are_numbers;)?
             unsafe fn make($caller: &mut Caller, $to: *mut Self) {
                 // SAFETY: by the contract of this function.
                 let code: c_int = unsafe { $make };
@@ -562,11 +594,11 @@ macro_rules! made {
 }
 
 made! {
-    atraj_limits = |caller, to| {
+    atraj_limits: true = |caller, to| {
         atraj_limits_init(to, 30.0, 10.0, 4.0 + caller.ordinary());
         0
     };
-    atraj_state = |caller, to| {
+    atraj_state: true = |caller, to| {
         if caller.is_at_rest {
             ((*to).v, (*to).a) = (0.0, 0.0);
         }
@@ -650,19 +682,75 @@ fn each(rounds: &[(Contents, Null, usize)], mut judge: impl FnMut(&'static str, 
             judge(name, &answer);
         }
     }
-    println!(
-        "{} calls of {} functions",
-        rounds.len() * FUNCTIONS.len(),
-        FUNCTIONS.len()
-    );
+    println!("{} calls of {} functions", rounds.len() * FUNCTIONS.len(), FUNCTIONS.len());
 }
 
 #[test]
 fn null_gets_its_answer() {
     let rounds = [Contents::Ordinary, Contents::Arbitrary].map(|contents| (contents, Null::All, 1));
-    each(&rounds, |name, answer| {
-        assert!(answer.is_for_null(name), "{name}")
-    });
+    each(&rounds, |name, answer| assert!(answer.is_for_null(name), "{name}"));
+}
+
+/// Each pointer alone is NULL. A function can do without some outputs; else it gives the answer to NULL and leaves the memory as it was, or an
+/// output that has no value is NaN.
+#[test]
+fn each_pointer_alone_gets_its_answer() {
+    for &(name, call) in FUNCTIONS {
+        let is_optional = |k, lacks| match lacks {
+            Some(Promise::Written(_)) => k > 0,
+            Some(Promise::Room(_)) => k > 0 && (name == "atraj_steps_next" || name.starts_with("claraty")),
+            // A clock that is NULL is the timer's own, and its argument may be NULL.
+            _ => k > 0 && name == "claraty_trapezoid_set_clock",
+        };
+        for k in 0.. {
+            let mut caller = Caller { keeps: true, ..Caller::new(Contents::Arbitrary, Null::One(k), k as u64) };
+            let answer = call(&mut caller, 1);
+            if k >= caller.pointers {
+                break;
+            }
+            assert!(answer.is_documented(name, 1), "{name}, pointer {k}");
+            if !is_optional(k, caller.lacks.take()) {
+                assert!(answer.is_for_null(name), "{name}, pointer {k}");
+                caller.judge(name);
+            }
+        }
+    }
+}
+
+/// Each number alone is NaN. A function that plans refuses it and leaves its outputs as they were.
+#[test]
+fn each_number_alone_is_refused() {
+    let mut refused = 0;
+    for &(name, call) in FUNCTIONS {
+        let plans = name.starts_with("atraj") && (name.ends_with("_gen") || name.ends_with("_check"));
+        for k in 0.. {
+            let with = |bad: Option<usize>, n| {
+                let mut caller = Caller { keeps: bad.is_some(), bad, ..Caller::new(Contents::Ordinary, Null::None, 0) };
+                let answer = call(&mut caller, n);
+                (caller, answer)
+            };
+            // A path of two sections plans the velocity between them.
+            let is_path = name.starts_with("atraj_path");
+            let n = if !is_path && with(None, 2).1.is_success() { 2 } else { 1 };
+            let (mut caller, answer) = with(Some(k), n);
+            if k >= caller.numbers {
+                break;
+            }
+            match answer {
+                // A time that is NaN is after the end, as in an evaluation.
+                Answer::Code(_) if name == "atraj_moves_line_stop" && k + 1 == caller.numbers => continue,
+                Answer::Code(code) => assert!(code < -1, "{name}, number {k} of {n}: {code}"),
+                Answer::Number(x) if plans => assert!(x.is_nan(), "{name}, number {k}: {x}"),
+                _ => continue,
+            }
+            refused += 1;
+            if is_path && !name.starts_with("atraj_path_moves") {
+                caller.arrays.pop(); // the working memory
+            }
+            caller.judge(name);
+        }
+    }
+    assert!(refused > 150, "{refused}");
 }
 
 /// Outputs and what is planned first are not initialised before the call, and outputs are after it. In one round at least a function can
@@ -697,7 +785,7 @@ fn any_bytes_stay_in_their_arrays() {
 #[test]
 fn lengths_that_no_array_has_are_refused() {
     let mut caller = Caller::new(Contents::Ordinary, Null::None, 1);
-    for [axes, sections] in [[0, 1], [1, 0], [4097, 1], [1, 4097], [usize::MAX; 2]] {
+    for [axes, sections] in [[0, 1], [1, 0], [129, 1], [1, 65_537], [usize::MAX; 2]] {
         for plan in [atraj_path_plan, atraj_path_improve, atraj_path_plan_zones] {
             let (states, durations, limits, work): (_, _, *const atraj_limits, _) = (
                 caller.argument(Promise::Given(1)),
@@ -708,6 +796,19 @@ fn lengths_that_no_array_has_are_refused() {
             // SAFETY: such arrays are refused before they are read.
             let code = unsafe { plan(states, durations, limits, axes, sections, 0, work) };
             assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+        }
+        for make in [atraj_path_moves, atraj_path_moves_zones] {
+            let moves = caller.argument(Promise::Room(1));
+            let (limits, states, durations): (*const atraj_limits, *const atraj_state, _) = (
+                caller.argument(Promise::Given(1)),
+                caller.argument(Promise::Given(1)),
+                caller.argument(Promise::Given(1)),
+            );
+            // SAFETY: as above.
+            let (code, deviation) = unsafe {
+                (make(moves, limits, states, durations, axes, sections), atraj_path_deviation(moves, axes, sections))
+            };
+            assert!(code == atraj_error::ATRAJ_ERR_NULL as c_int && deviation.is_nan());
         }
     }
     for n in [0, usize::MAX / 8, usize::MAX] {
@@ -735,10 +836,7 @@ fn impulses_that_no_shaper_has_room_for_are_refused() {
             (*shaper).count = count;
             (atraj_shaper_add(shaper, 0, 1.0, 0.1), (*shaper).count)
         };
-        assert_eq!(
-            (code, left),
-            (atraj_error::ATRAJ_ERR_LIMITS as c_int, count)
-        );
+        assert_eq!((code, left), (atraj_error::ATRAJ_ERR_LIMITS as c_int, count));
     }
 }
 
@@ -767,11 +865,7 @@ fn a_thread_ticks_an_axis_that_another_one_plans() {
                     atraj_axis_tick(shared.0, now.as_mut_ptr());
                     now.assume_init()
                 };
-                assert!(
-                    (now.p - last).abs() < 0.01,
-                    "a jump from {last} to {}",
-                    now.p
-                );
+                assert!((now.p - last).abs() < 0.01, "a jump from {last} to {}", now.p);
                 last = now.p;
                 thread::yield_now();
             }

@@ -31,8 +31,7 @@ ORIGINAL(a_trajpoly7_jer);
 
 static unsigned long compared, differing;
 
-static void compare(const void *ours, const void *theirs, size_t size)
-{
+static void compare(const void *ours, const void *theirs, size_t size) {
     ++compared;
     differing += memcmp(ours, theirs, size) != 0;
 }
@@ -56,15 +55,13 @@ static void compare(const void *ours, const void *theirs, size_t size)
     } while (0)
 
 /* The same numbers on every machine. */
-static a_float number(void)
-{
+static a_float number(void) {
     static unsigned long state = 1;
     state = (state * 1103515245 + 12345) & 0x7FFFFFFF;
     return (a_float)(state >> 8) / 65536;
 }
 
-static void bell(a_float p0, a_float p1, a_float v0)
-{
+static void bell(a_float p0, a_float p1, a_float v0) {
     a_trajbell ours, theirs;
     a_float t, u;
     memset(&ours, 0, sizeof(ours));
@@ -76,8 +73,7 @@ static void bell(a_float p0, a_float p1, a_float v0)
     EVALUATE(a_trajbell_jer, t / 2);
 }
 
-static void trap(a_float p0, a_float p1, a_float v0)
-{
+static void trap(a_float p0, a_float p1, a_float v0) {
     a_trajtrap ours, theirs;
     memset(&ours, 0, sizeof(ours));
     memset(&theirs, 0, sizeof(theirs));
@@ -86,24 +82,21 @@ static void trap(a_float p0, a_float p1, a_float v0)
     EVALUATE_ALL(a_trajtrap);
 }
 
-static void poly3(a_float p0, a_float p1, a_float v0)
-{
+static void poly3(a_float p0, a_float p1, a_float v0) {
     a_trajpoly3 ours, theirs;
     x_a_trajpoly3_gen(&ours, 4, p0, p1, v0, 0);
     a_trajpoly3_gen(&theirs, 4, p0, p1, v0, 0);
     EVALUATE_ALL(a_trajpoly3);
 }
 
-static void poly5(a_float p0, a_float p1, a_float v0)
-{
+static void poly5(a_float p0, a_float p1, a_float v0) {
     a_trajpoly5 ours, theirs;
     x_a_trajpoly5_gen(&ours, 4, p0, p1, v0, 0, v0, 1);
     a_trajpoly5_gen(&theirs, 4, p0, p1, v0, 0, v0, 1);
     EVALUATE_ALL(a_trajpoly5);
 }
 
-static void poly7(a_float p0, a_float p1, a_float v0)
-{
+static void poly7(a_float p0, a_float p1, a_float v0) {
     a_trajpoly7 ours, theirs;
     x_a_trajpoly7_gen(&ours, 4, p0, p1, v0, 0, v0, 1, v0, -1);
     a_trajpoly7_gen(&theirs, 4, p0, p1, v0, 0, v0, 1, v0, -1);
@@ -111,12 +104,10 @@ static void poly7(a_float p0, a_float p1, a_float v0)
     EVALUATE(a_trajpoly7_jer, v0);
 }
 
-int main(void)
-{
+int main(void) {
     static void (*const families[])(a_float, a_float, a_float) = {bell, trap, poly3, poly5, poly7};
     int move;
-    for (move = 0; move < 1000; ++move)
-    {
+    for (move = 0; move < 1000; ++move) {
         const a_float p0 = number(), p1 = number(), v0 = number() / 32;
         families[move % 5](p0, p1, v0);
     }

@@ -7,8 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     /* The compiler cannot know these sizes, so it calls sqrt and memcpy. */
     const size_t size = (size_t)(argc > 0) * sizeof(a_trajbell);
     volatile double four = 4.0 * argc;
@@ -27,8 +26,7 @@ int main(int argc, char **argv)
     a_trajpoly5_gen(&poly, 8, 0, 10, 0, 0, 0, 0);
     memcpy(&copy, &bell, size);
     printf("%a %a\n", sqrt(four), copy.t);
-    for (i = 0; i < 100; ++i)
-    {
+    for (i = 0; i < 100; ++i) {
         const a_float x = (a_float)0.03125 * (a_float)i;
         const a_float set = a_trajbell_pos(&copy, x);
         printf("%a %a %a %a\n", set, a_trajtrap_pos(&trap, x), a_trajpoly5_vel(&poly, x), a_pid_pos(&pid, set, pid.out));

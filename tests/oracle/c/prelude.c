@@ -12,8 +12,7 @@ A_INTERN int internal(void) { return 1; }
 
 A_EXTERN int print(char const *format, ...) A_FORMAT(printf, 1, 2);
 
-static void sizes(void)
-{
+static void sizes(void) {
     SIZE(a_size);
     SIZE(a_diff);
     SIZE(a_byte);
@@ -34,8 +33,7 @@ static void sizes(void)
     SIZE(a_float);
 }
 
-static void real(void)
-{
+static void real(void) {
     printf("%d %d %d %d %d\n", A_SIZE_FLOAT, A_FLOAT_TYPE, A_FLOAT_SINGLE, A_FLOAT_DOUBLE, A_FLOAT_EXTEND);
     printf("%s %s %s\n", TEXT(A_FLOAT), TEXT(A_FLOAT_C(1.5)), TEXT(A_FLOAT_F(sin)));
     printf("%s %s\n", A_FLOAT_PRI("+.3", "f"), A_FLOAT_SCN("*", "f"));
@@ -44,8 +42,7 @@ static void real(void)
     printf("%a %a %a\n", (double)A_FLOAT_EPSILON, (double)A_FLOAT_MIN, (double)A_FLOAT_MAX);
 }
 
-static void functions(void)
-{
+static void functions(void) {
     const int three[3] = {1, 2, 3};
     const int value = (A_BUILD_ASSERT(sizeof(three) == 3 * sizeof(int)), exported);
     printf("%d %d\n", value, (int)A_LEN(three));
@@ -54,8 +51,7 @@ static void functions(void)
     printf("%d %d %d\n", A_PREREQ_GNUC(4, 0) != 0, A_PREREQ_GNUC(999, 0) != 0, A_PREREQ_MSVC(1, 0) != 0);
 }
 
-int main(void)
-{
+int main(void) {
     A_BUILD_ASSERT(sizeof(a_float) == A_SIZE_FLOAT);
     sizes();
     real();

@@ -48,22 +48,19 @@ static real positive(real x) { return x > 0 ? x : 0; }
 static real larger(real x, real y) { return x > y ? x : y; }
 static real smaller(real x, real y) { return x < y ? x : y; }
 
-static void begin(struct motion *motion, real velocity)
-{
+static void begin(struct motion *motion, real velocity) {
     motion->brief = motion->shape = 0;
     motion->duration = motion->displacement = motion->variation = motion->changing = motion->slope = 0;
     motion->velocity = motion->lowest = motion->highest = velocity;
     motion->trough = motion->peak = motion->backwards = 0;
 }
 
-static void include_velocity(struct motion *motion, real v)
-{
+static void include_velocity(struct motion *motion, real v) {
     motion->lowest = smaller(motion->lowest, v);
     motion->highest = larger(motion->highest, v);
 }
 
-static void include_acceleration(struct motion *motion, real a)
-{
+static void include_acceleration(struct motion *motion, real a) {
     motion->trough = smaller(motion->trough, a);
     motion->peak = larger(motion->peak, a);
 }
@@ -72,8 +69,7 @@ static void include_acceleration(struct motion *motion, real a)
  Adds a phase in which the acceleration changes evenly. A negative duration continues the closed forms beyond their borders. The
  velocity is the highest at the ends of the phase or where the acceleration is 0.
 */
-static void add(struct motion *motion, real duration, real from, real to)
-{
+static void add(struct motion *motion, real duration, real from, real to) {
     const real v = motion->velocity;
     if (duration == 0) { return; }
     motion->displacement += duration * (v + duration * (from + from + to) / 6);
@@ -82,8 +78,7 @@ static void add(struct motion *motion, real duration, real from, real to)
     if (motion->brief) { return; }
     motion->variation += fabsl(duration) * (fabsl(from) + fabsl(to)) / 2;
     if (from != to) { motion->changing += fabsl(duration); }
-    if ((from > 0) != (to > 0) && from != to)
-    {
+    if ((from > 0) != (to > 0) && from != to) {
         include_velocity(motion, v + duration * from / (from - to) * from / 2);
     }
     include_velocity(motion, motion->velocity);
@@ -94,22 +89,10 @@ static void add(struct motion *motion, real duration, real from, real to)
 
 static real speed(const struct motion *motion) { return larger(motion->highest, -motion->lowest); }
 
-static struct axis mirrored(const struct axis *axis)
-{
-    struct axis other;
-    other.up = axis->down;
-    other.down = axis->up;
-    other.rise = axis->fall;
-    other.fall = axis->rise;
-    other.vmax = -axis->vmin;
-    other.vmin = -axis->vmax;
-    other.h = -axis->h;
-    other.v0 = -axis->v0;
-    other.a0 = -axis->a0;
-    other.v1 = -axis->v1;
-    other.a1 = -axis->a1;
-    other.dv = -axis->dv;
-    other.brief = axis->brief;
+static struct axis mirrored(const struct axis *x) {
+    const struct axis other = {
+        .up = x->down, .down = x->up, .rise = x->fall, .fall = x->rise, .vmax = -x->vmin, .vmin = -x->vmax,
+        .h = -x->h, .v0 = -x->v0, .a0 = -x->a0, .v1 = -x->v1, .a1 = -x->a1, .dv = -x->dv, .brief = x->brief};
     return other;
 }
 
@@ -117,8 +100,7 @@ static struct axis mirrored(const struct axis *axis)
  A ramp between an acceleration and 0 on the side of the highest velocity: the acceleration `peak` that it reaches, and how long it
  holds. `change` is the change of velocity, `a` the acceleration at the other end of the ramp.
 */
-static real ramp_peak(const struct axis *axis, real change, real a, real limit, real *hold)
-{
+static real ramp_peak(const struct axis *axis, real change, real a, real limit, real *hold) {
     const real mean = (axis->up + axis->down) / 2;
     const real beyond = positive(change + axis->up * a * a / 2);
     const real peak = mean > 0 ? sqrtl(beyond / mean) : INFINITY;
@@ -128,30 +110,39 @@ static real ramp_peak(const struct axis *axis, real change, real a, real limit, 
     return larger(limit, a);
 }
 
-/* The motion that cruises at vmax for so long. */
-static struct motion by_way_of_vmax(const struct axis *axis, real cruise)
-{
+/* The phases from both ends to an acceleration of `peak`, which holds, and one of `trough`. Between them the axis may cruise. */
+static struct motion of_phases(const struct axis *axis, real peak, real top, real cruise, real trough, real bottom) {
     struct motion motion;
-    real top, bottom;
-    const real peak = ramp_peak(axis, axis->vmax - axis->v0, axis->a0, axis->rise, &top);
-    const real trough = -ramp_peak(axis, axis->vmax - axis->v1, -axis->a1, axis->fall, &bottom);
     begin(&motion, axis->v0);
     motion.brief = axis->brief;
     add(&motion, axis->up * (peak - axis->a0), axis->a0, peak);
     add(&motion, top, peak, peak);
-    add(&motion, axis->down * peak, peak, 0);
-    add(&motion, cruise, 0, 0);
-    add(&motion, -axis->down * trough, 0, trough);
+    if (cruise < 0) {
+        add(&motion, axis->down * (peak - trough), peak, trough);
+    } else {
+        add(&motion, axis->down * peak, peak, 0);
+        add(&motion, cruise, 0, 0);
+        add(&motion, -axis->down * trough, 0, trough);
+    }
     add(&motion, bottom, trough, trough);
     add(&motion, axis->up * (axis->a1 - trough), trough, axis->a1);
+    return motion;
+}
+
+/* The motion that cruises at vmax for so long. */
+static struct motion by_way_of_vmax(const struct axis *axis, real cruise) {
+    struct motion motion;
+    real top, bottom;
+    const real peak = ramp_peak(axis, axis->vmax - axis->v0, axis->a0, axis->rise, &top);
+    const real trough = -ramp_peak(axis, axis->vmax - axis->v1, -axis->a1, axis->fall, &bottom);
+    motion = of_phases(axis, peak, top, cruise, trough, bottom);
     motion.shape = 5;
     motion.slope = axis->vmax;
     return motion;
 }
 
 /* How long the shortest motion that reaches vmax lasts. */
-static real cruise_begins(const struct axis *axis)
-{
+static real cruise_begins(const struct axis *axis) {
     return isinf(axis->vmax) ? INFINITY : by_way_of_vmax(axis, 0).duration;
 }
 
@@ -161,8 +152,7 @@ enum { NO_HOLD, TOP, BOTTOM, BOTH };
  The motion of this duration that gets farthest, if it does not cruise: the acceleration rises to `peak`, (holds), falls to
  `trough`, (holds) and rises. Two equations determine it. The durations add up to the whole one, the changes of velocity to `dv`.
 */
-static struct motion without_cruise(const struct axis *axis, real duration)
-{
+static struct motion without_cruise(const struct axis *axis, real duration) {
     const real rise = axis->rise, fall = axis->fall, a0 = axis->a0, a1 = axis->a1;
     const real both = axis->up + axis->down;
     /* What the phases last, and change, beside a rise from a0 to a1. */
@@ -171,44 +161,31 @@ static struct motion without_cruise(const struct axis *axis, real duration)
     real peak = INFINITY, trough = -INFINITY, top = 0, bottom = 0, u;
     struct motion motion;
     int shape = NO_HOLD;
-    if (both > 0)
-    {
+    if (both > 0) {
         const real mean = time > 0 ? change / time : a1;
         peak = mean + time / both / 2;
         trough = mean - time / both / 2;
     }
-    if (peak > rise || trough < -fall)
-    {
+    if (peak > rise || trough < -fall) {
         const real rest = time - both * (rise + fall);
-        if (rest >= 0)
-        {
+        if (rest >= 0) {
             const real beyond = change - both / 2 * (rise - fall) * (rise + fall);
             top = (beyond + fall * rest) / (rise + fall);
             bottom = (rise * rest - beyond) / (rise + fall);
             shape = top < 0 ? BOTTOM : bottom < 0 ? TOP : BOTH;
-        }
-        else { shape = peak > rise ? TOP : BOTTOM; }
+        } else { shape = peak > rise ? TOP : BOTTOM; }
     }
     if (shape == BOTH) { peak = rise, trough = -fall; }
-    else if (shape == TOP)
-    {
+    else if (shape == TOP) {
         u = sqrtl(positive(2 / both * (rise * time - change)));
         peak = rise, trough = rise - u;
         top = time - both * u, bottom = 0;
-    }
-    else if (shape == BOTTOM)
-    {
+    } else if (shape == BOTTOM) {
         u = sqrtl(positive(2 / both * (fall * time + change)));
         peak = u - fall, trough = -fall;
         bottom = time - both * u, top = 0;
     }
-    begin(&motion, axis->v0);
-    motion.brief = axis->brief;
-    add(&motion, axis->up * (peak - a0), a0, peak);
-    add(&motion, top, peak, peak);
-    add(&motion, axis->down * (peak - trough), peak, trough);
-    add(&motion, bottom, trough, trough);
-    add(&motion, axis->up * (a1 - trough), trough, a1);
+    motion = of_phases(axis, peak, top, -1, trough, bottom);
     motion.shape = shape;
     /* By the maximum principle: the weight of the velocity is 0 in the middle of the fall. */
     motion.slope = axis->v1 - axis->up * (a1 - trough) * (a1 + trough) / 2
@@ -217,8 +194,7 @@ static struct motion without_cruise(const struct axis *axis, real duration)
 }
 
 /* The motion of this duration that gets farthest. */
-static struct motion border(const struct axis *axis, real duration, real cruise)
-{
+static struct motion border(const struct axis *axis, real duration, real cruise) {
     return duration >= cruise ? by_way_of_vmax(axis, duration - cruise) : without_cruise(axis, duration);
 }
 
@@ -227,18 +203,15 @@ struct straight {
     real duration, change;
 };
 
-static struct straight straight(const struct axis *axis)
-{
+static struct straight straight(const struct axis *axis) {
     const real time = axis->a1 > axis->a0 ? axis->up : axis->down;
-    struct straight line;
-    line.duration = fabsl(axis->a1 - axis->a0) * time;
-    line.change = line.duration * (axis->a0 + axis->a1) / 2;
+    const real duration = fabsl(axis->a1 - axis->a0) * time;
+    const struct straight line = {duration, duration * (axis->a0 + axis->a1) / 2};
     return line;
 }
 
 /* The change of velocity by way of an acceleration that is `excess` above both ends, and there holds. */
-static struct motion excursion(const struct axis *axis, real excess, real hold)
-{
+static struct motion excursion(const struct axis *axis, real excess, real hold) {
     const real peak = larger(axis->a0, axis->a1) + excess;
     struct motion motion;
     begin(&motion, axis->v0);
@@ -252,8 +225,7 @@ static struct motion excursion(const struct axis *axis, real excess, real hold)
  An excursion by `e` above the larger acceleration `m` lasts `both e` longer than the straight change, and changes the velocity by
  `both (m e + e^2/2)` more. This is the larger `e` for a change, cut at the limit.
 */
-static struct motion upwards(const struct axis *axis)
-{
+static struct motion upwards(const struct axis *axis) {
     const real both = axis->up + axis->down, m = larger(axis->a0, axis->a1), most = positive(axis->rise - m);
     const real beyond = axis->dv - straight(axis).change;
     const real d = both > 0 ? m * m + 2 * beyond / both : INFINITY;
@@ -261,8 +233,7 @@ static struct motion upwards(const struct axis *axis)
     real excess, hold = 0;
     if (beyond == 0) { excess = positive(-2 * m); }
     else { excess = both > 0 ? m > 0 ? 2 * beyond / both / (m + root) : root - m : INFINITY; }
-    if (excess > most)
-    {
+    if (excess > most) {
         excess = most;
         hold = positive((beyond - both * most * (m + most / 2)) / (m + most));
     }
@@ -276,16 +247,14 @@ struct pieces {
 };
 
 /* The same for a change of velocity that is not below the straight one. */
-static void pieces_upwards(const struct axis *axis, struct pieces *pieces)
-{
+static void pieces_upwards(const struct axis *axis, struct pieces *pieces) {
     const real both = axis->up + axis->down;
     const real beyond = axis->dv - straight(axis).change;
     const real m = smaller(axis->a0, axis->a1);
     const real r = both > 0 ? m * m - 2 * beyond / both : -1;
     pieces->at[0] = upwards(axis);
     pieces->t1 = INFINITY;
-    if (m > 0 && r >= 0)
-    {
+    if (m > 0 && r >= 0) {
         /* A dip below both accelerations: in the mirrored axis an excursion above them. */
         const struct axis other = mirrored(axis);
         const real dip = 2 * beyond / both / (m + sqrtl(r));
@@ -299,16 +268,12 @@ static void pieces_upwards(const struct axis *axis, struct pieces *pieces)
     pieces->t0 = pieces->at[0].duration;
 }
 
-static struct pieces pieces_of(const struct axis *axis)
-{
+static struct pieces pieces_of(const struct axis *axis) {
     struct pieces pieces;
     int i;
-    if (axis->dv >= straight(axis).change && !(axis->dv == straight(axis).change && axis->a0 < 0 && axis->a1 < 0))
-    {
+    if (axis->dv >= straight(axis).change && !(axis->dv == straight(axis).change && axis->a0 < 0 && axis->a1 < 0)) {
         pieces_upwards(axis, &pieces);
-    }
-    else
-    {
+    } else {
         const struct axis other = mirrored(axis);
         pieces_upwards(&other, &pieces);
         for (i = 0; i < (isinf(pieces.t1) ? 1 : 3); ++i) { pieces.at[i].displacement = -pieces.at[i].displacement; }
@@ -327,8 +292,7 @@ struct search {
     real from, span, cruise;
 };
 
-static struct motion at(const struct search *search, real x)
-{
+static struct motion at(const struct search *search, real x) {
     return border(&search->axis, search->from + x, search->cruise);
 }
 
@@ -338,28 +302,23 @@ enum { BITS = 46 };
  Where the displacement, which is below `h` at `low`, reaches it before `high`. The secant finds it soon. An end that stays counts half
  the next time (Illinois), so that both ends come near, and every fourth round halves.
 */
-static real crossing(const struct search *search, real low, real high)
-{
+static real crossing(const struct search *search, real low, real high) {
     const real h = search->axis.h;
     real below = h - at(search, low).displacement, above = at(search, high).displacement - h;
     real under = below, over = above, part;
     int round, last = 0;
-    for (round = 1; round < 4 * BITS; ++round)
-    {
+    for (round = 1; round < 4 * BITS; ++round) {
         const real little = ldexpl(search->from + high, -BITS);
         real middle = low + (high - low) / 2, displacement;
         if (!(high - low > little)) { break; }
         if (round % 4 && under + over > 0) { middle = low + (high - low) * (under / (under + over)); }
         middle = larger(low + little / 2, smaller(high - little / 2, middle));
         displacement = at(search, middle).displacement;
-        if (displacement >= h)
-        {
+        if (displacement >= h) {
             high = middle, over = above = displacement - h;
             if (last > 0) { under /= 2; }
             last = 1;
-        }
-        else
-        {
+        } else {
             low = middle, under = below = h - displacement;
             if (last < 0) { over /= 2; }
             last = -1;
@@ -370,11 +329,9 @@ static real crossing(const struct search *search, real low, real high)
 }
 
 /* Where the displacement, which rises at `low` and falls at `high`, is the highest. */
-static real highest(const struct search *search, real low, real high)
-{
+static real highest(const struct search *search, real low, real high) {
     int round;
-    for (round = 0; round < BITS; ++round)
-    {
+    for (round = 0; round < BITS; ++round) {
         const real middle = low + (high - low) / 2;
         if (at(search, middle).slope > 0) { low = middle; }
         else { high = middle; }
@@ -389,8 +346,7 @@ enum { MOST_STEPS = 100000 };
  displacement stops to rise between two of them, its highest value is looked at. Negative if there is no such place up to the end of
  the part.
 */
-static real first(const struct search *search, const struct grid *grid)
-{
+static real first(const struct search *search, const struct grid *grid) {
     const real h = search->axis.h;
     real low = 0, x = search->from > 0 ? search->from * grid->part : 1;
     real slope;
@@ -398,13 +354,11 @@ static real first(const struct search *search, const struct grid *grid)
     if (!(search->span > 0)) { return -1; }
     while (search->from == 0 && at(search, x).displacement >= h && x > LDBL_MIN * 1024) { x /= 256; }
     slope = at(search, 0).slope;
-    for (step = 0; step < MOST_STEPS; ++step, x *= grid->factor)
-    {
+    for (step = 0; step < MOST_STEPS; ++step, x *= grid->factor) {
         const real high = smaller(x, search->span);
         const struct motion motion = at(search, high);
         if (motion.displacement >= h) { return crossing(search, low, high); }
-        if (slope > 0 && motion.slope <= 0)
-        {
+        if (slope > 0 && motion.slope <= 0) {
             const real top = highest(search, low, high);
             if (at(search, top).displacement >= h) { return crossing(search, low, top); }
         }
@@ -420,21 +374,17 @@ static real first(const struct search *search, const struct grid *grid)
  target is nearer than the end of `base`. Returns 0 if there is none.
 */
 static int first_of_piece(
-    const struct axis *axis, real from, real to, const struct motion *base, const struct grid *grid, struct motion *found)
-{
+    const struct axis *axis, real from, real to, const struct motion *base, const struct grid *grid, struct motion *found) {
     const struct axis seen = axis->h < base->displacement ? mirrored(axis) : *axis;
     struct search search;
     real x;
     if (axis->h == base->displacement) { *found = *base; return 1; }
-    search.axis = seen;
+    search = (struct search){seen, from, 0, cruise_begins(&seen)};
     search.axis.brief = 1;
-    search.from = from;
-    search.cruise = cruise_begins(&seen);
     search.span = smaller(search.cruise, to) - from;
     x = first(&search, grid);
     if (x < 0 && to < INFINITY) { return 0; }
-    if (x < 0)
-    {
+    if (x < 0) {
         /* The axis cruises. */
         x = larger(search.cruise, from) - from;
         x += positive((seen.h - at(&search, x).displacement) / seen.vmax);
@@ -453,75 +403,54 @@ struct inside {
  the velocity within its limits. The jerk and the acceleration are the highest. `high` and `low` tell whether the axis is bound to
  leave, `undone` is the velocity after the acceleration is undone.
 */
-static struct inside come_inside(struct axis *axis)
-{
+static struct inside come_inside(struct axis *axis) {
     const real a = axis->a0, both = axis->up + axis->down;
     const real high = axis->v0 + (a > 0 ? axis->down : -axis->up) * a * a / 2 - axis->vmax;
     struct motion motion;
-    struct inside inside;
     begin(&motion, axis->v0);
-    if (high > 0)
-    {
+    if (high > 0) {
         /* Down to the acceleration -e at which rising to 0 ends at vmax. */
         const real beyond = axis->v0 + axis->down * a * a / 2 - axis->vmax;
         const real e = both > 0 ? sqrtl(2 * beyond / both) : INFINITY;
         const real limited = smaller(e, axis->fall);
         add(&motion, (-a < limited ? axis->down : axis->up) * fabsl(a + limited), a, -limited);
         axis->a0 = -limited;
-        if (e > axis->fall)
-        {
+        if (e > axis->fall) {
             const real over = motion.velocity - axis->up * limited * limited / 2 - axis->vmax;
             add(&motion, positive(over / limited), -limited, -limited);
         }
-    }
-    else if (a > axis->rise && axis->v0 + axis->down * a * a / 2 >= axis->vmin)
-    {
+    } else if (a > axis->rise && axis->v0 + axis->down * a * a / 2 >= axis->vmin) {
         add(&motion, axis->down * (a - axis->rise), a, axis->rise);
         axis->a0 = axis->rise;
     }
-    inside.duration = motion.duration;
-    inside.displacement = motion.displacement;
-    inside.speed = speed(&motion);
-    inside.variation = motion.variation;
-    inside.changing = motion.changing;
-    inside.acceleration = larger(fabsl(a), larger(motion.peak, -motion.trough));
     axis->dv -= motion.velocity - axis->v0;
     axis->h -= motion.displacement;
     axis->v0 = motion.velocity;
     if (both == 0) { axis->a0 = 0; }
-    return inside;
+    return (struct inside){motion.duration, motion.displacement, speed(&motion), motion.variation, motion.changing,
+                           larger(fabsl(a), larger(motion.peak, -motion.trough))};
 }
 
 /*
  The axis of a problem, seen from a frame that moves at `frame`. The target is `beside[0]` further and `beside[1]` faster, and the start
  is `beside[2]` faster.
 */
-static struct axis axis_of(const double limits[6], const double start[3], const double target[3], const double beside[3], double frame)
-{
-    struct axis axis;
-    axis.vmax = (real)limits[0] - frame;
-    axis.vmin = (real)limits[1] - frame;
-    axis.rise = limits[2];
-    axis.fall = -(real)limits[3];
-    axis.up = 1 / (real)limits[4];
-    axis.down = -1 / (real)limits[5];
-    axis.h = ((real)target[0] - (real)start[0]) + beside[0];
-    axis.v0 = ((real)start[1] - frame) + beside[2];
-    axis.v1 = ((real)target[1] - frame) + beside[1];
-    axis.brief = 0;
-    axis.dv = ((real)target[1] - (real)start[1]) + ((real)beside[1] - beside[2]);
-    axis.a0 = start[2];
-    axis.a1 = target[2];
+static struct axis axis_of(const double limits[6], const double start[3], const double target[3], const double beside[3], double frame) {
+    struct axis axis = {
+        .up = 1 / (real)limits[4], .down = -1 / (real)limits[5], .rise = limits[2], .fall = -(real)limits[3],
+        .vmax = (real)limits[0] - frame, .vmin = (real)limits[1] - frame,
+        .h = ((real)target[0] - (real)start[0]) + beside[0],
+        .v0 = ((real)start[1] - frame) + beside[2], .v1 = ((real)target[1] - frame) + beside[1],
+        .dv = ((real)target[1] - (real)start[1]) + ((real)beside[1] - beside[2]),
+        .a0 = start[2], .a1 = target[2]};
     /* Without jerk limits accelerations do not count. */
     if (axis.up + axis.down == 0) { axis.a0 = axis.a1 = 0; }
     return axis;
 }
 
-static struct inside bring_inside(struct axis *axis)
-{
+static struct inside bring_inside(struct axis *axis) {
     struct inside inside = come_inside(axis);
-    if (inside.duration == 0)
-    {
+    if (inside.duration == 0) {
         struct axis other = mirrored(axis);
         inside = come_inside(&other);
         inside.displacement = -inside.displacement;
@@ -540,8 +469,7 @@ enum {
  duration change of the velocity. A closed form outside of its range has a large error. The velocities on the way inside leave roundings
  in those behind it.
 */
-static real wrong(const struct axis *axis, const struct inside *inside, const struct motion *found, int mirror)
-{
+static real wrong(const struct axis *axis, const struct inside *inside, const struct motion *found, int mirror) {
     const struct axis other = mirrored(axis);
     const struct axis *seen = mirror ? &other : axis;
     const real v = larger(1e-4000L, larger(inside->speed, speed(found) + found->variation));
@@ -562,8 +490,7 @@ static real wrong(const struct axis *axis, const struct inside *inside, const st
 */
 void referee_fastest(
     const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, const struct grid *grid,
-    double results[RESULTS])
-{
+    double results[RESULTS]) {
     struct axis axis = axis_of(limits, start, target, beside, frame);
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
@@ -571,8 +498,7 @@ void referee_fastest(
     const struct motion *base = &pieces.at[0];
     const struct straight line = straight(&axis);
     struct motion found, ramp;
-    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, grid, &found))
-    {
+    if (!first_of_piece(&axis, pieces.t0, pieces.t1, base, grid, &found)) {
         base = &pieces.at[2];
         first_of_piece(&axis, pieces.t2, INFINITY, base, grid, &found);
     }
@@ -601,8 +527,7 @@ void referee_fastest(
  `beside[2]` faster.
 */
 double referee_possible(
-    const double limits[6], const double start[3], const double target[3], const double beside[3], double duration)
-{
+    const double limits[6], const double start[3], const double target[3], const double beside[3], double duration) {
     struct axis axis = axis_of(limits, start, target, beside, 0), other;
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
@@ -618,8 +543,7 @@ double referee_possible(
 
 /* The displacements from the start that can be reached in this duration: the lowest and the highest. Returns 0 if none can. */
 int referee_interval(
-    const double limits[6], const double start[3], const double target[3], double duration, double interval[2])
-{
+    const double limits[6], const double start[3], const double target[3], double duration, double interval[2]) {
     const double beside[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, beside, 0), other;
     const struct inside inside = bring_inside(&axis);
@@ -636,8 +560,7 @@ int referee_interval(
  The displacements from the start at which the border changes its shape: on the upper border, or on the lower one if `lower`. Returns
  how many there are, at most 8. The last one is where the axis begins to cruise.
 */
-int referee_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8])
-{
+int referee_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8]) {
     const double beside[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, beside, 0);
     const struct inside inside = bring_inside(&axis);
@@ -651,14 +574,12 @@ int referee_knees(const double limits[6], const double start[3], const double ta
     if (!isinf(pieces.t1)) { low = pieces.t2; }
     end = isinf(cruise) ? 2 * low + 1 : cruise;
     shape = border(&axis, low, cruise).shape;
-    for (step = 1; step <= 64 && count < 8; ++step)
-    {
+    for (step = 1; step <= 64 && count < 8; ++step) {
         real high = step == 64 ? end : low + (end - low) / (65 - step);
         const real next = high;
         int round;
         if (border(&axis, high, cruise).shape == shape) { low = next; continue; }
-        for (round = 0; round < 64; ++round)
-        {
+        for (round = 0; round < 64; ++round) {
             const real middle = low + (high - low) / 2;
             if (border(&axis, middle, cruise).shape == shape) { low = middle; }
             else { high = middle; }
@@ -675,8 +596,7 @@ struct knot {
     real t, p, v, a;
 };
 
-static void note(double knots[][4], int *count, const struct knot *knot)
-{
+static void note(double knots[][4], int *count, const struct knot *knot) {
     double *out = knots[(*count)++];
     out[0] = (double)knot->t;
     out[1] = (double)knot->p;
@@ -684,8 +604,7 @@ static void note(double knots[][4], int *count, const struct knot *knot)
     out[3] = (double)knot->a;
 }
 
-static struct knot later(const struct knot *knot, real jerk, real t)
-{
+static struct knot later(const struct knot *knot, real jerk, real t) {
     struct knot next;
     next.t = knot->t + t;
     next.p = knot->p + ((jerk * t / 6 + knot->a / 2) * t + knot->v) * t;
@@ -695,14 +614,12 @@ static struct knot later(const struct knot *knot, real jerk, real t)
 }
 
 /* Where in a phase the velocity or the acceleration is 0: up to three times in order. */
-static int turns(const struct knot *knot, real jerk, real duration, real out[3])
-{
+static int turns(const struct knot *knot, real jerk, real duration, real out[3]) {
     const real d = knot->a * knot->a - 2 * knot->v * jerk;
     const real sum = -(knot->a + copysignl(sqrtl(positive(d)), knot->a));
     const real times[3] = {-knot->a / jerk, d >= 0 ? 2 * knot->v / sum : 0, d >= 0 ? sum / jerk : 0};
     int i, k, count = 0;
-    for (i = 0; i < 3; ++i)
-    {
+    for (i = 0; i < 3; ++i) {
         if (!(times[i] > 0 && times[i] < duration)) { continue; }
         for (k = count++; k > 0 && out[k - 1] > times[i]; --k) { out[k] = out[k - 1]; }
         out[k] = times[i];
@@ -718,25 +635,21 @@ static int turns(const struct knot *knot, real jerk, real duration, real out[3])
  Returns the number of knots.
 */
 int referee_walk(
-    const double start[3], const double phases[][3], int count, double borders[][3], double knots[][4])
-{
+    const double start[3], const double phases[][3], int count, double borders[][3], double knots[][4]) {
     struct knot knot = {0, start[0], start[1], start[2]};
     int i, k, noted = 0;
-    for (i = 0; i <= count; ++i)
-    {
+    for (i = 0; i <= count; ++i) {
         borders[i][0] = (double)knot.p;
         borders[i][1] = (double)knot.v;
         borders[i][2] = (double)knot.a;
         note(knots, &noted, &knot);
         knot.a = phases[i][1];
         note(knots, &noted, &knot);
-        if (i < count)
-        {
+        if (i < count) {
             const real duration = phases[i][0], jerk = phases[i][2];
             real turn[3];
             const int turned = turns(&knot, jerk, duration, turn);
-            for (k = 0; k < turned; ++k)
-            {
+            for (k = 0; k < turned; ++k) {
                 const struct knot turning = later(&knot, jerk, turn[k]);
                 note(knots, &noted, &turning);
             }
@@ -750,8 +663,7 @@ int referee_walk(
 enum { POINT = 5 };
 
 /* How far a motion gets from the state `point[0], point[1]` to `point[2], point[3]` in the duration `point[4]`, and the shape of the motion. */
-static real farthest(struct axis axis, const real point[POINT], int *shape)
-{
+static real farthest(struct axis axis, const real point[POINT], int *shape) {
     real cruise;
     struct motion motion;
     axis.v0 = point[0], axis.a0 = point[1], axis.v1 = point[2], axis.a1 = point[3];
@@ -763,8 +675,7 @@ static real farthest(struct axis axis, const real point[POINT], int *shape)
 }
 
 /* The same beside a point: `i` is `x` larger, and then `j` is `y` larger. Clears `same` if the shape is another one. */
-static real beside(const struct axis *axis, const real point[POINT], int i, real x, int j, real y, int shape, int *same)
-{
+static real beside(const struct axis *axis, const real point[POINT], int i, real x, int j, real y, int shape, int *same) {
     real moved[POINT], displacement;
     int k, found;
     for (k = 0; k < POINT; ++k) { moved[k] = point[k]; }
@@ -781,8 +692,7 @@ static real beside(const struct axis *axis, const real point[POINT], int i, real
  shape, or -1 where it changes or no motion has this duration.
 */
 int referee_derivatives(
-    const double limits[6], const double start[3], const double target[3], double duration, int lower, double first[5], double second[15])
-{
+    const double limits[6], const double start[3], const double target[3], double duration, int lower, double first[5], double second[15]) {
     static const double none[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, none, 0);
     const struct pieces pieces = pieces_of(&axis);
@@ -794,22 +704,18 @@ int referee_derivatives(
     if (lower) { axis = mirrored(&axis); }
     point[0] = axis.v0, point[1] = axis.a0, point[2] = axis.v1, point[3] = axis.a1, point[4] = duration;
     farthest(axis, point, &shape);
-    for (i = 0; i < POINT; ++i)
-    {
+    for (i = 0; i < POINT; ++i) {
         real slopes[2];
-        for (j = 0; j < 2; ++j)
-        {
+        for (j = 0; j < 2; ++j) {
             const real x = step / (1 + j);
             slopes[j] = (beside(&axis, point, i, x, i, 0, shape, &same) - beside(&axis, point, i, -x, i, 0, shape, &same)) / (2 * x);
         }
         /* The error of a difference is about a multiple of the square of the step. */
         first[i] = (double)((i < 4 ? sign : 1) * (4 * slopes[1] - slopes[0]) / 3);
-        for (j = 0; j <= i; ++j, ++entry)
-        {
+        for (j = 0; j <= i; ++j, ++entry) {
             real bends[2];
             int k;
-            for (k = 0; k < 2; ++k)
-            {
+            for (k = 0; k < 2; ++k) {
                 const real x = step / (1 + k);
                 const real up = beside(&axis, point, i, x, j, x, shape, &same) - beside(&axis, point, i, x, j, -x, shape, &same);
                 const real down = beside(&axis, point, i, -x, j, x, shape, &same) - beside(&axis, point, i, -x, j, -x, shape, &same);

@@ -21,8 +21,7 @@ enum { MOVES = 100000 };
 
 static uint64_t state = 88172645463325252u;
 
-static double between(double low, double high)
-{
+static double between(double low, double high) {
     state ^= state << 13;
     state ^= state >> 7;
     state ^= state << 17;
@@ -34,13 +33,11 @@ struct plans {
     a_trajtrap trap;
 };
 
-static int differ(struct plans const *a, struct plans const *b)
-{
+static int differ(struct plans const *a, struct plans const *b) {
     return (memcmp(&a->bell, &b->bell, sizeof(a->bell)) != 0) + (memcmp(&a->trap, &b->trap, sizeof(a->trap)) != 0);
 }
 
-static void flush_subnormals(int flush)
-{
+static void flush_subnormals(int flush) {
 #if defined(__SSE2__)
     unsigned const flags = 0x8040; /* flush to zero, denormals are zero */
     _mm_setcsr(flush ? _mm_getcsr() | flags : _mm_getcsr() & ~flags);
@@ -49,8 +46,7 @@ static void flush_subnormals(int flush)
 #endif
 }
 
-static void compare(char const *name, int mode, int flush)
-{
+static void compare(char const *name, int mode, int flush) {
     long from_original = 0, from_default = 0;
     for (int i = 0; i < MOVES; ++i) {
         struct plans usual, ours, original;
@@ -75,16 +71,14 @@ static void compare(char const *name, int mode, int flush)
     printf("%s %ld %ld\n", name, from_original, from_default);
 }
 
-static void compare_nan_signs(void)
-{
+static void compare_nan_signs(void) {
     a_trajtrap ours, original;
     a_float const of_ours = a_trajtrap_gen(&ours, NAN, NAN, 0, 0, 0, 0, 0);
     a_float const of_original = original_a_trajtrap_gen(&original, NAN, NAN, 0, 0, 0, 0, 0);
     printf("nan %d %d\n", !!signbit(of_ours), !!signbit(of_original));
 }
 
-int main(void)
-{
+int main(void) {
     printf("plans %d 0\n", 2 * MOVES);
     compare("nearest", FE_TONEAREST, 0);
     compare("flushed", FE_TONEAREST, 1);

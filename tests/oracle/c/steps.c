@@ -9,8 +9,7 @@ typedef long double real;
 /* Start, duration, position, velocity, acceleration and jerk. */
 enum { START, DURATION, POSITION, VELOCITY, ACCELERATION, JERK };
 
-static real position(const double *phase, real z)
-{
+static real position(const double *phase, real z) {
     return phase[POSITION] + z * (phase[VELOCITY] + z * ((real)phase[ACCELERATION] / 2 + z * phase[JERK] / 6));
 }
 
@@ -30,11 +29,9 @@ struct motor {
 };
 
 /* Takes the steps up to a time. Each must be at its line. 1: at another place; 2: out of order. */
-static int take(struct motor *motor, const double *phase, real z, const struct rounding *rounding)
-{
+static int take(struct motor *motor, const double *phase, real z, const struct rounding *rounding) {
     const real until = phase[START] + z;
-    for (; motor->left && motor->times[0] <= until; --motor->left, ++motor->times, ++motor->directions)
-    {
+    for (; motor->left && motor->times[0] <= until; --motor->left, ++motor->times, ++motor->directions) {
         const int up = motor->directions[0] > 0;
         const real time = motor->times[0] - (real)phase[START];
         const real line = motor->offset + (real)motor->step * (motor->count + up);
@@ -48,8 +45,7 @@ static int take(struct motor *motor, const double *phase, real z, const struct r
 }
 
 /* 3: the axis is outside of the motor's band. */
-static int outside(const struct motor *motor, const double *phase, real z, const struct rounding *rounding)
-{
+static int outside(const struct motor *motor, const double *phase, real z, const struct rounding *rounding) {
     const real low = motor->offset + (real)motor->step * motor->count, p = position(phase, z);
     const real slack = rounding->position + fabsl(velocity(phase, z)) * rounding->time;
     return p >= low - slack && p <= low + motor->step + slack ? 0 : 3;
@@ -58,25 +54,20 @@ static int outside(const struct motor *motor, const double *phase, real z, const
 /* Follows a move of `count` phases from the line `first` on. Asks at the ends, at the turns and at `samples` times of each phase. Returns 0, or
  what is wrong: 1 to 3 as above, 4 if steps are left. */
 int steps_wrong(const double phases[][6], int count, const double lines[2], long first, const double *times, const int *directions, long n,
-                int samples, const double roundings[2])
-{
+                int samples, const double roundings[2]) {
     struct motor motor = {times, directions, n, first, lines[0], lines[1], 0};
     const struct rounding rounding = {roundings[0], roundings[1]};
     int i, k, wrong = 0;
-    for (i = 0; i < count; ++i)
-    {
+    for (i = 0; i < count; ++i) {
         const double *phase = phases[i];
-        for (k = 0; k <= samples && !wrong; ++k)
-        {
+        for (k = 0; k <= samples && !wrong; ++k) {
             const real z = (real)phase[DURATION] * k / samples, next = (real)phase[DURATION] * (k + 1) / samples;
             wrong = take(&motor, phase, z, &rounding);
             if (!wrong) { wrong = outside(&motor, phase, z, &rounding); }
-            if (!wrong && k < samples && (velocity(phase, z) < 0) != (velocity(phase, next) < 0))
-            {
+            if (!wrong && k < samples && (velocity(phase, z) < 0) != (velocity(phase, next) < 0)) {
                 real low = z, high = next;
                 int halves;
-                for (halves = 0; halves < 80; ++halves)
-                {
+                for (halves = 0; halves < 80; ++halves) {
                     const real middle = (low + high) / 2;
                     if ((velocity(phase, middle) < 0) == (velocity(phase, z) < 0)) { low = middle; }
                     else { high = middle; }

@@ -31,16 +31,39 @@ fn compare_as<R: Original>(family: Family, bytes: &[u8]) {
     report.assert_same();
 }
 
-/// Plans the move for the least time as a bell and as a trapezoid. Panics if numbers are refused, or if the motion is wrong.
-pub fn plan(bytes: &[u8]) {
-    match bytes.split_first() {
-        Some((real, case)) if real % 2 == 1 => plan_as::<f32>(case),
-        Some((_, case)) => plan_as::<f64>(case),
-        None => {}
-    }
+/// Functions of all bytes. The first byte is the real type, and the number of a kind above it.
+macro_rules! of_bytes {
+    ($($(#[$doc:meta])* $name:ident => $of:ident;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(bytes: &[u8]) {
+            match bytes.split_first() {
+                Some((kind, case)) if kind % 2 == 1 => $of::<f32>(kind / 2, case),
+                Some((kind, case)) => $of::<f64>(kind / 2, case),
+                None => {}
+            }
+        }
+    )*};
 }
 
-fn plan_as<R: Original>(mut bytes: &[u8]) {
+of_bytes! {
+    /// Plans the move for the least time as a bell and as a trapezoid. Panics if numbers are refused, or if the motion is wrong.
+    plan => plan_as;
+    /// Plans a move from any state, and asks for all there is to know of it. Panics if a motion breaks the contract of `Move`, or goes
+    /// farther than its velocity can, though its numbers are of ordinary size.
+    move_from_any_state => move_as;
+    /// Plans several axes together. Panics if an error writes an axis, or if axes arrive at different times or elsewhere.
+    several_axes => axes_as;
+    /// Lets an axis tick between nonsensical plans. Panics if an answer or a setpoint is another than that of moves planned one by one, or if a
+    /// move does not begin where the one before it is at the takeover.
+    axis_in_a_machine => axis_as;
+    /// Plans a move from any state, counts its steps and shapes it. Panics if a step is lost, if the shaped motion ends elsewhere, or if a refusal
+    /// leaves a trace.
+    steps_and_shapes => machine_as;
+    /// Plans a path through way points, and improves it. Panics if an error writes anything, or if a promised duration is refused.
+    way_points => path_as;
+}
+
+fn plan_as<R: Original>(_: u8, mut bytes: &[u8]) {
     let arguments: [R; 7] = std::array::from_fn(|_| number(&mut bytes));
     let mut random = Random::seeded(0);
     // A power of time may overflow beyond this range.
@@ -67,16 +90,6 @@ fn plan_as<R: Original>(mut bytes: &[u8]) {
     }
 }
 
-/// Plans a move from any state, and asks for all there is to know of it. Panics if a motion breaks the contract of `Move`, or goes
-/// farther than its velocity can, though its numbers are of ordinary size.
-pub fn move_from_any_state(bytes: &[u8]) {
-    match bytes.split_first() {
-        Some((kind, case)) if kind % 2 == 1 => move_as::<f32>(kind / 2, case),
-        Some((kind, case)) => move_as::<f64>(kind / 2, case),
-        None => {}
-    }
-}
-
 /// How many planners of one axis there are.
 pub const PLANNERS: u8 = 6;
 
@@ -94,27 +107,15 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         2 => planned.stop(&limits, from),
         3 => planned.meet(&limits, from, to),
         4 => planned.within(&limits, from, to, one, other),
-        _ => planned.track(&limits, from, to, one),
+        _ => planned.track(&limits, from, to, other, one),
     };
     let problem = format!("planner {planner} {limits:?} {from:?} {to:?} {one:?} {other:?}");
     if result.is_err() {
         assert!(planned == before, "{problem}: touched, {result:?}");
         return;
     }
-    assert!(
-        planned.t >= zero && planned.t < R::of(f64::INFINITY),
-        "{problem}: {planned:?}"
-    );
-    let phases = planned.count as usize;
-    assert!(phases <= 15, "{problem}: {phases} phases");
-    let starts = planned.phase[..=phases].windows(2);
-    let in_order = starts.clone().all(|pair| pair[0].start <= pair[1].start);
-    let last =
-        in_order && planned.phase[0].start == zero && planned.phase[phases].start == planned.t;
-    let lasts = planned.phase[..phases]
-        .iter()
-        .all(|phase| phase.duration >= zero);
-    assert!(last && lasts, "{problem}: {planned:?}");
+    assert!(planned.t >= zero && planned.t < R::of(f64::INFINITY), "{problem}: {planned:?}");
+    assert_order(&planned, &problem);
     // A move without duration is at its start at 0.
     let end = planned.state_at(R::of(f64::INFINITY));
     let (velocity, acceleration) = match planner {
@@ -122,10 +123,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         5 => (end.velocity, end.acceleration),
         _ => (to.velocity, to.acceleration),
     };
-    assert!(
-        end.velocity == velocity && end.acceleration == acceleration,
-        "{problem}: ends at {end:?}"
-    );
+    assert!(end.velocity == velocity && end.acceleration == acceleration, "{problem}: ends at {end:?}");
     let there = match planner {
         0 | 4 => to.position,
         3 => to.position + to.velocity * planned.t,
@@ -139,38 +137,33 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     let [p0, p1] = [from, end].map(|state| state.position.widen());
     let rounding = 1e3 * R::MACHINE_EPSILON.widen() * (p0.abs() + p1.abs());
     let jumps = (p1 - p0).abs() > 1.01 * speed * planned.t.widen() + rounding;
-    // Beyond this range a power of the time need not be a number.
-    let range = f64::from(R::EXPONENTS.1 / 8).exp2();
-    let is_ordinary = |x: R| {
-        let size = x.widen().abs();
-        size == 0.0 || size == f64::INFINITY || (range.recip()..range).contains(&size)
-    };
-    let of_states = [from, to].map(|state| [state.position, state.velocity, state.acceleration]);
-    let of_limits = online::numbers_of(&limits);
-    let mut numbers = of_states.iter().flatten().chain(&of_limits);
-    let is_ordinary = numbers.all(|x| is_ordinary(*x));
-    assert!(
-        !(jumps && is_ordinary),
-        "{problem}: too far for {planned:?}"
-    );
+    // Else a power of the time need not be a number.
+    let is_ordinary = are_ordinary(&[limits], &[from, to]);
+    assert!(!(jumps && is_ordinary), "{problem}: too far for {planned:?}");
     let _ = planned.time_at(reached.highest.position);
     let _ = planned.time_at(to.position);
     let _ = planned.check(&limits);
     let mut positions = [zero; 16];
-    planned.sample_into(
-        zero,
-        planned.t / R::of(15.0),
-        [&mut positions, &mut [], &mut [], &mut []],
-    );
+    planned.sample_into(zero, planned.t / R::of(15.0), [&mut positions, &mut [], &mut [], &mut []]);
 }
 
-/// Plans several axes together. Panics if an error writes an axis, or if axes arrive at different times or elsewhere.
-pub fn several_axes(bytes: &[u8]) {
-    match bytes.split_first() {
-        Some((kind, case)) if kind % 2 == 1 => axes_as::<f32>(kind / 2, case),
-        Some((kind, case)) => axes_as::<f64>(kind / 2, case),
-        None => {}
-    }
+/// Panics if the phases do not follow each other from 0 to the end.
+fn assert_order<R: Real>(planned: &Move<R>, problem: &str) {
+    let (zero, count) = (R::of(0.0), planned.count as usize);
+    assert!(count <= 15, "{problem}: {count} phases");
+    let phases = &planned.phase[..=count];
+    let in_order = phases.windows(2).all(|pair| pair[0].start <= pair[1].start && pair[0].duration >= zero);
+    assert!(in_order && phases[0].start == zero && phases[count].start == planned.t, "{problem}: {planned:?}");
+}
+
+/// Whether no power of a number is beyond the range.
+fn are_ordinary<R: Real>(limits: &[Limits<R>], states: &[State<R>]) -> bool {
+    let range = f64::from(R::EXPONENTS.1 / 8).exp2();
+    let of_states = states.iter().flat_map(|state| [state.position, state.velocity, state.acceleration]);
+    of_states.chain(limits.iter().flat_map(online::numbers_of)).all(|x| {
+        let size = x.widen().abs();
+        size == 0.0 || size == f64::INFINITY || (range.recip()..range).contains(&size)
+    })
 }
 
 /// How many planners of several axes there are.
@@ -196,10 +189,7 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let [from, to] = ends;
     let [lowest, highest] = walls;
     let zero = R::of(0.0);
-    let before = Move {
-        t: R::of(-1.0),
-        ..Move::default()
-    };
+    let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut moves = vec![before; count];
     let result = match planner {
         0 => axes::synchronise(&mut moves, &limits, &from, &to, duration, cycle),
@@ -209,9 +199,7 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
             axes::synchronise_within(&mut moves, &limits, &from, &to, walls, duration, cycle)
         }
     };
-    let problem = format!(
-        "planner {planner} {limits:?} {from:?} {to:?} {lowest:?} {highest:?} {duration:?} {cycle:?}"
-    );
+    let problem = format!("planner {planner} {limits:?} {from:?} {to:?} {lowest:?} {highest:?} {duration:?} {cycle:?}");
     if result.is_err() {
         let untouched = moves.iter().all(|axis| *axis == before);
         assert!(untouched, "{problem}: touched, {result:?}");
@@ -221,34 +209,13 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     assert!(t >= zero && t < R::of(f64::INFINITY), "{problem}: {t:?}");
     for (axis, (from, to)) in moves.iter().zip(from.iter().zip(&to)) {
         assert!(axis.t.low_bits() == t.low_bits(), "{problem}: {axis:?}");
-        let phases = axis.count as usize;
-        assert!(phases <= 15, "{problem}: {phases} phases");
-        let in_order = axis.phase[..=phases]
-            .windows(2)
-            .all(|pair| pair[0].start <= pair[1].start && pair[0].duration >= zero);
-        assert!(
-            in_order && axis.phase[phases].start == t,
-            "{problem}: {axis:?}"
-        );
+        assert_order(axis, &problem);
         let end = axis.state_at(R::of(f64::INFINITY));
         assert!(end == *to, "{problem}: ends at {end:?}");
         let start = axis.state_at(R::of(-1.0));
-        assert!(
-            start == *from || t == zero,
-            "{problem}: starts at {start:?}"
-        );
+        assert!(start == *from || t == zero, "{problem}: starts at {start:?}");
         // Nothing here may panic.
         let _ = axis.time_at(axis.extremes().highest.position);
-    }
-}
-
-/// Lets an axis tick between nonsensical plans. Panics if an answer or a setpoint is another than that of moves planned one by one, or if a
-/// move does not begin where the one before it is at the takeover.
-pub fn axis_in_a_machine(bytes: &[u8]) {
-    match bytes.split_first() {
-        Some((kind, case)) if kind % 2 == 1 => axis_as::<f32>(case),
-        Some((_, case)) => axis_as::<f64>(case),
-        None => {}
     }
 }
 
@@ -286,9 +253,7 @@ impl<R: Real> Model<R> {
 
     /// Plans from the state in which the move takes over. `plan` also gets the time until then.
     fn plan(
-        &mut self,
-        lead: u16,
-        plan: impl FnOnce(&mut Move<R>, State<R>, R) -> Result<Findings, Error>,
+        &mut self, lead: u16, plan: impl FnOnce(&mut Move<R>, State<R>, R) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         if lead == 0 {
             return Err(Error::Late);
@@ -306,7 +271,7 @@ impl<R: Real> Model<R> {
 }
 
 /// Period, start and limits. Then requests: a byte for what and for the lead, or for the number of ticks, and its numbers.
-fn axis_as<R: Real>(mut bytes: &[u8]) {
+fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
     let period = number::<R>(&mut bytes);
     let start = state(&mut bytes);
     let mut limits = limits_from(&mut bytes);
@@ -322,53 +287,32 @@ fn axis_as<R: Real>(mut bytes: &[u8]) {
         ..Phase::default()
     };
     in_force.count = 1;
-    let mut model = Model {
-        period,
-        in_force,
-        age: 0,
-        next: None,
-    };
+    let mut model = Model { period, in_force, age: 0, next: None };
     while !bytes.is_empty() {
         let byte = take(&mut bytes, 1) as u8;
         let (request, lead) = (byte % REQUESTS, u16::from(byte / REQUESTS));
-        let to = if request < 4 {
-            state(&mut bytes)
-        } else {
-            State::default()
-        };
+        let to = if request < 4 { state(&mut bytes) } else { State::default() };
         let ahead = u32::from(lead);
         let [answer, expected] = match request {
-            0 => [
-                axis.go(&limits, to, ahead),
-                model.plan(lead, |next, from, _| next.plan(&limits, from, to)),
-            ],
+            0 => [axis.go(&limits, to, ahead), model.plan(lead, |next, from, _| next.plan(&limits, from, to))],
             1 => {
                 let (v, a) = (to.velocity, to.acceleration);
-                [
-                    axis.reach(&limits, v, a, ahead),
-                    model.plan(lead, |next, from, _| next.reach(&limits, from, v, a)),
-                ]
+                [axis.reach(&limits, v, a, ahead), model.plan(lead, |next, from, _| next.reach(&limits, from, v, a))]
             }
-            2 => [
-                axis.stop(&limits, ahead),
-                model.plan(lead, |next, from, _| next.stop(&limits, from)),
-            ],
+            2 => [axis.stop(&limits, ahead), model.plan(lead, |next, from, _| next.stop(&limits, from))],
             3 => {
-                let horizon = number::<R>(&mut bytes);
-                let State {
-                    position,
-                    velocity,
-                    acceleration,
-                } = to;
+                let [jerk, horizon] = [(); 2].map(|()| number::<R>(&mut bytes));
+                let State { position, velocity, acceleration } = to;
                 [
-                    axis.track(&limits, to, horizon, ahead),
+                    axis.track(&limits, to, jerk, horizon, ahead),
                     model.plan(lead, |next, from, t| {
                         let signal = State {
-                            position: position + t * (velocity + R::of(0.5) * t * acceleration),
-                            velocity: velocity + t * acceleration,
-                            acceleration,
+                            position: position
+                                + t * (velocity + t * (R::of(0.5) * acceleration + t * jerk * R::of(1.0 / 6.0))),
+                            velocity: velocity + t * (acceleration + R::of(0.5) * t * jerk),
+                            acceleration: acceleration + t * jerk,
                         };
-                        next.track(&limits, from, signal, horizon)
+                        next.track(&limits, from, signal, jerk, horizon)
                     }),
                 ]
             }
@@ -394,21 +338,7 @@ fn limits_from<R: Real>(bytes: &mut &[u8]) -> Limits<R> {
 }
 
 fn state<R: Real>(bytes: &mut &[u8]) -> State<R> {
-    State {
-        position: number(bytes),
-        velocity: number(bytes),
-        acceleration: number(bytes),
-    }
-}
-
-/// Plans a move from any state, counts its steps and shapes it. Panics if a step is lost, if the shaped motion ends elsewhere, or if a refusal
-/// leaves a trace.
-pub fn steps_and_shapes(bytes: &[u8]) {
-    match bytes.split_first() {
-        Some((kind, case)) if kind % 2 == 1 => machine_as::<f32>(kind / 2, case),
-        Some((kind, case)) => machine_as::<f64>(kind / 2, case),
-        None => {}
-    }
+    State { position: number(bytes), velocity: number(bytes), acceleration: number(bytes) }
 }
 
 /// More steps than this are not asked for.
@@ -423,40 +353,23 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     if planned.plan(&limits, from, to).is_err() {
         return;
     }
-    let problem =
-        format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
+    let problem = format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
     if let Ok(mut steps) = Steps::new(&planned, offset, step) {
         let (mut count, mut last) = (steps.count(), R::of(0.0));
-        let taken =
-            (0..STEPS).map_while(|_| steps.next(&planned).map(|taken| (taken, steps.count())));
+        let taken = (0..STEPS).map_while(|_| steps.next(&planned).map(|taken| (taken, steps.count())));
         for (Step { time, direction }, now) in taken {
             count += direction;
-            assert!(
-                count == now && time >= last && time <= planned.t,
-                "{problem}: {time:?}"
-            );
+            assert!(count == now && time >= last && time <= planned.t, "{problem}: {time:?}");
             last = time;
         }
         if steps.next(&planned).is_none() {
             let end = planned.position(R::of(f64::INFINITY));
-            let there = Move {
-                phase: [Phase {
-                    position: end,
-                    ..Phase::default()
-                }; 16],
-                ..Move::default()
-            };
+            let there = Move { phase: [Phase { position: end, ..Phase::default() }; 16], ..Move::default() };
             let wanted = Steps::new(&there, offset, step).map(|steps| steps.count());
             assert_eq!(wanted, Ok(steps.count()), "{problem}");
         }
     }
-    let kinds = [
-        ShaperKind::Zv,
-        ShaperKind::Zvd,
-        ShaperKind::Mzv,
-        ShaperKind::Ei,
-        ShaperKind::Ei2,
-    ];
+    let kinds = [ShaperKind::Zv, ShaperKind::Zvd, ShaperKind::Mzv, ShaperKind::Ei, ShaperKind::Ei2];
     let mut shaper = Shaper::smooth(smoothing).unwrap_or_default();
     for kind in [kind, kind / 5].map(|kind| kinds[usize::from(kind) % kinds.len()]) {
         let before = shaper;
@@ -485,15 +398,6 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
 }
 
-/// Plans a path through way points, and improves it. Panics if an error writes anything, or if a promised duration is refused.
-pub fn way_points(bytes: &[u8]) {
-    match bytes.split_first() {
-        Some((kind, case)) if kind % 2 == 1 => path_as::<f32>(kind / 2, case),
-        Some((kind, case)) => path_as::<f64>(kind / 2, case),
-        None => {}
-    }
-}
-
 /// The kind names the number of axes and of sections. The limits of each axis follow, the start and the end of each axis, and the positions
 /// between.
 fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
@@ -505,11 +409,7 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let mut states = vec![State::default(); axes * (sections + 1)];
     let ends = (0..axes).chain(sections * axes..(sections + 1) * axes);
     for end in ends {
-        states[end] = State {
-            position: number(&mut bytes),
-            velocity: number(&mut bytes),
-            acceleration: number(&mut bytes),
-        };
+        states[end] = state(&mut bytes);
     }
     for state in &mut states[axes..sections * axes] {
         *state = State::at(number(&mut bytes));
@@ -518,7 +418,7 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let mut durations = vec![R::of(-1.0); sections];
     let mut work = vec![R::of(f64::NAN); axes::path_size(axes, sections).expect("a size")];
     let before = (states.clone(), durations.clone());
-    let planned = axes::plan_path(&mut states, &mut durations, &limits, 0, &mut work);
+    let planned = axes::plan_path(&mut states, &mut durations, &limits, axes, 0, &mut work);
     if planned.is_err() {
         let untouched = durations == before.1 && format!("{:?}", before.0) == format!("{states:?}");
         assert!(untouched, "{problem}: touched, {planned:?}");
@@ -526,7 +426,7 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
     let is_ordinary = are_promises_kept(&problem, &states, &durations, &limits);
     let before = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
-    let improved = axes::improve_path(&mut states, &mut durations, &limits, 4, &mut work);
+    let improved = axes::improve_path(&mut states, &mut durations, &limits, axes, 4, &mut work);
     assert!(improved.is_ok(), "{problem}: {improved:?}");
     are_promises_kept(&problem, &states, &durations, &limits);
     let after = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
@@ -535,40 +435,18 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
 }
 
 /// Panics if a section does not take what was promised. Whether no power of a number is beyond the range; else nothing is promised.
-fn are_promises_kept<R: Real>(
-    problem: &str,
-    states: &[State<R>],
-    durations: &[R],
-    limits: &[Limits<R>],
-) -> bool {
-    let least = (f64::from(R::EXPONENTS.0) / 8.0).exp2();
-    let is_ordinary = |x: R| {
-        let size = x.widen().abs();
-        size == 0.0 || size == f64::INFINITY || (least..least.recip()).contains(&size)
-    };
-    let of_limits = limits.iter().flat_map(online::numbers_of);
-    let of_states = states
-        .iter()
-        .flat_map(|state| [state.position, state.velocity, state.acceleration]);
-    let mut numbers = of_states.chain(of_limits);
-    let is_ordinary = numbers.all(is_ordinary);
+fn are_promises_kept<R: Real>(problem: &str, states: &[State<R>], durations: &[R], limits: &[Limits<R>]) -> bool {
+    let is_ordinary = are_ordinary(limits, states);
     let mut moves = vec![Move::default(); limits.len()];
     for (section, &duration) in durations.iter().enumerate() {
         let zero = R::of(0.0);
-        assert!(
-            duration >= zero && duration < R::of(f64::INFINITY),
-            "{problem}: {duration:?}"
-        );
-        let [from, to] =
-            [section, section + 1].map(|point| &states[point * limits.len()..][..limits.len()]);
+        assert!(duration >= zero && duration < R::of(f64::INFINITY), "{problem}: {duration:?}");
+        let [from, to] = [section, section + 1].map(|point| &states[point * limits.len()..][..limits.len()]);
         let taken = axes::synchronise(&mut moves, limits, from, to, duration, zero);
         let t = moves[0].t.widen();
         let tolerance = if size_of::<R>() == 8 { 1e-6 } else { 1e-3 };
         let is_kept = taken.is_ok() && t <= duration.widen() * (1.0 + tolerance);
-        assert!(
-            is_kept || !is_ordinary,
-            "{problem}: section {section} takes {t:e} instead of {duration:?}: {taken:?}"
-        );
+        assert!(is_kept || !is_ordinary, "{problem}: section {section} takes {t:e} instead of {duration:?}: {taken:?}");
     }
     is_ordinary
 }
@@ -584,10 +462,7 @@ fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
         match kind % 3 {
             0 => Moment::At(number),
             1 => Moment::Fraction(number),
-            _ => Moment::Border {
-                index: kind / 3,
-                steps: kind as i8 / 43,
-            },
+            _ => Moment::Border { index: kind / 3, steps: kind as i8 / 43 },
         }
     };
     Case {
@@ -607,23 +482,14 @@ fn number<R: Real>(bytes: &mut &[u8]) -> R {
 fn take(bytes: &mut &[u8], count: usize) -> u64 {
     let (taken, rest) = bytes.split_at(count.min(bytes.len()));
     *bytes = rest;
-    taken
-        .iter()
-        .rev()
-        .fold(0, |number, &byte| number << 8 | u64::from(byte))
+    taken.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
 }
 
 /// The bytes of a move and of times at which to evaluate it.
 pub fn encode<R: Real>(arguments: &[R], times: &[R]) -> Vec<u8> {
     let mut bytes = vec![u8::from(size_of::<R>() == 4)];
     for &argument in arguments {
-        bytes.extend(
-            argument
-                .low_bits()
-                .to_le_bytes()
-                .iter()
-                .take(size_of::<R>()),
-        );
+        bytes.extend(argument.low_bits().to_le_bytes().iter().take(size_of::<R>()));
     }
     for &time in times.iter().take(MOMENTS) {
         bytes.push(0);

@@ -1,13 +1,16 @@
 //! Are requests refused for which there is no move or no path, of one axis or of several, each with its reason, and is nothing written then?
 
-use atraj::axes::{line, path_size, plan_path, synchronise, synchronise_within};
-use atraj::machine::Clock;
+use atraj::axes::{
+    improve_path, line, path_deviation, path_moves, path_size, path_size_near, plan_path, plan_path_near, synchronise,
+    synchronise_within,
+};
+use atraj::machine::{Axis, Clock, Steps};
 use atraj::online::{Error, Limits, Move, State};
 use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
 use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
-use support::{Random, Real};
+use support::{Random, Real, test_both_reals};
 
 const PROBLEMS: usize = 20_000;
 
@@ -24,11 +27,7 @@ fn illegal<R: Real>(problem: &Problem<R>, random: &mut Random) -> Option<State<R
         _ if a > 0.0 => ((vmin + 0.5 * a * a / jmax) * more, a),
         _ => ((vmax + 0.5 * a * a / jmin) * more, a),
     };
-    let to = State {
-        position: problem.to.position,
-        velocity: R::of(v),
-        acceleration: R::of(a),
-    };
+    let to = State { position: problem.to.position, velocity: R::of(v), acceleration: R::of(a) };
     let rounding = 64.0 * R::MACHINE_EPSILON.widen() * (v.abs() + vmax.min(-vmin));
     let sure = beyond_legal(&problem.limits, to) > rounding;
     (sure && v.is_finite() && a.is_finite()).then_some(to)
@@ -48,85 +47,86 @@ fn illegal_targets<R: Real>() {
         assert_eq!(plan.err(), Some(Error::Target), "{problem}");
         let reach = planned.reach(&limits, from, to.velocity, to.acceleration);
         assert_eq!(reach.err(), Some(Error::Target), "{problem}");
+        let meet = planned.meet(&limits, from, to);
+        assert_eq!(meet.err(), Some(Error::Target), "{problem}");
         assert_eq!(planned, Move::default());
         refused += 1;
     }
     assert!(refused * 4 > PROBLEMS);
 }
 
-#[test]
-fn illegal_targets_are_refused() {
-    illegal_targets::<f64>();
-    illegal_targets::<f32>();
-}
-
 /// Numbers of a good problem, with one of them replaced.
-fn with_number(index: usize, number: f64) -> Problem<f64> {
-    let mut numbers = [
-        1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-    ];
+fn with_number<R: Real>(index: usize, number: f64) -> Problem<R> {
+    let mut numbers = [1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0];
     numbers[index] = number;
-    Problem::of(Kind::Rest, Request::Plan, numbers)
+    Problem::of(Kind::Rest, Request::Plan, numbers.map(R::of))
 }
 
-/// The errors of each planner that takes the whole problem.
-fn errors(problem: &Problem<f64>) -> [Option<Error>; 2] {
-    #[rustfmt::skip]
+/// The errors of each planner that takes the whole problem. The last one follows it as a signal.
+fn errors<R: Real>(problem: &Problem<R>) -> [Option<Error>; 3] {
     let &Problem { ref limits, from, to, .. } = problem;
-    let mut planned = Move::default();
-    let errors = [
-        planned.plan(limits, from, to),
-        planned.meet(limits, from, to),
-    ];
-    let errors = errors.map(Result::err);
-    assert!(errors[0].is_none() || planned == Move::default());
-    errors
+    [0, 1, 2].map(|planner| {
+        let mut planned = Move::default();
+        let result = match planner {
+            0 => planned.plan(limits, from, to),
+            1 => planned.meet(limits, from, to),
+            _ => planned.track(limits, from, to, R::ONE, R::ONE),
+        };
+        assert!(result.is_ok() || planned == Move::default(), "{problem}");
+        result.err()
+    })
 }
 
-#[test]
-fn bad_limits_are_refused() {
-    assert_eq!(errors(&with_number(0, 1.0)), [None; 2]);
-    for (index, limit) in with_number(0, 1.0).numbers()[..6].iter().enumerate() {
-        let errors = |number| errors(&with_number(index, number));
-        assert_eq!(errors(0.0), [Some(Error::Limits); 2]);
-        assert_eq!(errors(-limit), [Some(Error::Limits); 2]);
-        assert_eq!(errors(f64::NAN), [Some(Error::NotFinite); 2]);
-        assert_eq!(errors(limit * f64::INFINITY), [None; 2]);
+fn bad_limits<R: Real>() {
+    let good = with_number::<R>(0, 1.0);
+    assert_eq!(errors(&good), [None; 3]);
+    for (index, limit) in good.numbers()[..6].iter().map(|limit| limit.widen()).enumerate() {
+        let errors = |number| errors(&with_number::<R>(index, number));
+        assert_eq!(errors(0.0), [Some(Error::Limits); 3]);
+        assert_eq!(errors(-limit), [Some(Error::Limits); 3]);
+        assert_eq!(errors(f64::NAN), [Some(Error::NotFinite); 3]);
+        assert_eq!(errors(limit * f64::INFINITY), [None; 3]);
     }
-    let free = Limits::symmetric(f64::INFINITY, f64::INFINITY, 1.0);
-    let plan = Move::default().plan(&free, State::at(0.0), State::at(1.0));
+    // A target that is met has no acceleration, and is slower than the axis can be.
+    for (index, number) in [(10, 1.0), (11, 0.5)] {
+        assert_eq!(errors(&with_number::<R>(index, number)), [None, Some(Error::Target), None]);
+    }
+    let free = Limits::symmetric(R::INFINITY, R::INFINITY, R::ONE);
+    let plan = Move::default().plan(&free, State::at(R::ZERO), State::at(R::ONE));
     assert_eq!(plan.err(), Some(Error::Limits));
 }
 
 #[test]
-fn profiles_with_a_limit_of_0_are_refused() {
-    let boundary = Boundary::rest_to_rest(0.0, 1.0);
-    for index in 0..3 {
-        let [mut bell, mut trap] = [[30.0, 10.0, 5.0], [5.0, 4.0, -2.0]];
-        (bell[index], trap[index]) = (0.0, 0.0);
-        let [jerk, acceleration, velocity] = bell;
-        let bell = Bell::fastest(jerk, acceleration, velocity, boundary);
-        let [velocity, acceleration, deceleration] = trap;
-        let trap = Trap::fastest(velocity, acceleration, deceleration, boundary);
-        assert_eq!(
-            (bell.err(), trap.err()),
-            (Some(Error::Limits), Some(Error::Limits)),
-            "{index}"
-        );
+fn bad_numbers_of_profiles_are_refused() {
+    let (none, endless) = (f64::NAN, f64::INFINITY);
+    for (numbers, bad, error) in [
+        (0..3, 0.0, Error::Limits),
+        (0..7, none, Error::NotFinite),
+        (3..5, endless, Error::NotFinite),
+        (3..5, -endless, Error::NotFinite),
+    ] {
+        for index in numbers {
+            let errors = [[30.0, 10.0, 5.0], [5.0, 4.0, -2.0]].map(|limits| {
+                let mut numbers = [limits[0], limits[1], limits[2], 0.0, 1.0, 0.0, 0.0];
+                numbers[index] = bad;
+                let [x, y, z, p0, p1, v0, v1] = numbers;
+                let boundary = Boundary { p0, p1, v0, v1 };
+                if limits[2] > 0.0 {
+                    Bell::fastest(x, y, z, boundary).err()
+                } else {
+                    Trap::fastest(x, y, z, boundary).err()
+                }
+            });
+            assert_eq!(errors, [Some(error); 2], "{index} {bad}");
+        }
     }
 }
 
 fn beside_plans<R: Real>() {
-    let mut random = Random::seeded(5);
     for problem in Problems::<R>::new(5).take(PROBLEMS / 10) {
-        let Problem {
-            limits, from, to, ..
-        } = problem;
+        let Problem { limits, from, to, .. } = problem;
         let p = to.position;
-        let before = Move {
-            t: R::of(-1.0),
-            ..Move::default()
-        };
+        let before = Move { t: R::of(-1.0), ..Move::default() };
         let mut planned = before;
         let infinite = R::of(f64::INFINITY);
         let none = R::of(f64::NAN);
@@ -143,25 +143,20 @@ fn beside_plans<R: Real>() {
             let within = planned.within(&limits, from, to, lowest, highest).err();
             assert!(within == Some(error) || !is_planned, "{within:?} {problem}");
         }
-        let horizon = R::of(random.pick(&[0.0, -1.0, f64::NAN, f64::INFINITY]));
-        let track = planned.track(&limits, from, to, horizon);
-        assert_eq!(track.err(), Some(Error::Duration), "{problem}");
+        for bad in [0.0, -0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut track = |jerk, horizon| planned.track(&limits, from, to, R::of(jerk), R::of(horizon)).err();
+            assert_eq!(track(0.0, bad), Some(Error::Duration), "{problem}");
+            assert!(bad.is_finite() || track(bad, 1.0) == Some(Error::NotFinite), "{problem}");
+        }
         assert_eq!(planned, before);
     }
 }
 
-#[test]
-fn bad_positions_and_horizons_are_refused() {
-    beside_plans::<f64>();
-    beside_plans::<f32>();
-}
-
-#[test]
-fn states_that_are_not_finite_are_refused() {
+fn bad_states<R: Real>() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for index in 6..12 {
-            let problem = with_number(index, bad);
-            assert_eq!(errors(&problem), [Some(Error::NotFinite); 2]);
+            let problem = with_number::<R>(index, bad);
+            assert_eq!(errors(&problem), [Some(Error::NotFinite); 3]);
             let stop = Move::default().stop(&problem.limits, problem.from);
             let expected = (index < 9).then_some(Error::NotFinite);
             assert_eq!(stop.err(), expected);
@@ -169,16 +164,12 @@ fn states_that_are_not_finite_are_refused() {
     }
 }
 
-type Plan<R> =
-    fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
+type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
 
 /// The planner returns this error and writes nothing.
 fn refuses<R: Real>(plan: Plan<R>, set: &Set<R>, error: Error) {
     let (limits, from, to) = set.columns();
-    let written = Move {
-        t: R::of(1.0),
-        ..Move::default()
-    };
+    let written = Move { t: R::of(1.0), ..Move::default() };
     let mut axes = vec![written; from.len()];
     let returned = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle);
     assert_eq!(returned.err(), Some(error), "{}", set.show());
@@ -216,13 +207,7 @@ fn lengths<R: Real>() {
     let limits = [Limits::symmetric(R::ONE, R::ONE, R::ONE); 3];
     let states = [State::at(R::ZERO); 3];
     for plan in [synchronise::<R> as Plan<R>, line::<R>] {
-        for [a, l, f, t] in [
-            [2, 3, 3, 3],
-            [3, 2, 3, 3],
-            [3, 3, 2, 3],
-            [3, 3, 3, 2],
-            [0, 0, 0, 0],
-        ] {
+        for [a, l, f, t] in [[2, 3, 3, 3], [3, 2, 3, 3], [3, 3, 2, 3], [3, 3, 3, 2], [0, 0, 0, 0]] {
             let mut axes = vec![Move::default(); a];
             let (from, to) = (&states[..f], &states[..t]);
             let returned = plan(&mut axes, &limits[..l], from, to, R::ZERO, R::ZERO);
@@ -232,32 +217,25 @@ fn lengths<R: Real>() {
     for [lowest, highest] in [[2, 3], [3, 2], [4, 3], [3, 4]] {
         let positions = [&[R::ZERO; 4][..lowest], &[R::ONE; 4][..highest]];
         let mut axes = [Move::default(); 3];
-        let returned = synchronise_within(
-            &mut axes,
-            &limits,
-            &states,
-            &states,
-            positions,
-            R::ZERO,
-            R::ZERO,
-        );
+        let returned = synchronise_within(&mut axes, &limits, &states, &states, positions, R::ZERO, R::ZERO);
         assert_eq!(returned.err(), Some(Error::Axes));
     }
-    // A path without an axis, and one with more than there may be.
-    for axes in [0, 4097] {
-        let limits = vec![limits[0]; axes];
-        let mut path = vec![states[0]; 2 * axes];
-        let returned = plan_path(&mut path, &mut [R::ONE], &limits, 0, &mut []);
+    // A path without an axis, one with more than there may be, and lists of other lengths than two axes in three sections have.
+    for [axes, sections, s, l] in [
+        [0, 1, 0, 0],
+        [4097, 1, 8194, 4097],
+        [2, 3, 7, 2],
+        [2, 3, 9, 2],
+        [2, 3, 8, 1],
+        [2, 3, 8, 3],
+        [2, 3, 8, 8],
+        [2, 0, 2, 2],
+    ] {
+        let (limits, mut path) = (vec![limits[0]; l], vec![states[0]; s]);
+        let mut work = vec![R::ZERO; path_size(2, 3).expect("a short path")];
+        let returned = plan_path(&mut path, &mut vec![R::ONE; sections], &limits, axes, 0, &mut work);
         assert_eq!(returned.err(), Some(Error::Axes));
     }
-}
-
-#[test]
-fn bad_axes_are_refused() {
-    bad_numbers::<f64>();
-    bad_numbers::<f32>();
-    lengths::<f64>();
-    lengths::<f32>();
 }
 
 /// A start that is beside the line by far more than the roundings of its motion.
@@ -281,26 +259,13 @@ fn beside_the_line<R: Real>() {
         // A motion may have passed the largest numbers within its limits, and has their roundings. Without a limit, none of these sets gets
         // beyond 1e3 roundings of 1e3.
         let within = |reached: f64, limit: f64| {
-            if limit.is_finite() {
-                reached.max(limit)
-            } else {
-                reached.max(1e3)
-            }
+            if limit.is_finite() { reached.max(limit) } else { reached.max(1e3) }
         };
         let own = &limits[k];
-        let velocity = within(
-            most(lowest.velocity, highest.velocity),
-            most(own.vmin, own.vmax),
-        );
-        let acceleration = within(
-            most(lowest.acceleration, highest.acceleration),
-            most(own.amin, own.amax),
-        );
+        let velocity = within(most(lowest.velocity, highest.velocity), most(own.vmin, own.vmax));
+        let acceleration = within(most(lowest.acceleration, highest.acceleration), most(own.amin, own.amax));
         // A short way between far positions has a rounded direction, and so has a long way there and back.
-        let ways = from
-            .iter()
-            .zip(&to)
-            .map(|(from, to)| (to.position - from.position).widen().abs());
+        let ways = from.iter().zip(&to).map(|(from, to)| (to.position - from.position).widen().abs());
         let longest = ways.fold(0.0, f64::max);
         let mut roundings = 1e4;
         for (axis, (from, to)) in axes.iter().zip(from.iter().zip(&to)) {
@@ -314,13 +279,7 @@ fn beside_the_line<R: Real>() {
         if roundings * R::MACHINE_EPSILON.widen() > 1e-2 {
             continue;
         }
-        let far = |most: f64| {
-            R::of(if most == 0.0 {
-                1.0
-            } else {
-                roundings * R::MACHINE_EPSILON.widen() * most
-            })
-        };
+        let far = |most: f64| R::of(if most == 0.0 { 1.0 } else { roundings * R::MACHINE_EPSILON.widen() * most });
         let from = &mut set.axes[k].from;
         if random.one_in(2) {
             from.velocity = from.velocity + far(velocity);
@@ -333,15 +292,14 @@ fn beside_the_line<R: Real>() {
     assert!(refused > 1_000);
 }
 
-#[test]
-fn axes_beside_the_line_are_refused() {
-    beside_the_line::<f64>();
-    beside_the_line::<f32>();
-}
-
 /// A part of the largest exponent.
 fn huge<R: Real>(part: f64) -> R {
     R::of(f64::exp2(part * f64::from(R::EXPONENTS.1)))
+}
+
+/// The way from the one side to the other is beyond the range.
+fn far<R: Real>() -> R {
+    R::of(if size_of::<R>() == 4 { 3e38 } else { 1.5e308 })
 }
 
 fn beyond_the_range<R: Real>() {
@@ -352,20 +310,20 @@ fn beyond_the_range<R: Real>() {
         let count = from.len();
         let mut axes = [Move::default(); 2];
         let limits = &[limits; 2][..count];
-        let plan = synchronise(
-            &mut axes[..count],
-            limits,
-            from,
-            &to[..count],
-            duration,
-            R::ZERO,
-        );
+        let plan = synchronise(&mut axes[..count], limits, from, &to[..count], duration, R::ZERO);
         (plan.err(), axes)
     };
     let refused = (Some(Error::NotFinite), [Move::default(); 2]);
     // The second axis is beyond the range of the real type, the first is not.
     let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
     assert_eq!(plan(limits, &[still, moving(huge(0.7))], R::ZERO), refused);
+    let (far, none) = (State::at(far::<R>()), R::ZERO);
+    for planner in [synchronise::<R> as Plan<R>, line::<R>] {
+        let mut axes = [Move::default(); 2];
+        let [from, to] = [[still, State::at(-far.position)], [to[0], far]];
+        assert_eq!(planner(&mut axes, &[limits; 2], &from, &to, none, none), Err(Error::NotFinite));
+        assert_eq!(axes, refused.1);
+    }
     // What an axis without limits could do in a long time is beyond the range. What it does is not, because it cruises.
     let limits = Limits::symmetric(R::ONE, R::INFINITY, R::INFINITY);
     let long = huge(0.95);
@@ -376,25 +334,15 @@ fn beyond_the_range<R: Real>() {
     }
 }
 
-#[test]
-fn axes_beyond_the_range_are_refused() {
-    beyond_the_range::<f64>();
-    beyond_the_range::<f32>();
-}
-
 /// What a path of one axis returns whose way is over before its last section, or not. On an error nothing is written.
-fn path_to<R: Real>(
-    positions: &[f64],
-    end: [f64; 2],
-    limits: &[Limits<R>],
-) -> Result<Findings, Error> {
+fn path_to<R: Real>(positions: &[f64], end: [f64; 2], limits: &[Limits<R>]) -> Result<Findings, Error> {
     let mut states: Vec<_> = positions.iter().map(|&p| State::at(R::of(p))).collect();
     let last = states.len() - 1;
     [states[last].velocity, states[last].acceleration] = end.map(R::of);
     let before = states.clone();
     let mut durations = vec![R::of(-1.0); last];
     let mut work = vec![R::ZERO; path_size(1, last).expect("sections")];
-    let planned = plan_path(&mut states, &mut durations, limits, 0, &mut work);
+    let planned = plan_path(&mut states, &mut durations, limits, 1, 0, &mut work);
     if planned.is_err() {
         assert!(states == before && durations.iter().all(|t| *t == R::of(-1.0)));
     }
@@ -404,34 +352,19 @@ fn path_to<R: Real>(
 /// The end lasts while nothing moves any more, so it is within the limits of the section before too, and the axis can stay.
 fn repeated_ends<R: Real>() {
     let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
-    let slow = Limits {
-        vmax: R::of(0.5),
-        ..limits
-    };
+    let slow = Limits { vmax: R::of(0.5), ..limits };
     let leaving = [0.9, 0.9];
-    assert_eq!(
-        path_to(&[0.0, 1.0], leaving, &[limits]),
-        Ok(Findings::ENDS_LEAVING)
-    );
-    assert_eq!(
-        path_to(&[0.0, 1.0, 1.0], leaving, &[limits]),
-        Err(Error::Target)
-    );
+    assert_eq!(path_to(&[0.0, 1.0], leaving, &[limits]), Ok(Findings::ENDS_LEAVING));
+    assert_eq!(path_to(&[0.0, 1.0, 1.0], leaving, &[limits]), Err(Error::Target));
     let fast = [0.8, 0.0];
-    assert_eq!(
-        path_to(&[0.0, 1.0, 2.0], fast, &[slow, limits]),
-        Ok(Findings::default())
-    );
-    assert_eq!(
-        path_to(&[0.0, 1.0, 1.0], fast, &[slow, limits]),
-        Err(Error::Target)
-    );
+    assert_eq!(path_to(&[0.0, 1.0, 2.0], fast, &[slow, limits]), Ok(Findings::default()));
+    assert_eq!(path_to(&[0.0, 1.0, 1.0], fast, &[slow, limits]), Err(Error::Target));
 }
 
 /// A way beyond the range of the real type is refused, and positions that are far away are not.
 fn far_paths<R: Real>() {
     let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
-    let far = if size_of::<R>() == 4 { 3e38 } else { 1.5e308 };
+    let far = far::<R>().widen();
     let rest = [0.0; 2];
     let beyond = path_to(&[-far, far, 0.0], rest, &[limits]);
     assert_eq!(beyond, Err(Error::NotFinite));
@@ -439,18 +372,172 @@ fn far_paths<R: Real>() {
     assert_eq!(there, Ok(Findings::default()));
 }
 
-#[test]
-fn paths_that_cannot_be_are_refused() {
-    repeated_ends::<f64>();
-    repeated_ends::<f32>();
-    far_paths::<f64>();
-    far_paths::<f32>();
+/// Replaces a number of the states, durations or limits of a path.
+type Change<'a, R> = &'a dyn Fn(&mut [State<R>], &mut [R], &mut [Limits<R>]);
+
+/// Three sections of two axes with a number replaced. Between the ends a plan reads the positions alone, and an improvement all.
+fn bad_paths<R: Real>() {
+    const AXES: usize = 2;
+    const SECTIONS: usize = 3;
+    let [none, endless, zero, fast] = [f64::NAN, f64::INFINITY, 0.0, 8.0].map(R::of);
+    let good = Limits::symmetric(R::of(6.0), R::of(3.0), R::ONE);
+    let positions = [0.0, 0.0, 1.0, 2.0, -1.0, 2.0, 0.5, 1.0];
+    let answer = |planner: usize, change: Change<R>| {
+        let mut limits = vec![good; if planner == 2 { AXES * SECTIONS } else { AXES }];
+        let (mut states, mut durations) = (positions.map(|p| State::at(R::of(p))), [R::of(3.0); SECTIONS]);
+        change(&mut states, &mut durations, &mut limits);
+        let before = format!("{states:?} {durations:?}");
+        let mut work = vec![zero; path_size(AXES, SECTIONS).expect("a size")];
+        let plan = if planner == 1 { improve_path } else { plan_path };
+        let planned = plan(&mut states, &mut durations, &limits, AXES, 0, &mut work);
+        assert_eq!(planned.is_err(), format!("{states:?} {durations:?}") == before);
+        planned
+    };
+    for planner in 0..3 {
+        for k in 0..positions.len() {
+            for bad in [none, endless, -endless] {
+                let refused = answer(planner, &|states, _, _| states[k].position = bad);
+                assert_eq!(refused, Err(Error::NotFinite));
+                let is_read = planner == 1 || !(AXES..AXES * SECTIONS).contains(&k);
+                let expected = if is_read { Err(Error::NotFinite) } else { Ok(Findings::default()) };
+                assert_eq!(answer(planner, &|states, _, _| states[k].velocity = bad), expected);
+            }
+        }
+        for k in 0..AXES {
+            let end = AXES * SECTIONS + k;
+            assert_eq!(answer(planner, &|_, _, limits| limits[k].jmin = zero), Err(Error::Limits));
+            assert_eq!(answer(planner, &|_, _, limits| limits[k].jmin = none), Err(Error::NotFinite));
+            assert_eq!(answer(planner, &|states, _, _| states[end].velocity = fast), Err(Error::Target));
+            assert_eq!(answer(planner, &|states, _, _| states[k].velocity = fast), Ok(Findings::STARTS_OUTSIDE));
+            let leaving = answer(planner, &|states, _, _| {
+                (states[end].velocity, states[end].acceleration) = (good.vmax, good.vmax);
+            });
+            assert_eq!(leaving, Ok(Findings::ENDS_LEAVING));
+        }
+    }
+    for (k, bad) in [-R::ONE, endless, none].into_iter().enumerate() {
+        assert_eq!(answer(1, &|_, durations, _| durations[k] = bad), Err(Error::Duration));
+        assert_eq!(answer(0, &|_, durations, _| durations[k] = bad), Ok(Findings::default()));
+    }
+    for size in [path_size, path_size_near] {
+        assert_eq!([size(0, 1), size(1, 0), size(usize::MAX, 2), size(2, usize::MAX)], [None; 4]);
+    }
+}
+
+/// Two sections of an axis with a tolerance, and lists of wrong lengths.
+fn bad_tolerances<R: Real>() {
+    let limits = [Limits::symmetric(R::of(6.0), R::of(3.0), R::ONE)];
+    let answer = |tolerances: &[R], size: usize| {
+        let (mut states, mut durations) = ([0.0, 1.0, 0.5].map(|p| State::at(R::of(p))), [R::of(3.0); 2]);
+        let before = (states, durations);
+        let mut work = vec![R::of(f64::NAN); size];
+        let planned = plan_path_near(&mut states, &mut durations, &limits, tolerances, 1, 0, &mut work);
+        assert_eq!(planned.is_err(), (states, durations) == before);
+        planned.err()
+    };
+    let size = path_size_near(1, 2).expect("a size");
+    for (bad, error) in [
+        (-0.125, Error::Limits),
+        (f64::NEG_INFINITY, Error::NotFinite),
+        (f64::INFINITY, Error::NotFinite),
+        (f64::NAN, Error::NotFinite),
+    ] {
+        assert_eq!(answer(&[R::of(bad)], size), Some(error), "{bad}");
+    }
+    for good in [0.0, -0.0, 0.125, 1e30] {
+        assert_eq!(answer(&[R::of(good)], size), None, "{good}");
+    }
+    assert_eq!([answer(&[], size), answer(&[R::ONE; 2], size), answer(&[R::ONE], size - 1)], [Some(Error::Axes); 3]);
+}
+
+/// The motions of a path with a number replaced. What is wrong with a number is found before a move is written.
+fn bad_motions<R: Real>() {
+    const AXES: usize = 2;
+    const SECTIONS: usize = 3;
+    let [none, endless, zero, fast, short] = [f64::NAN, f64::INFINITY, 0.0, 8.0, 0.1].map(R::of);
+    let good = Limits::symmetric(R::of(6.0), R::of(3.0), R::ONE);
+    let positions = [0.0, 0.0, 1.0, 2.0, -1.0, 2.0, 0.5, 1.0];
+    let untouched = [Move { t: none, ..Move::default() }; AXES * SECTIONS];
+    // What it returns, and how many moves are written.
+    let answer = |zones: usize, change: Change<R>| {
+        let mut limits = vec![good; AXES * zones];
+        let (mut states, mut durations) = (positions.map(|p| State::at(R::of(p))), [R::of(99.0); SECTIONS]);
+        change(&mut states, &mut durations, &mut limits);
+        let mut moves = untouched;
+        let made = path_moves(&mut moves, &limits, &states, &durations, AXES);
+        (made, moves.iter().filter(|axis| axis.t.widen().is_finite()).count())
+    };
+    for zones in [1, SECTIONS] {
+        for k in 0..positions.len() {
+            for bad in [none, endless, -endless] {
+                let refused = (Err(Error::NotFinite), 0);
+                assert_eq!(answer(zones, &|states, _, _| states[k].position = bad), refused);
+                assert_eq!(answer(zones, &|states, _, _| states[k].velocity = bad), refused);
+                assert_eq!(answer(zones, &|states, _, _| states[k].acceleration = bad), refused);
+            }
+            // The start comes inside its limits.
+            let expected = if k < AXES {
+                (Ok(Findings::STARTS_OUTSIDE | Findings::OVERSHOOTS), 6)
+            } else {
+                (Err(Error::Target), 0)
+            };
+            assert_eq!(
+                answer(zones, &|states, _, _| (states[k].velocity, states[k].acceleration) = (fast, zero)),
+                expected
+            );
+        }
+        for k in 0..AXES * zones {
+            assert_eq!(answer(zones, &|_, _, limits| limits[k].jmin = zero), (Err(Error::Limits), 0));
+            assert_eq!(answer(zones, &|_, _, limits| limits[k].jmin = none), (Err(Error::NotFinite), 0));
+        }
+        for k in 0..SECTIONS {
+            for bad in [-R::ONE, endless, none] {
+                assert_eq!(answer(zones, &|_, durations, _| durations[k] = bad), (Err(Error::Duration), 0));
+            }
+            // Sections that take longer are written up to the first one.
+            for bad in [zero, short] {
+                assert_eq!(
+                    answer(zones, &|_, durations, _| durations[k] = bad),
+                    (Err(Error::Duration), AXES * (k + 1))
+                );
+            }
+        }
+    }
+    let mut moves = untouched;
+    let (states, durations) = ([State::at(zero); 8], [zero; SECTIONS]);
+    for count in [0, 5] {
+        let short = path_moves(&mut moves[..count], &[good; AXES], &states, &durations, AXES);
+        assert_eq!(short, Err(Error::Axes));
+    }
+    // A path that stands.
+    assert_eq!(path_moves(&mut moves, &[good; AXES], &states, &durations, AXES), Ok(Findings::default()));
+    assert!(moves.iter().all(|axis| axis.t == zero) && path_deviation(&moves, AXES) == zero);
+    for (count, axes) in [(0, 1), (6, 0), (6, 4), (6, 7), (6, 129)] {
+        assert!(path_deviation(&moves[..count], axes).widen().is_nan());
+    }
+    for bad in [none, endless] {
+        let changes: [fn(&mut Move<R>, R); 5] = [
+            |axis, bad| axis.t = bad,
+            |axis, bad| axis.phase[0].position = bad,
+            |axis, bad| axis.phase[1].position = bad,
+            |axis, bad| axis.phase[1].velocity = bad,
+            |axis, bad| axis.phase[1].jerk = bad,
+        ];
+        for change in changes {
+            let mut moves = [Move::default(); AXES];
+            let [from, to] = [[0.0, 0.0], [1.0, 2.0]].map(|point| point.map(|p| State::at(R::of(p))));
+            synchronise(&mut moves, &[good; AXES], &from, &to, zero, zero).expect("moves");
+            assert!(path_deviation(&moves, AXES).widen().is_finite());
+            change(&mut moves[1], bad);
+            assert!(path_deviation(&moves, AXES).widen().is_nan());
+        }
+    }
 }
 
 /// A way beyond the range of the real type, and what else is no profile.
 fn bad_profiles<R: Real>() {
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
-    let far = R::of(if size_of::<R>() == 4 { 3e38 } else { 1.5e308 });
+    let far = far::<R>();
     let boundary = Boundary::rest_to_rest(-far, far);
     let bell = Bell::fastest(one, one, one, boundary);
     assert_eq!(bell.err(), Some(Error::NotFinite));
@@ -487,12 +574,6 @@ fn bad_profiles<R: Real>() {
     }
 }
 
-#[test]
-fn profiles_beyond_the_range_are_refused() {
-    bad_profiles::<f64>();
-    bad_profiles::<f32>();
-}
-
 /// A clock of moves that stand, or whose jerk has no limit.
 fn bad_clocks<R: Real>() {
     let [zero, one, infinity] = [0.0, 1.0, f64::INFINITY].map(R::of);
@@ -504,20 +585,85 @@ fn bad_clocks<R: Real>() {
     };
     let mut planned = Move::default();
     refused(&[planned], &[limits], Error::Limits);
-    planned
-        .plan(&limits, State::at(zero), State::at(one))
-        .expect("a plan");
+    planned.plan(&limits, State::at(zero), State::at(one)).expect("a plan");
     let free = Limits::symmetric(infinity, one, one);
     refused(&[planned], &[free], Error::Limits);
     refused(&[], &[limits], Error::Axes);
     refused(&[planned], &[], Error::Axes);
     refused(&[planned], &[limits, limits], Error::Axes);
+    refused(&[planned], &[Limits { amax: zero, ..limits }], Error::Limits);
+    refused(&[planned], &[Limits { vmax: R::of(f64::NAN), ..limits }], Error::NotFinite);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::of) {
+        assert_eq!(clock.rate(&[planned], &[limits], bad, zero), Err(Error::NotFinite));
+        assert_eq!(clock.rate(&[planned], &[limits], zero, bad), Err(Error::NotFinite));
+    }
+    // The axis is already too fast.
+    let slow = Limits { vmax: R::of(0.1), ..limits };
+    assert_eq!(clock.rate(&[planned], &[slow], one, zero), Err(Error::Target));
+    assert_eq!(clock, Clock::new());
     let state = clock.state(&[], 1, zero);
     assert!(state.iter().all(|x| x.widen().is_nan()));
 }
 
-#[test]
-fn clocks_without_a_motion_are_refused() {
-    bad_clocks::<f64>();
-    bad_clocks::<f32>();
+/// An axis that ticks, and a motor.
+fn bad_axes_and_motors<R: Real>() {
+    let [zero, one, none, endless] = [0.0, 1.0, f64::NAN, f64::INFINITY].map(R::of);
+    let (still, limits) = (State::at(one), Limits::symmetric(one, one, one));
+    for bad in [zero, -one, none, endless, -endless] {
+        assert_eq!(Axis::new(bad, still).err(), Some(Error::Duration));
+        let axis = &mut Axis::new(one, still).expect("a period");
+        assert_eq!(axis.track(&limits, still, zero, bad, 1), Err(Error::Duration));
+        if bad == zero || bad == -one {
+            continue;
+        }
+        for state in
+            [State { position: bad, ..still }, State { velocity: bad, ..still }, State { acceleration: bad, ..still }]
+        {
+            assert_eq!(Axis::new(one, state).err(), Some(Error::NotFinite));
+            assert_eq!(axis.go(&limits, state, 1), Err(Error::NotFinite));
+        }
+    }
+    let axis = &mut Axis::new(one, still).expect("a period");
+    let most = far::<R>();
+    let beyond = State { position: most, velocity: most, acceleration: most };
+    assert_eq!(axis.track(&limits, beyond, zero, one, 2), Err(Error::NotFinite));
+    assert_eq!(axis.stop(&Limits { amax: zero, ..limits }, 1), Err(Error::Limits));
+    for lead in [0, 1 << 27, u32::MAX] {
+        let late = [
+            axis.go(&limits, State::at(zero), lead),
+            axis.reach(&limits, one, zero, lead),
+            axis.stop(&limits, lead),
+            axis.track(&limits, still, zero, one, lead),
+        ];
+        assert_eq!(late, [Err(Error::Late); 4]);
+    }
+    assert_eq!([(); 4].map(|()| axis.tick()), [still; 4]);
+
+    let mut there = [Move::default(); 2];
+    for (planned, p) in there.iter_mut().zip([0.0, 2e9]) {
+        planned.plan(&limits, still, State::at(R::of(p))).expect("a plan");
+    }
+    let [near, far] = &there;
+    let refused = |of, offset, step| Steps::new(of, offset, step).err();
+    for step in [zero, -zero, -one, -zero.neighbour(1), -endless] {
+        assert_eq!(refused(near, zero, step), Some(Error::Limits));
+    }
+    for (of, offset, step) in [
+        (near, none, one),
+        (near, endless, one),
+        (near, -endless, one),
+        (near, zero, none),
+        (near, zero, endless),
+        (near, zero, zero.neighbour(1)),
+        (far, zero, one),
+    ] {
+        assert_eq!(refused(of, offset, step), Some(Error::NotFinite), "{offset:?} {step:?}");
+    }
+    let mut motor = Steps::new(near, zero, one).expect("a line");
+    assert_eq!((motor.follow(far), motor.count()), (Err(Error::NotFinite), 1));
 }
+
+test_both_reals!(
+    illegal_targets, beside_plans, bad_limits, bad_states, bad_numbers, lengths, beside_the_line, beyond_the_range,
+    repeated_ends, far_paths, bad_paths, bad_tolerances, bad_motions, bad_profiles, bad_clocks, bad_axes_and_motors
+);

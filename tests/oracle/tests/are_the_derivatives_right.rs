@@ -4,49 +4,45 @@
 
 #![allow(dead_code, missing_docs, unexpected_cfgs, unused_imports)]
 
-#[path = "../../../src/together/path/border.rs"]
-mod border;
 #[path = "../../../src/findings.rs"]
 mod findings;
 #[path = "../../../src/limits.rs"]
 mod limits;
-#[path = "../../../src/online/ramp.rs"]
-mod ramp;
 #[path = "../../../src/real/mod.rs"]
 mod real;
 #[path = "../../../src/state.rs"]
 mod state;
 
 mod roots {
-    /// A border takes no roots of a polynomial.
-    pub fn larger_root<R>(_: R, _: R) -> R {
-        unreachable!()
+    /// The larger root of `x² + 2 p x + q`.
+    pub fn larger_root<R: crate::real::Real>(p: R, q: R) -> R {
+        (p * p - q).sqrt() - p
     }
 }
 
-mod online {
-    pub(crate) use crate::ramp;
+#[path = "../../../src/interval"]
+mod interval {
+    pub mod border;
+    pub mod derivatives;
+    pub mod profile;
+    pub mod ramp;
+    pub mod rounding;
 }
 
-use border::{Border, Derivatives, Ends};
+use interval::border::Border;
+use interval::derivatives::Derivatives;
 use limits::Limits;
 use oracle::judge::referee::Motion;
 use support::Random;
 
 /// The slack of the upper or the lower border with its derivatives, if a motion has this duration.
-fn derivatives(
-    limits: [f64; 6],
-    [v0, a0, v1, a1]: [f64; 4],
-    t: f64,
-    lower: bool,
-) -> Option<([f64; 5], [f64; 15])> {
+fn derivatives(limits: [f64; 6], [v0, a0, v1, a1]: [f64; 4], t: f64, lower: bool) -> Option<([f64; 5], [f64; 15])> {
     let [vmax, vmin, amax, amin, jmax, jmin] = limits;
     #[rustfmt::skip]
     let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
-    let h = if lower { 1e6 } else { -1e6 };
-    let borders = Border::both(&limits, Ends { v0, a0, v1, a1 }, t, h);
-    let border = &borders[usize::from(lower)];
-    let Derivatives { first, second } = border.derivatives(&border.farthest()?);
+    let upper = Border::between([[v0, a0], [v1, a1]], &limits);
+    let (border, sign) = if lower { (upper.mirrored(), -1.0) } else { (upper, 1.0) };
+    let Derivatives { first, second } = border.derivatives(&border.farthest_inside(t)?, sign);
     Some((first, second))
 }
 
@@ -73,12 +69,7 @@ fn errors(
         }
         let t = random.magnitude(-0.5, 1.0);
         let lower = random.below(2) == 1;
-        let motion = Motion {
-            limits,
-            start: [0.0, v0, a0],
-            target: [0.0, v1, a1],
-            frame: 0.0,
-        };
+        let motion = Motion { limits, start: [0.0, v0, a0], target: [0.0, v1, a1], frame: 0.0 };
         let Some((shape, first, second)) = motion.derivatives(t, lower) else {
             continue;
         };

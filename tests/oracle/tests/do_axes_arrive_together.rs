@@ -4,17 +4,17 @@ use atraj::axes::synchronise;
 use atraj::online::Move;
 use oracle::judge::axes::faults::Fault;
 use oracle::judge::axes::problems::{Family, Set, Sets};
-use oracle::judge::axes::together::{self, Planner, Together};
+use oracle::judge::axes::several::{self, Planner, Together};
 use oracle::judge::axes::{line, of_seed};
 use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Kind;
 use oracle::judge::tally::Tallies;
 use oracle::liba::abi::Original;
 use std::time::Instant;
-use support::{Random, Real};
+use support::{Random, Real, test_both_reals};
 
-const SEEDS: u64 = 4;
-const SETS: usize = 5_000;
+const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
+const SETS: usize = if support::BRIEF { 1_000 } else { 5_000 };
 
 fn axes_arrive_together<R: Original>() {
     let start = Instant::now();
@@ -29,39 +29,15 @@ fn axes_arrive_together<R: Original>() {
     assert_eq!(total.bad(), 0, "see the examples above");
 }
 
-#[test]
-fn f64() {
-    axes_arrive_together::<f64>();
-}
-
-#[test]
-fn f32() {
-    axes_arrive_together::<f32>();
-}
-
 fn every_fault_is_seen<R: Original>() {
     for fault in Fault::ALL {
         let tally = of_seed::<R>(&fault, 0, 1_000).total();
         let (bad, sets) = (tally.bad(), tally.problems);
         println!("{} {fault:?}: {bad} of {sets} sets seen", R::NAME);
         // Few sets have an axis that waits.
-        let few = if matches!(fault, Fault::Waits) {
-            50
-        } else {
-            20
-        };
+        let few = if matches!(fault, Fault::Waits) { 50 } else { 20 };
         assert!(bad * few >= sets, "{fault:?} in {}", R::NAME);
     }
-}
-
-#[test]
-fn every_fault_is_seen_f64() {
-    every_fault_is_seen::<f64>();
-}
-
-#[test]
-fn every_fault_is_seen_f32() {
-    every_fault_is_seen::<f32>();
 }
 
 /// The widest gap between the end of a phase and the start of the next one, in roundings of the duration.
@@ -92,28 +68,13 @@ fn phases_follow_each_other<R: Real>() {
     assert!(widest > 0.0);
 }
 
-#[test]
-fn phases_follow_each_other_f64() {
-    phases_follow_each_other::<f64>();
-}
-
-#[test]
-fn phases_follow_each_other_f32() {
-    phases_follow_each_other::<f32>();
-}
-
 /// An axis: its limits, its start and its end.
 type Row = [f64; 12];
 
 /// These axes, which are to arrive on a tick.
 fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     let axis = |row: &Row| Problem::of(Kind::Moving, Request::Plan, row.map(R::of));
-    Set {
-        family: Family::Moves,
-        axes: rows.iter().map(axis).collect(),
-        duration: R::of(0.0),
-        cycle: R::of(cycle),
-    }
+    Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }
 }
 
 /// The planner counts the positions of a line from its end. So an axis that slips has the phases of its fastest move up to roundings, and the judge
@@ -147,7 +108,7 @@ fn both_ends_slip() {
         [0.07560695002629314, -0.1960165993807255, 0.2177562829843771, -0.2177562829843771, 0.07902598402106711, -0.07902598402106711,
          -5.314358103161447, 0.024209434683268152, -0.034392874159650484, -5.314358103153544, 0.02420943467204031, -0.0343928741510563],
     ]);
-    assert_eq!(together::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
 }
 
 /// A ramp joins both ends up to roundings. The referee tries some of these ends only, and the judge called its duration impossible.
@@ -170,21 +131,18 @@ fn each_gap_leads_to_the_next_one() {
         [50.0 * v, -50.0 * v, 100.0 * a, -a, 1e4 * j, -1e4 * j, 0.0, v, 0.0, 0.49, v, 0.0]
     }).into();
     let set = axes::<f64>(0.0, &rows);
-    assert_eq!(together::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
     let [alone, all] = [&rows[3..], &rows].map(|rows| duration_of(&axes(0.0, rows)));
     // The gap of the slowest axis: its moves last up to 0.82 of the times, and from 1.21 on.
     assert!(alone < 0.41 * 2.197 && all > 1.21 * 2.197, "{alone} {all}");
 }
 
 fn duration_of(set: &Set<f64>) -> f64 {
-    let [from, to] = [0, 1].map(|end| {
-        set.axes
-            .iter()
-            .map(|axis| [axis.from, axis.to][end])
-            .collect::<Vec<_>>()
-    });
+    let [from, to] = [0, 1].map(|end| set.axes.iter().map(|axis| [axis.from, axis.to][end]).collect::<Vec<_>>());
     let limits: Vec<_> = set.axes.iter().map(|axis| axis.limits).collect();
     let mut planned = vec![Move::default(); limits.len()];
     synchronise(&mut planned, &limits, &from, &to, 0.0, 0.0).expect("a plan");
     planned[0].t
 }
+
+test_both_reals!(axes_arrive_together, every_fault_is_seen, phases_follow_each_other);

@@ -4,14 +4,14 @@
 use atraj::axes::synchronise_within;
 use atraj::online::{Error, Move, State};
 use oracle::judge::axes::problems::{Set, Sets};
-use oracle::judge::axes::together::{slip, wrong_motions};
+use oracle::judge::axes::several::{slip, wrong_motions};
 use oracle::judge::inside::{launch, stop};
 use oracle::judge::planner::Plan;
 use oracle::judge::problem::Problem;
 use oracle::judge::trial::{Scale, Trial, doubt};
 use oracle::liba::abi::Original;
 use std::fmt;
-use support::{Random, Real};
+use support::{Random, Real, test_both_reals};
 
 const SETS: usize = 20_000;
 
@@ -28,18 +28,13 @@ struct Walled<R> {
 impl<R: Original> Walled<R> {
     /// Walls at the positions that the axis cannot avoid, or somewhere beside.
     fn new(problem: Problem<R>, random: &mut Random) -> Option<Self> {
-        let Problem {
-            limits, from, to, ..
-        } = problem;
+        let Problem { limits, from, to, .. } = problem;
         let mut fastest = Move::default();
         let found = fastest.plan(&limits, from, to).ok()?;
         let ends = [from, to].map(|end| end.position.widen());
         let spans = [stop(&limits, from)?, launch(&limits, to)?, ends];
         let positions = || spans.iter().flatten().copied();
-        let hull = [
-            positions().fold(f64::INFINITY, f64::min),
-            positions().fold(f64::NEG_INFINITY, f64::max),
-        ];
+        let hull = [positions().fold(f64::INFINITY, f64::min), positions().fold(f64::NEG_INFINITY, f64::max)];
         let scale = Scale::of(&problem, &Plan::of_move(fastest, found));
         let slack = 4.0 * doubt::<R>() * (scale.position + hull[0].abs() + hull[1].abs());
         let width = hull[1] - hull[0] + slack;
@@ -54,12 +49,7 @@ impl<R: Original> Walled<R> {
             R::of(hull[side] + outwards * beside)
         };
         let walls = [wall(0), wall(1)];
-        (walls[0] < walls[1]).then_some(Self {
-            problem,
-            walls,
-            hull,
-            slack,
-        })
+        (walls[0] < walls[1]).then_some(Self { problem, walls, hull, slack })
     }
 
     /// Whether positions are beyond a wall, by more than this.
@@ -84,9 +74,7 @@ impl<R: Original> Walled<R> {
 
     /// How long the axis takes if it stops on its way, s.
     fn with_a_stop(&self) -> f64 {
-        let Problem {
-            limits, from, to, ..
-        } = self.problem;
+        let Problem { limits, from, to, .. } = self.problem;
         let [mut before, mut behind] = [Move::default(); 2];
         before.stop(&limits, from).expect("a stop");
         let rest = State::at(before.position(before.t));
@@ -97,11 +85,7 @@ impl<R: Original> Walled<R> {
 
 impl<R: Real> fmt::Display for Walled<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} walls {:?} hull {:?}",
-            self.problem, self.walls, self.hull
-        )
+        write!(f, "{} walls {:?} hull {:?}", self.problem, self.walls, self.hull)
     }
 }
 
@@ -124,47 +108,25 @@ fn axes_stay_inside<R: Original>() {
     let mut glances = Random::seeded(27);
     let mut counts = Counts::default();
     for set in Sets::<R>::new(26).take(SETS) {
-        let axes: Option<Vec<_>> = set
-            .axes
-            .iter()
-            .map(|axis| Walled::new(*axis, &mut random))
-            .collect();
+        let axes: Option<Vec<_>> = set.axes.iter().map(|axis| Walled::new(*axis, &mut random)).collect();
         if let Some(axes) = axes {
             judge(&set, &axes, &mut counts, &mut glances);
         }
     }
     println!("{}: {counts:?}", R::NAME);
-    let Counts {
-        inside,
-        kept,
-        later,
-        refused,
-        ..
-    } = counts;
-    assert!(
-        inside > SETS as u32 / 2 && kept > 50 && later > 5 && refused > 1_000,
-        "{counts:?}"
-    );
+    let Counts { inside, kept, later, refused, .. } = counts;
+    assert!(inside > SETS as u32 / 2 && kept > 50 && later > 5 && refused > 1_000, "{counts:?}");
 }
 
 fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, random: &mut Random) {
     let (limits, from, to) = set.columns();
-    let [lowest, highest]: [Vec<R>; 2] =
-        [0, 1].map(|side| axes.iter().map(|axis| axis.walls[side]).collect());
-    let before = Move {
-        t: R::of(-1.0),
-        ..Move::default()
-    };
+    let [lowest, highest]: [Vec<R>; 2] = [0, 1].map(|side| axes.iter().map(|axis| axis.walls[side]).collect());
+    let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut planned = vec![before; axes.len()];
     let (duration, cycle) = (set.duration, set.cycle);
     let walls = [&lowest[..], &highest];
     let answer = synchronise_within(&mut planned, &limits, &from, &to, walls, duration, cycle);
-    let what = || {
-        axes.iter()
-            .map(|axis| format!("\n    {axis}"))
-            .collect::<String>()
-            + &set.show()
-    };
+    let what = || axes.iter().map(|axis| format!("\n    {axis}")).collect::<String>() + &set.show();
     if let Err(error) = answer {
         assert_eq!(error, Error::Position, "{}", what());
         assert!(planned.iter().all(|axis| *axis == before));
@@ -175,11 +137,7 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, ran
     }
     for (k, (axis, planned)) in axes.iter().zip(&planned).enumerate() {
         let rounding = axis.rounding(planned);
-        assert!(
-            !axis.is_left(planned, rounding),
-            "axis {k} leaves by more than {rounding}: {}",
-            what()
-        );
+        assert!(!axis.is_left(planned, rounding), "axis {k} leaves by more than {rounding}: {}", what());
     }
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let moves = set.axes.iter().zip(&planned);
@@ -218,10 +176,7 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, ran
 fn in_units<R: Original>(set: &Set<R>, axes: &[Walled<R>], length: i8, time: i8) -> f64 {
     let scaled = |x: R, power: i8| R::of(x.widen() * f64::from(power).exp2());
     let problems = axes.iter().map(|axis| axis.problem.scaled(length, time));
-    let problems = Set {
-        axes: problems.collect(),
-        ..set.clone()
-    };
+    let problems = Set { axes: problems.collect(), ..set.clone() };
     let (limits, from, to) = problems.columns();
     let walls = [0, 1].map(|side| {
         let walls = axes.iter().map(|axis| scaled(axis.walls[side], length));
@@ -234,12 +189,4 @@ fn in_units<R: Original>(set: &Set<R>, axes: &[Walled<R>], length: i8, time: i8)
     scaled(planned[0].t, -time).widen()
 }
 
-#[test]
-fn f64() {
-    axes_stay_inside::<f64>();
-}
-
-#[test]
-fn f32() {
-    axes_stay_inside::<f32>();
-}
+test_both_reals!(axes_stay_inside);

@@ -22,10 +22,7 @@ fn compare(variant: &Variant, compiler: &str, liba: &Path, flags: &[&str]) -> Ou
 
 #[test]
 fn and_they_agree() {
-    for (variant, size) in [
-        (&PREFIXED, "-DA_SIZE_FLOAT=8"),
-        (&FLOAT_PREFIXED, "-DA_SIZE_FLOAT=4"),
-    ] {
+    for (variant, size) in [(&PREFIXED, "-DA_SIZE_FLOAT=8"), (&FLOAT_PREFIXED, "-DA_SIZE_FLOAT=4")] {
         let liba = directory("both-liba");
         build(&liba, &[], &[size]);
         for compiler in compilers(Language::C) {

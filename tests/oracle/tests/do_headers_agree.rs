@@ -23,11 +23,7 @@ fn prototypes(include: &Path, size: &str) -> Vec<String> {
     let mut gcc = Command::new("gcc");
     gcc.args(["-fsyntax-only", size, "-I"]).arg(include);
     run(gcc.arg("-aux-info").arg(&list).arg(source));
-    let real = if size.ends_with('4') {
-        "float"
-    } else {
-        "double"
-    };
+    let real = if size.ends_with('4') { "float" } else { "double" };
     let mut prototypes: Vec<_> = fs::read_to_string(list)
         .unwrap()
         .lines()
@@ -47,10 +43,7 @@ fn prototypes_are_the_same() {
         assert_eq!(theirs.len(), shared_symbols(variant).len());
     }
     let (double, float) = (REALS[0].1, REALS[1].1);
-    assert_ne!(
-        prototypes(&include(), double),
-        prototypes(&include(), float)
-    );
+    assert_ne!(prototypes(&include(), double), prototypes(&include(), float));
 }
 
 /// A C program that includes both sets of headers, the first set with all names changed. In it the compiler compares size,
@@ -58,10 +51,8 @@ fn prototypes_are_the_same() {
 /// set.
 fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> String {
     let headers = Family::ALL.map(Family::c_name);
-    let names: Vec<_> = shared_symbols(&DOUBLE)
-        .into_iter()
-        .chain(headers.map(|header| format!("a_{header}")))
-        .collect();
+    let names: Vec<_> =
+        shared_symbols(&DOUBLE).into_iter().chain(headers.map(|header| format!("a_{header}"))).collect();
     let mut program = format!("#define tv {tv}\n");
     for (header, highest) in headers.iter().zip([0, 0, 3, 3, 4]) {
         if highest > 0 {
@@ -87,11 +78,7 @@ fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> Strin
         let ours = format!("a_{}", family.c_name());
         let stored = &["p", "v", "a", "j"][..levels];
         let is_stored = |field: &&&str| !field.contains('[') || stored.contains(&&field[..1]);
-        writeln!(
-            program,
-            "_Static_assert(sizeof({ours}) == sizeof(first_{ours}), \"{ours}\");"
-        )
-        .unwrap();
+        writeln!(program, "_Static_assert(sizeof({ours}) == sizeof(first_{ours}), \"{ours}\");").unwrap();
         for field in family.fields().iter().filter(is_stored) {
             writeln!(
                 program,
@@ -123,10 +110,7 @@ fn layouts_are_the_same() {
                 for compiler in compilers(Language::C) {
                     let output = check_layout(compiler, size, &program);
                     let errors = String::from_utf8_lossy(&output.stderr);
-                    assert!(
-                        output.status.success(),
-                        "{compiler} {size} level {levels}: {errors}"
-                    );
+                    assert!(output.status.success(), "{compiler} {size} level {levels}: {errors}");
                 }
             }
         }
@@ -135,10 +119,7 @@ fn layouts_are_the_same() {
         let program = layout_program(&theirs, &headers(8, false, [3, 3, 4]), 4, planted);
         let output = check_layout("cc", REALS[0].1, &program);
         let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(
-            errors.contains("a_trajbell"),
-            "{planted} went unseen: {errors}"
-        );
+        assert!(errors.contains("a_trajbell"), "{planted} went unseen: {errors}");
     }
 }
 
@@ -146,10 +127,7 @@ fn layouts_are_the_same() {
 fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) -> Vec<String> {
     let program = directory("consumer").join("program");
     let mut compile = Command::new(compiler[0]);
-    compile
-        .args(&compiler[1..])
-        .args(["-Wall", "-Wextra", "-Werror", "-I"])
-        .arg(include);
+    compile.args(&compiler[1..]).args(["-Wall", "-Wextra", "-Werror", "-I"]).arg(include);
     compile.arg(source).arg(variant.archive());
     run(compile.arg("-lm").arg("-o").arg(&program));
     lines(Command::new(program).arg(golden::directory()))
@@ -169,10 +147,7 @@ fn programs_are_the_same_with_either_headers() {
             ours
         };
         for compiler in compilers(Language::C) {
-            assert_eq!(
-                both(&[compiler, "-std=c99", "-DLIBA_HEADERS"], &golden).len(),
-                shared_symbols(variant).len()
-            );
+            assert_eq!(both(&[compiler, "-std=c99", "-DLIBA_HEADERS"], &golden).len(), shared_symbols(variant).len());
             for standard in ["-std=c99", "-std=c11", "-std=c17"] {
                 assert!(both(&[compiler, standard], &prelude).len() > 20);
             }

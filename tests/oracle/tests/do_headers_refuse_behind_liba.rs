@@ -37,9 +37,7 @@ typedef double a_real;
 
 /// The trajectory headers, and those of ours that include them.
 fn headers() -> Vec<String> {
-    let mut headers = Family::ALL
-        .map(|family| format!("a/{}.h", family.c_name()))
-        .to_vec();
+    let mut headers = Family::ALL.map(|family| format!("a/{}.h", family.c_name())).to_vec();
     headers.push("atraj.h".into());
     headers
 }
@@ -61,10 +59,7 @@ fn the_real_type() {
         for compiler in compilers(Language::C) {
             for header in headers() {
                 let said = says(compiler, &ours, LIBA, &header, flags);
-                let context = format!(
-                    "{compiler} {} {flags:?} {header}: {said}",
-                    variant.directory
-                );
+                let context = format!("{compiler} {} {flags:?} {header}: {said}", variant.directory);
                 assert_eq!(said.is_empty(), expected.is_empty(), "{context}");
                 assert!(said.contains(expected), "{context}");
             }
@@ -75,12 +70,7 @@ fn the_real_type() {
 #[test]
 fn levels_and_generation() {
     let ours = DOUBLE.dist().join("include");
-    for flag in [
-        "-DA_TRAJPOLY3=2",
-        "-DA_TRAJPOLY5=1",
-        "-DA_TRAJPOLY7=3",
-        "-DA_TRAJPOLY_COMPACT",
-    ] {
+    for flag in ["-DA_TRAJPOLY3=2", "-DA_TRAJPOLY5=1", "-DA_TRAJPOLY7=3", "-DA_TRAJPOLY_COMPACT"] {
         for header in headers() {
             let said = says("cc", &ours, LIBA, &header, &[flag]);
             assert!(said.contains("leave"), "{flag} {header}: {said}");

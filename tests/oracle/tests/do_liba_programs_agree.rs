@@ -7,6 +7,7 @@ use support::Family;
 use support::tools::{has_tool, lines, run};
 
 /// Arguments of the programs. Each program prints with some of them.
+#[rustfmt::skip]
 const MOVES: [&str; 7] = [
     "30 10 5 0 10 1 0",
     "3 2 2 10 -10 0 0.5",
@@ -18,33 +19,18 @@ const MOVES: [&str; 7] = [
 ];
 
 /// Compiles a program: the C source alone, or the C source with its C++ twin, which then does the printing.
-fn compile(
-    directory: &Path,
-    name: &str,
-    cpp: bool,
-    size: &str,
-    include: &Path,
-    archive: &Path,
-) -> PathBuf {
+fn compile(directory: &Path, name: &str, cpp: bool, size: &str, include: &Path, archive: &Path) -> PathBuf {
     let source = |extension| Path::new(LIBA).join(format!("test/{name}.{extension}"));
     let object = directory.join(format!("{name}.o"));
     let mut c = Command::new("cc");
-    c.args(["-c", "-O2", size, "-I"])
-        .arg(include)
-        .arg(source("c"));
+    c.args(["-c", "-O2", size, "-I"]).arg(include).arg(source("c"));
     run(c.args(cpp.then_some("-DHAS_CXX")).arg("-o").arg(&object));
     let program = directory.join(name);
     let mut link = Command::new(if cpp { "c++" } else { "cc" });
     if cpp {
-        link.args(["-O2", size, "-DHAS_CXX", "-I"])
-            .arg(include)
-            .arg(source("cc"));
+        link.args(["-O2", size, "-DHAS_CXX", "-I"]).arg(include).arg(source("cc"));
     }
-    run(link
-        .arg(object)
-        .arg(archive)
-        .args(["-lm", "-o"])
-        .arg(&program));
+    run(link.arg(object).arg(archive).args(["-lm", "-o"]).arg(&program));
     program
 }
 
@@ -55,18 +41,8 @@ fn the_originals_own_programs_print_the_same() {
         let [ours, theirs] = ["programs-ours", "programs-theirs"].map(directory);
         build(&theirs, &[], &[size]);
         let dist = variant.dist();
-        let ours = |name, cpp| {
-            compile(
-                &ours,
-                name,
-                cpp,
-                size,
-                &dist.join("include"),
-                &variant.archive(),
-            )
-        };
-        let theirs =
-            |name, cpp| compile(&theirs, name, cpp, size, &include(), &theirs.join("liba.a"));
+        let ours = |name, cpp| compile(&ours, name, cpp, size, &dist.join("include"), &variant.archive());
+        let theirs = |name, cpp| compile(&theirs, name, cpp, size, &include(), &theirs.join("liba.a"));
         for name in Family::ALL.map(Family::c_name) {
             let mut printed = [0, 0];
             for cpp in [false, true].into_iter().filter(|&cpp| !cpp || has_cpp) {
@@ -80,10 +56,7 @@ fn the_originals_own_programs_print_the_same() {
                     printed[usize::from(cpp)] += output[0].len();
                 }
             }
-            println!(
-                "{size} {name}: {} lines in C, {} in C++",
-                printed[0], printed[1]
-            );
+            println!("{size} {name}: {} lines in C, {} in C++", printed[0], printed[1]);
             assert!(printed[0] > 1000 && (!has_cpp || printed[1] == printed[0]));
         }
     }

@@ -3,7 +3,7 @@
 use oracle::liba::abi::Original;
 use oracle::liba::comparison::Report;
 use oracle::liba::volume::run_seed;
-use support::Ours;
+use support::{Ours, test_both_reals};
 
 fn fifty_million_calls<R: Original>() {
     let seeds = 0..50;
@@ -14,23 +14,8 @@ fn fifty_million_calls<R: Original>() {
     println!("{}: seeds {seeds:?}: {total}", R::NAME);
     total.assert_same();
     assert!(total.calls >= 50_000_000);
-    assert!(
-        total.endless > 0,
-        "no infinite acceleration among the moves"
-    );
-    assert_eq!(
-        total.most_rounds,
-        R::MOST_ROUNDS,
-        "rounds of the longest search"
-    );
+    assert!(total.endless > 0, "no infinite acceleration among the moves");
+    assert_eq!(total.most_rounds, R::MOST_ROUNDS, "rounds of the longest search");
 }
 
-#[test]
-fn f64() {
-    fifty_million_calls::<f64>();
-}
-
-#[test]
-fn f32() {
-    fifty_million_calls::<f32>();
-}
+test_both_reals!(fifty_million_calls);

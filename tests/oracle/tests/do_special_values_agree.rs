@@ -3,7 +3,7 @@
 use oracle::liba::abi::Original;
 use oracle::liba::comparison::{Case, MOMENTS, Moment, Report};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
-use support::{Family, Ours};
+use support::{Family, Ours, test_both_reals};
 
 /// Ordinary moves: with cruise, without, backward.
 const MOVES: [[f64; MOST_ARGUMENTS]; 3] = [
@@ -41,12 +41,4 @@ fn pairs<R: Original>() {
     report.assert_same();
 }
 
-#[test]
-fn f64() {
-    pairs::<f64>();
-}
-
-#[test]
-fn f32() {
-    pairs::<f32>();
-}
+test_both_reals!(pairs);

@@ -1,17 +1,17 @@
 //! Does a path pass its way points within all limits, in the promised durations, and never later than with stops, in 2,000 paths per real type?
 
 use atraj::State;
-use atraj::axes::synchronise;
+use atraj::axes::{path_size, synchronise};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::faults::Fault;
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, judge, promised, stopping};
+use oracle::judge::path::{Path, Paths, Planner, judge, judge_near, promised, stopping, wrong_near};
 use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
-use support::{Random, Real};
+use support::{Random, Real, test_both_reals};
 
-const PATHS: usize = 2_000;
+const PATHS: usize = if support::BRIEF { 200 } else { 2_000 };
 
 fn paths_pass_their_points<R: Original>() {
     let start = Instant::now();
@@ -27,112 +27,136 @@ fn paths_pass_their_points<R: Original>() {
     }
     for (family, parts) in &parts {
         let mean = parts.iter().sum::<f64>() / parts.len() as f64;
-        println!(
-            "{:>14?} {:>5} paths, mean {mean:.3} of the path with stops",
-            Family::ALL[*family],
-            parts.len()
-        );
+        println!("{:>14?} {:>5} paths, mean {mean:.3} of the path with stops", Family::ALL[*family], parts.len());
     }
-    println!(
-        "{}: {} bad, {:.0} s",
-        R::NAME,
-        bad.len(),
-        start.elapsed().as_secs_f64()
-    );
+    println!("{}: {} bad, {:.0} s", R::NAME, bad.len(), start.elapsed().as_secs_f64());
     for example in bad.iter().take(20) {
         println!("{example}");
     }
     assert!(bad.is_empty());
 }
 
-#[test]
-fn f64() {
-    paths_pass_their_points::<f64>();
+/// Any limits may be infinite that leave both accelerations or a jerk finite, in paths of 1 to 20 sections.
+fn infinite_limits_are_planned<R: Original>() {
+    let mut random = Random::seeded(15);
+    let endless = f64::INFINITY;
+    for mask in 0..64 {
+        let is_endless = |limit: usize| mask >> limit & 1 == 1;
+        if (is_endless(4) && is_endless(5)) && (is_endless(2) || is_endless(3)) {
+            continue;
+        }
+        for sections in 1..=20 {
+            let axes = 1 + random.below(2);
+            let mut limit = |index: usize, [low, high]: [f64; 2]| {
+                let limit = if is_endless(index) { endless } else { random.magnitude(low, high) };
+                R::of(if index.is_multiple_of(2) { limit } else { -limit })
+            };
+            let mut of_axis = || {
+                let [v, a, j] = [[-0.5, 0.5], [0.0, 1.0], [0.5, 2.0]];
+                let [vmax, vmin, amax] = [limit(0, v), limit(1, v), limit(2, a)];
+                let [amin, jmax, jmin] = [limit(3, a), limit(4, j), limit(5, j)];
+                Limits { vmax, vmin, amax, amin, jmax, jmin }
+            };
+            let limits = (0..axes).map(|_| of_axis()).collect();
+            let states = (0..axes * (sections + 1)).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect();
+            let chain = Chain { family: Family::Unlimited, axes, limits, states };
+            let judged = judge(&Paths, &chain, &mut Random::seeded(mask as u64));
+            assert!(judged.is_ok(), "{mask:06b}: {judged:?} {chain:?}");
+        }
+    }
 }
 
-#[test]
-fn f32() {
-    paths_pass_their_points::<f32>();
+/// Paths of 1,000 sections. Their memory grows with the sections, not with their square.
+fn long_paths_are_planned<R: Original>() {
+    let mut random = Random::seeded(16);
+    for axes in [1, 2, 3] {
+        let size = |sections| path_size(axes, sections).expect("a size");
+        assert_eq!(size(65_536) - size(65_535), size(2) - size(1));
+        let limits = vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(2.0)); axes];
+        let states = (0..axes * 1_001).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect();
+        let chain = Chain { family: Family::Many, axes, limits, states };
+        let part = judge(&Paths, &chain, &mut random).expect("a path");
+        println!("{}, {axes} axes: {part:.3} of the path with stops", R::NAME);
+        assert!(part < 0.95);
+    }
 }
 
 /// Every number of a plan, as bits.
 fn bits<R: Real>(path: &Path<R>) -> Vec<u64> {
-    let states = path
-        .states
-        .iter()
-        .flat_map(|s| [s.position, s.velocity, s.acceleration]);
+    let states = path.states.iter().flat_map(|s| [s.position, s.velocity, s.acceleration]);
     let numbers = states.chain(path.durations.iter().copied());
     // 0 has no direction.
     numbers.map(|x| (x + R::of(0.0)).low_bits()).collect()
 }
 
+/// Tolerances of a path: a third of them 0, the others of 0.0001 to 1.
+fn tolerances<R: Real>(chain: &Chain<R>, random: &mut Random) -> Vec<R> {
+    let count = chain.axes * (chain.sections() - 1);
+    (0..count).map(|_| R::of(if random.one_in(3) { 0.0 } else { random.magnitude(-4.0, 0.0) })).collect()
+}
+
+/// Paths through zones stay within them and within the limits, and are never longer than the paths through the points.
+fn zones_are_kept<R: Original>() {
+    let (mut chains, mut random) = (Chains::new(2), Random::seeded(2));
+    let (mut bad, mut parts, mut unseen) = (Vec::new(), 0.0, 0);
+    for k in 0..PATHS / 2 {
+        let chain = chains.draw::<R>();
+        let tolerances = tolerances(&chain, &mut random);
+        match judge_near(&chain, &tolerances, &mut random) {
+            Ok(part) => parts += part,
+            Err(what) => bad.push(format!("{k} {:?}: {what}", chain.family)),
+        }
+        // Zones that are half as wide again: most paths leave the given ones.
+        let wider: Vec<_> = tolerances.iter().map(|&r| R::of(1.5) * r).collect();
+        let (path, found) = Paths.plan_near(&chain, &wider, 0).expect("a plan");
+        let leaves = wrong_near(&chain, &tolerances, &path, found, &mut random).is_some();
+        unseen += usize::from(!leaves && wider.iter().any(|r| r.widen() > 0.0));
+    }
+    println!(
+        "{}: {:.3} of the path through the points, {unseen} wider zones unseen",
+        R::NAME,
+        parts / (PATHS / 2) as f64
+    );
+    for example in bad.iter().take(20) {
+        println!("{example}");
+    }
+    assert!(bad.is_empty() && unseen < PATHS / 6);
+}
+
 fn units_change_no_bit<R: Original>() {
-    let mut chains = Chains::new(1);
+    let (mut chains, mut random) = (Chains::new(1), Random::seeded(1));
     for k in 0..PATHS / 4 {
         let chain = chains.draw::<R>();
-        let plan = |chain: &Chain<R>| Paths.plan(chain, 0).expect("a plan").0;
+        let near = k % 2 == 1;
+        let tolerances = tolerances(&chain, &mut random);
+        let plan_scaled = |chain: &Chain<R>, length: f64| {
+            let tolerances: Vec<_> = tolerances.iter().map(|&r| R::of(length) * r).collect();
+            let plan = if near { Paths.plan_near(chain, &tolerances, 0) } else { Paths.plan(chain, 0) };
+            plan.expect("a plan").0
+        };
+        let plan = |chain: &Chain<R>| plan_scaled(chain, 1.0);
         let path = plan(&chain);
         for first in 0..chain.axes.min(2) {
             let other = plan(&chain.mirrored(first));
-            let back = Chain {
-                states: other.states,
-                ..chain.clone()
-            }
-            .mirrored(first);
-            let back = Path {
-                states: back.states,
-                durations: other.durations,
-            };
-            assert!(
-                bits(&path) == bits(&back),
-                "{k} {:?}: mirrored from {first} on",
-                chain.family
-            );
+            let back = Chain { states: other.states, ..chain.clone() }.mirrored(first);
+            let back = Path { states: back.states, durations: other.durations };
+            assert!(bits(&path) == bits(&back), "{k} {:?}: mirrored from {first} on", chain.family);
         }
         for (length, time) in [(8.0, 1.0), (1.0, 0.25), (0.5, 2.0)] {
-            let other = plan(&chain.scaled(length, time));
-            let scaled = Chain {
-                states: other.states,
-                ..chain.clone()
-            }
-            .scaled(1.0 / length, 1.0 / time);
-            let durations = other
-                .durations
-                .iter()
-                .map(|&t| t * R::of(1.0 / time))
-                .collect();
-            let back = Path {
-                states: scaled.states,
-                durations,
-            };
-            assert!(
-                bits(&path) == bits(&back),
-                "{k} {:?}: {length} {time}",
-                chain.family
-            );
+            let other = plan_scaled(&chain.scaled(length, time), length);
+            let scaled = Chain { states: other.states, ..chain.clone() }.scaled(1.0 / length, 1.0 / time);
+            let durations = other.durations.iter().map(|&t| t * R::of(1.0 / time)).collect();
+            let back = Path { states: scaled.states, durations };
+            assert!(bits(&path) == bits(&back), "{k} {:?}: {length} {time}", chain.family);
         }
     }
-}
-
-#[test]
-fn units_change_no_bit_f64() {
-    units_change_no_bit::<f64>();
-}
-
-#[test]
-fn units_change_no_bit_f32() {
-    units_change_no_bit::<f32>();
 }
 
 /// One axis moves and comes back to where it starts, the other one cannot stop before its way point: to both sides alike.
 fn there_and_back<R: Original>() {
     let state = |numbers: [f64; 3]| {
         let [position, velocity, acceleration] = numbers.map(R::of);
-        State {
-            position,
-            velocity,
-            acceleration,
-        }
+        State { position, velocity, acceleration }
     };
     let start = [[0.0, 0.05, -1.0], [0.0, 5.0, 0.0]];
     let behind = [[0.0; 3], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
@@ -151,27 +175,15 @@ fn hardly_in_time<R: Original>() {
     for _ in 0..200 {
         let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
         let limits = Limits::symmetric(R::of(jerk), R::of(acceleration), R::of(velocity));
-        let start = State {
-            velocity: R::of(velocity * random.between(0.5, 1.0)),
-            ..State::at(R::of(0.0))
-        };
+        let start = State { velocity: R::of(velocity * random.between(0.5, 1.0)), ..State::at(R::of(0.0)) };
         let mut axis = Move::default();
         axis.stop(&limits, start).expect("a stop");
         let stop = axis.state_at(axis.t).position.widen();
         let (place, slower) = (random.between(0.1, 0.9), random.magnitude(-1.0, 0.0));
         let ways = [[0.0; 2], [place, slower * place], [2.0, slower], [3.0, 0.0]];
-        let mut states: Vec<_> = ways
-            .iter()
-            .flatten()
-            .map(|&part| State::at(R::of(part * stop)))
-            .collect();
+        let mut states: Vec<_> = ways.iter().flatten().map(|&part| State::at(R::of(part * stop))).collect();
         states[0] = start;
-        to_both_sides_alike(&Chain {
-            family: Family::InMotion,
-            axes: 2,
-            limits: vec![limits; 2],
-            states,
-        });
+        to_both_sides_alike(&Chain { family: Family::InMotion, axes: 2, limits: vec![limits; 2], states });
     }
 }
 
@@ -179,11 +191,7 @@ fn hardly_in_time<R: Original>() {
 fn to_both_sides_alike<R: Original>(chain: &Chain<R>) {
     let durations = |chain: &Chain<R>| Paths.plan(chain, 0).expect("a plan").0.durations;
     for first in [0, 1] {
-        assert_eq!(
-            durations(chain),
-            durations(&chain.mirrored(first)),
-            "{chain:?}"
-        );
+        assert_eq!(durations(chain), durations(&chain.mirrored(first)), "{chain:?}");
     }
 }
 
@@ -223,16 +231,6 @@ fn repeated_points_take_no_time<R: Original>() {
     }
 }
 
-#[test]
-fn repeated_points_take_no_time_f64() {
-    repeated_points_take_no_time::<f64>();
-}
-
-#[test]
-fn repeated_points_take_no_time_f32() {
-    repeated_points_take_no_time::<f32>();
-}
-
 fn every_fault_is_seen<R: Original>() {
     for fault in Fault::ALL {
         let (mut chains, mut random) = (Chains::new(0), Random::seeded(0));
@@ -242,23 +240,9 @@ fn every_fault_is_seen<R: Original>() {
         }
         println!("{} {fault:?}: {seen} of 180 paths seen", R::NAME);
         // One family has limits for every section, and one starts outside.
-        let few = if matches!(fault, Fault::NoZones | Fault::Silent) {
-            5
-        } else {
-            18
-        };
+        let few = if matches!(fault, Fault::NoZones | Fault::Silent) { 5 } else { 18 };
         assert!(seen >= few, "{fault:?} in {}", R::NAME);
     }
-}
-
-#[test]
-fn every_fault_is_seen_f64() {
-    every_fault_is_seen::<f64>();
-}
-
-#[test]
-fn every_fault_is_seen_f32() {
-    every_fault_is_seen::<f32>();
 }
 
 /// Two or three sections of one axis or two, whose numbers have any size up to 10 to the power of `most`.
@@ -267,31 +251,20 @@ fn of_size<R: Real>(random: &mut Random, most: f64) -> Chain<R> {
     let number = |random: &mut Random| R::of(random.sign() * random.magnitude(-most, most));
     let limit = |random: &mut Random, one_endless_in| {
         let limit = R::of(random.magnitude(-most, most));
-        if random.one_in(one_endless_in) {
-            R::of(f64::INFINITY)
-        } else {
-            limit
-        }
+        if random.one_in(one_endless_in) { R::of(f64::INFINITY) } else { limit }
     };
     let limits = (0..axes).map(|_| {
         let acceleration = R::of(random.magnitude(-most, most));
         Limits::symmetric(limit(random, 10), acceleration, limit(random, 5))
     });
     let limits = limits.collect();
-    let mut states: Vec<_> = (0..axes * points)
-        .map(|_| State::at(number(random)))
-        .collect();
+    let mut states: Vec<_> = (0..axes * points).map(|_| State::at(number(random))).collect();
     for start in &mut states[..axes] {
         if random.one_in(2) {
             (start.velocity, start.acceleration) = (number(random), number(random));
         }
     }
-    Chain {
-        family: Family::InMotion,
-        axes,
-        limits,
-        states,
-    }
+    Chain { family: Family::InMotion, axes, limits, states }
 }
 
 /// How many paths are refused, and how many sections have motions that are. Every other section takes the promised time.
@@ -309,8 +282,7 @@ fn refused<R: Original>(most: f64) -> [usize; 2] {
             }
         };
         for (section, &t) in path.durations.iter().enumerate() {
-            let [from, to] = [section, section + 1]
-                .map(|point| &path.states[point * chain.axes..][..chain.axes]);
+            let [from, to] = [section, section + 1].map(|point| &path.states[point * chain.axes..][..chain.axes]);
             let mut moves = vec![Move::default(); chain.axes];
             match synchronise(&mut moves, &chain.limits, from, to, t, R::of(0.0)) {
                 Ok(_) => {
@@ -327,10 +299,7 @@ fn refused<R: Original>(most: f64) -> [usize; 2] {
         let roundings = 64.0 * R::MACHINE_EPSILON.widen();
         assert!(part <= 1.0 + roundings, "{k}: {part}");
     }
-    println!(
-        "{}, 1e{most:.0}: {paths} paths refused, {sections} sections",
-        R::NAME
-    );
+    println!("{}, 1e{most:.0}: {paths} paths refused, {sections} sections", R::NAME);
     [paths, sections]
 }
 
@@ -342,12 +311,7 @@ fn of_any_size<R: Original>() {
     assert!(paths < 5 * PATHS && sections < 2 * PATHS);
 }
 
-#[test]
-fn of_any_size_f64() {
-    of_any_size::<f64>();
-}
-
-#[test]
-fn of_any_size_f32() {
-    of_any_size::<f32>();
-}
+test_both_reals!(
+    paths_pass_their_points, zones_are_kept, infinite_limits_are_planned, long_paths_are_planned, units_change_no_bit,
+    repeated_points_take_no_time, every_fault_is_seen, of_any_size
+);

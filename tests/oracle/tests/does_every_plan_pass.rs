@@ -6,10 +6,10 @@ use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::axes::problems::Sets;
 use oracle::judge::planner::{Fastest, Planner};
 use oracle::judge::problems::Problems;
-use support::Real;
+use support::{Real, test_both_reals};
 
-const PROBLEMS: usize = 100_000;
-const SETS: usize = 4_000;
+const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
+const SETS: usize = if support::BRIEF { 1_000 } else { 4_000 };
 
 /// An axis that slips by roundings, so that all arrive together, may show a step: 6 of 52,245 axes in binary64, 71 in binary32. So a monitor
 /// refuses at most one of so many.
@@ -19,21 +19,12 @@ const ONE_STEP_OF: usize = 500;
 fn allowed(found: Findings) -> Findings {
     let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
     let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
-    if found.contains(Findings::STARTS_OUTSIDE) {
-        ends | excess
-    } else {
-        ends
-    }
+    if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends }
 }
 
 fn check<R: Real>(planned: &Move<R>, limits: &Limits<R>, found: Findings, what: &str) {
-    let checked = planned
-        .check(limits)
-        .unwrap_or_else(|error| panic!("{error:?} {what}"));
-    assert!(
-        allowed(found).contains(checked),
-        "{checked:?}, not {found:?}: {what}"
-    );
+    let checked = planned.check(limits).unwrap_or_else(|error| panic!("{error:?} {what}"));
+    assert!(allowed(found).contains(checked), "{checked:?}, not {found:?}: {what}");
 }
 
 fn plans_of_one_axis_pass<R: Real>() {
@@ -57,18 +48,7 @@ fn plans_of_one_axis_pass<R: Real>() {
     assert!(passed * 100 > PROBLEMS * 99);
 }
 
-#[test]
-fn plans_of_one_axis_pass_f64() {
-    plans_of_one_axis_pass::<f64>();
-}
-
-#[test]
-fn plans_of_one_axis_pass_f32() {
-    plans_of_one_axis_pass::<f32>();
-}
-
-type Together<R> =
-    fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
+type Together<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
 
 fn plans_of_several_axes_pass<R: Real>() {
     let (mut passed, mut steps) = (0, 0);
@@ -92,20 +72,8 @@ fn plans_of_several_axes_pass<R: Real>() {
             }
         }
     }
-    println!(
-        "{}: {passed} plans of {} sets pass, {steps} show a slip",
-        R::NAME,
-        2 * SETS
-    );
+    println!("{}: {passed} plans of {} sets pass, {steps} show a slip", R::NAME, 2 * SETS);
     assert!(passed > 2 * SETS && steps * ONE_STEP_OF <= passed);
 }
 
-#[test]
-fn plans_of_several_axes_pass_f64() {
-    plans_of_several_axes_pass::<f64>();
-}
-
-#[test]
-fn plans_of_several_axes_pass_f32() {
-    plans_of_several_axes_pass::<f32>();
-}
+test_both_reals!(plans_of_one_axis_pass, plans_of_several_axes_pass);

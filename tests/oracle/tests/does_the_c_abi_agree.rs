@@ -16,8 +16,7 @@ fn is_saturated_alike(case: &Case<a_float>) -> bool {
         index.map_or(1.0, |index| case.arguments[index])
     };
     let [vm, v0, v1] = ["vm", "v0", "v1"].map(argument);
-    let is_special =
-        [vm, v0, v1].iter().any(|v| v.is_nan()) || vm == 0.0 && (v0 == 0.0 || v1 == 0.0);
+    let is_special = [vm, v0, v1].iter().any(|v| v.is_nan()) || vm == 0.0 && (v0 == 0.0 || v1 == 0.0);
     !(cfg!(feature = "poly-compact") && case.planned && is_special) || is_polynomial(case)
 }
 
@@ -30,8 +29,7 @@ fn ours_is_the_original() {
 
 #[test]
 fn ours_together_is_the_original() {
-    run_seed_of::<a_float>(&Together, &a_float::ORIGINAL, 4_000_000, is_saturated_alike)
-        .assert_same();
+    run_seed_of::<a_float>(&Together, &a_float::ORIGINAL, 4_000_000, is_saturated_alike).assert_same();
 }
 
 fn is_polynomial(case: &Case<a_float>) -> bool {

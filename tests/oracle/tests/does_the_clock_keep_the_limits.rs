@@ -3,10 +3,10 @@
 use atraj::axes::{path_size, plan_path, synchronise};
 use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move, State};
-use support::{Random, Real, online};
+use support::{Random, Real, online, test_both_reals};
 
 /// Each path has three changes of its rate, so there are 100,000 per real type.
-const PATHS: usize = 33_334;
+const PATHS: usize = if support::BRIEF { 3_334 } else { 33_334 };
 const SAMPLES: usize = 40;
 const RESERVES: [f64; 3] = [0.1, 0.2, 0.5];
 
@@ -29,7 +29,7 @@ impl<R: Real> Path<R> {
         let mut durations = vec![zero; sections];
         if sections > 1 {
             let mut work = vec![zero; path_size(n, sections).expect("a size")];
-            plan_path(&mut states, &mut durations, &limits, 6, &mut work).expect("a path");
+            plan_path(&mut states, &mut durations, &limits, n, 6, &mut work).expect("a path");
         }
         let mut moves = vec![Move::default(); n * sections];
         for (section, moves) in moves.chunks_mut(n).enumerate() {
@@ -83,14 +83,7 @@ impl<R: Real> Path<R> {
     /// Whether each axis can do in one direction what it can do in the other.
     fn is_symmetric(&self) -> bool {
         self.limits.iter().all(|limits| {
-            let Limits {
-                vmax,
-                vmin,
-                amax,
-                amin,
-                jmax,
-                jmin,
-            } = *limits;
+            let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
             vmax == -vmin && amax == -amin && jmax == -jmin
         })
     }
@@ -108,11 +101,7 @@ impl<R: Real> Path<R> {
 
 /// Whether a state keeps the limits, up to 256 roundings of them.
 fn keeps<R: Real>(state: [R; 4], limits: &Limits<R>) -> bool {
-    let pairs = [
-        (limits.vmin, limits.vmax),
-        (limits.amin, limits.amax),
-        (limits.jmin, limits.jmax),
-    ];
+    let pairs = [(limits.vmin, limits.vmax), (limits.amin, limits.amax), (limits.jmin, limits.jmax)];
     state[1..].iter().zip(pairs).all(|(value, (low, high))| {
         let [value, low, high] = [*value, low, high].map(R::widen);
         let slack = 256.0 * R::MACHINE_EPSILON.widen() * (high - low);
@@ -143,10 +132,7 @@ fn limits_are_kept<R: Real>() {
                     assert_eq!((error, before), (Error::Target, clock), "path {number}");
                     // Back along the path, an axis needs in one direction what it had in the other.
                     let is_backward = rate < 0.0 && !path.is_symmetric();
-                    assert!(
-                        is_backward || !is_steady,
-                        "path {number}: {rate}, {before:?}"
-                    );
+                    assert!(is_backward || !is_steady, "path {number}: {rate}, {before:?}");
                     backward += u32::from(is_backward);
                     in_change += u32::from(!is_backward);
                 }
@@ -158,20 +144,15 @@ fn limits_are_kept<R: Real>() {
                 }
             }
             for (axis, limits) in limits.iter().enumerate() {
-                let [one, other] =
-                    [before, clock].map(|clock| clock.state(path.axis(axis), n, begin));
+                let [one, other] = [before, clock].map(|clock| clock.state(path.axis(axis), n, begin));
                 let speed = limits.vmax.widen() - limits.vmin.widen();
                 let position = one[0].widen().abs() + speed * (x + t);
                 let acceleration = limits.amax.widen() - limits.amin.widen();
-                for (k, size) in [position, speed + acceleration * x, acceleration]
-                    .into_iter()
-                    .enumerate()
-                {
+                for (k, size) in [position, speed + acceleration * x, acceleration].into_iter().enumerate() {
                     let jump = (one[k].widen() - other[k].widen()).abs();
                     // The acceleration changes by its jerk within a rounding of the time.
                     let jerk = limits.jmax.widen() - limits.jmin.widen();
-                    let slack =
-                        256.0 * epsilon * (size + if k == 2 { jerk * (x + t) } else { 0.0 });
+                    let slack = 256.0 * epsilon * (size + if k == 2 { jerk * (x + t) } else { 0.0 });
                     assert!(jump <= slack, "path {number}: {one:?} {other:?}");
                 }
             }
@@ -182,11 +163,7 @@ fn limits_are_kept<R: Real>() {
                 let s = clock.time(y);
                 for (axis, limits) in limits.iter().enumerate() {
                     let state = clock.state(path.axis(axis), n, y);
-                    assert_eq!(
-                        state[0],
-                        path.state(axis, s).position,
-                        "path {number}: off the path"
-                    );
+                    assert_eq!(state[0], path.state(axis, s).position, "path {number}: off the path");
                     assert!(
                         keeps(state, limits),
                         "path {number}, change {change}: {state:?} {limits:?} at {y:e}, {clock:?}, axis {axis}"
@@ -196,15 +173,10 @@ fn limits_are_kept<R: Real>() {
             x = later;
         }
         // Wherever the axes were, they end where the plan ends.
-        let end =
-            R::of(x + clock.until().widen() + 2.0 * t - clock.time(R::of(x)).widen().min(0.0));
+        let end = R::of(x + clock.until().widen() + 2.0 * t - clock.time(R::of(x)).widen().min(0.0));
         if clock.time(end).widen() > t {
             for (axis, to) in path.to.iter().enumerate() {
-                assert_eq!(
-                    clock.state(path.axis(axis), n, end)[..2],
-                    [to.position, R::of(0.0)],
-                    "path {number}"
-                );
+                assert_eq!(clock.state(path.axis(axis), n, end)[..2], [to.position, R::of(0.0)], "path {number}");
             }
         }
     }
@@ -221,16 +193,6 @@ fn limits_are_kept<R: Real>() {
     assert!((in_change as usize) < PATHS / 100 && holds.iter().all(|ratio| *ratio < 1.5));
 }
 
-#[test]
-fn limits_are_kept_f64() {
-    limits_are_kept::<f64>();
-}
-
-#[test]
-fn limits_are_kept_f32() {
-    limits_are_kept::<f32>();
-}
-
 /// The clock uses its reserve. So the judge must see it exceed a smaller one.
 #[test]
 fn a_fault_is_seen() {
@@ -240,9 +202,7 @@ fn a_fault_is_seen() {
         let path = Path::<f64>::random(&mut random);
         let mut clock = Clock::new();
         let x = path.duration() * random.between(0.1, 0.9);
-        clock
-            .rate(&path.moves, &path.wider(0.5), x, 0.0)
-            .expect("a hold");
+        clock.rate(&path.moves, &path.wider(0.5), x, 0.0).expect("a hold");
         let smaller = path.wider(0.2);
         seen += usize::from((0..200).any(|_| {
             let y = random.between(x, clock.until());
@@ -271,14 +231,9 @@ fn states_are_derivatives() {
         }
         for _ in 0..20 {
             let y = random.between(x + h, clock.until() - h);
-            let [early, now, late] =
-                [y - h, y, y + h].map(|y| clock.state(&path.moves, path.axes(), y));
+            let [early, now, late] = [y - h, y, y + h].map(|y| clock.state(&path.moves, path.axes(), y));
             let limits = &limits[0];
-            let sizes = [
-                limits.vmax - limits.vmin,
-                limits.amax - limits.amin,
-                limits.jmax - limits.jmin,
-            ];
+            let sizes = [limits.vmax - limits.vmin, limits.amax - limits.amin, limits.jmax - limits.jmin];
             for k in 0..2 {
                 let slope = (late[k] - early[k]) / (2.0 * h);
                 let slack = h * sizes[k + 1] + 1e-11 * (sizes[k] * (1.0 + y) + now[k].abs()) / h;
@@ -287,3 +242,5 @@ fn states_are_derivatives() {
         }
     }
 }
+
+test_both_reals!(limits_are_kept);

@@ -11,11 +11,7 @@ use support::variant::DOUBLE;
 /// What `c/rounding.c` prints: for each mode, the plans that differ from the original's and from those of the default mode.
 fn differences() -> HashMap<String, [u64; 2]> {
     let directory = directory("rounding");
-    build(
-        &directory,
-        &["poly", "trajbell", "trajtrap"],
-        &["-DA_SIZE_FLOAT=8"],
-    );
+    build(&directory, &["poly", "trajbell", "trajtrap"], &["-DA_SIZE_FLOAT=8"]);
     let original = directory.join("original.a");
     let mut rename = Command::new("objcopy");
     for name in shared_symbols(&DOUBLE) {

@@ -5,7 +5,7 @@ use oracle::liba::comparison::Report;
 use oracle::liba::faults::Fault;
 use oracle::liba::volume::run_seed;
 use std::collections::HashSet;
-use support::Ours;
+use support::{Ours, test_both_reals};
 
 #[test]
 fn three_libraries_are_linked() {
@@ -32,16 +32,6 @@ fn every_fault_is_caught<R: Original>() {
     }
 }
 
-#[test]
-fn every_fault_is_caught_f64() {
-    every_fault_is_caught::<f64>();
-}
-
-#[test]
-fn every_fault_is_caught_f32() {
-    every_fault_is_caught::<f32>();
-}
-
 /// If something differed without a fault, a caught fault would prove nothing.
 #[test]
 fn without_a_fault_nothing_differs() {
@@ -54,3 +44,5 @@ fn without_a_fault_nothing_differs() {
 fn an_empty_run_is_no_proof() {
     Report::default().assert_same();
 }
+
+test_both_reals!(every_fault_is_caught);

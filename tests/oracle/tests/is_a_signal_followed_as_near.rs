@@ -37,12 +37,8 @@ fn ours(horizon: f64) -> [f64; 2] {
     let limits = Limits::symmetric(j, a, v);
     let (mut axis, mut now) = (Move::default(), State::at(0.0));
     follow(|[position, velocity, acceleration]| {
-        let signal = State {
-            position,
-            velocity,
-            acceleration,
-        };
-        axis.track(&limits, now, signal, horizon).expect("a plan");
+        let signal = State { position, velocity, acceleration };
+        axis.track(&limits, now, signal, 0.0, horizon).expect("a plan");
         now = axis.state_at(TICK);
         [now.position, now.velocity, now.acceleration]
     })
@@ -50,32 +46,15 @@ fn ours(horizon: f64) -> [f64; 2] {
 
 fn theirs() -> [f64; 2] {
     let mut follower = Trackig::<1, IgnoreErrorHandler>::new(None, TICK);
-    let (mut input, mut output) = (
-        InputParameter::<1>::new(None),
-        OutputParameter::<1>::new(None),
-    );
+    let (mut input, mut output) = (InputParameter::<1>::new(None), OutputParameter::<1>::new(None));
     let mut target = TargetState::<1>::new(None);
     let [j, a, v] = LIMITS;
-    (
-        input.max_jerk[0],
-        input.max_acceleration[0],
-        input.max_velocity[0],
-    ) = (j, a, v);
+    (input.max_jerk[0], input.max_acceleration[0], input.max_velocity[0]) = (j, a, v);
     follow(|[p, v, a]| {
-        (
-            target.position[0],
-            target.velocity[0],
-            target.acceleration[0],
-        ) = (p, v, a);
-        follower
-            .update(&target, &input, &mut output)
-            .expect("a step");
+        (target.position[0], target.velocity[0], target.acceleration[0]) = (p, v, a);
+        follower.update(&target, &input, &mut output).expect("a step");
         output.pass_to_input(&mut input);
-        [
-            output.new_position[0],
-            output.new_velocity[0],
-            output.new_acceleration[0],
-        ]
+        [output.new_position[0], output.new_velocity[0], output.new_acceleration[0]]
     })
 }
 

@@ -3,9 +3,9 @@
 use atraj::machine::{Step, Steps};
 use atraj::online::Move;
 use oracle::judge::steps::{all, wrong};
-use support::{Random, Real, online};
+use support::{Random, Real, online, test_both_reals};
 
-const MOVES: usize = 100_000;
+const MOVES: usize = if support::BRIEF { 10_000 } else { 100_000 };
 
 /// A move, the offset and the length of its steps. One in eight has the positions of its ends on lines.
 fn problem<R: Real>(random: &mut Random) -> (Move<R>, [R; 2]) {
@@ -46,21 +46,8 @@ fn no_step_is_lost<R: Real>() {
         let turns = |pair: &&[Step<R>]| pair[0].direction != pair[1].direction;
         reversals += steps.windows(2).filter(turns).count();
     }
-    println!(
-        "{}: {count} steps of {MOVES} moves, {reversals} reversals",
-        R::NAME
-    );
+    println!("{}: {count} steps of {MOVES} moves, {reversals} reversals", R::NAME);
     assert!(count > 20 * MOVES && back > MOVES / 20);
-}
-
-#[test]
-fn no_step_is_lost_f64() {
-    no_step_is_lost::<f64>();
-}
-
-#[test]
-fn no_step_is_lost_f32() {
-    no_step_is_lost::<f32>();
 }
 
 /// A motor begins at the last line that is not above the start.
@@ -74,12 +61,6 @@ fn starts_on_lines<R: Real>() {
             assert_eq!(motor.count(), expected.into(), "{line} {offset}");
         }
     }
-}
-
-#[test]
-fn a_motor_starts_on_its_line() {
-    starts_on_lines::<f64>();
-    starts_on_lines::<f32>();
 }
 
 /// The judge must see a step that is lost, doubled, later or earlier, and two that are exchanged.
@@ -108,22 +89,11 @@ fn faults_are_seen<R: Real>() {
         let distinct = apart > 1e-3 * planned.t.widen();
         let late = distinct.then(|| moved(0.5 * apart));
         let early = distinct.then(|| moved(-0.5 * apart));
-        for fault in [Some(without), Some(doubled), Some(turned), late, early]
-            .iter()
-            .flatten()
-        {
+        for fault in [Some(without), Some(doubled), Some(turned), late, early].iter().flatten() {
             let found = wrong(&planned, lines, motor.count(), fault);
             assert!(found.is_some(), "step {at}: {lines:?} {planned:?}");
         }
     }
 }
 
-#[test]
-fn faults_are_seen_f64() {
-    faults_are_seen::<f64>();
-}
-
-#[test]
-fn faults_are_seen_f32() {
-    faults_are_seen::<f32>();
-}
+test_both_reals!(no_step_is_lost, faults_are_seen, starts_on_lines);

@@ -6,6 +6,7 @@ use oracle::judge::problem::Request;
 use oracle::judge::problems::Problems;
 use oracle::judge::tally::{Tallies, Tally};
 use oracle::liba::abi::Original;
+use support::test_both_reals;
 
 const OF_PROFILES: usize = 7_500;
 const OF_MOVES: usize = 4_400;
@@ -16,9 +17,9 @@ fn seen(fault: Fault, tally: &Tally) -> u64 {
         Fault::Refuses => tally.refused,
         Fault::Lengthened | Fault::Detour => tally.longer,
         // The motion is wrong, or faster than a motion within the limits.
-        Fault::VelocityAboveTheLimit
-        | Fault::AccelerationAboveTheLimit
-        | Fault::JerkAboveTheLimit => tally.wrong + tally.impossible,
+        Fault::VelocityAboveTheLimit | Fault::AccelerationAboveTheLimit | Fault::JerkAboveTheLimit => {
+            tally.wrong + tally.impossible
+        }
         _ => tally.wrong,
     }
 }
@@ -50,32 +51,14 @@ fn every_fault_is_seen<R: Original>() {
     }
 }
 
-#[test]
-fn every_fault_is_seen_f64() {
-    every_fault_is_seen::<f64>();
-}
-
-#[test]
-fn every_fault_is_seen_f32() {
-    every_fault_is_seen::<f32>();
-}
-
+/// If something were wrong without a fault, a seen fault would prove nothing.
 fn nothing_is_wrong<R: Original>() {
     let profiles = Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, 0, OF_PROFILES);
     let moves = Tallies::of_seed::<R>(&Fastest, Problems::new, 0, OF_MOVES);
     for (tallies, problems) in [(profiles, OF_PROFILES), (moves, OF_MOVES)] {
         let total = tallies.total();
-        assert_eq!(
-            (total.problems, total.bad()),
-            (problems as u64, 0),
-            "{tallies}"
-        );
+        assert_eq!((total.problems, total.bad()), (problems as u64, 0), "{tallies}");
     }
 }
 
-/// If something were wrong without a fault, a seen fault would prove nothing.
-#[test]
-fn without_a_fault_nothing_is_wrong() {
-    nothing_is_wrong::<f64>();
-    nothing_is_wrong::<f32>();
-}
+test_both_reals!(every_fault_is_seen, nothing_is_wrong);

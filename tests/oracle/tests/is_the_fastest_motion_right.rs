@@ -6,8 +6,9 @@ use oracle::judge::problems::Problems;
 use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
 use oracle::liba::abi::Original;
 use std::time::Instant;
+use support::test_both_reals;
 
-const SEEDS: u64 = 4;
+const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
 
 fn right<R: Original>(sequence: fn(u64) -> Problems<R>, problems: usize) {
     let start = Instant::now();
@@ -22,22 +23,12 @@ fn right<R: Original>(sequence: fn(u64) -> Problems<R>, problems: usize) {
     assert_eq!(total.bad(), 0, "see the examples above");
 }
 
-#[test]
-fn profiles_f64() {
-    right::<f64>(Problems::of_profiles, PROFILES_PER_SEED);
+fn profiles<R: Original>() {
+    right::<R>(Problems::of_profiles, PROFILES_PER_SEED);
 }
 
-#[test]
-fn profiles_f32() {
-    right::<f32>(Problems::of_profiles, PROFILES_PER_SEED);
+fn moves<R: Original>() {
+    right::<R>(Problems::new, MOVES_PER_SEED);
 }
 
-#[test]
-fn moves_f64() {
-    right::<f64>(Problems::new, MOVES_PER_SEED);
-}
-
-#[test]
-fn moves_f32() {
-    right::<f32>(Problems::new, MOVES_PER_SEED);
-}
+test_both_reals!(profiles, moves);

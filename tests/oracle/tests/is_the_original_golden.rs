@@ -1,7 +1,7 @@
 //! Is the original that is compiled here the one that the golden data were taken from?
 
 use oracle::liba::abi::{Abi, Original};
-use support::{Comparison, Family, golden};
+use support::{Comparison, Family, golden, test_both_reals};
 
 fn original_gives_the_golden_data<R: Original>() {
     let original: Abi<R> = R::ORIGINAL;
@@ -12,12 +12,4 @@ fn original_gives_the_golden_data<R: Original>() {
     comparison.finish(R::NAME);
 }
 
-#[test]
-fn f64() {
-    original_gives_the_golden_data::<f64>();
-}
-
-#[test]
-fn f32() {
-    original_gives_the_golden_data::<f32>();
-}
+test_both_reals!(original_gives_the_golden_data);

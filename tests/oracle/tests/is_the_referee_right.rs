@@ -37,20 +37,11 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
             _ => jmin,
         };
         sign = -sign;
-        let room = if jerk > 0.0 {
-            (amax - acceleration) / jerk
-        } else {
-            (amin - acceleration) / jerk
-        };
+        let room = if jerk > 0.0 { (amax - acceleration) / jerk } else { (amin - acceleration) / jerk };
         let limited = if jerk == 0.0 { 1.0 } else { room };
         let part = random.unit();
         let duration = limited * random.pick(&[1.0, part, part]);
-        *phase = Phase {
-            duration,
-            acceleration,
-            jerk,
-            ..Phase::default()
-        };
+        *phase = Phase { duration, acceleration, jerk, ..Phase::default() };
         acceleration += jerk * duration;
         planned.t += duration;
     }
@@ -58,28 +49,14 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     planned.phase[end].acceleration = acceleration;
     let walk = Walk::of(from, &planned);
     let [position, velocity, acceleration] = walk.borders[end];
-    let to = State {
-        position,
-        velocity,
-        acceleration: acceleration.clamp(amin, amax),
-    };
-    let inside = walk
-        .knots
-        .iter()
-        .all(|&[_, _, v, _]| v <= vmax && v >= vmin);
+    let to = State { position, velocity, acceleration: acceleration.clamp(amin, amax) };
+    let inside = walk.knots.iter().all(|&[_, _, v, _]| v <= vmax && v >= vmin);
     let undone = from.velocity
-        - 0.5 * from.acceleration * from.acceleration.abs()
-            / if from.acceleration > 0.0 { jmin } else { -jmax };
+        - 0.5 * from.acceleration * from.acceleration.abs() / if from.acceleration > 0.0 { jmin } else { -jmax };
     let legal = beyond_legal(&limits, to) <= 0.0 && undone <= vmax && undone >= vmin;
     let kind = Kind::Moving;
     let request = Request::Plan;
-    let problem = Problem {
-        kind,
-        request,
-        limits,
-        from,
-        to,
-    };
+    let problem = Problem { kind, request, limits, from, to };
     (inside && legal).then_some((problem, planned.t))
 }
 
@@ -96,8 +73,7 @@ fn no_random_motion_is_faster() {
         let trial = Trial::new(problem);
         let best = trial.best();
         let least = best.duration;
-        let is_slower = t >= least * (1.0 - 1e-9)
-            || !matches!(trial.duration_near(t, 1e-12), Verdict::Shorter(_));
+        let is_slower = t >= least * (1.0 - 1e-9) || !matches!(trial.duration_near(t, 1e-12), Verdict::Shorter(_));
         assert!(is_slower, "{t:e} is faster than {best:?}: {}", problem);
         fastest += u32::from(t <= least * (1.0 + 1e-6));
         if let Some([lowest, highest]) = trial.motion().interval(t) {
@@ -119,26 +95,15 @@ fn no_random_motion_is_faster() {
 #[test]
 fn a_start_beyond_the_velocity_eases() {
     let rows = [
-        (
-            [0.01, -6.13, 1.0, -16.7, 62.4, -32.0],
-            [-0.07, 5.2],
-            [0.03, -6.13],
-        ),
-        (
-            [0.03, -40.0, 1.0, -0.9214, 0.3434, -0.227],
-            [0.0, 5.04],
-            [-105.8, -14.27],
-        ),
+        ([0.01, -6.13, 1.0, -16.7, 62.4, -32.0], [-0.07, 5.2], [0.03, -6.13]),
+        ([0.03, -40.0, 1.0, -0.9214, 0.3434, -0.227], [0.0, 5.04], [-105.8, -14.27]),
     ];
     for ([vmax, vmin, amax, amin, jmax, jmin], [p0, v0], [p1, v1]) in rows {
         let numbers = [vmax, vmin, amax, amin, jmax, jmin, p0, v0, 0.0, p1, v1, 0.0];
         let problem = Problem::of(Kind::FarOutside, Request::Plan, numbers);
         let trial = Trial::new(problem);
         let verdict = trial.judge(&Fastest, &mut Random::seeded(0));
-        assert!(
-            matches!(verdict, Verdict::Good { error, .. } if error < 1e-12),
-            "{verdict:?}: {problem}"
-        );
+        assert!(matches!(verdict, Verdict::Good { error, .. } if error < 1e-12), "{verdict:?}: {problem}");
     }
 }
 
@@ -208,11 +173,7 @@ impl ByBisection {
 
     /// Duration of the fastest change of velocity.
     fn ramp(&self, change: f64, a: f64) -> f64 {
-        if change * self.jerk < a * a {
-            2.0 * (change / self.jerk).sqrt()
-        } else {
-            a / self.jerk + change / a
-        }
+        if change * self.jerk < a * a { 2.0 * (change / self.jerk).sqrt() } else { a / self.jerk + change / a }
     }
 
     /// Duration and displacement without a cruise. A ramp covers its mean velocity times its duration.
@@ -256,10 +217,7 @@ fn a_bisection_finds_the_same() {
         }
         let t = ByBisection::of(&problem).duration();
         let verdict = Trial::new(problem).duration(t);
-        assert!(
-            matches!(verdict, Verdict::Good { .. }),
-            "{t:e}: {verdict:?}: {problem}"
-        );
+        assert!(matches!(verdict, Verdict::Good { .. }), "{t:e}: {verdict:?}: {problem}");
         same += 1;
     }
     println!("{same} durations are those of the bisection");

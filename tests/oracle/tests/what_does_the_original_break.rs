@@ -3,7 +3,7 @@
 use atraj::{Bell, Boundary, Findings};
 use oracle::liba::abi::Original;
 use support::profiles::bell;
-use support::{Family, Implementation, Random, Real};
+use support::{Family, Implementation, Random, Real, test_both_reals};
 
 const MOVES: u64 = 1_000_000;
 
@@ -37,10 +37,7 @@ fn count<R: Original>() -> Counts {
         let [jm, am, vm, p0, p1, v0, v1] = arguments;
         let mut fields = [R::of(0.0); 14];
         let fastest = Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).expect("numbers");
-        assert!(
-            fastest.check(jm, am, vm).expect("numbers").bits() & 15 == 0,
-            "{arguments:?}"
-        );
+        assert!(fastest.check(jm, am, vm).expect("numbers").bits() & 15 == 0, "{arguments:?}");
         let planned = R::ORIGINAL.plan(Family::Bell, &arguments, &mut fields);
         if planned == R::of(0.0) {
             counts.refused += 1;
@@ -85,22 +82,8 @@ fn count<R: Original>() -> Counts {
 fn the_judge_sees_it<R: Original>() {
     let counts = count::<R>();
     assert!(counts.refused > MOVES / 100, "{counts:?}");
-    assert!(
-        counts.too_steep > MOVES / 100 && counts.steepest > 2.0,
-        "{counts:?}"
-    );
-    assert!(
-        counts.longer > MOVES / 100 && counts.longest > 2.0,
-        "{counts:?}"
-    );
+    assert!(counts.too_steep > MOVES / 100 && counts.steepest > 2.0, "{counts:?}");
+    assert!(counts.longer > MOVES / 100 && counts.longest > 2.0, "{counts:?}");
 }
 
-#[test]
-fn f64() {
-    the_judge_sees_it::<f64>();
-}
-
-#[test]
-fn f32() {
-    the_judge_sees_it::<f32>();
-}
+test_both_reals!(the_judge_sees_it);

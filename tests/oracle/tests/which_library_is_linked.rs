@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use support::Family;
 use support::repository::root;
-use support::tools::{has_tool, lines, run};
+use support::tools::{abidiff, has_tool, lines, run};
 use support::variant::DOUBLE;
 
 /// Functions that the program calls: of the trajectories, of the original's other parts, and of the system.
@@ -16,8 +16,7 @@ const TRACED: [&str; 4] = ["a_trajbell_gen", "a_pid_pos", "sqrt", "memcpy"];
 fn link(libraries: &[&Path]) -> (Vec<String>, [String; 4]) {
     let program = directory("linked").join("mixed");
     let mut link = Command::new("cc");
-    link.args(["-O2", "-fno-builtin", "-Wall", "-Wextra", "-Werror", "-I"])
-        .arg(include());
+    link.args(["-O2", "-fno-builtin", "-Wall", "-Wextra", "-Werror", "-I"]).arg(include());
     link.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/mixed.c"));
     for library in libraries {
         link.arg(library);
@@ -26,15 +25,10 @@ fn link(libraries: &[&Path]) -> (Vec<String>, [String; 4]) {
     }
     link.args(TRACED.map(|name| format!("-Wl,--trace-symbol={name}")));
     let Output { stdout, stderr, .. } = run(link.arg("-lm").arg("-o").arg(&program));
-    let trace = [stdout, stderr]
-        .map(|text| String::from_utf8(text).unwrap())
-        .concat();
+    let trace = [stdout, stderr].map(|text| String::from_utf8(text).unwrap()).concat();
     let definition = |name| {
         let suffix = format!(": definition of {name}");
-        let definitions: Vec<_> = trace
-            .lines()
-            .filter_map(|line| line.strip_suffix(&suffix))
-            .collect();
+        let definitions: Vec<_> = trace.lines().filter_map(|line| line.strip_suffix(&suffix)).collect();
         assert_eq!(definitions.len(), 1, "definitions of {name}:\n{trace}");
         definitions[0].to_owned()
     };
@@ -57,10 +51,7 @@ fn the_first_on_the_line_has_the_trajectories_and_nothing_else_is_replaced() {
         for (line, winner) in [([&*ours, &*theirs], &ours), ([&*theirs, &*ours], &theirs)] {
             let (printed, [trajectory, pid, sqrt, memcpy]) = link(&line);
             assert_eq!(printed, expected, "{line:?}");
-            assert!(
-                trajectory.contains(winner.to_str().unwrap()),
-                "{line:?}: {trajectory}"
-            );
+            assert!(trajectory.contains(winner.to_str().unwrap()), "{line:?}: {trajectory}");
             assert!(pid.contains(theirs.to_str().unwrap()), "{line:?}: {pid}");
             assert!(sqrt.contains("libm.so"), "{line:?}: {sqrt}");
             assert!(memcpy.contains("libc.so"), "{line:?}: {memcpy}");
@@ -109,30 +100,11 @@ fn with_types(name: &str, flags: &[&str]) -> PathBuf {
     build(&directory, &sources, &[&["-g"], flags].concat());
     let library = directory.join("exported.so");
     let mut link = Command::new("cc");
-    link.args([
-        "-shared",
-        "-Wl,-soname,libatraj.so.0",
-        "-Wl,--whole-archive",
-    ]);
-    link.arg(directory.join("liba.a"))
-        .arg("-Wl,--no-whole-archive");
+    link.args(["-shared", "-Wl,-soname,libatraj.so.0", "-Wl,--whole-archive"]);
+    link.arg(directory.join("liba.a")).arg("-Wl,--no-whole-archive");
     link.arg(format!("-Wl,--version-script={}", exports.display()));
     run(link.arg("-lm").arg("-o").arg(&library));
     library
-}
-
-/// What `abidiff` prints about two libraries, and whether it found a change.
-fn abidiff(theirs: &Path, ours: &Path) -> (String, bool) {
-    let output = Command::new("abidiff")
-        .arg("--no-added-syms")
-        .arg(theirs)
-        .arg(ours)
-        .output()
-        .unwrap();
-    let code = output.status.code().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert_eq!(code & 0b11, 0, "abidiff fails: {text}");
-    (text, code != 0)
 }
 
 #[test]
@@ -142,19 +114,14 @@ fn abidiff_sees_no_change() {
     }
     let dist = root().join("target/dist-types");
     let mut make = Command::new("make");
-    make.current_dir(root())
-        .env("CARGO_PROFILE_RELEASE_DEBUG", "2");
+    make.current_dir(root()).env("CARGO_PROFILE_RELEASE_DEBUG", "2");
     run(make.args(["-s", "dist", "DIST=target/dist-types"]));
     let ours = dist.join("lib/libatraj.so");
     let (text, changed) = abidiff(&with_types("abi", &[]), &ours);
     println!("{text}");
     assert!(!changed, "{text}");
     assert!(text.contains("0 Removed"), "{text}");
-    for planted in [
-        "-DA_SIZE_FLOAT=4",
-        "-DA_TRAJPOLY7=3",
-        "-Da_trajtrap_acc=a_trajtrap_acceleration",
-    ] {
+    for planted in ["-DA_SIZE_FLOAT=4", "-DA_TRAJPOLY7=3", "-Da_trajtrap_acc=a_trajtrap_acceleration"] {
         let (text, changed) = abidiff(&with_types("abi-planted", &[planted]), &ours);
         assert!(changed, "{planted} went unseen: {text}");
     }

@@ -5,20 +5,12 @@ use atraj::claraty::{Profile, Target, Warnings};
 
 /// A target and the limits on the way: position, velocity, acceleration and deceleration.
 pub fn target([position, velocity, acceleration, deceleration]: [f64; 4]) -> Target {
-    Target {
-        position,
-        velocity,
-        acceleration,
-        deceleration,
-    }
+    Target { position, velocity, acceleration, deceleration }
 }
 
 /// An axis at `position` that moves at `velocity`.
 pub fn moving(position: f64, velocity: f64) -> State<f64> {
-    State {
-        velocity,
-        ..State::at(position)
-    }
+    State { velocity, ..State::at(position) }
 }
 
 /// The corrected plan of a move, and its warnings.

@@ -17,21 +17,13 @@ impl Comparison {
     pub fn check<R: Real>(&mut self, place: impl Display, what: &str, got: R, want: R) {
         self.compared += 1;
         if !got.same(want) {
-            self.differences.push(format!(
-                "{place}: {what} is {}, golden {}",
-                got.show(),
-                want.show()
-            ));
+            self.differences.push(format!("{place}: {what} is {}, golden {}", got.show(), want.show()));
         }
     }
 
     /// Prints the count. Panics with the first differences if there is one, or if nothing was compared.
     pub fn finish(self, what: &str) {
-        println!(
-            "{what}: {} values, {} differing",
-            self.compared,
-            self.differences.len()
-        );
+        println!("{what}: {} values, {} differing", self.compared, self.differences.len());
         assert!(self.compared > 0, "{what}: nothing was compared");
         assert!(
             self.differences.is_empty(),

@@ -32,22 +32,10 @@ pub struct Quantity {
 
 /// The quantities, in the order in which every implementation gives them.
 pub const QUANTITIES: [Quantity; 4] = [
-    Quantity {
-        name: "position",
-        c: "pos",
-    },
-    Quantity {
-        name: "velocity",
-        c: "vel",
-    },
-    Quantity {
-        name: "acceleration",
-        c: "acc",
-    },
-    Quantity {
-        name: "jerk",
-        c: "jer",
-    },
+    Quantity { name: "position", c: "pos" },
+    Quantity { name: "velocity", c: "vel" },
+    Quantity { name: "acceleration", c: "acc" },
+    Quantity { name: "jerk", c: "jer" },
 ];
 
 struct Description {
@@ -56,82 +44,44 @@ struct Description {
     arguments: &'static [&'static str],
     fields: &'static [&'static str],
     quantities: usize,
-    returns_duration: bool,
-    golden_words: usize,
 }
 
-const BELL: Description = Description {
-    name: "bell",
-    c_name: "trajbell",
-    arguments: &["jm", "am", "vm", "p0", "p1", "v0", "v1"],
-    fields: &BELL_FIELDS,
-    quantities: 4,
-    returns_duration: true,
-    golden_words: 2,
-};
+const fn described(
+    [name, c_name]: [&'static str; 2], arguments: &'static [&'static str], fields: &'static [&'static str],
+    quantities: usize,
+) -> Description {
+    Description { name, c_name, arguments, fields, quantities }
+}
 
-const TRAP: Description = Description {
-    name: "trap",
-    c_name: "trajtrap",
-    arguments: &["vm", "ac", "de", "p0", "p1", "v0", "v1"],
-    fields: &TRAP_FIELDS,
-    quantities: 3,
-    returns_duration: true,
-    golden_words: 2,
-};
+const BELL: Description = described(["bell", "trajbell"], &["jm", "am", "vm", "p0", "p1", "v0", "v1"], &BELL_FIELDS, 4);
 
-const POLY3: Description = Description {
-    name: "poly3",
-    c_name: "trajpoly3",
-    arguments: &["ts", "p0", "p1", "v0", "v1"],
-    fields: &[
-        "p[0]", "p[1]", "p[2]", "p[3]", //
-        "v[0]", "v[1]", "v[2]", //
-        "a[0]", "a[1]",
-    ],
-    quantities: 3,
-    returns_duration: false,
-    golden_words: 1,
-};
+const TRAP: Description = described(["trap", "trajtrap"], &["vm", "ac", "de", "p0", "p1", "v0", "v1"], &TRAP_FIELDS, 3);
 
-const POLY5: Description = Description {
-    name: "poly5",
-    c_name: "trajpoly5",
-    arguments: &["ts", "p0", "p1", "v0", "v1", "a0", "a1"],
-    fields: &[
-        "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", //
-        "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", //
-        "a[0]", "a[1]", "a[2]", "a[3]",
-    ],
-    quantities: 3,
-    returns_duration: false,
-    golden_words: 1,
-};
+#[rustfmt::skip]
+const POLY3: Description = described(["poly3", "trajpoly3"], &["ts", "p0", "p1", "v0", "v1"], &[
+    "p[0]", "p[1]", "p[2]", "p[3]",
+    "v[0]", "v[1]", "v[2]",
+    "a[0]", "a[1]",
+], 3);
 
-const POLY7: Description = Description {
-    name: "poly7",
-    c_name: "trajpoly7",
-    arguments: &["ts", "p0", "p1", "v0", "v1", "a0", "a1", "j0", "j1"],
-    fields: &[
-        "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", "p[6]", "p[7]", //
-        "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", "v[5]", "v[6]", //
-        "a[0]", "a[1]", "a[2]", "a[3]", "a[4]", "a[5]", //
-        "j[0]", "j[1]", "j[2]", "j[3]", "j[4]",
-    ],
-    quantities: 4,
-    returns_duration: false,
-    golden_words: 1,
-};
+#[rustfmt::skip]
+const POLY5: Description = described(["poly5", "trajpoly5"], &["ts", "p0", "p1", "v0", "v1", "a0", "a1"], &[
+    "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]",
+    "v[0]", "v[1]", "v[2]", "v[3]", "v[4]",
+    "a[0]", "a[1]", "a[2]", "a[3]",
+], 3);
+
+#[rustfmt::skip]
+const POLY7: Description = described(["poly7", "trajpoly7"], &["ts", "p0", "p1", "v0", "v1", "a0", "a1", "j0", "j1"], &[
+    "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", "p[6]", "p[7]",
+    "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", "v[5]", "v[6]",
+    "a[0]", "a[1]", "a[2]", "a[3]", "a[4]", "a[5]",
+    "j[0]", "j[1]", "j[2]", "j[3]", "j[4]",
+], 4);
 
 impl Family {
     /// Every family.
-    pub const ALL: [Self; 5] = [
-        Self::Bell,
-        Self::Trap,
-        Self::Poly3,
-        Self::Poly5,
-        Self::Poly7,
-    ];
+    pub const ALL: [Self; 5] = [Self::Bell, Self::Trap, Self::Poly3, Self::Poly5, Self::Poly7];
 
     const fn description(self) -> &'static Description {
         match self {
@@ -170,12 +120,12 @@ impl Family {
 
     /// Whether `gen` returns the duration.
     pub const fn returns_duration(self) -> bool {
-        self.description().returns_duration
+        matches!(self, Self::Bell | Self::Trap)
     }
 
     /// Columns of words before the numbers in the golden table of `gen`.
     pub const fn golden_words(self) -> usize {
-        self.description().golden_words
+        if self.is_polynomial() { 1 } else { 2 }
     }
 
     /// Whether it is a polynomial, whose duration is an argument.
@@ -199,9 +149,7 @@ impl Family {
                 borders.to_vec()
             }
             Self::Trap => {
-                let Trap {
-                    t, ta, cruise_end, ..
-                } = trap(fields);
+                let Trap { t, ta, cruise_end, .. } = trap(fields);
                 vec![start, ta, cruise_end, t]
             }
             Self::Poly3 | Self::Poly5 | Self::Poly7 => vec![start, arguments[0]],

@@ -73,16 +73,9 @@ pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
 }
 
 /// Compares everything an implementation returns and writes with the golden data of a family.
-pub fn compare<R: Real>(
-    comparison: &mut Comparison,
-    implementation: &impl Implementation<R>,
-    family: Family,
-) {
+pub fn compare<R: Real>(comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family) {
     let moves = moves(family);
-    let planned: Vec<_> = moves
-        .iter()
-        .map(|golden| compare_plan(comparison, implementation, family, golden))
-        .collect();
+    let planned: Vec<_> = moves.iter().map(|golden| compare_plan(comparison, implementation, family, golden)).collect();
     for golden in evaluations::<R>(family) {
         let got = implementation.evaluate(family, &planned[golden.case], golden.x);
         for ((quantity, got), want) in family.quantities().iter().zip(got).zip(golden.values) {
@@ -93,10 +86,7 @@ pub fn compare<R: Real>(
 
 /// Compares the plan of each of these golden moves.
 pub fn compare_plans<R: Real>(
-    comparison: &mut Comparison,
-    implementation: &impl Implementation<R>,
-    family: Family,
-    moves: &[Move<R>],
+    comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family, moves: &[Move<R>],
 ) {
     for golden in moves {
         compare_plan(comparison, implementation, family, golden);
@@ -105,10 +95,7 @@ pub fn compare_plans<R: Real>(
 
 /// The fields that the implementation writes.
 fn compare_plan<R: Real>(
-    comparison: &mut Comparison,
-    implementation: &impl Implementation<R>,
-    family: Family,
-    golden: &Move<R>,
+    comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family, golden: &Move<R>,
 ) -> Vec<R> {
     let mut fields = vec![R::of(0.0); family.fields().len()];
     let duration = implementation.plan(family, &golden.arguments, &mut fields);
@@ -138,11 +125,7 @@ pub fn rows<R: Real>(table: &str, words: usize, numbers: usize) -> Vec<Row<R>> {
         let case = cells[0].parse().unwrap_or_else(|e| panic!("{place}: {e}"));
         let number = |cell: &String| R::parse(cell).unwrap_or_else(|| panic!("{place}: {cell:?}"));
         let values = cells[words..].iter().map(number).collect();
-        Row {
-            place,
-            case,
-            values,
-        }
+        Row { place, case, values }
     };
     let cells = cells(&format!("{table}_{}.csv", R::NAME), words + numbers);
     cells.into_iter().map(to_row).collect()

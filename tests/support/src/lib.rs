@@ -17,6 +17,9 @@ pub mod repository;
 pub mod tools;
 pub mod variant;
 
+/// Whether tests take fewer problems, because they run once for each mutant.
+pub const BRIEF: bool = option_env!("BRIEF").is_some();
+
 pub use comparison::Comparison;
 pub use family::Family;
 pub use implementation::Implementation;

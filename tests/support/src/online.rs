@@ -7,26 +7,12 @@ use atraj::online::{Limits, Move};
 
 /// Limits from `[vmax, vmin, amax, amin, jmax, jmin]`.
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
-    Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    }
+    Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
 /// `[vmax, vmin, amax, amin, jmax, jmin]`
 pub fn numbers_of<R: Copy>(limits: &Limits<R>) -> [R; 6] {
-    [
-        limits.vmax,
-        limits.vmin,
-        limits.amax,
-        limits.amin,
-        limits.jmax,
-        limits.jmin,
-    ]
+    [limits.vmax, limits.vmin, limits.amax, limits.amin, limits.jmax, limits.jmin]
 }
 
 /// Limits over two decades, one problem in four with the same ones in both directions.
@@ -60,18 +46,10 @@ pub fn inside<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     let position = random.sign() * random.magnitude(-2.0, 1.5);
     let a = random.pick(&[0.0, 0.0, 0.5, 1.0]) * random.between(amin, amax);
     let (above, below) = (0.51 * a * a / -jmin, 0.51 * a * a / jmax);
-    let (a, above, below) = if vmin + below < vmax - above {
-        (a, above, below)
-    } else {
-        (0.0, 0.0, 0.0)
-    };
+    let (a, above, below) = if vmin + below < vmax - above { (a, above, below) } else { (0.0, 0.0, 0.0) };
     let v = random.pick(&[0.0, 1.0, 1.0]) * random.between(vmin, vmax);
     let v = v.clamp(vmin + below, vmax - above);
-    State {
-        position: R::of(position),
-        velocity: R::of(v),
-        acceleration: R::of(a),
-    }
+    State { position: R::of(position), velocity: R::of(v), acceleration: R::of(a) }
 }
 
 /// Any state, one in four outside the limits.
@@ -91,19 +69,11 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
 /// A planned move: to a state, or to a velocity, or beside a moving target.
 pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
     let limits = limits(random);
-    let limits = if random.one_in(4) {
-        fewer_limits(random, limits)
-    } else {
-        limits
-    };
+    let limits = if random.one_in(4) { fewer_limits(random, limits) } else { limits };
     let (from, to) = (anywhere(random, &limits), inside(random, &limits));
     let mut planned = Move::default();
     let half = R::of(0.5);
-    let part = State {
-        velocity: half * to.velocity,
-        acceleration: R::of(0.0),
-        ..to
-    };
+    let part = State { velocity: half * to.velocity, acceleration: R::of(0.0), ..to };
     let result = match random.below(5) {
         0 => planned.reach(&limits, from, to.velocity, to.acceleration),
         1 => planned.meet(&limits, from, part),

@@ -78,8 +78,7 @@ fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
 
     // 5
     let p = p1 - p0;
-    bell.tv =
-        ((p / vm) - ((half * bell.ta) * (one + v0 / vm))) - ((half * bell.td) * (one + v1 / vm));
+    bell.tv = ((p / vm) - ((half * bell.ta) * (one + v0 / vm))) - ((half * bell.td) * (one + v1 / vm));
 
     // 6
     let mut rounds = 0;
@@ -91,24 +90,12 @@ fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
         bell.am = am;
         bell.dm = am * R::of(1.0 / 16.0);
         endless = am == R::of(f64::INFINITY);
-        (planned, rounds) = if endless {
-            (false, 0)
-        } else {
-            search(bell, am, p, v0, v1)
-        };
+        (planned, rounds) = if endless { (false, 0) } else { search(bell, am, p, v0, v1) };
     }
 
     // 7, 8
-    bell.t = if planned {
-        (bell.ta + bell.tv) + bell.td
-    } else {
-        zero
-    };
-    Plan {
-        duration: bell.t,
-        rounds,
-        endless,
-    }
+    bell.t = if planned { (bell.ta + bell.tv) + bell.td } else { zero };
+    Plan { duration: bell.t, rounds, endless }
 }
 
 /// The search of step 6 for an acceleration whose two ramps fit into the distance `p`, beginning at `am`: whether it is
@@ -208,9 +195,5 @@ fn negate_if_negative<R: Real>(x: R) -> R {
 }
 
 fn clamp<R: Real>(x: R, lo: R, hi: R) -> R {
-    if lo < x {
-        if x < hi { x } else { hi }
-    } else {
-        lo
-    }
+    if lo < x { if x < hi { x } else { hi } } else { lo }
 }

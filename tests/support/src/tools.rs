@@ -1,5 +1,6 @@
 //! Compilers and other programs that a test runs.
 
+use std::path::Path;
 use std::process::{Command, Output};
 
 /// A language that the headers are for.
@@ -16,10 +17,7 @@ pub fn compilers(language: Language) -> Vec<&'static str> {
         Language::C => ["gcc", "clang"],
         Language::Cpp => ["g++", "clang++"],
     };
-    known
-        .into_iter()
-        .filter(|compiler| has_tool(compiler))
-        .collect()
+    known.into_iter().filter(|compiler| has_tool(compiler)).collect()
 }
 
 /// Whether `tool` can be run. A missing tool is printed. In CI it is a failure.
@@ -34,9 +32,7 @@ pub fn has_tool(tool: &str) -> bool {
 
 /// Runs a command that must succeed; its output.
 pub fn run(command: &mut Command) -> Output {
-    let output = command
-        .output()
-        .unwrap_or_else(|e| panic!("{command:?}: {e}"));
+    let output = command.output().unwrap_or_else(|e| panic!("{command:?}: {e}"));
     assert!(
         output.status.success(),
         "{command:?}: {}\n{}{}",
@@ -50,9 +46,14 @@ pub fn run(command: &mut Command) -> Output {
 /// Runs a command that must succeed; the lines that it prints.
 pub fn lines(command: &mut Command) -> Vec<String> {
     let output = run(command).stdout;
-    String::from_utf8(output)
-        .unwrap()
-        .lines()
-        .map(str::to_owned)
-        .collect()
+    String::from_utf8(output).unwrap().lines().map(str::to_owned).collect()
+}
+
+/// What `abidiff` prints about two libraries, and whether it found more than new functions.
+pub fn abidiff(old: &Path, new: &Path) -> (String, bool) {
+    let output = Command::new("abidiff").arg("--no-added-syms").args([old, new]).output().unwrap();
+    let code = output.status.code().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(code & 0b11, 0, "abidiff fails: {text}");
+    (text, code != 0)
 }

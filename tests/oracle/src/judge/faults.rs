@@ -7,70 +7,49 @@ use atraj::Findings;
 use atraj::online::{Error, Limits, Move, Phase};
 use support::{Family, Real};
 
-/// The planner with one fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
-    /// It refuses a start outside the limits, or a profile without displacement.
-    Refuses,
-    /// A correct motion within limits that are a little too low.
-    Lengthened,
-    /// A correct motion that stops first.
-    Detour,
-    /// The move turns to the wrong side.
-    WrongSide,
-    /// The times are a little too short.
-    Shortened,
-    /// The velocity is a little above its limit.
-    VelocityAboveTheLimit,
-    /// The acceleration is a little above its limit.
-    AccelerationAboveTheLimit,
-    /// The jerk is a little above its limit.
-    JerkAboveTheLimit,
-    /// The move ends a representable number beside the target.
-    EndOff,
-    /// The final velocity is a representable number off.
-    EndVelocityOff,
-    /// The position jumps 100 roundings.
-    Jump,
-    /// The velocity jumps 100 roundings.
-    VelocityJump,
-    /// The shortest phase is missing.
-    DroppedPhase,
-    /// A move towards smaller positions takes a rounding longer.
-    Direction,
-    /// The move takes a little time more, whatever the units are.
-    AbsoluteTime,
-    /// It does not say that the move leaves the positions between its ends.
-    SilentOvershoot,
-    /// It does not say that the start is outside.
-    SilentStart,
-    /// It does not say that the axis is bound to leave its limits afterwards.
-    SilentEnd,
+listed! {
+    /// The planner with one fault.
+    pub enum Fault {
+        /// It refuses a start outside the limits, or a profile without displacement.
+        Refuses,
+        /// A correct motion within limits that are a little too low.
+        Lengthened,
+        /// A correct motion that stops first.
+        Detour,
+        /// The move turns to the wrong side.
+        WrongSide,
+        /// The times are a little too short.
+        Shortened,
+        /// The velocity is a little above its limit.
+        VelocityAboveTheLimit,
+        /// The acceleration is a little above its limit.
+        AccelerationAboveTheLimit,
+        /// The jerk is a little above its limit.
+        JerkAboveTheLimit,
+        /// The move ends a representable number beside the target.
+        EndOff,
+        /// The final velocity is a representable number off.
+        EndVelocityOff,
+        /// The position jumps 100 roundings.
+        Jump,
+        /// The velocity jumps 100 roundings.
+        VelocityJump,
+        /// The shortest phase is missing.
+        DroppedPhase,
+        /// A move towards smaller positions takes a rounding longer.
+        Direction,
+        /// The move takes a little time more, whatever the units are.
+        AbsoluteTime,
+        /// It does not say that the move leaves the positions between its ends.
+        SilentOvershoot,
+        /// It does not say that the start is outside.
+        SilentStart,
+        /// It does not say that the axis is bound to leave its limits afterwards.
+        SilentEnd,
+    }
 }
 
 impl Fault {
-    /// Every fault.
-    pub const ALL: [Self; 18] = [
-        Self::Refuses,
-        Self::Lengthened,
-        Self::Detour,
-        Self::WrongSide,
-        Self::Shortened,
-        Self::VelocityAboveTheLimit,
-        Self::AccelerationAboveTheLimit,
-        Self::JerkAboveTheLimit,
-        Self::EndOff,
-        Self::EndVelocityOff,
-        Self::Jump,
-        Self::VelocityJump,
-        Self::DroppedPhase,
-        Self::Direction,
-        Self::AbsoluteTime,
-        Self::SilentOvershoot,
-        Self::SilentStart,
-        Self::SilentEnd,
-    ];
-
     /// The limits within which the planner plans.
     fn change_limits<R: Real>(self, limits: &mut Limits<R>) {
         let wide = size_of::<R>() == 8;
@@ -93,11 +72,9 @@ impl Fault {
     /// Whether a plan of this request can have the fault.
     pub fn is_possible_in(self, request: Request) -> bool {
         match self {
-            Self::Detour
-            | Self::DroppedPhase
-            | Self::SilentOvershoot
-            | Self::SilentStart
-            | Self::SilentEnd => request.profile().is_none(),
+            Self::Detour | Self::DroppedPhase | Self::SilentOvershoot | Self::SilentStart | Self::SilentEnd => {
+                request.profile().is_none()
+            }
             Self::JerkAboveTheLimit => request != Request::Trap,
             _ => true,
         }
@@ -111,9 +88,7 @@ impl Fault {
             *plan = Plan::of_profile(problem, profile);
             return;
         }
-        let Plan {
-            planned, findings, ..
-        } = plan;
+        let Plan { planned, findings, .. } = plan;
         let count = planned.count as usize;
         let middle = count / 2;
         let end = &mut planned.phase[count];
@@ -142,12 +117,7 @@ impl Fault {
     }
 
     /// What becomes of a correct struct of liba.
-    fn change_profile<R: Real>(
-        self,
-        problem: &Problem<R>,
-        profile: &mut Profile<R>,
-        scale: &Scale,
-    ) {
+    fn change_profile<R: Real>(self, problem: &Problem<R>, profile: &mut Profile<R>, scale: &Scale) {
         // `first` is where a part of the move begins that is not measured from its end.
         let (p1, v1, highest, directed, first) = match profile.family {
             Family::Bell => (7, 9, 10, 10..14, 6),
@@ -188,9 +158,7 @@ fn shortened<R: Real>(t: R) -> R {
 
 /// The findings but for one.
 fn without(findings: Findings, one: Findings) -> Findings {
-    let kept = OF_A_MOVE
-        .into_iter()
-        .filter(|other| *other != one && findings.bits() & other.bits() != 0);
+    let kept = OF_A_MOVE.into_iter().filter(|other| *other != one && findings.bits() & other.bits() != 0);
     kept.fold(Findings::default(), |all, other| all | other)
 }
 

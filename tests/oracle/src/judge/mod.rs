@@ -4,6 +4,22 @@
 //! [`problems`] makes nasty problems, [`planner`] has the planners under test, [`referee`] knows the fastest motion, [`trial`] says what
 //! is wrong with a plan, [`tally`] counts, and [`faults`] show that the judge sees a fault.
 
+/// An enumeration that lists its values.
+macro_rules! listed {
+    ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name {
+            $($(#[$of])* $value,)*
+        }
+
+        impl $name {
+            /// Every value.
+            pub const ALL: [Self; [$(stringify!($value)),*].len()] = [$(Self::$value),*];
+        }
+    };
+}
+
 pub mod axes;
 pub mod faults;
 pub mod inside;
@@ -12,7 +28,6 @@ pub mod planner;
 pub mod problem;
 pub mod problems;
 pub mod referee;
-pub mod replan;
 pub mod rivals;
 pub mod steps;
 pub mod tally;

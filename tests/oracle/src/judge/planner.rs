@@ -98,21 +98,13 @@ impl<R: Real> Profile<R> {
 impl<R: Real> Plan<R> {
     /// The plan of a `Move`.
     pub fn of_move(planned: Move<R>, findings: Findings) -> Self {
-        Self {
-            planned,
-            profile: None,
-            findings,
-        }
+        Self { planned, profile: None, findings }
     }
 
     /// The plan in a struct of liba.
     pub fn of_profile(problem: &Problem<R>, profile: Profile<R>) -> Self {
         let phases = profile.phases();
-        let mut planned = Move {
-            t: profile.fields[0],
-            count: phases.len() as u32 - 1,
-            ..Move::default()
-        };
+        let mut planned = Move { t: profile.fields[0], count: phases.len() as u32 - 1, ..Move::default() };
         let mut begin = R::of(0.0);
         for (phase, [t, duration, acceleration, jerk]) in planned.phase.iter_mut().zip(phases) {
             begin = if t < begin { begin } else { t };
@@ -127,11 +119,7 @@ impl<R: Real> Plan<R> {
                 jerk,
             };
         }
-        Self {
-            planned,
-            profile: Some(profile),
-            findings: profile.check(problem),
-        }
+        Self { planned, profile: Some(profile), findings: profile.check(problem) }
     }
 
     /// The quantities at the time `x`.
@@ -148,12 +136,7 @@ pub struct Fastest;
 
 impl<R: Real> Planner<R> for Fastest {
     fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error> {
-        let &Problem {
-            ref limits,
-            from,
-            to,
-            ..
-        } = problem;
+        let &Problem { ref limits, from, to, .. } = problem;
         let mut planned = Move::default();
         let findings = match problem.request {
             Request::Plan => planned.plan(limits, from, to),

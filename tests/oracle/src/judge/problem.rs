@@ -66,11 +66,7 @@ pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
     let before = v - 0.5 * a * a.abs() / if a > 0.0 { jmax } else { -jmin };
     let high = v.max(before) - vmax;
     let low = vmin - v.min(before);
-    if a > amax || a < amin {
-        f64::INFINITY
-    } else {
-        high.max(low)
-    }
+    if a > amax || a < amin { f64::INFINITY } else { high.max(low) }
 }
 
 impl<R: Real> Problem<R> {
@@ -78,15 +74,7 @@ impl<R: Real> Problem<R> {
     /// ends. The limits of a double-S are the highest ones in both directions, a trapezoid has no limit of the jerk, and both have no
     /// acceleration at their ends.
     pub fn of(kind: Kind, request: Request, numbers: [R; 12]) -> Self {
-        let [
-            vmax,
-            mut vmin,
-            amax,
-            mut amin,
-            mut jmax,
-            mut jmin,
-            ends @ ..,
-        ] = numbers;
+        let [vmax, mut vmin, amax, mut amin, mut jmax, mut jmin, ends @ ..] = numbers;
         let [p0, v0, mut a0, p1, v1, mut a1] = ends;
         if let Some(profile) = request.profile() {
             vmin = -vmax;
@@ -97,20 +85,10 @@ impl<R: Real> Problem<R> {
                 (jmax, jmin) = (R::of(f64::INFINITY), R::of(f64::NEG_INFINITY));
             }
         }
-        let state = |position, velocity, acceleration| State {
-            position,
-            velocity,
-            acceleration,
-        };
+        let state = |position, velocity, acceleration| State { position, velocity, acceleration };
         #[rustfmt::skip]
         let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
-        Self {
-            kind,
-            request,
-            limits,
-            from: state(p0, v0, a0),
-            to: state(p1, v1, a1),
-        }
+        Self { kind, request, limits, from: state(p0, v0, a0), to: state(p1, v1, a1) }
     }
 
     /// The problem of these arguments of the profile's `gen`.
@@ -130,11 +108,7 @@ impl<R: Real> Problem<R> {
     pub fn arguments(&self) -> [R; 7] {
         let [vmax, vmin, amax, amin, jmax, jmin, ends @ ..] = self.numbers();
         let [p0, v0, _, p1, v1, _] = ends;
-        let [v, along, against, j] = if p1 < p0 {
-            [vmin, amin, amax, jmin]
-        } else {
-            [vmax, amax, amin, jmax]
-        };
+        let [v, along, against, j] = if p1 < p0 { [vmin, amin, amax, jmin] } else { [vmax, amax, amin, jmax] };
         match self.request {
             Request::Bell => [j, along, v, p0, p1, v0, v1],
             _ => [v, along, against, p0, p1, v0, v1],
@@ -157,10 +131,7 @@ impl<R: Real> Problem<R> {
     /// Both ends as the planner takes them. A profile limits the velocities.
     pub fn ends(&self) -> [State<R>; 2] {
         let vmax = self.limits.vmax.widen();
-        let limit = |end: State<R>| State {
-            velocity: R::of(end.velocity.widen().clamp(-vmax, vmax)),
-            ..end
-        };
+        let limit = |end: State<R>| State { velocity: R::of(end.velocity.widen().clamp(-vmax, vmax)), ..end };
         if self.request.profile().is_none() {
             return [self.from, self.to];
         }
@@ -234,12 +205,6 @@ impl<R: Real> Display for Problem<R> {
         let [vmax, vmin, amax, amin, jmax, jmin, from @ .., p1, v1, a1] = self.numbers();
         let limits = [vmax, vmin, amax, amin, jmax, jmin];
         let to = [p1, v1, a1];
-        write!(
-            f,
-            "{} {:?} {:?} limits {limits:?} from {from:?} to {to:?}",
-            R::NAME,
-            self.kind,
-            self.request
-        )
+        write!(f, "{} {:?} {:?} limits {limits:?} from {from:?} to {to:?}", R::NAME, self.kind, self.request)
     }
 }

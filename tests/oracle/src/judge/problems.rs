@@ -6,139 +6,110 @@ use super::referee::Motion;
 use atraj::State;
 use support::{Family, Random, Real};
 
-macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident,)*) => {
-        /// What is nasty about a problem.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Kind {
-            $($(#[$doc])* $kind,)*
-        }
-
-        impl Kind {
-            /// Every kind.
-            pub const ALL: [Self; [$(stringify!($kind)),*].len()] = [$(Self::$kind),*];
-        }
-    };
-}
-
 impl Kind {
     /// The kinds that a profile can have, which has no acceleration at its ends.
+    #[rustfmt::skip]
     pub const OF_PROFILES: [Self; 23] = [
-        Self::Rest,
-        Self::Moving,
-        Self::OutsideVelocity,
-        Self::FarOutside,
-        Self::InfiniteVelocity,
-        Self::InfiniteAcceleration,
-        Self::InfiniteJerk,
-        Self::HugeJerk,
-        Self::ExtremeScale,
-        Self::NoDisplacement,
-        Self::DirectTie,
-        Self::BorderOfCruise,
-        Self::BorderOfShape,
-        Self::BorderOfHold,
-        Self::FullVelocity,
-        Self::OppositeVelocities,
-        Self::EqualVelocities,
-        Self::Tiny,
-        Self::Offset,
-        Self::TinyAgainstHuge,
-        Self::NoHold,
-        Self::WeakLimits,
-        Self::Remainder,
+        Self::Rest, Self::Moving, Self::OutsideVelocity, Self::FarOutside, Self::InfiniteVelocity,
+        Self::InfiniteAcceleration, Self::InfiniteJerk, Self::HugeJerk, Self::ExtremeScale,
+        Self::NoDisplacement, Self::DirectTie, Self::BorderOfCruise, Self::BorderOfShape, Self::BorderOfHold,
+        Self::FullVelocity, Self::OppositeVelocities, Self::EqualVelocities, Self::Tiny, Self::Offset,
+        Self::TinyAgainstHuge, Self::NoHold, Self::WeakLimits, Self::Remainder,
     ];
 }
 
-kinds! {
-    /// At rest at both ends.
-    Rest,
-    /// Velocities at both ends, in any direction.
-    Moving,
-    /// The start is accelerated.
-    AcceleratedStart,
-    /// The target is accelerated.
-    AcceleratedTarget,
-    /// Both ends are accelerated.
-    Accelerated,
-    /// The limits of velocity, acceleration and jerk depend on the direction.
-    Asymmetric,
-    /// The velocity is outside at the start.
-    OutsideVelocity,
-    /// The acceleration is outside at the start.
-    OutsideAcceleration,
-    /// The velocity is inside at the start, but the acceleration will bring it outside.
-    BoundToLeave,
-    /// The start is far outside.
-    FarOutside,
-    /// The start is outside, and its acceleration brings it inside.
-    ComingInside,
-    /// The velocity has no limit.
-    InfiniteVelocity,
-    /// The acceleration has no limit.
-    InfiniteAcceleration,
-    /// The jerk has no limit in one direction.
-    OneInfiniteJerk,
-    /// The jerk has no limit.
-    InfiniteJerk,
-    /// The jerk is huge.
-    HugeJerk,
-    /// Lengths and times of any size.
-    ExtremeScale,
-    /// The target is the start.
-    NoDisplacement,
-    /// The target is the end of the direct ramp, or a few representable numbers beside it.
-    DirectTie,
-    /// The displacement just lets the axis cruise, or just does not.
-    BorderOfCruise,
-    /// The displacement is where the motion gets another shape.
-    BorderOfShape,
-    /// The change of velocity just needs a hold, or just does not.
-    BorderOfHold,
-    /// The displacement is where the durations begin or end in which the target can not be reached.
-    BorderOfGap,
-    /// Both accelerations point the same way, and the velocities let the axis ease in between.
-    Lens,
-    /// The acceleration goes straight from one end to the other.
-    Straight,
-    /// A part of the border rises, falls and rises again.
-    RiseAndFall,
-    /// The velocities are at their limits.
-    FullVelocity,
-    /// The velocities are opposite.
-    OppositeVelocities,
-    /// The velocities are equal, or nearly so.
-    EqualVelocities,
-    /// The accelerations are equal, or nearly so.
-    EqualAccelerations,
-    /// The accelerations are at their limits.
-    FullAcceleration,
-    /// The accelerations are tiny.
-    TinyAcceleration,
-    /// The target is just what an axis can have reached. Its acceleration may carry the axis beyond a limit afterwards.
-    TargetOnTheBoundary,
-    /// A tiny displacement between low velocities.
-    Tiny,
-    /// A position far from 0.
-    Offset,
-    /// Every number has a magnitude of its own.
-    TinyAgainstHuge,
-    /// The limits are never reached.
-    NeverReached,
-    /// Equal high velocities, a short way, weak limits.
-    WeakLimits,
-    /// The rest of a planned move, from one of its states.
-    Remainder,
-    /// The rest of a planned remainder, a short time later.
-    NextCycle,
-    /// A velocity and an acceleration are wanted, a position is not.
-    Reach,
-    /// A stop is wanted.
-    Stop,
-    /// The target moves on.
-    Meet,
-    /// The limit of the acceleration is never reached, without acceleration at the ends.
-    NoHold,
+listed! {
+    /// What is nasty about a problem.
+    pub enum Kind {
+        /// At rest at both ends.
+        Rest,
+        /// Velocities at both ends, in any direction.
+        Moving,
+        /// The start is accelerated.
+        AcceleratedStart,
+        /// The target is accelerated.
+        AcceleratedTarget,
+        /// Both ends are accelerated.
+        Accelerated,
+        /// The limits of velocity, acceleration and jerk depend on the direction.
+        Asymmetric,
+        /// The velocity is outside at the start.
+        OutsideVelocity,
+        /// The acceleration is outside at the start.
+        OutsideAcceleration,
+        /// The velocity is inside at the start, but the acceleration will bring it outside.
+        BoundToLeave,
+        /// The start is far outside.
+        FarOutside,
+        /// The start is outside, and its acceleration brings it inside.
+        ComingInside,
+        /// The velocity has no limit.
+        InfiniteVelocity,
+        /// The acceleration has no limit.
+        InfiniteAcceleration,
+        /// The jerk has no limit in one direction.
+        OneInfiniteJerk,
+        /// The jerk has no limit.
+        InfiniteJerk,
+        /// The jerk is huge.
+        HugeJerk,
+        /// Lengths and times of any size.
+        ExtremeScale,
+        /// The target is the start.
+        NoDisplacement,
+        /// The target is the end of the direct ramp, or a few representable numbers beside it.
+        DirectTie,
+        /// The displacement just lets the axis cruise, or just does not.
+        BorderOfCruise,
+        /// The displacement is where the motion gets another shape.
+        BorderOfShape,
+        /// The change of velocity just needs a hold, or just does not.
+        BorderOfHold,
+        /// The displacement is where the durations begin or end in which the target can not be reached.
+        BorderOfGap,
+        /// Both accelerations point the same way, and the velocities let the axis ease in between.
+        Lens,
+        /// The acceleration goes straight from one end to the other.
+        Straight,
+        /// A part of the border rises, falls and rises again.
+        RiseAndFall,
+        /// The velocities are at their limits.
+        FullVelocity,
+        /// The velocities are opposite.
+        OppositeVelocities,
+        /// The velocities are equal, or nearly so.
+        EqualVelocities,
+        /// The accelerations are equal, or nearly so.
+        EqualAccelerations,
+        /// The accelerations are at their limits.
+        FullAcceleration,
+        /// The accelerations are tiny.
+        TinyAcceleration,
+        /// The target is just what an axis can have reached. Its acceleration may carry the axis beyond a limit afterwards.
+        TargetOnTheBoundary,
+        /// A tiny displacement between low velocities.
+        Tiny,
+        /// A position far from 0.
+        Offset,
+        /// Every number has a magnitude of its own.
+        TinyAgainstHuge,
+        /// The limits are never reached.
+        NeverReached,
+        /// Equal high velocities, a short way, weak limits.
+        WeakLimits,
+        /// The rest of a planned move, from one of its states.
+        Remainder,
+        /// The rest of a planned remainder, a short time later.
+        NextCycle,
+        /// A velocity and an acceleration are wanted, a position is not.
+        Reach,
+        /// A stop is wanted.
+        Stop,
+        /// The target moves on.
+        Meet,
+        /// The limit of the acceleration is never reached, without acceleration at the ends.
+        NoHold,
+    }
 }
 
 /// A problem before it is rounded: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
@@ -170,20 +141,12 @@ pub struct Problems<R> {
 impl<R: Real> Problems<R> {
     /// The sequence for `Move` that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
-        Self {
-            random: Random::seeded(seed),
-            turn: 0,
-            of_profiles: false,
-            real: std::marker::PhantomData,
-        }
+        Self { random: Random::seeded(seed), turn: 0, of_profiles: false, real: std::marker::PhantomData }
     }
 
     /// The sequence of problems without acceleration at their ends. Of each kind follow a double-S, a trapezoid and a `Move`.
     pub fn of_profiles(seed: u64) -> Self {
-        Self {
-            of_profiles: true,
-            ..Self::new(seed)
-        }
+        Self { of_profiles: true, ..Self::new(seed) }
     }
 
     /// Half as many decimal digits as the real type has, more or less.
@@ -247,21 +210,13 @@ impl<R: Real> Problems<R> {
         let random = &mut self.random;
         let mut pair = |lo, hi, equal| {
             let high = random.magnitude(lo, hi);
-            let low = if random.one_in(equal) {
-                high * random.magnitude(-1.0, 1.0)
-            } else {
-                high
-            };
+            let low = if random.one_in(equal) { high * random.magnitude(-1.0, 1.0) } else { high };
             (high, -low)
         };
         let (vmax, vmin) = pair(-2.0, 2.0, 3);
         let (amax, amin) = pair(-2.0, 2.0, 3);
         let (jmax, jmin) = pair(-2.0, 3.0, 4);
-        let p0 = if random.one_in(2) {
-            0.0
-        } else {
-            random.between(-10.0, 10.0)
-        };
+        let p0 = if random.one_in(2) { 0.0 } else { random.between(-10.0, 10.0) };
         let mut draft = Draft {
             vmax,
             vmin,
@@ -276,12 +231,7 @@ impl<R: Real> Problems<R> {
             v1: random.between(vmin, vmax),
             a1: random.between(amin, amax),
         };
-        for (x, of) in [
-            (&mut draft.v0, 4),
-            (&mut draft.v1, 3),
-            (&mut draft.a0, 2),
-            (&mut draft.a1, 2),
-        ] {
+        for (x, of) in [(&mut draft.v0, 4), (&mut draft.v1, 3), (&mut draft.a0, 2), (&mut draft.a1, 2)] {
             if random.one_in(of) {
                 *x = 0.0;
             }
@@ -368,11 +318,7 @@ impl<R: Real> Problems<R> {
             }
             Kind::ExtremeScale => {
                 let length = random.magnitude(-wide, wide);
-                let time = if random.one_in(2) {
-                    random.magnitude(-wide / 3.0, wide / 3.0)
-                } else {
-                    1.0
-                };
+                let time = if random.one_in(2) { random.magnitude(-wide / 3.0, wide / 3.0) } else { 1.0 };
                 draft.scale(length, time);
             }
             Kind::NoDisplacement => draft.p1 = draft.p0,
@@ -384,11 +330,7 @@ impl<R: Real> Problems<R> {
                 draft.vmax = draft.vmax.max(1.5 * reached.abs());
                 draft.vmin = draft.vmin.min(-1.5 * reached.abs());
                 (draft.a0, draft.a1) = (0.0, 0.0);
-                (draft.v0, draft.v1) = if random.one_in(2) {
-                    (0.0, reached)
-                } else {
-                    (-reached, 0.0)
-                };
+                (draft.v0, draft.v1) = if random.one_in(2) { (0.0, reached) } else { (-reached, 0.0) };
             }
             Kind::BorderOfGap | Kind::Lens => Self::open_lens(draft, random),
             Kind::Straight => {
@@ -598,20 +540,14 @@ impl<R: Real> Problems<R> {
         let part = fraction * self.random.unit();
         let x = match problem.request {
             // It starts without acceleration: in the cruise.
-            Request::Bell => {
-                plan.planned.phase[3].start + R::of(part) * plan.planned.phase[3].duration
-            }
+            Request::Bell => plan.planned.phase[3].start + R::of(part) * plan.planned.phase[3].duration,
             _ => R::of(plan.planned.t.widen() * part),
         };
         let [position, velocity, mut acceleration, _] = plan.state(x);
         if self.of_profiles {
             acceleration = R::of(0.0);
         }
-        let from = State {
-            position,
-            velocity,
-            acceleration,
-        };
+        let from = State { position, velocity, acceleration };
         if parts(from).iter().all(|x| x.widen().is_finite()) {
             problem.from = from;
         }
@@ -681,11 +617,7 @@ impl Draft {
 
     /// The change of velocity by jerk alone.
     fn straight(&self) -> f64 {
-        let jerk = if self.a1 > self.a0 {
-            self.jmax
-        } else {
-            self.jmin
-        };
+        let jerk = if self.a1 > self.a0 { self.jmax } else { self.jmin };
         0.5 * (self.a1 + self.a0) * (self.a1 - self.a0) / jerk
     }
 
@@ -696,16 +628,8 @@ impl Draft {
         let most = 0.5 * (self.vmax - self.vmin) * jerk.abs();
         self.a0 = self.a0.clamp(-most.sqrt(), most.sqrt());
         let change = 0.5 * self.a0 * self.a0 / jerk;
-        let low = if change > 0.0 {
-            self.vmin + change
-        } else {
-            self.vmin
-        };
-        let high = if change < 0.0 {
-            self.vmax + change
-        } else {
-            self.vmax
-        };
+        let low = if change > 0.0 { self.vmin + change } else { self.vmin };
+        let high = if change < 0.0 { self.vmax + change } else { self.vmax };
         self.v0 = self.v0.max(low).min(high);
     }
 
@@ -738,11 +662,9 @@ impl<R: Real> Iterator for Problems<R> {
         let turn = self.turn;
         self.turn += 1;
         let kinds = &Kind::OF_PROFILES;
-        Some(
-            match [Request::Bell, Request::Trap, Request::Plan][turn % 3] {
-                request if self.of_profiles => self.problem(kinds[turn / 3 % kinds.len()], request),
-                _ => self.of_kind(Kind::ALL[turn % Kind::NoHold as usize]),
-            },
-        )
+        Some(match [Request::Bell, Request::Trap, Request::Plan][turn % 3] {
+            request if self.of_profiles => self.problem(kinds[turn / 3 % kinds.len()], request),
+            _ => self.of_kind(Kind::ALL[turn % Kind::NoHold as usize]),
+        })
     }
 }

@@ -65,20 +65,11 @@ pub struct Grid {
 impl Grid {
     /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the target, and where the axis is
     /// inside the limits.
-    const SPARSE: Self = Self {
-        part: 1.0,
-        factor: 4.0,
-    };
+    const SPARSE: Self = Self { part: 1.0, factor: 4.0 };
     /// Enough for most problems: twice an octave.
-    pub const COARSE: Self = Self {
-        part: 1.0 / 262_144.0,
-        factor: std::f64::consts::SQRT_2,
-    };
+    pub const COARSE: Self = Self { part: 1.0 / 262_144.0, factor: std::f64::consts::SQRT_2 };
     /// Enough where the displacement rises and falls at once: 64 times an octave.
-    pub const FINE: Self = Self {
-        part: 1.0 / 262_144.0,
-        factor: 1.010_889_286_051_700_5,
-    };
+    pub const FINE: Self = Self { part: 1.0 / 262_144.0, factor: 1.010_889_286_051_700_5 };
 }
 
 /// Position, velocity and acceleration where the phases of a move meet, and at its end.
@@ -98,50 +89,24 @@ pub struct Walk {
 
 unsafe extern "C" {
     safe fn referee_fastest(
-        limits: &[f64; 6],
-        start: &[f64; 3],
-        target: &[f64; 3],
-        beside: &[f64; 3],
-        frame: f64,
-        grid: &Grid,
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], beside: &[f64; 3], frame: f64, grid: &Grid,
         results: &mut Best,
     );
     safe fn referee_possible(
-        limits: &[f64; 6],
-        start: &[f64; 3],
-        target: &[f64; 3],
-        beside: &[f64; 3],
-        duration: f64,
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], beside: &[f64; 3], duration: f64,
     ) -> f64;
     safe fn referee_interval(
-        limits: &[f64; 6],
-        start: &[f64; 3],
-        target: &[f64; 3],
-        duration: f64,
-        interval: &mut [f64; 2],
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], duration: f64, interval: &mut [f64; 2],
     ) -> i32;
     safe fn referee_knees(
-        limits: &[f64; 6],
-        start: &[f64; 3],
-        target: &[f64; 3],
-        lower: i32,
-        knees: &mut [f64; 8],
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], lower: i32, knees: &mut [f64; 8],
     ) -> i32;
     safe fn referee_derivatives(
-        limits: &[f64; 6],
-        start: &[f64; 3],
-        target: &[f64; 3],
-        duration: f64,
-        lower: i32,
-        first: &mut [f64; 5],
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], duration: f64, lower: i32, first: &mut [f64; 5],
         second: &mut [f64; 15],
     ) -> i32;
     safe fn referee_walk(
-        start: &[f64; 3],
-        phases: &[[f64; 3]; 17],
-        count: i32,
-        borders: &mut Borders,
-        knots: &mut [Knot; 96],
+        start: &[f64; 3], phases: &[[f64; 3]; 17], count: i32, borders: &mut Borders, knots: &mut [Knot; 96],
     ) -> i32;
 }
 
@@ -155,12 +120,7 @@ impl Motion {
             Request::Meet => frame = target[1],
             _ => {}
         }
-        Self {
-            limits: widened(&problem.limits),
-            start,
-            target,
-            frame,
-        }
+        Self { limits: widened(&problem.limits), start, target, frame }
     }
 
     /// The fastest motion.
@@ -177,12 +137,7 @@ impl Motion {
         let comes_inside = v0 > vmax || v0 < vmin;
         let is_accelerated = a0 != 0.0 || self.target[2] != 0.0 || comes_inside;
         let grid = if is_accelerated { grid } else { Grid::SPARSE };
-        let Self {
-            limits,
-            start,
-            target,
-            frame,
-        } = self;
+        let Self { limits, start, target, frame } = self;
         referee_fastest(limits, start, target, &beside, *frame, &grid, &mut best);
         best
     }
@@ -190,12 +145,7 @@ impl Motion {
     /// How much further the target is than the displacements of this duration: 0 if it is among them, infinite if the end cannot be reached
     /// in this duration. The target is so much further and so much faster, and the start is so much faster.
     pub fn lacks(&self, duration: f64, beside: [f64; 3]) -> f64 {
-        let Self {
-            limits,
-            start,
-            target,
-            ..
-        } = self;
+        let Self { limits, start, target, .. } = self;
         referee_possible(limits, start, target, &beside, duration)
     }
 
@@ -207,12 +157,7 @@ impl Motion {
     /// The lowest and the highest displacement of this duration, if the end can be reached in it.
     pub fn interval(&self, duration: f64) -> Option<[f64; 2]> {
         let mut interval = [0.0; 2];
-        let Self {
-            limits,
-            start,
-            target,
-            ..
-        } = self;
+        let Self { limits, start, target, .. } = self;
         let possible = referee_interval(limits, start, target, duration, &mut interval);
         (possible != 0).then_some(interval)
     }
@@ -222,22 +167,9 @@ impl Motion {
     /// of shape.
     pub fn derivatives(&self, duration: f64, lower: bool) -> Option<(usize, [f64; 5], [f64; 15])> {
         let (mut first, mut second) = ([0.0; 5], [0.0; 15]);
-        let Self {
-            limits,
-            start,
-            target,
-            ..
-        } = self;
+        let Self { limits, start, target, .. } = self;
         let lower = i32::from(lower);
-        let shape = referee_derivatives(
-            limits,
-            start,
-            target,
-            duration,
-            lower,
-            &mut first,
-            &mut second,
-        );
+        let shape = referee_derivatives(limits, start, target, duration, lower, &mut first, &mut second);
         let shape = usize::try_from(shape).ok()?;
         Some((shape, first, second))
     }
@@ -245,12 +177,7 @@ impl Motion {
     /// The displacements at which the upper or the lower border changes its shape. The last one is where the axis begins to cruise.
     pub fn knees(&self, lower: bool) -> Vec<f64> {
         let mut knees = [0.0; 8];
-        let Self {
-            limits,
-            start,
-            target,
-            ..
-        } = self;
+        let Self { limits, start, target, .. } = self;
         let count = referee_knees(limits, start, target, lower.into(), &mut knees);
         knees[..count as usize].to_vec()
     }
@@ -259,9 +186,7 @@ impl Motion {
 impl Walk {
     /// Integrates the phases of a move from this state.
     pub fn of<R: Real>(from: State<R>, planned: &Move<R>) -> Self {
-        let phases = planned
-            .phase
-            .map(|phase| [phase.duration, phase.acceleration, phase.jerk].map(R::widen));
+        let phases = planned.phase.map(|phase| [phase.duration, phase.acceleration, phase.jerk].map(R::widen));
         let mut all = [[0.0; 3]; 17];
         all[..16].copy_from_slice(&phases);
         let start = parts(from).map(R::widen);
@@ -269,9 +194,6 @@ impl Walk {
         let mut knots = [[0.0; 4]; 96];
         let count = (planned.count as i32).min(15);
         let noted = referee_walk(&start, &all, count, &mut borders, &mut knots);
-        Self {
-            borders,
-            knots: knots[..noted as usize].to_vec(),
-        }
+        Self { borders, knots: knots[..noted as usize].to_vec() }
     }
 }

@@ -1,13 +1,12 @@
-//! Other libraries beside ours: the crate rsruckig, which computes in binary64 always, and the original.
+//! The crate rsruckig next to ours. It computes in binary64 always.
 
 use super::path::problems::Chain;
-use super::planner::Profile;
 use super::problem::{Problem, Request, parts, widened};
 use super::trial::{Trial, Verdict, tolerance};
 use crate::liba::abi::Original;
 use rsruckig::prelude::*;
 use std::fmt::{Display, Formatter, Result as Written};
-use support::{Family, Implementation, Real};
+use support::Real;
 
 /// How far beside its target a motion of rsruckig may end.
 const ACCURACY: f64 = 1e-8;
@@ -17,9 +16,7 @@ pub fn fits_ruckig<R: Real>(axes: &[Problem<R>]) -> bool {
     let moderate = |x: f64| x.abs() < 1e4 && (x.abs() > 1e-4 || x == 0.0);
     axes.iter().all(|axis| {
         let numbers = axis.numbers().map(R::widen);
-        axis.request == Request::Plan
-            && numbers.into_iter().all(moderate)
-            && numbers[4] == -numbers[5]
+        axis.request == Request::Plan && numbers.into_iter().all(moderate) && numbers[4] == -numbers[5]
     })
 }
 
@@ -60,9 +57,7 @@ pub fn path_fits_ruckig<R: Real>(chain: &Chain<R>) -> bool {
         let limits = widened(limits);
         limits.into_iter().all(moderate) && limits[4] == -limits[5]
     };
-    chain.limits.len() == chain.axes
-        && chain.states.iter().all(of_states)
-        && chain.limits.iter().all(of_limits)
+    chain.limits.len() == chain.axes && chain.states.iter().all(of_states) && chain.limits.iter().all(of_limits)
 }
 
 /// The duration that rsruckig finds for the path.
@@ -73,9 +68,7 @@ pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
         (0..axes).for_each(|axis| row[axis] = number(axis));
         row
     };
-    let of_point = |point: usize, part: usize| {
-        row(&|axis| parts(chain.states[point * axes + axis])[part].widen())
-    };
+    let of_point = |point: usize, part: usize| row(&|axis| parts(chain.states[point * axes + axis])[part].widen());
     let limit = |which: usize| row(&|axis| widened(&chain.limits[axis])[which]);
     let mut input = InputParameter::<0>::new(Some(axes));
     let last = chain.sections();
@@ -97,15 +90,13 @@ pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
     }
 }
 
-/// What rsruckig makes of the same problems, or the original of profiles.
+/// What rsruckig makes of the same problems.
 #[derive(Clone, Debug, Default)]
 pub struct Theirs {
     /// Problems that it was asked.
     pub asked: u64,
     /// Plans that are missing.
     pub refused: u64,
-    /// Plans that break a limit or jump.
-    pub breaks: u64,
     /// Durations that are longer than the least one.
     pub longer: u64,
     /// Durations that are shorter than the least one, though the start is inside.
@@ -114,27 +105,13 @@ pub struct Theirs {
 
 impl Theirs {
     /// The heading of these counts in a table.
-    pub const HEADING: &str = "the original or rsruckig:  asked refused  breaks  longer shorter";
+    pub const HEADING: &str = "rsruckig:  asked refused  longer shorter";
 
-    /// Adds other counts.
-    pub fn add(&mut self, other: &Self) {
-        self.asked += other.asked;
-        self.refused += other.refused;
-        self.breaks += other.breaks;
-        self.longer += other.longer;
-        self.shorter += other.shorter;
-    }
-
-    /// Plans the problem with the other library, if it takes the problem.
+    /// Plans the problem with rsruckig, if it takes the problem.
     pub fn ask<R: Original>(&mut self, problem: &Problem<R>, trial: &Trial<R>) {
-        match problem.request.profile() {
-            Some(family) => self.ask_original(family, problem, trial),
-            None if fits_ruckig(&[*problem]) => self.ask_ruckig(problem, trial),
-            None => {}
+        if !fits_ruckig(&[*problem]) {
+            return;
         }
-    }
-
-    fn ask_ruckig<R: Original>(&mut self, problem: &Problem<R>, trial: &Trial<R>) {
         self.asked += 1;
         let Some(duration) = ruckig(&[*problem], 0.0, 0.0) else {
             self.refused += 1;
@@ -149,45 +126,12 @@ impl Theirs {
             self.shorter += u64::from(shorter);
         }
     }
-
-    /// An infinite acceleration is left out, because the original may never return.
-    fn ask_original<R: Original>(
-        &mut self,
-        family: Family,
-        problem: &Problem<R>,
-        trial: &Trial<R>,
-    ) {
-        if trial.best().duration == 0.0 || problem.limits.amax.widen().is_infinite() {
-            return;
-        }
-        self.asked += 1;
-        let mut fields = [R::of(0.0); 14];
-        let own = &mut fields[..family.fields().len()];
-        let duration = R::ORIGINAL.plan(family, &problem.arguments(), own).widen();
-        // A NaN is no plan either.
-        let planned = duration > 0.0;
-        if !planned {
-            self.refused += 1;
-            return;
-        }
-        let profile = Profile::new(family, own);
-        let v1 = own[if family == Family::Bell { 9 } else { 4 }];
-        let replaced = v1 != problem.ends()[1].velocity;
-        if replaced || profile.check(problem).bits() & !16 != 0 {
-            self.breaks += 1;
-        } else if matches!(trial.duration(duration), Verdict::Longer(_)) {
-            self.longer += 1;
-        }
-    }
 }
 
 impl Display for Theirs {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         #[rustfmt::skip]
-        let Self { asked, refused, breaks, longer, shorter } = self;
-        write!(
-            f,
-            "{asked:>32} {refused:>7} {breaks:>7} {longer:>7} {shorter:>7}"
-        )
+        let Self { asked, refused, longer, shorter } = self;
+        write!(f, "{asked:>16} {refused:>7} {longer:>7} {shorter:>7}")
     }
 }

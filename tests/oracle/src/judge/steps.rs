@@ -6,15 +6,8 @@ use support::Real;
 
 unsafe extern "C" {
     fn steps_wrong(
-        phases: *const [f64; 6],
-        count: i32,
-        lines: &[f64; 2],
-        first: i64,
-        times: *const f64,
-        directions: *const i32,
-        n: i64,
-        samples: i32,
-        roundings: &[f64; 2],
+        phases: *const [f64; 6], count: i32, lines: &[f64; 2], first: i64, times: *const f64, directions: *const i32,
+        n: i64, samples: i32, roundings: &[f64; 2],
     ) -> i32;
 }
 
@@ -30,26 +23,15 @@ pub fn all<R: Real>(of: &Move<R>, mut steps: Steps<R>) -> Vec<Step<R>> {
 }
 
 /// What is wrong with these steps of a move, whose motor starts at the line `first`.
-pub fn wrong<R: Real>(
-    of: &Move<R>,
-    lines: [R; 2],
-    first: i32,
-    steps: &[Step<R>],
-) -> Option<&'static str> {
+pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]) -> Option<&'static str> {
     // The end too.
     let phases: Vec<[f64; 6]> = of.phase[..=of.phases().len()].iter().map(numbers).collect();
     let times: Vec<f64> = steps.iter().map(|step| step.time.widen()).collect();
     let directions: Vec<i32> = steps.iter().map(|step| step.direction).collect();
     let reached = of.extremes();
-    let [far, fast] = [
-        [reached.lowest.position, reached.highest.position],
-        [reached.lowest.velocity, reached.highest.velocity],
-    ]
-    .map(|ends| {
-        ends.map(|x| x.widen().abs())
-            .into_iter()
-            .fold(0.0, f64::max)
-    });
+    let [far, fast] =
+        [[reached.lowest.position, reached.highest.position], [reached.lowest.velocity, reached.highest.velocity]]
+            .map(|ends| ends.map(|x| x.widen().abs()).into_iter().fold(0.0, f64::max));
     let [offset, step] = lines.map(R::widen);
     let (t, rounding) = (of.t.widen(), ROUNDINGS * R::MACHINE_EPSILON.widen());
     let roundings = [rounding * t, rounding * (far + offset.abs() + fast * t)];
@@ -77,13 +59,5 @@ pub fn wrong<R: Real>(
 }
 
 fn numbers<R: Real>(phase: &atraj::online::Phase<R>) -> [f64; 6] {
-    [
-        phase.start,
-        phase.duration,
-        phase.position,
-        phase.velocity,
-        phase.acceleration,
-        phase.jerk,
-    ]
-    .map(R::widen)
+    [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk].map(R::widen)
 }

@@ -2,7 +2,6 @@
 
 use super::planner::Planner;
 use super::problems::Problems;
-use super::rivals::Theirs;
 use super::trial::{Trial, Verdict};
 use crate::liba::abi::Original;
 use std::collections::BTreeMap;
@@ -27,8 +26,6 @@ pub struct Tally {
     pub detours: u64,
     /// The worst relative error of a duration.
     pub worst: f64,
-    /// What another library makes of the same problems.
-    pub theirs: Theirs,
     /// The first bad problems in words.
     pub examples: Vec<String>,
 }
@@ -76,7 +73,6 @@ impl Tally {
         self.impossible += other.impossible;
         self.detours += other.detours;
         self.worst = self.worst.max(other.worst);
-        self.theirs.add(&other.theirs);
         self.examples.extend(other.examples.iter().cloned());
         self.examples.truncate(EXAMPLES);
     }
@@ -97,35 +93,25 @@ pub struct Tallies {
 impl Tallies {
     /// Judges the planner by so many problems of a seed, of this sequence.
     pub fn of_seed<R: Original>(
-        planner: &impl Planner<R>,
-        sequence: fn(u64) -> Problems<R>,
-        seed: u64,
-        problems: usize,
+        planner: &impl Planner<R>, sequence: fn(u64) -> Problems<R>, seed: u64, problems: usize,
     ) -> Self {
         let mut tallies = Self::default();
         let mut random = Random::seeded(!seed);
         for problem in sequence(seed).take(problems) {
             let profile = problem.request.profile();
             let group = profile.map_or("move", Family::name);
-            let key = [
-                profile.map_or(2, |family| family as usize),
-                problem.kind as usize,
-            ];
+            let key = [profile.map_or(2, |family| family as usize), problem.kind as usize];
             let tally = tallies.row(key, || format!("{group} {:?}", problem.kind));
             let trial = Trial::new(problem);
             let verdict = trial.judge(planner, &mut random);
             tally.note(&verdict, || trial.simple_example(planner, &verdict));
-            tally.theirs.ask(&problem, &trial);
         }
         tallies
     }
 
     /// The counts of this planner and kind.
     pub fn row(&mut self, key: [usize; 2], name: impl FnOnce() -> String) -> &mut Tally {
-        self.of.entry(key).or_insert_with(|| Tally {
-            name: name(),
-            ..Tally::default()
-        })
+        self.of.entry(key).or_insert_with(|| Tally { name: name(), ..Tally::default() })
     }
 
     /// Adds what was found in other problems.
@@ -142,18 +128,12 @@ impl Tallies {
 
     /// The sum over the kinds of this group: 0 for double-S, 1 for trapezoids, 2 for moves.
     pub fn total_of(&self, group: usize) -> Tally {
-        sum(self
-            .of
-            .range([group, 0]..[group + 1, 0])
-            .map(|(_, tally)| tally))
+        sum(self.of.range([group, 0]..[group + 1, 0]).map(|(_, tally)| tally))
     }
 }
 
 fn sum<'a>(tallies: impl Iterator<Item = &'a Tally>) -> Tally {
-    let mut total = Tally {
-        name: "total".into(),
-        ..Tally::default()
-    };
+    let mut total = Tally { name: "total".into(), ..Tally::default() };
     tallies.for_each(|tally| total.add(tally));
     total
 }
@@ -162,23 +142,15 @@ impl Display for Tallies {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
         writeln!(
             f,
-            "{:<26} {:>9} {:>7} {:>7} {:>7} {:>10} {:>7} {:>8} | {}",
-            "kind",
-            "problems",
-            "refused",
-            "wrong",
-            "longer",
-            "impossible",
-            "detours",
-            "worst",
-            Theirs::HEADING
+            "{:<26} {:>9} {:>7} {:>7} {:>7} {:>10} {:>7} {:>8}",
+            "kind", "problems", "refused", "wrong", "longer", "impossible", "detours", "worst"
         )?;
         for tally in self.of.values().chain([&self.total()]) {
             #[rustfmt::skip]
-            let Tally { name, problems, refused, wrong, longer, impossible, detours, worst, theirs, .. } = tally;
+            let Tally { name, problems, refused, wrong, longer, impossible, detours, worst, .. } = tally;
             writeln!(
                 f,
-                "{name:<26} {problems:>9} {refused:>7} {wrong:>7} {longer:>7} {impossible:>10} {detours:>7} {worst:>8.1e} | {theirs}"
+                "{name:<26} {problems:>9} {refused:>7} {wrong:>7} {longer:>7} {impossible:>10} {detours:>7} {worst:>8.1e}"
             )?;
         }
         for example in self.of.values().flat_map(|tally| &tally.examples) {

@@ -11,11 +11,7 @@ use atraj::online::{Error, Limits, Move};
 use support::{Random, Real};
 
 /// The findings that the plan of a move can have.
-pub const OF_A_MOVE: [Findings; 3] = [
-    Findings::OVERSHOOTS,
-    Findings::STARTS_OUTSIDE,
-    Findings::ENDS_LEAVING,
-];
+pub const OF_A_MOVE: [Findings; 3] = [Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING];
 
 /// Whether there is no finding that the plan of a move cannot have.
 pub fn are_of_a_move(findings: Findings) -> bool {
@@ -52,8 +48,9 @@ impl Verdict {
     /// Whether the faults are the same, and this one is not much smaller than the other.
     fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Longer(mine), Self::Longer(theirs))
-            | (Self::Shorter(mine), Self::Shorter(theirs)) => mine - 1.0 > 0.1 * (theirs - 1.0),
+            (Self::Longer(mine), Self::Longer(theirs)) | (Self::Shorter(mine), Self::Shorter(theirs)) => {
+                mine - 1.0 > 0.1 * (theirs - 1.0)
+            }
             (Self::Good { .. }, Self::Good { .. }) => true,
             _ => self == other,
         }
@@ -84,11 +81,7 @@ pub struct Scale {
 impl Scale {
     /// The scale of a planned motion.
     pub fn of<R: Real>(problem: &Problem<R>, plan: &Plan<R>) -> Self {
-        Self::of_walk(
-            &problem.limits,
-            plan,
-            &Walk::of(problem.ends()[0], &plan.planned),
-        )
+        Self::of_walk(&problem.limits, plan, &Walk::of(problem.ends()[0], &plan.planned))
     }
 
     /// So many times as large.
@@ -116,8 +109,7 @@ impl Scale {
         let most = |k: usize| knots.clone().map(|knot| knot[k].abs()).fold(0.0, f64::max);
         let t = planned.t.widen();
         // The velocities with the acceleration undone at the start or at the end are the axis' own too.
-        let [first, last] =
-            [0, planned.count as usize].map(|k| planned.phase[k].acceleration.widen());
+        let [first, last] = [0, planned.count as usize].map(|k| planned.phase[k].acceleration.widen());
         let undone = 0.25 * pace * (first * first + last * last);
         let mut fastest = most(2);
         let mut changes: f64 = 0.0;
@@ -125,8 +117,7 @@ impl Scale {
         for phase in &planned.phase[..planned.count as usize] {
             // A ramp that is shorter than the rounding of the duration takes no time, but the axis gets its velocity.
             fastest = fastest.max(phase.velocity.widen().abs());
-            let [duration, a, jerk] =
-                [phase.duration, phase.acceleration, phase.jerk].map(R::widen);
+            let [duration, a, jerk] = [phase.duration, phase.acceleration, phase.jerk].map(R::widen);
             // An acceleration that changes has an error in proportion to the highest one. An acceleration that holds is exact.
             changes += duration * if jerk == 0.0 { a.abs() } else { most(3) };
             most_jerk = most_jerk.max(jerk.abs());
@@ -154,11 +145,7 @@ impl<R: Original> Trial<R> {
     pub fn new(problem: Problem<R>) -> Self {
         let motion = Motion::of(&problem);
         let best = motion.best();
-        Self {
-            problem,
-            motion,
-            best,
-        }
+        Self { problem, motion, best }
     }
 
     /// What the referee knows.
@@ -183,28 +170,14 @@ impl<R: Original> Trial<R> {
 
     /// The least duration.
     pub fn least(&self, best: &Best) -> f64 {
-        if self.has_position() {
-            best.duration
-        } else {
-            best.direct
-        }
+        if self.has_position() { best.duration } else { best.direct }
     }
 
     /// The positions and velocities that the fastest axis passes.
     fn passed(&self) -> [f64; 2] {
-        let Best {
-            duration,
-            speed,
-            variation,
-            changing,
-            ..
-        } = self.best;
+        let Best { duration, speed, variation, changing, .. } = self.best;
         let is_profile = self.problem.request.profile().is_some();
-        let velocity = if is_profile {
-            speed
-        } else {
-            speed + variation + changing
-        };
+        let velocity = if is_profile { speed } else { speed + variation + changing };
         let ends = self.motion.start[0].abs() + self.motion.target[0].abs();
         [ends + velocity * duration, velocity]
     }
@@ -223,9 +196,7 @@ impl<R: Original> Trial<R> {
             (straight, best.straight),
         ];
         let others = others.into_iter().filter(|(is_near, _)| *is_near);
-        [self.least(best)]
-            .into_iter()
-            .chain(others.map(|(_, duration)| duration))
+        [self.least(best)].into_iter().chain(others.map(|(_, duration)| duration))
     }
 
     /// Whether the target, but for a few roundings of both ends, can be reached in this duration.
@@ -273,16 +244,9 @@ impl<R: Original> Trial<R> {
     pub fn duration_near(&self, duration: f64, accuracy: f64) -> Verdict {
         let tolerance = tolerance::<R>();
         let error = |least: f64| {
-            if duration == least {
-                0.0
-            } else {
-                (duration / least - 1.0).abs()
-            }
+            if duration == least { 0.0 } else { (duration / least - 1.0).abs() }
         };
-        let good = |least| Verdict::Good {
-            error: error(least),
-            detour: self.is_detour(duration),
-        };
+        let good = |least| Verdict::Good { error: error(least), detour: self.is_detour(duration) };
         let least = self.least(&self.best);
         if error(least) <= tolerance {
             return good(least);
@@ -300,9 +264,7 @@ impl<R: Original> Trial<R> {
         let coarse = (0..coarse).map(|index| (index, Grid::COARSE));
         let fine = (0..fine).map(|index| (index, Grid::FINE));
         for (index, grid) in coarse.chain(fine) {
-            let best = self
-                .motion
-                .best_beside(beside(index, position, velocity), grid);
+            let best = self.motion.best_beside(beside(index, position, velocity), grid);
             for least in self.possible(&best, position, velocity) {
                 if error(least) <= tolerance {
                     return good(least);
@@ -324,26 +286,18 @@ impl<R: Original> Trial<R> {
     /// What is wrong with the motion, if something is.
     pub fn wrong_motion(&self, plan: &Plan<R>, random: &mut Random) -> Option<&'static str> {
         let own = Scale::default();
-        self.wrong_states(plan, &own, random)
-            .or_else(|| self.wrong_findings(plan, plan.findings, &own))
+        self.wrong_states(plan, &own, random).or_else(|| self.wrong_findings(plan, plan.findings, &own))
     }
 
     /// What is wrong with the states of the motion, if something is. Its numbers may be larger than its own scale by `more`.
-    pub fn wrong_states(
-        &self,
-        plan: &Plan<R>,
-        more: &Scale,
-        random: &mut Random,
-    ) -> Option<&'static str> {
+    pub fn wrong_states(&self, plan: &Plan<R>, more: &Scale, random: &mut Random) -> Option<&'static str> {
         let planned = &plan.planned;
-        wrong_phases(planned)
-            .or_else(|| self.wrong_ends(plan))
-            .or_else(|| {
-                let (walk, scale) = self.walk(plan, more);
-                self.jumps(planned, &walk, &scale)
-                    .or_else(|| self.leaves_limits(planned, &walk, &scale))
-                    .or_else(|| wrong_evaluation(plan, &walk, &scale, random))
-            })
+        wrong_phases(planned).or_else(|| self.wrong_ends(plan)).or_else(|| {
+            let (walk, scale) = self.walk(plan, more);
+            self.jumps(planned, &walk, &scale)
+                .or_else(|| self.leaves_limits(planned, &walk, &scale))
+                .or_else(|| wrong_evaluation(plan, &walk, &scale, random))
+        })
     }
 
     /// The integrated motion and its scale, with `more`.
@@ -416,27 +370,18 @@ impl<R: Original> Trial<R> {
     fn leaves_limits(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [_, v0, a0] = self.motion.start;
-        let above = Side {
-            sign: 1.0,
-            velocity: vmax,
-            acceleration: amax,
-            unavoidable: v0 - 0.5 * a0.max(0.0) * a0 / jmin,
-        };
-        let below = Side {
-            sign: -1.0,
-            velocity: -vmin,
-            acceleration: -amin,
-            unavoidable: -v0 + 0.5 * a0.min(0.0) * a0 / jmax,
-        };
+        let above =
+            Side { sign: 1.0, velocity: vmax, acceleration: amax, unavoidable: v0 - 0.5 * a0.max(0.0) * a0 / jmin };
+        let below =
+            Side { sign: -1.0, velocity: -vmin, acceleration: -amin, unavoidable: -v0 + 0.5 * a0.min(0.0) * a0 / jmax };
         let slack = 1.0 + doubt::<R>();
         let jerks = planned.phases().iter().map(|phase| phase.jerk.widen());
-        above
-            .left(&walk.knots, scale, doubt::<R>())
-            .or_else(|| below.left(&walk.knots, scale, doubt::<R>()))
-            .or_else(|| {
+        above.left(&walk.knots, scale, doubt::<R>()).or_else(|| below.left(&walk.knots, scale, doubt::<R>())).or_else(
+            || {
                 let mut beyond = jerks.filter(|&jerk| jerk > jmax * slack || jerk < jmin * slack);
                 beyond.next().map(|_| "a jerk is beyond its limit")
-            })
+            },
+        )
     }
 
     /// Whether the axis is bound to leave its limits after the target; `None` if roundings decide.
@@ -450,12 +395,7 @@ impl<R: Original> Trial<R> {
     }
 
     /// What is wrong with the findings, if they are not those of the motion. Its numbers may be larger than its own scale by `more`.
-    pub fn wrong_findings(
-        &self,
-        plan: &Plan<R>,
-        findings: Findings,
-        more: &Scale,
-    ) -> Option<&'static str> {
+    pub fn wrong_findings(&self, plan: &Plan<R>, findings: Findings, more: &Scale) -> Option<&'static str> {
         let (walk, scale) = self.walk(plan, more);
         let found = |finding: Findings| findings.bits() & finding.bits() != 0;
         if !are_of_a_move(findings) {
@@ -486,10 +426,7 @@ impl<R: Original> Trial<R> {
             return None;
         }
         let [p1, ..] = plan.state(plan.planned.t).map(R::widen);
-        let excess = walk
-            .knots
-            .iter()
-            .map(|&[_, p, ..]| (p - p0.max(p1)).max(p0.min(p1) - p));
+        let excess = walk.knots.iter().map(|&[_, p, ..]| (p - p0.max(p1)).max(p0.min(p1) - p));
         let excess = excess.fold(0.0, f64::max);
         let overshoots = found(Findings::OVERSHOOTS);
         // An axis that starts against its way, or arrives from beyond, overshoots by as little as a rounding.
@@ -510,12 +447,7 @@ impl<R: Original> Trial<R> {
 
     /// Whether the mirrored motion, the motion in other units, or the trapezoid with its accelerations in the other order takes another
     /// time.
-    fn wrong_relative(
-        &self,
-        planner: &impl Planner<R>,
-        t: R,
-        random: &mut Random,
-    ) -> Option<&'static str> {
+    fn wrong_relative(&self, planner: &impl Planner<R>, t: R, random: &mut Random) -> Option<&'static str> {
         let problem = &self.problem;
         let takes = |problem: &Problem<R>| planner.plan(problem).ok().map(|plan| plan.planned.t);
         if takes(&problem.mirrored()) != Some(t) {
@@ -525,11 +457,7 @@ impl<R: Original> Trial<R> {
         let expected = t.widen() * f64::from(time).exp2();
         // Near the border of the range a product is infinite in some units only. Then the motion is found in another way, up to roundings.
         let is_extreme = problem.kind == Kind::ExtremeScale;
-        let rounding = if is_extreme {
-            4.0 * R::MACHINE_EPSILON.widen() * expected
-        } else {
-            0.0
-        };
+        let rounding = if is_extreme { 4.0 * R::MACHINE_EPSILON.widen() * expected } else { 0.0 };
         let is_expected = |t: R| (t.widen() - expected).abs() <= rounding;
         if !takes(&problem.scaled(length, time)).is_some_and(is_expected) {
             return Some("the units change the time");
@@ -552,10 +480,9 @@ impl<R: Original> Trial<R> {
             return Verdict::Wrong(what);
         }
         match self.duration(t.widen()) {
-            Verdict::Shorter(factor) if self.is_ramp(&plan.planned) => Verdict::Good {
-                error: factor - 1.0,
-                detour: false,
-            },
+            Verdict::Shorter(factor) if self.is_ramp(&plan.planned) => {
+                Verdict::Good { error: factor - 1.0, detour: false }
+            }
             verdict => verdict,
         }
     }
@@ -582,11 +509,7 @@ impl<R: Original> Trial<R> {
 /// How much further and faster the target is, and how much faster the start, in the neighbour of this number of a problem.
 fn beside(index: usize, position: f64, velocity: f64) -> [f64; 3] {
     let shift = |of: usize| [0.0, -1.0, 1.0][index / of % 3];
-    [
-        shift(1) * position,
-        shift(3) * velocity,
-        shift(9) * velocity,
-    ]
+    [shift(1) * position, shift(3) * velocity, shift(9) * velocity]
 }
 
 /// The same for all neighbours.
@@ -634,14 +557,7 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     let phases = &planned.phase[..=count];
     let mut t = 0.0;
     for phase in phases {
-        let numbers = [
-            phase.start,
-            phase.duration,
-            phase.position,
-            phase.velocity,
-            phase.acceleration,
-            phase.jerk,
-        ];
+        let numbers = [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk];
         if !numbers.iter().all(|x| x.widen().is_finite()) {
             return Some("a number of a phase is not finite");
         }
@@ -664,10 +580,7 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
 
 /// Whether the evaluation differs from the integrated motion somewhere, or one of another kind has other bits.
 fn wrong_evaluation<R: Original>(
-    plan: &Plan<R>,
-    walk: &Walk,
-    scale: &Scale,
-    random: &mut Random,
+    plan: &Plan<R>, walk: &Walk, scale: &Scale, random: &mut Random,
 ) -> Option<&'static str> {
     let planned = &plan.planned;
     let phases = &planned.phase[..=planned.count as usize];
@@ -679,18 +592,14 @@ fn wrong_evaluation<R: Original>(
     let velocity = doubt * (scale.velocity + accelerations.fold(0.0, f64::max) * t);
     let acceleration = doubt * scale.acceleration;
     let within = [(); 2].map(|()| R::of(random.unit()) * planned.t);
-    let near = phases
-        .iter()
-        .map(|phase| phase.start.neighbour(random.steps(2)));
+    let near = phases.iter().map(|phase| phase.start.neighbour(random.steps(2)));
     // `does_a_move_go_on.rs` asks what comes after the end.
     let is_over = |x: &R| !is_profile && *x > planned.t;
     let times: Vec<R> = near.chain(within).filter(|x| !is_over(x)).collect();
     for x in times {
         // Phase 0 is the start.
         let under_way = phases.iter().rposition(|phase| phase.start <= x);
-        let index = under_way
-            .filter(|_| x > R::of(0.0) || t == 0.0)
-            .unwrap_or(0);
+        let index = under_way.filter(|_| x > R::of(0.0) || t == 0.0).unwrap_or(0);
         let phase = &phases[index];
         let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());
         let [p, v, _] = walk.borders[index];
@@ -725,11 +634,6 @@ fn other_evaluation<R: Original>(plan: &Plan<R>, x: R) -> [R; 4] {
     let planned = &plan.planned;
     match &plan.profile {
         Some(profile) => profile.evaluate(&R::ORIGINAL, x),
-        None => [
-            planned.position(x),
-            planned.velocity(x),
-            planned.acceleration(x),
-            planned.jerk(x),
-        ],
+        None => [planned.position(x), planned.velocity(x), planned.acceleration(x), planned.jerk(x)],
     }
 }

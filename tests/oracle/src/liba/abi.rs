@@ -197,19 +197,13 @@ pub trait Original: Real {
 impl Original for f64 {
     const ORIGINAL: Abi<f64> = library!(f64, "c8_", "gen", none[]);
     const ORIGINAL_STEPWISE: Abi<f64> = library!(f64, "c8_", "gen0", within["gen1" "gen2" "gen3"]);
-    const OPTIMISED: [Abi<f64>; 2] = [
-        library!(f64, "o2c8_", "gen", none[]),
-        library!(f64, "o3c8_", "gen", none[]),
-    ];
+    const OPTIMISED: [Abi<f64>; 2] = [library!(f64, "o2c8_", "gen", none[]), library!(f64, "o3c8_", "gen", none[])];
 }
 
 impl Original for f32 {
     const ORIGINAL: Abi<f32> = library!(f32, "c4_", "gen", none[]);
     const ORIGINAL_STEPWISE: Abi<f32> = library!(f32, "c4_", "gen0", within["gen1" "gen2" "gen3"]);
-    const OPTIMISED: [Abi<f32>; 2] = [
-        library!(f32, "o2c4_", "gen", none[]),
-        library!(f32, "o3c4_", "gen", none[]),
-    ];
+    const OPTIMISED: [Abi<f32>; 2] = [library!(f32, "o2c4_", "gen", none[]), library!(f32, "o3c4_", "gen", none[])];
 }
 
 /// Our C functions in the polynomial layout of liba 0.1.15.
@@ -224,8 +218,7 @@ pub const FASTEST: [Gen7<a_float>; 2] = [
 
 /// Our C functions with every polynomial planned array by array.
 #[cfg(not(feature = "poly-compact"))]
-pub const OURS_STEPWISE: Abi<a_float> =
-    library!(a_float, "a_", "gen0", within["gen1" "gen2" "gen3"]);
+pub const OURS_STEPWISE: Abi<a_float> = library!(a_float, "a_", "gen0", within["gen1" "gen2" "gen3"]);
 
 /// Our C functions in the polynomial layout since 2025-03.
 #[cfg(feature = "poly-compact")]

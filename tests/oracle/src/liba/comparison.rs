@@ -74,10 +74,7 @@ pub struct Report {
 impl Report {
     /// Puts the case through both. The reference plans a bell too, and counts its rounds.
     pub fn compare<R: Real>(
-        &mut self,
-        ours: &impl Implementation<R>,
-        original: &impl Implementation<R>,
-        case: &Case<R>,
+        &mut self, ours: &impl Implementation<R>, original: &impl Implementation<R>, case: &Case<R>,
     ) {
         let count = case.family.fields().len();
         let (mut got, mut want) = (case.before, case.before);
@@ -100,11 +97,7 @@ impl Report {
     }
 
     fn compare_plans<R: Real>(
-        &mut self,
-        ours: &impl Implementation<R>,
-        original: &impl Implementation<R>,
-        case: &Case<R>,
-        got: &mut [R],
+        &mut self, ours: &impl Implementation<R>, original: &impl Implementation<R>, case: &Case<R>, got: &mut [R],
         want: &mut [R],
     ) {
         let arguments = &case.arguments[..case.family.arguments().len()];
@@ -147,8 +140,7 @@ impl Report {
             if self.examples.len() < 10 {
                 let at = at.map_or(String::new(), |x| format!(" at {}", x.show()));
                 let (got, want) = (got.show(), want.show());
-                self.examples
-                    .push(format!("{case}: {what}{at} is {got}, original {want}"));
+                self.examples.push(format!("{case}: {what}{at} is {got}, original {want}"));
             }
         }
     }
@@ -180,13 +172,7 @@ impl fmt::Display for Report {
             f,
             "{} calls, {} moves, {} values compared, {} differing; {} moves endless in the original; \
              {} searches without cruise, {mean:.1} rounds on average, {} at most",
-            self.calls,
-            self.moves,
-            self.values,
-            self.differing,
-            self.endless,
-            self.searches,
-            self.most_rounds
+            self.calls, self.moves, self.values, self.differing, self.endless, self.searches, self.most_rounds
         )
     }
 }

@@ -18,12 +18,7 @@ pub enum Fault {
 
 impl Fault {
     /// Every fault.
-    pub const ALL: [Self; 4] = [
-        Self::OperandOrder,
-        Self::ProductWithSixth,
-        Self::FusedMultiplyAdd,
-        Self::LessOrEqual,
-    ];
+    pub const ALL: [Self; 4] = [Self::OperandOrder, Self::ProductWithSixth, Self::FusedMultiplyAdd, Self::LessOrEqual];
 }
 
 impl<R: Real> Implementation<R> for Fault {

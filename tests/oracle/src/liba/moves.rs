@@ -46,14 +46,7 @@ const DISTRIBUTIONS: [Distribution; 12] = [
 ];
 
 /// The bell comes twice, because it has the most branches.
-const FAMILIES: [Family; 6] = [
-    Family::Bell,
-    Family::Bell,
-    Family::Trap,
-    Family::Poly3,
-    Family::Poly5,
-    Family::Poly7,
-];
+const FAMILIES: [Family; 6] = [Family::Bell, Family::Bell, Family::Trap, Family::Poly3, Family::Poly5, Family::Poly7];
 
 /// An endless sequence of cases.
 pub struct Moves<R> {
@@ -64,10 +57,7 @@ pub struct Moves<R> {
 impl<R: Real> Moves<R> {
     /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
-        Self {
-            random: Random::seeded(seed),
-            real: PhantomData,
-        }
+        Self { random: Random::seeded(seed), real: PhantomData }
     }
 
     fn case(&mut self) -> Case<R> {
@@ -90,11 +80,7 @@ impl<R: Real> Moves<R> {
         for (argument, name) in arguments.iter_mut().zip(names) {
             let limit = matches!(*name, "jm" | "am" | "vm" | "ts" | "ac" | "de");
             let value = self.value(distribution);
-            *argument = if limit || self.random.one_in(2) {
-                value
-            } else {
-                -value
-            };
+            *argument = if limit || self.random.one_in(2) { value } else { -value };
             if matches!(*name, "v0" | "v1") && self.random.one_in(4) {
                 *argument = zero;
             }
@@ -128,19 +114,11 @@ impl<R: Real> Moves<R> {
                 let [jm, am, vm, _, _, v0, v1, ..] = wide;
                 let ramp = |from: f64, to: f64| {
                     let dv = (to - from).abs();
-                    let duration = if dv * jm < am * am {
-                        2.0 * (dv / jm).sqrt()
-                    } else {
-                        am / jm + dv / am
-                    };
+                    let duration = if dv * jm < am * am { 2.0 * (dv / jm).sqrt() } else { am / jm + dv / am };
                     0.5 * (from + to) * duration
                 };
                 let (v0, v1) = (v0.clamp(-vm, vm), v1.clamp(-vm, vm));
-                if self.random.one_in(2) {
-                    ramp(v0, v1)
-                } else {
-                    ramp(v0, vm) + ramp(vm, v1)
-                }
+                if self.random.one_in(2) { ramp(v0, v1) } else { ramp(v0, vm) + ramp(vm, v1) }
             }
             Family::Trap => {
                 let [vm, ac, de, _, _, v0, v1, ..] = wide;
@@ -179,10 +157,7 @@ impl<R: Real> Moves<R> {
     fn moment(&mut self) -> Moment<R> {
         match self.random.below(8) {
             0..=2 => Moment::Fraction(R::of(1.2 * self.random.unit() - 0.1)),
-            3..=6 => Moment::Border {
-                index: self.random.below(MOST_BORDERS),
-                steps: self.random.steps(2),
-            },
+            3..=6 => Moment::Border { index: self.random.below(MOST_BORDERS), steps: self.random.steps(2) },
             _ => {
                 let distribution = self.random.pick(&DISTRIBUTIONS);
                 Moment::At(self.value(distribution))
@@ -205,9 +180,7 @@ impl<R: Real> Moves<R> {
                 R::from_low_bits(random.bits() >> (64 - R::SIGNIFICAND_BITS + shortened))
             }
             Distribution::Wide => R::of(random.binade(lowest, highest)),
-            Distribution::BinaryFractions => {
-                R::of(random.below(65) as f64 / f64::from(1 << random.below(5)))
-            }
+            Distribution::BinaryFractions => R::of(random.below(65) as f64 / f64::from(1 << random.below(5))),
             Distribution::Special if random.one_in(2) => random.pick(&R::SPECIAL),
             Distribution::Special => R::of(random.binade(-7, 7)),
             Distribution::Bits => R::from_low_bits(random.bits()),

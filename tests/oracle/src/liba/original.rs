@@ -15,8 +15,7 @@ pub fn include() -> PathBuf {
 }
 
 /// Our builds that exist of the original too, each with the flag that the original's headers need.
-pub const REALS: [(&Variant, &str); 2] =
-    [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
+pub const REALS: [(&Variant, &str); 2] = [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
 
 /// The functions that the original has too.
 pub fn shared_symbols(variant: &Variant) -> Vec<String> {
@@ -50,12 +49,8 @@ pub fn build(directory: &Path, sources: &[&str], flags: &[&str]) {
         }
     }
     assert!(objects.len() >= sources.len().max(1), "sources of liba");
-    run(Command::new("ar")
-        .arg("crs")
-        .arg(directory.join("liba.a"))
-        .args(&objects));
+    run(Command::new("ar").arg("crs").arg(directory.join("liba.a")).args(&objects));
     let mut link = Command::new("cc");
-    link.args(["-shared", "-Wl,-soname,liba.so", "-o"])
-        .arg(directory.join("liba.so"));
+    link.args(["-shared", "-Wl,-soname,liba.so", "-o"]).arg(directory.join("liba.so"));
     run(link.args(&objects).arg("-lm"));
 }

@@ -1,67 +1,48 @@
 //! Faults planted into the planner of several axes. They show whether the judge sees a fault.
 
 use super::problems::Set;
-use super::together::{Planner, Together};
+use super::several::{Planner, Together};
 use atraj::Findings;
 use atraj::axes::synchronise;
 use atraj::online::{Error, Move, State};
 use support::Real;
 
-/// The planner with one fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
-    /// It refuses sets of many axes.
-    Refuses,
-    /// The last axis makes its fastest move.
-    Alone,
-    /// The duration is twice the least one.
-    Late,
-    /// The duration is a little longer than demanded, and no tick.
-    OffTheClock,
-    /// It plans for a little less than the demanded duration.
-    TooShort,
-    /// The first axis moves for as long, but the end of its last axis is a representable number beside the target.
-    EndOff,
-    /// A stretched axis stands still and then makes its fastest move.
-    Waits,
-    /// The limits of the last axis are a little wider.
-    WideLimits,
-    /// The last axis ends a representable number later.
-    OneLate,
-    /// It finds nothing.
-    Silent,
-    /// On the line, the last axis is a little beside.
-    BesideTheLine,
-    /// It arrives a tick too early: an axis that misses the tick slips by more than its roundings.
-    SlipsTooFar,
+listed! {
+    /// The planner with one fault.
+    pub enum Fault {
+        /// It refuses sets of many axes.
+        Refuses,
+        /// The last axis makes its fastest move.
+        Alone,
+        /// The duration is twice the least one.
+        Late,
+        /// The duration is a little longer than demanded, and no tick.
+        OffTheClock,
+        /// It plans for a little less than the demanded duration.
+        TooShort,
+        /// The first axis moves for as long, but the end of its last axis is a representable number beside the target.
+        EndOff,
+        /// A stretched axis stands still and then makes its fastest move.
+        Waits,
+        /// The limits of the last axis are a little wider.
+        WideLimits,
+        /// The last axis ends a representable number later.
+        OneLate,
+        /// It finds nothing.
+        Silent,
+        /// On the line, the last axis is a little beside.
+        BesideTheLine,
+        /// It arrives a tick too early: an axis that misses the tick slips by more than its roundings.
+        SlipsTooFar,
+    }
 }
 
 impl Fault {
-    /// Every fault.
-    pub const ALL: [Self; 12] = [
-        Self::Refuses,
-        Self::Alone,
-        Self::Late,
-        Self::OffTheClock,
-        Self::TooShort,
-        Self::EndOff,
-        Self::Waits,
-        Self::WideLimits,
-        Self::OneLate,
-        Self::Silent,
-        Self::BesideTheLine,
-        Self::SlipsTooFar,
-    ];
-
     /// The set that the planner plans instead.
     fn changed<R: Real>(self, set: &Set<R>, least: R) -> Set<R> {
         let mut changed = set.clone();
         let little = |factor: f64| {
-            if size_of::<R>() == 8 {
-                1e-6 * factor
-            } else {
-                1e-3 * factor
-            }
+            if size_of::<R>() == 8 { 1e-6 * factor } else { 1e-3 * factor }
         };
         match self {
             Self::Late => changed.duration = R::of(2.0) * least,
@@ -108,8 +89,7 @@ impl Fault {
             Self::BesideTheLine => {
                 let little = R::of(1e4) * R::MACHINE_EPSILON;
                 for phase in &mut axis.phase[1..count.max(1)] {
-                    phase.position =
-                        phase.position + little * (phase.position + problem.limits.vmax * axis.t);
+                    phase.position = phase.position + little * (phase.position + problem.limits.vmax * axis.t);
                 }
             }
             _ => {}
@@ -159,11 +139,7 @@ fn slip<R: Real>(axis: &mut Move<R>, t: R) {
     end.start = t;
     let (mut position, mut velocity) = (end.position, end.velocity);
     for phase in phases.iter_mut().skip(1).rev() {
-        let left_out = if early < phase.duration {
-            early
-        } else {
-            phase.duration
-        };
+        let left_out = if early < phase.duration { early } else { phase.duration };
         early = early - left_out;
         phase.duration = phase.duration - left_out;
         phase.start = if phase.start < t { phase.start } else { t };
@@ -178,10 +154,7 @@ fn slip<R: Real>(axis: &mut Move<R>, t: R) {
 
 impl Fault {
     fn plan<R: Real>(
-        self,
-        set: &Set<R>,
-        axes: &mut [Move<R>],
-        plan: impl Fn(&Set<R>, &mut [Move<R>]) -> Result<Findings, Error>,
+        self, set: &Set<R>, axes: &mut [Move<R>], plan: impl Fn(&Set<R>, &mut [Move<R>]) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         if self == Self::Refuses && set.axes.len() > 8 {
             return Err(Error::Axes);
@@ -189,11 +162,7 @@ impl Fault {
         plan(set, axes)?;
         let found = plan(&self.changed(set, axes[0].t), axes)?;
         self.spoil(set, axes);
-        Ok(if self == Self::Silent {
-            Findings::default()
-        } else {
-            found
-        })
+        Ok(if self == Self::Silent { Findings::default() } else { found })
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is wrong with axes on a straight line.
 
 use super::problems::Set;
-use super::together::{Bad, Planner, Timing, plan_of, scale_of_a_slip, scale_of_short_ramps, slip};
+use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_slip, scale_of_short_ramps, slip};
 use crate::judge::problem::{Problem, parts, widened};
 use crate::judge::trial::{Scale, Trial, Verdict, doubt};
 use crate::liba::abi::Original;
@@ -14,8 +14,7 @@ use support::{Random, Real};
 fn shares<R: Real>(set: &Set<R>) -> (Vec<R>, usize) {
     let way = |axis: &Problem<R>| axis.to.position - axis.from.position;
     let length = |axis: &Problem<R>| way(axis).widen().abs();
-    let positions =
-        |axis: &Problem<R>| axis.from.position.widen().abs() + axis.to.position.widen().abs();
+    let positions = |axis: &Problem<R>| axis.from.position.widen().abs() + axis.to.position.widen().abs();
     let mut lead = 0;
     for (k, axis) in set.axes.iter().enumerate() {
         let leading = &set.axes[lead];
@@ -27,11 +26,7 @@ fn shares<R: Real>(set: &Set<R>) -> (Vec<R>, usize) {
     let longest = way(&set.axes[lead]);
     let is_still = longest.widen() == 0.0;
     let share = |axis| {
-        if is_still {
-            longest
-        } else {
-            way(axis) / longest
-        }
+        if is_still { longest } else { way(axis) / longest }
     };
     (set.axes.iter().map(share).collect(), lead)
 }
@@ -42,17 +37,8 @@ fn lead_of<R: Real>(set: &Set<R>, shares: &[R], lead: usize) -> Problem<R> {
     if shares[lead].widen() == 0.0 {
         return axis;
     }
-    let numbers = [
-        &tightest(set, shares)[..],
-        &parts(axis.from),
-        &parts(axis.to),
-    ]
-    .concat();
-    Problem::of(
-        axis.kind,
-        axis.request,
-        numbers.try_into().expect("12 numbers"),
-    )
+    let numbers = [&tightest(set, shares)[..], &parts(axis.from), &parts(axis.to)].concat();
+    Problem::of(axis.kind, axis.request, numbers.try_into().expect("12 numbers"))
 }
 
 /// The tightest limits, seen from an axis of which the others go `shares`.
@@ -73,11 +59,7 @@ fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
 }
 
 /// Judges axes on a straight line.
-pub fn judge<R: Original>(
-    planner: &impl Planner<R>,
-    set: &Set<R>,
-    random: &mut Random,
-) -> Option<Bad> {
+pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Option<Bad> {
     let mut axes = vec![Move::default(); set.axes.len()];
     let found = match planner.line(set, &mut axes) {
         Ok(found) => found,
@@ -85,21 +67,14 @@ pub fn judge<R: Original>(
     };
     // The lead comes inside within the tightest limits. So an axis may go further out than its own limits make unavoidable.
     let outside = found.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
-    let is_excused = |(_, verdict): &Bad| {
-        outside && matches!(verdict, Verdict::Wrong(what) if what.ends_with("beyond its limit"))
-    };
+    let is_excused =
+        |(_, verdict): &Bad| outside && matches!(verdict, Verdict::Wrong(what) if what.ends_with("beyond its limit"));
     let (shares, lead) = shares(set);
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
     let of_lead = Trial::new(lead_of(set, &shares, lead));
     let slip = slip(of_lead.problem(), &axes[lead]);
     let scale = scale_of_a_slip(&of_lead, &axes[lead], slip);
-    let timing = Timing {
-        axes: &[of_lead],
-        slips: &[slip],
-        planned: &axes[lead..=lead],
-        duration,
-        cycle,
-    };
+    let timing = Timing { axes: &[of_lead], slips: &[slip], planned: &axes[lead..=lead], duration, cycle };
     wrong_motions(set, &scale, (&shares, lead), &axes, random)
         .filter(|bad| !is_excused(bad))
         .or_else(|| timing.wrong(axes[0].t.widen(), || None))
@@ -107,11 +82,7 @@ pub fn judge<R: Original>(
 
 /// Whether a motion is none, or leaves the line.
 fn wrong_motions<R: Original>(
-    set: &Set<R>,
-    of_lead: &Scale,
-    (shares, lead): (&[R], usize),
-    axes: &[Move<R>],
-    random: &mut Random,
+    set: &Set<R>, of_lead: &Scale, (shares, lead): (&[R], usize), axes: &[Move<R>], random: &mut Random,
 ) -> Option<Bad> {
     let t = axes[lead].t;
     let [p0, p1] = [set.axes[lead].from, set.axes[lead].to].map(|end| end.position.widen().abs());
@@ -121,10 +92,7 @@ fn wrong_motions<R: Original>(
         }
         let trial = Trial::new(*problem);
         // The positions of the lead are rounded too.
-        let positions = Scale {
-            position: p0 + p1,
-            ..Scale::default()
-        };
+        let positions = Scale { position: p0 + p1, ..Scale::default() };
         let more = of_lead.and(&positions).times(shares[k].widen().abs());
         let more = scale_of_short_ramps(&trial, t.widen()).and(&more);
         let what = trial
@@ -139,11 +107,7 @@ fn wrong_motions<R: Original>(
 
 /// Whether an axis is ever beside the straight line, seen from the lead.
 fn leaves_line<R: Real>(
-    set: &Set<R>,
-    [lead, k]: [usize; 2],
-    share: R,
-    axes: &[Move<R>],
-    random: &mut Random,
+    set: &Set<R>, [lead, k]: [usize; 2], share: R, axes: &[Move<R>], random: &mut Random,
 ) -> Option<&'static str> {
     let end = |k: usize| set.axes[k].to.position.widen();
     let phases = |k: usize| &axes[k].phase[..=axes[k].count as usize];

@@ -2,15 +2,16 @@
 
 pub mod faults;
 pub mod line;
+pub mod loops;
 pub mod problems;
-pub mod together;
+pub mod several;
 
 use super::tally::Tallies;
 use super::trial::Verdict;
 use crate::liba::abi::Original;
 use problems::Sets;
+use several::Planner;
 use support::Random;
-use together::Planner;
 
 /// Sets that a seed stands for in long runs.
 pub const SETS_PER_SEED: usize = 10_000;
@@ -22,19 +23,10 @@ pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, sets: usize) -
     let on_lines = sets / 4;
     let together = Sets::<R>::new(seed).take(sets - on_lines);
     let lines = Sets::<R>::on_lines(seed).take(on_lines);
-    for (is_line, set) in together
-        .map(|set| (false, set))
-        .chain(lines.map(|set| (true, set)))
-    {
-        let bad = if is_line {
-            line::judge(planner, &set, &mut random)
-        } else {
-            together::judge(planner, &set, &mut random)
-        };
-        let good = Verdict::Good {
-            error: 0.0,
-            detour: false,
-        };
+    for (is_line, set) in together.map(|set| (false, set)).chain(lines.map(|set| (true, set))) {
+        let bad =
+            if is_line { line::judge(planner, &set, &mut random) } else { several::judge(planner, &set, &mut random) };
+        let good = Verdict::Good { error: 0.0, detour: false };
         let (axis, verdict) = bad.unwrap_or((0, good));
         let way = if is_line { "line" } else { "together" };
         let key = [usize::from(is_line), set.family as usize];

@@ -86,16 +86,8 @@ impl<R: Real> Set<R> {
     pub fn show(&self) -> String {
         let axes: Vec<_> = self.axes.iter().map(Problem::to_string).collect();
         let axes = axes.join("\n    ");
-        let Self {
-            family,
-            duration,
-            cycle,
-            ..
-        } = self;
-        format!(
-            "{} {family:?} duration {duration:?} cycle {cycle:?}\n    {axes}",
-            R::NAME
-        )
+        let Self { family, duration, cycle, .. } = self;
+        format!("{} {family:?} duration {duration:?} cycle {cycle:?}\n    {axes}", R::NAME)
     }
 }
 
@@ -110,36 +102,20 @@ pub struct Sets<R> {
 impl<R: Real> Sets<R> {
     /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
-        Self {
-            axes: Problems::new(seed),
-            random: Random::seeded(seed ^ 0x5e75),
-            turn: 0,
-            straight: false,
-        }
+        Self { axes: Problems::new(seed), random: Random::seeded(seed ^ 0x5e75), turn: 0, straight: false }
     }
 
     /// The sequence of sets whose axes lie on straight lines.
     pub fn on_lines(seed: u64) -> Self {
-        Self {
-            straight: true,
-            ..Self::new(seed)
-        }
+        Self { straight: true, ..Self::new(seed) }
     }
 
     fn set(&mut self, family: Family) -> Set<R> {
         let count = 1 + self.random.below(MOST_AXES);
-        let axes = if self.straight {
-            self.line(family, count)
-        } else {
-            self.independent(family, count)
-        };
+        let axes = if self.straight { self.line(family, count) } else { self.independent(family, count) };
         let fastest = axes.iter().map(fastest_duration).fold(0.0, f64::max);
         let random = &mut self.random;
-        let duration = if random.one_in(2) {
-            0.0
-        } else {
-            fastest * random.magnitude(-0.5, 1.0)
-        };
+        let duration = if random.one_in(2) { 0.0 } else { fastest * random.magnitude(-0.5, 1.0) };
         let cycle = if random.one_in(2) {
             0.0
         } else {
@@ -147,12 +123,7 @@ impl<R: Real> Sets<R> {
             random.pick(&[0.001, fastest / ticks])
         };
         let [duration, cycle] = [duration, cycle].map(R::of);
-        Set {
-            family,
-            axes,
-            duration,
-            cycle,
-        }
+        Set { family, axes, duration, cycle }
     }
 
     fn independent(&mut self, family: Family, count: usize) -> Vec<Problem<R>> {
@@ -192,26 +163,14 @@ impl<R: Real> Sets<R> {
     fn beside(&mut self, lead: &Problem<R>) -> Problem<R> {
         let random = &mut self.random;
         let part = random.pick(&[0.0, 1.0, -1.0, 2.0, 2.0, 2.0, 2.0, 2.0]);
-        let part = if part == 2.0 {
-            random.sign() * random.magnitude(-3.0, 0.0)
-        } else {
-            part
-        };
+        let part = if part == 2.0 { random.sign() * random.magnitude(-3.0, 0.0) } else { part };
         let way = lead.to.position - lead.from.position;
-        let p0 = R::of(if random.one_in(2) {
-            0.0
-        } else {
-            random.between(-10.0, 10.0)
-        });
+        let p0 = R::of(if random.one_in(2) { 0.0 } else { random.between(-10.0, 10.0) });
         let mut p1 = p0 + R::of(part) * way;
         if (p1 - p0).widen().abs() > way.widen().abs() {
             p1 = p0;
         }
-        let share = if way == R::of(0.0) {
-            way
-        } else {
-            (p1 - p0) / way
-        };
+        let share = if way == R::of(0.0) { way } else { (p1 - p0) / way };
         let state = |position, lead: State<R>| State {
             position,
             velocity: share * lead.velocity,
@@ -219,12 +178,7 @@ impl<R: Real> Sets<R> {
         };
         let (from, to) = (state(p0, lead.from), state(p1, lead.to));
         let limits = wider(&lead.limits, share.widen(), random);
-        Problem {
-            limits,
-            from,
-            to,
-            ..*lead
-        }
+        Problem { limits, from, to, ..*lead }
     }
 }
 

@@ -72,16 +72,10 @@ impl<R: Real> Planner<R> for Fault {
                 }
             }
             Self::TooShort => {
-                path.durations
-                    .iter_mut()
-                    .for_each(|t| *t = *t * R::of(0.99));
+                path.durations.iter_mut().for_each(|t| *t = *t * R::of(0.99));
             }
-            Self::TooFast => {
-                path.states[middle].velocity = path.states[middle].velocity * R::of(1.05)
-            }
-            Self::Beside => {
-                path.states[middle].position = path.states[middle].position.neighbour(1)
-            }
+            Self::TooFast => path.states[middle].velocity = path.states[middle].velocity * R::of(1.05),
+            Self::Beside => path.states[middle].position = path.states[middle].position.neighbour(1),
             Self::EndOff => {
                 let end = path.states.last_mut().expect("an end");
                 end.velocity = end.velocity + R::of(1e-3);
@@ -89,13 +83,6 @@ impl<R: Real> Planner<R> for Fault {
             _ => {}
         }
         let is_silent = *self == Self::Silent;
-        Ok((
-            path,
-            if is_silent {
-                Findings::default()
-            } else {
-                found
-            },
-        ))
+        Ok((path, if is_silent { Findings::default() } else { found }))
     }
 }

@@ -2,13 +2,14 @@
 
 pub mod faults;
 pub mod problems;
+pub mod windows;
 
-use super::axes::together::{plan_of, scale_of_short_ramps};
+use super::axes::several::{plan_of, scale_of_short_ramps};
 use super::problem::{Problem, Request};
 use super::problems::Kind;
 use super::trial::Trial;
 use crate::liba::abi::Original;
-use atraj::axes::{improve_path, path_size, plan_path, synchronise};
+use atraj::axes::{improve_path, path_size, path_size_near, plan_path, plan_path_near, synchronise};
 use atraj::online::{Error, Move};
 use atraj::{Findings, State};
 use problems::Chain;
@@ -34,19 +35,19 @@ impl<R: Real> Path<R> {
 pub trait Planner<R: Real> {
     /// The path through the points.
     fn plan(&self, chain: &Chain<R>, steps: u32) -> Result<(Path<R>, Findings), Error> {
-        let mut path = Path {
-            states: chain.states.clone(),
-            durations: vec![R::of(f64::NAN); chain.sections()],
-        };
+        let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
         let size = path_size(chain.axes, chain.sections()).expect("a size");
         let mut work = vec![R::of(f64::NAN); size];
-        let found = plan_path(
-            &mut path.states,
-            &mut path.durations,
-            &chain.limits,
-            steps,
-            &mut work,
-        )?;
+        let found = plan_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)?;
+        Ok((path, found))
+    }
+
+    /// The path through zones around the points.
+    fn plan_near(&self, chain: &Chain<R>, tolerances: &[R], steps: u32) -> Result<(Path<R>, Findings), Error> {
+        let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
+        let mut work = vec![R::of(f64::NAN); path_size_near(chain.axes, chain.sections()).expect("a size")];
+        let Path { states, durations } = &mut path;
+        let found = plan_path_near(states, durations, &chain.limits, tolerances, chain.axes, steps, &mut work)?;
         Ok((path, found))
     }
 
@@ -54,13 +55,7 @@ pub trait Planner<R: Real> {
     fn improve(&self, chain: &Chain<R>, path: &mut Path<R>, steps: u32) -> Result<Findings, Error> {
         let size = path_size(chain.axes, chain.sections()).expect("a size");
         let mut work = vec![R::of(f64::NAN); size];
-        improve_path(
-            &mut path.states,
-            &mut path.durations,
-            &chain.limits,
-            steps,
-            &mut work,
-        )
+        improve_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)
     }
 }
 
@@ -75,11 +70,14 @@ pub fn promised<R: Real>() -> f64 {
 }
 
 /// What is wrong with a path, if something is.
-pub fn wrong<R: Original>(
-    chain: &Chain<R>,
-    path: &Path<R>,
-    found: Findings,
-    random: &mut Random,
+pub fn wrong<R: Original>(chain: &Chain<R>, path: &Path<R>, found: Findings, random: &mut Random) -> Option<String> {
+    let exact = vec![R::of(0.0); chain.axes * (chain.sections() - 1)];
+    wrong_near(chain, &exact, path, found, random)
+}
+
+/// What is wrong with a path through zones around the points, if something is.
+pub fn wrong_near<R: Original>(
+    chain: &Chain<R>, tolerances: &[R], path: &Path<R>, found: Findings, random: &mut Random,
 ) -> Option<String> {
     let axes = chain.axes;
     let last = chain.sections() * axes;
@@ -87,12 +85,15 @@ pub fn wrong<R: Original>(
     if ends(&path.states) != ends(&chain.states) {
         return Some("an end is not the given one".into());
     }
-    let positions = path.states.iter().zip(&chain.states);
-    if positions
-        .clone()
-        .any(|(x, y)| x.position.low_bits() != y.position.low_bits())
-    {
-        return Some("a position is not the given one".into());
+    let positions = path.states.iter().zip(&chain.states).map(|(x, y)| [x.position, y.position]);
+    let none = vec![R::of(0.0); axes];
+    let tolerances = none.iter().chain(tolerances).chain(&none);
+    for ([x, y], tolerance) in positions.zip(tolerances) {
+        let is_exact = x.low_bits() == y.low_bits();
+        let is_near = (x.widen() - y.widen()).abs() <= tolerance.widen();
+        if !(is_exact || is_near && tolerance.widen() > 0.0) {
+            return Some(format!("a position is {x:?} instead of {y:?}, and the tolerance is {tolerance:?}"));
+        }
     }
     for section in 0..chain.sections() {
         if let Some(what) = wrong_section(chain, path, section, found, random) {
@@ -104,11 +105,7 @@ pub fn wrong<R: Original>(
 
 /// What is wrong with the motions of a section.
 fn wrong_section<R: Original>(
-    chain: &Chain<R>,
-    path: &Path<R>,
-    section: usize,
-    found: Findings,
-    random: &mut Random,
+    chain: &Chain<R>, path: &Path<R>, section: usize, found: Findings, random: &mut Random,
 ) -> Option<String> {
     let axes = chain.axes;
     let limits = chain.limits(section);
@@ -167,14 +164,8 @@ pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
 }
 
 /// What is wrong with the plan of a path, and how long it takes beside stops.
-pub fn judge<R: Original>(
-    planner: &impl Planner<R>,
-    chain: &Chain<R>,
-    random: &mut Random,
-) -> Result<f64, String> {
-    let (path, found) = planner
-        .plan(chain, 0)
-        .map_err(|error| format!("{error:?}"))?;
+pub fn judge<R: Original>(planner: &impl Planner<R>, chain: &Chain<R>, random: &mut Random) -> Result<f64, String> {
+    let (path, found) = planner.plan(chain, 0).map_err(|error| format!("{error:?}"))?;
     if let Some(what) = wrong(chain, &path, found, random) {
         return Err(what);
     }
@@ -185,4 +176,19 @@ pub fn judge<R: Original>(
         return Err(format!("it takes {part} of the path with stops"));
     }
     Ok(if part.is_nan() { 1.0 } else { part })
+}
+
+/// What is wrong with the plan of a path through zones around the points, and how long it takes beside the path through the points.
+pub fn judge_near<R: Original>(chain: &Chain<R>, tolerances: &[R], random: &mut Random) -> Result<f64, String> {
+    let (path, found) = Paths.plan_near(chain, tolerances, 0).map_err(|error| format!("{error:?}"))?;
+    if let Some(what) = wrong_near(chain, tolerances, &path, found, random) {
+        return Err(what);
+    }
+    let (exact, expected) = Paths.plan(chain, 0).map_err(|error| format!("{error:?}"))?;
+    // The sums have other roundings here.
+    let longest = exact.duration() * (1.0 + 4.0 * R::MACHINE_EPSILON.widen());
+    if found != expected || path.duration() > longest {
+        return Err(format!("it takes {} s, and {} s through the points", path.duration(), exact.duration()));
+    }
+    Ok(if exact.duration() > 0.0 { path.duration() / exact.duration() } else { 1.0 })
 }

@@ -91,11 +91,7 @@ impl<R: Real> Chain<R> {
 
     /// The limits of a section.
     pub fn limits(&self, section: usize) -> &[Limits<R>] {
-        let first = if self.limits.len() == self.axes {
-            0
-        } else {
-            section * self.axes
-        };
+        let first = if self.limits.len() == self.axes { 0 } else { section * self.axes };
         &self.limits[first..first + self.axes]
     }
 
@@ -134,16 +130,8 @@ impl<R: Real> Chain<R> {
 
 /// A state with its numbers multiplied.
 pub fn scale<R: Real>(state: &State<R>, [p, v, a]: [R; 3]) -> State<R> {
-    let State {
-        position,
-        velocity,
-        acceleration,
-    } = *state;
-    State {
-        position: position * p,
-        velocity: velocity * v,
-        acceleration: acceleration * a,
-    }
+    let State { position, velocity, acceleration } = *state;
+    State { position: position * p, velocity: velocity * v, acceleration: acceleration * a }
 }
 
 /// An endless sequence of paths. The families take turns.
@@ -155,10 +143,7 @@ pub struct Chains {
 impl Chains {
     /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
-        Self {
-            random: Random::seeded(seed ^ 0xc4a1),
-            turn: 0,
-        }
+        Self { random: Random::seeded(seed ^ 0xc4a1), turn: 0 }
     }
 
     /// The next path.
@@ -179,58 +164,36 @@ impl Chains {
             Family::Dense => (axes, points) = (1 + random.below(3), random.pick(&[10, 20, 40])),
             _ => {}
         }
-        let unequal = !matches!(family, Family::AtRest | Family::Dense | Family::OnePoint)
-            || random.one_in(2);
-        let sets = if family == Family::Zones {
-            points + 1
-        } else {
-            1
-        };
+        let unequal = !matches!(family, Family::AtRest | Family::Dense | Family::OnePoint) || random.one_in(2);
+        let sets = if family == Family::Zones { points + 1 } else { 1 };
         let mut limits: Vec<Limits<f64>> = Vec::new();
         for _ in 0..sets {
             for _ in 0..axes {
-                let scale = if family == Family::UnlikeAxes {
-                    random.magnitude(-1.5, 1.5)
-                } else {
-                    1.0
-                };
+                let scale = if family == Family::UnlikeAxes { random.magnitude(-1.5, 1.5) } else { 1.0 };
                 limits.push(random_limits(random, scale, unequal));
             }
         }
         if family == Family::Unlimited {
-            limits
-                .iter_mut()
-                .for_each(|limits| unlimited(random, limits));
+            limits.iter_mut().for_each(|limits| unlimited(random, limits));
         }
         let mut states = vec![State::at(0.0); (points + 2) * axes];
         for axis in 0..axes {
             let ways = ways(random, family, points + 1, &limits[axis]);
-            let mut position = if random.one_in(2) {
-                0.0
-            } else {
-                random.between(-3.0, 3.0)
-            };
+            let mut position = if random.one_in(2) { 0.0 } else { random.between(-3.0, 3.0) };
             for (point, way) in [0.0].into_iter().chain(ways).enumerate() {
                 position += way;
                 states[point * axes + axis].position = position;
             }
             let last = limits.len() - axes + axis;
             let end = (points + 1) * axes + axis;
-            ends(
-                random,
-                family,
-                [&limits[axis], &limits[last]],
-                &mut states,
-                [axis, end],
-            );
+            ends(random, family, [&limits[axis], &limits[last]], &mut states, [axis, end]);
         }
         let is_dropped = matches!(family, Family::Staying | Family::Repeating);
         for point in 1..points + 2 {
             for axis in 0..axes {
                 let all = family == Family::Repeating && point % 3 == 1;
                 if is_dropped && (all || family == Family::Staying && random.one_in(2)) {
-                    states[point * axes + axis].position =
-                        states[(point - 1) * axes + axis].position;
+                    states[point * axes + axis].position = states[(point - 1) * axes + axis].position;
                 }
             }
         }
@@ -255,8 +218,7 @@ fn rounded<R: Real>(limits: &Limits<f64>) -> Limits<R> {
 }
 
 fn random_limits(random: &mut Random, scale: f64, unequal: bool) -> Limits<f64> {
-    let [v, a, j] =
-        [(-0.5, 0.5), (0.0, 1.0), (0.5, 2.0)].map(|(lo, hi)| scale * random.magnitude(lo, hi));
+    let [v, a, j] = [(-0.5, 0.5), (0.0, 1.0), (0.5, 2.0)].map(|(lo, hi)| scale * random.magnitude(lo, hi));
     let mut limits = Limits::symmetric(j, a, v);
     if unequal && random.one_in(2) {
         limits.vmin *= random.magnitude(-0.5, 0.5);
@@ -285,9 +247,7 @@ fn ways(random: &mut Random, family: Family, sections: usize, limits: &Limits<f6
         Family::UnevenWays => random.sign() * random.magnitude(-2.0, 1.5),
         Family::NastyWays => random.sign() * random.magnitude(-4.0, 3.0),
         Family::OneDirection => turn * random.magnitude(-4.0, 3.0),
-        Family::ToAndFro => {
-            (if k.is_multiple_of(2) { turn } else { -turn }) * random.magnitude(-1.0, 0.5)
-        }
+        Family::ToAndFro => (if k.is_multiple_of(2) { turn } else { -turn }) * random.magnitude(-1.0, 0.5),
         Family::Dense if straight => turn * spacing,
         Family::Dense => turn * spacing * (0.1 * k as f64).cos(),
         // The way in which the axis reaches its highest velocity is about this long.
@@ -298,13 +258,7 @@ fn ways(random: &mut Random, family: Family, sections: usize, limits: &Limits<f6
 }
 
 /// Sets the states of both ends.
-fn ends(
-    random: &mut Random,
-    family: Family,
-    limits: [&Limits<f64>; 2],
-    states: &mut [State<f64>],
-    ends: [usize; 2],
-) {
+fn ends(random: &mut Random, family: Family, limits: [&Limits<f64>; 2], states: &mut [State<f64>], ends: [usize; 2]) {
     let part = match family {
         Family::InMotion
         | Family::Zones
@@ -323,24 +277,11 @@ fn ends(
     };
     for (which, (limits, end)) in limits.into_iter().zip(ends).enumerate() {
         let state = &mut states[end];
-        let part = if which == 1 {
-            f64::min(part, 1.0)
-        } else {
-            part
-        };
+        let part = if which == 1 { f64::min(part, 1.0) } else { part };
         let finite = |limit: f64, otherwise: f64| if limit.is_finite() { limit } else { otherwise };
         let share = |random: &mut Random, high: f64, low: f64, otherwise: f64| {
-            let share = if part == 1.0 {
-                1.0
-            } else {
-                random.between(0.0, part)
-            };
-            share
-                * if random.one_in(2) {
-                    finite(high, otherwise)
-                } else {
-                    finite(low, -otherwise)
-                }
+            let share = if part == 1.0 { 1.0 } else { random.between(0.0, part) };
+            share * if random.one_in(2) { finite(high, otherwise) } else { finite(low, -otherwise) }
         };
         match random.below(3) {
             0 => state.velocity = share(random, limits.vmax, limits.vmin, 2.0),

@@ -1,0 +1,319 @@
+//! Does every file of `src` import from its own storey and from those below it only, and do no files import each other in a circle?
+//!
+//! An import is a `use`, or a path in a body. It does not count if it is for tests only, or if a module re-exports its own parts.
+
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::fs;
+use std::path::Path;
+use support::repository::root;
+
+/// The storeys from the ground, and the modules of each. `|` parts storeys that stand beside each other.
+const HOUSE: &str = "real < state limits findings roots sampling < liba | claraty < fastest < interval < online < several < path < machine < capi < lib";
+
+/// How high a module stands, and which of the storeys at this height is its own.
+fn storey(module: &[String]) -> Option<(usize, usize)> {
+    let top = module.first().map_or("lib", String::as_str);
+    let has_top = |storey: &str| storey.split_whitespace().any(|name| name == top);
+    let mut heights = HOUSE.split('<').enumerate();
+    heights.find_map(|(height, storeys)| Some((height, storeys.split('|').position(has_top)?)))
+}
+
+/// The names that lead to a module. The crate itself has none.
+type Module = Vec<String>;
+
+fn module_of(path: &str) -> Module {
+    // Two files with one face are one module.
+    let path = &path.replace("/host.rs", "/target.rs").replace("/bare_metal.rs", "/target.rs");
+    let names = path.trim_end_matches(".rs").trim_end_matches("/mod").split('/');
+    names.filter(|name| *name != "lib").map(str::to_owned).collect()
+}
+
+/// A path in a file: of a `use`, or of a body.
+struct Import {
+    names: Vec<String>,
+    /// The name that a `use` gives it; `None` in a body.
+    known_as: Option<String>,
+    is_public: bool,
+}
+
+/// The words and marks of a file. Comments, literals and items for tests are left out.
+fn flat(stream: TokenStream, words: &mut Vec<String>) {
+    let mut trees = stream.into_iter();
+    while let Some(tree) = trees.next() {
+        match tree {
+            TokenTree::Group(group) => {
+                let is_block = group.delimiter() == Delimiter::Brace;
+                let [open, close] = if is_block { ["{", "}"] } else { ["(", ")"] };
+                let is_for_tests = group.stream().to_string() == "cfg (test)";
+                if is_for_tests && words.last().is_some_and(|last| last == "#") {
+                    trees.find(|tree| match tree {
+                        TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                        tree => tree.to_string() == ";",
+                    });
+                    continue;
+                }
+                words.push(open.into());
+                flat(group.stream(), words);
+                words.push(close.into());
+            }
+            TokenTree::Punct(mark) if mark.as_char() == ':' && mark.spacing() == Spacing::Joint => {
+                trees.next();
+                words.push("::".into());
+            }
+            TokenTree::Literal(_) => words.push("0".into()),
+            tree => words.push(tree.to_string()),
+        }
+    }
+}
+
+/// Every import of a file.
+fn imports(text: &str) -> Vec<Import> {
+    let mut words = Vec::new();
+    flat(text.parse().expect("Rust"), &mut words);
+    let word = |at: usize| words.get(at).map_or("", String::as_str);
+    let until = |at: usize, end: &str| words[at..].iter().take_while(|word| *word != end).count();
+    let mut imports = Vec::new();
+    let (mut at, mut is_public) = (0, false);
+    while at < words.len() {
+        let first = at;
+        match word(at) {
+            "mod" if word(at + 2) == "{" => {
+                let body = &words[at..at + until(at, "}")];
+                assert!(!body.iter().any(|word| word == "super"), "mod {} reads super: write crate", word(at + 1));
+            }
+            "pub" if word(at + 1) == "(" => at += until(at, ")"),
+            "use" if word(at + 1) != "<" => {
+                at += until(at, ";");
+                let mut tree = words[first + 1..at].iter().map(String::as_str);
+                read_use(&mut tree, &[], is_public, &mut imports);
+            }
+            _ => {
+                while word(at + 1) == "::" && word(at + 2) != "<" {
+                    at += 2;
+                }
+                let names: Vec<_> = words[first..=at].iter().step_by(2).cloned().collect();
+                imports.extend((at > first).then_some(Import { names, known_as: None, is_public: false }));
+            }
+        }
+        is_public = word(first) == "pub";
+        at += 1;
+    }
+    imports
+}
+
+/// Reads what follows `use`, or what stands in braces there.
+fn read_use<'a>(
+    words: &mut impl Iterator<Item = &'a str>, outer: &[String], is_public: bool, imports: &mut Vec<Import>,
+) {
+    let mut names = outer.to_vec();
+    let mut alias = None;
+    loop {
+        match words.next() {
+            Some("::") => {}
+            Some("{") => {
+                read_use(words, &names, is_public, imports);
+                names = outer.to_vec();
+            }
+            Some("as") => alias = words.next().map(str::to_owned),
+            end @ (Some("," | "}") | None) => {
+                if names.len() > outer.len() {
+                    names.truncate(names.len() - usize::from(names.ends_with(&["self".into()])));
+                    let known_as = alias.take().or(names.last().cloned());
+                    imports.push(Import { names, known_as, is_public });
+                }
+                names = outer.to_vec();
+                if end != Some(",") {
+                    return;
+                }
+            }
+            Some(name) => names.push(name.to_owned()),
+        }
+    }
+}
+
+/// Files, each by its module: its path and its imports.
+struct Files<'a>(BTreeMap<Module, (&'a str, Vec<Import>)>);
+
+impl<'a> Files<'a> {
+    /// The file of the crate is not read, as it may import everything.
+    fn new(sources: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
+        let files = sources.into_iter().map(|(path, text)| {
+            let module = module_of(path);
+            let imports = if module.is_empty() { Vec::new() } else { imports(text) };
+            (module, (path, imports))
+        });
+        Self(files.collect())
+    }
+
+    fn child(&self, module: &[String], name: &str) -> Option<Module> {
+        let child = [module, &[name.to_owned()]].concat();
+        self.0.contains_key(&child).then_some(child)
+    }
+
+    /// The `use` that brings a name into a module.
+    fn brought(&self, module: &[String], name: &str) -> Option<&Import> {
+        let mut imports = self.0[module].1.iter();
+        let brings = |import: &&Import| import.known_as.as_deref() == Some(name);
+        imports.find(|import| brings(import) && import.names[0] != name)
+    }
+
+    /// The module that defines what these names mean in `module`; `None` if it is none of ours.
+    fn definer(&self, module: &[String], names: &[String]) -> Option<Module> {
+        let (first, rest) = names.split_first()?;
+        match first.as_str() {
+            "crate" => Some(self.within(&[], rest)),
+            "self" => Some(self.within(module, rest)),
+            "super" => Some(self.within(module.split_last()?.1, rest)),
+            _ => match self.child(module, first) {
+                Some(child) => Some(self.within(&child, rest)),
+                None => {
+                    let brought = self.brought(module, first)?;
+                    self.definer(module, &[&brought.names, rest].concat())
+                }
+            },
+        }
+    }
+
+    /// The module that defines what these names mean inside `module`. It follows all re-exports but the crate's.
+    fn within(&self, module: &[String], names: &[String]) -> Module {
+        let Some((first, rest)) = names.split_first() else {
+            return module.to_vec();
+        };
+        if let (Some((_, outer)), "super") = (module.split_last(), first.as_str()) {
+            return self.within(outer, rest);
+        }
+        if let Some(child) = self.child(module, first) {
+            return self.within(&child, rest);
+        }
+        let brought = self.brought(module, first);
+        let elsewhere = brought.and_then(|import| self.definer(module, &[&import.names, rest].concat()));
+        elsewhere.unwrap_or(module.to_vec())
+    }
+
+    /// Each file with the files that it imports.
+    fn imported(&self) -> BTreeMap<&Module, BTreeSet<Module>> {
+        let imported = self.0.iter().map(|(module, (_, imports))| {
+            let definers = imports.iter().filter_map(|import| {
+                let definer = self.definer(module, &import.names)?;
+                let is_reexport = import.is_public && definer.starts_with(module);
+                (!is_reexport && definer != *module).then_some(definer)
+            });
+            (module, definers.collect())
+        });
+        imported.collect()
+    }
+
+    /// What is wrong with the imports, a sentence each.
+    fn faults(&self) -> BTreeSet<String> {
+        let imported = self.imported();
+        let path = |module: &Module| self.0[module].0;
+        let homeless = self.0.keys().filter(|module| storey(module).is_none());
+        let mut faults: BTreeSet<_> =
+            homeless.map(|module| format!("{} belongs to no storey.", path(module))).collect();
+        let imports = imported.iter().flat_map(|(from, all)| all.iter().map(|to| (*from, to)));
+        for (from, to) in imports {
+            let storeys = storey(from).zip(storey(to));
+            let fault = storeys.and_then(|((own, side), (other, other_side))| match other.cmp(&own) {
+                Ordering::Greater => Some("an upper storey"),
+                Ordering::Equal if side != other_side => Some("a storey beside its own"),
+                _ => None,
+            });
+            faults.extend(fault.map(|fault| format!("{} imports {}, which is in {fault}.", path(from), path(to))));
+            if let Some(circle) = way(&imported, to, from) {
+                let mut paths: Vec<_> = circle.iter().map(path).collect();
+                paths.sort_unstable();
+                faults.insert(format!("{} import each other.", paths.join(" and ")));
+            }
+        }
+        faults
+    }
+}
+
+/// The fewest files through which one imports another, both among them.
+fn way(imported: &BTreeMap<&Module, BTreeSet<Module>>, from: &Module, to: &Module) -> Option<Vec<Module>> {
+    let mut seen = BTreeSet::new();
+    let mut ways = VecDeque::from([vec![from.clone()]]);
+    while let Some(way) = ways.pop_front() {
+        let last = &way[way.len() - 1];
+        if last == to {
+            return Some(way);
+        }
+        let next = imported.get(last).into_iter().flatten();
+        ways.extend(next.filter(|next| seen.insert(*next)).map(|next| [&way[..], std::slice::from_ref(next)].concat()));
+    }
+    None
+}
+
+/// The path in `src` and the text of each source file in a directory.
+fn sources(directory: &Path, sources: &mut Vec<(String, String)>) {
+    for entry in fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            self::sources(&path, sources);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            let name = path.strip_prefix(root().join("src")).unwrap().to_str().unwrap().to_owned();
+            sources.push((name, fs::read_to_string(&path).unwrap()));
+        }
+    }
+}
+
+#[test]
+fn in_the_source() {
+    let mut read = Vec::new();
+    sources(&root().join("src"), &mut read);
+    let files = Files::new(read.iter().map(|(path, text)| (path.as_str(), text.as_str())));
+    let count: usize = files.imported().values().map(BTreeSet::len).sum();
+    assert!(files.0.len() > 30 && count > 60, "{count} imports");
+    let faults = Vec::from_iter(files.faults());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Files in order, each with its text.
+const GOOD: &str = r#"
+lib.rs: mod real; pub use liba::{Bell, Trap}; pub use online::Move;
+real/mod.rs: mod soft; pub use soft::root; pub trait Real {}
+real/soft.rs: use super::Real; pub fn root<R: Real>() {}
+liba/mod.rs: mod bell; mod poly; mod trap; pub use bell::Bell; pub(crate) use {poly::*, trap::Trap};
+liba/bell.rs: use crate::real::{self, Real}; use core::fmt; pub struct Bell;
+liba/poly.rs: use super::trap::Trap; /** As [`crate::online::Move`]. */ pub struct Poly;
+liba/trap.rs: use super::Bell; pub struct Trap; // As crate::online::Move.
+claraty/mod.rs: use crate::real::root;
+online/mod.rs: pub struct Move(crate::liba::Bell); #[cfg(test)] mod tests { use crate::capi::x; }
+capi/mod.rs: use crate::online::Move; const TEXT: &str = "crate::machine::Axis";
+"#;
+
+/// A file in place of a good one, and what is wrong with it: a `use`, also in braces or under another name, a path in a body or in a
+/// macro. A thing is where it is defined, not where it is re-exported. What the crate re-exports is for users. A module may re-export its
+/// parts, but it may not use a part that uses it.
+const PLANTED: &str = "
+roots.rs: use crate::real::Real; =>
+state.rs: use crate::online::Move; => state.rs imports online/mod.rs, which is in an upper storey.
+state.rs: use crate::{real::Real, capi::{a, b}}; => state.rs imports capi/mod.rs, which is in an upper storey.
+state.rs: use crate::{capi as c}; => state.rs imports capi/mod.rs, which is in an upper storey.
+state.rs: fn f() { crate::online::Move::new() } => state.rs imports online/mod.rs, which is in an upper storey.
+fastest.rs: macro_rules! m { ($x:ty) => { $crate::capi::f() }; } => fastest.rs imports capi/mod.rs, which is in an upper storey.
+state.rs: use crate::liba::Trap; => state.rs imports liba/trap.rs, which is in an upper storey.
+state.rs: use crate::Trap; => state.rs imports lib.rs, which is in an upper storey.
+claraty/mod.rs: use crate::liba::bell; => claraty/mod.rs imports liba/bell.rs, which is in a storey beside its own.
+liba/bell.rs: use super::super::claraty::x; => liba/bell.rs imports claraty/mod.rs, which is in a storey beside its own.
+liba/bell.rs: use super::Trap; pub struct Bell; => liba/bell.rs and liba/trap.rs import each other.
+liba/bell.rs: pub struct Bell(super::trap::Trap); => liba/bell.rs and liba/trap.rs import each other.
+liba/bell.rs: use crate::liba; fn f() { liba::trap::f() } => liba/bell.rs and liba/trap.rs import each other.
+liba/bell.rs: use super::poly::Poly; => liba/bell.rs and liba/poly.rs and liba/trap.rs import each other.
+real/mod.rs: mod soft; use soft::root; pub trait Real {} => real/mod.rs and real/soft.rs import each other.
+real/mod.rs: mod soft; fn f() { soft::root() } => real/mod.rs and real/soft.rs import each other.
+speed.rs: use crate::real::Real; => speed.rs belongs to no storey.
+";
+
+#[test]
+fn planted_imports_are_seen() {
+    let file = |line: &'static str| line.split_once(": ");
+    for line in PLANTED.lines().skip(1) {
+        let (planted, sentence) = line.rsplit_once(" =>").expect("a fault");
+        let files = GOOD.lines().chain([planted]).filter_map(file);
+        let faults = Vec::from_iter(Files::new(files).faults());
+        assert_eq!(faults.join(" "), sentence.trim(), "{planted}");
+    }
+}

@@ -1,0 +1,106 @@
+//! The plans that never fail, beside the original's plans and beside those of the crate rsruckig: the same moves in the same
+//! rounds.
+//!
+//! rsruckig plans one axis by its position interface, from the same ends and within the same limits. It computes in binary64 always.
+//! Its trapezoid has an infinite jerk.
+
+#![allow(clippy::useless_conversion)] // a_float may be f32
+
+use crate::race::{Pass, Race};
+use crate::{OPTIMISED, REAL, Row, WARM, bells, instructions, measure, median, plan_all, trap};
+use atraj::capi::a_float;
+use oracle::liba::abi::FASTEST;
+use rsruckig::prelude::*;
+use std::cell::RefCell;
+use support::{Family, Random, Real};
+
+pub fn print_table() {
+    println!(
+        "real,function,case,ours ns,-O2 ns,rsruckig ns,-O2/ours,rsruckig/ours,ours worst ns,-O2 worst ns,rsruckig worst ns,\
+         ours worst/mean,ours instructions,-O2 instructions,rsruckig instructions"
+    );
+    let first = crate::rows(WARM).len();
+    for (index, mut race) in (first..).zip(races()) {
+        // Both plan the fastest move, so both take the same time: a difference would be a mistake of this benchmark.
+        let tally = (race.compare)();
+        assert_eq!((tally.errors, tally.slower), (0, 0), "{}", race.row.case);
+        let rounds = measure::<3>(&mut race.row);
+        let [ns, o2, ruckig] = [0, 1, 2].map(|library| median(rounds.iter().map(|turns| turns[library])));
+        let [o2_ratio, ruckig_ratio] =
+            [1, 2].map(|library| median(rounds.iter().map(|turns| turns[library] / turns[0])));
+        let worst = [0, 1, 2].map(|library| race.worst(library));
+        let counts = [0, 1, 2].map(|library| instructions(index, library, race.row.calls));
+        println!(
+            "{REAL},{},\"{}\",{ns:.2},{o2:.2},{ruckig:.2},{o2_ratio:.2},{ruckig_ratio:.2},{:.0},{:.0},{:.0},{:.2},{},{},{}",
+            race.row.function,
+            race.row.case,
+            worst[0],
+            worst[1],
+            worst[2],
+            worst[0] / ns,
+            counts[0],
+            counts[1],
+            counts[2],
+        );
+    }
+}
+
+pub fn rows() -> Vec<Row> {
+    races().into_iter().map(|race| race.row).collect()
+}
+
+/// On the moves of `a_trajbell_gen` and of `a_trajtrap_gen`, and on moves whose ends have any velocity.
+fn races() -> Vec<Race> {
+    let mut random = Random(1);
+    let bells = bells(WARM, &mut random);
+    let traps = (0..WARM).map(|_| trap(&mut random)).collect();
+    let any = (0..WARM).map(|_| with_any_ends(&mut random)).collect();
+    let mut races: Vec<_> = bells
+        .into_iter()
+        .chain([("any v0 and v1", any)])
+        .map(|(case, plans)| race(Family::Bell, case, plans))
+        .collect();
+    races.push(race(Family::Trap, "as a_trajtrap_gen", traps));
+    races
+}
+
+/// A double-S between any two velocities within the limit. The original refuses some.
+pub fn with_any_ends(random: &mut Random) -> Vec<a_float> {
+    let [jm, am, vm] = [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
+    let p1 = random.between(-15.0, 15.0);
+    let [v0, v1] = [(); 2].map(|()| random.between(-vm, vm));
+    [jm, am, vm, 0.0, p1, v0, v1].map(|x| x as a_float).to_vec()
+}
+
+fn race(family: Family, case: &str, plans: Vec<Vec<a_float>>) -> Race {
+    let is_bell = family == Family::Bell;
+    let (ours, original) = if is_bell { (FASTEST[0], OPTIMISED[0].bell) } else { (FASTEST[1], OPTIMISED[0].trap) };
+    let plans = plans.iter().map(|p| p[..].try_into().expect("7 arguments"));
+    let fields = || RefCell::new(vec![[0.0; 14]; WARM]);
+    let [of_ours, of_original] = [fields(), fields()];
+    let passes: Vec<Pass<[a_float; 7]>> = vec![
+        Box::new(move |plans| plan_all::<0>(ours, plans, &mut of_ours.borrow_mut())),
+        Box::new(move |plans| plan_all::<1>(original, plans, &mut of_original.borrow_mut())),
+    ];
+    let duration = move |&[a, b, c, d, e, f, g]: &[a_float; 7]| {
+        let mut fields = [0.0; 14];
+        // SAFETY: no struct has more than 14 reals.
+        unsafe { ours(fields.as_mut_ptr(), a, b, c, d, e, f, g) }.widen()
+    };
+    let ask = move |plan: &[a_float; 7], input: &mut InputParameter<1>| {
+        let [first, second, third, p0, p1, v0, v1] = plan.map(f64::from);
+        if is_bell {
+            (input.max_jerk[0], input.max_acceleration[0]) = (first, second);
+            input.max_velocity[0] = third;
+        } else {
+            input.max_velocity[0] = first;
+            input.max_jerk[0] = f64::INFINITY;
+            input.max_acceleration[0] = second;
+            input.min_acceleration = Some(DataArrayOrVec::Stack([third]));
+        }
+        (input.current_position[0], input.target_position[0]) = (p0, p1);
+        (input.current_velocity[0], input.target_velocity[0]) = (v0, v1);
+    };
+    let function = format!("atraj_{}_gen", family.name());
+    Race::new(&function, case.into(), plans.collect(), passes, duration, ask)
+}

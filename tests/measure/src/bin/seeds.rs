@@ -1,0 +1,155 @@
+//! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
+//! another, random problems of `Move` in a third, of several axes in a fourth, of way points in a fifth, and requests to an axis in a sixth.
+
+use atraj::State;
+use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
+use oracle::judge::problems::{Kind, Problems};
+use oracle::liba::abi::Original;
+use std::io::Result;
+use std::path::{Path, PathBuf};
+use support::{Family, Random, Real, golden, online};
+
+fn main() -> Result<()> {
+    let directory = PathBuf::from(std::env::args_os().nth(1).expect("a directory"));
+    for family in Family::ALL {
+        write::<f64>(family, &directory)?;
+        write::<f32>(family, &directory)?;
+    }
+    write_all::<f64>(&directory)?;
+    write_all::<f32>(&directory)
+}
+
+fn write_all<R: Original>(directory: &Path) -> Result<()> {
+    let problems = Problems::<R>::of_profiles(0).take(6 * Kind::OF_PROFILES.len());
+    let problems = problems.map(|problem| encode(&problem.arguments(), &[]));
+    write_corpus::<R>(&directory.join("fastest"), "nasty", problems)?;
+    let [mut moves, mut axes, mut paths, mut requests, mut machines] = [0, 1, 2, 3, 3].map(Random::seeded);
+    let write =
+        |name, cases: &mut dyn Iterator<Item = Vec<u8>>| write_corpus::<R>(&directory.join(name), "random", cases);
+    write("move", &mut (0..64).map(|case| of_move::<R>(case, &mut moves)))?;
+    write("axes", &mut (0..48).map(|case| of_axes::<R>(case, &mut axes)))?;
+    write("path", &mut (0..48).map(|case| of_path::<R>(case, &mut paths)))?;
+    write("axis", &mut (0..32).map(|_| of_requests::<R>(&mut requests)))?;
+    write("machine", &mut (0..48).map(|case| of_machine::<R>(case, &mut machines)))
+}
+
+/// A file for each case.
+fn write_corpus<R: Real>(directory: &Path, name: &str, cases: impl Iterator<Item = Vec<u8>>) -> Result<()> {
+    std::fs::create_dir_all(directory)?;
+    for (case, bytes) in cases.enumerate() {
+        std::fs::write(directory.join(format!("{name}-{}-{case}", R::NAME)), bytes)?;
+    }
+    Ok(())
+}
+
+/// Requests to an axis: period, start and limits, then a byte for each request and its lead or ticks, and its numbers.
+fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
+    let limits = online::limits::<R>(random);
+    let start = online::anywhere(random, &limits);
+    let mut bytes = encode(&[R::of(0.001)], &[]);
+    bytes.extend(&encode(&numbers_of_state(start), &[])[1..]);
+    bytes.extend(&encode(&online::numbers_of(&limits), &[])[1..]);
+    for _ in 0..10 {
+        let request = random.below(usize::from(REQUESTS)) as u8;
+        let other = online::limits::<R>(random);
+        let target = online::inside(random, &limits);
+        bytes.push(request + REQUESTS * random.pick(&[0, 1, 2, 5, 40]));
+        let numbers = match request {
+            0..3 => numbers_of_state(target),
+            3 => [numbers_of_state(target), vec![R::of(0.1)]].concat(),
+            4 => online::numbers_of(&other).to_vec(),
+            _ => Vec::new(),
+        };
+        bytes.extend(&encode(&numbers, &[])[1..]);
+    }
+    bytes
+}
+
+fn numbers_of_state<R: Real>(state: State<R>) -> Vec<R> {
+    vec![state.position, state.velocity, state.acceleration]
+}
+
+/// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
+fn of_machine<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
+    let limits = online::limits::<R>(random);
+    let from = online::anywhere(random, &limits);
+    let to = online::inside(random, &limits);
+    let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1].map(R::of).to_vec();
+    numbers.extend(online::numbers_of(&limits));
+    for state in [from, to] {
+        numbers.extend(numbers_of_state(state));
+    }
+    let mut bytes = encode(&numbers, &[]);
+    bytes[0] += 2 * (case % 25);
+    bytes
+}
+
+/// Way points of one or two axes: the first byte holds the number of axes and that of sections above the real type.
+fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
+    let [axes, sections] = [1 + case % 2, 1 + case / 2 % 4];
+    let mut numbers = Vec::new();
+    let mut ends = [Vec::new(), Vec::new()];
+    for _ in 0..axes {
+        let limits = online::limits::<R>(random);
+        numbers.extend(online::numbers_of(&limits));
+        let states = [online::anywhere(random, &limits), online::inside(random, &limits)];
+        for (end, state) in ends.iter_mut().zip(states) {
+            end.extend(numbers_of_state(state));
+        }
+    }
+    numbers.extend(ends.concat());
+    numbers.extend((0..axes * (sections - 1)).map(|_| R::of(random.between(-10.0, 10.0))));
+    let mut bytes = encode(&numbers, &[]);
+    bytes[0] += 2 * (axes - 1 + 2 * (sections - 1));
+    bytes
+}
+
+/// Problems of each planner of `Move`: the first byte holds its number above the real type.
+fn of_move<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
+    let limits = online::limits::<R>(random);
+    let from = online::anywhere(random, &limits);
+    let to = online::inside(random, &limits);
+    let mut numbers = online::numbers_of(&limits).to_vec();
+    for state in [from, to] {
+        numbers.extend(numbers_of_state(state));
+    }
+    // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
+    numbers.extend([R::of(0.5), R::of(50.0)]);
+    let mut bytes = encode(&numbers, &[]);
+    bytes[0] += 2 * (case % PLANNERS);
+    bytes
+}
+
+/// Problems of each planner of one to three axes: the first byte holds both above the real type. At rest every line can be planned.
+fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
+    let [planner, more] = [case % PLANNERS_OF_AXES, case / PLANNERS_OF_AXES % 3];
+    let zero = R::of(0.0);
+    let mut numbers = vec![zero, R::of(random.pick(&[0.0, 0.001]))];
+    for _ in 0..=more {
+        let limits = online::limits::<R>(random);
+        let from = online::anywhere(random, &limits);
+        let to = online::inside(random, &limits);
+        numbers.extend(online::numbers_of(&limits));
+        for state in [from, to] {
+            let of = |x: R| if planner == 1 { zero } else { x };
+            numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);
+        }
+        let (p0, p1) = (from.position, to.position);
+        let (low, high) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
+        let beside = R::of(random.magnitude(-3.0, 2.0));
+        numbers.extend([low - beside, high + beside]);
+    }
+    let mut bytes = encode(&numbers, &[]);
+    bytes[0] += 2 * (planner + PLANNERS_OF_AXES * more);
+    bytes
+}
+
+fn write<R: Real>(family: Family, directory: &Path) -> Result<()> {
+    let evaluations = golden::evaluations::<R>(family);
+    let moves = golden::moves::<R>(family);
+    let cases = moves.iter().enumerate().map(|(case, golden)| {
+        let times = evaluations.iter().filter(|golden| golden.case == case).map(|golden| golden.x);
+        encode(&golden.arguments, &times.collect::<Vec<_>>())
+    });
+    write_corpus::<R>(&directory.join(family.name()), "golden", cases)
+}

@@ -1,0 +1,163 @@
+//! `soak <what> <first seed> <seeds> <file>`: a portion of random cases per seed and real type. `calls`: a million calls against the
+//! original. `plans`: a million motions without acceleration at their ends against the referee. `moves`: a quarter of a million moves from
+//! any state to any state. `axes`: ten thousand sets of axes that move together. `paths`: a thousand paths through way points.
+//!
+//! After each seed the file holds what was done: `what,seeds,count,faults,an hour`. So a run may be stopped at any time.
+
+use oracle::judge::axes::several::Together;
+use oracle::judge::axes::{self, SETS_PER_SEED};
+use oracle::judge::path::problems::Chains;
+use oracle::judge::path::{self, Paths};
+use oracle::judge::planner::Fastest;
+use oracle::judge::problems::Problems;
+use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
+use oracle::liba::abi::Original;
+use oracle::liba::comparison::Report;
+use oracle::liba::volume::run_seed;
+use std::fmt::{Display, Formatter, Result as Written};
+use std::fs;
+use std::marker::PhantomData;
+use std::process::ExitCode;
+use std::time::Instant;
+use support::{Ours, Random};
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [what, first, seeds, file] = &arguments[..] else {
+        panic!("soak <what> <first seed> <seeds> <file>");
+    };
+    let number = |text: &str| text.parse::<u64>().expect("a number");
+    let (first, seeds) = (number(first), number(seeds));
+    let mut soaks = [soak::<f64>(what), soak::<f32>(what)];
+    let start = Instant::now();
+    for seed in first..first + seeds {
+        soaks.iter_mut().for_each(|soak| soak.run(seed));
+        let count: u64 = soaks.iter().map(|soak| soak.count()).sum();
+        let faults: u64 = soaks.iter().map(|soak| soak.faults()).sum();
+        let an_hour = count as f64 / start.elapsed().as_secs_f64() * 3600.0;
+        let row = format!("{what},{first}..{},{count},{faults},{an_hour:.0}\n", seed + 1);
+        fs::write(file, &row).expect("a file to write to");
+        eprint!("{row}");
+    }
+    for (name, soak) in ["double", "float"].iter().zip(&soaks) {
+        println!("{name}: {what} of seeds {first}..{}\n{soak}", first + seeds);
+    }
+    ExitCode::from(u8::from(!soaks.iter().all(|soak| soak.is_clean())))
+}
+
+/// One kind of cases in one real type, and what was found in them.
+trait Soak: Display {
+    /// Adds the cases of a seed.
+    fn run(&mut self, seed: u64);
+    /// Cases so far.
+    fn count(&self) -> u64;
+    /// Cases that are wrong.
+    fn faults(&self) -> u64;
+    /// Whether there are cases, and no more faults than are allowed.
+    fn is_clean(&self) -> bool {
+        self.count() > 0 && self.faults() == 0
+    }
+}
+
+fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
+    let judged = |of_seed| Box::new(Judged { tallies: Tallies::default(), of_seed });
+    match what {
+        "calls" => Box::new(Calls::<R> { report: Report::default(), real: PhantomData }),
+        "plans" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)),
+        "moves" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED)),
+        "axes" => judged(|seed| axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)),
+        "paths" => Box::new(Chained::<R> { paths: 0, bad: Vec::new(), real: PhantomData }),
+        _ => panic!("{what} does not exist: it is calls, plans, moves, axes or paths"),
+    }
+}
+
+/// Calls of this library and of the original.
+struct Calls<R> {
+    report: Report,
+    real: PhantomData<R>,
+}
+
+impl<R: Original> Soak for Calls<R> {
+    fn run(&mut self, seed: u64) {
+        self.report.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
+    }
+
+    fn count(&self) -> u64 {
+        self.report.calls
+    }
+
+    fn faults(&self) -> u64 {
+        self.report.differing
+    }
+}
+
+impl<R> Display for Calls<R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(f, "{}", self.report)?;
+        let mut examples = self.report.examples.iter().take(10);
+        examples.try_for_each(|example| writeln!(f, "{example}"))
+    }
+}
+
+/// Motions that the judge tallies.
+struct Judged {
+    tallies: Tallies,
+    of_seed: fn(u64) -> Tallies,
+}
+
+impl Soak for Judged {
+    fn run(&mut self, seed: u64) {
+        self.tallies.add(&(self.of_seed)(seed));
+    }
+
+    fn count(&self) -> u64 {
+        self.tallies.total().problems
+    }
+
+    fn faults(&self) -> u64 {
+        self.tallies.total().bad()
+    }
+}
+
+impl Display for Judged {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        self.tallies.fmt(f)
+    }
+}
+
+/// Paths through way points.
+struct Chained<R> {
+    paths: u64,
+    bad: Vec<String>,
+    real: PhantomData<R>,
+}
+
+const PATHS_PER_SEED: u64 = 1000;
+
+impl<R: Original> Soak for Chained<R> {
+    fn run(&mut self, seed: u64) {
+        let (mut chains, mut random) = (Chains::new(seed), Random::seeded(seed));
+        for k in 0..PATHS_PER_SEED {
+            let chain = chains.draw::<R>();
+            if let Err(what) = path::judge(&Paths, &chain, &mut random) {
+                self.bad.push(format!("seed {seed}, path {k}, {:?}: {what}", chain.family));
+            }
+        }
+        self.paths += PATHS_PER_SEED;
+    }
+
+    fn count(&self) -> u64 {
+        self.paths
+    }
+
+    fn faults(&self) -> u64 {
+        self.bad.len() as u64
+    }
+}
+
+impl<R> Display for Chained<R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        writeln!(f, "{} of {} are bad", self.bad.len(), self.paths)?;
+        self.bad.iter().try_for_each(|bad| writeln!(f, "{bad}"))
+    }
+}

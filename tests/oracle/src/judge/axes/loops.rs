@@ -1,0 +1,246 @@
+//! Loops that plan at every tick of a control loop, until they arrive.
+//!
+//! Limits over a decade, unequal ones in one set of four; 1 to 6 axes; ticks from 125 µs to 4 ms; positions up to 10 from 0; most targets
+//! are passed in motion.
+
+use atraj::axes::{line, synchronise};
+use atraj::online::{Limits, Move};
+use atraj::{Error, Findings, State};
+use std::fmt::{Display, Formatter, Result as Written};
+use support::online::limits_of;
+use support::{Random, Real};
+
+/// How a loop plans.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// One axis, without a cycle.
+    Alone,
+    /// Axes that arrive together.
+    Together,
+    /// Axes on a line.
+    Straight,
+}
+
+/// A kind of loops.
+#[derive(Clone, Copy, Debug)]
+pub struct Family {
+    /// How they plan.
+    pub way: Way,
+    /// Whether they arrive on ticks.
+    pub on_ticks: bool,
+    /// Whether limits may differ in both directions.
+    pub is_general: bool,
+}
+
+impl Family {
+    /// All kinds.
+    pub fn all() -> Vec<Self> {
+        let ways = [
+            (Way::Alone, false),
+            (Way::Together, true),
+            (Way::Together, false),
+            (Way::Straight, true),
+            (Way::Straight, false),
+        ];
+        let family = |(way, on_ticks), is_general| Self { way, on_ticks, is_general };
+        ways.into_iter().flat_map(|way| [false, true].map(|is_general| family(way, is_general))).collect()
+    }
+}
+
+/// The axes of a loop.
+#[derive(Clone, Debug)]
+pub struct Set<R> {
+    /// Their limits.
+    pub limits: Vec<Limits<R>>,
+    /// Where they are.
+    pub from: Vec<State<R>>,
+    /// Where they go.
+    pub to: Vec<State<R>>,
+    /// The period of the loop, s.
+    pub tick: f64,
+}
+
+/// How many ticks later than the first plan said a loop may arrive.
+const SPARE: f64 = 2.0;
+/// A loop goes on with its last plan when less than these ticks are left. A state has the rounding errors of the tick before it. For a plan
+/// that lasts a small part of a tick, they are too large.
+const LAST: f64 = 1.125;
+/// By how many times what the jerk changes in a tick an acceleration may change from tick to tick. An arrival on a tick is half a tick away at
+/// most.
+const MOST_STEP: f64 = 1.5;
+/// The longest first plan, in ticks. A longer loop comes no nearer to its end.
+const MOST_TICKS: f64 = 1500.0;
+
+impl Family {
+    fn plan<R: Real>(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
+        let Set { limits, from, to, tick } = set;
+        let (zero, cycle) = (R::of(0.0), R::of(if self.on_ticks { *tick } else { 0.0 }));
+        match self.way {
+            Way::Alone => axes[0].plan(&limits[0], from[0], to[0]),
+            Way::Together => synchronise(axes, limits, from, to, zero, cycle),
+            Way::Straight => line(axes, limits, from, to, zero, cycle),
+        }
+    }
+
+    /// A random set that can be planned, and its first plan.
+    pub fn set<R: Real>(&self, random: &mut Random) -> (Set<R>, Vec<Move<R>>) {
+        loop {
+            let set: Set<R> = self.draw(random);
+            let mut axes = vec![Move::default(); set.limits.len()];
+            let planned = self.plan(&set, &mut axes);
+            // An axis that is bound to leave its limits after its end is outside before it arrives.
+            let stays = planned.is_ok_and(|found| !found.contains(Findings::ENDS_LEAVING));
+            if stays && axes[0].t.widen() <= MOST_TICKS * set.tick {
+                return (set, axes);
+            }
+        }
+    }
+
+    fn draw<R: Real>(&self, random: &mut Random) -> Set<R> {
+        let count = if self.way == Way::Alone { 1 } else { 1 + random.below(6) };
+        let tick = random.pick(&[0.125e-3, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3]);
+        let is_unequal = self.is_general && random.one_in(4);
+        let offset = random.pick(&[0.0, 1.0, 10.0]);
+        let limits: Vec<_> = (0..count).map(|_| limits(random, is_unequal)).collect();
+        let shares: Vec<_> = (0..count).map(|_| random.sign() * random.between(0.1, 1.0)).collect();
+        let ends: Vec<_> = if self.way == Way::Straight {
+            let lead = ends(random, &tightest(&limits, &shares));
+            shares.iter().map(|share| lead.map(|end| end.map(|x| share * x))).collect()
+        } else {
+            limits.iter().map(|limits| ends(random, limits)).collect()
+        };
+        let mut states = [Vec::new(), Vec::new()];
+        for axis in ends {
+            let offset = offset * random.between(-1.0, 1.0);
+            for (states, [p, v, a]) in states.iter_mut().zip(axis) {
+                states.push(State { position: R::of(offset + p), velocity: R::of(v), acceleration: R::of(a) });
+            }
+        }
+        let [from, to] = states;
+        Set { limits: limits.into_iter().map(|limits| limits_of(limits.map(R::of))).collect(), from, to, tick }
+    }
+}
+
+/// `[vmax, vmin, amax, amin, jmax, jmin]`
+fn limits(random: &mut Random, is_unequal: bool) -> [f64; 6] {
+    let mut pair = |low: f64, high: f64| {
+        let most = low * (high / low).powf(random.unit());
+        let least = if is_unequal { most * random.between(0.5, 2.0) } else { most };
+        [most, -least]
+    };
+    let [[vmax, vmin], [amax, amin], [jmax, jmin]] = [pair(0.5, 5.0), pair(1.0, 10.0), pair(5.0, 50.0)];
+    [vmax, vmin, amax, amin, jmax, jmin]
+}
+
+/// The limits of a lead that the axes follow by their shares.
+fn tightest(limits: &[[f64; 6]], shares: &[f64]) -> [f64; 6] {
+    std::array::from_fn(|k| {
+        let seen = limits.iter().zip(shares).map(|(axis, share)| axis[if *share > 0.0 { k } else { k ^ 1 }] / share);
+        seen.fold(if k % 2 == 0 { f64::INFINITY } else { f64::NEG_INFINITY }, |one, other| {
+            if one.abs() < other.abs() { one } else { other }
+        })
+    })
+}
+
+/// Position, velocity and acceleration at both ends.
+fn ends(random: &mut Random, &[vmax, vmin, amax, amin, jmax, jmin]: &[f64; 6]) -> [[f64; 3]; 2] {
+    let mut state = || {
+        // A third accelerates, a third moves uniformly, a third is at rest.
+        let kind = random.below(3);
+        let a = if kind == 0 { random.between(amin, amax) } else { 0.0 };
+        // What undoing the acceleration adds stays within the limits.
+        let (above, below) = (0.51 * a * a / -jmin, 0.51 * a * a / jmax);
+        let (a, above, below) = if vmin + below < vmax - above { (a, above, below) } else { (0.0, 0.0, 0.0) };
+        let v = if kind < 2 { random.between(vmin + below, vmax - above) } else { 0.0 };
+        [random.between(-1.0, 1.0), v, a]
+    };
+    [state(), state()]
+}
+
+/// How a loop ended.
+#[derive(Clone, Copy, Debug)]
+pub enum Outcome {
+    /// It arrived when its first plan said.
+    InTime,
+    /// In this tick it had more ticks left than its first plan said, and it did not make up for them.
+    Late(usize),
+    /// A tick had no plan.
+    Refused(usize, Error),
+}
+
+/// Runs a loop.
+pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> Outcome {
+    let promised = (axes[0].t.widen() / set.tick).ceil();
+    let mut since = None;
+    for tick in 0.. {
+        let left = axes[0].t.widen() / set.tick;
+        if left <= LAST {
+            return Outcome::InTime;
+        }
+        let now = tick as f64;
+        if now + left > promised + SPARE {
+            since = since.or(Some(tick))
+        } else {
+            since = None
+        }
+        if now > promised + SPARE {
+            return Outcome::Late(since.unwrap_or(tick));
+        }
+        for ((from, axis), limits) in set.from.iter_mut().zip(&*axes).zip(&set.limits) {
+            let next = axis.state_at(R::of(set.tick));
+            let step = (next.acceleration.widen() - from.acceleration.widen()).abs();
+            let jerk = f64::max(limits.jmax.widen(), -limits.jmin.widen());
+            assert!(step <= MOST_STEP * jerk * set.tick, "{step} {jerk} {tick} {left}: {family:?} {from:?} {next:?}");
+            *from = next;
+        }
+        if let Err(error) = family.plan(set, axes) {
+            return Outcome::Refused(tick, error);
+        }
+    }
+    unreachable!()
+}
+/// What became of the loops of a family.
+#[derive(Debug, Default)]
+pub struct Loops {
+    /// Loops.
+    pub loops: u64,
+    /// Loops that were late by more than two ticks.
+    pub late: u64,
+    /// Loops with a tick that has no plan.
+    pub refused: u64,
+    /// Of these, loops whose states were not on their line.
+    pub off_line: u64,
+    /// The last state of the first bad loops.
+    pub examples: Vec<String>,
+}
+
+impl Loops {
+    /// So many loops of a seed.
+    pub fn of_seed<R: Real>(family: &Family, seed: u64, loops: u64) -> Self {
+        let mut random = Random::seeded(seed);
+        let mut all = Self { loops, ..Self::default() };
+        for _ in 0..loops {
+            let (first, axes) = family.set::<R>(&mut random);
+            let outcome = run(family, &mut first.clone(), &mut axes.clone());
+            match outcome {
+                Outcome::InTime => continue,
+                Outcome::Late(_) => all.late += 1,
+                Outcome::Refused(_, error) => {
+                    all.refused += 1;
+                    all.off_line += u64::from(error == Error::Line);
+                }
+            }
+            if all.examples.len() < 5 {
+                all.examples.push(format!("{outcome:?} {:?} {first:?}", axes[0].t));
+            }
+        }
+        all
+    }
+}
+
+impl Display for Loops {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        let Self { loops, late, refused, off_line, .. } = self;
+        write!(f, "{late} of {loops} loops late, {refused} refused, {off_line} of these off their line")
+    }
+}

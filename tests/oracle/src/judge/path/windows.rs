@@ -1,0 +1,95 @@
+//! A path through a window over a row of points, which moves along and is updated 20 times a second.
+
+use super::problems::{Chain, Family};
+use super::{Path, Paths, Planner};
+use atraj::State;
+use atraj::axes::synchronise;
+use atraj::online::{Limits, Move};
+use std::f64::consts::TAU;
+use std::time::{Duration, Instant};
+use support::Random;
+
+/// The time between two updates, s.
+const PERIOD: f64 = 0.05;
+/// mm/s, mm/s², mm/s³
+const LIMITS: Limits<f64> = Limits { vmax: 100.0, vmin: -100.0, amax: 3e3, amin: -3e3, jmax: 6e4, jmin: -6e4 };
+
+/// A row of points, each with its positions, mm.
+pub type Row = Vec<Vec<f64>>;
+
+/// Rows of so many points of several kinds.
+pub fn rows(count: usize) -> [(&'static str, Row); 5] {
+    let mut random = Random::seeded(20);
+    let mut line = |octaves: f64| {
+        let mut position = 0.0;
+        let mut next = || {
+            position += 0.1 * random.magnitude(1.0 - octaves, 1.0 + octaves);
+            vec![position]
+        };
+        (0..count).map(|_| next()).collect()
+    };
+    let (even, uneven) = (line(0.0), line(1.0));
+    let around = |radius: fn(f64) -> f64| {
+        let angles = (0..count).map(|k| TAU * k as f64 / (count - 1) as f64);
+        angles.map(|angle| vec![radius(angle) * angle.cos(), radius(angle) * angle.sin()]).collect()
+    };
+    let cube = (0..count).map(|_| (0..3).map(|_| random.between(0.0, 20.0)).collect()).collect();
+    [
+        ("one axis, 1 mm apart", even),
+        ("one axis, 0.1 to 10 mm apart", uneven),
+        ("a circle of 314 mm", around(|_| 50.0)),
+        ("a flower of five leaves", around(|angle| 40.0 + 15.0 * (5.0 * angle).cos())),
+        ("three axes, at random in a cube of 20 mm", cube),
+    ]
+}
+
+fn chain(axes: usize, states: Vec<State<f64>>) -> Chain<f64> {
+    Chain { family: Family::Many, axes, limits: vec![LIMITS; axes], states }
+}
+
+fn states(row: &[Vec<f64>]) -> Vec<State<f64>> {
+    row.iter().flatten().map(|&position| State::at(position)).collect()
+}
+
+fn plan(row: &[Vec<f64>]) -> Path<f64> {
+    Paths.plan(&chain(row[0].len(), states(row)), 0).expect("a plan").0
+}
+
+/// How long the whole path takes, s.
+pub fn whole(row: &Row) -> f64 {
+    plan(row).duration()
+}
+
+/// How long the path takes through a window of so many points, s, and how long its longest update.
+pub fn through_window(row: &Row, size: usize) -> (f64, Duration) {
+    let axes = row[0].len();
+    let mut path = plan(&row[..size]);
+    let (mut next, mut time, mut longest) = (size, 0.0, Duration::ZERO);
+    while next < row.len() {
+        path = after(axes, path, PERIOD);
+        time += PERIOD;
+        while path.durations.len() + 1 < size && next < row.len() {
+            path.states.extend(states(&row[next..=next]));
+            path.durations.push(0.0);
+            next += 1;
+        }
+        let start = Instant::now();
+        Paths.improve(&chain(axes, path.states.clone()), &mut path, 0).expect("a plan");
+        longest = longest.max(start.elapsed());
+    }
+    (time + path.duration(), longest)
+}
+
+/// What is left of a path after so many seconds.
+fn after(axes: usize, mut path: Path<f64>, mut time: f64) -> Path<f64> {
+    while path.durations.len() > 1 && path.durations[0] <= time {
+        time -= path.durations.remove(0);
+        path.states.drain(..axes);
+    }
+    let mut moves = vec![Move::default(); axes];
+    let (from, to) = (&path.states[..axes], &path.states[axes..2 * axes]);
+    synchronise(&mut moves, &vec![LIMITS; axes], from, to, path.durations[0], 0.0).expect("motions");
+    path.states.splice(..axes, moves.iter().map(|axis| axis.state_at(time)));
+    path.durations[0] = (path.durations[0] - time).max(0.0);
+    path
+}

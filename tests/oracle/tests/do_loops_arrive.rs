@@ -1,0 +1,57 @@
+//! Do loops that plan at every tick arrive when their first plan said? `LOOPS=20000` runs as many of each family.
+
+use atraj::axes::synchronise;
+use atraj::online::{Move, State};
+use oracle::judge::axes::loops::{Family, Loops};
+use support::Real;
+use support::online::limits_of;
+
+/// Loops of each family.
+const LOOPS: u64 = 300;
+
+/// One loop in so many may be late by more than two ticks: of 2,000, up to 2 are.
+const ONE_LATE_OF: u64 = 1000;
+
+fn loops_arrive<R: Real>() {
+    let loops = std::env::var("LOOPS").map_or(LOOPS, |loops| loops.parse().expect("a number of loops"));
+    for family in Family::all() {
+        let run = Loops::of_seed::<R>(&family, 0, loops);
+        println!("{} {family:?}: {run}", R::NAME);
+        assert!(run.late <= loops.div_ceil(ONE_LATE_OF), "{:#?}", run.examples);
+        assert_eq!(run.refused, 0, "{:#?}", run.examples);
+    }
+}
+
+#[test]
+fn f64() {
+    loops_arrive::<f64>();
+}
+
+#[test]
+fn f32() {
+    loops_arrive::<f32>();
+}
+
+/// In this state of a loop 0.188 s were left, and 0.696 s were planned.
+#[test]
+fn the_slowest_axis_takes_the_duration_of_another_one() {
+    let limits = [
+        [
+            1.1686525022234153, -0.6947019870685104, 7.104011671570745, -5.6717765335430546, 29.75519939870755,
+            -20.334074261141684,
+        ],
+        [
+            1.0582902629798658, -1.1622674194650193, 1.9612290763125357, -1.033982227791014, 7.498128751563341,
+            -8.077694212288307,
+        ],
+    ];
+    let state = |[position, velocity, acceleration]: [f64; 3]| State { position, velocity, acceleration };
+    let from = [
+        [-0.14452649403406104, -0.359312300746299, 3.822638621328021],
+        [-0.03166908250630297, 0.24821512620247965, -1.033982227791014],
+    ];
+    let to = [[-0.16704241250641094, 0.0, 0.0], [0.0, 0.12512074760657954, 0.0]];
+    let mut axes = [Move::default(); 2];
+    synchronise(&mut axes, &limits.map(limits_of), &from.map(state), &to.map(state), 0.0, 4e-3).expect("a plan");
+    assert!(axes[0].t < 0.188 + 1e-9, "{}", axes[0].t);
+}

@@ -1,0 +1,192 @@
+//! Are the motions of a path those of its sections, and is the bound of their deviation from the straight lines right and close?
+
+use atraj::State;
+use atraj::axes::{line, path_deviation, path_moves, synchronise};
+use atraj::online::{Error, Limits, Move, Phase};
+use oracle::judge::path::problems::{Chain, Chains};
+use oracle::judge::path::{Path, Paths, Planner};
+use support::{Random, Real, test_both_reals};
+
+const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
+
+/// What `path_moves` makes of a path, and the moves.
+fn moves_of<R: Real>(chain: &Chain<R>, path: &Path<R>) -> (Result<atraj::Findings, Error>, Vec<Move<R>>) {
+    let mut moves = vec![Move::default(); chain.axes * chain.sections()];
+    let made = path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes);
+    (made, moves)
+}
+
+/// The states of all axes at a point.
+fn at<R: Real>(chain: &Chain<R>, path: &Path<R>, point: usize) -> Vec<State<R>> {
+    path.states[point * chain.axes..][..chain.axes].to_vec()
+}
+
+/// Every number of the moves, as bits.
+fn bits<R: Real>(moves: &[Move<R>]) -> Vec<u64> {
+    let of_phase = |phase: &Phase<R>| {
+        [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk].map(R::low_bits)
+    };
+    let of_move = |axis: &Move<R>| {
+        let phases = axis.phases().len();
+        std::iter::once(axis.t.low_bits()).chain(axis.phase[..=phases].iter().flat_map(of_phase)).collect::<Vec<_>>()
+    };
+    moves.iter().flat_map(of_move).collect()
+}
+
+/// Each section is the one that is planned alone, and begins with the states in which the section before ends.
+fn sections_are_those_planned_by_hand<R: Real>() {
+    let mut chains = Chains::new(21);
+    for k in 0..PATHS {
+        let chain = chains.draw::<R>();
+        let Ok((path, _)) = Paths.plan(&chain, 0) else {
+            continue;
+        };
+        let (made, moves) = moves_of(&chain, &path);
+        let mut found = atraj::Findings::default();
+        let mut by_hand = vec![Move::default(); chain.axes];
+        for (section, moves) in moves.chunks_exact(chain.axes).enumerate() {
+            let [from, to] = [section, section + 1].map(|point| at(&chain, &path, point));
+            let limits = chain.limits(section);
+            found |= synchronise(&mut by_hand, limits, &from, &to, path.durations[section], R::of(0.0)).expect("moves");
+            assert_eq!(bits(moves), bits(&by_hand), "{k} {:?}, section {section}", chain.family);
+            let starts = moves.iter().map(|axis| axis.state_at(R::of(0.0)));
+            let ends = moves.iter().map(|axis| axis.state_at(axis.t));
+            assert!(
+                starts.eq(from) || path.durations[section] == R::of(0.0),
+                "{k} {:?}, section {section}",
+                chain.family
+            );
+            assert!(ends.eq(to), "{k} {:?}, section {section}", chain.family);
+        }
+        assert_eq!(made, Ok(found));
+    }
+}
+
+/// The durations of a plan of another path, and shorter ones.
+fn wrong_durations_are_refused<R: Real>() {
+    let mut chains = Chains::new(22);
+    let mut refused = 0;
+    for k in 0..PATHS {
+        let chain = chains.draw::<R>();
+        let Ok((mut path, _)) = Paths.plan(&chain, 0) else {
+            continue;
+        };
+        let section = k % chain.sections();
+        let planned = path.durations[section];
+        path.durations[section] = planned * R::of(0.9);
+        let (made, moves) = moves_of(&chain, &path);
+        let lasts = moves[section * chain.axes].t.widen();
+        let part = (lasts - path.durations[section].widen()) / path.duration() / R::MACHINE_EPSILON.widen().sqrt();
+        if made.is_ok() {
+            // Its axes can be faster, or nobody could tell.
+            assert!(part < 1.01, "{k} {:?}: {part}", chain.family);
+            continue;
+        }
+        let written = moves.iter().take_while(|axis| **axis != Move::default()).count();
+        let what = (made, written);
+        assert!(
+            part > 0.99 && what == (Err(Error::Duration), (section + 1) * chain.axes),
+            "{k} {:?}: {part} {what:?}",
+            chain.family
+        );
+        refused += 1;
+    }
+    println!("{}: {refused} of {PATHS} are refused", R::NAME);
+    assert!(2 * refused > PATHS);
+}
+
+/// The distance of the motion at the time `x` of a section from the line between its points, unit.
+fn distance<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
+    let mut along = [0.0; 2];
+    let mut of_axis = Vec::new();
+    for axis in moves {
+        let [start, end, now] = [0.0, axis.t.widen(), x].map(|x| axis.position(R::of(x)).widen());
+        along = [along[0] + (now - start) * (end - start), along[1] + (end - start) * (end - start)];
+        of_axis.push([now - start, end - start]);
+    }
+    let part = if along[1] > 0.0 { (along[0] / along[1]).clamp(0.0, 1.0) } else { 0.0 };
+    let squares = of_axis.into_iter().map(|[now, end]| (now - part * end) * (now - part * end));
+    squares.sum::<f64>().sqrt()
+}
+
+/// The greatest distance of a section, unit: from samples, and steps uphill from the best of them.
+fn farthest<R: Real>(section: &[Move<R>]) -> f64 {
+    let t = section[0].t.widen();
+    let grid = (0..=1_000).map(|k| [t * f64::from(k) / 1e3, t / 1e3]);
+    // An axis that turns next to a border may do so in a short time.
+    let beside = (0..45).flat_map(|k| [-1.0, 1.0].map(|sign| sign * t * f64::exp2(-f64::from(k))));
+    let borders = section.iter().flat_map(|axis| axis.phases().iter().map(|phase| phase.start.widen()));
+    let beside = borders.chain([t]).flat_map(|x| beside.clone().map(move |more| [x + more, more / 2.0]));
+    let clamped = grid.chain(beside).map(|[x, step]| [x.clamp(0.0, t), step]);
+    let samples = clamped.map(|[x, step]| (distance(section, x), x, step));
+    let best = samples.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a sample");
+    let (mut most, mut x, mut step) = best;
+    for _ in 0..40 {
+        let tried = [x - step, x + step].map(|x| x.clamp(0.0, t)).map(|x| (distance(section, x), x));
+        match tried.into_iter().find(|(distance, _)| *distance > most) {
+            Some(farther) => (most, x) = farther,
+            None => step /= 2.0,
+        }
+    }
+    most
+}
+
+/// The greatest distance of all sections, and what positions have for rounding errors, unit.
+fn sampled<R: Real>(moves: &[Move<R>], axes: usize) -> [f64; 2] {
+    let (mut most, mut size): (f64, f64) = (0.0, 0.0);
+    for section in moves.chunks_exact(axes) {
+        most = most.max(farthest(section));
+        let sizes = section.iter().map(|axis| {
+            let reached = axis.extremes();
+            let position = reached.lowest.position.widen().abs().max(reached.highest.position.widen().abs());
+            let velocity = reached.lowest.velocity.widen().abs().max(reached.highest.velocity.widen().abs());
+            position + velocity * axis.t.widen()
+        });
+        size = size.max(sizes.sum());
+    }
+    [most, 64.0 * R::MACHINE_EPSILON.widen() * size]
+}
+
+/// The bound is not below the samples, and not above them by more than 1 %.
+fn deviations_are_bounded_closely<R: Real>() {
+    let mut chains = Chains::new(23);
+    let (mut close, mut least, mut greatest): (usize, f64, f64) = (0, f64::INFINITY, 0.0);
+    for k in 0..PATHS {
+        let chain = chains.draw::<R>();
+        let Ok((path, _)) = Paths.plan(&chain, 0) else {
+            continue;
+        };
+        let (made, moves) = moves_of(&chain, &path);
+        assert!(made.is_ok());
+        let bound = path_deviation(&moves, chain.axes).widen();
+        let [most, rounding] = sampled(&moves, chain.axes);
+        let what = format!("{k} {:?}: {bound:e} beside {most:e}, roundings {rounding:e}", chain.family);
+        assert!(bound >= most - rounding && bound <= 1.01 * most + rounding, "{what}");
+        if most > 1e2 * rounding {
+            (close, least, greatest) = (close + 1, least.min(bound / most), greatest.max(bound / most));
+        }
+    }
+    println!("{}: {close} paths, bound over samples {least:.6} to {greatest:.6}", R::NAME);
+    assert!(2 * close > PATHS / 2);
+}
+
+/// Axes on a straight line do not leave it, however they move.
+fn a_straight_line_is_kept<R: Real>() {
+    let mut random = Random::seeded(24);
+    for axes in 1..=6 {
+        for _ in 0..50 {
+            let limits = vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); axes];
+            let [from, to] =
+                [(); 2].map(|()| (0..axes).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect::<Vec<_>>());
+            let mut moves = vec![Move::default(); axes];
+            line(&mut moves, &limits, &from, &to, R::of(0.0), R::of(0.0)).expect("a line");
+            let bound = path_deviation(&moves, axes).widen();
+            assert!(bound <= 16.0 * R::MACHINE_EPSILON.widen() * axes as f64, "{axes} axes: {bound:e}");
+        }
+    }
+}
+
+test_both_reals!(
+    sections_are_those_planned_by_hand, wrong_durations_are_refused, deviations_are_bounded_closely,
+    a_straight_line_is_kept
+);
