@@ -7,27 +7,18 @@ set -euo pipefail
 cd "$(dirname "$0")"
 limit=${1:--max_total_time=60}
 target=$(rustc -vV | sed -n 's/^host: //p')
-oracle=../tests/oracle/Cargo.toml
+target_dir=../target/fuzz
 
-cargo fetch --quiet --locked --manifest-path $oracle
-cargo run --quiet --release --locked --manifest-path $oracle --bin seeds -- corpus
-flags=(
-    -Cpasses=sancov-module
-    -Cllvm-args=-sanitizer-coverage-level=4
-    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
-    -Cllvm-args=-sanitizer-coverage-pc-table
-    -Cllvm-args=-sanitizer-coverage-trace-compares
-    -Zsanitizer=address
-    -Cdebug-assertions
-    -Coverflow-checks
-    -Ccodegen-units=1
-)
-RUSTC_BOOTSTRAP=1 RUSTFLAGS="${flags[*]}" cargo build --quiet --release --locked --target "$target"
+cargo run --quiet --locked --profile oracle -p measure --bin seeds -- corpus
+coverage=-Cllvm-args=-sanitizer-coverage
+flags="-Cpasses=sancov-module $coverage-level=4 $coverage-inline-8bit-counters $coverage-pc-table $coverage-trace-compares \
+    -Zsanitizer=address -Cdebug-assertions -Coverflow-checks -Ccodegen-units=1"
+RUSTC_BOOTSTRAP=1 RUSTFLAGS=$flags cargo build --quiet --locked --profile oracle -p atraj-fuzz --target "$target" --target-dir $target_dir
 
 mkdir -p artifacts
 for family in bell trap poly3 poly5 poly7 fastest move axes path axis machine; do
     log=artifacts/$family.log
-    if ! "target/$target/release/$family" -seed="${FUZZ_SEED:-1}" -max_len=640 "$limit" \
+    if ! "$target_dir/$target/oracle/$family" -seed="${FUZZ_SEED:-1}" -max_len=640 "$limit" \
         -artifact_prefix="artifacts/$family-" "corpus/$family" 2> "$log"; then
         cat "$log"
         exit 1

@@ -1,6 +1,4 @@
 //! Are any numbers planned as a bell and as a trapezoid, without a panic, and is the motion clean?
 #![no_main]
-
 use oracle::bytes::plan;
-
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| plan(bytes));
