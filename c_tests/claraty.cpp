@@ -8,17 +8,14 @@
 #include <string>
 #include <vector>
 
-namespace
-{
+namespace {
 
 typedef claraty::Trapezoidal_Trajectory axis;
 
 int broken = 0;
 
-void promise(bool kept, int line, const char *what)
-{
-    if (!kept)
-    {
+void promise(bool kept, int line, const char *what) {
+    if (!kept) {
         std::printf("broken: line %d: %s\n", line, what);
         broken = 1;
     }
@@ -26,8 +23,7 @@ void promise(bool kept, int line, const char *what)
 #define PROMISE(condition) promise(condition, __LINE__, #condition)
 
 // CLARAty's own vector has get_size() instead of size().
-class Vector
-{
+class Vector {
 public:
     explicit Vector(int n) : _n(n) {}
     int get_size() const { return _n; }
@@ -39,8 +35,7 @@ private:
 };
 
 // Takes every second element of an array, so its elements do not lie side by side.
-class Strided
-{
+class Strided {
 public:
     std::size_t size() const { return 2; }
     double &operator[](std::size_t i) { return _element[2 * i]; }
@@ -49,15 +44,13 @@ private:
     double _element[4];
 };
 
-axis manual()
-{
+axis manual() {
     axis x;
     claraty_trapezoid_set_clock(x.handle(), 0, 0);
     return x;
 }
 
-void members()
-{
+void members() {
     axis x = manual();
     claraty::Trajectory &base = x;
     base.set(10, 2, 2);
@@ -88,8 +81,7 @@ void members()
 }
 
 template <class V>
-void along(V p, V v, V a)
-{
+void along(V p, V v, V a) {
     axis each = manual(), same = manual();
     p[0] = 2, p[1] = -1, p[2] = 4;
     for (int i = 0; i < 3; ++i) { v[i] = 1, a[i] = 2; }
@@ -103,8 +95,7 @@ void along(V p, V v, V a)
     PROMISE(each.get_position(2.5) == 2 && each.get_position(6) == -1 && each.get_position(0) == 0);
 }
 
-std::string told(void (*what)(axis &))
-{
+std::string told(void (*what)(axis &)) {
     std::ostringstream caught;
     std::streambuf *const cerr = std::cerr.rdbuf(caught.rdbuf());
     axis x = manual();
@@ -113,8 +104,7 @@ std::string told(void (*what)(axis &))
     return caught.str();
 }
 
-std::string line(const std::string &text)
-{
+std::string line(const std::string &text) {
 #if defined(CLARATY_NO_WARNINGS)
     return text.substr(0, 0);
 #else
@@ -122,33 +112,28 @@ std::string line(const std::string &text)
 #endif
 }
 
-void nothing_to_tell(axis &x)
-{
+void nothing_to_tell(axis &x) {
     x.set(10, 2, 2);
     x.start();
     x.stop();
 }
-void too_small(axis &x)
-{
+void too_small(axis &x) {
     x.set(1, 0, 0, 1);
     x.start();
 }
 void not_finite(axis &x) { x.set(std::sqrt(-1.0), 1, 1); }
 void too_large(axis &x) { x.set(1e300, 1e150, 1e-20); }
-void different_sizes(axis &x)
-{
+void different_sizes(axis &x) {
     std::vector<double> p(2, 1.0), v(3, 1.0);
     x.set(p, v, p);
 }
-void strided(axis &x)
-{
+void strided(axis &x) {
     Strided p;
     p[0] = p[1] = 1;
     x.set(p, 1, 1);
 }
 
-void warnings()
-{
+void warnings() {
     PROMISE(told(nothing_to_tell) == "");
     PROMISE(told(too_small) == line("start: acceleration too small, raised") + line("start: maximum velocity too small, raised"));
     PROMISE(told(not_finite) == line("set: refused, not a finite number"));
@@ -159,8 +144,7 @@ void warnings()
 
 } // namespace
 
-int main()
-{
+int main() {
     members();
     along(std::vector<double>(3), std::vector<double>(3), std::vector<double>(3));
     along(Vector(3), Vector(3), Vector(3));

@@ -3,7 +3,7 @@
  usage: golden DIRECTORY
  Prints a line `function rows differing` for each function. Fails on a difference, or on a file without rows.
 
- It calls only the functions that liba's own headers declare too. `sample.c` compares the others with them.
+ It calls only the functions that liba's own headers declare too. `calls.c` compares the others with them.
 */
 #include "a/trajbell.h"
 #include "a/trajpoly3.h"
@@ -25,15 +25,13 @@ static const char suffix[] = "f64";
 
 static int failed;
 
-static bits bits_of(a_float x)
-{
+static bits bits_of(a_float x) {
     bits b;
     memcpy(&b, &x, sizeof(b));
     return b;
 }
 
-static a_float real_of(const char *hex)
-{
+static a_float real_of(const char *hex) {
     bits b = (bits)strtoull(hex, NULL, 16);
     a_float x;
     if (strcmp(hex, "nan") == 0) { return (a_float)NAN; }
@@ -41,37 +39,31 @@ static a_float real_of(const char *hex)
     return x;
 }
 
-static struct table open_table(const char *directory, const char *family)
-{
+static struct table open_table(const char *directory, const char *family) {
     char name[64];
     snprintf(name, sizeof(name), "%s_%s.csv", family, suffix);
     return open_golden(directory, name);
 }
 
 /* The number of the move that an evaluation row belongs to. */
-static int move_of(const struct table *table, int moves)
-{
+static int move_of(const struct table *table, int moves) {
     int move = atoi(table->cells[0]);
-    if (move < 0 || move >= moves)
-    {
+    if (move < 0 || move >= moves) {
         fprintf(stderr, "%s:%d: no move %d\n", table->name, table->line, move);
         exit(2);
     }
     return move;
 }
 
-static void reals(const struct table *table, int first, int count, a_float *out)
-{
+static void reals(const struct table *table, int first, int count, a_float *out) {
     int i;
     for (i = 0; i < count; ++i) { out[i] = real_of(table->cells[first + i]); }
 }
 
 /* Whether some of `count` values differ from the golden bits. Prints each value that differs. */
-static int differs(const struct table *table, const char *function, int first, const a_float *got, int count)
-{
+static int differs(const struct table *table, const char *function, int first, const a_float *got, int count) {
     int i, bad = 0;
-    for (i = 0; i < count; ++i)
-    {
+    for (i = 0; i < count; ++i) {
         a_float want = real_of(table->cells[first + i]);
         if (bits_of(got[i]) == bits_of(want) || (isnan(got[i]) && isnan(want))) { continue; }
         printf("%s:%d: %s, column %d: %.17g (%llx), golden %.17g (%llx)\n", table->name, table->line, function,
@@ -82,8 +74,7 @@ static int differs(const struct table *table, const char *function, int first, c
     return bad;
 }
 
-static void report(const char *function, int rows, int differing)
-{
+static void report(const char *function, int rows, int differing) {
     printf("%-20s %6d %6d\n", function, rows, differing);
     failed |= differing != 0 || rows == 0;
 }
@@ -96,15 +87,12 @@ struct evaluation {
 
 /* Checks the first `count` of the `quantities` in an evaluation table, on `moves` contexts of `size` bytes. */
 static void replay(const char *directory, const char *family, int quantities, const struct evaluation *evaluations, int count,
-                   const void *contexts, a_size size, int moves)
-{
+                   const void *contexts, a_size size, int moves) {
     int i;
-    for (i = 0; i < count; ++i)
-    {
+    for (i = 0; i < count; ++i) {
         struct table table = open_table(directory, family);
         int rows = 0, differing = 0;
-        while (next_row(&table, 2 + quantities))
-        {
+        while (next_row(&table, 2 + quantities)) {
             const char *ctx = (const char *)contexts + size * (a_size)move_of(&table, moves);
             a_float y = evaluations[i].evaluate(ctx, real_of(table.cells[1]));
             differing += differs(&table, evaluations[i].name, 2 + i, &y, 1);
@@ -127,8 +115,7 @@ static void replay(const char *directory, const char *family, int quantities, co
     levels(t, EVALUATE) static const struct evaluation t##_evaluations[] = {levels(t, NAMED)};
 
 /* Whether liba since 2025 saturates a velocity in another way than 0.1.15 does. */
-static int depends_on_generation(a_float vm, a_float v0, a_float v1)
-{
+static int depends_on_generation(a_float vm, a_float v0, a_float v1) {
     return isnan(vm) || isnan(v0) || isnan(v1) || (vm == 0 && (v0 == 0 || v1 == 0));
 }
 
@@ -148,17 +135,14 @@ struct limited {
 };
 
 /* Plans the moves of a table from all-zero structs and leaves them in `moves`. Returns their number. */
-static int plan(const char *directory, const struct limited *family, int newest, a_float *moves, int *differing)
-{
+static int plan(const char *directory, const struct limited *family, int newest, a_float *moves, int *differing) {
     struct table table = open_table(directory, newest ? family->newest : family->name);
     const a_size size = (a_size)family->fields * sizeof(a_float);
     int n = 0;
-    for (; next_row(&table, 2 + 7 + 1 + family->fields) && n < MAX_MOVES; ++n, moves += family->fields)
-    {
+    for (; next_row(&table, 2 + 7 + 1 + family->fields) && n < MAX_MOVES; ++n, moves += family->fields) {
         a_float a[7], out[MAX_CELLS];
         reals(&table, 2, 7, a);
-        if (newest != is_newest && depends_on_generation(a[family->vm], a[5], a[6]))
-        {
+        if (newest != is_newest && depends_on_generation(a[family->vm], a[5], a[6])) {
             reals(&table, 10, family->fields, moves);
             continue;
         }
@@ -172,8 +156,7 @@ static int plan(const char *directory, const struct limited *family, int newest,
 
 /* Checks gen on all moves of a family, then each evaluation on the moves of 0.1.15. */
 static void limited(const char *directory, const struct limited *family, const char *evaluated,
-                    const struct evaluation *evaluations, int count)
-{
+                    const struct evaluation *evaluations, int count) {
     static a_float moves[MAX_MOVES * 14];
     int differing = 0;
     int newest = is_newest ? plan(directory, family, 1, moves, &differing) : 0;
@@ -217,21 +200,18 @@ static const char part[] = "gen";
 #endif
 
 /* Checks gen on all moves, then each array, then each evaluation. */
-static void poly(const char *directory, const struct poly *poly)
-{
+static void poly(const char *directory, const struct poly *poly) {
     static a_float moves[MAX_MOVES * MAX_CELLS];
     char family[16], function[32];
     int order, n = 0, first = 1 + poly->arguments, columns = first;
     snprintf(family, sizeof(family), "poly%d_gen", poly->degree);
     snprintf(function, sizeof(function), "a_trajpoly%d_gen", poly->degree);
     for (order = 0; order < poly->orders; ++order) { columns += poly->degree + 1 - order; }
-    for (order = -1; order < poly->levels; ++order)
-    {
+    for (order = -1; order < poly->levels; ++order) {
         struct table table = open_table(directory, family);
         int differing = 0, width = order < 0 ? (int)(poly->size / sizeof(a_float)) : poly->degree + 1 - order;
         if (order >= 0) { snprintf(function, sizeof(function), "a_trajpoly%d_%s%d", poly->degree, part, order); }
-        for (n = 0; next_row(&table, columns) && n < MAX_MOVES; ++n)
-        {
+        for (n = 0; next_row(&table, columns) && n < MAX_MOVES; ++n) {
             a_float a[9], out[MAX_CELLS];
             reals(&table, 1, poly->arguments, a);
             poly->write((char *)moves + poly->size * (a_size)n, a, order, out);
@@ -271,11 +251,9 @@ static const struct poly polys[] = {
     {7, 9, 4, A_TRAJPOLY7, sizeof(a_trajpoly7), trajpoly7_write, trajpoly7_evaluations},
 };
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
     int i;
-    if (argc != 2)
-    {
+    if (argc != 2) {
         fprintf(stderr, "usage: %s DIRECTORY\n", argv[0]);
         return 2;
     }

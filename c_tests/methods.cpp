@@ -11,14 +11,11 @@
 #include <cstdio>
 #include <cstring>
 
-namespace
-{
+namespace {
 int broken = 0;
 
-void promise(bool kept, const char *what)
-{
-    if (!kept)
-    {
+void promise(bool kept, const char *what) {
+    if (!kept) {
         std::printf("broken: %s\n", what);
         broken = 1;
     }
@@ -26,26 +23,22 @@ void promise(bool kept, const char *what)
 #define PROMISE(condition) promise(condition, #condition)
 
 template <class T>
-bool same(const T &x, const T &y)
-{
+bool same(const T &x, const T &y) {
     return std::memcmp(&x, &y, sizeof(T)) == 0;
 }
 
 #if !defined(LIBA_HEADERS)
 // Bytes between the members may be anything.
-bool same(const atraj_move &x, const atraj_move &y)
-{
+bool same(const atraj_move &x, const atraj_move &y) {
     return x.t == y.t && x.phases == y.phases && std::memcmp(x.phase, y.phase, sizeof(x.phase)) == 0;
 }
 
-bool same(const atraj_steps &x, const atraj_steps &y)
-{
+bool same(const atraj_steps &x, const atraj_steps &y) {
     return x.offset == y.offset && x.step == y.step && x.from == y.from && x.to == y.to && x.count == y.count && x.far == y.far && x.phase == y.phase;
 }
 #endif
 
-void bell()
-{
+void bell() {
     a::trajbell method;
     a_trajbell function;
     std::memset(&method, 0, sizeof(method));
@@ -62,8 +55,7 @@ void bell()
     PROMISE(planned.jer(0.1f) == a_trajbell_jer(&function, 0.1f) && planned.jer(0.1f) == 30);
 }
 
-void trap()
-{
+void trap() {
     a::trajtrap method;
     a_trajtrap function;
     std::memset(&method, 0, sizeof(method));
@@ -75,8 +67,7 @@ void trap()
     PROMISE(planned.vel(5) == 5 && planned.acc(1) == 4 && planned.acc(10) == -2);
 }
 
-void polynomials()
-{
+void polynomials() {
     a::trajpoly3 cubic;
     a::trajpoly5 quintic;
     a::trajpoly7 septic;
@@ -116,8 +107,7 @@ void polynomials()
 
 #if !defined(LIBA_HEADERS)
 // Each member does what its function does.
-void move()
-{
+void move() {
     atraj::limits limits;
     atraj_limits plain;
     limits.init(30, 10, 5);
@@ -140,7 +130,7 @@ void move()
     PROMISE(method.within(limits, from, to, -9, 9) == atraj_move_within(&function, &plain, &from, &to, -9, 9));
     PROMISE(method.within(limits, from, to, -99, 99) == atraj_move_within(&function, &plain, &from, &to, -99, 99) && same(method, function));
     PROMISE(method.check(limits) == atraj_move_check(&function, &plain) && method.check(limits) >= 0);
-    PROMISE(method.track(limits, from, part, a_float(0.5)) == atraj_move_track(&function, &plain, &from, &part, a_float(0.5)));
+    PROMISE(method.track(limits, from, part, 1, a_float(0.5)) == atraj_move_track(&function, &plain, &from, &part, 1, a_float(0.5)));
     PROMISE(same(method, function));
     PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &plain, &from, &part));
     PROMISE(same(method, function) && method.vel(method.t) == 1);
@@ -167,16 +157,14 @@ void move()
 
 // Members that liba does not have: one plan, one judge, one look each.
 template <class Profile>
-void is_seen_whole(const Profile &profile, const a_float ends[2], const atraj::state &lowest, const atraj::state &highest)
-{
+void is_seen_whole(const Profile &profile, const a_float ends[2], const atraj::state &lowest, const atraj::state &highest) {
     PROMISE(lowest.p == ends[0] && highest.p == ends[1] && lowest.v == 0 && highest.v > 0 && highest.a > 0 && lowest.a < 0);
     const atraj::state now = profile.state(0.25f);
     PROMISE(now.p == profile.pos(0.25f) && now.p > ends[0] && now.p < ends[1]);
     PROMISE(now.v > lowest.v && now.v <= highest.v && now.a >= lowest.a && now.a <= highest.a);
 }
 
-void profiles()
-{
+void profiles() {
     const a_float ends[2] = {0, 10};
     a_float p[2], v[2], a[2], j[2];
     atraj::state lowest, highest;
@@ -212,8 +200,7 @@ void profiles()
     PROMISE(septic.sample(0, 0.5f, 2, p, v, a, j) == 2 && p[1] == septic.pos(0.5f));
 }
 
-void axes()
-{
+void axes() {
     atraj::limits limits[2];
     limits[0].init(30, 10, 5);
     limits[1].init(60, 20, 5);
@@ -227,8 +214,7 @@ void axes()
     PROMISE(atraj::line(axes, limits, from, to, 2, 4, 0.5f) == 0 && axes[0].pos(1) == -2 * axes[1].pos(1));
 }
 
-void axis()
-{
+void axis() {
     atraj::limits limits;
     limits.init(30, 10, 5);
     const atraj::state from = {1, 0, 0}, to = {10, 0, 0};
@@ -245,12 +231,11 @@ void axis()
     PROMISE(same(method.tick(), now) && now.p > 1 && same(method, function));
     PROMISE(method.reach(limits, -3, 2, 1) == atraj_axis_reach(&function, &limits, -3, 2, 1) && same(method, function));
     PROMISE(method.stop(limits, 1) == atraj_axis_stop(&function, &limits, 1) && same(method, function));
-    PROMISE(method.track(limits, to, 0.5f, 1) == atraj_axis_track(&function, &limits, &to, 0.5f, 1) && same(method, function));
+    PROMISE(method.track(limits, to, 2, 0.5f, 1) == atraj_axis_track(&function, &limits, &to, 2, 0.5f, 1) && same(method, function));
     PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
 }
 
-void steps()
-{
+void steps() {
     atraj::limits limits;
     limits.init(30, 10, 5);
     const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
@@ -267,8 +252,7 @@ void steps()
     PROMISE(method.init(move, 0, 0) == ATRAJ_ERR_LIMITS);
 }
 
-void shaper()
-{
+void shaper() {
     atraj::limits limits;
     limits.init(30, 10, 5);
     const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
@@ -289,8 +273,7 @@ void shaper()
     PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && same(method, function));
 }
 
-void clock_of_a_path()
-{
+void clock_of_a_path() {
     atraj::limits limits, reserve;
     limits.init(24, 8, 4);
     reserve.init(30, 10, 5);
@@ -312,12 +295,9 @@ void clock_of_a_path()
 }
 
 // Every finding and every error has a sentence of its own.
-void messages()
-{
-    for (int code = ATRAJ_ERR_UNREACHABLE; code <= ATRAJ_ENDS_LEAVING; ++code)
-    {
-        for (int other = ATRAJ_ERR_UNREACHABLE; other < code; ++other)
-        {
+void messages() {
+    for (int code = ATRAJ_ERR_UNREACHABLE; code <= ATRAJ_ENDS_LEAVING; ++code) {
+        for (int other = ATRAJ_ERR_UNREACHABLE; other < code; ++other) {
             const bool differ = std::strcmp(atraj::message(code), atraj::message(other)) != 0;
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
         }
@@ -330,8 +310,7 @@ void messages()
 #endif
 } // namespace
 
-int main()
-{
+int main() {
     bell();
     trap();
     polynomials();

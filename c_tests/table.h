@@ -15,16 +15,14 @@ struct table {
     int count;
 };
 
-static struct table open_golden(const char *directory, const char *name)
-{
+static struct table open_golden(const char *directory, const char *name) {
     static struct table table;
     char path[1024];
     snprintf(table.name, sizeof(table.name), "%s", name);
     snprintf(path, sizeof(path), "%s/%s", directory, name);
     table.file = fopen(path, "r");
     table.line = 0;
-    if (!table.file || !fgets(table.text, MAX_LINE, table.file))
-    {
+    if (!table.file || !fgets(table.text, MAX_LINE, table.file)) {
         fprintf(stderr, "%s: missing or empty\n", path);
         exit(2);
     }
@@ -33,14 +31,11 @@ static struct table open_golden(const char *directory, const char *name)
 }
 
 /* Reads the next row; the number of its cells must be `count`. */
-static int next_row(struct table *table, int count)
-{
+static int next_row(struct table *table, int count) {
     char *cell = table->text;
-    if (!fgets(table->text, MAX_LINE, table->file))
-    {
+    if (!fgets(table->text, MAX_LINE, table->file)) {
         fclose(table->file);
-        if (table->line < 2)
-        {
+        if (table->line < 2) {
             fprintf(stderr, "%s: no rows\n", table->name);
             exit(2);
         }
@@ -48,14 +43,12 @@ static int next_row(struct table *table, int count)
     }
     ++table->line;
     table->text[strcspn(table->text, "\r\n")] = 0;
-    for (table->count = 0; cell && table->count < MAX_CELLS; ++table->count)
-    {
+    for (table->count = 0; cell && table->count < MAX_CELLS; ++table->count) {
         table->cells[table->count] = cell;
         cell = strchr(cell, ',');
         if (cell) { *cell++ = 0; }
     }
-    if (table->count != count)
-    {
+    if (table->count != count) {
         fprintf(stderr, "%s:%d: %d cells instead of %d\n", table->name, table->line, table->count, count);
         exit(2);
     }

@@ -11,15 +11,13 @@ enum { PLANS = 200000, LEAD = 200 };
 
 static int is_over; /* both threads use it */
 
-static void *tick(void *unused)
-{
+static void *tick(void *unused) {
     unsigned left = SETTLED + 2 * LEAD;
     for (; left; left -= (unsigned)__atomic_load_n(&is_over, __ATOMIC_ACQUIRE)) { interrupt(); }
     return unused;
 }
 
-int main(void)
-{
+int main(void) {
     pthread_t ticker;
     if (atraj_axis_init(&axis, PERIOD, &start) != 0 || pthread_create(&ticker, A_NULL, tick, A_NULL) != 0) { return 2; }
     for (unsigned planned = 0; planned != PLANS; planned = answers.accepted) {

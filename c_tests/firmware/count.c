@@ -23,8 +23,7 @@ __attribute__((naked)) static void stub(void) { __asm__("bx lr"); }
 static const uint32_t PAINT = 0xC5C5C5C5;
 enum { PAINTED_WORDS = 2048 };
 
-__attribute__((noinline)) static cost call(function *f, void *ctx, const a_float *a)
-{
+__attribute__((noinline)) static cost call(function *f, void *ctx, const a_float *a) {
     uint32_t *sp, *word;
     __asm__ volatile("mov %0, sp" : "=r"(sp));
     for (word = sp - PAINTED_WORDS; word != sp; ++word) { *(volatile uint32_t *)word = PAINT; }
@@ -35,16 +34,14 @@ __attribute__((noinline)) static cost call(function *f, void *ctx, const a_float
     return (cost){instructions(ticks), (uint32_t)(sp - word) * 4};
 }
 
-static cost measure(void (*f)(void), void *ctx, const a_float *arguments)
-{
+static cost measure(void (*f)(void), void *ctx, const a_float *arguments) {
     uint32_t const overhead = call((function *)stub, ctx, arguments).instructions;
     cost c = call((function *)f, ctx, arguments);
     c.instructions -= overhead - 1; /* the return instruction belongs to the function */
     return c;
 }
 
-static void print(const char *name, const char *move, const char *what, uint32_t number)
-{
+static void print(const char *name, const char *move, const char *what, uint32_t number) {
     semihost_print(name);
     semihost_print(" ");
     semihost_print(move);
@@ -54,16 +51,14 @@ static void print(const char *name, const char *move, const char *what, uint32_t
     semihost_print("\n");
 }
 
-static void once(const char *name, const char *move, void (*f)(void), void *ctx, const a_float *arguments)
-{
+static void once(const char *name, const char *move, void (*f)(void), void *ctx, const a_float *arguments) {
     cost c = measure(f, ctx, arguments);
     print(name, move, "", c.instructions);
     print(name, "", "stack", c.stack);
 }
 
 /* 101 evaluations from the start of a move to its end. */
-static void sweep(const char *name, const char *move, void (*f)(void), void *ctx, a_float duration)
-{
+static void sweep(const char *name, const char *move, void (*f)(void), void *ctx, a_float duration) {
     uint32_t total = 0, most = 0, stack = 0;
     a_float arguments[9] = {0};
     for (unsigned i = 0; i <= 100; ++i) {
@@ -84,16 +79,14 @@ static void sweep(const char *name, const char *move, void (*f)(void), void *ctx
 #define SWEEP(name, move, ctx, duration) sweep(#name, move, FUNCTION(name), &ctx, duration)
 #define ONCE(name, move, ctx, ...) once(#name, move, FUNCTION(name), &ctx, (const a_float[9]){__VA_ARGS__})
 
-static void sweep_bell(const char *move, a_trajbell ctx)
-{
+static void sweep_bell(const char *move, a_trajbell ctx) {
     SWEEP(bell_pos, move, ctx, ctx.t);
     SWEEP(bell_vel, move, ctx, ctx.t);
     SWEEP(bell_acc, move, ctx, ctx.t);
     SWEEP(bell_jer, move, ctx, ctx.t);
 }
 
-static void bell(void)
-{
+static void bell(void) {
     a_trajbell ctx;
     ONCE(bell_gen, "cruise", ctx, 30, 10, 5, 0, 10, 1, 0);
     sweep_bell("", ctx);
@@ -104,8 +97,7 @@ static void bell(void)
 }
 
 /* The most expensive plans: the longest possible search, in which no trial fits, and the worst golden move. */
-static void worst_bell(void)
-{
+static void worst_bell(void) {
     a_trajbell longest;
     ONCE(bell_gen, "longest", longest, 1, A_FLOAT_MAX, 1, 0, (a_float)NAN, 1, 1);
     cost worst = {0, 0};
@@ -125,24 +117,21 @@ static void worst_bell(void)
 
 typedef struct { uint32_t calls, total, most, stack; } costs;
 
-static void add(costs *sum, cost c)
-{
+static void add(costs *sum, cost c) {
     ++sum->calls;
     sum->total += c.instructions;
     if (sum->most < c.instructions) { sum->most = c.instructions; }
     if (sum->stack < c.stack) { sum->stack = c.stack; }
 }
 
-static void print_costs(const char *name, costs sum)
-{
+static void print_costs(const char *name, costs sum) {
     print(name, "", "fastest-mean", (sum.total + sum.calls / 2) / sum.calls);
     print(name, "", "fastest-max", sum.most);
     print(name, "", "fastest-stack", sum.stack);
 }
 
 /* The plan of every move in a table of moves. */
-static void each(const char *name, void (*f)(void), const real *row, size_t rows, size_t columns)
-{
+static void each(const char *name, void (*f)(void), const real *row, size_t rows, size_t columns) {
     costs sum = {0};
     for (size_t i = 0; i != rows; ++i, row += columns) {
         a_float ctx[14], arguments[9] = {0};
@@ -154,40 +143,17 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 #define EACH(name, table) each(#name, (void (*)(void))name, *table, ROWS(table), sizeof(*table) / sizeof(**table))
 
 /* The original lacks the plans that never fail. Its own plans of these moves stand beside them. */
-#pragma weak atraj_bell_gen
-#pragma weak atraj_trap_gen
-#pragma weak atraj_move_plan
-#pragma weak atraj_move_reach
-#pragma weak atraj_move_stop
-#pragma weak atraj_move_meet
-#pragma weak atraj_move_within
-#pragma weak atraj_move_track
-#pragma weak atraj_move_pos
-#pragma weak atraj_move_vel
-#pragma weak atraj_move_acc
-#pragma weak atraj_move_jer
-#pragma weak atraj_limits_init
-#pragma weak atraj_moves_sync
-#pragma weak atraj_moves_line
-#pragma weak atraj_moves_sync_within
-#pragma weak atraj_axis_init
-#pragma weak atraj_axis_tick
-#pragma weak atraj_axis_go
-#pragma weak atraj_axis_track
-#pragma weak atraj_steps_init
-#pragma weak atraj_steps_next
-#pragma weak atraj_clock_start
-#pragma weak atraj_clock_rate
-#pragma weak atraj_clock_state
-#pragma weak atraj_shaper_init
-#pragma weak atraj_shaper_smooth
-#pragma weak atraj_shaper_add
-#pragma weak atraj_shaper_state
-#pragma weak atraj_path_plan
-#pragma weak atraj_path_improve
+#define PRAGMA(words) _Pragma(#words)
+#define WEAK(name) PRAGMA(weak name)
+WEAK(atraj_bell_gen) WEAK(atraj_trap_gen) WEAK(atraj_move_plan) WEAK(atraj_move_reach) WEAK(atraj_move_stop)
+WEAK(atraj_move_meet) WEAK(atraj_move_within) WEAK(atraj_move_track) WEAK(atraj_move_pos) WEAK(atraj_move_vel)
+WEAK(atraj_move_acc) WEAK(atraj_move_jer) WEAK(atraj_limits_init) WEAK(atraj_moves_sync) WEAK(atraj_moves_line)
+WEAK(atraj_moves_sync_within) WEAK(atraj_axis_init) WEAK(atraj_axis_tick) WEAK(atraj_axis_go) WEAK(atraj_axis_track)
+WEAK(atraj_steps_init) WEAK(atraj_steps_next) WEAK(atraj_clock_start) WEAK(atraj_clock_rate) WEAK(atraj_clock_state)
+WEAK(atraj_shaper_init) WEAK(atraj_shaper_smooth) WEAK(atraj_shaper_add) WEAK(atraj_shaper_state)
+WEAK(atraj_path_plan) WEAK(atraj_path_improve)
 
-static void fastest(void)
-{
+static void fastest(void) {
     if (atraj_bell_gen) {
         EACH(atraj_bell_gen, fastest_bell);
         EACH(atraj_trap_gen, fastest_trap);
@@ -202,21 +168,17 @@ static problem posed;
 static axes_problem posed_axes;
 static void (*posed_to)(void);
 
-static void pose(void *ctx)
-{
-    typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *);
-    ((planner *)posed_to)(ctx, &posed.limits, &posed.from, &posed.to);
-}
+#define POSE(name, parameters, ...) \
+    static void name(void *ctx) { typedef void function_of parameters; ((function_of *)posed_to)(ctx, __VA_ARGS__); }
+POSE(pose, (atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *), &posed.limits, &posed.from, &posed.to)
 
-static void pose_axes(void *ctx)
-{
+static void pose_axes(void *ctx) {
     typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float);
     const axes_problem *q = &posed_axes;
     ((planner *)posed_to)(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
 }
 
-static void pose_within(void *ctx)
-{
+static void pose_within(void *ctx) {
     typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, const a_float *, const a_float *, size_t,
                         a_float, a_float);
     const axes_problem *q = &posed_axes;
@@ -225,8 +187,7 @@ static void pose_within(void *ctx)
     ((planner *)posed_to)(ctx, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
 }
 
-static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m)
-{
+static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m) {
     a_float const none[9] = {0};
     posed_to = stub;
     cost const way = measure((void (*)(void))pose, m, none);
@@ -238,8 +199,7 @@ static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m)
 }
 
 /* 11 evaluations from the start of a move to its end. */
-static void evaluate(costs *sum, void (*f)(void), atraj_move *m)
-{
+static void evaluate(costs *sum, void (*f)(void), atraj_move *m) {
     for (int i = 0; i <= 10; ++i) {
         a_float const arguments[9] = {m->t * (a_float)i / 10};
         add(sum, measure(f, m, arguments));
@@ -247,8 +207,7 @@ static void evaluate(costs *sum, void (*f)(void), atraj_move *m)
 }
 
 /* Each planner over the moves of the table that it plans, and evaluations of all these moves. */
-static void moves(void)
-{
+static void moves(void) {
 #define F(name) {#name, (void (*)(void))name, {0}}
     struct { const char *name; void (*f)(void); costs sum; }
         planners[] = {[PLAN] = F(atraj_move_plan), [STOP] = F(atraj_move_stop), [MEET] = F(atraj_move_meet)},
@@ -270,8 +229,7 @@ static void moves(void)
 }
 
 /* Each planner of axes over the sets of the table that it plans. */
-static void axes(void)
-{
+static void axes(void) {
     static atraj_move planned[AXES];
     static void (*const planners[])(void) = {
         [SYNC] = (void (*)(void))atraj_moves_sync,
@@ -291,27 +249,15 @@ static void axes(void)
 
 enum { LEAD = 4 };
 
-static void pose_go(void *ctx)
-{
-    typedef int planner(atraj_axis *, const atraj_limits *, const atraj_state *, unsigned);
-    ((planner *)posed_to)(ctx, &posed.limits, &posed.to, LEAD);
-}
+POSE(pose_go, (atraj_axis *, const atraj_limits *, const atraj_state *, unsigned), &posed.limits, &posed.to, LEAD)
 
-static void pose_track(void *ctx)
-{
-    typedef int planner(atraj_axis *, const atraj_limits *, const atraj_state *, a_float, unsigned);
-    ((planner *)posed_to)(ctx, &posed.limits, &posed.to, (a_float)0.125, LEAD);
-}
+POSE(pose_track, (atraj_axis *, const atraj_limits *, const atraj_state *, a_float, a_float, unsigned),
+     &posed.limits, &posed.to, 0, (a_float)0.125, LEAD)
 
-static void pose_tick(void *ctx)
-{
-    typedef void interrupt(atraj_axis *, atraj_state *);
-    ((interrupt *)posed_to)(ctx, &posed.from);
-}
+POSE(pose_tick, (atraj_axis *, atraj_state *), &posed.from)
 
 /* An axis that goes to each target of the table from the end before, with 100 ticks for each. */
-static void axis(void)
-{
+static void axis(void) {
     static atraj_axis ctx;
     atraj_state const start = {0};
     costs plans = {0}, tracks = {0}, ticks = {0};
@@ -332,36 +278,24 @@ static atraj_steps posed_steps;
 static atraj_shaper posed_shaper;
 static atraj_move posed_move;
 
-static void pose_step(void *ctx)
-{
+static void pose_step(void *ctx) {
     typedef int iterator(atraj_steps *, const atraj_move *, a_float *);
     a_float time;
     ((iterator *)posed_to)(ctx, &posed_move, &time);
 }
 
-static void pose_shape(void *ctx)
-{
-    typedef void evaluation(const atraj_shaper *, const atraj_move *, a_float, atraj_state *);
-    ((evaluation *)posed_to)(ctx, &posed_move, posed_axes.duration, &posed.from);
-}
+POSE(pose_shape, (const atraj_shaper *, const atraj_move *, a_float, atraj_state *), &posed_move, posed_axes.duration, &posed.from)
 
 static atraj_clock posed_clock;
 
-static void pose_rate(void *ctx)
-{
-    typedef int planner(atraj_clock *, const atraj_move *, const atraj_limits *, size_t, size_t, a_float, a_float);
-    ((planner *)posed_to)(ctx, &posed_move, &posed.limits, 1, 1, posed_move.t / 4, 0);
-}
+POSE(pose_rate, (atraj_clock *, const atraj_move *, const atraj_limits *, size_t, size_t, a_float, a_float),
+     &posed_move, &posed.limits, 1, 1, posed_move.t / 4, 0)
 
-static void pose_clock(void *ctx)
-{
-    typedef void evaluation(const atraj_clock *, const atraj_move *, size_t, size_t, a_float, a_float *, a_float *, a_float *, a_float *);
-    ((evaluation *)posed_to)(ctx, &posed_move, 1, 1, posed_axes.duration, &posed.from.p, &posed.from.v, &posed.from.a, NULL);
-}
+POSE(pose_clock, (const atraj_clock *, const atraj_move *, size_t, size_t, a_float, a_float *, a_float *, a_float *, a_float *),
+     &posed_move, 1, 1, posed_axes.duration, &posed.from.p, &posed.from.v, &posed.from.a, NULL)
 
 /* All steps of each move of the table, and 11 states of each move behind a shaper of 3 impulses, and on a clock that holds it. */
-static void machine(void)
-{
+static void machine(void) {
     costs steps = {0}, shaped = {0}, rates = {0}, held = {0};
     atraj_shaper_init(&posed_shaper, ATRAJ_SHAPER_EI, 5, 0);
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
@@ -399,8 +333,7 @@ static a_float plan_posed_path(void) { return (a_float)plan_path(&posed_path); }
 static a_float improve_posed_path(void) { return (a_float)improve_path(&posed_path); }
 
 /* The shims that pass the arguments count too: some ten instructions. */
-static void paths(void)
-{
+static void paths(void) {
     a_float const none[9] = {0};
     costs plans = {0}, updates = {0};
     for (unsigned number = 0; number != PATHS; ++number) {
@@ -414,8 +347,7 @@ static void paths(void)
     print("path", "", "fastest-memory", sizeof(posed_path.work));
 }
 
-static void trap(void)
-{
+static void trap(void) {
     a_trajtrap ctx;
     ONCE(trap_gen, "cruise", ctx, 5, 4, -3, 0, 50, 0, 0);
     SWEEP(trap_pos, "", ctx, ctx.t);
@@ -423,8 +355,7 @@ static void trap(void)
     SWEEP(trap_acc, "", ctx, ctx.t);
 }
 
-static void poly(void)
-{
+static void poly(void) {
     a_trajpoly3 p3;
     ONCE(poly3_gen, "move", p3, 2, 1, 10, 3, -3);
     SWEEP(poly3_pos, "", p3, 2);
@@ -443,8 +374,7 @@ static void poly(void)
     SWEEP(poly7_jer, "", p7, 2);
 }
 
-int main(void)
-{
+int main(void) {
     start_timer();
     bell();
     worst_bell();

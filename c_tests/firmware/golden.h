@@ -24,14 +24,12 @@ enum { OP_init, OP_set, OP_start, OP_stop, OP_reset, OP_advance, OP_get, OP_get_
 #include "golden_rows.h"
 #define ROWS(table) (sizeof(table) / sizeof *(table))
 
-static inline atraj_state state_of(const real *r)
-{
+static inline atraj_state state_of(const real *r) {
     return (atraj_state){r[0].value, r[1].value, r[2].value};
 }
 
 /* The problem in a row of fastest_move. */
-static inline problem problem_of(const real *r)
-{
+static inline problem problem_of(const real *r) {
     return (problem){
         .function = (unsigned)r[1].value,
         .limits = {r[2].value, r[3].value, r[4].value, r[5].value, r[6].value, r[7].value},
@@ -41,8 +39,7 @@ static inline problem problem_of(const real *r)
 }
 
 /* The axes in a row of fastest_axes. */
-static inline axes_problem axes_of(const real *r)
-{
+static inline axes_problem axes_of(const real *r) {
     axes_problem q = {.function = (unsigned)r[1].value, .duration = r[2].value, .cycle = r[3].value};
     for (int i = 0; i != AXES; ++i) {
         const real *axis = r + 4 + 12 * i;

@@ -9,8 +9,7 @@
 static volatile uint32_t *const TIMER = (volatile uint32_t *)0xE000E010, *const PENDING = (volatile uint32_t *)0xE000ED04;
 enum { CONTROL, RELOAD, VALUE, FORGET = 1 << 25 };
 
-static void interrupt_in(unsigned counts)
-{
+static void interrupt_in(unsigned counts) {
     TIMER[RELOAD] = counts;
     TIMER[VALUE] = 0;
     TIMER[CONTROL] = 7;
@@ -23,8 +22,7 @@ static void stop_timer(void) { TIMER[CONTROL] = 0; }
 /* The timer of the machine `virt`: an interrupt comes when TIME reaches COMPARE. */
 static volatile uint32_t *const COMPARE = (volatile uint32_t *)0x02004000, *const TIME = (volatile uint32_t *)0x0200BFF8;
 
-static void interrupt_in(unsigned counts)
-{
+static void interrupt_in(unsigned counts) {
     uint32_t const low = TIME[0], high = TIME[1];
     uint64_t const then = ((uint64_t)high << 32 | low) + counts;
     COMPARE[1] = UINT32_MAX;
@@ -34,8 +32,7 @@ static void interrupt_in(unsigned counts)
 
 #define ZICSR(text) ".option push\n\t.option arch, +zicsr\n\t" text "\n\t.option pop"
 static void timer_interrupt(void);
-static void start_timer(void)
-{
+static void start_timer(void) {
     __asm__ volatile(ZICSR("csrw mtvec, %0\n\tcsrs mie, %1\n\tcsrsi mstatus, 8") : : "r"(timer_interrupt), "r"(1 << 7));
 }
 static void stop_timer(void) { __asm__ volatile(ZICSR("csrci mstatus, 8")); }
@@ -53,14 +50,12 @@ __attribute__((interrupt, aligned(4))) static void timer_interrupt(void)
     interrupt_in(50 + next_random(&random) % SPAN);
 }
 
-static void print(unsigned number, const char *what)
-{
+static void print(unsigned number, const char *what) {
     semihost_print_unsigned(number, 10);
     semihost_print(what);
 }
 
-int main(void)
-{
+int main(void) {
     unsigned volatile *const ticks = &watch.ticks;
     unsigned settled;
     if (atraj_axis_init(&axis, PERIOD, &start) != 0) { semihost_exit(1); }

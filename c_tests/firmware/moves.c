@@ -11,23 +11,20 @@
 
 enum { FAMILIES = 6, MOVES = 40 * FAMILIES };
 
-static double random_between(double low, double high)
-{
+static double random_between(double low, double high) {
     static uint32_t state = 1;
     state = state * 1664525u + 1013904223u;
     return low + (high - low) * (state / 4294967296.0);
 }
 
 /* How far an axis goes from the velocity v until it stops. */
-static double way_to_stop(double jm, double am, double v)
-{
+static double way_to_stop(double jm, double am, double v) {
     double const ramp = fabs(v) < am * am / jm ? 2 * sqrt(fabs(v) / jm) : am / jm + fabs(v) / am;
     return 0.5 * v * ramp;
 }
 
 /* Displacement and velocities at both ends, for one move of a family. */
-static void ends(unsigned family, double jm, double am, double vm, double *h, double *v0, double *v1)
-{
+static void ends(unsigned family, double jm, double am, double vm, double *h, double *v0, double *v1) {
     *h = random_between(-1, 1) * random_between(0, 15);
     *v0 = random_between(-vm, vm);
     *v1 = random_between(-vm, vm);
@@ -41,8 +38,7 @@ static void ends(unsigned family, double jm, double am, double vm, double *h, do
     }
 }
 
-static void print_reals(a_float const *value, a_size count)
-{
+static void print_reals(a_float const *value, a_size count) {
     for (a_size i = 0; i != count; ++i) {
         unsigned char bytes[sizeof(a_float)];
         memcpy(bytes, value + i, sizeof(bytes));
@@ -51,8 +47,7 @@ static void print_reals(a_float const *value, a_size count)
     }
 }
 
-static void print_profiles(int bell)
-{
+static void print_profiles(int bell) {
     puts(bell ? "case,jm,am,vm,p0,p1,v0,v1,duration,t,tv,ta,td,taj,tdj,p0,p1,v0,v1,vm,jm,am,dm"
               : "case,vm,ac,de,p0,p1,v0,v1,duration,t,p0,p1,v0,v1,vc,ta,td,pa,pd,ac,de");
     for (unsigned move = 0; move != MOVES; ++move) {
@@ -96,15 +91,13 @@ enum {
 enum { PROBLEMS = 20 * KINDS };
 
 /* A lower limit, which is nearer to 0 than the upper one if it is asymmetric. */
-static double below(double upper, int asymmetric)
-{
+static double below(double upper, int asymmetric) {
     double const part = random_between(0.3, 1);
     return asymmetric ? -part * upper : -upper;
 }
 
 /* A state of which nothing leaves the limits: the velocity keeps room for the acceleration to come from 0 and to go back to 0. */
-static atraj_state inside(atraj_limits const *l, int accelerated)
-{
+static atraj_state inside(atraj_limits const *l, int accelerated) {
     double const j = fmin(l->jmax, -l->jmin), a = fmin(l->amax, -l->amin), v = fmin(l->vmax, -l->vmin);
     double const acceleration = accelerated * random_between(-0.9, 0.9) * fmin(a, sqrt(j * v));
     double const room = 1.001 * acceleration * acceleration / (2 * j);
@@ -115,8 +108,7 @@ static atraj_state inside(atraj_limits const *l, int accelerated)
     return state;
 }
 
-static problem problem_of(unsigned kind)
-{
+static problem problem_of(unsigned kind) {
     static unsigned const functions[KINDS] = {
         [REACHES] = REACH, [STOPS] = STOP, [MEETS] = MEET, [STAYS_INSIDE] = WITHIN, [TRACKS] = TRACK, /* else PLAN */
     };
@@ -143,8 +135,7 @@ static problem problem_of(unsigned kind)
 }
 
 /* The problem, what the planner returned, the duration, the number of phases, the lowest state and the highest one. */
-static void print_move(unsigned number, problem const *q, int returned, atraj_move const *m)
-{
+static void print_move(unsigned number, problem const *q, int returned, atraj_move const *m) {
     a_float const function = (a_float)q->function, result[] = {(a_float)returned, m->t, (a_float)m->phases};
     atraj_state extremes[2];
     atraj_move_extremes(m, &extremes[0], &extremes[1]);
@@ -159,8 +150,7 @@ static void print_move(unsigned number, problem const *q, int returned, atraj_mo
 }
 
 /* The phase behind the last one too. */
-static void print_phases(unsigned number, atraj_move const *m)
-{
+static void print_phases(unsigned number, atraj_move const *m) {
     for (unsigned i = 0; i <= m->phases; ++i) {
         printf("%u", number);
         print_reals((a_float const *)&m->phase[i], 6);
@@ -169,8 +159,7 @@ static void print_phases(unsigned number, atraj_move const *m)
 }
 
 /* Evaluates a move at some times, some of them before the start and after the end. */
-static void print_evaluations(unsigned number, atraj_move const *m)
-{
+static void print_evaluations(unsigned number, atraj_move const *m) {
     for (int i = 0; i != 5; ++i) {
         a_float const x = (a_float)random_between(-0.1, 1.1) * m->t, p = atraj_move_pos(m, x);
         a_float const row[] = {x, p, atraj_move_vel(m, x), atraj_move_acc(m, x), atraj_move_jer(m, x), atraj_move_time_at(m, p)};
@@ -181,8 +170,7 @@ static void print_evaluations(unsigned number, atraj_move const *m)
 }
 
 /* What the steps of the move tell, the shaped motion at some times, and a hold. */
-static void print_machine(unsigned number, problem const *q, atraj_move const *m)
-{
+static void print_machine(unsigned number, problem const *q, atraj_move const *m) {
     a_float stepped[5] = {0}, clocked[CLOCKED];
     atraj_shaper shaper;
     step_through(m, stepped);
@@ -200,8 +188,7 @@ static void print_machine(unsigned number, problem const *q, atraj_move const *m
 }
 
 /* Every table plans the same moves, because evaluations draw random numbers after all problems. */
-static void print_moves(char const *table)
-{
+static void print_moves(char const *table) {
     static problem problems[PROBLEMS];
     for (unsigned i = 0; i != PROBLEMS; ++i) { problems[i] = problem_of(i / 4 % KINDS); }
     puts(!strcmp(table, "machine") ? "case,returned,steps,line,last,sum,p,v,a,p,v,a,p,v,a,p,v,a,returned,until,p,v,a,j,returned,until"
@@ -227,8 +214,7 @@ enum { PAIRS = 28, SETS = PAIRS + 14 };
 
 /* Axes that move together, some of them for a given duration and on a clock. Of each pair of sets, one lies on a straight line. The last sets
  * stay between two positions. */
-static axes_problem axes_of(unsigned number)
-{
+static axes_problem axes_of(unsigned number) {
     static unsigned const kinds[] = {AT_REST, MOVING, ACCELERATED_TARGET, OUTSIDE};
     axes_problem q;
     problem const lead = problem_of(kinds[number / 2 % 4]);
@@ -250,8 +236,7 @@ static axes_problem axes_of(unsigned number)
 }
 
 /* The problem, what the planner returned, the duration, the number of phases. */
-static void print_axes(unsigned number, axes_problem const *q, int returned, atraj_move const *axes)
-{
+static void print_axes(unsigned number, axes_problem const *q, int returned, atraj_move const *axes) {
     a_float const times[] = {(a_float)q->function, q->duration, q->cycle};
     printf("%u", number);
     print_reals(times, 3);
@@ -265,8 +250,7 @@ static void print_axes(unsigned number, axes_problem const *q, int returned, atr
     putchar('\n');
 }
 
-static void print_sets(int phases)
-{
+static void print_sets(int phases) {
     printf(phases ? "case,t,duration,p,v,a,j\n" : "case,function,duration,cycle");
     for (int i = 0; !phases && i != AXES; ++i) { printf(",vmax,vmin,amax,amin,jmax,jmin,p0,v0,a0,p1,v1,a1"); }
     if (!phases) { puts(",returned,t"); }
@@ -281,8 +265,7 @@ static void print_sets(int phases)
 }
 
 /* What the planner and the window answer, and every number of both plans. */
-static void print_paths(void)
-{
+static void print_paths(void) {
     static path_problem q;
     printf("case,returned");
     for (int i = 0; i != SECTIONS; ++i) { printf(",duration"); }
@@ -307,8 +290,7 @@ static void print_paths(void)
     }
 }
 
-int main(int argc, char *argv[])
-{
+int main(int argc, char *argv[]) {
     if (argc != 2) { return 1; }
     if (!strcmp(argv[1], "bell") || !strcmp(argv[1], "trap")) {
         print_profiles(*argv[1] == 'b');

@@ -16,22 +16,20 @@ typedef struct {
     atraj_state from, to;
 } problem;
 
-static inline int solve(const problem *q, atraj_move *m)
-{
+static inline int solve(const problem *q, atraj_move *m) {
     switch (q->function) {
     case REACH: return atraj_move_reach(m, &q->limits, &q->from, q->to.v, q->to.a);
     case STOP: return atraj_move_stop(m, &q->limits, &q->from);
     case MEET: return atraj_move_meet(m, &q->limits, &q->from, &q->to);
     case WITHIN: return atraj_move_within(m, &q->limits, &q->from, &q->to, q->from.p - 1, q->to.p + 1);
-    case TRACK: return atraj_move_track(m, &q->limits, &q->from, &q->to, (a_float)0.125);
+    case TRACK: return atraj_move_track(m, &q->limits, &q->from, &q->to, 0, (a_float)0.125);
     default: return atraj_move_plan(m, &q->limits, &q->from, &q->to);
     }
 }
 
 /* All steps of a motor that follows a move, which stands between two lines in the beginning: how many, the line of the end, the last time, and the
  * sum of all times, in which the bits of each count. */
-static inline void step_through(const atraj_move *m, a_float results[5])
-{
+static inline void step_through(const atraj_move *m, a_float results[5]) {
     atraj_steps steps;
     a_float time = 0, sum = 0, count = 0;
     results[0] = (a_float)atraj_steps_init(&steps, m, m->phase[0].p - (a_float)0.0625, (a_float)0.125);
@@ -42,8 +40,7 @@ static inline void step_through(const atraj_move *m, a_float results[5])
 }
 
 /* A shaper of each kind in turn, every third one smooth, every fourth one for a second frequency too. */
-static inline void pose_shaper(atraj_shaper *shaper, unsigned number)
-{
+static inline void pose_shaper(atraj_shaper *shaper, unsigned number) {
     atraj_shaper_smooth(shaper, number % 3 ? 0 : (a_float)0.25);
     atraj_shaper_add(shaper, (int)(number % 5), 2 + (a_float)(number % 7), (a_float)(number % 4) / 16);
     if (number % 4 == 0) { atraj_shaper_add(shaper, ATRAJ_SHAPER_ZV, 5, 0); }
@@ -52,15 +49,13 @@ static inline void pose_shaper(atraj_shaper *shaper, unsigned number)
 /* A hold of a move and its resumption, within half as much again as the limits of the plan: what the clock returns, when the rates are reached, and the state
  * in the middle of the first change. */
 enum { CLOCKED = 8 };
-static inline atraj_limits wider(const atraj_limits *planned)
-{
+static inline atraj_limits wider(const atraj_limits *planned) {
     a_float const more = (a_float)1.5;
     return (atraj_limits){more * planned->vmax, more * planned->vmin, more * planned->amax,
                           more * planned->amin, more * planned->jmax, more * planned->jmin};
 }
 
-static inline void run_clock(const problem *q, const atraj_move *m, a_float results[CLOCKED])
-{
+static inline void run_clock(const problem *q, const atraj_move *m, a_float results[CLOCKED]) {
     atraj_limits const limits = wider(&q->limits);
     a_float const begin = m->t / 4;
     atraj_clock clock;
@@ -83,8 +78,7 @@ typedef struct {
 } axes_problem;
 
 /* Walls near the ends: some axes have to wait, some cannot stop in time. */
-static inline void put_walls(const axes_problem *q, a_float *lowest, a_float *highest)
-{
+static inline void put_walls(const axes_problem *q, a_float *lowest, a_float *highest) {
     for (int i = 0; i != AXES; ++i) {
         a_float const p0 = q->from[i].p, p1 = q->to[i].p;
         lowest[i] = (p0 < p1 ? p0 : p1) - 3;
@@ -92,8 +86,7 @@ static inline void put_walls(const axes_problem *q, a_float *lowest, a_float *hi
     }
 }
 
-static inline int solve_axes(const axes_problem *q, atraj_move *axes)
-{
+static inline int solve_axes(const axes_problem *q, atraj_move *axes) {
     switch (q->function) {
     case LINE: return atraj_moves_line(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
     case SYNC_WITHIN: {
@@ -106,7 +99,7 @@ static inline int solve_axes(const axes_problem *q, atraj_move *axes)
 }
 
 /* Axes that pass 4 way points, and a window that moves on: it has the last 2 of these sections and a new one, and 8 steps improve it. */
-enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
+enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 typedef struct {
     atraj_limits limits[AXES];
     atraj_state states[(SECTIONS + 1) * AXES];
@@ -114,28 +107,24 @@ typedef struct {
 } path_problem;
 
 /* A point of a path, at rest. The quarters are exact in both real types. */
-static inline void put_point(path_problem *q, unsigned number, unsigned point, unsigned place)
-{
+static inline void put_point(path_problem *q, unsigned number, unsigned point, unsigned place) {
     for (unsigned i = 0; i != AXES; ++i) {
         unsigned const quarters = (number * 5 + point * (3 + i) * (i + 2) + i) % 11;
         q->states[place * AXES + i] = (atraj_state){(a_float)quarters / 4, 0, 0};
     }
 }
 
-static inline void pose_path(path_problem *q, unsigned number)
-{
+static inline void pose_path(path_problem *q, unsigned number) {
     for (unsigned i = 0; i != AXES; ++i) { atraj_limits_init(&q->limits[i], 30 + 10 * (a_float)i, 10, 3); }
     for (unsigned point = 0; point <= SECTIONS; ++point) { put_point(q, number, point, point); }
 }
 
-static inline int plan_path(path_problem *q)
-{
+static inline int plan_path(path_problem *q) {
     return atraj_path_plan(q->states, q->durations, q->limits, AXES, SECTIONS, 0, q->work);
 }
 
 /* Drops the sections that are passed, and appends a point. */
-static inline void move_window(path_problem *q, unsigned number)
-{
+static inline void move_window(path_problem *q, unsigned number) {
     enum { PASSED = SECTIONS - (WINDOW - 1) };
     memmove(q->states, q->states + PASSED * AXES, WINDOW * AXES * sizeof(atraj_state));
     memmove(q->durations, q->durations + PASSED, (WINDOW - 1) * sizeof(a_float));
@@ -143,8 +132,7 @@ static inline void move_window(path_problem *q, unsigned number)
     q->durations[WINDOW - 1] = 0;
 }
 
-static inline int improve_path(path_problem *q)
-{
+static inline int improve_path(path_problem *q) {
     return atraj_path_improve(q->states, q->durations, q->limits, AXES, WINDOW, STEPS, q->work);
 }
 

@@ -13,14 +13,12 @@
 
 static unsigned rows, compared, differing;
 
-static int same(real a, real b)
-{
+static int same(real a, real b) {
     return a.bits == b.bits || (a.value != a.value && b.value != b.value);
 }
 
 /* Counts a number that is not the golden one, and prints the first of them. */
-static void differ(const char *what, uint64_t row, size_t column, uint64_t got, uint64_t want)
-{
+static void differ(const char *what, uint64_t row, size_t column, uint64_t got, uint64_t want) {
     if (++differing > 10) { return; }
     semihost_print(what);
     semihost_print_unsigned(row, 10);
@@ -33,8 +31,7 @@ static void differ(const char *what, uint64_t row, size_t column, uint64_t got, 
     semihost_print("\n");
 }
 
-static void compare(const char *what, const real *row, size_t column, size_t count, const a_float *got)
-{
+static void compare(const char *what, const real *row, size_t column, size_t count, const a_float *got) {
     for (size_t i = 0; i != count; ++i) {
         real const value = {.value = got[i]}, want = row[column + i];
         ++compared;
@@ -80,8 +77,7 @@ static const profile profiles[] = {
 };
 
 /* Returns the number of evaluations that belong to no plan. */
-static size_t replay_profile(const profile *p)
-{
+static size_t replay_profile(const profile *p) {
     size_t next = 0;
     for (size_t i = 0; i != p->plans.rows; ++i) {
         const real *r = p->plans.row + i * p->plans.columns;
@@ -101,8 +97,7 @@ static size_t replay_profile(const profile *p)
 }
 
 /* Compares binary64 numbers with `*golden` and moves `*golden` behind them. The columns count from 1, as in the golden file. */
-static void compare_claraty(uint64_t line, size_t column, size_t count, const double *got, const uint64_t **golden)
-{
+static void compare_claraty(uint64_t line, size_t column, size_t count, const double *got, const uint64_t **golden) {
     for (size_t i = 0; i != count; ++i) {
         union { uint64_t bits; double value; } const value = {.value = got[i]}, want = {.bits = *(*golden)++};
         ++compared;
@@ -111,15 +106,13 @@ static void compare_claraty(uint64_t line, size_t column, size_t count, const do
     }
 }
 
-static void compare_claraty_number(uint64_t line, size_t column, unsigned got, unsigned want)
-{
+static void compare_claraty_number(uint64_t line, size_t column, unsigned got, unsigned want) {
     ++compared;
     if (got != want) { differ("claraty line ", line, column, got, want); }
 }
 
 /* Plays the scripts of CLARAty's listing on the manual clock. */
-static void replay_claraty(void)
-{
+static void replay_claraty(void) {
     claraty_trapezoid axis;
     const uint64_t *next = claraty_listing;
     while (next != claraty_listing + ROWS(claraty_listing)) {
@@ -164,8 +157,7 @@ static void replay_claraty(void)
 #define EACH(e, table, next, row) \
     for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
 
-static void replay_machine(const real *r, const problem *q, const atraj_move *m)
-{
+static void replay_machine(const real *r, const problem *q, const atraj_move *m) {
     unsigned const number = (unsigned)r[0].bits;
     a_float stepped[5] = {0}, clocked[CLOCKED];
     atraj_shaper shaper;
@@ -181,8 +173,7 @@ static void replay_machine(const real *r, const problem *q, const atraj_move *m)
     compare("held move ", r, 18, CLOCKED, clocked);
 }
 
-static size_t replay_moves(void)
-{
+static size_t replay_moves(void) {
     size_t phase = 0, evaluation = 0;
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         const real *r = fastest_move[i];
@@ -196,8 +187,7 @@ static size_t replay_moves(void)
         replay_machine(fastest_machine[i], &q, &m);
         const atraj_phase *replayed = m.phase;
         EACH(e, fastest_phase, phase, r) { compare("phase of move ", e, 1, 6, (const a_float *)replayed++); }
-        EACH(e, fastest_eval, evaluation, r)
-        {
+        EACH(e, fastest_eval, evaluation, r) {
             a_float x = e[1].value, p = atraj_move_pos(&m, x);
             a_float y[] = {p, atraj_move_vel(&m, x), atraj_move_acc(&m, x), atraj_move_jer(&m, x), atraj_move_time_at(&m, p)};
             compare("evaluation of move ", e, 2, 5, y);
@@ -206,8 +196,7 @@ static size_t replay_moves(void)
     return ROWS(fastest_phase) - phase + ROWS(fastest_eval) - evaluation;
 }
 
-static size_t replay_axes(void)
-{
+static size_t replay_axes(void) {
     static atraj_move axes[AXES]; /* the stack of the smallest board is small */
     size_t phase = 0;
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
@@ -218,8 +207,7 @@ static size_t replay_axes(void)
         a_float const result[] = {(a_float)returned, axes->t};
         compare("axes ", r, 40, 2, result);
         unsigned axis = 0, replayed = 0;
-        EACH(e, fastest_stretched, phase, r)
-        {
+        EACH(e, fastest_stretched, phase, r) {
             if (replayed > axes[axis].phases && axis + 1 < AXES) { ++axis, replayed = 0; }
             compare("phase of axes ", e, 1, 6, (const a_float *)&axes[axis].phase[replayed++]);
         }
@@ -227,8 +215,7 @@ static size_t replay_axes(void)
     return ROWS(fastest_stretched) - phase;
 }
 
-static void replay_paths(void)
-{
+static void replay_paths(void) {
     static path_problem q;
     enum { PLANNED = 2 + SECTIONS + 3 * (SECTIONS + 1) * AXES };
     for (size_t i = 0; i != ROWS(fastest_path); ++i) {
@@ -250,8 +237,7 @@ static void replay_paths(void)
 /* From another Rust library in the same image: how many of `count` doubles lie below their mean. */
 uint32_t neighbour_below_mean(const double *values, uint32_t count);
 
-static int neighbour_works(void)
-{
+static int neighbour_works(void) {
     const double values[] = {1, 2, 3, 10};
     return neighbour_below_mean(values, 4) == 3;
 }
@@ -259,8 +245,7 @@ static int neighbour_works(void)
 static int neighbour_works(void) { return 1; }
 #endif
 
-int main(void)
-{
+int main(void) {
     size_t left = replay_moves() + replay_axes();
     for (size_t i = 0; i != ROWS(profiles); ++i) { left += replay_profile(&profiles[i]); }
     replay_paths();

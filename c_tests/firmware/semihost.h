@@ -4,8 +4,7 @@
 
 #include <stdint.h>
 
-static inline void semihost(uintptr_t operation, const void *argument)
-{
+static inline void semihost(uintptr_t operation, const void *argument) {
 #if defined(__arm__)
     register uintptr_t r0 __asm__("r0") = operation;
     register const void *r1 __asm__("r1") = argument;
@@ -22,15 +21,13 @@ static inline void semihost(uintptr_t operation, const void *argument)
 
 static inline void semihost_print(const char *text) { semihost(0x04, text); }
 
-static inline void semihost_exit(int code)
-{
+static inline void semihost_exit(int code) {
     const uintptr_t application_exit[2] = {0x20026, (uintptr_t)code};
     semihost(0x20, application_exit);
     for (;;) {}
 }
 
-static inline void semihost_print_unsigned(uint64_t number, unsigned base)
-{
+static inline void semihost_print_unsigned(uint64_t number, unsigned base) {
     char text[24];
     char *digit = text + sizeof(text);
     *--digit = 0;

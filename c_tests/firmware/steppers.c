@@ -12,14 +12,12 @@ enum { CONTROL, VALUE, RELOAD };
 
 static uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024); }
 
-static void print(uint32_t number, const char *what)
-{
+static void print(uint32_t number, const char *what) {
     semihost_print_unsigned(number, 10);
     semihost_print(what);
 }
 
-int main(void)
-{
+int main(void) {
     static const atraj_state from[MOTORS] = {{0, 0, 0}, {0, 0, 0}}, to[MOTORS] = {{40, 0, 0}, {(a_float)-12.5, 0, 0}}; /* mm */
     static atraj_move axes[MOTORS];
     a_float const step = (a_float)0.0125; /* mm */

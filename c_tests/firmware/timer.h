@@ -9,8 +9,7 @@
 static volatile uint32_t *const TIMER = (volatile uint32_t *)0x40000000;
 enum { CONTROL, VALUE, RELOAD };
 
-static inline void start_timer(void)
-{
+static inline void start_timer(void) {
     TIMER[RELOAD] = UINT32_MAX;
     TIMER[VALUE] = UINT32_MAX;
     TIMER[CONTROL] = 1;
@@ -20,8 +19,7 @@ static inline uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64
 #else
 /* With -icount shift=0 the counter of RISC-V counts instructions. */
 static inline void start_timer(void) {}
-static inline uint32_t now(void)
-{
+static inline uint32_t now(void) {
     uint32_t count;
     __asm__ volatile(".option push\n\t.option arch, +zicsr\n\tcsrr %0, minstret\n\t.option pop" : "=r"(count));
     return count;

@@ -15,22 +15,19 @@
 enum { MOST_ARGUMENTS = 40, TRIES = 60 };
 
 static uint32_t state = SEED;
-static uint32_t draw(uint32_t below)
-{
+static uint32_t draw(uint32_t below) {
     state ^= state << 13, state ^= state >> 17, state ^= state << 5;
     return (uint32_t)(((uint64_t)state * below) >> 32);
 }
 
 /* Of any sign, between 1/256 and 256, evenly in its logarithm; often a small whole number or 0. */
-static a_float drawn(void)
-{
+static a_float drawn(void) {
     a_float const sign = draw(2) ? 1 : -1;
     if (draw(4) == 0) { return sign * (a_float)draw(4); }
     return (a_float)ldexp(sign * (1 + (double)draw(1024) / 1024), (int)draw(16) - 8);
 }
 
-static a_float changed(const a_float *arguments, size_t count, a_float x)
-{
+static a_float changed(const a_float *arguments, size_t count, a_float x) {
     switch (draw(7)) {
     case 0: return drawn();
     case 1: return -x;
@@ -42,8 +39,7 @@ static a_float changed(const a_float *arguments, size_t count, a_float x)
 }
 
 /* What is planned. The limits are as `atraj_limits_init` takes them: three numbers, for each way. */
-static atraj_limits limits_of(const a_float *a)
-{
+static atraj_limits limits_of(const a_float *a) {
     atraj_limits const limits = {fabs(a[0]), -fabs(a[1]), fabs(a[2]), -fabs(a[3]), fabs(a[4]), -fabs(a[5])};
     return limits;
 }
@@ -59,8 +55,7 @@ static void trap(const a_float *a) { a_trajtrap ctx; a_trajtrap_gen(&ctx, a[0], 
 static void fastest_bell(const a_float *a) { a_trajbell ctx; atraj_bell_gen(&ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
 static void fastest_trap(const a_float *a) { a_trajtrap ctx; atraj_trap_gen(&ctx, a[0], a[1], a[2], a[3], a[4], a[5], a[6]); }
 
-static void move(unsigned function, const a_float *a)
-{
+static void move(unsigned function, const a_float *a) {
     problem const q = {function, limits_of(a), state_of(a + 6), state_of(a + 9)};
     solve(&q, axes);
 }
@@ -69,8 +64,7 @@ static void stop(const a_float *a) { move(STOP, a); }
 static void meet(const a_float *a) { move(MEET, a); }
 static void track(const a_float *a) { move(TRACK, a); }
 
-static void together(unsigned function, const a_float *a)
-{
+static void together(unsigned function, const a_float *a) {
     set.function = function;
     for (unsigned i = 0; i != AXES; ++i, a += 12) {
         set.limits[i] = limits_of(a), set.from[i] = state_of(a + 6), set.to[i] = state_of(a + 9);
@@ -84,15 +78,13 @@ static void sync(const a_float *a) { together(SYNC, a); }
 static void line(const a_float *a) { together(LINE, a); }
 static void sync_within(const a_float *a) { together(SYNC_WITHIN, a); }
 
-static void path(const a_float *a)
-{
+static void path(const a_float *a) {
     for (unsigned i = 0; i != AXES; ++i) { atraj_limits_init(&way.limits[i], a[i], a[i + 3], a[i + 6]); }
     for (unsigned i = 0; i != (SECTIONS + 1) * AXES; ++i) { way.states[i] = (atraj_state){a[9 + i], 0, 0}; }
     plan_path(&way);
 }
 
-static void go(const a_float *a)
-{
+static void go(const a_float *a) {
     atraj_state const from = state_of(a + 6), to = state_of(a + 9);
     atraj_limits const limits = limits_of(a);
     if (atraj_axis_init(&axis, (a_float)0.001, &from) == 0) { atraj_axis_go(&axis, &limits, &to, 1); }
@@ -105,15 +97,13 @@ static const struct { const char *name; void (*f)(const a_float *); size_t count
     {"atraj_path_plan", path, 9 + (SECTIONS + 1) * AXES},
 };
 
-static uint32_t cost(void (*f)(const a_float *), const a_float *arguments)
-{
+static uint32_t cost(void (*f)(const a_float *), const a_float *arguments) {
     uint32_t const start = now();
     f(arguments);
     return instructions(now() - start);
 }
 
-static uint32_t climb(void (*f)(const a_float *), size_t count)
-{
+static uint32_t climb(void (*f)(const a_float *), size_t count) {
     uint64_t spent = 0;
     uint32_t most = 0, here = 0;
     unsigned failed = TRIES;
@@ -139,8 +129,7 @@ static uint32_t climb(void (*f)(const a_float *), size_t count)
     return most;
 }
 
-int main(void)
-{
+int main(void) {
     start_timer();
     for (size_t k = 0; k != sizeof(functions) / sizeof(functions[0]); ++k) {
         semihost_print(functions[k].name);

@@ -1,19 +1,17 @@
 /*
  The double of an Arm core without a unit for it, computed by the unit of this machine: the functions that `src/real/soft.rs` calls.
- `tests/programs.sh` includes it in C programs, so that tests on a host see a fault in `soft.rs`.
+ `make mutants` links it, so that tests on a host see a fault in `soft.rs`.
 */
 #include <stdint.h>
 #include <string.h>
 
-static double as_number(uint64_t bits)
-{
+static double as_number(uint64_t bits) {
     double x;
     memcpy(&x, &bits, sizeof x);
     return x;
 }
 
-static uint64_t as_bits(double x)
-{
+static uint64_t as_bits(double x) {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
