@@ -21,10 +21,7 @@
 use atraj::{Bell, Boundary, Error};
 
 fn main() -> Result<(), Error> {
-    let ends = Boundary {
-        v0: 1.0,
-        ..Boundary::rest_to_rest(0.0, 10.0)
-    };
+    let ends = Boundary { v0: 1.0, ..Boundary::rest_to_rest(0.0, 10.0) };
     let axis = Bell::new(30.0, 10.0, 10.0, ends)?;
     println!("Relinked: a double-S without cruise, every digit as from liba");
     println!("within 10 m/s, 10 m/s^2, 30 m/s^3");

@@ -10,10 +10,7 @@ use atraj::{Bell, Boundary, Error};
 const PERIOD: f64 = 0.001; // s
 
 fn main() -> Result<(), Error> {
-    let ends = Boundary {
-        v0: 1.0,
-        ..Boundary::rest_to_rest(0.0, 10.0)
-    };
+    let ends = Boundary { v0: 1.0, ..Boundary::rest_to_rest(0.0, 10.0) };
     let axis = Bell::new(30.0, 10.0, 5.0, ends)?;
     println!("Double-S with cruise: 10 m, from 1 m/s to rest");
     println!("within 5 m/s, 10 m/s^2, 30 m/s^3");

@@ -22,26 +22,15 @@ fn judge(axis: &Bell<f64>) -> Result<&'static str, Error> {
 }
 
 fn main() -> Result<(), Error> {
-    let ends = Boundary {
-        v0: 7.5,
-        ..Boundary::rest_to_rest(0.0, 6.0)
-    };
+    let ends = Boundary { v0: 7.5, ..Boundary::rest_to_rest(0.0, 6.0) };
     let liba = Bell::new(30.0, 2.5, 10.0, ends)?;
     let ours = Bell::fastest(30.0, 2.5, 10.0, ends)?;
     println!("Too near to stop: 6 m to go at 7.5 m/s");
     println!("within 10 m/s, 2.5 m/s^2, 30 m/s^3");
     for tick in (0..=(ours.t / PERIOD) as u32).step_by(1000) {
         let x = f64::from(tick) * PERIOD;
-        println!(
-            "{x:.3} s: {}, a_trajbell_gen {}",
-            setpoint(&ours, x),
-            setpoint(&liba, x)
-        );
+        println!("{x:.3} s: {}, a_trajbell_gen {}", setpoint(&ours, x), setpoint(&liba, x));
     }
-    println!(
-        "a_trajbell_gen {}, atraj_bell_gen {}",
-        judge(&liba)?,
-        judge(&ours)?
-    );
+    println!("a_trajbell_gen {}, atraj_bell_gen {}", judge(&liba)?, judge(&ours)?);
     Ok(())
 }

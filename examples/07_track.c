@@ -50,7 +50,7 @@ int main(void)
         if (tick % EVERY == 0) {
             printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, sensor %.4f m\n", tick * PERIOD, now.p, now.v, now.a, knob.p);
         }
-        found = atraj_move_track(&move, &limits, &now, &knob, HORIZON);
+        found = atraj_move_track(&move, &limits, &now, &knob, 0, HORIZON);
         /* One period later, the next plan starts here. */
         atraj_move_state(&move, PERIOD, &now.p, &now.v, &now.a, NULL);
     }

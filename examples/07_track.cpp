@@ -47,7 +47,7 @@ int main()
         {
             std::printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, sensor %.4f m\n", tick * PERIOD, now.p, now.v, now.a, knob.p);
         }
-        found = move.track(limits, now, knob, HORIZON);
+        found = move.track(limits, now, knob, 0, HORIZON);
         now = move.state(PERIOD); // one period later, the next plan starts here
     }
     return found < 0;

@@ -32,21 +32,16 @@ fn sensor(t: f64, seed: &mut u32) -> State<f64> {
 fn main() -> Result<(), Error> {
     let limits = Limits::symmetric(200.0, 10.0, 1.0);
     let (mut now, mut axis, mut seed) = (State::at(0.0), Move::default(), 1);
-    println!(
-        "Following a sensor: noise of 1 mm and 1 cm/s, a jump at 1.5 s, a plan every millisecond"
-    );
+    println!("Following a sensor: noise of 1 mm and 1 cm/s, a jump at 1.5 s, a plan every millisecond");
     println!("within 1 m/s, 10 m/s^2, 200 m/s^3");
     for tick in 0..=3000 {
         let time = f64::from(tick) * PERIOD;
         let knob = sensor(time, &mut seed);
         if tick % 250 == 0 {
             let (p, v, a) = (now.position, now.velocity, now.acceleration);
-            println!(
-                "{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2, sensor {:.4} m",
-                knob.position
-            );
+            println!("{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2, sensor {:.4} m", knob.position);
         }
-        axis.track(&limits, now, knob, HORIZON)?;
+        axis.track(&limits, now, knob, 0.0, HORIZON)?;
         now = axis.state_at(PERIOD); // one period later, the next plan starts here
     }
     Ok(())

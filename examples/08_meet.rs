@@ -15,15 +15,10 @@ fn main() -> Result<(), Error> {
     let limits = Limits::symmetric(50.0, 5.0, 2.0);
     let home = State::at(0.0);
     // The belt does not accelerate.
-    let mut part = State {
-        velocity: 0.4,
-        ..State::at(0.5)
-    };
+    let mut part = State { velocity: 0.4, ..State::at(0.5) };
     let (mut axis, mut start, mut goes_home) = (Move::default(), 0, false);
     axis.meet(&limits, home, part)?;
-    println!(
-        "Meeting a part on a conveyor: the belt gets faster, the axis rides beside the part and goes home"
-    );
+    println!("Meeting a part on a conveyor: the belt gets faster, the axis rides beside the part and goes home");
     println!("within 2 m/s, 5 m/s^2, 50 m/s^3");
     for tick in 0..=3000 {
         let (time, x) = (f64::from(tick) * PERIOD, f64::from(tick - start) * PERIOD);

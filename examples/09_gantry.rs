@@ -14,10 +14,7 @@ const TO: [f64; 2] = [0.8, 0.4]; // m
 
 /// Prints a setpoint: positions, velocities, accelerations.
 fn print(time: f64, [x, y]: [State<f64>; 2]) {
-    print!(
-        "{time:.3} s: x {:.4} m, y {:.4} m, ",
-        x.position, y.position
-    );
+    print!("{time:.3} s: x {:.4} m, y {:.4} m, ", x.position, y.position);
     print!("{:.4} {:.4} m/s, ", x.velocity, y.velocity);
     println!("{:.4} {:.4} m/s^2", x.acceleration, y.acceleration);
 }
@@ -44,10 +41,7 @@ fn follow(name: &str, axes: &[Move<f64>; 2]) -> f64 {
 
 fn main() -> Result<(), Error> {
     // Jerk, acceleration, velocity.
-    let limits = [
-        Limits::symmetric(20.0, 4.0, 1.0),
-        Limits::symmetric(5.0, 1.0, 0.6),
-    ];
+    let limits = [Limits::symmetric(20.0, 4.0, 1.0), Limits::symmetric(5.0, 1.0, 0.6)];
     let (from, to) = ([State::at(0.0); 2], TO.map(State::at));
     let mut axes = [Move::default(); 2];
     println!("Gantry in the plane: two axes arrive together, and stay on a straight line");

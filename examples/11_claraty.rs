@@ -12,12 +12,7 @@ const PERIOD: f64 = 0.001; // s
 
 /// The position counts from the place where the axis rested.
 fn go_to(axis: &mut Trajectory, position: f64, now: f64) -> Result<(), OutOfRange> {
-    let target = Target {
-        position,
-        velocity: 0.5,
-        acceleration: 1.0,
-        deceleration: 0.8,
-    };
+    let target = Target { position, velocity: 0.5, acceleration: 1.0, deceleration: 0.8 };
     axis.set(target.into(), now)?;
     axis.start(now);
     Ok(())
@@ -26,9 +21,7 @@ fn go_to(axis: &mut Trajectory, position: f64, now: f64) -> Result<(), OutOfRang
 fn main() -> Result<(), OutOfRange> {
     let (mut axis, mut origin, mut point) = (Trajectory::default(), 0.0, State::default());
     let mut now = 0.0; // the caller reads the clock, and tells every method the time
-    println!(
-        "Retarget and feed hold: to 0.6 m, at 0.8 s back to 0.1 m, held at 1.6 s, on at 2.4 s"
-    );
+    println!("Retarget and feed hold: to 0.6 m, at 0.8 s back to 0.1 m, held at 1.6 s, on at 2.4 s");
     println!("within 0.5 m/s, 1 m/s^2, 0.8 m/s^2");
     go_to(&mut axis, 0.6, now)?;
     for tick in 0..=3500 {
@@ -48,10 +41,7 @@ fn main() -> Result<(), OutOfRange> {
         point = axis.setpoint(now);
         point.position += origin;
         if tick % 200 == 0 {
-            let (time, [p, v, a]) = (
-                f64::from(tick) * PERIOD,
-                [point.position, point.velocity, point.acceleration],
-            );
+            let (time, [p, v, a]) = (f64::from(tick) * PERIOD, [point.position, point.velocity, point.acceleration]);
             println!("{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2");
         }
         now += PERIOD;

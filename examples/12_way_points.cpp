@@ -1,6 +1,6 @@
 /*
  The arm of example 10 passes its way points without stops. The planner finds the velocities and accelerations at the points, and how
- long each section takes; `atraj_moves_sync` makes the motions of a section. This program prints one setpoint in 50 of a clock of
+ long each section takes; `atraj_path_moves` makes the motions. This program prints one setpoint in 50 of a clock of
  4 ms: the positions, then the velocities. Then it prints how much time a stop at every point would cost.
 
      make dist
@@ -11,7 +11,7 @@
 
 static const double CYCLE = 0.004; // s
 enum { EVERY = 50 }; // one setpoint in so many is printed
-enum { AXES = 6, SECTIONS = 4, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
+enum { AXES = 6, SECTIONS = 4, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
 static const atraj::state points[SECTIONS + 1][AXES] = {
     {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, // degrees, and at rest
@@ -40,12 +40,12 @@ int main()
 {
     atraj::limits limits[AXES];
     for (int i = 0; i < AXES; ++i) { limits[i].init(i < 3 ? 4000 : 9000, i < 3 ? 500 : 1000, i < 3 ? 120 : 250); }
-    atraj::move axes[AXES];
+    atraj::move moves[SECTIONS][AXES];
     double stopping = 0, start = 0;
     for (int k = 0; k < SECTIONS; ++k)
     {
-        if (atraj_moves_sync(axes, limits, points[k], points[k + 1], AXES, 0, 0) < 0) { return 1; }
-        stopping += axes[0].t;
+        if (atraj_moves_sync(moves[k], limits, points[k], points[k + 1], AXES, 0, 0) < 0) { return 1; }
+        stopping += moves[k][0].t;
     }
     atraj::state states[SECTIONS + 1][AXES];
     for (int k = 0; k <= SECTIONS; ++k)
@@ -54,18 +54,18 @@ int main()
     }
     double durations[SECTIONS], work[SIZE];
     if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
+    if (atraj_path_moves(moves[0], limits, states[0], durations, AXES, SECTIONS) < 0) { return 1; }
     std::puts("Arm through way points: six joints pass each together and do not stop");
     std::puts("joints 1 to 3 within 120 deg/s");
     std::puts("joints 4 to 6 within 250 deg/s");
     for (int k = 0, tick = 0; k < SECTIONS; ++k)
     {
-        if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return 1; }
-        tick = follow(axes, start, tick);
-        start += axes[0].t;
+        tick = follow(moves[k], start, tick);
+        start += moves[k][0].t;
         std::printf("%.3f s -> point %d\n", start, k + 1);
         for (int i = 0; i < AXES; ++i)
         {
-            if (axes[i].pos(axes[0].t) != points[k + 1][i].p) { return 1; }
+            if (moves[k][i].pos(moves[k][i].t) != points[k + 1][i].p) { return 1; }
         }
     }
     std::printf("%.3f s with a stop at every point, %.3f s without: %.0f %% saved\n", stopping, start, 100 * (1 - start / stopping));

@@ -1,5 +1,5 @@
 //! The arm of example 10 passes its way points without stops. The planner finds the velocities and accelerations at the points, and how
-//! long each section takes; `synchronise` makes the motions of a section. This program prints one setpoint in 50 of a clock of 4 ms:
+//! long each section takes; `path_moves` makes the motions. This program prints one setpoint in 50 of a clock of 4 ms:
 //! the positions, then the velocities. Then it prints how much time a stop at every point would cost.
 //!
 //! ```sh
@@ -7,7 +7,7 @@
 //! ```
 
 use atraj::State;
-use atraj::axes::{path_size, plan_path, synchronise};
+use atraj::axes::{path_moves, path_size, plan_path, synchronise};
 use atraj::online::{Error, Limits, Move};
 
 const CYCLE: f64 = 0.004; // s
@@ -39,32 +39,29 @@ fn main() -> Result<(), Error> {
     let large = Limits::symmetric(4000.0, 500.0, 120.0);
     let small = Limits::symmetric(9000.0, 1000.0, 250.0);
     let limits = [large, large, large, small, small, small];
-    let (mut axes, mut stopping) = ([Move::default(); 6], 0.0);
-    for points in POINTS.windows(2) {
+    let (mut moves, mut stopping) = ([[Move::default(); 6]; POINTS.len() - 1], 0.0);
+    for (axes, points) in moves.iter_mut().zip(POINTS.windows(2)) {
         let (from, to) = (points[0].map(State::at), points[1].map(State::at));
-        synchronise(&mut axes, &limits, &from, &to, 0.0, 0.0)?;
+        synchronise(axes, &limits, &from, &to, 0.0, 0.0)?;
         stopping += axes[0].t;
     }
     let positions = POINTS.iter().flatten();
     let mut states: Vec<_> = positions.map(|&position| State::at(position)).collect();
     let mut durations = [0.0; POINTS.len() - 1];
     let mut work = vec![0.0; path_size(6, durations.len()).expect("a short path")];
-    plan_path(&mut states, &mut durations, &limits, 0, &mut work)?;
+    plan_path(&mut states, &mut durations, &limits, 6, 0, &mut work)?;
+    path_moves(moves.as_flattened_mut(), &limits, &states, &durations, 6)?;
     println!("Arm through way points: six joints pass each together and do not stop");
     println!("joints 1 to 3 within 120 deg/s");
     println!("joints 4 to 6 within 250 deg/s");
     let (mut start, mut tick) = (0.0, 0);
-    for (k, duration) in (1..).zip(durations) {
-        let (from, to) = (&states[6 * k - 6..6 * k], &states[6 * k..6 * k + 6]);
-        synchronise(&mut axes, &limits, from, to, duration, 0.0)?;
-        tick = follow(&axes, start, tick);
+    for (k, axes) in (1..).zip(&moves) {
+        tick = follow(axes, start, tick);
         start += axes[0].t;
         println!("{start:.3} s -> point {k}");
         assert_eq!(axes.map(|axis| axis.position(axis.t)), POINTS[k]);
     }
     let saved = 100.0 * (1.0 - start / stopping);
-    println!(
-        "{stopping:.3} s with a stop at every point, {start:.3} s without: {saved:.0} % saved"
-    );
+    println!("{stopping:.3} s with a stop at every point, {start:.3} s without: {saved:.0} % saved");
     Ok(())
 }

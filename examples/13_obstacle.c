@@ -14,7 +14,7 @@
 #define EVERY 100 /* one setpoint in so many is printed */
 #endif
 enum { X, Y, AXES };
-enum { SECTIONS = 3, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
+enum { SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
 static double const left = 0.4, right = 0.6, top = 0.3; /* the obstacle stands at y = 0, m */
 static atraj_state const points[SECTIONS + 1][AXES] = {
@@ -32,14 +32,13 @@ static void print(double time, atraj_state const now[])
 }
 
 /* Prints a path. The result is its duration, s, or infinite if the gantry hits the obstacle. */
-static double follow(char const *name, atraj_limits const limits[], atraj_state const states[][AXES], double const durations[])
+static double follow(char const *name, atraj_limits const limits[], atraj_move const moves[][AXES])
 {
     double start = 0, v[AXES] = {0}, a[AXES] = {0};
     int tick = 0;
     printf("%s\n", name);
     for (int k = 0; k < SECTIONS; ++k) {
-        atraj_move axes[AXES];
-        if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return INFINITY; }
+        atraj_move const *axes = moves[k];
         if (k > 0) { printf("%.3f s -> point %d\n", start, k); }
         for (; tick * CYCLE < start + axes[X].t; ++tick) {
             atraj_state now[AXES];
@@ -66,16 +65,21 @@ int main(void)
 {
     atraj_limits limits[AXES];
     atraj_state states[SECTIONS + 1][AXES];
-    double durations[SECTIONS] = {0}, work[SIZE];
+    atraj_move moves[SECTIONS][AXES];
+    double durations[SECTIONS], work[SIZE];
     atraj_limits_init(&limits[X], 40, 4, 1); /* jerk, acceleration, velocity */
     atraj_limits_init(&limits[Y], 20, 2, 0.8);
     puts("Round an obstacle: a gantry passes two points beside it without stops");
     puts("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
-    double const stopping = follow("with stops:", limits, points, durations);
+    for (int k = 0; k < SECTIONS; ++k) {
+        if (atraj_moves_sync(moves[k], limits, points[k], points[k + 1], AXES, 0, 0) < 0) { return 1; }
+    }
+    double const stopping = follow("with stops:", limits, (atraj_move const(*)[AXES])moves);
     for (int k = 0; k <= SECTIONS; ++k) { states[k][X] = points[k][X], states[k][Y] = points[k][Y]; }
     if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
-    double const passing = follow("without stops:", limits, (atraj_state const(*)[AXES])states, durations);
+    if (atraj_path_moves(moves[0], limits, states[0], durations, AXES, SECTIONS) < 0) { return 1; }
+    double const passing = follow("without stops:", limits, (atraj_move const(*)[AXES])moves);
     printf("%.3f s with stops, %.3f s without\n", stopping, passing);
     return !(passing < stopping);
 }

@@ -13,7 +13,7 @@
 static const double CYCLE = 0.001; // s
 enum { EVERY = 100 }; // one setpoint in so many is printed
 enum { X, Y, AXES };
-enum { SECTIONS = 3, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12) };
+enum { SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
 static const double left = 0.4, right = 0.6, top = 0.3; // the obstacle stands at y = 0, m
 static const atraj::state points[SECTIONS + 1][AXES] = {
@@ -31,15 +31,14 @@ static void print(double time, const atraj::state now[])
 }
 
 // Prints a path. The result is its duration, s, or infinite if the gantry hits the obstacle.
-static double follow(const char *name, const atraj::limits limits[], const atraj::state states[][AXES], const double durations[])
+static double follow(const char *name, const atraj::limits limits[], const atraj::move moves[][AXES])
 {
     double start = 0, v[AXES] = {0, 0}, a[AXES] = {0, 0};
     int tick = 0;
     std::printf("%s\n", name);
     for (int k = 0; k < SECTIONS; ++k)
     {
-        atraj::move axes[AXES];
-        if (atraj_moves_sync(axes, limits, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return HUGE_VAL; }
+        const atraj::move *const axes = moves[k];
         if (k > 0) { std::printf("%.3f s -> point %d\n", start, k); }
         for (; tick * CYCLE < start + axes[X].t; ++tick)
         {
@@ -69,16 +68,22 @@ int main()
 {
     atraj::limits limits[AXES];
     atraj::state states[SECTIONS + 1][AXES];
-    double durations[SECTIONS] = {0, 0, 0}, work[SIZE];
+    atraj::move moves[SECTIONS][AXES];
+    double durations[SECTIONS], work[SIZE];
     limits[X].init(40, 4, 1); // jerk, acceleration, velocity
     limits[Y].init(20, 2, 0.8);
     std::puts("Round an obstacle: a gantry passes two points beside it without stops");
     std::puts("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     std::printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
-    const double stopping = follow("with stops:", limits, points, durations);
+    for (int k = 0; k < SECTIONS; ++k)
+    {
+        if (atraj::sync(moves[k], limits, points[k], points[k + 1], AXES, 0, 0) < 0) { return 1; }
+    }
+    const double stopping = follow("with stops:", limits, moves);
     for (int k = 0; k <= SECTIONS; ++k) { states[k][X] = points[k][X], states[k][Y] = points[k][Y]; }
     if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
-    const double passing = follow("without stops:", limits, states, durations);
+    if (atraj_path_moves(moves[0], limits, states[0], durations, AXES, SECTIONS) < 0) { return 1; }
+    const double passing = follow("without stops:", limits, moves);
     std::printf("%.3f s with stops, %.3f s without\n", stopping, passing);
     return !(passing < stopping);
 }

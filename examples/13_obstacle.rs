@@ -6,7 +6,7 @@
 //! ```
 
 use atraj::State;
-use atraj::axes::{path_size, plan_path, synchronise};
+use atraj::axes::{path_moves, path_size, plan_path, synchronise};
 use atraj::online::{Error, Limits, Move};
 
 const CYCLE: f64 = 0.001; // s
@@ -17,28 +17,17 @@ const POINTS: [[f64; 2]; 4] = [[0.0, 0.0], [0.36, 0.32], [0.64, 0.32], [1.0, 0.0
 
 /// Prints a setpoint: positions, velocities, accelerations.
 fn print(time: f64, [x, y]: [State<f64>; 2]) {
-    print!(
-        "{time:.3} s: x {:.4} m, y {:.4} m, ",
-        x.position, y.position
-    );
+    print!("{time:.3} s: x {:.4} m, y {:.4} m, ", x.position, y.position);
     print!("{:.4} {:.4} m/s, ", x.velocity, y.velocity);
     println!("{:.4} {:.4} m/s^2", x.acceleration, y.acceleration);
 }
 
 /// Prints a path. The result is its duration, s.
-fn follow(
-    name: &str,
-    limits: &[Limits<f64>; 2],
-    states: &[State<f64>],
-    durations: &[f64; 3],
-) -> Result<f64, Error> {
+fn follow(name: &str, limits: &[Limits<f64>; 2], moves: &[[Move<f64>; 2]; 3]) -> f64 {
     let (mut start, mut tick) = (0.0, 0);
     let (mut v, mut a) = ([0.0_f64; 2], [0.0_f64; 2]);
     println!("{name}:");
-    for (k, &duration) in (0..).zip(durations) {
-        let mut axes = [Move::default(); 2];
-        let (from, to) = (&states[2 * k..2 * k + 2], &states[2 * k + 2..2 * k + 4]);
-        synchronise(&mut axes, limits, from, to, duration, 0.0)?;
+    for (k, axes) in moves.iter().enumerate() {
         if k > 0 {
             println!("{start:.3} s -> point {k}");
         }
@@ -65,14 +54,11 @@ fn follow(
         println!("{name} uses {speed:.0} % of {vmax} m/s and {rate:.0} % of {amax} m/s^2");
         assert!(v[i] <= 1.0 + 1e-12 && a[i] <= 1.0 + 1e-12); // a rounding
     }
-    Ok(start)
+    start
 }
 
 fn main() -> Result<(), Error> {
-    let limits = [
-        Limits::symmetric(40.0, 4.0, 1.0),
-        Limits::symmetric(20.0, 2.0, 0.8),
-    ];
+    let limits = [Limits::symmetric(40.0, 4.0, 1.0), Limits::symmetric(20.0, 2.0, 0.8)];
     let positions = POINTS.iter().flatten();
     let mut states: Vec<_> = positions.map(|&position| State::at(position)).collect();
     let mut durations = [0.0; 3];
@@ -80,10 +66,16 @@ fn main() -> Result<(), Error> {
     println!("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     println!("obstacle:\n0 s: x {LEFT} m, y 0 m\n0 s: x {LEFT} m, y {TOP} m");
     println!("0 s: x {RIGHT} m, y {TOP} m\n0 s: x {RIGHT} m, y 0 m");
-    let stopping = follow("with stops", &limits, &states, &durations)?;
+    let mut moves = [[Move::default(); 2]; 3];
+    for (axes, points) in moves.iter_mut().zip(POINTS.windows(2)) {
+        let (from, to) = (points[0].map(State::at), points[1].map(State::at));
+        synchronise(axes, &limits, &from, &to, 0.0, 0.0)?;
+    }
+    let stopping = follow("with stops", &limits, &moves);
     let mut work = vec![0.0; path_size(2, 3).expect("a short path")];
-    plan_path(&mut states, &mut durations, &limits, 0, &mut work)?;
-    let passing = follow("without stops", &limits, &states, &durations)?;
+    plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work)?;
+    path_moves(moves.as_flattened_mut(), &limits, &states, &durations, 2)?;
+    let passing = follow("without stops", &limits, &moves);
     println!("{stopping:.3} s with stops, {passing:.3} s without");
     assert!(passing < stopping);
     Ok(())

@@ -17,7 +17,7 @@
 #define EVERY 50 /* one setpoint in so many is printed */
 #endif
 enum { AXES = 2, POINTS = 60, AHEAD = 6, PERIOD = 50, STEPS = 8 };
-enum { MOST = 12, SIZE = AXES * (28 * MOST - 12) + MOST * (MOST + 12) };
+enum { MOST = 12, SIZE = MOST * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
 /* The plan. Its first section is under way. */
 static atraj_limits limits[AXES];
@@ -39,7 +39,7 @@ static void slalom(int k, atraj_state point[])
 static int begin_section(double now)
 {
     start = now;
-    return atraj_moves_sync(axes, limits, states[0], states[1], AXES, durations[0], 0);
+    return atraj_path_moves(axes, limits, states[0], durations, AXES, 1);
 }
 
 static void drop_section(void)

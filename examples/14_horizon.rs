@@ -8,7 +8,7 @@
 //! ```
 
 use atraj::State;
-use atraj::axes::{improve_path, path_size, plan_path, synchronise};
+use atraj::axes::{improve_path, path_moves, path_size, plan_path};
 use atraj::online::{Error, Limits, Move};
 
 const CYCLE: f64 = 0.001; // s
@@ -25,14 +25,9 @@ fn slalom(k: u32) -> [State<f64>; 2] {
 }
 
 /// The motions of the first section of the plan.
-fn begin(
-    limits: &[Limits<f64>],
-    states: &[State<f64>],
-    durations: &[f64],
-) -> Result<[Move<f64>; 2], Error> {
+fn begin(limits: &[Limits<f64>], states: &[State<f64>], durations: &[f64]) -> Result<[Move<f64>; 2], Error> {
     let mut axes = [Move::default(); 2];
-    let (from, to) = (&states[..2], &states[2..4]);
-    synchronise(&mut axes, limits, from, to, durations[0], 0.0)?;
+    path_moves(&mut axes, limits, &states[..4], &durations[..1], 2)?;
     Ok(axes)
 }
 
@@ -44,19 +39,14 @@ fn main() -> Result<(), Error> {
     let mut states: Vec<_> = (0..=AHEAD).flat_map(slalom).collect();
     let mut durations = vec![0.0; AHEAD as usize];
     let mut work = vec![0.0; path_size(2, 12).expect("a short path")];
-    plan_path(&mut states, &mut durations, &limits, 0, &mut work)?;
+    plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work)?;
     let mut axes = begin(&limits, &states, &durations)?;
     let (mut start, mut tick, mut fed) = (0.0, 0, AHEAD + 1);
     let (mut longest, mut slowest) = (0, f64::INFINITY);
     while !durations.is_empty() {
         let now = f64::from(tick) * CYCLE;
         let [x, y] = axes.map(|axis| axis.state_at(now - start));
-        for State {
-            velocity,
-            acceleration,
-            ..
-        } in [x, y]
-        {
+        for State { velocity, acceleration, .. } in [x, y] {
             assert!(velocity.abs() <= 0.42 + 1e-9 && acceleration.abs() <= 8.0 + 1e-9); // a rounding
         }
         if tick % 50 == 0 {
@@ -72,13 +62,7 @@ fn main() -> Result<(), Error> {
             states.extend(slalom(fed));
             durations.push(0.0);
             fed += 1;
-            improve_path(
-                &mut states[2..],
-                &mut durations[1..],
-                &limits,
-                STEPS,
-                &mut work,
-            )?;
+            improve_path(&mut states[2..], &mut durations[1..], &limits, 2, STEPS, &mut work)?;
             longest = longest.max(durations.len());
         }
         if now + CYCLE >= start + axes[0].t {

@@ -27,7 +27,10 @@ int main(void)
     atraj_limits_init(&work, 30, 3, 1);
     atraj_limits_init(&hardest, 500, 15, 1);
     puts("Stopping on a limit switch: a target too far, a stop with limits of its own, and back");
-    puts("within +0.8 m, 1 m/s, 15 m/s^2, 500 m/s^3");
+    puts("within 1 m/s");
+    puts("work within 3 m/s^2, 30 m/s^3");
+    puts("stop within 15 m/s^2, 500 m/s^3");
+    puts("the switch is at 0.8 m");
     if (found >= 0) { found = atraj_axis_go(&axis, &work, &too_far, LEAD); }
     for (int tick = 0; found >= 0 && tick <= 3000; ++tick) {
         /* The main loop: the switch closes. Later the axis is sent back. */

@@ -24,7 +24,10 @@ int main()
     work.init(30, 3, 1);
     hardest.init(500, 15, 1);
     std::puts("Stopping on a limit switch: a target too far, a stop with limits of its own, and back");
-    std::puts("within +0.8 m, 1 m/s, 15 m/s^2, 500 m/s^3");
+    std::puts("within 1 m/s");
+    std::puts("work within 3 m/s^2, 30 m/s^3");
+    std::puts("stop within 15 m/s^2, 500 m/s^3");
+    std::puts("the switch is at 0.8 m");
     if (found >= 0) { found = axis.go(work, too_far, LEAD); }
     for (int tick = 0; found >= 0 && tick <= 3000; ++tick)
     {

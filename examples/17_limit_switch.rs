@@ -20,10 +20,11 @@ fn main() -> Result<(), Error> {
     let hardest = Limits::symmetric(500.0, 15.0, 1.0);
     let (mut now, mut has_passed) = (State::at(0.0), false);
     let mut axis = Axis::new(PERIOD, now)?;
-    println!(
-        "Stopping on a limit switch: a target too far, a stop with limits of its own, and back"
-    );
-    println!("within +0.8 m, 1 m/s, 15 m/s^2, 500 m/s^3");
+    println!("Stopping on a limit switch: a target too far, a stop with limits of its own, and back");
+    println!("within 1 m/s");
+    println!("work within 3 m/s^2, 30 m/s^3");
+    println!("stop within 15 m/s^2, 500 m/s^3");
+    println!("the switch is at 0.8 m");
     axis.go(&work, State::at(2.0), LEAD)?;
     for tick in 0..=3000 {
         let time = f64::from(tick) * PERIOD;

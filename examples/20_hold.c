@@ -14,7 +14,7 @@
 #ifndef EVERY
 #define EVERY 125 /* one setpoint in so many is printed */
 #endif
-enum { AXES = 2, SECTIONS = 3, SIZE = AXES * (28 * SECTIONS - 12) + SECTIONS * (SECTIONS + 12), EVENTS = 3 };
+enum { AXES = 2, SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6, EVENTS = 3 };
 
 int main(void)
 {
@@ -29,10 +29,8 @@ int main(void)
         atraj_limits_init(&planned[i], 0.85 * 20, 0.85 * 4, 0.85 * 1);
     }
     if (atraj_path_plan(*states, durations, planned, AXES, SECTIONS, 0, work) < 0) { return 1; }
-    for (int k = 0; k < SECTIONS; ++k) {
-        if (atraj_moves_sync(path[k], planned, states[k], states[k + 1], AXES, durations[k], 0) < 0) { return 1; }
-        end += path[k][0].t;
-    }
+    if (atraj_path_moves(*path, planned, *states, durations, AXES, SECTIONS) < 0) { return 1; }
+    for (int k = 0; k < SECTIONS; ++k) { end += path[k][0].t; }
     puts("Holding on a path: the knob at 50 %, the pause button, and on");
     puts("within 1 m/s, 4 m/s^2");
     atraj_clock_start(&clock);

@@ -7,7 +7,7 @@
 //! ```
 
 use atraj::State;
-use atraj::axes::{path_size, plan_path, synchronise};
+use atraj::axes::{path_moves, path_size, plan_path};
 use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move};
 
@@ -21,23 +21,13 @@ fn main() -> Result<(), Error> {
     // Jerk, acceleration, velocity.
     let limits = [Limits::symmetric(20.0, 4.0, 1.0); AXES];
     let planned = [Limits::symmetric(0.85 * 20.0, 0.85 * 4.0, 0.85 * 1.0); AXES];
-    let mut states = POINTS
-        .concat()
-        .into_iter()
-        .map(State::at)
-        .collect::<Vec<_>>();
+    let mut states = POINTS.concat().into_iter().map(State::at).collect::<Vec<_>>();
     let mut durations = [0.0; SECTIONS];
     let mut work = vec![0.0; path_size(AXES, SECTIONS).ok_or(Error::Axes)?];
-    plan_path(&mut states, &mut durations, &planned, 0, &mut work)?;
+    plan_path(&mut states, &mut durations, &planned, AXES, 0, &mut work)?;
     let mut path = [Move::default(); SECTIONS * AXES];
-    let ends = states.chunks(AXES).zip(states.chunks(AXES).skip(1));
-    for ((section, (from, to)), t) in path.chunks_mut(AXES).zip(ends).zip(durations) {
-        synchronise(section, &planned, from, to, t, 0.0)?;
-    }
-    let end = path
-        .iter()
-        .step_by(AXES)
-        .fold(0.0, |sum, axis| sum + axis.t);
+    path_moves(&mut path, &planned, &states, &durations, AXES)?;
+    let end = path.iter().step_by(AXES).fold(0.0, |sum, axis| sum + axis.t);
     println!("Holding on a path: the knob at 50 %, the pause button, and on");
     println!("within 1 m/s, 4 m/s^2");
     let mut clock = Clock::new();

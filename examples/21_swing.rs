@@ -40,11 +40,7 @@ fn main() -> Result<(), Error> {
     println!("within 1 m/s, 4 m/s^2");
     for tick in 0..=25_000 {
         let x = f64::from(tick) * CYCLE;
-        let State {
-            position: p,
-            velocity: v,
-            acceleration: a,
-        } = shaper.state(&axis, x);
+        let State { position: p, velocity: v, acceleration: a } = shaper.state(&axis, x);
         if tick % 2500 == 0 {
             let (load, other) = (p + shaped.p, axis.position(x) + plain.p);
             print!("{x:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2, ");
@@ -57,15 +53,8 @@ fn main() -> Result<(), Error> {
             most_plain = f64::max(most_plain, plain.p.abs());
         }
     }
-    println!(
-        "{:.3} s without a shaper, then the load swings by {:.1} mm",
-        axis.t,
-        1000.0 * most_plain
-    );
-    println!(
-        "{end:.3} s with a shaper, then the load swings by {:.1} mm",
-        1000.0 * most_shaped
-    );
+    println!("{:.3} s without a shaper, then the load swings by {:.1} mm", axis.t, 1000.0 * most_plain);
+    println!("{end:.3} s with a shaper, then the load swings by {:.1} mm", 1000.0 * most_shaped);
     assert!(most_shaped < most_plain / 100.0);
     Ok(())
 }

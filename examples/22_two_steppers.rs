@@ -18,10 +18,7 @@ fn main() -> Result<(), Error> {
     let (from, to) = ([State::at(0.0); 2], [40.0, -12.5].map(State::at)); // mm
     let mut axes = [Move::default(); 2];
     synchronise(&mut axes, &limits, &from, &to, 0.0, 0.0)?;
-    let mut steps = [
-        Steps::new(&axes[0], -STEP / 2.0, STEP)?,
-        Steps::new(&axes[1], -STEP / 2.0, STEP)?,
-    ];
+    let mut steps = [Steps::new(&axes[0], -STEP / 2.0, STEP)?, Steps::new(&axes[1], -STEP / 2.0, STEP)?];
     let mut next = [0, 1].map(|i| steps[i].next(&axes[i]));
     let (mut places, mut last) = ([0; 2], [None; 2]);
     let (mut shortest, mut pulses) = (f64::INFINITY, 0); // s
@@ -48,11 +45,7 @@ fn main() -> Result<(), Error> {
         next[i] = steps[i].next(&axes[i]);
     }
     let [x, y] = places;
-    println!(
-        "{x} and {y} steps in {:.3} s, up to {:.0} steps/s",
-        axes[0].t,
-        1.0 / shortest
-    );
+    println!("{x} and {y} steps in {:.3} s, up to {:.0} steps/s", axes[0].t, 1.0 / shortest);
     assert_eq!(places, [3200, -1000]);
     Ok(())
 }

@@ -48,15 +48,8 @@ impl Parity {
 /// Every golden row of one family: the planner first, then its evaluations.
 fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Parity> {
     let quantities = family.quantities().iter().map(|quantity| quantity.c);
-    let function = |suffix| Parity {
-        function: format!("a_{}_{suffix}", family.c_name()),
-        ..Parity::default()
-    };
-    let mut parities: Vec<_> = ["gen"]
-        .into_iter()
-        .chain(quantities)
-        .map(function)
-        .collect();
+    let function = |suffix| Parity { function: format!("a_{}_{suffix}", family.c_name()), ..Parity::default() };
+    let mut parities: Vec<_> = ["gen"].into_iter().chain(quantities).map(function).collect();
     let (requests, rows) = requests(family);
     let file = servo.with_file_name(format!("golden-{}.txt", family.name()));
     fs::write(&file, requests).unwrap();
@@ -68,11 +61,7 @@ fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Pari
         for (k, (&got, &want)) in answer.iter().zip(golden).enumerate() {
             let parity = &mut parities[if *plans { 0 } else { 1 + k }];
             parity.rows += usize::from(!plans || k == 0);
-            parity.bits += if got.same(want) {
-                0
-            } else {
-                (got.to_bits() ^ want.to_bits()).count_ones()
-            };
+            parity.bits += if got.same(want) { 0 } else { (got.to_bits() ^ want.to_bits()).count_ones() };
             comparison.check(place, &parity.function, got, want);
         }
     }

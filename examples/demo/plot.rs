@@ -1,528 +1,341 @@
-//! Draws what the examples print. `plot DIRECTORY FILE…` writes one SVG for each file. These lines of a file make its picture:
+//! Draws what the examples print: `plot DIRECTORY` writes one SVG for each row of `PICTURES` from the row's text in this directory.
 //!
 //! ```text
 //! TITLE: DETAILS                                        the first line; the title is the SVG's name
 //! within 5 m/s, +4 m/s^2, -8 m/s^2                      limits, of both directions or of one
 //! x within 1 m/s                                        a limit of something that has a name
-//! 0.250 s: 0.1 m, 0.2 m/s, part 0.5 m, 0.4 m/s          a setpoint, and beside it the setpoint of something else
-//! 0.250 s: 0.1 0.2 0.3 deg, 4 5 6 deg/s                 a setpoint of three axes
+//! the switch is at 0.8 m                                any other level
+//! 0.250 s: 0.1 m, 0.2 m/s, part 0.5 m                   the numbers of a row, at a time (s) or a frequency (Hz)
 //! 0.700 s -> to -2 m                                    what happens at this time: a mark
-//! 1.250 Hz: ZV 31 %, EI 4 %                             what is left of a vibration of this frequency
-//! synchronised:                                         from here on each setpoint has an x and a y, and is a point of a path
-//! 0.250 s: x 0.1 m, y 0.2 m, 0.3 0.4 m/s                what else it has is drawn over time, for the last path
+//! synchronised:                                         a path begins: the first two numbers of its rows are x and y
 //! ```
 //!
-//! A picture has no background, and lighter colours where the reader's pages are dark.
+//! The curves over time are those of the last path. A picture is lines and text, so it is written without a plotting crate, in half of the
+//! bytes. It has no background, and lighter colours where the reader's pages are dark.
 
-use plotters::coord::Shift;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::collections::HashSet;
-use std::error::Error;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{env, fs};
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Result<T> = std::result::Result<T, Box<dyn Error>>;
-type Point = (f64, f64);
+/// A name, the unit of positions, the axes, how many of `QUANTITIES` each has, and what else has which quantity, in which colour. The
+/// numbers of a row stand in this order: the positions of all axes, the velocities of all axes, …, and what else there is.
+struct Picture(&'static str, &'static str, &'static [&'static str], usize, &'static [(usize, &'static str, Color)]);
 
-const AXES: [&str; 2] = ["x", "y"];
 const QUANTITIES: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];
-const COLORS: [RGBColor; 6] = [
-    RGBColor(31, 90, 166),
-    RGBColor(24, 128, 78),
-    RGBColor(204, 85, 0),
-    RGBColor(140, 40, 130),
-    RGBColor(170, 130, 0),
-    RGBColor(30, 135, 155),
+/// Of an axis without a name, each quantity has a colour of its own.
+const ALONE: &[&str] = &[""];
+const AXIS: &[&str] = &["axis"];
+const PLANE: &[&str] = &["x", "y"];
+const ARM: &[&str] = &["joint 1", "joint 2", "joint 3", "joint 4", "joint 5", "joint 6"];
+const SHAPERS: &[&str] = &["ZV", "MZV", "ZVD", "EI", "EI2"];
+const ORIGINAL: &str = "a_trajbell_gen";
+const ORIGINALS: &[(usize, &str, Color)] = &[(0, ORIGINAL, GREY), (1, ORIGINAL, GREY), (2, ORIGINAL, GREY)];
+const PICTURES: [Picture; 23] = [
+    Picture("01_relink", "m", ALONE, 4, &[]),
+    Picture("02_follow", "m", ALONE, 4, &[]),
+    Picture("03_sample", "m", ALONE, 3, &[]),
+    Picture("04_polynomial", "m", ALONE, 4, &[]),
+    Picture("05_one_prefix", "m", &["atraj_bell_gen"], 3, ORIGINALS),
+    Picture("06_retarget", "m", ALONE, 4, &[]),
+    Picture("07_track", "m", AXIS, 3, &[(0, "sensor", GREY)]),
+    Picture("08_meet", "m", AXIS, 3, &[(0, "part", GREY), (1, "part", GREY)]),
+    Picture("09_gantry", "m", PLANE, 3, &[]),
+    Picture("10_arm", "deg", ARM, 2, &[]),
+    Picture("11_claraty", "m", ALONE, 3, &[]),
+    Picture("12_way_points", "deg", ARM, 2, &[]),
+    Picture("13_obstacle", "m", PLANE, 3, &[]),
+    Picture("14_horizon", "m", PLANE, 3, &[]),
+    Picture("15_jog", "m", ALONE, 3, &[]),
+    Picture("16_homing", "m", ALONE, 3, &[]),
+    Picture("17_limit_switch", "m", ALONE, 3, &[]),
+    Picture("18_override", "m", AXIS, 3, &[(1, "feed", GREY)]),
+    Picture("19_steps", "deg", ALONE, 2, &[]),
+    Picture("20_hold", "m", PLANE, 3, &[]),
+    Picture("21_swing", "m", AXIS, 3, &[(0, "load", COLORS[1]), (0, "load without a shaper", COLORS[2])]),
+    Picture("22_two_steppers", "mm", PLANE, 1, &[]),
+    Picture("sensitivity", "%", SHAPERS, 1, &[]),
 ];
-const LIMIT: RGBColor = RGBColor(200, 30, 50);
-const INK: RGBColor = RGBColor(40, 44, 52);
-const FAINT: RGBColor = RGBColor(100, 106, 116);
-/// What the colours above are on a dark page, in their order.
-const DARK: [RGBColor; 9] = [
-    RGBColor(127, 178, 240),
-    RGBColor(95, 207, 151),
-    RGBColor(242, 166, 90),
-    RGBColor(225, 140, 215),
-    RGBColor(222, 190, 80),
-    RGBColor(110, 205, 225),
-    RGBColor(255, 120, 130),
-    RGBColor(230, 231, 233),
-    RGBColor(151, 157, 166),
-];
 
-// The backend rounds coordinates to whole units. Four units per pixel keep curves smooth.
-const UNITS: u32 = 4;
-const WIDTH: u32 = 900 * UNITS;
-const HEADING: u32 = 75 * UNITS;
-const MARKS: u32 = 22 * UNITS;
-const PANEL: u32 = 166 * UNITS;
-const TIME_AXIS: u32 = 45 * UNITS;
-const LEGEND: u32 = 45 * UNITS;
-const MARGIN: u32 = 20 * UNITS;
-const VALUE_AXIS: u32 = 75 * UNITS;
-const LEFT: u32 = MARGIN + VALUE_AXIS;
-const INNER: u32 = WIDTH - LEFT - 25 * UNITS;
-const GAP: u32 = 7 * UNITS;
-const THIN: u32 = UNITS;
-const CURVE: u32 = 5 * UNITS / 2;
-const TITLE: u32 = 23 * UNITS;
-const TEXT: u32 = 16 * UNITS;
-const LABEL: u32 = 14 * UNITS;
+type Color = &'static str;
+const COLORS: [Color; 6] = ["#1F5AA6", "#18804E", "#CC5500", "#8C2882", "#AA8200", "#1E879B"];
+/// Red is a limit, and nothing else.
+const LIMIT: Color = "#C81E32";
+const INK: Color = "#282C34";
+const GREY: Color = "#646A74";
+/// What these are on a dark page, in their order.
+const DARK: [Color; 9] =
+    ["#7FB2F0", "#5FCF97", "#F2A65A", "#E18CD7", "#DEBE50", "#6ECDE1", "#FF7882", "#E6E7E9", "#979DA6"];
 
-fn main() -> Result<()> {
-    let arguments: Vec<_> = env::args_os().skip(1).map(PathBuf::from).collect();
-    let [directory, files @ ..] = &arguments[..] else {
-        return Err("usage: plot DIRECTORY FILE…".into());
-    };
-    fs::create_dir_all(directory)?;
-    let mut drawn = HashSet::new();
-    for file in files {
-        let picture = Picture::read(&fs::read_to_string(file)?);
-        let path = picture.and_then(|picture| picture.draw(directory));
-        let path = path.map_err(|e| format!("{}: {e}", file.display()))?;
-        println!("{}", path.display());
-        if !drawn.insert(path) {
-            return Err(format!("{} has the title of another file", file.display()).into());
-        }
-    }
-    if drawn.is_empty() {
-        Err("no file to draw".into())
-    } else {
-        Ok(())
-    }
-}
+type Point = (f64, f64);
+type Curve<'a> = (&'a str, Color, Vec<Point>);
+type Level<'a> = (&'a str, Color, f64);
+type Mark<'a> = (f64, &'a str);
 
-/// What an example printed.
+/// Curves with common axes. A panel above one with the same axis has no `x_name`.
 #[derive(Default)]
-struct Picture {
-    title: String,
-    details: String,
-    limits: Vec<Limit>,
-    marks: Vec<(f64, String)>,
-    /// In the plane of x and y.
-    paths: Vec<Curve>,
-    /// Where the marks are on the paths.
-    points: Vec<Point>,
-    /// Quantities over time, of the last path if there is one.
-    curves: Vec<Curve>,
-    /// The curves are quantities over a frequency, else over time.
-    is_spectrum: bool,
-}
-
-struct Limit {
-    /// Empty if it is the only one of its unit.
-    of: String,
-    /// With a sign, it is a limit of one direction.
-    size: String,
-    unit: String,
-}
-
-struct Curve {
+struct Panel<'a> {
     name: String,
-    unit: String,
-    points: Vec<Point>,
+    x: Range<f64>,
+    x_name: &'static str,
+    height: f64,
+    curves: Vec<Curve<'a>>,
+    levels: Vec<Level<'a>>,
+    marks: Vec<Mark<'a>>,
+    /// Points of the plane.
+    places: Vec<Point>,
+}
+
+/// The sides of every panel, in pixels.
+const SIDES: Range<f64> = 95.0..875.0;
+
+fn main() {
+    let directory = env::args_os().nth(1).expect("usage: plot DIRECTORY");
+    for picture in &PICTURES {
+        let file = Path::new(&directory).join(picture.0.to_owned() + ".txt");
+        let text = fs::read_to_string(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+        let title = text.split(": ").next().unwrap();
+        let words: Vec<_> = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        let svg = file.with_file_name(words.join("-").to_lowercase() + ".svg");
+        fs::write(&svg, draw(&text, &picture.panels(&text))).unwrap();
+        println!("{}: {}", picture.0, svg.display());
+    }
 }
 
 impl Picture {
-    fn read(text: &str) -> Result<Self> {
-        let mut lines = text.lines();
-        let title = lines.next().unwrap_or_default();
-        let (title, details) = title.split_once(": ").unwrap_or((title, ""));
-        let mut picture = Self {
-            title: title.to_owned(),
-            details: details.to_owned(),
-            ..Self::default()
-        };
-        let mut is_marked = false;
-        for line in lines {
-            if let Some((of, limits)) = line.split_once("within ") {
-                let limits = limits.split(", ").filter_map(|limit| limit.split_once(' '));
-                let owned = limits.map(|(size, unit)| Limit {
-                    of: of.trim().to_owned(),
-                    size: size.to_owned(),
-                    unit: unit.to_owned(),
-                });
-                picture.limits.extend(owned);
-            } else if let Some((time, what)) = line.split_once(" s -> ") {
-                picture.marks.push((time.parse()?, what.to_owned()));
-                is_marked = true;
-            } else if let Some((frequency, numbers)) = line.split_once(" Hz: ") {
-                picture.is_spectrum = true;
-                picture.add(frequency.parse()?, numbers)?;
-            } else if let Some((time, numbers)) = line.split_once(" s: ") {
-                picture.add(time.parse()?, numbers)?;
-                let here = picture.paths.last().and_then(|path| path.points.last());
-                picture.points.extend(here.filter(|_| is_marked));
-                is_marked = false;
-            } else if let Some(name) = line.strip_suffix(':') {
-                picture.paths.push(Curve::new(name, "m"));
-                picture.curves.clear();
-                picture.marks.clear();
+    /// The plane, if there are paths, and one panel for each other quantity.
+    fn panels<'a>(&self, text: &'a str) -> Vec<Panel<'a>> {
+        let &Picture(example, unit, axes, quantities, others) = self;
+        let parts: Vec<&str> = text.split(":\n").collect();
+        let (paths, last) = (parts.len() - 1, parts[parts.len() - 1]);
+        let (rows, marks) = (rows(last), marks(last));
+        let of_axes = (0..quantities * axes.len()).map(|i| (i / axes.len(), i % axes.len()));
+        let color = |(quantity, axis)| COLORS[if axes == ALONE { quantity } else { paths + axis }];
+        let of_axes = of_axes.map(|column| (column.0, axes[column.1], color(column)));
+        let columns: Vec<_> = of_axes.chain(others.iter().copied()).collect();
+        let is_whole = !rows.is_empty() && rows.iter().all(|row| row.len() == 1 + columns.len());
+        assert!(is_whole, "{example}: not rows of {columns:?}");
+        let times = span(rows.iter().map(|row| row[0]).chain(marks.iter().map(|mark| mark.0)), 0.0);
+        let panel = |name, height| Panel { name, x: times.clone(), marks: marks.clone(), height, ..Panel::default() };
+        let mut panels = Vec::new();
+        // The plane shows the positions, and the first colours mean its paths.
+        for quantity in usize::from(paths > 0)..quantities {
+            let unit = unit.to_owned() + ["", "/s", "/s^2", "/s^3"][quantity];
+            let name = if unit == "%" { "vibration" } else { QUANTITIES[quantity] };
+            let mut panel = panel(format!("{name} [{}]", unit.replace("^2", "²").replace("^3", "³")), 166.0);
+            for (i, &(_, name, color)) in columns.iter().enumerate().filter(|(_, column)| column.0 == quantity) {
+                panel.curves.push((name, color, rows.iter().map(|row| (row[0], row[1 + i])).collect()));
             }
-        }
-        let mut lengths = picture.curves.iter().map(|curve| curve.points.len());
-        let first = lengths.next();
-        if lengths.any(|length| Some(length) != first) {
-            return Err("setpoints of different length".into());
-        }
-        if first.is_none() && picture.paths.iter().all(|path| path.points.is_empty()) {
-            return Err("no setpoints to draw".into());
-        }
-        Ok(picture)
-    }
-
-    /// Adds the numbers of a setpoint to their curves.
-    fn add(&mut self, time: f64, text: &str) -> Result<()> {
-        let mut name = String::new();
-        let mut place = Vec::new();
-        for quantity in text.split(", ") {
-            let words: Vec<_> = quantity.split(' ').collect();
-            let is_number = |word: &&str| word.parse::<f64>().is_ok_and(f64::is_finite);
-            let first = words.iter().position(is_number).ok_or("no number")?;
-            let (unit, numbers) = words[first..].split_last().ok_or("no number")?;
-            if first > 0 {
-                name = words[..first].join(" ");
-            }
-            for (axis, number) in numbers.iter().enumerate() {
-                let number = number.parse()?;
-                let of_axis = match (numbers.len(), AXES.get(axis)) {
-                    (1, _) if !self.paths.is_empty() => {
-                        place.push(number);
-                        continue;
-                    }
-                    (1, _) => name.clone(),
-                    (2, Some(axis)) if !self.paths.is_empty() => (*axis).to_owned(),
-                    _ => format!("axis {}", axis + 1),
-                };
-                self.curve(&of_axis, unit).push((time, number));
-            }
-        }
-        match (&place[..], self.paths.last_mut()) {
-            (&[x, y], Some(path)) => path.points.push((x, y)),
-            (_, None) if !self.curves.is_empty() => {}
-            _ => return Err("no setpoint".into()),
-        }
-        Ok(())
-    }
-
-    fn curve(&mut self, name: &str, unit: &str) -> &mut Vec<Point> {
-        let same = |curve: &Curve| curve.name == name && curve.unit == unit;
-        let index = self.curves.iter().position(same).unwrap_or_else(|| {
-            self.curves.push(Curve::new(name, unit));
-            self.curves.len() - 1
-        });
-        &mut self.curves[index].points
-    }
-
-    /// The plane, if there are paths, and one panel for each unit of the curves over time.
-    fn panels(&self) -> Result<Vec<Panel<'_>>> {
-        let mut units: Vec<&str> = self.curves.iter().map(|curve| &*curve.unit).collect();
-        let mut seen = HashSet::new();
-        units.retain(|unit| seen.insert(*unit));
-        let plane = (!self.paths.is_empty()).then(|| self.plane());
-        let over_time = units
-            .into_iter()
-            .map(|unit| self.over_time_or_frequency(unit));
-        plane.into_iter().chain(over_time).collect()
-    }
-
-    fn plane(&self) -> Result<Panel<'_>> {
-        if self.paths.len() > COLORS.len() {
-            return Err("too many paths".into());
-        }
-        let curves: Vec<_> = self.paths.iter().zip(COLORS).collect();
-        let (x, y) = spans(&curves);
-        let (x, y) = (with_margin(x), with_margin(y));
-        // The plane has the same scale in both directions.
-        let ratio = (y.end - y.start) / (x.end - x.start);
-        Ok(Panel {
-            curves,
-            limits: Vec::new(),
-            marks: &[],
-            points: &self.points,
-            x,
-            y,
-            x_name: "x [m]",
-            y_name: "y [m]".to_owned(),
-            height: (f64::from(INNER) * ratio) as u32,
-        })
-    }
-
-    fn over_time_or_frequency(&self, unit: &str) -> Result<Panel<'_>> {
-        let derivatives = ["", "/s", "/s^2", "/s^3"];
-        let per = unit.find("/s").unwrap_or(unit.len());
-        let order = derivatives.iter().position(|per_s| *per_s == &unit[per..]);
-        let order = order.ok_or("too many quantities")?;
-        // A colour of a path means the path.
-        let mut colors = COLORS.into_iter().skip(self.paths.len());
-        let mut curves = Vec::new();
-        for curve in self.curves.iter().filter(|curve| curve.unit == unit) {
-            let color = match curve.name.as_str() {
-                "" => Some(COLORS[order]),
-                name if !self.paths.is_empty() || self.is_spectrum || name.starts_with("axis ") => {
-                    colors.next()
-                }
-                _ => Some(FAINT),
-            };
-            curves.push((curve, color.ok_or("too many curves")?));
-        }
-        let (x, y) = spans(&curves);
-        let mut limits = Vec::new();
-        for Limit { of, size, .. } in self.limits.iter().filter(|limit| limit.unit == unit) {
-            let number = size.trim_start_matches(['+', '-']).parse::<f64>()?;
             // A limit is drawn on the side where the curve is.
-            if y.end > 0.0 && !size.starts_with('-') {
-                limits.push((&**of, number));
-            }
-            if y.start < 0.0 && !size.starts_with('+') {
-                limits.push((&**of, -number));
-            }
+            let y = span(panel.curves.iter().flat_map(|curve| &curve.2).map(|point| point.1), 0.0);
+            panel.levels = levels(text, &unit);
+            panel.levels.retain(|level| if level.2 < 0.0 { y.start < 0.0 } else { y.end > 0.0 });
+            panels.push(panel);
         }
-        let levels = limits.iter().map(|limit| limit.1);
-        let y = with_margin(span(levels.chain([y.start, y.end])));
-        let unit = unit.replace("^2", "²").replace("^3", "³");
-        let (x_name, quantity) = if self.is_spectrum {
-            ("frequency [Hz]", "vibration")
-        } else {
-            ("time [s]", QUANTITIES[order])
-        };
-        Ok(Panel {
-            curves,
-            limits,
-            marks: &self.marks,
-            points: &[],
-            x,
-            y,
-            x_name,
-            y_name: format!("{quantity} [{unit}]"),
-            height: PANEL,
-        })
-    }
-
-    /// Draws the picture into this directory; its path.
-    fn draw(&self, directory: &Path) -> Result<PathBuf> {
-        let panels = self.panels()?;
-        // The first panel over time has room for the text of the marks, the last panel and the plane for the text of their axis.
-        let first = usize::from(!self.paths.is_empty());
-        let has_marks = !self.marks.is_empty();
-        let above = |place| {
-            if place == first && has_marks {
-                MARKS
-            } else {
-                0
-            }
-        };
-        let has_axis = |place| place + 1 == first || place + 1 == panels.len();
-        let under = |place| if has_axis(place) { TIME_AXIS } else { 0 };
-        let room = |place: usize| above(place) + panels[place].height + 2 * GAP + under(place);
-        let height = HEADING + (0..panels.len()).map(room).sum::<u32>() + LEGEND;
-        let mut svg = String::new();
-        {
-            let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
-            let large = text(TITLE).color(&INK);
-            root.draw_text(&self.title, &large, (LEFT as i32, HEADING as i32 / 5))?;
-            let small = text(TEXT).color(&FAINT);
-            root.draw_text(&self.details, &small, (LEFT as i32, HEADING as i32 * 3 / 5))?;
-            let (_, mut below) = root.split_vertically(HEADING);
-            for (place, panel) in panels.iter().enumerate() {
-                let (area, rest) = below.split_vertically(room(place));
-                panel.draw(&area, above(place), under(place))?;
-                below = rest;
-            }
-            draw_legend(&below, &panels)?;
-            root.present()?;
+        if example == "19_steps" {
+            let pulse = |row: &Vec<f64>| [0.0, row[2].signum(), 0.0].map(|height| (row[0], height));
+            let train = ("", INK, rows.iter().flat_map(pulse).collect());
+            panels.push(Panel { curves: vec![train], ..panel("pulses".to_owned(), 70.0) });
         }
-        let words = self.title.split(|c: char| !c.is_alphanumeric());
-        let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-        let path = directory.join(words.join("-").to_lowercase() + ".svg");
-        let size = |units| format!("width=\"{}\" height=\"{}\"", WIDTH / units, height / units);
-        let svg = svg.replacen(&size(1), &size(UNITS), 1);
-        fs::write(&path, svg.replacen(">\n", &format!(">\n{}\n", style()), 1))?;
-        Ok(path)
+        panels.last_mut().unwrap().x_name = if unit == "%" { "frequency [Hz]" } else { "time [s]" };
+        if paths > 0 {
+            panels.insert(0, plane(&parts));
+        }
+        panels
     }
 }
 
-impl Curve {
-    fn new(name: &str, unit: &str) -> Self {
-        let (name, unit, points) = (name.to_owned(), unit.to_owned(), Vec::new());
-        Self { name, unit, points }
-    }
-}
-
-/// Corners of a curve do not stand out beyond a limit, and every colour changes where pages are dark.
-fn style() -> String {
-    let light = COLORS.into_iter().chain([LIMIT, INK, FAINT]);
-    let hex = |RGBColor(red, green, blue)| format!("#{red:02X}{green:02X}{blue:02X}");
-    let rule = |(light, dark)| {
-        let (light, dark) = (hex(light), hex(dark));
-        format!("[stroke=\"{light}\"]{{stroke:{dark}}}[fill=\"{light}\"]{{fill:{dark}}}\n")
+/// The finite numbers of each row.
+fn rows(text: &str) -> Vec<Vec<f64>> {
+    let is_row = |line: &&str| line.contains(" s: ") || line.contains(" Hz: ");
+    let numbers = |line: &str| {
+        line.split([' ', ',']).filter_map(|word| word.parse().ok()).filter(|n: &f64| n.is_finite()).collect()
     };
-    let rules: String = light.zip(DARK).map(rule).collect();
+    text.lines().filter(is_row).map(numbers).collect()
+}
+
+fn marks(text: &str) -> Vec<Mark<'_>> {
+    let marks = text.lines().filter_map(|line| line.split_once(" s -> "));
+    marks.map(|(time, what)| (time.parse().unwrap(), what)).collect()
+}
+
+/// The limits and other levels in this unit.
+fn levels<'a>(text: &'a str, unit: &str) -> Vec<Level<'a>> {
+    let mut levels = Vec::new();
+    for line in text.lines() {
+        let limits = line.split_once("within ").map(|(name, limits)| (name.trim(), LIMIT, limits));
+        let others = || line.strip_prefix("the ")?.split_once(" is at ").map(|(name, level)| (name, INK, level));
+        let Some((name, color, sizes)) = limits.or_else(others) else { continue };
+        for (size, _) in sizes.split(", ").filter_map(|size| size.split_once(' ')).filter(|size| size.1 == unit) {
+            let value: f64 = size.parse().unwrap();
+            levels.push((name, color, value));
+            let is_of_both = color == LIMIT && !size.starts_with(['+', '-']);
+            levels.extend(is_of_both.then_some((name, color, -value)));
+        }
+    }
+    levels
+}
+
+/// The paths, and where the marks are on them. The name of a path is the line before it.
+fn plane<'a>(parts: &[&'a str]) -> Panel<'a> {
+    let mut plane = Panel { name: "y [m]".to_owned(), x_name: "x [m]", ..Panel::default() };
+    for (i, part) in parts.iter().enumerate().skip(1) {
+        let rows = rows(part);
+        let place = |row: &Vec<f64>| (row[1], row[2]);
+        let marked = marks(part).into_iter().filter_map(|mark| rows.iter().find(|row| row[0] >= mark.0));
+        plane.places.extend(marked.map(place));
+        // What does not move is no path.
+        let color = if rows[0].len() > 3 { COLORS[i - 1] } else { GREY };
+        plane.curves.push((parts[i - 1].lines().last().unwrap(), color, rows.iter().map(place).collect()));
+    }
+    let points = || plane.curves.iter().flat_map(|path| &path.2);
+    let (x, y) = (span(points().map(|p| p.0), 0.1), span(points().map(|p| p.1), 0.1));
+    // The same scale in both directions.
+    let height = (SIDES.end - SIDES.start) * (y.end - y.start) / (x.end - x.start);
+    Panel { x, height, ..plane }
+}
+
+fn draw(text: &str, panels: &[Panel]) -> String {
+    let (title, details) = text.lines().next().and_then(|line| line.split_once(": ")).expect("TITLE: DETAILS");
+    let mut svg = Svg::default();
+    svg.text((SIDES.start, 28.0), "start\" font-size=\"18", INK, title);
+    svg.text((SIDES.start, 55.0), "start\" font-size=\"13", GREY, details);
+    let mut top = 75.0;
+    // The texts of the marks stand above the first panel that has marks.
+    let with_texts = panels.iter().position(|panel| !panel.marks.is_empty());
+    for (i, panel) in panels.iter().enumerate() {
+        top = panel.draw(&mut svg, top, with_texts == Some(i));
+    }
+    // The legend names the curves, unless there is one alone, and the limits.
+    let curves = panels.iter().flat_map(|panel| &panel.curves).map(|curve| (curve.0, curve.1));
+    let has_limits = panels.iter().flat_map(|panel| &panel.levels).any(|level| level.1 == LIMIT);
+    let mut entries: Vec<_> = curves.chain(has_limits.then_some(("limit", LIMIT))).collect();
+    let mut named = HashSet::new();
+    entries.retain(|(name, _)| !name.is_empty() && named.insert(*name));
+    let step = (SIDES.end - SIDES.start) / entries.len().max(5) as f64;
+    for (i, (name, color)) in entries.into_iter().enumerate() {
+        let (x, y) = (SIDES.start + i as f64 * step, top + 20.0);
+        svg.line(&[(x, y), (x + 16.0, y)], "2.5", color);
+        svg.text((x + 22.0, y + 4.0), "start", INK, name);
+    }
+    let colors = COLORS.into_iter().chain([LIMIT, INK, GREY]).zip(DARK);
+    let dark = colors.map(|(c, dark)| format!("[stroke=\"{c}\"]{{stroke:{dark}}}[fill=\"{c}\"]{{fill:{dark}}}\n"));
+    let (height, dark, Svg(paths, _, texts)) = (top.round() + 40.0, dark.collect::<String>(), svg);
     format!(
-        "<style>\npolyline{{stroke-linejoin:round}}\n@media (prefers-color-scheme: dark){{\n{rules}}}\n</style>"
+        "<svg width=\"900\" height=\"{height}\" viewBox=\"0 0 900 {height}\" xmlns=\"http://www.w3.org/2000/svg\">\n\
+         <style>\n@media (prefers-color-scheme: dark){{\n{dark}}}\n</style>\n\
+         <g fill=\"none\" stroke-linejoin=\"round\">{paths}\"/>\n</g>\n\
+         <g font-family=\"sans-serif\" font-size=\"12\">{texts}\n</g>\n</svg>\n"
     )
 }
 
-/// Names the curves, unless there is one alone, and the limits.
-fn draw_legend(area: &Area, panels: &[Panel]) -> Result<()> {
-    let curves = panels.iter().flat_map(|panel| &panel.curves);
-    let mut entries: Vec<_> = curves
-        .map(|(curve, color)| (&*curve.name, *color))
-        .collect();
-    let mut named = HashSet::new();
-    entries.retain(|(name, _)| named.insert(*name));
-    if panels.iter().any(|panel| !panel.limits.is_empty()) {
-        entries.push(("limit", LIMIT));
-    }
-    entries.retain(|(name, _)| !name.is_empty());
-    let step = INNER / entries.len().max(5) as u32;
-    for (place, (name, color)) in (0..).zip(entries) {
-        let (x, y) = ((LEFT + place * step) as i32, LABEL as i32);
-        let sample = [(x, y + y / 2), (x + TEXT as i32, y + y / 2)];
-        area.draw(&PathElement::new(sample, color.stroke_width(CURVE)))?;
-        let place = (x + (TEXT + LABEL / 2) as i32, y);
-        area.draw_text(name, &text(LABEL).color(&INK), place)?;
-    }
-    Ok(())
-}
-
-/// Curves with common axes.
-struct Panel<'a> {
-    curves: Vec<(&'a Curve, RGBColor)>,
-    /// Of what, and where.
-    limits: Vec<(&'a str, f64)>,
-    marks: &'a [(f64, String)],
-    points: &'a [Point],
-    x: Range<f64>,
-    y: Range<f64>,
-    x_name: &'static str,
-    y_name: String,
-    height: u32,
-}
-
 impl Panel<'_> {
-    /// `above` is the room for the text of the marks, `under` for the text of the axis.
-    fn draw(&self, area: &Area, above: u32, under: u32) -> Result<()> {
-        let (x, y) = (&self.x, &self.y);
-        let mut chart = ChartBuilder::on(area)
-            .margin_top(GAP + above)
-            .margin_bottom(GAP)
-            .margin_left(MARGIN)
-            .margin_right(WIDTH - LEFT - INNER)
-            .set_label_area_size(LabelAreaPosition::Left, VALUE_AXIS)
-            .set_label_area_size(LabelAreaPosition::Bottom, under)
-            .build_cartesian_2d(x.clone(), y.clone())?;
-        chart
-            .configure_mesh()
-            .disable_x_mesh()
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(INK.mix(0.12).stroke_width(THIN))
-            .axis_style(INK.mix(0.6).stroke_width(THIN))
-            .label_style(text(LABEL).color(&INK))
-            .axis_desc_style(text(TEXT).color(&INK))
-            .set_all_tick_mark_size(GAP)
-            .y_labels(5)
-            .x_label_formatter(&|value| label(*value))
-            .y_label_formatter(&|value| label(*value))
-            .x_desc(self.x_name)
-            .y_desc(&self.y_name)
-            .draw()?;
-        let area = chart.plotting_area();
-        let line =
-            |points, style| area.draw(&PathElement::<Point>::new::<Vec<_>, _>(points, style));
-        let at = |horizontal| Pos::new(horizontal, VPos::Bottom);
-        for &(of, limit) in &self.limits {
-            let ends = vec![(x.start, limit), (x.end, limit)];
-            line(ends, LIMIT.mix(0.7).stroke_width(THIN))?;
-            let style = text(LABEL).color(&LIMIT).pos(at(HPos::Right));
-            area.draw(&Text::new(of.to_owned(), (x.end, limit), style))?;
+    /// Draws the panel below `top`; where it ends.
+    fn draw(&self, svg: &mut Svg, top: f64, has_texts: bool) -> f64 {
+        let top = top + if has_texts { 29.0 } else { 7.0 };
+        let (x, bottom) = (&self.x, top + self.height);
+        let values = self.curves.iter().flat_map(|curve| &curve.2).map(|point| point.1);
+        let y = &span(values.chain(self.levels.iter().map(|level| level.2)), 0.1);
+        let scale = (SIDES.end - SIDES.start) / (x.end - x.start);
+        let across = |value: f64| SIDES.start + (value - x.start) * scale;
+        let up = |value: f64| bottom - (value - y.start) * self.height / (y.end - y.start);
+        for value in ticks(y, self.height / 33.0) {
+            svg.line(&[(SIDES.start - 7.0, up(value)), (SIDES.end, up(value))], "1\" opacity=\".15", INK);
+            svg.text((SIDES.start - 14.0, up(value) + 4.0), "end", INK, &rounded(value, 1e5).to_string());
         }
-        let when = |i: usize| self.marks.get(i).map_or(f64::INFINITY, |mark| mark.0);
-        let near = f64::from(5 * LABEL) / f64::from(INNER) * (x.end - x.start);
-        let is_near = |i, j| when(j) - when(i) < near;
-        for (i, (time, what)) in self.marks.iter().enumerate() {
-            let ends = vec![(*time, y.start), (*time, y.end)];
-            line(ends, INK.mix(0.5).stroke_width(THIN))?;
-            if above > 0 {
-                // The texts of two marks that are near each other lead away from each other.
-                let side = if is_near(i, i + 1) {
-                    HPos::Right
-                } else if i > 0 && is_near(i - 1, i) {
-                    HPos::Left
-                } else {
-                    HPos::Center
-                };
-                let style = text(LABEL).color(&INK).pos(at(side));
-                area.draw(&Text::new(what.clone(), (*time, y.end), style))?;
+        svg.line(&[(SIDES.start, top), (SIDES.start, bottom)], "1\" opacity=\".6", INK);
+        svg.text((-(top + bottom) / 2.0, 32.0), "middle\" font-size=\"13\" transform=\"rotate(-90)", INK, &self.name);
+        if !self.x_name.is_empty() {
+            svg.line(&[(SIDES.start, bottom), (SIDES.end, bottom)], "1\" opacity=\".6", INK);
+            for value in ticks(x, 10.0) {
+                svg.line(&[(across(value), bottom), (across(value), bottom + 7.0)], "1\" opacity=\".6", INK);
+                svg.text((across(value), bottom + 21.0), "middle", INK, &rounded(value, 1e5).to_string());
             }
+            svg.text(((SIDES.start + SIDES.end) / 2.0, bottom + 41.0), "middle\" font-size=\"13", INK, self.x_name);
         }
-        let scale = |pixels: u32, range: &Range<f64>| f64::from(pixels) / (range.end - range.start);
-        let scales = (scale(INNER, x), scale(self.height, y));
-        for (curve, color) in self.curves.iter().rev() {
-            line(thin(&curve.points, scales), color.stroke_width(CURVE))?;
+        for &(name, color, value) in &self.levels {
+            let style = if color == LIMIT { "1\" opacity=\".7" } else { "1\" stroke-dasharray=\"6 4" };
+            svg.line(&[(SIDES.start, up(value)), (SIDES.end, up(value))], style, color);
+            svg.text((SIDES.end, up(value) - 4.0), "end", color, name);
         }
-        for &point in self.points {
-            area.draw(&Circle::new(point, GAP, INK.filled()))?;
+        for (i, &(time, what)) in self.marks.iter().enumerate() {
+            svg.line(&[(across(time), top), (across(time), bottom)], "1\" opacity=\".5", INK);
+            // The texts of two marks that are near each other lead away from each other.
+            let is_near = |j: usize| self.marks.get(j).is_some_and(|other| (other.0 - time).abs() * scale < 70.0);
+            let anchor = match [i + 1, i.wrapping_sub(1)].map(is_near) {
+                [true, _] => "end",
+                [_, true] => "start",
+                _ => "middle",
+            };
+            svg.text((across(time), top - 5.0), anchor, INK, if has_texts { what } else { "" });
         }
-        Ok(())
+        for (_, color, points) in self.curves.iter().rev() {
+            let points: Vec<_> = points.iter().map(|p| (across(p.0), up(p.1))).collect();
+            svg.line(&thin(&points), if self.name == "pulses" { "1" } else { "2.5" }, color);
+        }
+        // A line without a length has round ends.
+        for place in self.places.iter().map(|place| (across(place.0), up(place.1))) {
+            svg.line(&[place, place], "12\" stroke-linecap=\"round", INK);
+        }
+        bottom + if self.x_name.is_empty() { 7.0 } else { 52.0 }
     }
 }
 
-fn text(size: u32) -> TextStyle<'static> {
-    TextStyle::from(("sans-serif", size))
+/// Lines, the style of the last ones, and texts. The first attribute of a style may go on with others.
+#[derive(Default)]
+struct Svg(String, String, String);
+
+impl Svg {
+    /// Lines of the same style follow each other in one path.
+    fn line(&mut self, points: &[Point], width: &str, color: Color) {
+        let style = format!("\n<path stroke=\"{color}\" stroke-width=\"{width}\" d=\"");
+        if self.1 != style {
+            self.0 += &format!("{}{style}", if self.1.is_empty() { "" } else { "\"/>" });
+            self.1 = style;
+        }
+        let points = points.iter().map(|(x, y)| format!("{},{}", rounded(*x, 10.0), rounded(*y, 10.0)));
+        self.0 += &format!("M{}", points.collect::<Vec<_>>().join(" "));
+    }
+
+    fn text(&mut self, at: Point, anchor: &str, color: Color, text: &str) {
+        let (x, y) = (rounded(at.0, 10.0), rounded(at.1, 10.0));
+        if !text.is_empty() {
+            self.2 += &format!("\n<text x=\"{x}\" y=\"{y}\" fill=\"{color}\" text-anchor=\"{anchor}\">{text}</text>");
+        }
+    }
 }
 
-/// The points that a curve needs, so that it leaves no point by more than a unit: Ramer, Douglas and Peucker's.
-fn thin(points: &[Point], scale: Point) -> Vec<Point> {
-    let [first, .., last] = points else {
-        return points.to_vec();
-    };
-    let across = |p: &Point, q: &Point| ((q.0 - p.0) * scale.0, (q.1 - p.1) * scale.1);
-    let (dx, dy) = across(first, last);
+/// A zero has no sign.
+fn rounded(number: f64, parts: f64) -> f64 {
+    (number * parts).round() / parts + 0.0
+}
+
+/// The points that a curve needs, so that it leaves no point by more than a third of a pixel: Ramer, Douglas and Peucker's.
+fn thin(points: &[Point]) -> Vec<Point> {
+    let [first, .., last] = points else { return points.to_vec() };
+    let (dx, dy) = (last.0 - first.0, last.1 - first.1);
+    let length = dx.hypot(dy);
     let distance = |point: &Point| {
-        let (x, y) = across(first, point);
-        match dx.hypot(dy) {
-            0.0 => x.hypot(y),
-            length => (x * dy - y * dx).abs() / length,
-        }
+        let (x, y) = (point.0 - first.0, point.1 - first.1);
+        if length > 0.0 { (x * dy - y * dx).abs() / length } else { x.hypot(y) }
     };
-    let distances = points.iter().map(distance).enumerate();
-    match distances.max_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((far, distance)) if distance > 1.0 => {
-            let mut thinned = thin(&points[..=far], scale);
-            thinned.pop();
-            thinned.extend(thin(&points[far..], scale));
-            thinned
-        }
+    match points.iter().map(distance).enumerate().max_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((far, distance)) if distance > 0.3 => [&thin(&points[..=far])[..], &thin(&points[far..])[1..]].concat(),
         _ => vec![*first, *last],
     }
 }
 
-/// The text beside a tick. A tick at zero may be off by a rounding or carry a sign; its text is "0".
-fn label(value: f64) -> String {
-    ((value * 1e5).round() / 1e5 + 0.0).to_string()
+/// Round numbers in a range, at most about so many.
+fn ticks(range: &Range<f64>, most: f64) -> impl Iterator<Item = f64> {
+    let steps = (-6..6).flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * 10f64.powi(power)));
+    let step = steps.into_iter().find(|step| step * most >= range.end - range.start).expect("a range of numbers");
+    let (first, last) = ((range.start / step).ceil() as i64, (range.end / step).floor() as i64);
+    (first..=last).map(move |k| k as f64 * step)
 }
 
-/// What the curves span in both directions.
-fn spans(curves: &[(&Curve, RGBColor)]) -> (Range<f64>, Range<f64>) {
-    let points = || curves.iter().flat_map(|(curve, _)| &curve.points);
-    (span(points().map(|p| p.0)), span(points().map(|p| p.1)))
-}
-
-fn span(values: impl Iterator<Item = f64>) -> Range<f64> {
-    values.fold(f64::INFINITY..f64::NEG_INFINITY, |span, value| {
-        span.start.min(value)..span.end.max(value)
-    })
-}
-
-/// Adds room above and below a curve, also if the curve is level.
-fn with_margin(span: Range<f64>) -> Range<f64> {
-    let margin = match span.end - span.start {
-        0.0 => 1.0,
-        height => 0.1 * height,
-    };
-    span.start - margin..span.end + margin
+/// The range of values, with room above and below: a part of its length, or 1 if it has none.
+fn span(values: impl Iterator<Item = f64>, part: f64) -> Range<f64> {
+    let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, v| (ends.0.min(v), ends.1.max(v)));
+    let room = if most > least { part * (most - least) } else { 1.0 };
+    least - room..most + room
 }

@@ -39,7 +39,7 @@ int main(void)
         if (atraj_shaper_init(&shapers[i], kinds[i], 1, 0) < 0) { return 1; }
     }
     puts("Vibration that a shaper leaves: of a simulated load, with shapers for 1 Hz");
-    puts("within 5 %");
+    puts("the tolerance of EI is at 5 %");
     for (int step = 50; step <= 150; ++step) {
         double const frequency = step / 100.0, alone = swing(&none, &move, frequency);
         printf("%.2f Hz:", frequency);
