@@ -1,5 +1,6 @@
 #!/bin/sh
-# book.sh FOLDER: lays out the sources of the site for mdBook: the documents where they stand in the repository, and a page for each example.
+# book.sh FOLDER: lays out the sources of the site for mdBook: the documents where they stand in the repository with their
+# tables drawn, and a page for each example.
 set -eu
 cd "$(dirname "$0")/../.."
 book=$1
@@ -10,7 +11,8 @@ cp docs/site/book.toml docs/site/style.css docs/site/access.js "$book"
 cp README.md CONTRIBUTING.md CHANGELOG.md "$source"
 cp -R docs "$source"
 cp examples/README.md "$source/examples"
-cp tests/README.md "$source/tests"
+{ cat tests/README.md && tests/map.sh; } > "$source/tests/README.md"
+for page in docs/*.md; do awk -v from=docs -f docs/site/tables.awk "$page" > "$source/$page"; done
 
 # program LANGUAGE FILE: a heading and the program
 program() {
