@@ -30,6 +30,7 @@ _States: TypeAlias = Sequence[_State] | npt.NDArray[Any]
 _Limits: TypeAlias = Limits | _Numbers
 _LimitsOfAxes: TypeAlias = Sequence[_Limits] | npt.NDArray[Any]
 _Points: TypeAlias = Sequence[Sequence[_State] | npt.NDArray[Any]] | npt.NDArray[Any]
+_Tolerances: TypeAlias = _Numbers | Sequence[_Numbers]
 _Plots: TypeAlias = Sequence[_Plot] | npt.NDArray[Any]
 
 @disjoint_base
@@ -319,9 +320,9 @@ class Move(Profile):
         """The fastest motion from the state `start` to a target that moves on at its velocity. The move ends beside the target, at
         `target.position + t * target.velocity`. The target must not accelerate."""
     @staticmethod
-    def track(limits: _Limits, start: _State, signal: _State, horizon: float) -> Move:
-        """The motion of one tick of an axis that follows `signal`, a state: call it in every tick. Where the axis can be beside the signal after
-        the time `horizon`, s, it gets there in just this time. Else it meets the signal as fast as it can."""
+    def track(limits: _Limits, start: _State, signal: _State, jerk: float, horizon: float) -> Move:
+        """The next moments of an axis that follows `signal`, a state, with its `jerk`, 0 if nobody knows it: call it in every tick. Where the axis
+        can be next to the signal after the time `horizon`, s, it gets there in just this time. Else it chases the signal as fast as it can."""
     def check(self, limits: _Limits) -> Findings:
         """What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone."""
     def time_at(self, position: float) -> float | None:
@@ -473,6 +474,14 @@ class Path(Axes):
     @property
     def times(self) -> _Array:
         """The times at which the points are passed, s, from 0 to `t`."""
+    @property
+    def deviation(self) -> float:
+        """How far the path leaves the straight lines between its points, in the space of all axes: the largest distance, or up to 1 % more.
+
+        >>> import atraj
+        >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+        >>> round(atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).deviation, 2)
+        0.82"""
     def improve(self, *, steps: int = 0) -> Path:
         """A path through the same points that is not longer, from at most `steps` steps (0: as many as the path needs, at most 48).
 
@@ -483,7 +492,7 @@ class Path(Axes):
         True"""
 
 def path(
-    limits: _LimitsOfAxes | Sequence[_LimitsOfAxes], points: _Points, *, steps: int = 0
+    limits: _LimitsOfAxes | Sequence[_LimitsOfAxes], points: _Points, *, tolerances: _Tolerances | None = None, steps: int = 0
 ) -> Path:
     """A fast path of several axes through points, which all axes pass at the same times. They stop nowhere between the first point and
     the last one unless they must.
@@ -491,6 +500,9 @@ def path(
     A point has a position for each axis, and `limits` has an item for each axis, or for each section a list of them. The path starts and ends
     at rest; the first and the last point may have a `State` in the place of a position. The planner takes at most `steps` steps (0: as many
     as the path needs, at most 48). ValueError says which point or axis is wrong.
+
+    With `tolerances` the path passes the points between the first and the last one within fly-by zones: a number for each axis says how far its
+    position may be from the given one, for all points or in a list for each of them. The path is not longer than the one through the points.
 
     >>> import atraj
     >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
@@ -500,6 +512,9 @@ def path(
            [3., 1.],
            [4., 5.]])
     >>> bool((path.velocity(path.times[1]) > 1).all())
+    True
+    >>> near = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], tolerances=[0, 0.1])
+    >>> bool(near.t < path.t)
     True"""
 @final
 class Clock:

@@ -17,7 +17,9 @@ may be wrong by 20 %.
 
 from __future__ import annotations
 
+import io
 import math
+import re
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +30,7 @@ import numpy.typing as npt
 import atraj
 
 if TYPE_CHECKING:
-    from matplotlib.figure import SubFigure
+    from matplotlib.figure import Figure, SubFigure
 
     Array = npt.NDArray[np.float64]
 
@@ -132,6 +134,27 @@ def compare() -> Compared:
     return [(kind.name, motion, move) for kind, motion, move in zip(atraj.ShaperKind, shaped, calm)]
 
 
+DARK = "<style>@media (prefers-color-scheme: dark) {svg {filter: invert(.93) hue-rotate(180deg)}}</style>"
+"""What readers of dark pages see."""
+
+
+def style() -> Any:
+    """Text stays text, the same picture has the same bytes, and curves have no more points than they need."""
+    import matplotlib.pyplot as plt
+
+    return plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "atraj", "path.simplify_threshold": 0.3})
+
+
+def save(figure: Figure, file: str) -> None:
+    """Saves a picture as SVG. Its numbers have one decimal, and a path stands on one line."""
+    svg = io.StringIO()
+    figure.savefig(svg, format="svg", metadata=dict.fromkeys(["Creator", "Date", "Format", "Type"]))
+    text = re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.1f}", svg.getvalue())
+    text = re.sub(r"\s*\n\s*(?=[MLQCz\"]|</)", " ", text).replace(" <defs>", f" {DARK}\n <defs>", 1)
+    with open(file, "w", encoding="utf-8") as out:
+        out.write(text)
+
+
 Shown = list[tuple[str, float, str]]
 """What a picture shows: names, jerk limits and colours."""
 
@@ -173,13 +196,13 @@ def draw_comparison(file: str, compared: Compared) -> None:
     """Draws vibration over the frequency of the load, and the durations, as SVG."""
     import matplotlib.pyplot as plt
 
-    with plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "atraj"}):
+    with style():
         figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
         frequencies = FREQUENCY * np.linspace(0.6, 1.4, 161)
         left.axvspan(FREQUENCY * (1 - WRONG), FREQUENCY * (1 + WRONG), color="0.93")
         left.plot(frequencies, 1e3 * residuals(plan(math.inf), frequencies), color="0.3", label="no shaper")
-        for name, shaped, _ in compared:
-            left.plot(frequencies, 1e3 * residuals(shaped, frequencies), label=name)
+        for (name, shaped, _), color in zip(compared, ["tab:blue", "#cc5500", "tab:green", "tab:brown", "tab:purple"]):
+            left.plot(frequencies, 1e3 * residuals(shaped, frequencies), label=name, color=color)
         left.set(xlabel="true frequency of the load, Hz", ylabel="residual vibration, mm", ylim=(0, 6))
         left.set_xlim(frequencies[0], frequencies[-1])
         left.legend(loc="upper right")
@@ -190,7 +213,7 @@ def draw_comparison(file: str, compared: Compared) -> None:
         right.set(ylabel="duration, s", xticks=places, ylim=(0, 3.5))
         right.set_xticklabels([f"{name}\n{1e3 * worst(shaped):.2f} mm" for name, shaped, _ in compared])
         right.legend(loc="upper left")
-        figure.savefig(file, format="svg", metadata={"Date": None})
+        save(figure, file)
 
 
 def draw(file: str, half: float, quiet: float) -> None:
@@ -198,17 +221,16 @@ def draw(file: str, half: float, quiet: float) -> None:
     import matplotlib.pyplot as plt
 
     shown = [
-        ("No jerk limit", math.inf, "tab:red"),
+        ("No jerk limit", math.inf, "#cc5500"),
         (f"{half:.0f} m/s³, half the vibration", half, "tab:blue"),
         (f"{quiet:.0f} m/s³, ramps of one period", quiet, "tab:green"),
     ]
-    # Text stays text, and the same picture has the same bytes.
-    with plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "atraj"}):
+    with style():
         figure = plt.figure(figsize=(9, 5), layout="constrained")
         left, right = figure.subfigures(1, 2, squeeze=False)[0]
         draw_limits(left, shown)
         draw_swings(right, shown)
-        figure.savefig(file, format="svg", metadata={"Date": None})
+        save(figure, file)
 
 
 def main() -> None:

@@ -62,20 +62,8 @@ impl Trajectory {
 
     /// Stores where to go next, and the limits on the way, whose signs are ignored. Nothing moves before `start`. ValueError if a
     /// number is larger than 1e60, or is not a number; then the trajectory stays as it was.
-    fn set(
-        &mut self,
-        position: f64,
-        velocity: f64,
-        acceleration: f64,
-        deceleration: f64,
-        now: f64,
-    ) -> PyResult<()> {
-        let target = Target {
-            position,
-            velocity,
-            acceleration,
-            deceleration,
-        };
+    fn set(&mut self, position: f64, velocity: f64, acceleration: f64, deceleration: f64, now: f64) -> PyResult<()> {
+        let target = Target { position, velocity, acceleration, deceleration };
         let set = self.0.set(target.into(), now);
         set.map_err(|out_of_range| error(&out_of_range.to_string()))
     }
@@ -127,17 +115,8 @@ impl Trajectory {
     #[getter]
     fn profile<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let p = self.0.profile();
-        let numbers = [
-            p.t1,
-            p.t2,
-            p.tf,
-            p.p_at_t1,
-            p.p_at_t2,
-            p.final_position,
-            p.velocity,
-            p.acceleration,
-            p.deceleration,
-        ];
+        let numbers =
+            [p.t1, p.t2, p.tf, p.p_at_t1, p.p_at_t2, p.final_position, p.velocity, p.acceleration, p.deceleration];
         named(py, "TrapezoidalProfile", PyTuple::new(py, numbers)?)
     }
 

@@ -46,23 +46,17 @@ fn _atraj(module: &Bound<'_, PyModule>) -> PyResult<()> {
         binary32::path::add(part)?;
         binary32::machine::add(part)
     })?;
-    add_part(module, "claraty", "atraj.claraty", |part| {
-        part.add_class::<claraty::Trajectory>()
-    })
+    add_part(module, "claraty", "atraj.claraty", |part| part.add_class::<claraty::Trajectory>())
 }
 
 /// Adds a part, whose content Python finds in the module `public`.
 fn add_part<'py>(
-    module: &Bound<'py, PyModule>,
-    name: &str,
-    public: &str,
-    add: impl Fn(&Bound<'py, PyModule>) -> PyResult<()>,
+    module: &Bound<'py, PyModule>, name: &str, public: &str, add: impl Fn(&Bound<'py, PyModule>) -> PyResult<()>,
 ) -> PyResult<()> {
     let part = PyModule::new(module.py(), public)?;
     add(&part)?;
     for name in part.index()? {
-        part.getattr(name.cast::<PyString>()?)?
-            .setattr("__module__", public)?;
+        part.getattr(name.cast::<PyString>()?)?.setattr("__module__", public)?;
     }
     module.add(name, part)
 }

@@ -3,8 +3,8 @@
 use atraj::online::{Move, Phase};
 use atraj::{Bell, Extremes, Findings, Poly, Real, State, Trap};
 use numpy::{
-    Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyReadwriteArrayDyn,
-    PyUntypedArray, PyUntypedArrayMethods,
+    Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyReadwriteArrayDyn, PyUntypedArray,
+    PyUntypedArrayMethods,
 };
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -13,10 +13,7 @@ use pyo3::types::PyTuple;
 use crate::values::{error, named, phase_numbers};
 
 /// A real type of the library and of NumPy.
-pub trait Number:
-    Real + Element + Into<f64> + for<'a, 'py> FromPyObject<'a, 'py> + 'static
-{
-}
+pub trait Number: Real + Element + Into<f64> + for<'a, 'py> FromPyObject<'a, 'py> + 'static {}
 
 impl Number for f32 {}
 impl Number for f64 {}
@@ -164,34 +161,20 @@ pub fn move_parts<R: Number>(motion: &Move<R>) -> (f64, Vec<[f64; 6]>) {
 /// The move of its parts.
 pub fn move_from_parts<R: Number>(t: R, phases: &[[R; 6]]) -> PyResult<Move<R>> {
     let mut motion = Move::default();
-    let Some(count) = phases
-        .len()
-        .checked_sub(1)
-        .filter(|_| phases.len() <= motion.phase.len())
-    else {
+    let Some(count) = phases.len().checked_sub(1).filter(|_| phases.len() <= motion.phase.len()) else {
         return Err(error("a move has 0 to 15 phases, and its end"));
     };
     motion.t = t;
     motion.count = count as u32;
     for (to, from) in motion.phase.iter_mut().zip(phases) {
         let [start, duration, position, velocity, acceleration, jerk] = *from;
-        *to = Phase {
-            start,
-            duration,
-            position,
-            velocity,
-            acceleration,
-            jerk,
-        };
+        *to = Phase { start, duration, position, velocity, acceleration, jerk };
     }
     Ok(motion)
 }
 
 /// The values at a time, or at each of an array of times, s.
-pub fn at<'py, R: Number>(
-    times: &Bound<'py, PyAny>,
-    value: impl Fn(R) -> R,
-) -> PyResult<Bound<'py, PyAny>> {
+pub fn at<'py, R: Number>(times: &Bound<'py, PyAny>, value: impl Fn(R) -> R) -> PyResult<Bound<'py, PyAny>> {
     let py = times.py();
     if !times.is_instance_of::<PyUntypedArray>() {
         if let Ok(x) = times.extract::<R>() {
@@ -206,9 +189,7 @@ pub fn at<'py, R: Number>(
 
 /// The numbers as an aligned array of `R` in C order, which NumPy copies if it must. The crate `numpy` divides strides by the size of
 /// an item, so it reads a field of a packed record at wrong addresses.
-pub fn in_rows<'py, R: Number>(
-    numbers: &Bound<'py, PyAny>,
-) -> PyResult<PyReadonlyArrayDyn<'py, R>> {
+pub fn in_rows<'py, R: Number>(numbers: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, R>> {
     const ALIGNED_IN_C_ORDER: &str = "AC";
     if let Ok(array) = numbers.extract::<PyReadonlyArrayDyn<'py, R>>() {
         if array.is_aligned() && array.is_c_contiguous() {
@@ -241,12 +222,7 @@ impl<'py, R: Number> Request<'py, R> {
     const MOST: usize = i32::MAX as usize;
 
     /// Samples a motion that lasts `t`, s. The result is a `Samples`.
-    pub fn sample(
-        self,
-        py: Python<'py>,
-        motion: &dyn Motion<R>,
-        t: R,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    pub fn sample(self, py: Python<'py>, motion: &dyn Motion<R>, t: R) -> PyResult<Bound<'py, PyAny>> {
         let n = self.count(t)?;
         let dt = self.dt.unwrap_or_else(|| self.spread(t, n));
         let mut arrays = match self.out {
@@ -319,9 +295,7 @@ pub trait Rows<R> {
 
     /// Some quantities of all axes at a time, s, or at each of an array of times.
     fn some_rows<'py, const N: usize>(
-        &self,
-        times: &Bound<'py, PyAny>,
-        wanted: [usize; N],
+        &self, times: &Bound<'py, PyAny>, wanted: [usize; N],
     ) -> PyResult<[Bound<'py, PyAny>; N]>
     where
         R: Number,
@@ -348,18 +322,11 @@ pub trait Rows<R> {
                 }
             }
         }
-        arrays
-            .try_into()
-            .map_err(|_| error("a quantity has no array"))
+        arrays.try_into().map_err(|_| error("a quantity has no array"))
     }
 
     /// `Samples` with rows, of a motion that lasts `t`, s.
-    fn sample<'py>(
-        &self,
-        py: Python<'py>,
-        request: Request<'py, R>,
-        t: R,
-    ) -> PyResult<Bound<'py, PyAny>>
+    fn sample<'py>(&self, py: Python<'py>, request: Request<'py, R>, t: R) -> PyResult<Bound<'py, PyAny>>
     where
         R: Number,
     {
@@ -379,10 +346,7 @@ fn fresh<R: Number>(py: Python<'_>, n: usize) -> PyResult<Arrays<'_, R>> {
 }
 
 /// An array of this shape. NumPy allocates it, and raises MemoryError if it cannot.
-pub fn empty<'py, R: Number>(
-    py: Python<'py>,
-    shape: impl IntoPyObject<'py>,
-) -> PyResult<Bound<'py, PyAny>> {
+pub fn empty<'py, R: Number>(py: Python<'py>, shape: impl IntoPyObject<'py>) -> PyResult<Bound<'py, PyAny>> {
     let empty = py.import("numpy")?.getattr("empty")?;
     empty.call1((shape, R::get_dtype(py)))
 }

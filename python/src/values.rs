@@ -33,9 +33,7 @@ impl<'a, 'py, R: Number> FromPyObject<'a, 'py> for GivenState<R> {
         match *numbers(given)? {
             [position] => Ok(Self(State::at(position))),
             [position, velocity] => Ok(Self(from_numbers((position, velocity, R::ZERO)))),
-            [position, velocity, acceleration] => {
-                Ok(Self(from_numbers((position, velocity, acceleration))))
-            }
+            [position, velocity, acceleration] => Ok(Self(from_numbers((position, velocity, acceleration)))),
             ref others => Err(error(&format!(
                 "a state is a position, a velocity and an acceleration, and here are {} numbers",
                 others.len()
@@ -72,26 +70,15 @@ fn number<R: Number>(given: Borrowed<'_, '_, PyAny>) -> PyResult<R> {
 
 /// The numbers of a list, a tuple or an array.
 fn numbers<R: Number>(given: Borrowed<'_, '_, PyAny>) -> PyResult<Vec<R>> {
-    given
-        .try_iter()?
-        .map(|item| number(item?.as_borrowed()))
-        .collect()
+    given.try_iter()?.map(|item| number(item?.as_borrowed())).collect()
 }
 
 fn from_numbers<R>((position, velocity, acceleration): (R, R, R)) -> State<R> {
-    State {
-        position,
-        velocity,
-        acceleration,
-    }
+    State { position, velocity, acceleration }
 }
 
 /// An object of the class `name` of `atraj.values`.
-pub fn named<'py>(
-    py: Python<'py>,
-    name: &str,
-    arguments: impl PyCallArgs<'py>,
-) -> PyResult<Bound<'py, PyAny>> {
+pub fn named<'py>(py: Python<'py>, name: &str, arguments: impl PyCallArgs<'py>) -> PyResult<Bound<'py, PyAny>> {
     py.import("atraj.values")?.getattr(name)?.call1(arguments)
 }
 
@@ -109,11 +96,7 @@ pub fn to_state<R: Number>(py: Python<'_>, state: State<R>) -> PyResult<Bound<'_
 }
 
 pub fn state_numbers<R: Number>(state: State<R>) -> (f64, f64, f64) {
-    let State {
-        position,
-        velocity,
-        acceleration,
-    } = state;
+    let State { position, velocity, acceleration } = state;
     (position.into(), velocity.into(), acceleration.into())
 }
 
@@ -130,10 +113,7 @@ pub fn phase_numbers<R: Number>(phase: Phase<R>) -> [f64; 6] {
 }
 
 pub fn to_extremes<R: Number>(py: Python<'_>, reached: Extremes<R>) -> PyResult<Bound<'_, PyAny>> {
-    let ends = (
-        to_state(py, reached.lowest)?,
-        to_state(py, reached.highest)?,
-    );
+    let ends = (to_state(py, reached.lowest)?, to_state(py, reached.highest)?);
     named(py, "Extremes", ends)
 }
 
@@ -143,21 +123,6 @@ pub fn to_phase<R: Number>(py: Python<'_>, phase: Phase<R>) -> PyResult<Bound<'_
 
 pub fn to_findings(py: Python<'_>, findings: Findings) -> PyResult<Bound<'_, PyAny>> {
     named(py, "Findings", (findings.bits(),))
-}
-
-/// The findings whose bits are in `bits`.
-pub fn from_findings(bits: u8) -> Findings {
-    let all = [
-        Findings::EXCEEDS_JERK,
-        Findings::EXCEEDS_ACCELERATION,
-        Findings::EXCEEDS_VELOCITY,
-        Findings::JUMPS,
-        Findings::OVERSHOOTS,
-        Findings::STARTS_OUTSIDE,
-        Findings::ENDS_LEAVING,
-    ];
-    let found = all.into_iter().filter(|finding| finding.bits() & bits != 0);
-    found.fold(Findings::default(), |sum, finding| sum | finding)
 }
 
 /// A `ValueError` that says why.

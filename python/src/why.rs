@@ -15,26 +15,14 @@ struct Claim {
     must: String,
 }
 
-fn claim<R: Number>(
-    name: impl Into<String>,
-    value: R,
-    holds: bool,
-    must: impl Into<String>,
-) -> Claim {
-    Claim {
-        name: name.into(),
-        value: value.into(),
-        holds,
-        must: must.into(),
-    }
+fn claim<R: Number>(name: impl Into<String>, value: R, holds: bool, must: impl Into<String>) -> Claim {
+    Claim { name: name.into(), value: value.into(), holds, must: must.into() }
 }
 
 /// A `ValueError` about the first claim that does not hold, else with the sentence of the core. `axis` stands before this sentence.
 fn first_broken(why: Error, axis: &str, claims: impl IntoIterator<Item = Claim>) -> PyErr {
     match claims.into_iter().find(|claim| !claim.holds) {
-        Some(Claim {
-            name, value, must, ..
-        }) => error(&format!("{name} = {value} {must}")),
+        Some(Claim { name, value, must, .. }) => error(&format!("{name} = {value} {must}")),
         None => error(&format!("{axis}{why}")),
     }
 }
@@ -55,25 +43,13 @@ fn limit<R: Number>(name: String, value: R, is_highest: bool) -> Claim {
         (_, _, true) => ABOVE,
         _ => BELOW,
     };
-    let holds = if is_highest {
-        value > R::ZERO
-    } else {
-        value < R::ZERO
-    };
+    let holds = if is_highest { value > R::ZERO } else { value < R::ZERO };
     claim(name, value, holds, must)
 }
 
 fn limits_claims<R: Number>(name: &str, limits: &Limits<R>) -> Vec<Claim> {
-    let Limits {
-        vmax,
-        vmin,
-        amax,
-        amin,
-        jmax,
-        jmin,
-    } = *limits;
-    let are_finite =
-        (jmax < R::INFINITY || -jmin < R::INFINITY) || (amax < R::INFINITY && -amin < R::INFINITY);
+    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
+    let are_finite = (jmax < R::INFINITY || -jmin < R::INFINITY) || (amax < R::INFINITY && -amin < R::INFINITY);
     vec![
         limit(format!("{name}.vmax"), vmax, true),
         limit(format!("{name}.vmin"), vmin, false),
@@ -91,49 +67,20 @@ fn limits_claims<R: Number>(name: &str, limits: &Limits<R>) -> Vec<Claim> {
 }
 
 fn state_claims<R: Number>(name: &str, state: &State<R>) -> Vec<Claim> {
-    [
-        ("position", state.position),
-        ("velocity", state.velocity),
-        ("acceleration", state.acceleration),
-    ]
-    .map(|(quantity, x)| claim(format!("{name}.{quantity}"), x, x.is_finite(), NUMBER))
-    .into()
+    [("position", state.position), ("velocity", state.velocity), ("acceleration", state.acceleration)]
+        .map(|(quantity, x)| claim(format!("{name}.{quantity}"), x, x.is_finite(), NUMBER))
+        .into()
 }
 
 fn target_claims<R: Number>(name: &str, limits: &Limits<R>, end: &State<R>) -> Vec<Claim> {
     let (v, a) = (end.velocity, end.acceleration);
     let (velocity, acceleration) = (format!("{name}.velocity"), format!("{name}.acceleration"));
     vec![
-        claim(
-            velocity.clone(),
-            v,
-            v <= limits.vmax,
-            "is outside the limits: it is above vmax",
-        ),
-        claim(
-            velocity,
-            v,
-            v >= limits.vmin,
-            "is outside the limits: it is below vmin",
-        ),
-        claim(
-            acceleration.clone(),
-            a,
-            a <= limits.amax,
-            "is outside the limits: it is above amax",
-        ),
-        claim(
-            acceleration.clone(),
-            a,
-            a >= limits.amin,
-            "is outside the limits: it is below amin",
-        ),
-        claim(
-            acceleration,
-            a,
-            false,
-            "cannot be reached: the velocity must have left its limits before",
-        ),
+        claim(velocity.clone(), v, v <= limits.vmax, "is outside the limits: it is above vmax"),
+        claim(velocity, v, v >= limits.vmin, "is outside the limits: it is below vmin"),
+        claim(acceleration.clone(), a, a <= limits.amax, "is outside the limits: it is above amax"),
+        claim(acceleration.clone(), a, a >= limits.amin, "is outside the limits: it is below amin"),
+        claim(acceleration, a, false, "cannot be reached: the velocity must have left its limits before"),
     ]
 }
 
@@ -149,11 +96,7 @@ fn positions<R: Number>(others: Others<R>) -> Option<[R; 2]> {
 }
 
 /// Each state is between the positions.
-fn position_claims<R: Number>(
-    axis: &str,
-    states: &[(&str, State<R>)],
-    [lowest, highest]: [R; 2],
-) -> Vec<Claim> {
+fn position_claims<R: Number>(axis: &str, states: &[(&str, State<R>)], [lowest, highest]: [R; 2]) -> Vec<Claim> {
     let [low, high]: [f64; 2] = [lowest.into(), highest.into()];
     let between = |(name, state): &(&str, State<R>)| {
         let x = state.position;
@@ -169,18 +112,13 @@ fn position_claims<R: Number>(
 
 /// Why one axis is not planned: `axis` stands before the names, "axis 1: " for example.
 pub fn no_move<R: Number>(
-    why: Error,
-    axis: &str,
-    limits: &Limits<R>,
-    states: &[(&str, State<R>)],
-    others: Others<R>,
+    why: Error, axis: &str, limits: &Limits<R>, states: &[(&str, State<R>)], others: Others<R>,
 ) -> PyErr {
     let mut claims = Vec::new();
     match why {
         Error::NotFinite => {
-            let are_numbers = limits_claims(&format!("{axis}limits"), limits)
-                .into_iter()
-                .filter(|claim| claim.value.is_nan());
+            let are_numbers =
+                limits_claims(&format!("{axis}limits"), limits).into_iter().filter(|claim| claim.value.is_nan());
             claims.extend(are_numbers);
             for (name, state) in states {
                 claims.extend(state_claims(&format!("{axis}{name}"), state));
@@ -197,12 +135,7 @@ pub fn no_move<R: Number>(
             if let Some([lowest, highest]) = positions(others) {
                 let high: f64 = highest.into();
                 let must = format!("is not below highest = {high}");
-                claims.push(claim(
-                    format!("{axis}lowest"),
-                    lowest,
-                    lowest < highest,
-                    must,
-                ));
+                claims.push(claim(format!("{axis}lowest"), lowest, lowest < highest, must));
             }
         }
         Error::Position => {
@@ -217,11 +150,7 @@ pub fn no_move<R: Number>(
         }
         Error::Duration => {
             let other = |&(name, x): &(&str, R)| {
-                let must = if name == "horizon" {
-                    "is not a time above 0"
-                } else {
-                    "is not a time from 0 on"
-                };
+                let must = if name == "horizon" { "is not a time above 0" } else { "is not a time from 0 on" };
                 let is_time = x > R::ZERO || (x == R::ZERO && name != "horizon");
                 claim(name, x, is_time && x.is_finite(), must)
             };
@@ -250,10 +179,7 @@ pub fn each_alone<R: Number>(axes: impl IntoIterator<Item = Axis<R>>) -> PyResul
 
 /// Why there is no double-S or trapezoid within these limits. Their signs are ignored.
 pub fn no_profile<R: Number>(
-    why: Error,
-    limits: [(&str, R); 3],
-    boundary: Boundary<R>,
-    accelerations: Option<[R; 2]>,
+    why: Error, limits: [(&str, R); 3], boundary: Boundary<R>, accelerations: Option<[R; 2]>,
 ) -> PyErr {
     let Boundary { p0, p1, v0, v1 } = boundary;
     if let Some([ac, de]) = accelerations {
@@ -276,12 +202,7 @@ pub fn no_profile<R: Number>(
     for (name, x) in limits {
         claims.push(claim(name, x, is_number(x), "is not a number"));
         let leaves_room = x != R::ZERO;
-        claims.push(claim(
-            name,
-            x,
-            leaves_room,
-            "is 0: a limit must leave room to move",
-        ));
+        claims.push(claim(name, x, leaves_room, "is 0: a limit must leave room to move"));
     }
     for (name, x) in [("p0", p0), ("p1", p1), ("v0", v0), ("v1", v1)] {
         let is_velocity = name.starts_with('v');
@@ -307,10 +228,7 @@ pub fn no_profile<R: Number>(
 /// Why there is no polynomial through these numbers in the time `t`.
 pub fn no_polynomial<R: Number>(why: Error, t: R, ends: &[(&str, R)]) -> PyErr {
     let number = |&(name, x): &(&str, R)| claim(name, x, x.is_finite(), NUMBER);
-    let time = [
-        claim("t", t, t.is_finite(), NUMBER),
-        claim("t", t, t != R::ZERO, "takes no time"),
-    ];
+    let time = [claim("t", t, t.is_finite(), NUMBER), claim("t", t, t != R::ZERO, "takes no time")];
     first_broken(why, "", time.into_iter().chain(ends.iter().map(number)))
 }
 

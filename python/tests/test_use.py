@@ -233,7 +233,7 @@ def test_an_axis_is_retargeted(real):
     assert not move.check(LIMITS) and move.check(atraj.Limits.symmetric(1e-3, 10, 5)) == atraj.Findings.EXCEEDS_JERK
     with pytest.raises(ValueError, match="leaves the positions"):
         axis.within(LIMITS, now, target, -9, target[0] - 0.1)
-    assert axis.track(LIMITS, target, target, 0.125).t == 0.125
+    assert axis.track(LIMITS, target, target, 0, 0.125).t == 0.125
     meeting = axis.meet(LIMITS, now, target)
     reached = meeting.state_at(meeting.t)
     assert reached.velocity == 0.5 and reached.position == pytest.approx(3 + 0.5 * meeting.t)
@@ -312,6 +312,15 @@ def states(points):
 
 
 @reals
+def test_a_path_leaves_its_lines(real):
+    path = real.module.path([LIMITS] * 2, [[0, 0], [3, 0], [3, 3]])
+    x, y = path.position(np.linspace(0, path.t, 10_001)).T.astype(float)
+    most = np.where(np.linspace(0, path.t, 10_001) < path.times[1], np.hypot(y, x - x.clip(0, 3)), np.hypot(x - 3, y - y.clip(0, 3))).max()
+    assert most * 0.999 < path.deviation < most * 1.011 and most > 0.01
+    assert real.module.path([LIMITS], [[0], [3], [4]]).deviation < 1e-5
+
+
+@reals
 def test_a_path_keeps_its_limits_and_does_not_jump(real):
     limits = [LIMITS, atraj.Limits(4, -5, 20, -15, 60, -50), LIMITS]
     t, p, v, a, j = real.module.path(limits, POINTS).sample(0.001)
@@ -361,6 +370,18 @@ def test_sections_of_a_path_have_limits_of_their_own(real):
 
 
 @reals
+def test_points_of_a_path_have_tolerances(real):
+    exact = real.module.path([LIMITS] * 3, POINTS)
+    near = real.module.path([LIMITS] * 3, POINTS, tolerances=[0.0625, 0, 0.125])
+    off = abs(near.position(near.times) - np.array(POINTS))
+    assert near.t < exact.t and (off[1:-1] <= [0.0625 + 1e-6, 0, 0.125 + 1e-6]).all() and off.any() and not off[[0, -1]].any()
+    each = real.module.path([LIMITS] * 3, POINTS, tolerances=[[0.0625, 0, 0.125]] * (len(POINTS) - 2))
+    assert each.t == near.t
+    none = real.module.path([LIMITS] * 3, POINTS, tolerances=[0, 0, 0])
+    assert none.t <= exact.t and none.position(none.times).tolist() == POINTS
+
+
+@reals
 def test_times_of_a_path_have_any_shape_and_layout(real):
     path = real.module.path([LIMITS] * 3, POINTS)
     one = path.position(0.5)
@@ -393,6 +414,10 @@ def test_paths_say_why_not():
         "axis 1: .*not a number": lambda: atraj.path(two, [[0, math.nan], [1, 1]]),
         "axis 0: .*wrong sign": lambda: atraj.path([LIMITS._replace(jmin=1), LIMITS], [[0, 0], [1, 1]]),
         "axis 1: .*outside the limits": lambda: atraj.path(two, [[0, 0], [1, (1, 6, 0)]]),
+        "^tolerances has a number for each axis": lambda: atraj.path(two, [[0, 0], [1, 1]], tolerances="no"),
+        "tolerances has 2 lists": lambda: atraj.path(two, [[0, 0], [1, 1], [2, 2]], tolerances=[[0, 0]] * 2),
+        "point 1 has 1 tolerances, and limits 2 axes": lambda: atraj.path(two, [[0, 0], [1, 1], [2, 2]], tolerances=[[0]]),
+        "point 1, axis 1: the tolerance": lambda: atraj.path(two, [[0, 0], [1, 1], [2, 2]], tolerances=[0, -1]),
     }.items():
         with pytest.raises(ValueError, match=message):
             call()
@@ -419,7 +444,7 @@ def test_moves_say_why_not():
         r"^end.acceleration = 11 is outside the limits: it is above amax$": lambda: plan(LIMITS, 0, (0, 0, 11)),
         r"^end.acceleration = -9 cannot be reached: ": lambda: plan(LIMITS, 0, (0, 5, -9)),
         r"^target.velocity = 7 is outside the limits": lambda: atraj.Move.meet(LIMITS, 0, (0, 7)),
-        r"^horizon = 0 is not a time above 0$": lambda: atraj.Move.track(LIMITS, 0, 0, 0),
+        r"^horizon = 0 is not a time above 0$": lambda: atraj.Move.track(LIMITS, 0, 0, 0, 0),
         r"^lowest = 2 is not below highest = 1$": lambda: atraj.Move.within(LIMITS, 0, 1, 2, 1),
         r"^lowest = NaN is infinite or not a number$": lambda: atraj.Move.within(LIMITS, 0, 1, math.nan, 1),
         r"^start.position = 0 leaves the positions from lowest = 1 to highest = 3$": lambda: atraj.Move.within(LIMITS, 0, 2, 1, 3),
@@ -540,8 +565,8 @@ def test_numbers_come_in_lists_tuples_and_arrays(real):
 
 ORDER = ["limits", "moves", "move", "jerk", "acceleration", "velocity", "ac", "de", "t", "c", "start", "p0", "end", "target", "signal", "p1", "points", "v0",
          "v1", "a0", "a1", "j0", "j1", "lowest", "highest", "horizon", "offset", "step", "kind", "frequency", "damping"]
-# `reach` goes to a velocity, as `end`; a trapezoid has liba's order.
-AFTER_START = {"velocity", "acceleration"}
+# `reach` goes to a velocity, as `end`, and a signal has a jerk; a trapezoid has liba's order.
+AFTER_START = {"velocity", "acceleration", "jerk"}
 
 
 def test_arguments_have_one_order():

@@ -50,11 +50,7 @@ impl Axes {
             passed += section[0].t;
             times.push(passed);
         }
-        Self {
-            sections,
-            times,
-            findings,
-        }
+        Self { sections, times, findings }
     }
 
     /// Duration, s.
@@ -67,9 +63,7 @@ impl Axes {
         let axes = self.axes();
         if given.len() != axes {
             let count = given.len();
-            return Err(error(&format!(
-                "limits has {count} items, and moves {axes} axes"
-            )));
+            return Err(error(&format!("limits has {count} items, and moves {axes} axes")));
         }
         let limits: Vec<_> = given.iter().map(|limits| limits.0).collect();
         let rest = [State::at(0.0); 2];
@@ -85,11 +79,7 @@ impl Axes {
         let motions = &self.sections[section];
         let is_over = section > 0 && begun == self.times.len();
         // The sum of the durations is rounded, and the end is where the last section ends.
-        let since = if is_over {
-            motions[0].t + (x - self.lasts())
-        } else {
-            x - self.times[section]
-        };
+        let since = if is_over { motions[0].t + (x - self.lasts()) } else { x - self.times[section] };
         (motions, since)
     }
 }
@@ -142,9 +132,7 @@ impl Axes {
     /// The `State` of each axis at the time `x`, s: where another plan starts.
     fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyList>> {
         let (motions, x) = self.at(x);
-        let states = motions
-            .iter()
-            .map(|motion| to_state(py, motion.state_at(x)));
+        let states = motions.iter().map(|motion| to_state(py, motion.state_at(x)));
         PyList::new(py, states.collect::<PyResult<Vec<_>>>()?)
     }
 
@@ -159,11 +147,7 @@ impl Axes {
     /// (226, 2)
     #[pyo3(signature = (dt=None, *, n=None, start=0.0))]
     fn sample<'py>(
-        &self,
-        py: Python<'py>,
-        dt: Option<Real>,
-        n: Option<usize>,
-        start: Real,
+        &self, py: Python<'py>, dt: Option<Real>, n: Option<usize>, start: Real,
     ) -> PyResult<Bound<'py, PyAny>> {
         let out = None;
         Rows::sample(self, py, Request { dt, n, start, out }, self.lasts())
@@ -176,12 +160,8 @@ impl Axes {
     /// the axes. `axes`, the axes of a figure, draws over what is there.
     #[pyo3(signature = (*, axes=None, limits=None, unit=None, labels=None, plane=None))]
     fn plot<'py>(
-        slf: &Bound<'py, Self>,
-        axes: Option<Bound<'py, PyAny>>,
-        limits: Option<Bound<'py, PyAny>>,
-        unit: Option<&str>,
-        labels: Option<Bound<'py, PyAny>>,
-        plane: Option<(usize, usize)>,
+        slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>, limits: Option<Bound<'py, PyAny>>, unit: Option<&str>,
+        labels: Option<Bound<'py, PyAny>>, plane: Option<(usize, usize)>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let plot = slf.py().import("atraj._plot")?.getattr("plot_axes")?;
         plot.call1((slf, axes, limits, unit, labels, plane))
@@ -220,9 +200,7 @@ impl Moves {
     }
 
     fn all<'py>(slf: &Bound<'py, Self>) -> PyResult<Vec<Py<Move>>> {
-        let Axes {
-            sections, findings, ..
-        } = slf.as_super().get();
+        let Axes { sections, findings, .. } = slf.as_super().get();
         let planned = |&motion: &Motion<Real>| {
             let findings = *findings;
             Move::of(slf.py(), Planned { motion, findings })
@@ -247,9 +225,7 @@ impl Moves {
     }
 
     fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(PyList::new(slf.py(), Self::all(slf)?)?
-            .try_iter()?
-            .into_any())
+        Ok(PyList::new(slf.py(), Self::all(slf)?)?.try_iter()?.into_any())
     }
 
     /// What a copy is made of.
@@ -264,11 +240,7 @@ impl Moves {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let moves = PyTuple::new(slf.py(), Self::all(slf)?)?;
-        rebuilding(
-            slf.as_any(),
-            "_from_moves",
-            PyTuple::new(slf.py(), [moves])?,
-        )
+        rebuilding(slf.as_any(), "_from_moves", PyTuple::new(slf.py(), [moves])?)
     }
 
     fn __repr__(slf: &Bound<'_, Self>) -> String {
@@ -291,12 +263,8 @@ impl Moves {
 #[pyfunction]
 #[pyo3(signature = (limits, start, end, *, duration=0.0, cycle=0.0))]
 pub fn synchronise(
-    py: Python<'_>,
-    limits: Vec<GivenLimits<Real>>,
-    start: Vec<GivenState<Real>>,
-    end: Vec<GivenState<Real>>,
-    duration: Real,
-    cycle: Real,
+    py: Python<'_>, limits: Vec<GivenLimits<Real>>, start: Vec<GivenState<Real>>, end: Vec<GivenState<Real>>,
+    duration: Real, cycle: Real,
 ) -> PyResult<Py<Moves>> {
     let (ends, times) = ([&start[..], &end], [duration, cycle]);
     let anywhere = |_| ANYWHERE;
@@ -325,20 +293,10 @@ pub fn synchronise(
 #[pyo3(signature = (limits, start, end, lowest, highest, *, duration=0.0, cycle=0.0))]
 #[allow(clippy::too_many_arguments)]
 pub fn synchronise_within(
-    py: Python<'_>,
-    limits: Vec<GivenLimits<Real>>,
-    start: Vec<GivenState<Real>>,
-    end: Vec<GivenState<Real>>,
-    lowest: Vec<Real>,
-    highest: Vec<Real>,
-    duration: Real,
-    cycle: Real,
+    py: Python<'_>, limits: Vec<GivenLimits<Real>>, start: Vec<GivenState<Real>>, end: Vec<GivenState<Real>>,
+    lowest: Vec<Real>, highest: Vec<Real>, duration: Real, cycle: Real,
 ) -> PyResult<Py<Moves>> {
-    are_as_long(&[
-        ("limits", limits.len()),
-        ("lowest", lowest.len()),
-        ("highest", highest.len()),
-    ])?;
+    are_as_long(&[("limits", limits.len()), ("lowest", lowest.len()), ("highest", highest.len())])?;
     let (ends, times) = ([&start[..], &end], [duration, cycle]);
     let between = |axis: usize| [lowest[axis], highest[axis]];
     together(py, &limits, ends, between, times, |moves, limits, ends| {
@@ -358,12 +316,8 @@ pub fn synchronise_within(
 #[pyfunction]
 #[pyo3(signature = (limits, start, end, *, duration=0.0, cycle=0.0))]
 pub fn line(
-    py: Python<'_>,
-    limits: Vec<GivenLimits<Real>>,
-    start: Vec<GivenState<Real>>,
-    end: Vec<GivenState<Real>>,
-    duration: Real,
-    cycle: Real,
+    py: Python<'_>, limits: Vec<GivenLimits<Real>>, start: Vec<GivenState<Real>>, end: Vec<GivenState<Real>>,
+    duration: Real, cycle: Real,
 ) -> PyResult<Py<Moves>> {
     let (ends, times) = ([&start[..], &end], [duration, cycle]);
     let anywhere = |_| ANYWHERE;
@@ -375,22 +329,11 @@ pub fn line(
 
 /// The moves that `plan` writes. ValueError names the first axis that cannot be planned alone, else a time.
 fn together(
-    py: Python<'_>,
-    limits: &[GivenLimits<Real>],
-    [start, end]: [&[GivenState<Real>]; 2],
-    positions: impl Fn(usize) -> [Real; 2],
-    [duration, cycle]: [Real; 2],
-    plan: impl FnOnce(
-        &mut [Motion<Real>],
-        &[Limits<Real>],
-        [&[State<Real>]; 2],
-    ) -> Result<Findings, Error>,
+    py: Python<'_>, limits: &[GivenLimits<Real>], [start, end]: [&[GivenState<Real>]; 2],
+    positions: impl Fn(usize) -> [Real; 2], [duration, cycle]: [Real; 2],
+    plan: impl FnOnce(&mut [Motion<Real>], &[Limits<Real>], [&[State<Real>]; 2]) -> Result<Findings, Error>,
 ) -> PyResult<Py<Moves>> {
-    are_as_long(&[
-        ("limits", limits.len()),
-        ("start", start.len()),
-        ("end", end.len()),
-    ])?;
+    are_as_long(&[("limits", limits.len()), ("start", start.len()), ("end", end.len())])?;
     let limits: Vec<_> = limits.iter().map(|limits| limits.0).collect();
     let [start, end] = [start, end].map(|states| states.iter().map(|s| s.0).collect::<Vec<_>>());
     let mut moves = vec![Motion::default(); limits.len()];
@@ -400,9 +343,7 @@ fn together(
         let times = [("duration", duration), ("cycle", cycle)];
         match each_alone((0..limits.len()).map(asked)) {
             Err(refused) => refused,
-            Ok(()) if why == Error::Axes => {
-                error("there is no axis: limits, start and end are empty")
-            }
+            Ok(()) if why == Error::Axes => error("there is no axis: limits, start and end are empty"),
             Ok(()) => no_move(why, "", &any, &[], &times),
         }
     })?;
@@ -414,13 +355,9 @@ fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
     if lists.iter().all(|(_, length)| *length == lists[0].1) {
         return Ok(());
     }
-    let lengths = lists
-        .iter()
-        .map(|(name, length)| format!("{name} {length}"));
+    let lengths = lists.iter().map(|(name, length)| format!("{name} {length}"));
     let lengths = lengths.collect::<Vec<_>>().join(", ");
-    Err(error(&format!(
-        "the lists have different lengths: {lengths}"
-    )))
+    Err(error(&format!("the lists have different lengths: {lengths}")))
 }
 
 /// Moves that stop on the straight line of `moves`, from their time `x` on, s: a feed hold. The stop begins at its time 0.
@@ -438,10 +375,7 @@ fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
 /// True
 #[pyfunction]
 pub fn line_stop(
-    py: Python<'_>,
-    limits: Vec<GivenLimits<Real>>,
-    moves: &Bound<'_, Moves>,
-    x: Real,
+    py: Python<'_>, limits: Vec<GivenLimits<Real>>, moves: &Bound<'_, Moves>, x: Real,
 ) -> PyResult<Py<Moves>> {
     let planned = moves.as_super().get();
     let limits = planned.limits(&limits)?;

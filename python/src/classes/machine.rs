@@ -24,13 +24,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 }
 
 /// The kinds in the order of `ShaperKind`, which are the numbers of C.
-const KINDS: [ShaperKind; 5] = [
-    ShaperKind::Zv,
-    ShaperKind::Zvd,
-    ShaperKind::Mzv,
-    ShaperKind::Ei,
-    ShaperKind::Ei2,
-];
+const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Zvd, ShaperKind::Mzv, ShaperKind::Ei, ShaperKind::Ei2];
 
 /// A frequency of a load that a shaper leaves at rest: kind, frequency, Hz, and damping.
 type Frequency = (u8, Real, Real);
@@ -67,12 +61,7 @@ impl Shaper {
             let is_frequency = frequency > 0.0 && frequency.is_finite();
             let is_damping = (0.0..1.0).contains(&damping);
             let numbers = [
-                (
-                    "frequency",
-                    frequency,
-                    is_frequency,
-                    "is not a number above 0, Hz",
-                ),
+                ("frequency", frequency, is_frequency, "is not a number above 0, Hz"),
                 ("damping", damping, is_damping, "is not from 0 to below 1"),
             ];
             match why {
@@ -100,11 +89,7 @@ impl Shaper {
     fn smooth(time: Real) -> PyResult<Self> {
         let smoothed = machine::Shaper::smooth(time);
         let numbers = [("time", time, false, "is not a time from 0 on")];
-        Ok(Self {
-            inner: smoothed.map_err(|why| no_part(why, &numbers))?,
-            smoothing: time,
-            frequencies: Vec::new(),
-        })
+        Ok(Self { inner: smoothed.map_err(|why| no_part(why, &numbers))?, smoothing: time, frequencies: Vec::new() })
     }
 
     /// This shaper for another frequency of the load too, as a new shaper. The impulses of both are multiplied.
@@ -127,24 +112,12 @@ impl Shaper {
             Unshaped::Bell(bell.get().0)
         } else {
             let name = r#move.get_type().name()?;
-            return Err(PyTypeError::new_err(format!(
-                "a Move or a Bell can be shaped, and this is a {name}"
-            )));
+            return Err(PyTypeError::new_err(format!("a Move or a Bell can be shaped, and this is a {name}")));
         };
         let shaper = slf.get().inner;
         let t = r#move.get().lasts() + shaper.duration();
-        let made_of = (
-            slf.clone().into_any().unbind(),
-            r#move.clone().into_any().unbind(),
-        );
-        let base = Profile::new(
-            ShapedMotion {
-                shaper,
-                of,
-                made_of,
-            },
-            t,
-        );
+        let made_of = (slf.clone().into_any().unbind(), r#move.clone().into_any().unbind());
+        let base = Profile::new(ShapedMotion { shaper, of, made_of }, t);
         Py::new(slf.py(), base.add_subclass(Shaped))
     }
 
@@ -164,11 +137,7 @@ impl Shaper {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let Self {
-            smoothing,
-            frequencies,
-            ..
-        } = slf.get();
+        let Self { smoothing, frequencies, .. } = slf.get();
         let frequencies = PyTuple::new(slf.py(), frequencies.clone())?;
         let arguments = (*smoothing, frequencies).into_pyobject(slf.py())?;
         rebuilding(slf.as_any(), "_from_frequencies", arguments)
@@ -183,26 +152,17 @@ impl Shaper {
     }
 
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
-        let Self {
-            smoothing,
-            frequencies,
-            ..
-        } = slf.get();
+        let Self { smoothing, frequencies, .. } = slf.get();
         let module = slf.get_type().module()?;
         let mut frequencies = frequencies.iter().map(|(kind, frequency, damping)| {
             let name = named(slf.py(), "ShaperKind", (*kind,))?.getattr("name")?;
-            PyResult::Ok(format!(
-                "(atraj.ShaperKind.{name}, {frequency:?}, {damping:?})"
-            ))
+            PyResult::Ok(format!("(atraj.ShaperKind.{name}, {frequency:?}, {damping:?})"))
         });
         let mut text = match (*smoothing, frequencies.next()) {
             (0.0, Some(first)) => format!("{module}.Shaper{}", first?),
             (_, first) => {
                 let added = first.transpose()?.map(|first| format!(".add{first}"));
-                format!(
-                    "{module}.Shaper.smooth({smoothing:?}){}",
-                    added.unwrap_or_default()
-                )
+                format!("{module}.Shaper.smooth({smoothing:?}){}", added.unwrap_or_default())
             }
         };
         for other in frequencies {
@@ -303,18 +263,8 @@ impl Steps {
         let of = r#move.get().0.motion;
         let numbers = [
             ("offset", offset, offset.is_finite(), NUMBER),
-            (
-                "step",
-                step,
-                step > 0.0 && step.is_finite(),
-                "is not a number above 0",
-            ),
-            (
-                "step",
-                step,
-                false,
-                "is too small: a position is too many steps away from the offset",
-            ),
+            ("step", step, step > 0.0 && step.is_finite(), "is not a number above 0"),
+            ("step", step, false, "is too small: a position is too many steps away from the offset"),
         ];
         let inner = machine::Steps::new(&of, offset, step);
         let inner = inner.map_err(|why| no_part(why, &numbers))?;
@@ -471,39 +421,21 @@ impl Clock {
     fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyList>> {
         let states = (0..self.axes()).map(|axis| {
             let [position, velocity, acceleration, _] = self.state(x, axis);
-            to_state(
-                py,
-                State {
-                    position,
-                    velocity,
-                    acceleration,
-                },
-            )
+            to_state(py, State { position, velocity, acceleration })
         });
         PyList::new(py, states.collect::<PyResult<Vec<_>>>()?)
     }
 
     /// `Samples` as of `Moves`, with the time `start + k*dt`, s. A clock that holds never ends, so `n` is needed.
     #[pyo3(signature = (dt, *, n, start=0.0))]
-    fn sample<'py>(
-        &self,
-        py: Python<'py>,
-        dt: Real,
-        n: usize,
-        start: Real,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn sample<'py>(&self, py: Python<'py>, dt: Real, n: usize, start: Real) -> PyResult<Bound<'py, PyAny>> {
         let (dt, n, out) = (Some(dt), Some(n), None);
         Rows::sample(self, py, Request { dt, n, start, out }, self.t)
     }
 
     /// To try a change.
     fn __copy__(&self) -> Self {
-        Self {
-            inner: self.inner,
-            limits: self.limits.clone(),
-            moves: self.moves.clone(),
-            t: self.t,
-        }
+        Self { inner: self.inner, limits: self.limits.clone(), moves: self.moves.clone(), t: self.t }
     }
 
     fn __deepcopy__(&self, _memo: Bound<'_, PyAny>) -> Self {

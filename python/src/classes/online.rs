@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use super::Real;
 use super::profiles::Profile;
 use crate::motion::{Planned, move_from_parts};
-use crate::values::{GivenLimits, GivenState, error, from_findings, to_findings, to_phase};
+use crate::values::{GivenLimits, GivenState, error, to_findings, to_phase};
 use crate::why::no_move;
 
 /// Adds the class to a module.
@@ -36,10 +36,7 @@ pub struct Move(pub Arc<Planned<Real>>);
 impl Move {
     /// The move that `plan` writes. The names and the numbers are for the error.
     fn planned(
-        py: Python<'_>,
-        limits: &GivenLimits<Real>,
-        states: &[(&str, GivenState<Real>)],
-        others: &[(&str, Real)],
+        py: Python<'_>, limits: &GivenLimits<Real>, states: &[(&str, GivenState<Real>)], others: &[(&str, Real)],
         plan: impl FnOnce(&mut atraj::online::Move<Real>) -> Result<Findings, Error>,
     ) -> PyResult<Py<Self>> {
         let mut planned = Arc::new(Planned::default());
@@ -48,10 +45,7 @@ impl Move {
             return Err(error("the move is shared"));
         };
         *findings = plan(motion).map_err(|why| {
-            let states: Vec<_> = states
-                .iter()
-                .map(|(name, state)| (*name, state.0))
-                .collect();
+            let states: Vec<_> = states.iter().map(|(name, state)| (*name, state.0)).collect();
             no_move(why, "", &limits.0, &states, others)
         })?;
         Self::share(py, planned)
@@ -74,15 +68,10 @@ impl Move {
     /// A start outside the limits comes inside in the fastest way. The end may be behind, or nearer than the way to stop.
     #[staticmethod]
     fn plan(
-        py: Python<'_>,
-        limits: GivenLimits<Real>,
-        start: GivenState<Real>,
-        end: GivenState<Real>,
+        py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, end: GivenState<Real>,
     ) -> PyResult<Py<Self>> {
         let states = [("start", start), ("end", end)];
-        Self::planned(py, &limits, &states, &[], |axis| {
-            axis.plan(&limits.0, start.0, end.0)
-        })
+        Self::planned(py, &limits, &states, &[], |axis| axis.plan(&limits.0, start.0, end.0))
     }
 
     /// The fastest motion from the state `start` to the state `end`, if it stays between two positions until its end; `-inf` and `inf` are no
@@ -90,96 +79,59 @@ impl Move {
     /// reached from rest between them.
     #[staticmethod]
     fn within(
-        py: Python<'_>,
-        limits: GivenLimits<Real>,
-        start: GivenState<Real>,
-        end: GivenState<Real>,
-        lowest: Real,
+        py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, end: GivenState<Real>, lowest: Real,
         highest: Real,
     ) -> PyResult<Py<Self>> {
         let states = [("start", start), ("end", end)];
         let positions = [("lowest", lowest), ("highest", highest)];
-        Self::planned(py, &limits, &states, &positions, |axis| {
-            axis.within(&limits.0, start.0, end.0, lowest, highest)
-        })
+        Self::planned(py, &limits, &states, &positions, |axis| axis.within(&limits.0, start.0, end.0, lowest, highest))
     }
 
     /// The fastest motion from the state `start` to a velocity and an acceleration; the position is free.
     #[staticmethod]
     #[pyo3(signature = (limits, start, velocity, acceleration=0.0))]
     fn reach(
-        py: Python<'_>,
-        limits: GivenLimits<Real>,
-        start: GivenState<Real>,
-        velocity: Real,
-        acceleration: Real,
+        py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, velocity: Real, acceleration: Real,
     ) -> PyResult<Py<Self>> {
-        let end = State {
-            position: 0.0,
-            velocity,
-            acceleration,
-        };
+        let end = State { position: 0.0, velocity, acceleration };
         let states = [("start", start), ("end", GivenState(end))];
-        Self::planned(py, &limits, &states, &[], |axis| {
-            axis.reach(&limits.0, start.0, velocity, acceleration)
-        })
+        Self::planned(py, &limits, &states, &[], |axis| axis.reach(&limits.0, start.0, velocity, acceleration))
     }
 
     /// The fastest stop from the state `start`; the position is free.
     #[staticmethod]
-    fn stop(
-        py: Python<'_>,
-        limits: GivenLimits<Real>,
-        start: GivenState<Real>,
-    ) -> PyResult<Py<Self>> {
+    fn stop(py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>) -> PyResult<Py<Self>> {
         let states = [("start", start), ("end", GivenState(State::at(0.0)))];
-        Self::planned(py, &limits, &states, &[], |axis| {
-            axis.stop(&limits.0, start.0)
-        })
+        Self::planned(py, &limits, &states, &[], |axis| axis.stop(&limits.0, start.0))
     }
 
     /// The fastest motion from the state `start` to a target that moves on at its velocity. The move ends beside the target, at
     /// `target.position + t * target.velocity`. The target must not accelerate.
     #[staticmethod]
     fn meet(
-        py: Python<'_>,
-        limits: GivenLimits<Real>,
-        start: GivenState<Real>,
-        target: GivenState<Real>,
+        py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, target: GivenState<Real>,
     ) -> PyResult<Py<Self>> {
         let states = [("start", start), ("target", target)];
-        Self::planned(py, &limits, &states, &[], |axis| {
-            axis.meet(&limits.0, start.0, target.0)
-        })
+        Self::planned(py, &limits, &states, &[], |axis| axis.meet(&limits.0, start.0, target.0))
     }
 
-    /// The motion of one tick of an axis that follows `signal`, a state: call it in every tick. Where the axis can be beside the signal after
-    /// the time `horizon`, s, it gets there in just this time. Else it meets the signal as fast as it can.
+    /// The next moments of an axis that follows `signal`, a state, with its `jerk`, 0 if nobody knows it: call it in every tick. Where the axis
+    /// can be next to the signal after the time `horizon`, s, it gets there in just this time. Else it chases the signal as fast as it can.
     #[staticmethod]
     fn track(
-        py: Python<'_>,
-        limits: GivenLimits<Real>,
-        start: GivenState<Real>,
-        signal: GivenState<Real>,
+        py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, signal: GivenState<Real>, jerk: Real,
         horizon: Real,
     ) -> PyResult<Py<Self>> {
         let states = [("start", start), ("signal", signal)];
-        Self::planned(py, &limits, &states, &[("horizon", horizon)], |axis| {
-            axis.track(&limits.0, start.0, signal.0, horizon)
+        Self::planned(py, &limits, &states, &[("jerk", jerk), ("horizon", horizon)], |axis| {
+            axis.track(&limits.0, start.0, signal.0, jerk, horizon)
         })
     }
 
     /// What is wrong with the move against `limits`, a `Findings`: what it exceeds, whether it jumps. It reads the phases alone.
-    fn check<'py>(
-        &self,
-        py: Python<'py>,
-        limits: GivenLimits<Real>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn check<'py>(&self, py: Python<'py>, limits: GivenLimits<Real>) -> PyResult<Bound<'py, PyAny>> {
         let found = self.0.motion.check(&limits.0);
-        to_findings(
-            py,
-            found.map_err(|why| no_move(why, "", &limits.0, &[], &[]))?,
-        )
+        to_findings(py, found.map_err(|why| no_move(why, "", &limits.0, &[], &[]))?)
     }
 
     /// The first time from 0 to `t` at which the axis is at `position`, s; None if it never is.
@@ -203,14 +155,9 @@ impl Move {
 
     /// What a copy is made of.
     #[staticmethod]
-    fn _from_phases(
-        py: Python<'_>,
-        t: Real,
-        findings: u8,
-        phases: Vec<[Real; 6]>,
-    ) -> PyResult<Py<Self>> {
+    fn _from_phases(py: Python<'_>, t: Real, findings: u8, phases: Vec<[Real; 6]>) -> PyResult<Py<Self>> {
         let motion = move_from_parts(t, &phases)?;
-        let findings = from_findings(findings);
+        let findings = Findings::from_bits(findings);
         Self::of(py, Planned { motion, findings })
     }
 }

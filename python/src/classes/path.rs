@@ -1,6 +1,6 @@
 //! Way points without stops.
 
-use atraj::axes::{improve_path, path_size, plan_path, synchronise};
+use atraj::axes::{improve_path, path_deviation, path_moves, path_size, path_size_near, plan_path, plan_path_near};
 use atraj::online::{Limits, Move};
 use atraj::{Findings, State};
 use numpy::PyArray1;
@@ -12,7 +12,7 @@ use super::Real;
 use super::axes::{ANYWHERE, Axes};
 use super::profiles::rebuilding;
 use crate::motion::Rows;
-use crate::values::{GivenLimits, GivenState, error, from_findings, limits_numbers, state_numbers};
+use crate::values::{GivenLimits, GivenState, error, limits_numbers, state_numbers};
 use crate::why::each_alone;
 
 /// Adds the class and the function to a module.
@@ -30,58 +30,42 @@ pub struct Path {
     limits: Vec<Limits<Real>>,
 }
 
-/// `plan_path` or `improve_path`.
-type Planner = fn(
-    &mut [State<Real>],
-    &mut [Real],
-    &[Limits<Real>],
-    u32,
-    &mut [Real],
-) -> Result<Findings, atraj::Error>;
+/// What is planned: `plan_path`, `plan_path_near` or `improve_path`.
+enum Plan {
+    Through,
+    Near(Vec<Real>),
+    Improved,
+}
 
 impl Path {
     fn plan(
-        py: Python<'_>,
-        planner: Planner,
-        axes: usize,
-        mut states: Vec<State<Real>>,
-        mut durations: Vec<Real>,
-        limits: Vec<Limits<Real>>,
-        steps: u32,
+        py: Python<'_>, plan: &Plan, axes: usize, mut states: Vec<State<Real>>, mut durations: Vec<Real>,
+        limits: Vec<Limits<Real>>, steps: u32,
     ) -> PyResult<Py<Self>> {
         let sections = durations.len();
         let mut work = Vec::new();
-        path_size(axes, sections)
-            .and_then(|size| {
-                work.try_reserve_exact(size)
-                    .ok()
-                    .map(|()| work.resize(size, 0.0))
-            })
+        let size = if let Plan::Near(_) = plan { path_size_near } else { path_size };
+        size(axes, sections)
+            .and_then(|size| work.try_reserve_exact(size).ok().map(|()| work.resize(size, 0.0)))
             .ok_or_else(|| PyMemoryError::new_err(format!("no memory for {sections} sections")))?;
-        let findings = planner(&mut states, &mut durations, &limits, steps, &mut work)
-            .map_err(|why| error(&why.to_string()))?;
+        let (to, times, work) = (&mut states, &mut durations, &mut work);
+        let planned = match plan {
+            Plan::Through => plan_path(to, times, &limits, axes, steps, work),
+            Plan::Near(tolerances) => plan_path_near(to, times, &limits, tolerances, axes, steps, work),
+            Plan::Improved => improve_path(to, times, &limits, axes, steps, work),
+        };
+        let findings = planned.map_err(|why| error(&why.to_string()))?;
         Self::of(py, axes, states, &durations, limits, findings)
     }
 
     /// The path through these states, each section of which lasts as long.
     fn of(
-        py: Python<'_>,
-        axes: usize,
-        states: Vec<State<Real>>,
-        durations: &[Real],
-        limits: Vec<Limits<Real>>,
+        py: Python<'_>, axes: usize, states: Vec<State<Real>>, durations: &[Real], limits: Vec<Limits<Real>>,
         findings: Findings,
     ) -> PyResult<Py<Self>> {
-        let has_zones = limits.len() > axes;
-        let mut sections = Vec::new();
-        for (section, &duration) in durations.iter().enumerate() {
-            let mut motions = vec![Move::default(); axes];
-            let [from, to] = [section, section + 1].map(|point| &states[point * axes..][..axes]);
-            let limits = &limits[if has_zones { section * axes } else { 0 }..][..axes];
-            let planned = synchronise(&mut motions, limits, from, to, duration, 0.0);
-            planned.map_err(|why| error(&why.to_string()))?;
-            sections.push(motions);
-        }
+        let mut moves = vec![Move::default(); axes * durations.len()];
+        path_moves(&mut moves, &limits, &states, durations, axes).map_err(|why| error(&why.to_string()))?;
+        let sections = moves.chunks(axes).map(<[_]>::to_vec).collect();
         let base = PyClassInitializer::from(Axes::new(sections, findings));
         Py::new(py, base.add_subclass(Self { states, limits }))
     }
@@ -93,6 +77,18 @@ impl Path {
     #[getter]
     fn times<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyArray1<Real>> {
         PyArray1::from_slice(slf.py(), &slf.as_super().get().times)
+    }
+
+    /// How far the path leaves the straight lines between its points, in the space of all axes: the largest distance, or up to 1 % more.
+    ///
+    /// >>> import atraj
+    /// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+    /// >>> round(atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).deviation, 2)
+    /// 0.82
+    #[getter]
+    fn deviation(slf: &Bound<'_, Self>) -> Real {
+        let axes = slf.as_super().get();
+        path_deviation(&axes.sections.concat(), axes.axes())
     }
 
     /// A path through the same points that is not longer, from at most `steps` steps (0: as many as the path needs, at most 48).
@@ -107,56 +103,31 @@ impl Path {
         let (Self { states, limits }, axes) = (slf.get(), slf.as_super().get());
         let durations = durations(axes);
         let (states, limits) = (states.clone(), limits.clone());
-        Self::plan(
-            slf.py(),
-            improve_path,
-            axes.axes(),
-            states,
-            durations,
-            limits,
-            steps,
-        )
+        Self::plan(slf.py(), &Plan::Improved, axes.axes(), states, durations, limits, steps)
     }
 
     /// What a copy is made of. Each section is planned again from the same numbers, so it has the same bits.
     #[staticmethod]
     fn _from_sections(
-        py: Python<'_>,
-        states: Vec<GivenState<Real>>,
-        durations: Vec<Real>,
-        limits: Vec<GivenLimits<Real>>,
+        py: Python<'_>, states: Vec<GivenState<Real>>, durations: Vec<Real>, limits: Vec<GivenLimits<Real>>,
         findings: u8,
     ) -> PyResult<Py<Self>> {
         let points = durations.len() + 1;
         let axes = states.len() / points;
-        let zones = if limits.len() == axes {
-            1
-        } else {
-            durations.len()
-        };
-        if points == 1 || axes == 0 || states.len() != axes * points || limits.len() != axes * zones
-        {
+        let zones = if limits.len() == axes { 1 } else { durations.len() };
+        if points == 1 || axes == 0 || states.len() != axes * points || limits.len() != axes * zones {
             return Err(error("a path has at least two points and one axis"));
         }
         let states = states.iter().map(|state| state.0).collect();
         let limits = limits.iter().map(|limits| limits.0).collect();
-        Self::of(
-            py,
-            axes,
-            states,
-            &durations,
-            limits,
-            from_findings(findings),
-        )
+        Self::of(py, axes, states, &durations, limits, Findings::from_bits(findings))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let (Self { states, limits }, axes) = (slf.get(), slf.as_super().get());
         let py = slf.py();
         let states = states.iter().map(|&state| state_numbers(state));
-        let limits = limits
-            .iter()
-            .map(|&limits| PyTuple::new(py, limits_numbers(limits)));
+        let limits = limits.iter().map(|&limits| PyTuple::new(py, limits_numbers(limits)));
         let limits = limits.collect::<PyResult<Vec<_>>>()?;
         let arguments = (
             PyTuple::new(py, states.collect::<Vec<_>>())?,
@@ -188,9 +159,7 @@ impl Coordinate {
     fn of(number: &Bound<'_, PyAny>) -> Option<Self> {
         let state = || number.extract::<GivenState<Real>>();
         let position = number.extract().map(Self::Position);
-        position
-            .or_else(|_: PyErr| state().map(|state| Self::State(state.0)))
-            .ok()
+        position.or_else(|_: PyErr| state().map(|state| Self::State(state.0))).ok()
     }
 
     fn state(&self) -> State<Real> {
@@ -212,14 +181,54 @@ impl<'a, 'py> FromPyObject<'a, 'py> for PathLimits {
 
     fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
         let sections = |_| given.extract().map(Self::Sections);
-        let neither = |_: PyErr| {
-            error("limits has a Limits for each axis, or for each section a list of them")
+        let neither = |_: PyErr| error("limits has a Limits for each axis, or for each section a list of them");
+        given.extract().map(Self::Axes).or_else(sections).map_err(neither)
+    }
+}
+
+/// A number for each axis, or for each point between the first and the last one a list of them.
+pub enum Tolerances {
+    Axes(Vec<Real>),
+    Points(Vec<Vec<Real>>),
+}
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Tolerances {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let points = |_| given.extract().map(Self::Points);
+        let neither =
+            |_: PyErr| error("tolerances has a number for each axis, or for each point between a list of them");
+        given.extract().map(Self::Axes).or_else(points).map_err(neither)
+    }
+}
+
+impl Tolerances {
+    /// The tolerances point by point.
+    fn of_points(self, axes: usize, between: usize) -> PyResult<Vec<Real>> {
+        let points = match self {
+            Self::Axes(axes) => vec![axes; between],
+            Self::Points(points) => points,
         };
-        given
-            .extract()
-            .map(Self::Axes)
-            .or_else(sections)
-            .map_err(neither)
+        if points.len() != between {
+            let count = points.len();
+            return Err(error(&format!(
+                "tolerances has {count} lists, and the path {between} points between its ends"
+            )));
+        }
+        for (k, point) in (1..).zip(&points) {
+            if point.len() != axes {
+                let count = point.len();
+                return Err(error(&format!("point {k} has {count} tolerances, and limits {axes} axes")));
+            }
+            for (axis, tolerance) in point.iter().enumerate() {
+                let is_tolerance = *tolerance >= 0.0 && tolerance.is_finite();
+                is_tolerance
+                    .then_some(())
+                    .ok_or_else(|| wrong(k, axis, "the tolerance is negative or no finite number"))?;
+            }
+        }
+        Ok(points.concat())
     }
 }
 
@@ -230,6 +239,9 @@ impl<'a, 'py> FromPyObject<'a, 'py> for PathLimits {
 /// at rest; the first and the last point may have a `State` in the place of a position. The planner takes at most `steps` steps (0: as many
 /// as the path needs, at most 48). ValueError says which point or axis is wrong.
 ///
+/// With `tolerances` the path passes the points between the first and the last one within fly-by zones: a number for each axis says how far its
+/// position may be from the given one, for all points or in a list for each of them. The path is not longer than the one through the points.
+///
 /// >>> import atraj
 /// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
 /// >>> path = atraj.path(limits, [[0, 0], [3, 1], [4, 5]])
@@ -239,13 +251,13 @@ impl<'a, 'py> FromPyObject<'a, 'py> for PathLimits {
 ///        [4., 5.]])
 /// >>> bool((path.velocity(path.times[1]) > 1).all())
 /// True
+/// >>> near = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], tolerances=[0, 0.1])
+/// >>> bool(near.t < path.t)
+/// True
 #[pyfunction]
-#[pyo3(signature = (limits, points, *, steps=0))]
+#[pyo3(signature = (limits, points, *, tolerances=None, steps=0))]
 pub fn path(
-    py: Python<'_>,
-    limits: PathLimits,
-    points: Vec<Vec<Bound<'_, PyAny>>>,
-    steps: u32,
+    py: Python<'_>, limits: PathLimits, points: Vec<Vec<Bound<'_, PyAny>>>, tolerances: Option<Tolerances>, steps: u32,
 ) -> PyResult<Py<Path>> {
     let points = coordinates(&points)?;
     let sections = points.len().saturating_sub(1);
@@ -254,38 +266,29 @@ pub fn path(
         PathLimits::Sections(zones) if zones.len() == sections => zones,
         PathLimits::Sections(zones) => {
             let count = zones.len();
-            return Err(error(&format!(
-                "limits has {count} lists, and the path {sections} sections"
-            )));
+            return Err(error(&format!("limits has {count} lists, and the path {sections} sections")));
         }
     };
-    let zones: Vec<Vec<_>> = zones
-        .into_iter()
-        .map(|limits| limits.into_iter().map(|limits| limits.0).collect())
-        .collect();
+    let zones: Vec<Vec<_>> =
+        zones.into_iter().map(|limits| limits.into_iter().map(|limits| limits.0).collect()).collect();
     for (k, limits) in zones.iter().enumerate() {
         check(&points, limits, k + 1 == zones.len())?;
     }
     let axes = zones.first().map_or(0, Vec::len);
     let states = points.iter().flatten().map(Coordinate::state).collect();
     let durations = vec![0.0; sections];
-    Path::plan(
-        py,
-        plan_path,
-        axes,
-        states,
-        durations,
-        zones.concat(),
-        steps,
-    )
+    let plan = match tolerances {
+        Some(tolerances) => Plan::Near(tolerances.of_points(axes, sections - 1)?),
+        None => Plan::Through,
+    };
+    Path::plan(py, &plan, axes, states, durations, zones.concat(), steps)
 }
 
 fn coordinates(points: &[Vec<Bound<'_, PyAny>>]) -> PyResult<Vec<Vec<Coordinate>>> {
     let point = |(k, numbers): (usize, &Vec<Bound<'_, PyAny>>)| {
         let numbers = numbers.iter().enumerate();
-        let coordinates = numbers.map(|(axis, number)| {
-            Coordinate::of(number).ok_or_else(|| wrong(k, axis, "neither a number nor a state"))
-        });
+        let coordinates = numbers
+            .map(|(axis, number)| Coordinate::of(number).ok_or_else(|| wrong(k, axis, "neither a number nor a state")));
         coordinates.collect()
     };
     points.iter().enumerate().map(point).collect()
@@ -307,9 +310,7 @@ fn check(points: &[Vec<Coordinate>], limits: &[Limits<Real>], are_last: bool) ->
     for (k, point) in points.iter().enumerate() {
         if point.len() != limits.len() {
             let [has, axes] = [point.len(), limits.len()];
-            return Err(error(&format!(
-                "point {k} has {has} coordinates, and limits {axes} axes"
-            )));
+            return Err(error(&format!("point {k} has {has} coordinates, and limits {axes} axes")));
         }
     }
     let ends = first.iter().zip(last).map(|(first, last)| {

@@ -105,12 +105,7 @@ impl Profile {
     /// array([0., 5., 0.])
     #[pyo3(signature = (dt=None, *, n=None, start=0.0, out=None))]
     fn sample<'py>(
-        &self,
-        py: Python<'py>,
-        dt: Option<Real>,
-        n: Option<usize>,
-        start: Real,
-        out: Option<Arrays<'py, Real>>,
+        &self, py: Python<'py>, dt: Option<Real>, n: Option<usize>, start: Real, out: Option<Arrays<'py, Real>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         Request { dt, n, start, out }.sample(py, &*self.motion, self.t)
     }
@@ -125,10 +120,7 @@ impl Profile {
     /// >>> atraj.Trap(5, 10, -10, 0, 10).plot(axes=figure.axes, label="trapezoid") # doctest: +SKIP
     #[pyo3(signature = (*, axes=None, limits=None, unit=None, label=None))]
     fn plot<'py>(
-        slf: &Bound<'py, Self>,
-        axes: Option<Bound<'py, PyAny>>,
-        limits: Option<Bound<'py, PyAny>>,
-        unit: Option<&str>,
+        slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>, limits: Option<Bound<'py, PyAny>>, unit: Option<&str>,
         label: Option<&str>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let plot = slf.py().import("atraj._plot")?.getattr("plot")?;
@@ -138,9 +130,7 @@ impl Profile {
     /// Equal are motions of one class with the same numbers.
     fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
         match other.cast_exact::<Self>().or_else(|_| other.cast::<Self>()) {
-            Ok(other) if slf.get_type().is(other.get_type()) => {
-                Self::parts(slf)?.1.eq(Self::parts(other)?.1)
-            }
+            Ok(other) if slf.get_type().is(other.get_type()) => Self::parts(slf)?.1.eq(Self::parts(other)?.1),
             _ => Ok(false),
         }
     }
@@ -166,10 +156,7 @@ impl Profile {
         let class = slf.get_type();
         let (method, arguments) = Self::parts(slf)?;
         if !method.starts_with('_') {
-            return Ok(
-                format!("{}.{method}{arguments}", class.fully_qualified_name()?)
-                    .replace(",))", "))"),
-            );
+            return Ok(format!("{}.{method}{arguments}", class.fully_qualified_name()?).replace(",))", "))"));
         }
         let Self { motion, t } = slf.get();
         let (from, to) = (motion.position(0.0), motion.position(*t));
@@ -186,9 +173,7 @@ impl Profile {
 
 /// How `pickle` makes an object again: by a method of its class.
 pub fn rebuilding<'py>(
-    object: &Bound<'py, PyAny>,
-    method: &str,
-    arguments: Bound<'py, PyTuple>,
+    object: &Bound<'py, PyAny>, method: &str, arguments: Bound<'py, PyTuple>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let rebuild = object.py().import("atraj.values")?.getattr("_rebuild")?;
     let arguments = (object.get_type(), method, arguments);
@@ -216,18 +201,8 @@ impl Bell {
         Profile::new(bell, bell.t).add_subclass(Self(bell))
     }
 
-    fn refused(
-        why: Error,
-        jerk: Real,
-        acceleration: Real,
-        velocity: Real,
-        boundary: Boundary<Real>,
-    ) -> PyErr {
-        let limits = [
-            ("jerk", jerk),
-            ("acceleration", acceleration),
-            ("velocity", velocity),
-        ];
+    fn refused(why: Error, jerk: Real, acceleration: Real, velocity: Real, boundary: Boundary<Real>) -> PyErr {
+        let limits = [("jerk", jerk), ("acceleration", acceleration), ("velocity", velocity)];
         no_profile(why, limits, boundary, None)
     }
 }
@@ -238,21 +213,12 @@ impl Bell {
     #[pyo3(signature = (jerk, acceleration, velocity, p0, p1, v0=0.0, v1=0.0, *, newest_saturation=false))]
     #[allow(clippy::too_many_arguments)]
     fn new(
-        jerk: Real,
-        acceleration: Real,
-        velocity: Real,
-        p0: Real,
-        p1: Real,
-        v0: Real,
-        v1: Real,
-        newest_saturation: bool,
+        jerk: Real, acceleration: Real, velocity: Real, p0: Real, p1: Real, v0: Real, v1: Real, newest_saturation: bool,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let saturation = saturation(newest_saturation);
         let bell = atraj::Bell::new_saturated(jerk, acceleration, velocity, boundary, saturation);
-        Ok(Self::of(bell.map_err(|why| {
-            Self::refused(why, jerk, acceleration, velocity, boundary)
-        })?))
+        Ok(Self::of(bell.map_err(|why| Self::refused(why, jerk, acceleration, velocity, boundary))?))
     }
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
@@ -267,23 +233,11 @@ impl Bell {
     #[pyo3(signature = (jerk, acceleration, velocity, p0, p1, v0=0.0, v1=0.0))]
     #[allow(clippy::too_many_arguments)]
     fn fastest(
-        py: Python<'_>,
-        jerk: Real,
-        acceleration: Real,
-        velocity: Real,
-        p0: Real,
-        p1: Real,
-        v0: Real,
-        v1: Real,
+        py: Python<'_>, jerk: Real, acceleration: Real, velocity: Real, p0: Real, p1: Real, v0: Real, v1: Real,
     ) -> PyResult<Py<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let bell = atraj::Bell::fastest(jerk, acceleration, velocity, boundary);
-        Py::new(
-            py,
-            Self::of(
-                bell.map_err(|why| Self::refused(why, jerk, acceleration, velocity, boundary))?,
-            ),
-        )
+        Py::new(py, Self::of(bell.map_err(|why| Self::refused(why, jerk, acceleration, velocity, boundary))?))
     }
 
     /// The move with these `BellFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
@@ -309,11 +263,7 @@ impl Bell {
     /// >>> move.check(30, 2.5, 10)
     /// <Findings.EXCEEDS_ACCELERATION: 2>
     fn check<'py>(
-        &self,
-        py: Python<'py>,
-        jerk: Real,
-        acceleration: Real,
-        velocity: Real,
+        &self, py: Python<'py>, jerk: Real, acceleration: Real, velocity: Real,
     ) -> PyResult<Bound<'py, PyAny>> {
         let found = self.0.check(jerk, acceleration, velocity);
         to_findings(py, found.map_err(|why| error(&why.to_string()))?)
@@ -350,21 +300,12 @@ impl Trap {
     #[pyo3(signature = (velocity, ac, de, p0, p1, v0=0.0, v1=0.0, *, newest_saturation=false))]
     #[allow(clippy::too_many_arguments)]
     fn new(
-        velocity: Real,
-        ac: Real,
-        de: Real,
-        p0: Real,
-        p1: Real,
-        v0: Real,
-        v1: Real,
-        newest_saturation: bool,
+        velocity: Real, ac: Real, de: Real, p0: Real, p1: Real, v0: Real, v1: Real, newest_saturation: bool,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let saturation = saturation(newest_saturation);
         let trap = atraj::Trap::new_saturated(velocity, ac, de, boundary, saturation);
-        Ok(Self::of(trap.map_err(|why| {
-            Self::refused(why, velocity, [ac, de], boundary)
-        })?))
+        Ok(Self::of(trap.map_err(|why| Self::refused(why, velocity, [ac, de], boundary))?))
     }
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
@@ -375,21 +316,11 @@ impl Trap {
     #[pyo3(signature = (velocity, ac, de, p0, p1, v0=0.0, v1=0.0))]
     #[allow(clippy::too_many_arguments)]
     fn fastest(
-        py: Python<'_>,
-        velocity: Real,
-        ac: Real,
-        de: Real,
-        p0: Real,
-        p1: Real,
-        v0: Real,
-        v1: Real,
+        py: Python<'_>, velocity: Real, ac: Real, de: Real, p0: Real, p1: Real, v0: Real, v1: Real,
     ) -> PyResult<Py<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let trap = atraj::Trap::fastest(velocity, ac, de, boundary);
-        Py::new(
-            py,
-            Self::of(trap.map_err(|why| Self::refused(why, velocity, [ac, de], boundary))?),
-        )
+        Py::new(py, Self::of(trap.map_err(|why| Self::refused(why, velocity, [ac, de], boundary))?))
     }
 
     /// The move with these `TrapFields`, whoever planned it: a log of a drive, or liba. Nothing is checked here; `check` does.
@@ -409,13 +340,7 @@ impl Trap {
 
     /// The `Findings` of the move within these limits: empty if the move keeps them, does not jump and does not overshoot.
     /// ValueError if a field is not finite, a limit is not a number, or both accelerations have one sign.
-    fn check<'py>(
-        &self,
-        py: Python<'py>,
-        velocity: Real,
-        ac: Real,
-        de: Real,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn check<'py>(&self, py: Python<'py>, velocity: Real, ac: Real, de: Real) -> PyResult<Bound<'py, PyAny>> {
         let found = self.0.check(velocity, ac, de);
         to_findings(py, found.map_err(|why| error(&why.to_string()))?)
     }
@@ -486,25 +411,10 @@ impl Poly5 {
 impl Poly5 {
     #[new]
     #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0, a0=0.0, a1=0.0))]
-    fn new(
-        t: Real,
-        p0: Real,
-        p1: Real,
-        v0: Real,
-        v1: Real,
-        a0: Real,
-        a1: Real,
-    ) -> PyResult<PyClassInitializer<Self>> {
+    fn new(t: Real, p0: Real, p1: Real, v0: Real, v1: Real, a0: Real, a1: Real) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let poly = atraj::Poly5::new(t, boundary, [a0, a1]);
-        let ends = [
-            ("p0", p0),
-            ("p1", p1),
-            ("v0", v0),
-            ("v1", v1),
-            ("a0", a0),
-            ("a1", a1),
-        ];
+        let ends = [("p0", p0), ("p1", p1), ("v0", v0), ("v1", v1), ("a0", a0), ("a1", a1)];
         let poly = poly.map_err(|why| no_polynomial(why, t, &ends))?;
         Ok(Self::of(poly, t))
     }
@@ -534,28 +444,11 @@ impl Poly7 {
     #[pyo3(signature = (t, p0, p1, v0=0.0, v1=0.0, a0=0.0, a1=0.0, j0=0.0, j1=0.0))]
     #[allow(clippy::too_many_arguments)]
     fn new(
-        t: Real,
-        p0: Real,
-        p1: Real,
-        v0: Real,
-        v1: Real,
-        a0: Real,
-        a1: Real,
-        j0: Real,
-        j1: Real,
+        t: Real, p0: Real, p1: Real, v0: Real, v1: Real, a0: Real, a1: Real, j0: Real, j1: Real,
     ) -> PyResult<PyClassInitializer<Self>> {
         let boundary = Boundary { p0, p1, v0, v1 };
         let poly = atraj::Poly7::new(t, boundary, [a0, a1], [j0, j1]);
-        let ends = [
-            ("p0", p0),
-            ("p1", p1),
-            ("v0", v0),
-            ("v1", v1),
-            ("a0", a0),
-            ("a1", a1),
-            ("j0", j0),
-            ("j1", j1),
-        ];
+        let ends = [("p0", p0), ("p1", p1), ("v0", v0), ("v1", v1), ("a0", a0), ("a1", a1), ("j0", j0), ("j1", j1)];
         let poly = poly.map_err(|why| no_polynomial(why, t, &ends))?;
         Ok(Self::of(poly, t))
     }
@@ -574,9 +467,5 @@ impl Poly7 {
 }
 
 fn saturation(newest: bool) -> Saturation {
-    if newest {
-        Saturation::Numbers
-    } else {
-        Saturation::Everything
-    }
+    if newest { Saturation::Numbers } else { Saturation::Everything }
 }
