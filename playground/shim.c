@@ -20,7 +20,7 @@ static atraj_clock clocks[CLOCKS];
 static atraj_limits limits[AXES];
 static atraj_state from[AXES], to[AXES], states[POINTS * PATH_AXES];
 static a_float durations[POINTS - 1];
-static a_float work[PATH_AXES * (28 * (POINTS - 1) - 12) + (POINTS - 1) * (POINTS + 11)]; /* atraj_path_size */
+static a_float work[(POINTS - 1) * (PATH_AXES * (2 * PATH_AXES + 34) + 14) + 2 * PATH_AXES * (PATH_AXES - 1) + 6]; /* atraj_path_size */
 static a_float samples[QUANTITIES][SAMPLES];
 
 int axis_count(void) { return AXES; }
@@ -28,6 +28,26 @@ int move_count(void) { return MOVES; }
 int point_count(void) { return POINTS; }
 int clock_count(void) { return CLOCKS; }
 int sample_count(void) { return SAMPLES; }
+
+/* Whether a finding is a fault of the move; the others are properties of it. A finding that is not named here fails the build. */
+int is_fault(enum atraj_finding finding)
+{
+    switch (finding)
+    {
+        case ATRAJ_EXCEEDS_JERK:
+        case ATRAJ_EXCEEDS_ACCELERATION:
+        case ATRAJ_EXCEEDS_VELOCITY:
+        case ATRAJ_JUMPS: return 1;
+        case ATRAJ_OVERSHOOTS:
+        case ATRAJ_STARTS_OUTSIDE:
+        case ATRAJ_ENDS_LEAVING: return 0;
+    }
+    return 0;
+}
+
+int starts_outside(void) { return ATRAJ_STARTS_OUTSIDE; }
+int limits_refused(void) { return ATRAJ_ERR_LIMITS; }
+int unreachable(void) { return ATRAJ_ERR_UNREACHABLE; }
 
 /* Places. The page asks for no index beyond the counts above. */
 void *plan_at(int i) { return &plans[i]; }

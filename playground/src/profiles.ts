@@ -80,9 +80,7 @@ const symmetric = (...highest: number[]): Quantities<Range | undefined> => [
     ...highest.map((limit): Range => [-Math.abs(limit), Math.abs(limit)]),
 ];
 
-/** The bits of what a check finds. The first ones are faults, the later ones are properties of the move. */
-const [FAULTS, STARTS_OUTSIDE] = [1 | 2 | 4 | 8, 32];
-const [LIMITS, UNREACHABLE] = [-3, -9];
+const [STARTS_OUTSIDE, LIMITS, UNREACHABLE] = [c.starts_outside(), c.limits_refused(), c.unreachable()];
 
 /** What a planner or a check returns, in words. */
 function findings(subject: string, code: number, clean: string): Remark[] {
@@ -92,9 +90,9 @@ function findings(subject: string, code: number, clean: string): Remark[] {
     const found: Remark[] = [];
     for (let rest = code; rest > 0; rest &= rest - 1) {
         const lowest = rest & -rest;
-        found.push({ kind: lowest & FAULTS ? "bad" : "note", text: `${subject}: ${message(lowest)}.` });
+        found.push({ kind: c.is_fault(lowest) ? "bad" : "note", text: `${subject}: ${message(lowest)}.` });
     }
-    const isClean = !(code & (FAULTS | STARTS_OUTSIDE));
+    const isClean = !(code & STARTS_OUTSIDE) && found.every(({ kind }) => kind === "note");
     return isClean ? [{ kind: "good", text: `${subject} ${clean}.` }, ...found] : found;
 }
 

@@ -45,7 +45,7 @@ function replay({ family, plans, evaluations }) {
     return { compared, differing };
 }
 
-for (const [family, least] of [["bell", 20000], ["trap", 10000]]) {
+for (const [family, least] of [["bell", 6000], ["trap", 3500]]) {
     test(`a_traj${family}_*`, async () => {
         const [plans, evaluations] = await Promise.all([rows(`${family}_gen`), rows(`${family}_eval`)]);
         const { compared, differing } = await page.evaluate(replay, { family, plans, evaluations });

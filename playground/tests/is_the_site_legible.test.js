@@ -16,7 +16,7 @@ function pages(folder) {
     return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
         const path = join(folder, entry.name);
         if (entry.isDirectory()) {
-            return ["c", "rust"].includes(relative(SITE, path)) ? [] : pages(path);
+            return ["c", "python", "rust"].includes(relative(SITE, path)) ? [] : pages(path);
         }
         return entry.name.endsWith(".html") && !["toc.html", "404.html", "playground.html"].includes(entry.name) ? [path] : [];
     });

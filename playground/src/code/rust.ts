@@ -112,7 +112,7 @@ export function rustWriter(unit: string): Writer {
                 wrapped("let mut states = [", states, "];", ","),
                 `let mut durations = [0.0; ${n}];`,
                 `let mut work = vec![0.0; path_size(2, ${n}).expect("a short path")];`,
-                'plan_path(&mut states, &mut durations, &limits, 0, &mut work).expect("a path");',
+                'plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work).expect("a path");',
                 "let mut start = 0.0;",
                 "for (k, duration) in durations.into_iter().enumerate() {",
                 "    let mut axes = [Move::default(); 2];",

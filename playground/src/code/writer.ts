@@ -46,4 +46,4 @@ export function wrapped(before: string, entries: string[], after: string, comma 
 export const body = (...lines: (string | string[])[]) => lines.flat().map((line) => line && `    ${line}`).join("\n");
 
 /** How many numbers of working memory the path of two axes needs: that of `atraj_path_size`. */
-export const workSize = (sections: number) => 2 * (28 * sections - 12) + sections * (sections + 12);
+export const workSize = (sections: number) => 90 * sections + 10;
