@@ -1,63 +1,21 @@
-# Builds the archive that a C program links, and proves it. Needs Rust, make and a C compiler. `make help` prints this text.
+# Builds the archive that a C program links, and proves it. Needs make, Rust and a C compiler. docs/install.md has the build choices.
 #
-# make dist                   archive, shared library, headers, pkg-config and CMake files, in target/dist
-# make dist TARGET=<triple>   archive and headers for bare metal or another host, in target/dist-<triple>
-# make install                installs the files of `make dist` under DESTDIR and PREFIX (/usr/local), LIBDIR (PREFIX/lib)
-#                             and INCLUDEDIR (PREFIX/include); `make uninstall` removes them
-# make deb                    packs both real types for Debian, in target/deb, by debian/rules
-# make address URL=<address>  writes the address of the repository into every file that names it; MAINTAINER='Name <mail>' does so with
-#                             the maintainer of packages
-# make identify FILE=<file>   tells which build of the library is in a program, firmware, an archive or a shared library
-# make setup                  installs the packages of Debian that the goals need; FOR='firmware release' installs those of some goals:
-#                             packaging/debian-packages.txt. Needs root
+# make dist [TARGET=<triple>] [CPU=<name>] [REAL=float]   archive, headers and, on a host, the shared library, in target/dist…
+# make install, make uninstall   under DESTDIR and PREFIX (/usr/local), LIBDIR and INCLUDEDIR
+# make setup [FOR=<goals>]       installs the Debian packages that the goals need, as root
+# make identify FILE=<file>      prints which build of the library is in a program or a library
+# make demo, make examples       parity, what the originals fail, pictures; the programs in C, C++ and Rust
+# make doc                       guide, references and playground as one site: target/site/index.html
+# make playground, make python   the page that plans in a browser; wheel and sdist
+# make deb, make release         packages for Debian; every file of a release: docs/releasing.md
 #
-# make demo                   runs a servo program in C on the archive: parity with the golden data, a table of the moves that the
-#                             original fails, pictures of the examples in target/demo
-# make examples               builds and runs the examples in C, C++ (needs a C++ compiler) and Rust
-# make playground             writes a page that plans and draws moves in the browser: target/playground/index.html
-# make doc                    writes the guide, the references for C and for Rust and the playground as one site: target/site/index.html
-# make python                 builds wheel and sdist of the Python package in target/python/dist; needs Python with venv, and the network
-#
-# make check                  runs all tests: golden data, the original beside ours, headers, symbols, ABI, documents
-# make builds                 builds and installs in the ways that once gave the wrong library; ROWS=<regular expression> some of them
-# make consumers              builds programs in C, C++ and Rust that find the installed library by cc, pkg-config, CMake,
-#                             cargo, or bring it along by CMake, Meson, Conan, .deb
-# make playground-check       tests the page in headless Chromium, with pictures in target/playground
-# make python-check           installs the wheel in target/python/venv by `make python-install` and runs the tests of the package;
-#                             `make python-update` writes the docstrings into its stubs and docs/python-api.md
-# make firmware-check         links the bare-metal archives into firmware and runs the firmware in QEMU; `make firmware-setup`
-#                             installs the tools of the chips, on Debian
-# make firmware-report        measures size and instructions beside the original's: docs/firmware.md; `make firmware-bounds` bounds the
-#                             stack and searches the most instructions: docs/bounds.md
-# make bench                  measures times and instructions beside the original's: docs/performance.md
-# make instructions           fails if a function takes 3 % more instructions than tests/instructions.txt allows;
-#                             `make instructions-update` rewrites tests/instructions.txt
-# make soak                   compares random calls with the original, and random plans with referees: a thousand seeds of each kind, from
-#                             where the table in docs/trust.md ends, and adds its rows, also when it is stopped. SOAK_SEED=n starts at seed
-#                             n, SOAK_SEEDS=n ends after n seeds; SOAK=calls, plans, moves (from any state to any state), replans, axes
-#                             (several axes that move together) or paths does one of these
-# make mutants                plants small faults into a copy of the library and counts those that the tests see: MUTANTS=60 of each storey,
-#                             drawn by MUTANT_SEED=1. It goes on where it was stopped. MUTANT_BASE=<commit> plants them only in lines
-#                             that have changed since then
-# make miri                   runs Miri on the C functions: no pointer leads outside the memory of its caller, nothing uninitialised is read;
-#                             needs nightly Rust with miri and rust-src
-# make coverage               prints which regions of the library the tests reach, and fails at a branch without test and reason; needs
-#                             llvm-cov of rustc's LLVM
-# make fuzz                   runs libFuzzer against the original, FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set;
-#                             FUZZ_SEED=n starts at seed n, not 1
-# make release                writes the files of a release to target/release-<version>; `make -j2 release` is faster, and
-#                             KEY=<SSH key> signs the checksums. `make release-check` tries every file: docs/releasing.md
-#
-# CPU=<name> compiles for one processor (CPU=cortex-m7, CPU=x86-64-v3), in target/dist-…-<name>.
-# HWCAPS=<names> are the levels of x86-64 that the shared library is compiled for besides, each as by CPU=<name>. glibc's loader takes
-# the highest that the processor has. x86-64-v3 and x86-64-v4 on Linux with glibc if not set; HWCAPS= builds none, in a third of the time.
-#
-# Build choices of the C ABI. Each has a directory of its own (target/dist-float, target/dist-compact, …) and a library name
-# of its own (libatraj-float, libatraj-compact, …), so one PREFIX can hold them all:
-#   REAL=float             a_float is float instead of double
-#   POLY=compact           polynomial structs of liba since 2025-03
-#   A_TRAJPOLY3=1..3, A_TRAJPOLY5=1..3, A_TRAJPOLY7=1..4   how many coefficient arrays the older structs hold
-#   SYMBOL_PREFIX=x_       the functions are called x_a_trajbell_gen, …, in the headers too: to stand beside liba in one program
+# make check                     all tests of the library: golden data, the original, headers, symbols, ABI, documents
+# make consumers                 builds and installs in many ways, and programs that find the library
+# make firmware-check            firmware in QEMU (make -C c_tests/firmware report, bounds: measures)
+# make playground-check, make python-check
+# make miri, make coverage       Miri on the C functions; the regions that the tests reach
+# make mutants, make fuzz, make soak   planted faults; libFuzzer; random cases for hours
+# make bench, make instructions  times beside others; fails if a function takes 3 % more instructions (UPDATE=1 accepts them)
 
 CARGO ?= cargo
 CC ?= cc
@@ -73,6 +31,8 @@ export DESTDIR PREFIX LIBDIR INCLUDEDIR
 
 .DEFAULT_GOAL := dist
 .DELETE_ON_ERROR:
+# A goal prints its results. `make --trace` prints the commands.
+.SILENT:
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 
@@ -109,7 +69,7 @@ DLL := lib$(NAME)-$(MAJOR).dll
 PROCESSOR := $(TARGET:%=-%)$(CPU:%=-%)
 VARIANT := $(PROCESSOR)$(ABI)
 DIST := target/dist$(VARIANT)
-ifneq ($(and $(filter demo examples deb python-check release release-check,$(MAKECMDGOALS)),$(VARIANT)),)
+ifneq ($(and $(filter demo examples deb python-check release,$(MAKECMDGOALS)),$(VARIANT)),)
 $(error make $(MAKECMDGOALS) is for the default build: leave TARGET, CPU, REAL, POLY, SYMBOL_PREFIX and the levels out)
 endif
 
@@ -128,9 +88,10 @@ endif
 MACHINE = $(or $(TARGET),$(HOST))
 HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64-v3 x86-64-v4))
 
-.PHONY: help setup rust dist dist-locked where install uninstall deb address identify demo examples consumers builds release release-check \
-    doc site-tool check soak mutants miri coverage fuzz python python-install python-update python-check playground playground-check \
-    firmware-setup firmware-check firmware-report firmware-bounds bench instructions instructions-update
+.PHONY: help setup dist install uninstall identify demo examples doc playground python deb release \
+    check consumers firmware-check playground-check python-check miri coverage mutants fuzz soak bench instructions
+# Steps of these.
+.PHONY: rust dist-locked where site-tool
 
 help:
 	@sed '/^$$/,$$d; s/^# \{0,1\}//' Makefile
@@ -138,10 +99,9 @@ help:
 setup:
 	packaging/debian.sh install $(FOR)
 
-# What would end in a message of cargo that does not tell what to do.
+# What would end in a message of cargo that does not say what to do.
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "1\.\(.*\)"/\1/p' Cargo.toml)
-dist deb check doc soak mutants miri coverage bench instructions instructions-update fuzz python builds consumers firmware-check firmware-bounds \
-    release: | rust
+dist deb check doc soak mutants miri coverage bench instructions fuzz python consumers firmware-check release: | rust
 rust:
 	@rustc --version 2> /dev/null | awk '{ split($$2, part, "."); found = part[1] > 1 || part[2] >= $(OLDEST_RUST) } END { exit !found }' || { \
 	    echo 'Rust >= 1.$(OLDEST_RUST) is needed (https://rustup.rs, or on Debian 12 sudo make setup FOR="dist rust"), or take a release:' \
@@ -233,15 +193,11 @@ install uninstall: $(ARCHIVE)
 	packaging/install.sh $@ $(DIST) $(NAME)
 
 deb:
-	@packaging/debian.sh tools deb
+	packaging/debian.sh tools deb
 	mkdir -p target
 	rm -rf target/deb
 	DEB_RULES_REQUIRES_ROOT=no env -u MAKEFLAGS debian/rules binary > target/deb.log 2>&1 || { cat target/deb.log >&2; exit 1; }
 	debian/rules clean >> target/deb.log
-
-# The present address is `repository` in Cargo.toml, the present maintainer that of debian/control.
-address:
-	packaging/address.sh '$(URL)' '$(MAINTAINER)'
 
 # Reads the note that src/capi/identity.rs leaves in the archive, and every linker in the program.
 identify:
@@ -250,16 +206,16 @@ identify:
 	@readelf -p .atraj.note "$(FILE)" 2> /dev/null | sed -n 's/.*\] *\(atraj [0-9].*\)/\1/p' | grep . || \
 	    { echo "$(FILE) holds no atraj: it was not linked with libatraj.a, or its notes were removed." >&2; exit 1; }
 
-consumers builds:
-	tests/$@.sh
+# ROWS=<regular expression> runs some of the rows.
+consumers:
+	tests/builds.sh
+	tests/consumers.sh
 
+# KEY=<SSH key> signs the checksums; `make -j2 release` is faster. tests/release.sh tries every file.
 release:
 	rm -rf target/release-$(VERSION) target/release-work
 	mkdir -p target/release-$(VERSION) target/release-work
 	$(MAKE) -f packaging/release.mk VERSION=$(VERSION) HOST=$(HOST)
-
-release-check: release
-	tests/release.sh
 
 # mdBook clears the folder of the site.
 SITE := target/site
@@ -272,6 +228,7 @@ doc: dist playground $(MDBOOK)
 	docs/site/book.sh target/book
 	$(MDBOOK) build --dest-dir $(CURDIR)/$(SITE) target/book
 	$(CARGO) doc --quiet --no-deps --features capi --target-dir target/reference
+	$(MAKE) -s -C python reference OUT=$(CURDIR)/$(SITE)/python
 	doxygen
 	cp -R target/reference/doc $(SITE)/rust
 	cp -R target/reference/c/html $(SITE)/c
@@ -286,7 +243,7 @@ demo: dist
 	rm -rf $(DEMO)
 	mkdir -p $(DEMO)
 	$(CC) $(DEMO_FLAGS) -o $(DEMO)/servo examples/demo/servo.c $(DIST)/lib/libatraj.a -lm
-	$(CARGO) run --quiet --example parity $(DEMO)/servo
+	$(CARGO) run --quiet --locked -p demo --bin parity $(DEMO)/servo
 	$(CC) $(DEMO_FLAGS) -o $(DEMO)/originals examples/demo/originals.c $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/originals
 	for name in $(EXAMPLES); do \
@@ -294,7 +251,7 @@ demo: dist
 	    $(DEMO)/$$name > $(DEMO)/$$name.txt || exit 1; done
 	$(CC) $(DEMO_FLAGS) -o $(DEMO)/sensitivity examples/demo/sensitivity.c $(DIST)/lib/libatraj.a -lm
 	$(DEMO)/sensitivity > $(DEMO)/sensitivity.txt
-	$(CARGO) run --quiet --example plot $(DEMO) $(EXAMPLES:%=$(DEMO)/%.txt) $(DEMO)/sensitivity.txt
+	$(CARGO) run --quiet --locked -p demo --bin plot $(DEMO)
 
 EXAMPLES := $(sort $(basename $(notdir $(wildcard examples/[0-9]*_*.c))))
 EXAMPLES_OUT := target/examples
@@ -319,19 +276,25 @@ examples: dist
 	mkdir -p $(EXAMPLES_OUT)
 	$(foreach name,$(EXAMPLES),$(call example,$(name)))
 
+ORACLE := --locked --profile oracle -p oracle
+# The default build runs every test of the oracle, each other build the tests of its C functions.
 check:
-	$(CARGO) test
+	$(CARGO) test --locked -p atraj -p house
+	$(CARGO) test $(ORACLE) -p handover -p pointers -- --nocapture
+	for features in float poly-compact float,poly-compact; do \
+	    $(CARGO) test $(ORACLE) --features $$features --test does_the_c_abi_agree -- --nocapture || exit 1; done
 
-ORACLE := --locked --manifest-path tests/oracle/Cargo.toml
-SOAK ?= calls plans moves replans axes paths
+SOAK ?= calls plans moves axes paths
 
-# A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves, ten thousand sets of axes
+# Each kind goes on where its last row ends, and adds a row, also when it is stopped. SOAK=<kinds> runs some of them, SOAK_SEED=n starts at seed n,
+# SOAK_SEEDS=n ends after n seeds. A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves, ten thousand sets of axes
 # and a thousand paths per real type.
 soak:
-	$(CARGO) fetch --quiet $(ORACLE)
-	SOAK="$(CARGO) run --quiet --release $(ORACLE) --bin soak --" SOAK_SEED=$(SOAK_SEED) SOAK_SEEDS=$(SOAK_SEEDS) tests/soak.sh $(SOAK)
+	$(CARGO) fetch --quiet --locked
+	SOAK="$(CARGO) run --quiet --locked --profile oracle -p measure --bin soak --" SOAK_SEED=$(SOAK_SEED) SOAK_SEEDS=$(SOAK_SEEDS) tests/soak.sh $(SOAK)
 
-MUTANTS ?= 60
+# About so many of all mutants, drawn by the seed.
+MUTANTS ?= 300
 MUTANT_SEED ?= 1
 TOOLS := $(CURDIR)/target/tools
 
@@ -339,78 +302,46 @@ $(TOOLS)/bin/cargo-mutants:
 	$(CARGO) install --quiet --locked --version 26.0.0 --root $(TOOLS) --target-dir $(TOOLS)/build cargo-mutants
 
 mutants: $(TOOLS)/bin/cargo-mutants
-	PATH="$(TOOLS)/bin:$$PATH" tests/mutants.sh $(MUTANT_SEED) $(MUTANTS)
+	PATH="$(TOOLS)/bin:$$PATH" tests/mutants.sh $(MUTANTS) $(MUTANT_SEED)
 
 # Miri knows the square root of every processor but the host's.
 miri:
-	$(CARGO) +nightly miri test --target riscv64gc-unknown-linux-gnu --locked --manifest-path tests/miri/Cargo.toml -- --show-output
+	$(CARGO) +nightly miri test --target riscv64gc-unknown-linux-gnu --locked -p pointers -- --show-output
 
 coverage:
 	tests/coverage.sh
 
 # The benchmark is compiled with the archive's settings, or it would measure other code.
-BENCH := $(CARGO) run --quiet --profile bench $(ORACLE) --bin bench
-bench instructions instructions-update: export RUSTFLAGS := $(RUSTC_FLAGS)
+BENCH := $(CARGO) run --quiet --locked --profile bench -p measure --bin bench
+bench instructions: export RUSTFLAGS := $(RUSTC_FLAGS)
 
 bench:
-	$(CARGO) fetch --quiet $(ORACLE)
-	BENCH="$(BENCH)" tests/bench.sh > target/performance.md
-	mv target/performance.md docs/performance.md
+	$(CARGO) fetch --quiet --locked
+	BENCH="$(BENCH)" tests/bench.sh
 
-instructions-update:
-	$(CARGO) fetch --quiet $(ORACLE)
-	$(BENCH) -- instructions > target/instructions.txt
-	mv target/instructions.txt tests/instructions.txt
-
+# UPDATE=1 accepts the counts of today.
 instructions:
-	$(CARGO) fetch --quiet $(ORACLE)
+	$(CARGO) fetch --quiet --locked
 	$(BENCH) -- instructions > target/instructions.txt
-	awk -F ': ' -f tests/instructions.awk tests/instructions.txt target/instructions.txt
+	$(if $(UPDATE),cp target/instructions.txt tests/instructions.txt,awk -F ': ' -f tests/instructions.awk tests/instructions.txt target/instructions.txt)
 
+# FUZZ_SECONDS for each family, or exactly FUZZ_RUNS inputs if set; FUZZ_SEED=n starts at seed n, not 1.
 FUZZ_SECONDS ?= 60
 fuzz:
 	fuzz/run.sh $(if $(FUZZ_RUNS),-runs=$(FUZZ_RUNS),-max_total_time=$(FUZZ_SECONDS))
 
-PYTHON ?= python3
-PYTHON_DIR := target/python
-VENV := $(PYTHON_DIR)/venv/bin
-PIP := $(VENV)/pip --quiet --disable-pip-version-check
-
-PYTHON_DIST := $(PYTHON_DIR)/dist
-# The oldest glibc that Rust's standard library takes, 2.17. Zig links for it on any Linux.
-MANYLINUX := manylinux2014
-
-$(VENV)/maturin: python/requirements-build.txt
-	@packaging/debian.sh tools python
-	$(PYTHON) -m venv $(PYTHON_DIR)/venv
-	$(PIP) install -r python/requirements-build.txt
-
-python: $(VENV)/maturin
-	rm -rf $(PYTHON_DIST)
-	python/stubs.sh
-	PATH="$(CURDIR)/$(VENV):$$PATH" CARGO_TARGET_DIR=$(CURDIR)/$(PYTHON_DIR)/build \
-	    $(VENV)/maturin build --quiet --release --zig --compatibility $(MANYLINUX) --manifest-path python/Cargo.toml --out $(PYTHON_DIST)
-	$(VENV)/maturin sdist --manifest-path python/Cargo.toml --out $(PYTHON_DIST)
-
-python-install: python
-	$(PIP) install -r python/requirements.txt
-	$(PIP) install --force-reinstall --no-deps $(PYTHON_DIST)/*.whl
-
-python-update: python-install
-	UPDATE_PYTHON_DOCS=1 $(VENV)/python -m pytest -q -s python/tests/test_stubs.py
+python:
+	$(MAKE) -s -C python package
 
 # The archive's shared library, because the tests time its C function.
-python-check: python-install dist
-	$(VENV)/python -m pytest -q -s python
-
-firmware-setup:
-	packaging/debian.sh install firmware
-
-firmware-check firmware-report firmware-bounds:
-	$(MAKE) -C c_tests/firmware $(@:firmware-%=%)
+python-check: dist
+	$(MAKE) -s -C python check
 
 playground:
-	$(MAKE) -C playground page
+	$(MAKE) -s -C playground page
 
 playground-check:
-	$(MAKE) -C playground check
+	$(MAKE) -s -C playground check
+
+firmware-check:
+	$(MAKE) -C c_tests/firmware check

@@ -5,7 +5,7 @@ url=${1%.git} maintainer=${2:-}
 case $url in
 https://*/*) ;;
 *)
-    echo 'make address needs URL=…: an address that begins with https://' >&2
+    echo 'usage: address.sh URL [MAINTAINER], where URL is an address that begins with https://' >&2
     exit 1
     ;;
 esac

@@ -10,52 +10,36 @@ case $4 in
 esac
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 library=$(cd "$dist" && ls lib/*.a | grep -v '\.dll\.a$')
-optimise=-O2 board='' run='' program=example note=''
+optimise=-O2 board='' program=example
 
 rm -rf "$folder"
 cp -R "$dist" "$folder"
 
-# Where the example is compiled on another system, the compiler has its name from Debian, and an emulator runs the example.
-case $target in
-x86_64-unknown-linux-gnu)
-    compiler=cc
-    ;;
-aarch64-unknown-linux-gnu)
-    compiler=aarch64-linux-gnu-gcc
-    run='qemu-aarch64 -L /usr/aarch64-linux-gnu'
-    note='On an AArch64 machine, `cc` compiles it, and `./example` runs it.'
-    ;;
-armv7-unknown-linux-gnueabihf)
-    compiler=arm-linux-gnueabihf-gcc
-    run='qemu-arm -L /usr/arm-linux-gnueabihf'
-    note='On a 32-bit Raspberry Pi OS, for example, `cc` compiles it, and `./example` runs it.'
-    ;;
-x86_64-unknown-linux-musl)
-    compiler=musl-gcc
-    note='On Alpine, `cc` compiles it.'
-    ;;
-aarch64-unknown-linux-musl)
-    compiler='zig cc -target aarch64-linux-musl'
-    run=qemu-aarch64
-    note='On Alpine, `cc` compiles it, and `./example` runs it. zig is on PyPI too: `pip install ziglang`, `python -m ziglang cc`.'
-    ;;
-x86_64-pc-windows-gnu)
-    compiler=x86_64-w64-mingw32-gcc
-    program=example.exe
-    run=wine
-    note='On Windows, MinGW'\''s `gcc` compiles it, and `.\example` runs it. A `claraty_trapezoid` begins with the manual clock.
-`bin` holds the DLL, `lib/*.dll.a` its import library, which `lld-link` takes too.'
-    ;;
-*)
+# Hosts: the compiler has its name from Debian, an emulator runs the example of another system, and a note is for those who have that system.
+# The other targets are chips.
+host=$(sed -n "s/^$target|//p" << 'END'
+x86_64-unknown-linux-gnu|cc||
+aarch64-unknown-linux-gnu|aarch64-linux-gnu-gcc|qemu-aarch64 -L /usr/aarch64-linux-gnu|On an AArch64 machine, `cc` compiles it, and `./example` runs it.
+armv7-unknown-linux-gnueabihf|arm-linux-gnueabihf-gcc|qemu-arm -L /usr/arm-linux-gnueabihf|On a 32-bit Raspberry Pi OS, for example, `cc` compiles it, and `./example` runs it.
+x86_64-unknown-linux-musl|musl-gcc||On Alpine, `cc` compiles it.
+aarch64-unknown-linux-musl|zig cc -target aarch64-linux-musl|qemu-aarch64|On Alpine, `cc` compiles it, and `./example` runs it. zig is on PyPI too: `pip install ziglang`, `python -m ziglang cc`.
+x86_64-pc-windows-gnu|x86_64-w64-mingw32-gcc|wine|On Windows, MinGW's `gcc` compiles it, and `.\example` runs it. A `claraty_trapezoid` begins with the manual clock.
+END
+)
+if test -n "$host"; then
+    compiler=${host%%|*} note=${host##*|} run=${host#*|}
+    run=${run%%|*}
+    case $target in
+    *-windows-*) program=example.exe note="$note
+\`bin\` holds the DLL, \`lib/*.dll.a\` its import library, which \`lld-link\` takes too." ;;
+    esac
+else
     MAKEFLAGS='' make -s -C c_tests/firmware commands NAME="$target" > "$folder.commands"
     { read -r compiler && read -r board && read -r run; } < "$folder.commands"
     echo "$board" > "$folder/board.txt"
-    board=@board.txt
-    optimise='-Os -Wl,--gc-sections'
-    program=example.elf
+    board=@board.txt optimise='-Os -Wl,--gc-sections' program=example.elf
     note='`board.txt` gives the linker the start code and the memory of an emulator. Those of your board take their place.'
-    ;;
-esac
+fi
 flags=$(echo "$compiler" | sed -n 's/^[^ ]* \(cc \)\{0,1\}//p')
 compile="$compiler $optimise -Iinclude example.c $library -lm${board:+ $board} -o $program"
 

@@ -21,7 +21,7 @@ endif
 # leave out the frame pointer. Rust's Thumb targets set one up in every function, for 6 bytes and 3 instructions.
 ifeq ($(wildcard $(shell rustc --print target-libdir --target $(TARGET) 2> /dev/null)/*),)
 CARGO = $(if $(wildcard /usr/lib/rustlib/src/rust/library/core),RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo,\
-    $(error Rust has no `core` for $(TARGET): `rustup target add $(TARGET)`, or `sudo make firmware-setup` on Debian))
+    $(error Rust has no `core` for $(TARGET): `rustup target add $(TARGET)`, or `sudo make setup FOR=firmware` on Debian))
 RUSTC_FLAGS += --cfg atraj_unstable_core
 TARGET_JSON := $(CARGO_DIR)/$(TARGET).json
 CARGO_TARGET := --target $(TARGET_JSON) -Z json-target-spec -Z build-std=core

@@ -21,15 +21,11 @@ place() {
 
 # each_file COMMAND: calls the command with each file of DIST
 each_file() {
-    (cd "$dist" && find -- * ! -type d) | while read -r file; do
-        "$1" "$file"
-    done
+    (cd "$dist" && find -- * ! -type d) | while read -r file; do "$1" "$file"; done
 }
 
 # machine PC: the machine that a pkg-config file stands for
-machine() {
-    sed -n 's/^machine=//p' "$1"
-}
+machine() { sed -n 's/^machine=//p' "$1"; }
 
 pc=lib/pkgconfig/$name.pc
 installed=$(place "$pc")
@@ -48,23 +44,14 @@ install_file() {
         chmod 644 "$to"
         ;;
     *)
-        if test -L "$dist/$1"; then
-            cp -P --remove-destination "$dist/$1" "$to"
-        else
-            install -m 644 "$dist/$1" "$to"
-        fi
-        ;;
+        if test -L "$dist/$1"; then cp -P --remove-destination "$dist/$1" "$to"; else install -m 644 "$dist/$1" "$to"; fi ;;
     esac
 }
 
-uninstall_file() {
-    rm -f "$(place "$1")"
-}
+uninstall_file() { rm -f "$(place "$1")"; }
 
 # The folder of a file, seen from DESTDIR.
-folder() {
-    realpath -sm --relative-to="$DESTDIR/" "$(dirname "$(place "$1")")"
-}
+folder() { realpath -sm --relative-to="$DESTDIR/" "$(dirname "$(place "$1")")"; }
 
 # The loader prefers these libraries, so none of another build may stay.
 remove_levels() {

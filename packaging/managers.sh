@@ -7,9 +7,7 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 date=$(date -u -d "@$SOURCE_DATE_EPOCH" +%Y-%m-%d)
 
 # filled FILE: the file with version and date
-filled() {
-    sed "s/@VERSION@/$version/g; s/@DATE@/$date/g" "$1"
-}
+filled() { sed "s/@VERSION@/$version/g; s/@DATE@/$date/g" "$1"; }
 
 # zipped FOLDER NAME FILE: packs NAME of the folder, with the same bytes in every clone
 zipped() {
@@ -21,15 +19,20 @@ zipped() {
     )
 }
 
+# placed TARGET FOLDER INCLUDE: copies the archive of the target and its headers
+placed() {
+    mkdir -p "$2"
+    cp "$work/atraj-$version-$1-float/lib/libatraj-float.a" "$2"
+    cp -R "$work/atraj-$version-$1-float/include/." "$3"
+}
+
 # --- Arduino and PlatformIO
 
 library=$work/atraj
 rm -rf "$library"
 mkdir -p "$library/src" "$library/examples/Jog"
 grep -v '^#' packaging/arduino/boards.txt | while read -r place target; do
-    mkdir -p "$library/src/$place"
-    cp "$work/atraj-$version-$target-float/lib/libatraj-float.a" "$library/src/$place"
-    cp -R "$work/atraj-$version-$target-float/include/." "$library/src"
+    placed "$target" "$library/src/$place" "$library/src"
 done
 filled packaging/arduino/library.properties > "$library/library.properties"
 filled packaging/arduino/library.json > "$library/library.json"
@@ -47,9 +50,7 @@ mkdir -p "$pack/include"
 filled packaging/cmsis/atraj.pdsc > "$pack/atraj.atraj.pdsc"
 cp LICENSE-* CHANGELOG.md "$pack"
 for file in $(sed -n 's/.*name="lib\/\(.*\)\/libatraj-float\.a".*/\1/p' packaging/cmsis/atraj.pdsc); do
-    mkdir -p "$pack/lib/$file"
-    cp "$work/atraj-$version-$file-float/lib/libatraj-float.a" "$pack/lib/$file"
-    cp -R "$work/atraj-$version-$file-float/include/." "$pack/include"
+    placed "$file" "$pack/lib/$file" "$pack/include"
 done
 zipped "$pack" . "$release/atraj.atraj.$version.pack"
 

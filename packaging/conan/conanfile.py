@@ -1,11 +1,12 @@
 """Builds the library for this machine with make and cargo. docs/packaging.md"""
 
+import re
 from pathlib import Path
 
 from conan import ConanFile
 from conan.errors import ConanInvalidConfiguration
 from conan.tools.build import cross_building
-from conan.tools.files import copy, load, rm, rmdir
+from conan.tools.files import copy, load, rm, rmdir, save
 
 
 class Atraj(ConanFile):
@@ -36,6 +37,9 @@ class Atraj(ConanFile):
     def export_sources(self):
         for files in ("Cargo.*", "Makefile", "build.rs", "LICENSE-*", "src/*", "include/*", "docs/img/*", "packaging/*", "tests/support/*"):
             copy(self, files, self._sources, self.export_sources_folder)
+        # The workspace of the recipe is the library: the packages that test it are not exported.
+        manifest = f"{self.export_sources_folder}/Cargo.toml"
+        save(self, manifest, re.sub(r"(?m)^members = .*$", 'members = ["tests/support"]', load(self, manifest)))
 
     def validate(self):
         if self.settings.os != "Linux" or cross_building(self):
