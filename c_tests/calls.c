@@ -235,6 +235,52 @@ static int shaper(void) {
     return 0;
 }
 
+/* A ramp of the velocity through a shaper and to a motor: half a period at 5 Hz is 100 ticks. */
+static int streams(void) {
+    enum { SIZE = 3 * 103 };
+    const a_float period = A_FLOAT_C(0.001), step = A_FLOAT_C(0.125);
+    const atraj_state rest = {1, 0, 0};
+    atraj_state now = rest, shaped;
+    a_float line[SIZE + 1], time;
+    atraj_shaper shaper, slow;
+    atraj_shaper_stream stream;
+    atraj_step_stream motor;
+    int k, direction, sum = 0;
+    line[SIZE] = 77;
+    PROMISE(atraj_shaper_init(&shaper, ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_size(&shaper, period) == SIZE && atraj_shaper_size(&shaper, 0) == 0);
+    PROMISE(atraj_shaper_stream_init(&stream, &shaper, period, &rest, line, SIZE - 1) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_shaper_stream_init(&stream, &shaper, 0, &rest, line, SIZE) == ATRAJ_ERR_DURATION);
+    PROMISE(atraj_shaper_stream_init(&stream, &shaper, period, &rest, line, SIZE) == 0);
+    PROMISE(atraj_step_stream_init(&motor, step, period, &rest) == 0 && atraj_step_stream_count(&motor) == 8);
+    for (k = 1; k <= 1000; ++k) {
+        now.p = 1 + (a_float)k / 1000, now.v = 1;
+        PROMISE(atraj_shaper_stream_tick(&stream, &now, line, SIZE, &shaped) == 0 && line[SIZE] == 77);
+        PROMISE(k < 100 ? near(shaped.v, A_FLOAT_C(0.5)) : k < 103 || near(shaped.p, now.p - A_FLOAT_C(0.05)));
+        PROMISE(atraj_step_stream_tick(&motor, &shaped) == 0);
+        while ((direction = atraj_step_stream_next(&motor, &time)) != 0) {
+            PROMISE(direction == 1 && time >= 0 && time <= period);
+            ++sum;
+        }
+    }
+    PROMISE(sum == 8 && atraj_step_stream_count(&motor) == 16);
+    PROMISE(atraj_shaper_stream_change(&stream, &shaper, line, SIZE) == ATRAJ_ERR_MOVING && atraj_shaper_stream_advance(&stream, 1) == ATRAJ_ERR_MOVING);
+    now.v = 0;
+    for (k = 0; k < 200; ++k) { PROMISE(atraj_shaper_stream_tick(&stream, &now, line, SIZE, &shaped) == 0); }
+    PROMISE(is(shaped, 2, 0, 0) && atraj_shaper_stream_advance(&stream, A_FLOAT_C(0.5)) == 0);
+    PROMISE(atraj_shaper_init(&slow, ATRAJ_SHAPER_ZV, 2, 0) == 0 && atraj_shaper_stream_change(&stream, &slow, line, SIZE) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_shaper_init(&slow, ATRAJ_SHAPER_ZV, 50, 0) == 0 && atraj_shaper_stream_change(&stream, &slow, line, SIZE) == 0);
+    now.v = 1;
+    PROMISE(atraj_shaper_stream_tick(&stream, &now, line, SIZE, &shaped) == 0 && near(shaped.p, A_FLOAT_C(2.25)));
+    now.v = none;
+    PROMISE(atraj_shaper_stream_tick(&stream, &now, line, SIZE, &shaped) == ATRAJ_ERR_NOT_FINITE && isnan(shaped.p));
+    PROMISE(atraj_step_stream_wait(&motor, -1, 0) == ATRAJ_ERR_DURATION && atraj_step_stream_wait(&motor, A_FLOAT_C(0.0004), 0) == 0);
+    now.p = 3, now.v = 0;
+    PROMISE(atraj_step_stream_tick(&motor, &now) == 0);
+    for (sum = 0; atraj_step_stream_next(&motor, &time) != 0; ++sum) {}
+    PROMISE(sum == 2 && atraj_step_stream_count(&motor) == 18);
+    return 0;
+}
+
 /* --- several axes */
 
 /* Velocities and accelerations that point along the line from (1, 2, -1) to (9, -2, 1). */
@@ -381,5 +427,5 @@ static int clock_of_a_path(void) {
 }
 
 int main(void) {
-    return bell() || trap() || polynomials() || move() || steps() || shaper() || axes() || path() || path_near() || clock_of_a_path();
+    return bell() || trap() || polynomials() || move() || steps() || shaper() || streams() || axes() || path() || path_near() || clock_of_a_path();
 }

@@ -273,6 +273,23 @@ void shaper() {
     PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && same(method, function));
 }
 
+void streams() {
+    const atraj::state rest = {1, 0, 0}, moved = {1.1f, 0, 0};
+    a_float line[2][400], time = 0;
+    atraj::shaper shaper;
+    PROMISE(shaper.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && shaper.size(0.001f) == atraj_shaper_size(&shaper, 0.001f) && shaper.size(0.001f) <= 400);
+    atraj::shaper_stream method;
+    atraj_shaper_stream function;
+    PROMISE(method.init(shaper, 0.001f, rest, line[0], 400) == 0 && atraj_shaper_stream_init(&function, &shaper, 0.001f, &rest, line[1], 400) == 0);
+    PROMISE(method.advance(0.1f) == 0 && atraj_shaper_stream_advance(&function, 0.1f) == 0);
+    PROMISE(method.change(shaper, line[0], 400) == 0 && method.change(shaper, line[0], 3) == ATRAJ_ERR_NULL);
+    atraj::state one, other;
+    PROMISE(method.tick(moved, line[0], 400, one) == 0 && atraj_shaper_stream_tick(&function, &moved, line[1], 400, &other) == 0 && same(one, other) && one.p > 1);
+    atraj::step_stream motor;
+    PROMISE(motor.init(0.01f, 0.001f, rest) == 0 && motor.wait(0.0001f, 0.0002f) == 0 && motor.count() == 100);
+    PROMISE(motor.tick(moved) == 0 && motor.next(time) == 1 && time > 0 && atraj_step_stream_count(&motor) == 101);
+}
+
 void clock_of_a_path() {
     atraj::limits limits, reserve;
     limits.init(24, 8, 4);
@@ -296,13 +313,13 @@ void clock_of_a_path() {
 
 // Every finding and every error has a sentence of its own.
 void messages() {
-    for (int code = ATRAJ_ERR_UNREACHABLE; code <= ATRAJ_ENDS_LEAVING; ++code) {
-        for (int other = ATRAJ_ERR_UNREACHABLE; other < code; ++other) {
+    for (int code = ATRAJ_ERR_MOVING; code <= ATRAJ_ENDS_LEAVING; ++code) {
+        for (int other = ATRAJ_ERR_MOVING; other < code; ++other) {
             const bool differ = std::strcmp(atraj::message(code), atraj::message(other)) != 0;
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
         }
     }
-    PROMISE(std::strcmp(atraj_message(128), "this code is unknown") == 0 && std::strcmp(atraj_message(-10), "this code is unknown") == 0);
+    PROMISE(std::strcmp(atraj_message(128), "this code is unknown") == 0 && std::strcmp(atraj_message(-11), "this code is unknown") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LINE), "the states do not lie on the straight line from their start to their end") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LATE), "the tick at which the plan was to take over has begun, or is too far ahead") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_JUMPS + ATRAJ_OVERSHOOTS), atraj_message(ATRAJ_JUMPS)) == 0);
@@ -321,6 +338,7 @@ int main() {
     axis();
     steps();
     shaper();
+    streams();
     clock_of_a_path();
     messages();
 #endif

@@ -182,6 +182,8 @@ errors! {
         Late = -8: c"the tick at which the plan was to take over has begun, or is too far ahead",
         /// liba finds no such move within the limits, or the move takes no time.
         Unreachable = -9: c"liba finds no such move within the limits, or the move takes no time",
+        /// The axis must stand for this.
+        Moving = -10: c"the axis must stand for this",
     }
 }
 

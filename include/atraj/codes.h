@@ -84,7 +84,11 @@ enum atraj_error {
     /**
      * for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
      */
-    ATRAJ_ERR_UNREACHABLE = -9
+    ATRAJ_ERR_UNREACHABLE = -9,
+    /**
+     * the axis must stand for this
+     */
+    ATRAJ_ERR_MOVING = -10
 };
 
 #if defined(__cplusplus)

@@ -6,7 +6,8 @@
  limits. Two loads, or a load with two frequencies, take a second frequency in the same shaper. docs/machine.md names
  the papers. `ctx` points to the shaper: it is made from an uninitialised one too, and is untouched on an error. `x` is
  the time since the start of the motion, s; a NaN is the end. `now` is NULL or the place for the state, which is NaN if
- another pointer is NULL.
+ another pointer is NULL. An `atraj_shaper` shapes one move from rest to rest; an `atraj_shaper_stream` shapes whatever
+ has a state every tick.
 */
 
 #ifndef ATRAJ_SHAPER_H
@@ -16,6 +17,7 @@
 #include "atraj/move.h"
 
 typedef struct atraj_shaper atraj_shaper;
+typedef struct atraj_shaper_stream atraj_shaper_stream;
 
 /**
  * How a shaper meets a frequency that is not exactly known.
@@ -90,11 +92,82 @@ void atraj_shaper_bell_state(const struct atraj_shaper *ctx,
                              a_float x,
                              atraj_state *now);
 
+/**
+ * @brief How many numbers the delay line of a stream has.
+ * @param period from one tick to the next, s
+ * @return how many `a_float` the array `line` has; 0 if `ctx` is NULL, if the period is not above 0 or not finite, or if the
+ * shaper takes more than 1048576 periods
+ */
+A_EXTERN
+size_t atraj_shaper_size(const struct atraj_shaper *ctx,
+                         a_float period);
+
+/**
+ * @brief Begin to shape a stream of states, one a tick: of a move, of a clock, of a jog, retargeted at any time.
+ *
+ * The shaped state is a mean of the states that the stream had before. So it keeps every limit of the stream, and
+ * nothing jumps, whatever the stream does. A delay that is no multiple of the period is a mean of two ticks. A stream
+ * in motion is taken to have had its velocity for long: so it starts behind `now` by the mean delay.
+ * @param shaper points to the shaper, which is copied
+ * @param period from one tick to the next, s
+ * @param now points to the state of the stream
+ * @param line points to `size` numbers, which need not be initialised. Each call for this stream takes the same ones.
+ * @param size at least `atraj_shaper_size(shaper, period)`
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `size` is too small, `ATRAJ_ERR_DURATION` if
+ * `atraj_shaper_size` is 0, or `ATRAJ_ERR_NOT_FINITE`
+ */
+A_EXTERN
+int atraj_shaper_stream_init(struct atraj_shaper_stream *ctx,
+                             const struct atraj_shaper *shaper,
+                             a_float period,
+                             const atraj_state *now,
+                             a_float *line,
+                             size_t size);
+
+/**
+ * @brief Add `advance` times the velocity to the position before it is shaped: the pressure advance of an extruder.
+ *
+ * Velocity and acceleration follow; the acceleration gets the mean jerk over the smoothing. So smooth it.
+ * @param advance s; 0 at the start
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in
+ * `atraj_shaper_stream_change`
+ */
+A_EXTERN int atraj_shaper_stream_advance(struct atraj_shaper_stream *ctx, a_float advance);
+
+/**
+ * @brief Take another shaper, while the stream stands.
+ * @param shaper points to the shaper, which is copied
+ * @param line points to `size` numbers: those of the stream
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `size` is below `atraj_shaper_size` of the new shaper,
+ * `ATRAJ_ERR_DURATION` if that is 0, or `ATRAJ_ERR_MOVING` if the stream moves, or moved so shortly before that the
+ * shaped state does. On an error the stream stays as it is.
+ */
+A_EXTERN
+int atraj_shaper_stream_change(struct atraj_shaper_stream *ctx,
+                               const struct atraj_shaper *shaper,
+                               a_float *line,
+                               size_t size);
+
+/**
+ * @brief Take the next state of the stream, and give the shaped one.
+ * @param now points to the state of the stream in this tick
+ * @param line points to the `size` numbers of the stream
+ * @param shaped NULL or the place for the shaped state; NaN on an error. It may be `now`.
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE`. Then the stream stays as it is.
+ */
+A_EXTERN
+int atraj_shaper_stream_tick(struct atraj_shaper_stream *ctx,
+                             const atraj_state *now,
+                             a_float *line,
+                             size_t size,
+                             atraj_state *shaped);
+
 #if defined(__cplusplus)
 } /* extern "C" */
 namespace atraj
 {
 typedef struct atraj_shaper shaper;
+typedef struct atraj_shaper_stream shaper_stream;
 } /* namespace atraj */
 #endif /* __cplusplus */
 
@@ -137,6 +210,68 @@ struct atraj_shaper {
         atraj_state now;
         atraj_shaper_bell_state(this, &bell, x, &now);
         return now;
+    }
+    size_t size(a_float period) const { return atraj_shaper_size(this, period); }
+#endif /* __cplusplus */
+};
+
+/**
+ * @brief A shaper of a stream of states, one a tick, whatever makes them. Its members are the library's own.
+ */
+struct atraj_shaper_stream {
+    /**
+     * the shaper, with its delays in ticks
+     */
+    struct atraj_shaper shaper;
+    /**
+     * from one tick to the next, s
+     */
+    a_float period;
+    /**
+     * what is added to a position for each unit of the velocity, s
+     */
+    a_float ahead;
+    /**
+     * the sum of the last states
+     */
+    a_float mean[6];
+    /**
+     * the next sum while it grows
+     */
+    a_float growing[6];
+    /**
+     * of how many states the sum is
+     */
+    unsigned int ticks;
+    /**
+     * which of them is replaced next
+     */
+    unsigned int at;
+    /**
+     * how many means the impulses look back to
+     */
+    unsigned int means;
+    /**
+     * which of them is the newest
+     */
+    unsigned int at_mean;
+    /**
+     * for how many ticks the stream stands
+     */
+    unsigned int still;
+#if defined(__cplusplus)
+    int init(const atraj_shaper &shaper_, a_float period_, const atraj_state &now, a_float *line, size_t size)
+    {
+        return atraj_shaper_stream_init(this, &shaper_, period_, &now, line, size);
+    }
+    int advance(a_float seconds) { return atraj_shaper_stream_advance(this, seconds); }
+    int change(const atraj_shaper &shaper_, a_float *line, size_t size)
+    {
+        return atraj_shaper_stream_change(this, &shaper_, line, size);
+    }
+    int tick(const atraj_state &now, a_float *line, size_t size, atraj_state &shaped)
+    {
+        return atraj_shaper_stream_tick(this, &now, line, size, &shaped);
     }
 #endif /* __cplusplus */
 };

@@ -4,7 +4,8 @@
  @brief the times at which a stepper motor steps
  @details Line `k` is the position `offset + k*step`. The motor stands at the line `count` while the axis is between
  this line and the next one. Each step has its time up to a rounding, reversals have theirs, and no step is lost. `ctx`
- points to the steps, which are untouched on an error, and `move` to the planned move that they belong to.
+ points to the steps, which are untouched on an error, and `move` to the planned move that they belong to. A stream of
+ states, one a tick, has steps too, whatever makes it: `atraj_step_stream`.
 */
 
 #ifndef ATRAJ_STEPS_H
@@ -13,6 +14,7 @@
 #include "atraj/move.h"
 
 typedef struct atraj_steps atraj_steps;
+typedef struct atraj_step_stream atraj_step_stream;
 
 #if defined(__cplusplus)
 extern "C" {
@@ -50,11 +52,59 @@ int atraj_steps_next(struct atraj_steps *ctx,
                      const atraj_move *move,
                      a_float *time);
 
+/**
+ * @brief Begin with the steps of a stream of states. The motor is at the step that is nearest to the axis, and stays
+ * within half a step of it.
+ * @param step the way of one step, unit
+ * @param period from one tick to the next, s
+ * @param now points to the state of the stream
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS` if `step` is not above 0, `ATRAJ_ERR_DURATION`
+ * if the period is not above 0 or not finite, or `ATRAJ_ERR_NOT_FINITE`, also if the position is further from 0 than
+ * 1000000000 steps, in `float` 8388608
+ */
+A_EXTERN
+int atraj_step_stream_init(struct atraj_step_stream *ctx,
+                           a_float step,
+                           a_float period,
+                           const atraj_state *now);
+
+/**
+ * @brief Keep a least time between two steps, and before a step in the other direction: what the driver of the motor
+ * needs. A step for which there is no time in its tick waits for the next one.
+ * @param between least time between two steps, s
+ * @param reversal least time before a step in the other direction, s
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_DURATION` if a time is negative or not finite
+ */
+A_EXTERN int atraj_step_stream_wait(struct atraj_step_stream *ctx, a_float between, a_float reversal);
+
+/**
+ * @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
+ * @param now points to the state of the stream at the end of the tick
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick
+ * does not begin
+ */
+A_EXTERN
+int atraj_step_stream_tick(struct atraj_step_stream *ctx,
+                           const atraj_state *now);
+
+/**
+ * @brief The next step of the tick.
+ * @param time NULL or the place for the time of the step since the start of the tick, s; untouched if there is no step
+ * @return 1 for a step towards larger positions, -1 for one back, 0 if there is no step any more or `ctx` is NULL
+ */
+A_EXTERN int atraj_step_stream_next(struct atraj_step_stream *ctx, a_float *time);
+
+/**
+ * @brief Where the motor is, in steps from 0: the steps up less the steps down, and where it began. 0 if `ctx` is NULL.
+ */
+A_EXTERN int atraj_step_stream_count(const struct atraj_step_stream *ctx);
+
 #if defined(__cplusplus)
 } /* extern "C" */
 namespace atraj
 {
 typedef struct atraj_steps steps;
+typedef struct atraj_step_stream step_stream;
 } /* namespace atraj */
 #endif /* __cplusplus */
 
@@ -94,6 +144,51 @@ struct atraj_steps {
     int init(const atraj_move &move, a_float offset_, a_float step_) { return atraj_steps_init(this, &move, offset_, step_); }
     int follow(const atraj_move &next_) { return atraj_steps_follow(this, &next_); }
     int next(const atraj_move &move, a_float &time) { return atraj_steps_next(this, &move, &time); }
+#endif /* __cplusplus */
+};
+
+/**
+ * @brief The steps of a motor that follows a stream of states, one a tick, whatever makes them. Its members are the library's own.
+ */
+struct atraj_step_stream {
+    /**
+     * from one tick to the next, s
+     */
+    a_float period;
+    /**
+     * the least time between two steps, s
+     */
+    a_float between;
+    /**
+     * the least time before a step in the other direction, s
+     */
+    a_float reversal;
+    /**
+     * when the last step was, s after the start of this tick
+     */
+    a_float last;
+    /**
+     * of the last step: 1, -1, or 0 before the first one
+     */
+    int direction;
+    /**
+     * the lines of the motor
+     */
+    struct atraj_steps steps;
+    /**
+     * the motion in this tick
+     */
+    atraj_phase phase;
+    /**
+     * the state at its end
+     */
+    atraj_state end;
+#if defined(__cplusplus)
+    int init(a_float step, a_float period_, const atraj_state &now) { return atraj_step_stream_init(this, step, period_, &now); }
+    int wait(a_float between_, a_float reversal_) { return atraj_step_stream_wait(this, between_, reversal_); }
+    int tick(const atraj_state &now) { return atraj_step_stream_tick(this, &now); }
+    int next(a_float &time) { return atraj_step_stream_next(this, &time); }
+    int count() const { return atraj_step_stream_count(this); }
 #endif /* __cplusplus */
 };
 

@@ -27,10 +27,14 @@ pub(crate) mod clock;
 mod handover;
 mod parabola;
 pub(crate) mod shaper;
+pub(crate) mod shaper_stream;
+pub(crate) mod step_stream;
 pub(crate) mod steps;
 
 pub use axis::Axis;
 pub use clock::Clock;
 use core::sync::atomic;
 pub use shaper::{Shaper, ShaperKind};
+pub use shaper_stream::ShaperStream;
+pub use step_stream::StepStream;
 pub use steps::{Step, Steps};

@@ -191,7 +191,7 @@ impl<R: Real> Shaper<R> {
     }
 
     /// Weights and delays.
-    fn impulses(&self) -> impl Iterator<Item = (R, R)> {
+    pub(super) fn impulses(&self) -> impl Iterator<Item = (R, R)> {
         let all = self.weights.iter().zip(&self.delays);
         all.map(|(&weight, &delay)| (weight, delay)).take(self.count as usize)
     }

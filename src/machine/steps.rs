@@ -4,6 +4,7 @@ use crate::findings::{Error, Extremes};
 use crate::online::{Move, Phase};
 use crate::real::Real;
 use crate::roots::root_near;
+use crate::state::State;
 
 /// The steps of a motor that follows a move.
 ///
@@ -50,38 +51,73 @@ pub struct Step<R> {
     pub direction: i32,
 }
 
+/// A phase, and where and when it ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Piece<R> {
+    pub phase: Phase<R>,
+    pub end: R,
+    pub until: R,
+}
+
+impl<R: Real> Piece<R> {
+    /// A phase of a move and the start of the next one. Phase 1 begins at the start up to rounding; here it begins at the start, so that an axis
+    /// on a line does not pass the line by this rounding.
+    fn of(of: &Move<R>, phase: u32) -> Option<Self> {
+        let (&found, next) = of.phase_and_next(phase as usize)?;
+        let State { position, velocity, .. } = if phase == 1 { of.start() } else { found.state() };
+        Some(Self { phase: Phase { position, velocity, ..found }, end: next.position, until: next.start })
+    }
+}
+
 impl<R: Real> Steps<R> {
     /// The steps of a move. The motor stands at the last line that is not above the start.
     ///
     /// [`Error::Limits`] if `step` is not above 0; [`Error::NotFinite`] if a number is not finite, or if a position of the move is more
     /// than `1/ε` steps (8,388,608 in `f32`) or 1,000,000,000 steps away from the offset.
     pub fn new(of: &Move<R>, offset: R, step: R) -> Result<Self, Error> {
+        let mut steps = Self::at(offset, step)?;
+        steps.follow(of)?;
+        steps.stand_at(of.position(R::ZERO));
+        Ok(steps)
+    }
+
+    /// No steps yet, of a motor at line 0. It returns the errors of the arguments alone.
+    pub(super) fn at(offset: R, step: R) -> Result<Self, Error> {
         if !(offset.is_finite() && step < R::INFINITY) {
             return Err(Error::NotFinite);
         }
         if step <= R::ZERO {
             return Err(Error::Limits);
         }
-        let mut steps = Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 };
-        steps.follow(of)?;
-        steps.count = steps.line_below(of.position(R::ZERO));
-        steps.far = steps.count;
-        Ok(steps)
+        Ok(Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 })
+    }
+
+    /// Lets the motor stand at the last line that is not above the position.
+    pub(super) fn stand_at(&mut self, position: R) {
+        self.count = self.line_below(position);
+        self.far = self.count;
     }
 
     /// Goes on with another move from its start, and keeps the motor where it is. So no step is lost where the moves meet: a line between
     /// the motor and the start is passed at once. [`Error::NotFinite`] as in [`Steps::new`]; then nothing changes.
     pub fn follow(&mut self, next: &Move<R>) -> Result<(), Error> {
         let Extremes { lowest, highest } = next.extremes();
-        let start = next.position(R::ZERO);
-        let most = (R::ONE / R::EPSILON).at_most(R::from_index(MOST_STEPS));
-        let is_countable = |p: R| ((p - self.offset) / self.step).abs() <= most;
-        if ![start, lowest.position, highest.position].into_iter().all(is_countable) {
-            return Err(Error::NotFinite);
-        }
-        (self.phase, self.from, self.to) = (0, R::ZERO, R::ZERO);
-        self.far = self.count;
+        let positions = [next.position(R::ZERO), lowest.position, highest.position];
+        positions.into_iter().all(|position| self.is_countable(position)).then_some(()).ok_or(Error::NotFinite)?;
+        self.begin_at(0);
         Ok(())
+    }
+
+    /// Whether the line of a position has a number.
+    pub(super) fn is_countable(&self, position: R) -> bool {
+        let most = (R::ONE / R::EPSILON).at_most(R::from_index(MOST_STEPS));
+        ((position - self.offset) / self.step).abs() <= most
+    }
+
+    /// Begins with this phase of a motion.
+    pub(super) fn begin_at(&mut self, phase: u32) {
+        (self.phase, self.from, self.to) = (phase, R::ZERO, R::ZERO);
+        self.far = self.count;
     }
 
     /// The line of the motor after the steps so far: the steps up less the steps down, from the line at the start on.
@@ -92,44 +128,37 @@ impl<R: Real> Steps<R> {
     /// The next step until the end of the move, for the move that the steps belong to. Each has its time up to rounding, and no time is
     /// before the time of the step before. The count after the last step is the line of the end, whatever is rounded on the way.
     pub fn next(&mut self, of: &Move<R>) -> Option<Step<R>> {
+        self.next_of(|phase| Piece::of(of, phase))
+    }
+
+    /// The next step in the pieces of a motion.
+    pub(super) fn next_of(&mut self, piece: impl Fn(u32) -> Option<Piece<R>>) -> Option<Step<R>> {
         while self.count == self.far {
-            self.enter_next_part(of)?;
+            self.enter_next_part(&piece)?;
         }
-        let (phase, next) = self.phase_and_next(of)?;
+        let Piece { phase, until, .. } = piece(self.phase)?;
         let direction = if self.far > self.count { 1 } else { -1 };
         let line = self.count.max(self.count + direction);
         self.count += direction;
         self.from = self.time_at(&phase, line, R::from_index(direction));
-        Some(Step { time: (phase.start + self.from).at_most(next.start), direction })
-    }
-
-    /// The phase and the one after it. Phase 1 begins at the start up to rounding; here it begins at the start, so that an axis on a line does
-    /// not pass the line by this rounding.
-    fn phase_and_next<'a>(&self, of: &'a Move<R>) -> Option<(Phase<R>, &'a Phase<R>)> {
-        let (&phase, next) = of.phase_and_next(self.phase as usize)?;
-        let start = of.start();
-        let is_first = self.phase == 1;
-        let (position, velocity) =
-            if is_first { (start.position, start.velocity) } else { (phase.position, phase.velocity) };
-        Some((Phase { position, velocity, ..phase }, next))
+        Some(Step { time: (phase.start + self.from).at_most(until), direction })
     }
 
     /// Goes on to where the axis turns next in the phase, else to the end of the phase.
-    fn enter_next_part(&mut self, of: &Move<R>) -> Option<()> {
-        let (phase, next) = self.phase_and_next(of)?;
-        let lasts = self.to < phase.duration; // not if a number is none
-        let (phase, next) = if lasts {
-            (phase, next)
-        } else {
+    fn enter_next_part(&mut self, piece: &impl Fn(u32) -> Option<Piece<R>>) -> Option<()> {
+        let mut entered = piece(self.phase)?;
+        let lasts = self.to < entered.phase.duration; // false for NaN
+        if !lasts {
             self.phase += 1;
             self.to = R::ZERO;
-            self.phase_and_next(of)?
-        };
+            entered = piece(self.phase)?;
+        }
+        let Piece { phase, end, .. } = entered;
         self.from = self.to;
         let is_ahead = |z: &R| *z > self.from && *z < phase.duration;
         let turn = phase.turns().into_iter().find(is_ahead);
         self.to = turn.unwrap_or(phase.duration);
-        self.far = self.line_below(turn.map_or(next.position, |z| phase.position(z)));
+        self.far = self.line_below(turn.map_or(end, |z| phase.position(z)));
         Some(())
     }
 

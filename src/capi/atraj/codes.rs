@@ -47,6 +47,8 @@ pub enum atraj_error {
     ATRAJ_ERR_LATE = -8,
     /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
     ATRAJ_ERR_UNREACHABLE = -9,
+    /// the axis must stand for this
+    ATRAJ_ERR_MOVING = -10,
 }
 pub(super) use atraj_error::*;
 
@@ -69,6 +71,7 @@ assert_named! { Error::ALL;
     Error::Position => ATRAJ_ERR_POSITION,
     Error::Late => ATRAJ_ERR_LATE,
     Error::Unreachable => ATRAJ_ERR_UNREACHABLE,
+    Error::Moving => ATRAJ_ERR_MOVING,
 }
 
 /// @brief The English sentence for a code, for a log or a display.

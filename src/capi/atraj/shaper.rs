@@ -1,11 +1,12 @@
 //! `atraj/shaper.h`: input shapers.
 
 use super::r#move::{atraj_move, atraj_state};
-use super::{answer, put, write_state};
+use super::{ATRAJ_ERR_NULL, answer, list_mut, put, write_state};
 use crate::capi::a::trajbell::a_trajbell;
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::{Error, Findings};
 use crate::machine::shaper::{Shaper, ShaperKind};
+use crate::machine::shaper_stream::ShaperStream;
 use core::ffi::{c_int, c_uint};
 
 /// How a shaper meets a frequency that is not exactly known.
@@ -96,6 +97,121 @@ pub unsafe extern "C" fn atraj_shaper_bell_state(
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     unsafe { write_state(now, of(ctx).zip(of(bell)).map(|(shaper, of)| shaper.bell_state(of, x.into()))) };
+}
+
+/// @brief A shaper of a stream of states, one a tick, whatever makes them. Its members are the library's own.
+#[repr(C)]
+pub struct atraj_shaper_stream {
+    /// the shaper, with its delays in ticks
+    pub shaper: atraj_shaper,
+    /// from one tick to the next, s
+    pub period: a_float,
+    /// what is added to a position for each unit of the velocity, s
+    pub ahead: a_float,
+    /// the sum of the last states
+    pub mean: [a_float; 6],
+    /// the next sum while it grows
+    pub growing: [a_float; 6],
+    /// of how many states the sum is
+    pub ticks: c_uint,
+    /// which of them is replaced next
+    pub at: c_uint,
+    /// how many means the impulses look back to
+    pub means: c_uint,
+    /// which of them is the newest
+    pub at_mean: c_uint,
+    /// for how many ticks the stream stands
+    pub still: c_uint,
+}
+assert_same_layout!(atraj_shaper_stream, ShaperStream<Number>,
+    shaper period ahead mean growing ticks at means at_mean still);
+
+/// @brief How many numbers the delay line of a stream has.
+/// @param period from one tick to the next, s
+/// @return how many `a_float` the array `line` has; 0 if `ctx` is NULL, if the period is not above 0 or not finite, or if the
+/// shaper takes more than 1048576 periods
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_shaper_size(ctx: *const atraj_shaper, period: a_float) -> usize {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    unsafe { of(ctx) }.and_then(|shaper| shaper.size(period.into())).unwrap_or(0)
+}
+
+/// @brief Begin to shape a stream of states, one a tick: of a move, of a clock, of a jog, retargeted at any time.
+///
+/// The shaped state is a mean of the states that the stream had before. So it keeps every limit of the stream, and
+/// nothing jumps, whatever the stream does. A delay that is no multiple of the period is a mean of two ticks. A stream
+/// in motion is taken to have had its velocity for long: so it starts behind `now` by the mean delay.
+/// @param shaper points to the shaper, which is copied
+/// @param period from one tick to the next, s
+/// @param now points to the state of the stream
+/// @param line points to `size` numbers, which need not be initialised. Each call for this stream takes the same ones.
+/// @param size at least `atraj_shaper_size(shaper, period)`
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `size` is too small, `ATRAJ_ERR_DURATION` if
+/// `atraj_shaper_size` is 0, or `ATRAJ_ERR_NOT_FINITE`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_shaper_stream_init(
+    ctx: *mut atraj_shaper_stream, shaper: *const atraj_shaper, period: a_float, now: *const atraj_state,
+    line: *mut a_float, size: usize,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    unsafe {
+        match (of(shaper), of(now), list_mut(line, size)) {
+            (Some(shaper), Some(now), Some(line)) => put(ctx, || ShaperStream::new(shaper, period.into(), *now, line)),
+            _ => ATRAJ_ERR_NULL as c_int,
+        }
+    }
+}
+
+/// @brief Add `advance` times the velocity to the position before it is shaped: the pressure advance of an extruder.
+///
+/// Velocity and acceleration follow; the acceleration gets the mean jerk over the smoothing. So smooth it.
+/// @param advance s; 0 at the start
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in
+/// `atraj_shaper_stream_change`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_shaper_stream_advance(ctx: *mut atraj_shaper_stream, advance: a_float) -> c_int {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    answer(|| unsafe { Some(of_mut(ctx)?.advance(advance.into()).map(|()| Findings::default())) })
+}
+
+/// @brief Take another shaper, while the stream stands.
+/// @param shaper points to the shaper, which is copied
+/// @param line points to `size` numbers: those of the stream
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `size` is below `atraj_shaper_size` of the new shaper,
+/// `ATRAJ_ERR_DURATION` if that is 0, or `ATRAJ_ERR_MOVING` if the stream moves, or moved so shortly before that the
+/// shaped state does. On an error the stream stays as it is.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_shaper_stream_change(
+    ctx: *mut atraj_shaper_stream, shaper: *const atraj_shaper, line: *mut a_float, size: usize,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    answer(|| unsafe {
+        let (stream, shaper, line) = (of_mut(ctx)?, of(shaper)?, list_mut(line, size)?);
+        Some(stream.change(shaper, line).map(|()| Findings::default()))
+    })
+}
+
+/// @brief Take the next state of the stream, and give the shaped one.
+/// @param now points to the state of the stream in this tick
+/// @param line points to the `size` numbers of the stream
+/// @param shaped NULL or the place for the shaped state; NaN on an error. It may be `now`.
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE`. Then the stream stays as it is.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_shaper_stream_tick(
+    ctx: *mut atraj_shaper_stream, now: *const atraj_state, line: *mut a_float, size: usize, shaped: *mut atraj_state,
+) -> c_int {
+    let mut state = None;
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    let code = answer(|| unsafe {
+        let (stream, now, line) = (of_mut(ctx)?, *of(now)?, list_mut(line, size)?);
+        Some(stream.tick(now, line).map(|shaped| {
+            state = Some(shaped);
+            Findings::default()
+        }))
+    });
+    // SAFETY: `shaped` is NULL or writable by the contract of this module.
+    unsafe { write_state(shaped, state) };
+    code
 }
 
 fn kind_of(kind: c_int) -> Result<ShaperKind, Error> {

@@ -1,9 +1,10 @@
 //! `atraj/steps.h`: the times at which a stepper motor steps.
 
-use super::r#move::atraj_move;
+use super::r#move::{atraj_move, atraj_phase, atraj_state};
 use super::{ATRAJ_ERR_NULL, answer, put};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::Findings;
+use crate::machine::step_stream::StepStream;
 use crate::machine::steps::Steps;
 use core::ffi::{c_int, c_uint};
 
@@ -70,4 +71,89 @@ pub unsafe extern "C" fn atraj_steps_next(
     // SAFETY: `time` is NULL or writable by the contract of this module.
     unsafe { super::write([time], Some([step.time])) };
     step.direction
+}
+
+/// @brief The steps of a motor that follows a stream of states, one a tick, whatever makes them. Its members are the library's own.
+#[repr(C)]
+pub struct atraj_step_stream {
+    /// from one tick to the next, s
+    pub period: a_float,
+    /// the least time between two steps, s
+    pub between: a_float,
+    /// the least time before a step in the other direction, s
+    pub reversal: a_float,
+    /// when the last step was, s after the start of this tick
+    pub last: a_float,
+    /// of the last step: 1, -1, or 0 before the first one
+    pub direction: c_int,
+    /// the lines of the motor
+    pub steps: atraj_steps,
+    /// the motion in this tick
+    pub phase: atraj_phase,
+    /// the state at its end
+    pub end: atraj_state,
+}
+assert_same_layout!(atraj_step_stream, StepStream<Number>, period between reversal last direction steps phase end);
+
+/// @brief Begin with the steps of a stream of states. The motor is at the step that is nearest to the axis, and stays
+/// within half a step of it.
+/// @param step the way of one step, unit
+/// @param period from one tick to the next, s
+/// @param now points to the state of the stream
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS` if `step` is not above 0, `ATRAJ_ERR_DURATION`
+/// if the period is not above 0 or not finite, or `ATRAJ_ERR_NOT_FINITE`, also if the position is further from 0 than
+/// 1000000000 steps, in `float` 8388608
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_step_stream_init(
+    ctx: *mut atraj_step_stream, step: a_float, period: a_float, now: *const atraj_state,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    unsafe {
+        match of(now) {
+            Some(now) => put(ctx, || StepStream::new(step.into(), period.into(), *now)),
+            None => ATRAJ_ERR_NULL as c_int,
+        }
+    }
+}
+
+/// @brief Keep a least time between two steps, and before a step in the other direction: what the driver of the motor
+/// needs. A step for which there is no time in its tick waits for the next one.
+/// @param between least time between two steps, s
+/// @param reversal least time before a step in the other direction, s
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_DURATION` if a time is negative or not finite
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_step_stream_wait(
+    ctx: *mut atraj_step_stream, between: a_float, reversal: a_float,
+) -> c_int {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    answer(|| unsafe { Some(of_mut(ctx)?.wait(between.into(), reversal.into()).map(|()| Findings::default())) })
+}
+
+/// @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
+/// @param now points to the state of the stream at the end of the tick
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick
+/// does not begin
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_step_stream_tick(ctx: *mut atraj_step_stream, now: *const atraj_state) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    answer(|| unsafe { Some(of_mut(ctx)?.tick(*of(now)?).map(|()| Findings::default())) })
+}
+
+/// @brief The next step of the tick.
+/// @param time NULL or the place for the time of the step since the start of the tick, s; untouched if there is no step
+/// @return 1 for a step towards larger positions, -1 for one back, 0 if there is no step any more or `ctx` is NULL
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_step_stream_next(ctx: *mut atraj_step_stream, time: *mut a_float) -> c_int {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    let Some(step) = (unsafe { of_mut(ctx).and_then(StepStream::next) }) else { return 0 };
+    // SAFETY: `time` is NULL or writable by the contract of this module.
+    unsafe { super::write([time], Some([step.time])) };
+    step.direction
+}
+
+/// @brief Where the motor is, in steps from 0: the steps up less the steps down, and where it began. 0 if `ctx` is NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_step_stream_count(ctx: *const atraj_step_stream) -> c_int {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    unsafe { of(ctx) }.map_or(0, StepStream::count)
 }

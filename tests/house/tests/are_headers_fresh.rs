@@ -73,8 +73,8 @@ fn our_headers_are_fresh() {
         ("path", &["a/a.h", "a/atraj_check.h", "atraj/codes.h", "atraj/move.h"], &[], &["path"]),
         ("axis", &["atraj/move.h"], &["axis"], &["axis"]),
         ("clock", &["atraj/move.h"], &["clock"], &["clock"]),
-        ("shaper", &["a/trajbell.h", "atraj/move.h"], &["shaper"], &["shaper"]),
-        ("steps", &["atraj/move.h"], &["steps"], &["steps"]),
+        ("shaper", &["a/trajbell.h", "atraj/move.h"], &["shaper", "shaper_stream"], &["shaper"]),
+        ("steps", &["atraj/move.h"], &["steps", "step_stream"], &["steps"]),
     ];
     for (name, included, structs, sources) in table {
         let config = config(name);

@@ -152,8 +152,18 @@ table! { |n|
     atraj_shaper_add(1 _ _ (1 of 0.1));
     atraj_shaper_bell_state(1 1 _ [1]);
     atraj_shaper_init({1} _ _ (1 of 0.1));
+    atraj_shaper_size(1 (1 of 0.01));
     atraj_shaper_smooth({1} _);
     atraj_shaper_state(1 1 _ [1]);
+    atraj_shaper_stream_advance(1 _);
+    atraj_shaper_stream_change(1 1 LINE LINE);
+    atraj_shaper_stream_init({1} 1 (1 of 0.01) 1 {LINE} LINE);
+    atraj_shaper_stream_tick(1 1 LINE LINE [1]);
+    atraj_step_stream_count(1);
+    atraj_step_stream_init({1} _ _ 1);
+    atraj_step_stream_next(1 {1});
+    atraj_step_stream_tick(1 1);
+    atraj_step_stream_wait(1 _ _);
     atraj_steps_follow(1 1);
     atraj_steps_init({1} 1 _ _);
     atraj_steps_next(1 1 {1});
@@ -212,6 +222,13 @@ impl From<()> for Answer {
     }
 }
 
+/// Functions whose answer is a number of steps or of numbers, and no code.
+const COUNTS: [&str; 3] = ["atraj_steps_next", "atraj_step_stream_next", "atraj_step_stream_count"];
+const SIZES: [&str; 2] = ["atraj_path_size", "atraj_shaper_size"];
+
+/// How many numbers a delay line has: enough for each ordinary shaper.
+const LINE: usize = 4096;
+
 impl Answer {
     /// Whether this is the documented answer of a function to NULL for each pointer.
     fn is_for_null(&self, name: &str) -> bool {
@@ -219,7 +236,7 @@ impl Answer {
             Self::Nothing => true,
             Self::Number(x) if name.starts_with("a_") && name.ends_with("_gen") => x == 0.0,
             Self::Number(x) => x.is_nan(),
-            Self::Code(code) if name == "atraj_steps_next" => code == 0,
+            Self::Code(code) if COUNTS.contains(&name) => code == 0,
             Self::Code(code) => code == -1,
             Self::Count(count) => count == 0 || name.starts_with("atraj_path_size"),
             Self::Text(_) => name == "atraj_message",
@@ -230,8 +247,8 @@ impl Answer {
     fn is_documented(&self, name: &str, n: usize) -> bool {
         match *self {
             Self::Nothing | Self::Number(_) => true,
-            Self::Code(code) => (-9..128).contains(&code),
-            Self::Count(count) => count <= n || name.starts_with("atraj_path_size"),
+            Self::Code(code) => COUNTS.contains(&name) || (-10..128).contains(&code),
+            Self::Count(count) => count <= n || SIZES.iter().any(|size| name.starts_with(size)),
             // SAFETY: a text lasts as long as the program.
             Self::Text(text) => !unsafe { CStr::from_ptr(text) }.is_empty(),
         }
@@ -622,6 +639,13 @@ made! {
         0
     };
     atraj_shaper = |caller, to| atraj_shaper_init(to, 0, caller.ordinary(), 0.1);
+    atraj_shaper_stream = |caller, to| {
+        let (mut shaper, mut line) = (MaybeUninit::uninit(), [0.0; LINE]);
+        atraj_shaper_init(shaper.as_mut_ptr(), 0, caller.ordinary(), 0.1);
+        let start = caller.problem().1;
+        atraj_shaper_stream_init(to, shaper.as_ptr(), 0.01, &start, line.as_mut_ptr(), LINE)
+    };
+    atraj_step_stream = |caller, to| atraj_step_stream_init(to, 0.1, 0.01, &caller.problem().1);
     atraj_steps = |caller, to| {
         let (limits, from, at) = caller.problem();
         let mut planned = MaybeUninit::uninit();
@@ -698,7 +722,7 @@ fn each_pointer_alone_gets_its_answer() {
     for &(name, call) in FUNCTIONS {
         let is_optional = |k, lacks| match lacks {
             Some(Promise::Written(_)) => k > 0,
-            Some(Promise::Room(_)) => k > 0 && (name == "atraj_steps_next" || name.starts_with("claraty")),
+            Some(Promise::Room(_)) => k > 0 && (COUNTS.contains(&name) || name.starts_with("claraty")),
             // A clock that is NULL is the timer's own, and its argument may be NULL.
             _ => k > 0 && name == "claraty_trapezoid_set_clock",
         };
