@@ -76,9 +76,11 @@ int atraj_shaper_smooth(struct atraj_shaper *ctx,
                         a_float time);
 
 /**
- * @brief The shaped motion of a move at the time `x`: it keeps every limit of the move, starts and ends where the move
- * does, and takes `t` of the shaper longer. Before its start a move is taken to go on with the velocity that it has
- * there.
+ * @brief The shaped motion of a move at the time `x`.
+ *
+ * From rest to rest it keeps every limit of the move, starts and ends where the move does, and takes `t` of the shaper
+ * longer. Before its start a move is taken to go on with the velocity that it has there. So an axis that is retargeted
+ * in mid-motion would jump: `atraj_shaper_stream_tick` shapes it.
  */
 A_EXTERN void atraj_shaper_state(const struct atraj_shaper *ctx, const atraj_move *move, a_float x, atraj_state *now);
 

@@ -41,9 +41,10 @@ pub enum ShaperKind {
 
 /// A mean of a move at several times. It leaves little vibration at its frequencies.
 ///
-/// A mean of motions that keep the limits keeps the limits. So the shaped motion keeps every limit of the move: of velocity, acceleration
-/// and jerk. It starts and ends where the move does, and takes `duration` longer. Before its start and after its end a move is taken to go on
-/// with the velocity that it has there; a [`Move`] goes on after its end with its acceleration, too.
+/// A mean of motions that keep the limits keeps the limits. So the shaped motion of a move from rest to rest keeps every limit of the move: of
+/// velocity, acceleration and jerk. It starts and ends where the move does, and takes `duration` longer. Where an axis is retargeted in
+/// mid-motion, a [`ShaperStream`](super::ShaperStream) shapes it; here it would jump. Before its start and after its end a move is taken to
+/// go on with the velocity that it has there; a [`Move`] goes on after its end with its acceleration, too.
 ///
 /// ```
 /// use atraj::machine::{Shaper, ShaperKind};

@@ -78,9 +78,11 @@ pub unsafe extern "C" fn atraj_shaper_smooth(ctx: *mut atraj_shaper, time: a_flo
     unsafe { put(ctx, || Shaper::smooth(time.into())) }
 }
 
-/// @brief The shaped motion of a move at the time `x`: it keeps every limit of the move, starts and ends where the move
-/// does, and takes `t` of the shaper longer. Before its start a move is taken to go on with the velocity that it has
-/// there.
+/// @brief The shaped motion of a move at the time `x`.
+///
+/// From rest to rest it keeps every limit of the move, starts and ends where the move does, and takes `t` of the shaper
+/// longer. Before its start a move is taken to go on with the velocity that it has there. So an axis that is retargeted
+/// in mid-motion would jump: `atraj_shaper_stream_tick` shapes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_state(
     ctx: *const atraj_shaper, r#move: *const atraj_move, x: a_float, now: *mut atraj_state,
