@@ -18,6 +18,7 @@ fn main() -> Result<(), Error> {
     let limits = Limits::symmetric(30.0, 3.0, 0.5);
     let (lowest, highest) = (State::at(-0.2), State::at(1.0)); // m
     let mut axis = Axis::new(PERIOD, State::at(0.0))?;
+    let (mut planner, mut ticker) = axis.split();
     println!("Jogging between soft stops: up and let go, up to the stop, down to the other one");
     println!("within -0.2 m, +1 m, 0.5 m/s, 3 m/s^2, 30 m/s^3");
     for tick in 0..=7000 {
@@ -25,18 +26,18 @@ fn main() -> Result<(), Error> {
         // The main loop: a key is pressed or released.
         if tick == 200 || tick == 1600 {
             println!("{time:.3} s -> up");
-            axis.go(&limits, highest, LEAD)?;
+            planner.go(&limits, highest, LEAD)?;
         }
         if tick == 1000 {
             println!("1.000 s -> let go");
-            axis.stop(&limits, LEAD)?;
+            planner.stop(&limits, LEAD)?;
         }
         if tick == 3600 {
             println!("3.600 s -> down");
-            axis.go(&limits, lowest, LEAD)?;
+            planner.go(&limits, lowest, LEAD)?;
         }
         // The interrupt.
-        let now = axis.tick();
+        let now = ticker.tick();
         if tick % 250 == 0 {
             let (p, v, a) = (now.position, now.velocity, now.acceleration);
             println!("{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2");

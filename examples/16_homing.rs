@@ -31,33 +31,34 @@ fn main() -> Result<(), Error> {
     let limits = Limits::symmetric(50.0, 2.0, 0.2);
     let (mut now, mut step) = (State::at(0.0), Step::Fast);
     let mut axis = Axis::new(PERIOD, now)?;
+    let (mut planner, mut ticker) = axis.split();
     println!("Homing on a switch: fast onto it, back, slowly onto it, and 0.1 m beside it");
     println!("within 0.2 m/s, 2 m/s^2, 50 m/s^3");
-    axis.reach(&limits, -0.2, 0.0, LEAD)?;
+    planner.reach(&limits, -0.2, 0.0, LEAD)?;
     for tick in 0..=3200 {
         let time = f64::from(tick) * PERIOD;
         // The main loop: the switch has closed or opened.
         match (&step, is_closed(now.position)) {
             (Step::Fast, true) => {
                 println!("{time:.3} s -> back");
-                axis.reach(&limits, 0.05, 0.0, LEAD)?;
+                planner.reach(&limits, 0.05, 0.0, LEAD)?;
                 step = Step::Back;
             }
             (Step::Back, false) => {
                 println!("{time:.3} s -> slow");
-                axis.reach(&limits, -0.01, 0.0, LEAD)?;
+                planner.reach(&limits, -0.01, 0.0, LEAD)?;
                 step = Step::Slow;
             }
             (Step::Slow, true) => {
                 println!("{time:.3} s -> beside");
                 println!("the switch is at {:.5} m", now.position);
-                axis.go(&limits, State::at(now.position + 0.1), LEAD)?;
+                planner.go(&limits, State::at(now.position + 0.1), LEAD)?;
                 step = Step::Beside;
             }
             _ => {}
         }
         // The interrupt.
-        now = axis.tick();
+        now = ticker.tick();
         if tick % 250 == 0 {
             let (p, v, a) = (now.position, now.velocity, now.acceleration);
             println!("{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2");

@@ -20,27 +20,28 @@ fn main() -> Result<(), Error> {
     let hardest = Limits::symmetric(500.0, 15.0, 1.0);
     let (mut now, mut has_passed) = (State::at(0.0), false);
     let mut axis = Axis::new(PERIOD, now)?;
+    let (mut planner, mut ticker) = axis.split();
     println!("Stopping on a limit switch: a target too far, a stop with limits of its own, and back");
     println!("within 1 m/s");
     println!("work within 3 m/s^2, 30 m/s^3");
     println!("stop within 15 m/s^2, 500 m/s^3");
     println!("the switch is at 0.8 m");
-    axis.go(&work, State::at(2.0), LEAD)?;
+    planner.go(&work, State::at(2.0), LEAD)?;
     for tick in 0..=3000 {
         let time = f64::from(tick) * PERIOD;
         // The main loop: the switch closes. Later the axis is sent back.
         if !has_passed && now.position >= at_switch {
             println!("{time:.3} s -> stop");
-            axis.stop(&hardest, LEAD)?;
+            planner.stop(&hardest, LEAD)?;
             has_passed = true;
         }
         if tick == 2000 {
             println!("2.000 s -> back");
             println!("{:.4} m behind the switch", now.position - at_switch);
-            axis.go(&work, State::at(0.7), LEAD)?;
+            planner.go(&work, State::at(0.7), LEAD)?;
         }
         // The interrupt.
-        now = axis.tick();
+        now = ticker.tick();
         if tick % 250 == 0 {
             let (p, v, a) = (now.position, now.velocity, now.acceleration);
             println!("{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2");

@@ -19,6 +19,7 @@ const TURNS: [(i32, i32); 5] = [(0, 100), (1000, 40), (2200, 120), (3200, 0), (4
 fn main() -> Result<(), Error> {
     let target = State::at(2.0); // m
     let mut axis = Axis::new(PERIOD, State::at(0.0))?;
+    let (mut planner, mut ticker) = axis.split();
     let mut feed = 0.0; // m/s
     println!("Overriding the feed: 100 %, 40 %, 120 %, a hold, and 100 % again");
     println!("within 0.6 m/s, 3 m/s^2, 30 m/s^3");
@@ -29,13 +30,13 @@ fn main() -> Result<(), Error> {
             println!("{time:.3} s -> {percent} %");
             feed = 0.5 * f64::from(*percent) / 100.0;
             if feed > 0.0 {
-                axis.go(&Limits::symmetric(30.0, 3.0, feed), target, LEAD)?;
+                planner.go(&Limits::symmetric(30.0, 3.0, feed), target, LEAD)?;
             } else {
-                axis.stop(&Limits::symmetric(30.0, 3.0, 0.5), LEAD)?; // a limit is never 0
+                planner.stop(&Limits::symmetric(30.0, 3.0, 0.5), LEAD)?; // a limit is never 0
             }
         }
         // The interrupt.
-        let now = axis.tick();
+        let now = ticker.tick();
         if tick % 250 == 0 {
             let (p, v, a) = (now.position, now.velocity, now.acceleration);
             println!("{time:.3} s: {p:.4} m, {v:.4} m/s, {a:.4} m/s^2, feed {feed:.4} m/s");

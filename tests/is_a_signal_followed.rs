@@ -120,15 +120,16 @@ fn a_plan_ahead_follows_too() {
     let mut signal = Signal::with_noise([0.0; 3]);
     for (lead, error) in [(1, 1e-7), (4, 1e-7), (10, 1e-7)] {
         let mut axis = Axis::new(TICK, State::at(0.5)).expect("an axis");
+        let (mut planner, mut ticker) = axis.split();
         let mut farthest = 0.0_f64;
         for tick in 0..8000 {
-            let now = axis.tick();
+            let now = ticker.tick();
             let there = signal.at(f64::from(tick) * TICK);
             if tick >= 2000 {
                 farthest = farthest.max((now.position - there.position).abs());
             }
             if tick % 3 == 0 {
-                axis.track(&limits, there, Signal::jerk(f64::from(tick) * TICK), 0.03, lead).expect("a plan");
+                planner.track(&limits, there, Signal::jerk(f64::from(tick) * TICK), 0.03, lead).expect("a plan");
             }
         }
         println!("{lead} ticks ahead: {farthest:.1e}");

@@ -10,18 +10,19 @@
 //! use atraj::online::{Limits, State};
 //! let limits = Limits::symmetric(30.0, 10.0, 5.0);
 //! let mut axis = Axis::new(0.001, State::at(0.0))?;
-//! axis.go(&limits, State::at(10.0), 4)?;
-//! let states: Vec<_> = (0..700).map(|_| axis.tick()).collect();
+//! let (mut planner, mut ticker) = axis.split();
+//! planner.go(&limits, State::at(10.0), 4)?;
+//! let states: Vec<_> = (0..700).map(|_| ticker.tick()).collect();
 //! assert_eq!((states[3].velocity, states[4].velocity > 0.0), (0.0, true));
-//! axis.go(&limits, State::at(-2.0), 4)?; // in mid-motion
-//! let last = (0..4000).map(|_| axis.tick()).last();
+//! planner.go(&limits, State::at(-2.0), 4)?; // in mid-motion
+//! let last = (0..4000).map(|_| ticker.tick()).last();
 //! assert_eq!(last, Some(State::at(-2.0)));
 //! # Ok::<(), atraj::Error>(())
 //! ```
 //!
-//! This type has one owner. To share an axis between two contexts takes raw pointers, and the library keeps its `unsafe` at the C ABI.
-//! So Rust firmware shares an `atraj_axis` (feature `capi`): its functions need no lock and no critical section.
+//! The halves of the axis are safe on both sides. Here one loop has both; in firmware the ticker is the interrupt's.
 
+#[allow(unsafe_code)] // the moves of an axis, which `handover` proves to be used by one side at a time
 pub(crate) mod axis;
 pub(crate) mod clock;
 mod handover;
@@ -31,7 +32,7 @@ pub(crate) mod shaper_stream;
 pub(crate) mod step_stream;
 pub(crate) mod steps;
 
-pub use axis::Axis;
+pub use axis::{Axis, Planner, Ticker};
 pub use clock::Clock;
 use core::sync::atomic;
 pub use shaper::{Shaper, ShaperKind};

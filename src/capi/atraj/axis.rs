@@ -3,10 +3,8 @@
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
 use super::{answer, write_state};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
-use crate::findings::{Error, Findings};
-use crate::machine::axis::{Axis, ahead, elapsed, hand_over};
-use crate::online::Move;
-use crate::state::State;
+use crate::findings::Findings;
+use crate::machine::{Axis, Planner, Ticker};
 use core::ffi::{c_int, c_uint};
 
 /// @brief An axis between a main loop, which plans, and a timer interrupt, which asks for setpoints. Its members are the library's own.
@@ -40,15 +38,8 @@ pub unsafe extern "C" fn atraj_axis_init(ctx: *mut atraj_axis, period: a_float, 
 /// @param now NULL or the place for the state of the axis in this tick; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_state) {
-    let axis = ctx.cast::<Axis<Number>>();
-    let state = (!axis.is_null()).then(|| {
-        // SAFETY: `axis` is valid by the contract of this module. The main loop uses the words as atomics too, and only reads the period.
-        let (handover, period) = unsafe { (&(*axis).handover, (*axis).period) };
-        let moment = handover.tick();
-        // SAFETY: the place is below 3. Nobody writes to the move in force: see `machine/handover.rs`.
-        let in_force = unsafe { &*place(axis, moment.place) };
-        in_force.state_at(elapsed(period, moment))
-    });
+    // SAFETY: `ctx` is NULL or valid, and there is one interrupt by the contract of this module.
+    let state = unsafe { of(ctx).map(|axis| Ticker::of(axis).tick()) };
     // SAFETY: `now` is NULL or writable by the contract of this module.
     unsafe { write_state(now, state) };
 }
@@ -71,7 +62,7 @@ pub unsafe extern "C" fn atraj_axis_go(
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
         let (limits, to) = (of(limits)?, *of(to)?);
-        plan(ctx, lead, |next, from, _| next.plan(limits, from, to))
+        Some(planner(ctx)?.go(limits, to, lead))
     })
 }
 
@@ -83,7 +74,7 @@ pub unsafe extern "C" fn atraj_axis_reach(
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
         let limits = of(limits)?;
-        plan(ctx, lead, |next, from, _| next.reach(limits, from, v1.into(), a1.into()))
+        Some(planner(ctx)?.reach(limits, v1.into(), a1.into(), lead))
     })
 }
 
@@ -113,39 +104,15 @@ pub unsafe extern "C" fn atraj_axis_track(
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
         let (limits, signal, jerk) = (of(limits)?, *of(signal)?, jerk.into());
-        plan(ctx, lead, |next, from, ahead| next.track(limits, from, signal.after(ahead, jerk), jerk, horizon.into()))
+        Some(planner(ctx)?.track(limits, signal, jerk, horizon.into(), lead))
     })
 }
 
-/// Plans from the state in which the next move takes over, and from the time until then.
+/// The half of an axis for the main loop.
 ///
 /// # Safety
 /// `ctx` is NULL or valid, and no other planner uses it.
-unsafe fn plan(
-    ctx: *mut atraj_axis, lead: c_uint,
-    plan: impl FnOnce(&mut Move<Number>, State<Number>, Number) -> Result<Findings, Error>,
-) -> Option<Result<Findings, Error>> {
-    let axis = ctx.cast::<Axis<Number>>();
-    if axis.is_null() {
-        return None;
-    }
-    // SAFETY: `axis` is valid. The interrupt uses the words as atomics too, and only reads the period.
-    let (handover, period) = unsafe { (&(*axis).handover, (*axis).period) };
-    Some(hand_over(handover, lead, |takeover| {
-        let moment = takeover.from;
-        // SAFETY: both places are below 3 and differ. Nobody writes to the move in force, and the interrupt does not read the other one:
-        // see `machine/handover.rs`.
-        let (in_force, next) = unsafe { (&*place(axis, moment.place), &mut *place(axis, takeover.place)) };
-        let from = in_force.state_at(elapsed(period, moment));
-        plan(next, from, ahead(period, takeover))
-    }))
-}
-
-/// The move at a place, without a reference to the other two.
-///
-/// # Safety
-/// `axis` is valid.
-unsafe fn place(axis: *mut Axis<Number>, place: usize) -> *mut Move<Number> {
-    // SAFETY: by the contract of this function; the place is at most 2.
-    unsafe { (&raw mut (*axis).moves).cast::<Move<Number>>().add(place.min(2)) }
+unsafe fn planner<'a>(ctx: *const atraj_axis) -> Option<Planner<'a, Number>> {
+    // SAFETY: by the contract of this function. The interrupt changes only what is atomic.
+    unsafe { of(ctx).map(|axis| Planner::of(axis)) }
 }

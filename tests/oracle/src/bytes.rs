@@ -278,6 +278,7 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
     let Ok(mut axis) = Axis::new(period, start) else {
         return;
     };
+    let (mut planner, mut ticker) = axis.split();
     let mut in_force = Move::default();
     // A plan to where the axis stands takes no time. So does the move of a new axis, which may have any velocity.
     in_force.phase[1] = Phase {
@@ -294,17 +295,17 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
         let to = if request < 4 { state(&mut bytes) } else { State::default() };
         let ahead = u32::from(lead);
         let [answer, expected] = match request {
-            0 => [axis.go(&limits, to, ahead), model.plan(lead, |next, from, _| next.plan(&limits, from, to))],
+            0 => [planner.go(&limits, to, ahead), model.plan(lead, |next, from, _| next.plan(&limits, from, to))],
             1 => {
                 let (v, a) = (to.velocity, to.acceleration);
-                [axis.reach(&limits, v, a, ahead), model.plan(lead, |next, from, _| next.reach(&limits, from, v, a))]
+                [planner.reach(&limits, v, a, ahead), model.plan(lead, |next, from, _| next.reach(&limits, from, v, a))]
             }
-            2 => [axis.stop(&limits, ahead), model.plan(lead, |next, from, _| next.stop(&limits, from))],
+            2 => [planner.stop(&limits, ahead), model.plan(lead, |next, from, _| next.stop(&limits, from))],
             3 => {
                 let [jerk, horizon] = [(); 2].map(|()| number::<R>(&mut bytes));
                 let State { position, velocity, acceleration } = to;
                 [
-                    axis.track(&limits, to, jerk, horizon, ahead),
+                    planner.track(&limits, to, jerk, horizon, ahead),
                     model.plan(lead, |next, from, t| {
                         let signal = State {
                             position: position
@@ -322,7 +323,7 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
             }
             _ => {
                 for _ in 0..lead {
-                    let (now, expected) = (axis.tick(), model.tick());
+                    let (now, expected) = (ticker.tick(), model.tick());
                     let is_number = expected.position * R::of(0.0) == R::of(0.0);
                     assert!(now == expected || !is_number, "{now:?} is not {expected:?}");
                 }

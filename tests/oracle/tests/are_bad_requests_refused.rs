@@ -611,8 +611,9 @@ fn bad_axes_and_motors<R: Real>() {
     let (still, limits) = (State::at(one), Limits::symmetric(one, one, one));
     for bad in [zero, -one, none, endless, -endless] {
         assert_eq!(Axis::new(bad, still).err(), Some(Error::Duration));
-        let axis = &mut Axis::new(one, still).expect("a period");
-        assert_eq!(axis.track(&limits, still, zero, bad, 1), Err(Error::Duration));
+        let mut axis = Axis::new(one, still).expect("a period");
+        let (mut planner, _) = axis.split();
+        assert_eq!(planner.track(&limits, still, zero, bad, 1), Err(Error::Duration));
         if bad == zero || bad == -one {
             continue;
         }
@@ -620,24 +621,25 @@ fn bad_axes_and_motors<R: Real>() {
             [State { position: bad, ..still }, State { velocity: bad, ..still }, State { acceleration: bad, ..still }]
         {
             assert_eq!(Axis::new(one, state).err(), Some(Error::NotFinite));
-            assert_eq!(axis.go(&limits, state, 1), Err(Error::NotFinite));
+            assert_eq!(planner.go(&limits, state, 1), Err(Error::NotFinite));
         }
     }
-    let axis = &mut Axis::new(one, still).expect("a period");
+    let mut axis = Axis::new(one, still).expect("a period");
+    let (mut planner, mut ticker) = axis.split();
     let most = far::<R>();
     let beyond = State { position: most, velocity: most, acceleration: most };
-    assert_eq!(axis.track(&limits, beyond, zero, one, 2), Err(Error::NotFinite));
-    assert_eq!(axis.stop(&Limits { amax: zero, ..limits }, 1), Err(Error::Limits));
+    assert_eq!(planner.track(&limits, beyond, zero, one, 2), Err(Error::NotFinite));
+    assert_eq!(planner.stop(&Limits { amax: zero, ..limits }, 1), Err(Error::Limits));
     for lead in [0, 1 << 27, u32::MAX] {
         let late = [
-            axis.go(&limits, State::at(zero), lead),
-            axis.reach(&limits, one, zero, lead),
-            axis.stop(&limits, lead),
-            axis.track(&limits, still, zero, one, lead),
+            planner.go(&limits, State::at(zero), lead),
+            planner.reach(&limits, one, zero, lead),
+            planner.stop(&limits, lead),
+            planner.track(&limits, still, zero, one, lead),
         ];
         assert_eq!(late, [Err(Error::Late); 4]);
     }
-    assert_eq!([(); 4].map(|()| axis.tick()), [still; 4]);
+    assert_eq!([(); 4].map(|()| ticker.tick()), [still; 4]);
 
     let mut there = [Move::default(); 2];
     for (planned, p) in there.iter_mut().zip([0.0, 2e9]) {
