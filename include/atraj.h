@@ -40,7 +40,8 @@ extern "C" {
  * @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are
  * numbers.
  *
- * A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning.
+ * A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, is reached by turning
+ * back.
  * In a move that decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs.
  * `a_trajbell_pos` and its siblings evaluate the struct.
  * @param jm maximum jerk, unit/s^3; `am` acceleration, unit/s^2; `vm` velocity, unit/s; signs are ignored; infinite:
@@ -61,9 +62,9 @@ a_float atraj_bell_gen(a_trajbell *ctx,
                        a_float v1);
 
 /**
- * @brief Examine a bell-shaped velocity trajectory, by whatever function it was planned.
+ * @brief Examine a bell-shaped velocity trajectory, whichever function planned it.
  *
- * 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
+ * 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
  * @param jm as for `atraj_bell_gen`, also `am` and `vm`
  * @return 0 for a clean move, else a sum of `atraj_finding`; `ATRAJ_ERR_NULL` or `ATRAJ_ERR_NOT_FINITE` without an
  * answer
@@ -103,7 +104,7 @@ void atraj_bell_state(const a_trajbell *ctx,
  * @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are
  * numbers.
  *
- * A target behind, or nearer than the way to stop, is reached by turning. `a_trajtrap_pos` and its siblings evaluate
+ * A target behind the axis, or nearer than it can stop, is reached by turning back. `a_trajtrap_pos` and its siblings evaluate
  * the struct.
  * @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
  * @param ac acceleration before constant velocity, unit/s^2, `de` after it: the positive one limits the acceleration
@@ -124,9 +125,9 @@ a_float atraj_trap_gen(a_trajtrap *ctx,
                        a_float v1);
 
 /**
- * @brief Examine a trapezoidal velocity trajectory, by whatever function it was planned.
+ * @brief Examine a trapezoidal velocity trajectory, whichever function planned it.
  *
- * 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
+ * 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
  * @param vm as for `atraj_trap_gen`
  * @param ac acceleration, unit/s^2; `de` one of the other sign; infinite: no limit
  * @return 0 for a clean move, else a sum of `atraj_finding`; `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE` or, if `ac` and
@@ -237,7 +238,7 @@ void atraj_poly7_state(const a_trajpoly7 *ctx,
 #endif /* __cplusplus */
 
 #if defined(__cplusplus)
-/* The members that our structs have beside those of liba's, so not behind liba's own header. */
+/* The members that our structs have in addition to liba's, so not after liba's own header. */
 #if defined(ATRAJ_TRAJBELL_H)
 inline a_float a_trajbell::fastest(a_float jm_, a_float am_, a_float vm_,
                                    a_float p0_, a_float p1_, a_float v0_, a_float v1_)

@@ -102,10 +102,10 @@ set! {
         /// The move leaves the positions between its ends by more than rounding. A rounding is `ε (|p0| + |p1| + v t)`, with the highest speed
         /// `v`. A plan between any states tolerates 128 of them where it turns, the check of a profile 64.
         OVERSHOOTS = 16: c"the move leaves the positions between its ends",
-        /// The move starts outside its limits, or is bound to leave them.
-        STARTS_OUTSIDE = 32: c"the move starts outside its limits, or is bound to leave them",
-        /// The axis is bound to leave the limits after the move: the acceleration at the end does not vanish at once.
-        ENDS_LEAVING = 64: c"the axis is bound to leave its limits after the move",
+        /// The move starts outside its limits, or will unavoidably exceed them.
+        STARTS_OUTSIDE = 32: c"the move starts outside its limits, or will unavoidably exceed them",
+        /// The axis will unavoidably exceed the limits after the move: the acceleration at the end does not vanish at once.
+        ENDS_LEAVING = 64: c"the axis will unavoidably exceed its limits after the move",
     }
 }
 

@@ -91,7 +91,7 @@ impl<R: Real> Limits<R> {
                 || self.keep(velocity, -self.change_per_jerk(acceleration, self.jmax, self.jmin)))
     }
 
-    /// Whether an axis in this state is bound to leave the limits, because its acceleration does not vanish at once.
+    /// Whether an axis in this state will unavoidably exceed the limits, because its acceleration does not vanish at once.
     pub(crate) fn are_left_after(&self, state: State<R>) -> bool {
         let State { velocity, acceleration, .. } = state;
         let change = self.change_per_jerk(acceleration, self.jmin, self.jmax);

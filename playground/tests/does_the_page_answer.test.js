@@ -111,7 +111,7 @@ onPage("values follow the pointer", "#profile=bell&compare=no", async (page) => 
 
 onPage("a start outside the limits is no clean move", "#profile=move&v0=9", async (page) => {
     assert.deepEqual((await remarks(page)).filter((text) => !/between its ends/.test(text)), [
-        "atraj: the move starts outside its limits, or is bound to leave them.",
+        "atraj: the move starts outside its limits, or will unavoidably exceed them.",
     ]);
 });
 

@@ -198,9 +198,9 @@ class Findings(IntFlag):
     OVERSHOOTS = 16
     """The move leaves the positions between its ends by more than rounding: 128 roundings in a plan, 64 in a check."""
     STARTS_OUTSIDE = 32
-    """The move starts outside its limits, or is bound to leave them."""
+    """The move starts outside its limits, or will unavoidably exceed them."""
     ENDS_LEAVING = 64
-    """The axis is bound to leave its limits after the move: the acceleration at the end does not vanish at once."""
+    """The axis will unavoidably exceed its limits after the move: the acceleration at the end does not vanish at once."""
 
 
 class Mode(IntEnum):

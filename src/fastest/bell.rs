@@ -10,7 +10,7 @@ impl<R: Real> Bell<R> {
     /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
     ///
     /// Boundary velocities beyond `±velocity` are limited to it. An infinite limit is no limit.
-    /// A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning. A move without
+    /// A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, is reached by turning back. A move without
     /// displacement and without velocity has the duration 0.
     ///
     /// [`Error::Limits`] if a limit is 0, or these are all infinite; [`Error::NotFinite`] if an argument is not a

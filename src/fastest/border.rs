@@ -1,4 +1,4 @@
-//! The motion of a given duration that gets farthest, and the first such motion that gets as far as wanted.
+//! The motion of a given duration that covers the largest displacement, and the first such motion that covers the wanted one.
 //!
 //! The displacements that an axis can reach in a duration form an interval, because limits are convex: a mean of two motions within
 //! the limits keeps the limits and travels the mean. So the fastest motion over a displacement lies on the border of the first

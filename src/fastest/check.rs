@@ -12,7 +12,7 @@ impl<R: Real> Bell<R> {
     /// Examines the move against the magnitudes of `jerk`, `acceleration` and `velocity`; an infinite limit is no limit. Any plan may
     /// be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is not finite or a limit is NaN.
     ///
-    /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration
+    /// Up to 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration
     /// and jerk.
     ///
     /// ```
@@ -32,7 +32,7 @@ impl<R: Real> Bell<R> {
         }
         let [jm, am, vm] = limits;
         let reached = self.extremes();
-        let few = R::DOUBT; // 64 roundings
+        let few = R::DOUBT; // 64 ulps
         let speed_scale = reached.speed() + reached.acceleration() * self.t;
         let position_scale = self.p0.abs() + self.p1.abs() + reached.speed() * self.t;
         let jerk = if self.taj > R::ZERO || self.tdj > R::ZERO { self.jm.abs() } else { R::ZERO };
@@ -87,7 +87,7 @@ impl<R: Real> Bell<R> {
         }
     }
 
-    /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
+    /// Whether two phases disagree at their border by more than this rounding error, or the borders are not in order.
     fn jumps(&self, of_position: R, of_velocity: R) -> bool {
         let Self { t, tv, ta, td, taj, tdj, .. } = *self;
         let [p0, p1, v0, v1] = [self.p0, self.p1, self.v0, self.v1].map(|y| self.orient(y));
@@ -114,7 +114,7 @@ impl<R: Real> Trap<R> {
     /// is no limit, and a limit of 0 allows none. Any plan may be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is
     /// not finite or a limit is NaN; [`Error::Limits`] if both accelerations have one sign.
     ///
-    /// Up to 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
+    /// Up to 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration.
     pub fn check(&self, velocity: R, acceleration: R, deceleration: R) -> Result<Findings, Error> {
         let Self { t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, .. } = *self;
         let [rise, fall] = rise_and_fall(acceleration, deceleration);
@@ -129,7 +129,7 @@ impl<R: Real> Trap<R> {
             return Err(Error::of_plan(limits, boundary, Error::Limits));
         }
         let reached = self.extremes();
-        let few = R::DOUBT; // 64 roundings
+        let few = R::DOUBT; // 64 ulps
         // The clock may pass a short ramp in no time, so the ramp counts though it is not among the extremes.
         let steepest = self.a0.abs().at_least(self.a1.abs());
         let of_velocity = few * (reached.speed() + steepest * t);
@@ -170,7 +170,7 @@ impl<R: Real> Trap<R> {
         reached
     }
 
-    /// Whether two phases disagree at their border by more than these roundings, or the borders are not in order.
+    /// Whether two phases disagree at their border by more than this rounding error, or the borders are not in order.
     fn jumps(&self, of_position: R, of_velocity: R) -> bool {
         let late = R::DOUBT * self.t;
         let in_order = self.ta >= R::ZERO && self.ta <= self.cruise_end + late && self.cruise_end <= self.t + late;

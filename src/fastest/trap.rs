@@ -15,7 +15,7 @@ impl<R: Real> Trap<R> {
     /// Plans the fastest move there is within the magnitude of `velocity` and two accelerations of opposite signs, in either order: the
     /// positive one limits the acceleration towards larger positions, the negative one the acceleration towards smaller ones.
     ///
-    /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity means no limit. A target behind, or nearer than
+    /// Boundary velocities beyond `±velocity` are limited to it. An infinite velocity means no limit. A target behind the axis, or nearer than
     /// the way to stop, is reached by turning. A move without displacement and without velocity has the duration 0.
     ///
     /// [`Error::Limits`] if a limit is 0, if both accelerations have one sign, or if an acceleration is infinite, because the velocity

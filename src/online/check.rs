@@ -6,7 +6,7 @@ use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// How large the numbers of a move are. Its errors are measured in roundings of them.
+/// Magnitudes of a move. Its errors are measured in ulps of them.
 struct Scale<R> {
     position: R,
     velocity: R,
@@ -21,7 +21,7 @@ impl<R: Real> Move<R> {
     /// A move that starts outside the limits has the finding of what it exceeds, and [`Findings::STARTS_OUTSIDE`]. [`Error::NotFinite`] if
     /// a number of the move is not finite or a limit is NaN, [`Error::Limits`] if the limits are not around 0.
     ///
-    /// Up to 64 roundings are allowed: of |p| + |v| T for positions; for velocities of |v|, what the accelerations add and what the limits
+    /// Up to 64 ulps are allowed: of |p| + |v| T for positions; for velocities of |v|, what the accelerations add and what the limits
     /// allow in the time T of the move; of |a| + |j| T for accelerations, where a step counts the limit of the jerk; of the limits for
     /// jerks; 128 where the move turns outside of its ends.
     ///
@@ -45,7 +45,7 @@ impl<R: Real> Move<R> {
         let scale = self.scale(limits);
         let reached = self.extremes();
         let (lowest, highest) = (reached.lowest, reached.highest);
-        let few = R::DOUBT; // 64 roundings
+        let few = R::DOUBT; // 64 ulps
         let exceeds = |x: R, y: R, low: R, high: R, rounding: R| x < low - few * rounding || y > high + few * rounding;
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (a0, a1) = (lowest.acceleration, highest.acceleration);
@@ -73,7 +73,7 @@ impl<R: Real> Move<R> {
         let (a0, a1) = (self.phase[0].acceleration, self.end().acceleration);
         let per_jerk = R::ONE / limits.jmax - R::ONE / limits.jmin;
         let undone = R::HALF * (a0 * a0 + a1 * a1) * per_jerk;
-        // A mean of two motions has their roundings, and they may use the limits fully.
+        // A mean of two motions has the rounding errors of both, and they may use the limits fully.
         let velocity = reached.speed() + changes + undone + limits.speed_within(self.t);
         let positions = reached.lowest.position.abs() + reached.highest.position.abs();
         Scale { position: positions + velocity * self.t, velocity, acceleration: acceleration + jerk * self.t }
@@ -123,7 +123,7 @@ impl<R: Real> Move<R> {
         })
     }
 
-    /// Whether the start is outside the limits, or bound to leave them.
+    /// Whether the start is outside the limits, or will unavoidably exceed them.
     fn starts_outside(&self, limits: &Limits<R>) -> bool {
         let Phase { velocity: v, acceleration: a, .. } = self.phase[0];
         let few = R::DOUBT;

@@ -21,7 +21,7 @@ pub(crate) struct Inside<R> {
     hold: R,
     /// What the way changes.
     pub change: Change<R>,
-    /// Whether the start is outside the limits, or bound to leave them.
+    /// Whether the start is outside the limits, or will unavoidably exceed them.
     pub starts_outside: bool,
 }
 

@@ -1,7 +1,7 @@
 //! One axis from any state to any state, planned in motion.
 //!
 //! [`Move::plan`] finds the fastest motion within limits of velocity, acceleration and jerk. It fails for no state that is made of
-//! numbers: a start outside the limits comes inside in the fastest way, a target behind is reached by turning.
+//! finite: a start outside the limits returns within them in minimum time, a target behind the axis is reached by turning back.
 //!
 //! ```
 //! use atraj::online::{Limits, Move, State};
@@ -35,8 +35,8 @@ use crate::real::Real;
 use problem::Problem;
 
 impl<R: Real> Move<R> {
-    /// Plans the fastest motion to a state, from any state: a start outside the limits comes inside in the fastest way, and then the limits
-    /// are kept. The target may be behind, or nearer than the way to stop.
+    /// Plans the fastest motion to a state, from any state. If the start violates the limits, the axis returns within them in minimum time and
+    /// then stays within them. The target may be behind the axis, or nearer than it can stop.
     ///
     /// Returns [`Findings::OVERSHOOTS`], [`Findings::STARTS_OUTSIDE`] and [`Findings::ENDS_LEAVING`], each if it exceeds the rounding.
     /// [`Error::NotFinite`] if a state is not made of numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the
@@ -59,7 +59,7 @@ impl<R: Real> Move<R> {
         Ok(problem.findings(self))
     }
 
-    /// Plans the fastest motion to a state, as [`Move::plan`] does, that stays between two positions until its end, up to 128 roundings. An
+    /// Plans the fastest motion to a state, as [`Move::plan`] does, that stays between two positions until its end, up to 128 ulps. An
     /// infinite position is no limit. It returns the findings and errors of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
     /// number, [`Error::Limits`] if `lowest` is not below `highest`.
     ///
@@ -114,7 +114,7 @@ impl<R: Real> Move<R> {
         self.reach(limits, from, R::ZERO, R::ZERO)
     }
 
-    /// Plans the fastest motion to a target that moves on at its velocity. The motion ends beside the target, with its velocity, at the
+    /// Plans the fastest motion to a target that moves on at its velocity. The motion ends level with the target, with its velocity, at the
     /// position `target.position + t * target.velocity`. It returns the findings and errors of [`Move::plan`]; [`Error::Target`] also if the
     /// target accelerates, or if its velocity is on a limit.
     ///

@@ -125,7 +125,7 @@ impl<R: Real> Move<R> {
             let [one, other] = phase.turns();
             let mut from = R::ZERO;
             for to in [one, other, phase.duration] {
-                // A phase of no duration begins a rounding beside the next one, and the axis passes this gap at once.
+                // A phase of no duration begins an ulp next to the next one, and the axis passes this gap at once.
                 if from <= to && to <= phase.duration {
                     let far = if to < phase.duration { phase.position(to) } else { next.position };
                     if let Some(z) = phase.time_between(from, to, far, position) {
@@ -188,7 +188,7 @@ impl<R: Real> Move<R> {
         })
     }
 
-    /// 128 roundings of a position of the move.
+    /// 128 ulps of a position of the move.
     fn rounding(&self) -> R {
         let ends = self.phase[0].position.abs() + self.end().position.abs();
         let (first, later) = self.moving();
@@ -228,7 +228,7 @@ impl<R: Real> Move<R> {
         self.phase.get(..self.phase_count()).unwrap_or_default()
     }
 
-    /// A phase and the one behind it, which tells where it ends.
+    /// A phase and the next one, which begins where it ends.
     pub(crate) fn phase_and_next(&self, index: usize) -> Option<(&Phase<R>, &Phase<R>)> {
         let phase = self.phases().get(index)?;
         Some((phase, self.phase.get(index + 1)?))

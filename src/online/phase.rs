@@ -60,7 +60,7 @@ impl<R: Real> Phase<R> {
     }
 
     /// The phase that begins with the short phase `before`, of a move of the duration `t`. `None` if this changes an acceleration or a velocity by
-    /// more than roundings, or if these roundings may be beyond the range of the real type.
+    /// more than rounding, or if this rounding error may be beyond the range of the real type.
     pub(super) fn joined(&self, before: &Self, t: R) -> Option<Self> {
         let shorter = before.duration;
         let acceleration = self.acceleration - shorter * self.jerk;

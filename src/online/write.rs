@@ -8,8 +8,8 @@ use crate::state::State;
 
 /// Writes the phases of a move in order of time.
 ///
-/// Phase 0 holds the start. The states of the others are found from the end, so an axis that is planned anew in every cycle does not add up
-/// roundings on its way.
+/// Phase 0 holds the start. The states of the others are found from the end, so an axis that is planned again in every cycle does not add up
+/// rounding errors on its way.
 pub(crate) struct Writer<'a, R> {
     ctx: &'a mut Move<R>,
     /// The time at the end of what is written.
@@ -61,12 +61,12 @@ impl<'a, R: Real> Writer<'a, R> {
 }
 
 impl<R: Real> Move<R> {
-    /// Lets the move end where it starts.
+    /// Makes the move end where it starts.
     pub(crate) fn stay(&mut self, state: State<R>) {
         Writer::new(self, state).end(state);
     }
 
-    /// Lets a move that ends at rest at 0 end beside a moving target instead.
+    /// Makes a move that ends at rest at 0 end level with a moving target instead.
     pub(super) fn shift(&mut self, from: State<R>, target: State<R>) {
         let count = self.phase_count();
         for phase in self.phase.iter_mut().take(1 + count) {
@@ -97,7 +97,7 @@ impl<R: Real> Move<R> {
         }
     }
 
-    /// Lets a move that ends at rest end at `t`: it ends on its way, or waits.
+    /// Makes a move that ends at rest end at `t`: it ends on its way, or waits.
     pub(crate) fn cut(&mut self, t: R) {
         if t >= self.t {
             return self.wait_until(t);
@@ -115,7 +115,7 @@ impl<R: Real> Move<R> {
         self.t = t;
     }
 
-    /// Lets the move end at `t`. The two durations differ by rounding only. A short last phase may begin there.
+    /// Makes the move end at `t`. The two durations differ by rounding only. A short last phase may begin there.
     pub(crate) fn end_at(&mut self, t: R) {
         let count = self.phase_count();
         for phase in self.phase.iter_mut().take(count) {
@@ -127,7 +127,7 @@ impl<R: Real> Move<R> {
         self.t = t;
     }
 
-    /// Lets a move that ends at rest wait there until `t`.
+    /// Makes a move that ends at rest wait there until `t`.
     pub(crate) fn wait_until(&mut self, t: R) {
         let count = self.phase_count();
         if let Some([wait, end]) = self.phase.get_mut(count..count + 2) {
@@ -138,7 +138,7 @@ impl<R: Real> Move<R> {
         }
     }
 
-    /// Lets a move that ends at rest go on with another one, which starts there.
+    /// Continues a move that ends at rest with another one, which starts there.
     pub(crate) fn go_on(&mut self, next: &Self) {
         let (count, following) = (self.phase_count(), next.phase_count());
         let places = self.phase.iter_mut().skip(count);
@@ -168,7 +168,7 @@ impl<R: Real> Move<R> {
         self.end_at(t);
     }
 
-    /// Joins each phase of the duration `t` that is shorter than a `sliver` with the phase behind it, if the states stay the same up to roundings.
+    /// Joins each phase of the duration `t` that is shorter than a `sliver` with the phase after it, if the states stay the same up to rounding.
     /// Returns what is left of `count`.
     fn join_slivers(&mut self, count: usize, t: R, sliver: R) -> usize {
         let mut kept = 1;
@@ -205,7 +205,7 @@ impl<R: Real> Move<R> {
         }
     }
 
-    /// Lets a move from rest to rest take the longer duration `t`. In slow motion it keeps all limits and makes the same way.
+    /// Slows a move from rest to rest down, so that it takes the longer duration `t`. In slow motion it keeps all limits and its displacement.
     pub(crate) fn slow_down(&mut self, t: R) {
         let longer = t / self.t;
         let rate = self.t / t;
@@ -221,7 +221,7 @@ impl<R: Real> Move<R> {
         self.end_at(t);
     }
 
-    /// Lets the move begin and end in these states. They differ from its own by rounding only.
+    /// Makes the move begin and end in these states. They differ from its own by rounding only.
     pub(crate) fn set_ends(&mut self, from: State<R>, to: State<R>) {
         let count = self.phase_count();
         for (index, state) in [(count, to), (0, from)] {

@@ -12,7 +12,7 @@ pub fn sqrt<R: Primitives>(x: R) -> R {
 
 /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.
 ///
-/// Moves to and fro mispredict a branch. A product with the direction does not.
+/// Moves back and forth mispredict a branch. A product with the direction does not.
 pub fn forward<R: Primitives>(h: R, v0: R, v1: R) -> [R; 3] {
     let direction = R::ONE.copysign(if h < R::ZERO { h } else { R::ZERO });
     [h * direction, v0 * direction, v1 * direction]

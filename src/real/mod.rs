@@ -49,7 +49,7 @@ pub trait Operations: Primitives {
         }
     }
 
-    /// The natural logarithm of a normal number above 0. Its error is below 1e-8 and the roundings of a dozen operations.
+    /// The natural logarithm of a normal number above 0. Its error is below 1e-8 and the rounding of a dozen operations.
     fn ln(self) -> Self {
         let (mut m, mut octaves) = self.split();
         if m > Self::ONE + Self::HALF {
@@ -65,7 +65,7 @@ pub trait Operations: Primitives {
         Self::from_index(octaves) * Self::LN_2 + (s + s) * (Self::ONE + series)
     }
 
-    /// `e` to the power of `-self`, which is not negative. Its error is below the roundings of two dozen operations, and those of `self`.
+    /// `e` to the power of `-self`, which is not negative. Its error is below the rounding of two dozen operations, and of `self`.
     fn exp_of_negative(self) -> Self {
         // self = n ln 2 + 2 y with 0 <= y < 0.35, and e^(-2y) = (1 - tanh y)/(1 + tanh y).
         let mut octaves = (self / Self::LN_2).to_index();
@@ -174,8 +174,8 @@ mod tests {
                         for k in 0..1000 {
                             let x = (1.0 + k as $R / 1000.0) * (2.0 as $R).powi(octave);
                             let error = f64::from(Operations::ln(x)) - f64::from(x).ln();
-                            let roundings = 8.0 * f64::from($R::EPSILON) * f64::from(x).ln().abs();
-                            assert!(error.abs() < 1e-8 + roundings, "ln({x:e}): {error:e}");
+                            let rounding = 8.0 * f64::from($R::EPSILON) * f64::from(x).ln().abs();
+                            assert!(error.abs() < 1e-8 + rounding, "ln({x:e}): {error:e}");
                         }
                     }
                 }
@@ -186,8 +186,8 @@ mod tests {
                         let x = k as $R / 5000.0;
                         let exact = (-f64::from(x)).exp();
                         let error = (f64::from(Operations::exp_of_negative(x)) - exact).abs();
-                        let roundings = (12.0 + f64::from(x)) * f64::from($R::EPSILON);
-                        assert!(error <= roundings * exact, "exp(-{x:e}): {error:e}");
+                        let rounding = (12.0 + f64::from(x)) * f64::from($R::EPSILON);
+                        assert!(error <= rounding * exact, "exp(-{x:e}): {error:e}");
                     }
                     assert_eq!(Operations::exp_of_negative($R::MAX), 0.0);
                 }

@@ -1,7 +1,7 @@
 //! What the shims of all polynomials have in common.
 //!
 //! The struct of liba 0.1.15 stores the coefficients of position and, up to the level of the build, the coefficients of its derivatives, one
-//! array behind the other. The struct of liba since 2025-03 stores the coefficients of position alone.
+//! array after the other. The struct of liba since 2025-03 stores the coefficients of position alone.
 
 #[cfg(feature = "poly-compact")]
 use crate::capi::nan;
@@ -85,7 +85,7 @@ pub unsafe fn differentiate<const N: usize, const ORDER: usize>(ctx: *mut Number
 }
 
 /// # Safety
-/// `ctx` is NULL or points to a struct that stores these coefficients and, behind them, the coefficients of the derivative.
+/// `ctx` is NULL or points to a struct that stores these coefficients and, after them, the coefficients of the derivative.
 #[cfg(not(feature = "poly-compact"))]
 #[cfg_attr(target_os = "none", inline(never))] // one copy for all polynomials
 unsafe fn differentiate_at(ctx: *mut Number, place: Place) {

@@ -9,7 +9,8 @@ use core::ffi::c_int;
 /// @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are
 /// numbers.
 ///
-/// A jerk, or both accelerations, are finite. A target behind, or nearer than the way to stop, is reached by turning.
+/// A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, is reached by turning
+/// back.
 /// In a move that decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs.
 /// `a_trajbell_pos` and its siblings evaluate the struct.
 /// @param jm maximum jerk, unit/s^3; `am` acceleration, unit/s^2; `vm` velocity, unit/s; signs are ignored; infinite:
@@ -31,9 +32,9 @@ pub unsafe extern "C" fn atraj_bell_gen(
     })
 }
 
-/// @brief Examine a bell-shaped velocity trajectory, by whatever function it was planned.
+/// @brief Examine a bell-shaped velocity trajectory, whichever function planned it.
 ///
-/// 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
+/// 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
 /// @param jm as for `atraj_bell_gen`, also `am` and `vm`
 /// @return 0 for a clean move, else a sum of `atraj_finding`; `ATRAJ_ERR_NULL` or `ATRAJ_ERR_NOT_FINITE` without an
 /// answer

@@ -15,12 +15,12 @@ pub enum atraj_finding {
     ATRAJ_EXCEEDS_VELOCITY = 4,
     /// position or velocity is not continuous, or not where the struct says
     ATRAJ_JUMPS = 8,
-    /// the move leaves the positions between its ends by more than rounding: by more than 128 roundings in a plan between any states, 64 in
+    /// the move leaves the positions between its ends by more than rounding: by more than 128 ulps in a plan between any states, 64 in
     /// a check; a rounding is `a_float`'s epsilon times `|p0| + |p1| + v*t`, with the highest speed `v`
     ATRAJ_OVERSHOOTS = 16,
-    /// the move starts outside its limits, or is bound to leave them
+    /// the move starts outside its limits, or will unavoidably exceed them
     ATRAJ_STARTS_OUTSIDE = 32,
-    /// the axis is bound to leave its limits after the move: the acceleration at the end does not vanish at once
+    /// the axis will unavoidably exceed its limits after the move: the acceleration at the end does not vanish at once
     ATRAJ_ENDS_LEAVING = 64,
 }
 use atraj_finding::*;

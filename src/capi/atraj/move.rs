@@ -64,7 +64,7 @@ pub struct atraj_move {
     pub t: a_float,
     /// number of phases
     pub phases: c_uint,
-    /// the phases in order of time; behind the last one is a phase without duration, the end
+    /// the phases in order of time; after the last one is a phase without duration, the end
     pub phase: [atraj_phase; 16],
 }
 assert_same_layout!(atraj_move, Move<Number>, t phases = count phase);
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn atraj_limits_init(limits: *mut atraj_limits, jm: a_floa
 
 /// @brief Plan the fastest move from any state to a state within the limits.
 ///
-/// A start outside the limits comes inside in the fastest way and keeps the limits from then on. The target may be anywhere: behind,
+/// If the start violates the limits, the axis returns within them in minimum time and then stays within them. The target may be anywhere: behind,
 /// or nearer than the way to stop.
 /// @return 0, or a sum of `ATRAJ_OVERSHOOTS`, `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else an `atraj_error`: `ATRAJ_ERR_NULL`,
 /// `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_TARGET` if `to` is outside the limits or the axis must have left them before
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn atraj_move_plan(
 /// before it can stop.
 /// @param lowest lowest position, unit; minus infinity: none
 /// @param highest highest position, unit, above `lowest`; infinity: none
-/// @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if no move stays between the positions up to 128 roundings,
+/// @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if no move stays between the positions up to 128 ulps,
 /// `ATRAJ_ERR_NOT_FINITE` also if one of them is not a number, `ATRAJ_ERR_LIMITS` also if `lowest` is not below `highest`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_within(
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn atraj_move_stop(
 
 /// @brief Plan the fastest move to a target that moves on at constant velocity.
 ///
-/// The move ends beside the target, with its velocity, at the position `target->p + t * target->v`.
+/// The move ends level with the target, with its velocity, at the position `target->p + t * target->v`.
 /// @param target points to the state of the target at the start
 /// @return as `atraj_move_plan`; `ATRAJ_ERR_TARGET` if `target->a` is not 0, or `target->v` is not inside the limits or is on them
 #[unsafe(no_mangle)]
@@ -229,7 +229,7 @@ pub unsafe extern "C" fn atraj_move_extremes(
 /// @brief Examine a move against limits, before it runs: what it exceeds, whether it jumps or ends elsewhere than its phases lead.
 ///
 /// A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and has nothing in
-/// common with the planners. Up to 64 roundings are allowed: of `|p| + |v| t` for positions; for velocities of `|v|`, what the accelerations
+/// common with the planners. Up to 64 ulps are allowed: of `|p| + |v| t` for positions; for velocities of `|v|`, what the accelerations
 /// add and what the limits allow in the time of the move; of `|a| + |j| t` for accelerations; of the limits for jerks.
 /// @return 0 or a sum of `atraj_finding`, also the ones of a plan; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
 /// number of the move is not finite or a limit is not a number

@@ -9,7 +9,7 @@ use core::ffi::c_int;
 /// @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are
 /// numbers.
 ///
-/// A target behind, or nearer than the way to stop, is reached by turning. `a_trajtrap_pos` and its siblings evaluate
+/// A target behind the axis, or nearer than it can stop, is reached by turning back. `a_trajtrap_pos` and its siblings evaluate
 /// the struct.
 /// @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
 /// @param ac acceleration before constant velocity, unit/s^2, `de` after it: the positive one limits the acceleration
@@ -31,9 +31,9 @@ pub unsafe extern "C" fn atraj_trap_gen(
     })
 }
 
-/// @brief Examine a trapezoidal velocity trajectory, by whatever function it was planned.
+/// @brief Examine a trapezoidal velocity trajectory, whichever function planned it.
 ///
-/// 64 roundings are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
+/// 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for the rest.
 /// @param vm as for `atraj_trap_gen`
 /// @param ac acceleration, unit/s^2; `de` one of the other sign; infinite: no limit
 /// @return 0 for a clean move, else a sum of `atraj_finding`; `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE` or, if `ac` and
