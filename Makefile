@@ -277,10 +277,13 @@ examples: dist
 	$(foreach name,$(EXAMPLES),$(call example,$(name)))
 
 ORACLE := --locked --profile oracle -p oracle
+# The tests of the oracle that are not part of its program `whole`.
+APART := $(filter-out $(shell sed -n 's/^mod \(.*\);/\1/p' tests/oracle/whole.rs),$(basename $(notdir $(wildcard tests/oracle/tests/*.rs))))
 # The default build runs every test of the oracle, each other build the tests of its C functions.
 check:
 	$(CARGO) test --locked -p atraj -p house
-	$(CARGO) test $(ORACLE) -p handover -p pointers -- --nocapture
+	$(CARGO) test $(ORACLE) --lib $(addprefix --test ,whole $(APART)) -- --nocapture
+	$(CARGO) test --locked --profile oracle -p handover -p pointers -- --nocapture
 	for features in float poly-compact float,poly-compact; do \
 	    $(CARGO) test $(ORACLE) --features $$features --test does_the_c_abi_agree -- --nocapture || exit 1; done
 
