@@ -74,7 +74,8 @@ pub mod axes {
     //! # Ok::<(), atraj::Error>(())
     //! ```
     pub use crate::path::{
-        improve_path, path_deviation, path_moves, path_size, path_size_near, plan_path, plan_path_near,
+        Contour, improve_path, limit_feed, path_deviation, path_moves, path_size, path_size_near, plan_contour,
+        plan_path, plan_path_near,
     };
     pub use crate::several::{line, line_stop, synchronise, synchronise_within};
 }

@@ -67,6 +67,10 @@ unsafe trait Face {
 unsafe impl Face for a_float {
     type Core = Number;
 }
+// SAFETY: one type.
+unsafe impl Face for usize {
+    type Core = Self;
+}
 
 /// # Safety
 /// `c` is NULL or points to a value that nobody changes as long as the result lives.

@@ -23,6 +23,8 @@ pub(super) struct Request<'a, R> {
     pub states: &'a [State<R>],
     /// The limits of all axes, or of all axes section by section.
     pub limits: &'a [Limits<R>],
+    /// The first section of each part that has limits of its own, and the number of sections. None: each section is such a part.
+    pub parts: &'a [usize],
     /// How far the position of each axis may be from the given one, for each point between start and end. None: all points are exact.
     pub tolerances: &'a [R],
     /// Whether the first section is what is left of a followed plan. It lasts, even if rounding hides its displacement.
@@ -41,8 +43,14 @@ impl<'a, R: Real> Request<'a, R> {
 
     /// The limits of all axes in a section.
     pub fn zone(&self, section: usize) -> &'a [Limits<R>] {
-        let first = if self.has_zones() { section * self.axes } else { 0 };
+        let first = if self.has_zones() { self.part(section) * self.axes } else { 0 };
         self.limits.get(first..first + self.axes).unwrap_or_default()
+    }
+
+    /// Which part of the path with limits of its own a section belongs to.
+    fn part(&self, section: usize) -> usize {
+        let begun = self.parts.partition_point(|&first| first <= section);
+        begun.checked_sub(1).unwrap_or(section)
     }
 
     /// The states of all axes at the start and at the end of a section.

@@ -384,7 +384,8 @@ pub(super) mod tests {
             memory.mixed.put(section, number());
             memory.of_durations.put(section, diagonal);
         }
-        let request = Request { axes, sections, states: &[], limits: &[], tolerances: &[], is_begun: false };
+        let request =
+            Request { axes, sections, states: &[], limits: &[], parts: &[], tolerances: &[], is_begun: false };
         Chain { request, axes, sections, memory, findings: Findings::default() }
     }
 

@@ -2,14 +2,17 @@
 //!
 //! `docs/path.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
 //! one step, `steps` takes them. `start` and `warm` find the plan before the first step. `moves` makes the motions of a planned path, and
-//! `deviation` says how far they leave the straight lines between its points.
+//! `deviation` says how far they leave the straight lines between its points, and `contour` adds points where that is too far. `feed` limits the
+//! speed of all axes together.
 
 mod barrier;
 mod bend;
 mod bounds;
 mod chain;
+mod contour;
 mod deviation;
 mod elimination;
+mod feed;
 mod memory;
 mod moves;
 mod rows;
@@ -22,11 +25,13 @@ use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
-use chain::{Chain, Request, total};
+use chain::{Chain, Planned, Request, total};
 use steps::Steps;
 use warm::Improved;
 
+pub use contour::{Contour, plan_contour};
 pub use deviation::path_deviation;
+pub use feed::limit_feed;
 pub use moves::path_moves;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `sections (axes (2 axes + 34) + 14) + 2 axes (axes - 1) + 6`.
@@ -67,11 +72,15 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 pub fn plan_path<R: Real>(
     states: &mut [State<R>], durations: &mut [R], limits: &[Limits<R>], axes: usize, steps: u32, work: &mut [R],
 ) -> Result<Findings, Error> {
-    let request = Request::of(states, durations, limits, axes)?;
+    let planned = plan(Request::of(states, durations, limits, axes)?, steps, work)?;
+    Ok(planned.write(states, durations))
+}
+
+fn plan<'w, R: Real>(request: Request<R>, steps: u32, work: &'w mut [R]) -> Result<Planned<'w, R, 2>, Error> {
     let mut chain = Chain::of(request, work)?;
     let steps = Steps::of(steps, chain.sections);
     chain.plan(steps)?;
-    Ok(chain.done()?.write(states, durations))
+    chain.done()
 }
 
 /// How many numbers [`plan_path_near`] needs to work with: `sections (axes (9 axes + 113)/2 + 20) + 9 axes (axes - 1)/2 - axes + 12`. `None`
@@ -185,13 +194,20 @@ fn improve_from<R: Real>(
 
 impl<'a, R: Real> Request<'a, R> {
     fn of(states: &'a [State<R>], durations: &[R], limits: &'a [Limits<R>], axes: usize) -> Result<Self, Error> {
+        Self::of_parts(states, durations, limits, axes, &[])
+    }
+
+    fn of_parts(
+        states: &'a [State<R>], durations: &[R], limits: &'a [Limits<R>], axes: usize, parts: &'a [usize],
+    ) -> Result<Self, Error> {
         let sections = durations.len();
         path_size(axes, sections).ok_or(Error::Axes)?;
-        let has_limits = limits.len() == axes || limits.len() == axes * sections;
+        let zones = parts.len().checked_sub(1).unwrap_or(sections);
+        let has_limits = limits.len() == axes || limits.len() == axes * zones;
         if states.len() != axes * (sections + 1) || !has_limits {
             return Err(Error::Axes);
         }
-        let request = Self { axes, sections, states, limits, tolerances: &[], is_begun: false };
+        let request = Self { axes, sections, states, limits, parts, tolerances: &[], is_begun: false };
         request.check()?;
         Ok(request)
     }

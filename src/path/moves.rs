@@ -37,7 +37,13 @@ use crate::state::State;
 pub fn path_moves<R: Real>(
     moves: &mut [Move<R>], limits: &[Limits<R>], states: &[State<R>], durations: &[R], axes: usize,
 ) -> Result<Findings, Error> {
-    let request = Request::of(states, durations, limits, axes)?;
+    write_moves(moves, Request::of(states, durations, limits, axes)?, durations)
+}
+
+pub(super) fn write_moves<R: Real>(
+    moves: &mut [Move<R>], request: Request<R>, durations: &[R],
+) -> Result<Findings, Error> {
+    let axes = request.axes;
     if moves.len() != axes * durations.len() {
         return Err(Error::Axes);
     }

@@ -1,11 +1,15 @@
-//! `contour`: a star of five lines as a path through points on its lines, how long it takes, and how far it leaves them. First with as many
-//! points on each line, closer together near the corners. Then with points only where they are needed: a section that leaves its line too far gets a
-//! point in its middle, and the path is planned again.
+//! `contour`: paths that stay near their lines: a star of five lines, and a gear wheel of 1,000 segments, as CAM gives it. How long they take, how
+//! far they leave their lines, how many points they need, and how long they are planned. Then the same wheel with tolerances of its points, and
+//! with a feed.
 
 use atraj::State;
-use atraj::axes::{line, path_deviation, path_moves, path_size, plan_path};
+use atraj::axes::{
+    Contour, limit_feed, line, path_deviation, path_moves, path_size, path_size_near, plan_contour, plan_path,
+    plan_path_near,
+};
 use atraj::online::{Error, Limits, Move};
 use std::f64::consts::PI;
+use std::time::Instant;
 
 /// A point, mm.
 type Point = [f64; 2];
@@ -14,93 +18,138 @@ type Point = [f64; 2];
 const LIMITS: [Limits<f64>; 2] =
     [Limits { vmax: 100.0, vmin: -100.0, amax: 3e3, amin: -3e3, jmax: 6e4, jmin: -6e4 }; 2];
 
+const TEETH: u32 = 20;
+/// The circles on which the flanks of a tooth begin and end, mm.
+const RADII: [f64; 2] = [18.0, 22.0];
+
 fn main() -> Result<(), Error> {
-    println!("points,rounds,s,greatest deviation mm");
-    println!("a stop at each corner,,{:.3},0", stopping()?);
-    for count in [2, 5, 10, 25, 50] {
-        let planned = Contour::through(star(count))?;
-        println!("{count} a line,1,{:.3},{:.4}", planned.duration(), planned.deviation());
-    }
-    for tolerance in [0.2, 0.05, 0.02, 0.01, 0.005] {
-        let (mut planned, mut rounds) = (Contour::through(star(2))?, 1);
-        while planned.deviation() > tolerance {
-            planned = Contour::through(planned.closer(tolerance))?;
-            rounds += 1;
+    println!("part,points given,within mm,points,s,largest deviation mm,ms");
+    for (part, points) in [("star", star()), ("gear wheel", gear_wheel())] {
+        println!("{part} with a stop at each point,{},,,{:.3},0,", points.len(), stopping(&points)?);
+        through(part, &points)?;
+        for tolerance in [0.1, 0.05, 0.02, 0.01, 0.005] {
+            within(part, &points, tolerance, f64::INFINITY)?;
         }
-        let count = planned.points.len();
-        println!("{count} within {tolerance},{rounds},{:.3},{:.4}", planned.duration(), planned.deviation());
+    }
+    let points = gear_wheel();
+    for tolerance in [0.05, 0.02, 0.01] {
+        near(&points, tolerance)?;
+    }
+    for feed in [60.0, 20.0] {
+        within(&format!("gear wheel at {feed} mm/s"), &points, 0.01, feed)?;
     }
     Ok(())
 }
 
-/// The corners of a star, 15 to 19 mm from one to the next.
-fn corners() -> [Point; 6] {
-    [0.0, 2.0, 4.0, 1.0, 3.0, 0.0].map(|corner| {
-        let (sin, cos) = (0.4 * PI * corner).sin_cos();
+/// A star: its corners are 15 to 19 mm from one to the next.
+fn star() -> Vec<Point> {
+    let corner = |corner| {
+        let (sin, cos) = f64::sin_cos(0.4 * PI * corner);
         [8.0 * sin, 10.0 * cos]
-    })
+    };
+    [0.0, 2.0, 4.0, 1.0, 3.0, 0.0].map(corner).to_vec()
 }
 
-/// The star with so many sections on each line, shorter ones near the corners.
-fn star(sections: u32) -> Vec<Point> {
-    let part = |k: u32| 0.5 - 0.5 * (PI * f64::from(k) / f64::from(sections)).cos();
-    let corners = corners();
-    let lines = corners.iter().zip(&corners[1..]);
-    let points = lines.flat_map(|(from, to)| (0..sections).map(move |k| between(from, to, part(k))));
-    points.chain([corners[5]]).collect()
+/// A wheel with 50 segments for each tooth: 18 for each flank, which is an involute, 7 at the tip, and 7 at the root.
+fn gear_wheel() -> Vec<Point> {
+    let [root, tip] = RADII;
+    let end = (tip * tip / (root * root) - 1.0).sqrt();
+    let half = PI / f64::from(2 * TEETH) + (PI / 9.0).tan() - PI / 9.0;
+    let gap = 2.0 * PI / f64::from(TEETH) - 2.0 * half;
+    let rolled = |t: f64| t - t.atan();
+    let flank = |t: f64, side: f64| (root * (1.0 + t * t).sqrt(), side * (half - rolled(t)));
+    let mut points = Vec::new();
+    for tooth in 0..TEETH {
+        let parts = |count: u32| (0..count).map(move |k| f64::from(k) / f64::from(count));
+        let up = parts(18).map(|part| flank(end * part, -1.0));
+        let across = parts(7).map(|part| (tip, (half - rolled(end)) * (2.0 * part - 1.0)));
+        let down = parts(18).map(|part| flank(end * (1.0 - part), 1.0));
+        let to_next = parts(7).map(|part| (root, half + gap * part));
+        for (radius, angle) in up.chain(across).chain(down).chain(to_next) {
+            let (sin, cos) = (angle + 2.0 * PI * f64::from(tooth) / f64::from(TEETH)).sin_cos();
+            points.push([radius * cos, radius * sin]);
+        }
+    }
+    points.push(points[0]);
+    points
 }
 
-fn between(from: &Point, to: &Point, part: f64) -> Point {
-    [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis]))
+fn states(points: &[Point]) -> Vec<State<f64>> {
+    points.iter().flatten().map(|&position| State::at(position)).collect()
 }
 
-/// How long the star takes if the axes stop at each corner, s.
-fn stopping() -> Result<f64, Error> {
+/// How long a part takes if the axes stop at each point, s.
+fn stopping(points: &[Point]) -> Result<f64, Error> {
     let (mut moves, mut t) = ([Move::default(); 2], 0.0);
-    for (from, to) in corners().iter().zip(&corners()[1..]) {
-        line(&mut moves, &LIMITS, &from.map(State::at), &to.map(State::at), 0.0, 0.0)?;
+    for ends in points.windows(2) {
+        line(&mut moves, &LIMITS, &ends[0].map(State::at), &ends[1].map(State::at), 0.0, 0.0)?;
         t += moves[0].t;
     }
     Ok(t)
 }
 
-/// A planned path through points.
-struct Contour {
-    points: Vec<Point>,
-    moves: Vec<Move<f64>>,
+/// Prints the path through the points.
+fn through(part: &str, points: &[Point]) -> Result<(), Error> {
+    let (sections, start) = (points.len() - 1, Instant::now());
+    let (mut states, mut durations) = (states(points), vec![0.0; sections]);
+    plan_path(&mut states, &mut durations, &LIMITS, 2, 0, &mut work(path_size(2, sections)))?;
+    let mut moves = vec![Move::default(); 2 * sections];
+    path_moves(&mut moves, &LIMITS, &states, &durations, 2)?;
+    print(part, points, "", &moves, start);
+    Ok(())
 }
 
-impl Contour {
-    fn through(points: Vec<Point>) -> Result<Self, Error> {
-        let sections = points.len() - 1;
-        let mut states: Vec<_> = points.iter().flatten().map(|&p| State::at(p)).collect();
-        let mut durations = vec![0.0; sections];
-        let mut work = vec![0.0; path_size(2, sections).ok_or(Error::Axes)?];
-        plan_path(&mut states, &mut durations, &LIMITS, 2, 0, &mut work)?;
-        let mut moves = vec![Move::default(); 2 * sections];
-        path_moves(&mut moves, &LIMITS, &states, &durations, 2)?;
-        Ok(Self { points, moves })
+/// Prints the path within a tolerance of its lines, with a feed.
+fn within(part: &str, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
+    let moves = contour(&states(points), tolerance, feed);
+    let (moves, start) = (moves.0?, moves.1);
+    print(part, points, &tolerance.to_string(), &moves, start);
+    if feed < f64::INFINITY {
+        let speed = |section: &[Move<f64>], x: f64| section[0].velocity(x).hypot(section[1].velocity(x));
+        let speeds =
+            moves.chunks(2).flat_map(|section| (0..=100).map(|k| speed(section, 0.01 * f64::from(k) * section[0].t)));
+        println!("largest speed,,,,,{:.3} mm/s,", speeds.fold(0.0, f64::max));
     }
+    Ok(())
+}
 
-    /// s
-    fn duration(&self) -> f64 {
-        self.moves.iter().step_by(2).map(|axis| axis.t).sum()
-    }
+/// Prints the path whose points are passed within half of a tolerance, and that stays within the other half of their lines.
+fn near(points: &[Point], tolerance: f64) -> Result<(), Error> {
+    let (sections, start) = (points.len() - 1, Instant::now());
+    let (mut states, mut durations) = (states(points), vec![0.0; sections]);
+    let tolerances = vec![0.5 * tolerance / f64::sqrt(2.0); 2 * (sections - 1)];
+    let room = path_size_near(2, sections);
+    plan_path_near(&mut states, &mut durations, &LIMITS, &tolerances, 2, 0, &mut work(room))?;
+    let moves = contour(&states, 0.5 * tolerance, f64::INFINITY).0?;
+    print("gear wheel with tolerances", points, &tolerance.to_string(), &moves, start);
+    Ok(())
+}
 
-    /// mm
-    fn deviation(&self) -> f64 {
-        path_deviation(&self.moves, 2)
-    }
+fn work(size: Option<usize>) -> Vec<f64> {
+    vec![0.0; size.unwrap_or_default()]
+}
 
-    /// The points, with another one in each section that leaves its line by more than this, mm.
-    fn closer(&self, tolerance: f64) -> Vec<Point> {
-        let mut points = vec![self.points[0]];
-        for (ends, moves) in self.points.windows(2).zip(self.moves.chunks(2)) {
-            if path_deviation(moves, 2) > tolerance {
-                points.push(between(&ends[0], &ends[1], 0.5));
-            }
-            points.push(ends[1]);
-        }
-        points
-    }
+/// The moves of a contour through points, and when it was begun.
+fn contour(given: &[State<f64>], tolerance: f64, feed: f64) -> (Result<Vec<Move<f64>>, Error>, Instant) {
+    let sections = given.len() / 2 - 1;
+    let room = 4 * sections + 200;
+    let mut states = given.to_vec();
+    states.resize(2 * (room + 1), State::at(0.0));
+    let (mut moves, mut durations, mut places) =
+        (vec![Move::default(); 2 * room], vec![0.0; room], vec![0; sections + 1]);
+    let mut work = work(path_size(2, room));
+    let start = Instant::now();
+    let mut limits = LIMITS.repeat(sections);
+    let lowered = limit_feed(&mut limits, given, &vec![feed; sections], 2);
+    let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
+    let planned = lowered.and_then(|()| plan_contour(path, &limits, tolerance, 2, 0, &mut work));
+    moves.truncate(2 * places[sections]);
+    (planned.map(|_| moves), start)
+}
+
+fn print(part: &str, points: &[Point], tolerance: &str, moves: &[Move<f64>], start: Instant) {
+    let took = start.elapsed().as_secs_f64() * 1e3;
+    let duration: f64 = moves.iter().step_by(2).map(|axis| axis.t).sum();
+    let [given, count] = [points.len(), moves.len() / 2 + 1];
+    println!("{part},{given},{tolerance},{count},{duration:.3},{:.4},{took:.0}", path_deviation(moves, 2));
 }
