@@ -73,7 +73,7 @@ pub fn plan_contour<R: Real>(
     for (point, place) in places.iter_mut().enumerate() {
         *place = point;
     }
-    for _ in 0..MOST_ROUNDS {
+    for round in 1..=MOST_ROUNDS {
         let sections = places.last().copied().unwrap_or(0);
         let (planned, _) = states.split_at_mut_checked(axes * (sections + 1)).ok_or(Error::Axes)?;
         let (lasting, _) = durations.split_at_mut_checked(sections).ok_or(Error::Axes)?;
@@ -85,7 +85,7 @@ pub fn plan_contour<R: Real>(
         if far == 0 {
             return Ok(found);
         }
-        if sections + far > room {
+        if sections + far > room || round == MOST_ROUNDS {
             break;
         }
         let mut end = sections + far;

@@ -184,9 +184,13 @@ impl<R: Real> Chain<'_, '_, R> {
     /// The highest speed at which the axis may pass a point; 0 where it turns.
     fn fastest_pass(&self, point: usize) -> Result<R, Error> {
         let [before, after] = [point - 1, point].map(|section| self.displacement(section, 0));
-        let turns = before * after <= R::ZERO;
-        let [one, other] = [self.limits_ahead(point - 1)?.vmax, self.limits_ahead(point)?.vmax];
-        Ok(if turns { R::ZERO } else { one.at_most(other) })
+        let mut fastest = if before * after <= R::ZERO { R::ZERO } else { R::INFINITY };
+        // The limits of sections between them that do not last count too.
+        for place in self.place(point - 1)..=self.place(point) {
+            let limits = self.request.limits(place, 0)?;
+            fastest = fastest.at_most(if after < R::ZERO { -limits.vmin } else { limits.vmax });
+        }
+        Ok(fastest)
     }
 
     /// The limits in the direction of a section.
