@@ -397,6 +397,33 @@ static int path_near(void) {
     return 0;
 }
 
+/* A corner of two lines: a contour with room and without, with limits for each section, and with a feed. */
+static int path_contour(void) {
+    enum { ROOM = 32, WORK = ROOM * (2 * (2 * 2 + 34) + 14) + 2 * 2 * (2 - 1) + 6 };
+    static const a_float given[6] = {0, 0, 3, 1, 4, 5};
+    atraj_limits zones[4];
+    atraj_state states[2 * (ROOM + 1)];
+    atraj_move moves[2 * ROOM];
+    a_float durations[ROOM], work[WORK + 1], feeds[2] = {2, 1}, t = 0;
+    size_t places[3], k;
+    work[WORK] = 77;
+    for (k = 0; k < 4; ++k) { atraj_limits_init(&zones[k], 30, 10, 5); }
+    for (k = 0; k < 6; ++k) { states[k].p = given[k], states[k].v = states[k].a = 0; }
+    PROMISE(atraj_path_contour(moves, states, durations, places, zones, A_FLOAT_C(0.05), 2, 2, 3, 0, work) == ATRAJ_ERR_POSITION && places[2] == 2);
+    PROMISE(atraj_path_contour(moves, states, durations, places, zones, A_FLOAT_C(0.05), 2, 2, ROOM, 0, work) >= 0 && work[WORK] == 77);
+    PROMISE(places[0] == 0 && places[1] > 1 && places[2] > 3 && places[2] < ROOM);
+    PROMISE(states[2 * places[1]].p == 3 && states[2 * places[2] + 1].p == 5);
+    PROMISE(atraj_path_deviation(moves, 2, places[2]) <= A_FLOAT_C(0.05));
+    for (k = 0; k < 6; ++k) { states[k].p = given[k], states[k].v = states[k].a = 0; }
+    PROMISE(atraj_path_feed(zones, states, feeds, 2, 2) == 0 && zones[0].vmax < 2 && zones[3].vmin > -1);
+    PROMISE(atraj_path_contour_zones(moves, states, durations, places, zones, A_FLOAT_C(0.05), 2, 2, ROOM, 0, work) >= 0 && work[WORK] == 77);
+    for (k = 0; k < places[1]; ++k) { t += durations[k]; }
+    PROMISE(t > A_FLOAT_C(1.58) && t < A_FLOAT_C(2.5));
+    feeds[1] = 0;
+    PROMISE(atraj_path_feed(zones, states, feeds, 2, 2) == ATRAJ_ERR_LIMITS && atraj_path_feed(A_NULL, states, feeds, 2, 2) == ATRAJ_ERR_NULL);
+    return 0;
+}
+
 /* A path of two axes and two sections: a hold in the first one, a way back, and on to the end. */
 static int clock_of_a_path(void) {
     const atraj_limits planned[2] = {{4, -4, 8, -8, 24, -24}, {4, -4, 8, -8, 24, -24}}, reserve[2] = {{5, -5, 10, -10, 30, -30}, {6, -6, 12, -12, 36, -36}};
@@ -427,5 +454,5 @@ static int clock_of_a_path(void) {
 }
 
 int main(void) {
-    return bell() || trap() || polynomials() || move() || steps() || shaper() || streams() || axes() || path() || path_near() || clock_of_a_path();
+    return bell() || trap() || polynomials() || move() || steps() || shaper() || streams() || axes() || path() || path_near() || path_contour() || clock_of_a_path();
 }

@@ -172,6 +172,81 @@ int atraj_path_plan_near(atraj_state *states,
                          unsigned int steps,
                          a_float *work);
 
+/**
+ * @brief Plan a path that stays near the straight lines between its points, and the moves of its sections. Where it
+ * leaves a line too far, points are added in the middle of the section, as often as it is necessary.
+ *
+ * Each of at most 24 rounds plans a path as `atraj_path_plan`. Points that `atraj_path_plan_near` has moved by at most
+ * `r` may be given: the path is within `tolerance + r` of the lines between those that it was given.
+ * @param moves points to room for `room * axes` moves, which are written as by `atraj_path_moves`
+ * @param states points to room for `(room + 1) * axes` states, point by point. The `(sections + 1) * axes` states of the
+ * given points stand first, as for `atraj_path_plan`; those of all points are written.
+ * @param durations points to room for `room` durations, which are written, s
+ * @param places points to room for `sections + 1` numbers: at which point of the path each given point stands. The last
+ * one is how many sections the path has.
+ * @param limits points to the limits of the axes
+ * @param tolerance how far the path may leave its lines, in the space of all axes, unit
+ * @param sections number of given sections: one less than given points
+ * @param room how many sections the path may get
+ * @param steps how many steps each round may take, as for `atraj_path_plan`
+ * @param work points to `atraj_path_size(axes, room)` numbers, which need not be initialised
+ * @return as `atraj_path_moves`; `ATRAJ_ERR_LIMITS` also if the tolerance is not above 0, `ATRAJ_ERR_NOT_FINITE` if it
+ * is infinite or not a number, `ATRAJ_ERR_NULL` if there is no room for the given points. `ATRAJ_ERR_POSITION` if the
+ * room or the rounds end before the path is near enough. Then a path that leaves its lines farther is written, and
+ * `atraj_path_deviation` says how far: give more room, or a start that does not move away from its line.
+ */
+A_EXTERN
+int atraj_path_contour(atraj_move *moves,
+                       atraj_state *states,
+                       a_float *durations,
+                       size_t *places,
+                       const atraj_limits *limits,
+                       a_float tolerance,
+                       size_t axes,
+                       size_t sections,
+                       size_t room,
+                       unsigned int steps,
+                       a_float *work);
+
+/**
+ * @brief Plan a path that stays near its lines through zones: as `atraj_path_contour`, with limits for every given
+ * section. Both halves of a section keep its limits.
+ * @param limits points to `sections * axes` limits, given section by given section
+ */
+A_EXTERN
+int atraj_path_contour_zones(atraj_move *moves,
+                             atraj_state *states,
+                             a_float *durations,
+                             size_t *places,
+                             const atraj_limits *limits,
+                             a_float tolerance,
+                             size_t axes,
+                             size_t sections,
+                             size_t room,
+                             unsigned int steps,
+                             a_float *work);
+
+/**
+ * @brief Lower the limits of the velocities such that the axes together are nowhere faster than the feed: the norm of
+ * their velocities. `atraj_path_plan_zones`, `atraj_path_moves_zones` and `atraj_path_contour_zones` take such limits.
+ *
+ * Each axis of a section gets the part `w` of its feed, with `w * w = 15 / 16 * d * d + 1 / (16 * axes)` for the
+ * direction `d` of its line. The squares add up to 1, so the feed is kept at all times, however a path moves between its
+ * points. On a line it moves at 96.8 % of the feed or more. Where an axis moves across the line of a section, as at a
+ * corner, it has little of the feed.
+ * @param limits points to the `sections * axes` limits, section by section, which are lowered
+ * @param states points to the `(sections + 1) * axes` states of the points
+ * @param feeds points to the feeds of the `sections` sections, unit/s; an infinite one is none
+ * @return 0, `ATRAJ_ERR_LIMITS` if a feed is not above 0, `ATRAJ_ERR_NOT_FINITE` if it is not a number, or if a section
+ * is not finite, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `atraj_path_size` is 0. On an error no limit changes.
+ */
+A_EXTERN
+int atraj_path_feed(atraj_limits *limits,
+                    const atraj_state *states,
+                    const a_float *feeds,
+                    size_t axes,
+                    size_t sections);
+
 #if defined(__cplusplus)
 } /* extern "C" */
 #endif /* __cplusplus */

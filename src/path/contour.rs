@@ -68,6 +68,9 @@ pub fn plan_contour<R: Real>(
         return Err(Error::Axes);
     }
     check_tolerance(tolerance)?;
+    let given = places.len().saturating_sub(1);
+    let points = states.get(..axes * (given + 1)).ok_or(Error::Axes)?;
+    Request::of(points, durations.get(..given).ok_or(Error::Axes)?, limits, axes)?;
     // `path_deviation` may exceed the bound of each section by a 256th.
     let most = tolerance - R::SIXTEENTH * R::SIXTEENTH * tolerance;
     for (point, place) in places.iter_mut().enumerate() {

@@ -197,7 +197,7 @@ pub unsafe extern "C" fn atraj_path_plan_near(
 /// @param steps how many steps each round may take, as for `atraj_path_plan`
 /// @param work points to `atraj_path_size(axes, room)` numbers, which need not be initialised
 /// @return as `atraj_path_moves`; `ATRAJ_ERR_LIMITS` also if the tolerance is not above 0, `ATRAJ_ERR_NOT_FINITE` if it
-/// is infinite or not a number, `ATRAJ_ERR_AXES` if there is no room for the given points. `ATRAJ_ERR_POSITION` if the
+/// is infinite or not a number, `ATRAJ_ERR_NULL` if there is no room for the given points. `ATRAJ_ERR_POSITION` if the
 /// room or the rounds end before the path is near enough. Then a path that leaves its lines farther is written, and
 /// `atraj_path_deviation` says how far: give more room, or a start that does not move away from its line.
 #[unsafe(no_mangle)]

@@ -131,7 +131,10 @@ table! { |n|
     atraj_moves_line_stop(n n n _);
     atraj_moves_sync({n} n n n n _ _);
     atraj_moves_sync_within({n} n n n (n of -9.0) (n of 9.0) n _ _);
+    atraj_path_contour({n * n + n} (n * n + 2 * n) {n + 1} {n + 1} n (1 of 0.25) n n (n + 1) (1 of 1.0) {atraj_path_size(n, n + 1)});
+    atraj_path_contour_zones({n * n + n} (n * n + 2 * n) {n + 1} {n + 1} (n * n) (1 of 0.25) n n (n + 1) (1 of 1.0) {atraj_path_size(n, n + 1)});
     atraj_path_deviation((n * n) n n);
+    atraj_path_feed((n * n) (n * n + n) (n of 9.0) n n);
     atraj_path_improve((n * n + n) n n n n (1 of 1.0) {atraj_path_size(n, n)});
     atraj_path_moves({n * n} n (n * n + n) (n of 9.0) n n);
     atraj_path_moves_zones({n * n} (n * n) (n * n + n) (n of 9.0) n n);
@@ -588,6 +591,9 @@ trait Element: Sized {
 impl Element for f64 {
     const ARE_NUMBERS: bool = true;
 }
+impl Element for usize {
+    const WORDS: usize = 1;
+}
 impl Element for a_trajpoly3 {}
 impl Element for a_trajpoly5 {}
 impl Element for a_trajpoly7 {}
@@ -820,6 +826,22 @@ fn lengths_that_no_array_has_are_refused() {
             // SAFETY: such arrays are refused before they are read.
             let code = unsafe { plan(states, durations, limits, axes, sections, 0, work) };
             assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+        }
+        for plan in [atraj_path_contour, atraj_path_contour_zones] {
+            for [sections, room] in [[sections, 1], [1, sections]] {
+                let moves = caller.argument(Promise::Room(1));
+                let (states, durations, places, limits, work): (_, _, _, *const atraj_limits, _) = (
+                    caller.argument(Promise::Given(1)),
+                    caller.argument(Promise::Room(1)),
+                    caller.argument(Promise::Room(1)),
+                    caller.argument(Promise::Given(1)),
+                    caller.argument(Promise::Room(1)),
+                );
+                // SAFETY: as above.
+                let code =
+                    unsafe { plan(moves, states, durations, places, limits, 1.0, axes, sections, room, 0, work) };
+                assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+            }
         }
         for make in [atraj_path_moves, atraj_path_moves_zones] {
             let moves = caller.argument(Promise::Room(1));
