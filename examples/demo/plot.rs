@@ -31,7 +31,7 @@ const ARM: &[&str] = &["joint 1", "joint 2", "joint 3", "joint 4", "joint 5", "j
 const SHAPERS: &[&str] = &["ZV", "MZV", "ZVD", "EI", "EI2"];
 const ORIGINAL: &str = "a_trajbell_gen";
 const ORIGINALS: &[(usize, &str, Color)] = &[(0, ORIGINAL, GREY), (1, ORIGINAL, GREY), (2, ORIGINAL, GREY)];
-const PICTURES: [Picture; 23] = [
+const PICTURES: [Picture; 24] = [
     Picture("01_relink", "m", ALONE, 4, &[]),
     Picture("02_follow", "m", ALONE, 4, &[]),
     Picture("03_sample", "m", ALONE, 3, &[]),
@@ -54,6 +54,7 @@ const PICTURES: [Picture; 23] = [
     Picture("20_hold", "m", PLANE, 3, &[]),
     Picture("21_swing", "m", AXIS, 3, &[(0, "load", COLORS[1]), (0, "load without a shaper", COLORS[2])]),
     Picture("22_two_steppers", "mm", PLANE, 1, &[]),
+    Picture("23_printer", "mm", PLANE, 2, &[(1, "filament", COLORS[3])]),
     Picture("sensitivity", "%", SHAPERS, 1, &[]),
 ];
 
@@ -139,7 +140,7 @@ impl Picture {
         }
         panels.last_mut().unwrap().x_name = if unit == "%" { "frequency [Hz]" } else { "time [s]" };
         if paths > 0 {
-            panels.insert(0, plane(&parts));
+            panels.insert(0, plane(&parts, unit));
         }
         panels
     }
@@ -177,8 +178,9 @@ fn levels<'a>(text: &'a str, unit: &str) -> Vec<Level<'a>> {
 }
 
 /// The paths, and where the marks are on them. The name of a path is the line before it.
-fn plane<'a>(parts: &[&'a str]) -> Panel<'a> {
-    let mut plane = Panel { name: "y [m]".to_owned(), x_name: "x [m]", ..Panel::default() };
+fn plane<'a>(parts: &[&'a str], unit: &str) -> Panel<'a> {
+    let x_name = if unit == "mm" { "x [mm]" } else { "x [m]" };
+    let mut plane = Panel { name: x_name.replace('x', "y"), x_name, ..Panel::default() };
     for (i, part) in parts.iter().enumerate().skip(1) {
         let rows = rows(part);
         let place = |row: &Vec<f64>| (row[1], row[2]);
