@@ -328,6 +328,16 @@ signed() {
     ! ssh-keygen -Y verify -f signers -I release@example.org -n file -s "$again/SHA256SUMS.sig" < forged
 }
 
+# Without archives no package can be made, and each is named.
+fewer_targets() {
+    mkdir release archives
+    here=$PWD
+    (cd "$root" && SOURCE_DATE_EPOCH=0 packaging/managers.sh "$here/release" "$here/archives") > said
+    cat said
+    test "$(grep -c 'is left out, because this release has no' said)" = 3
+    test -z "$(ls release)"
+}
+
 row "no Rust on the path" no_rust
 row "zig and PlatformIO from PyPI" zig_from_pypi
 row "a file for every chip, host and real type" complete
@@ -356,6 +366,7 @@ row "Arduino's library" arduino
 row "PlatformIO's library" platformio
 row "CMSIS-Pack" cmsis_pack
 row "vcpkg's port" vcpkg_port
+row "a release of fewer targets leaves packages out" fewer_targets
 row "sources build without a network" sources
 row "bill of materials" bill
 row "another clone makes the same files" another_clone
