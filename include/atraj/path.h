@@ -237,8 +237,8 @@ int atraj_path_contour_zones(atraj_move *moves,
  * @param limits points to the `sections * axes` limits, section by section, which are lowered
  * @param states points to the `(sections + 1) * axes` states of the points
  * @param feeds points to the feeds of the `sections` sections, unit/s; an infinite one is none
- * @return 0, `ATRAJ_ERR_LIMITS` if a feed is not above 0, `ATRAJ_ERR_NOT_FINITE` if it is not a number, or if a section
- * is not finite, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `atraj_path_size` is 0. On an error no limit changes.
+ * @return 0, or an error as `atraj_path_plan` returns it, `ATRAJ_ERR_LIMITS` also if a feed is not above 0,
+ * `ATRAJ_ERR_NOT_FINITE` if it is not a number. On an error no limit changes.
  */
 A_EXTERN
 int atraj_path_feed(atraj_limits *limits,

@@ -492,7 +492,13 @@ class Path(Axes):
         True"""
 
 def path(
-    limits: _LimitsOfAxes | Sequence[_LimitsOfAxes], points: _Points, *, tolerances: _Tolerances | None = None, steps: int = 0
+    limits: _LimitsOfAxes | Sequence[_LimitsOfAxes],
+    points: _Points,
+    *,
+    tolerances: _Tolerances | None = None,
+    contour: float | None = None,
+    feed: float | Sequence[float] | None = None,
+    steps: int = 0,
 ) -> Path:
     """A fast path of several axes through points, which all axes pass at the same times. They stop nowhere between the first point and
     the last one unless they must.

@@ -1,6 +1,6 @@
 //! The feed of a path: a highest speed of all axes together.
 
-use super::path_size;
+use super::chain::Request;
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::real::Real;
@@ -15,8 +15,8 @@ use crate::state::State;
 /// up to 1, so the feed is kept at all times, however a path moves between its points. On a line it moves at 96.8 % of the feed or more. Where
 /// an axis moves across the line of a section, as at a corner, it has little of the feed.
 ///
-/// [`Error::Axes`] if the lengths do not fit together, [`Error::Limits`] if a feed is not above 0, [`Error::NotFinite`] if it is not a
-/// number, or if a section is not finite. Then no limit changes.
+/// It returns the errors of [`plan_path`](super::plan_path), [`Error::Limits`] also if a feed is not above 0, [`Error::NotFinite`] if it is not a
+/// number. Then no limit changes.
 ///
 /// ```
 /// use atraj::State;
@@ -34,13 +34,9 @@ use crate::state::State;
 pub fn limit_feed<R: Real>(
     limits: &mut [Limits<R>], states: &[State<R>], feeds: &[R], axes: usize,
 ) -> Result<(), Error> {
-    let sections = feeds.len();
-    path_size(axes, sections).ok_or(Error::Axes)?;
-    if limits.len() != axes * sections || states.len() != axes * (sections + 1) {
+    Request::of(states, feeds, limits, axes)?;
+    if limits.len() != axes * feeds.len() {
         return Err(Error::Axes);
-    }
-    for (from, to) in states.iter().zip(states.iter().skip(axes)) {
-        (to.position - from.position).is_finite().then_some(()).ok_or(Error::NotFinite)?;
     }
     for &feed in feeds {
         feed.partial_cmp(&feed).ok_or(Error::NotFinite)?;

@@ -1,6 +1,9 @@
 //! Way points without stops.
 
-use atraj::axes::{improve_path, path_deviation, path_moves, path_size, path_size_near, plan_path, plan_path_near};
+use atraj::axes::{
+    Contour, improve_path, limit_feed, path_deviation, path_moves, path_size, path_size_near, plan_contour, plan_path,
+    plan_path_near,
+};
 use atraj::online::{Limits, Move};
 use atraj::{Findings, State};
 use numpy::PyArray1;
@@ -37,24 +40,62 @@ enum Plan {
     Improved,
 }
 
+/// Working memory of this size.
+fn work(size: Option<usize>, sections: usize) -> PyResult<Vec<Real>> {
+    let mut work = Vec::new();
+    size.and_then(|size| work.try_reserve_exact(size).ok().map(|()| work.resize(size, 0.0)))
+        .ok_or_else(|| PyMemoryError::new_err(format!("no memory for {sections} sections")))?;
+    Ok(work)
+}
+
+impl Plan {
+    fn run(
+        &self, axes: usize, states: &mut [State<Real>], durations: &mut [Real], limits: &[Limits<Real>], steps: u32,
+    ) -> PyResult<Findings> {
+        let sections = durations.len();
+        let size = if let Self::Near(_) = self { path_size_near } else { path_size };
+        let work = &mut work(size(axes, sections), sections)?;
+        let planned = match self {
+            Self::Through => plan_path(states, durations, limits, axes, steps, work),
+            Self::Near(tolerances) => plan_path_near(states, durations, limits, tolerances, axes, steps, work),
+            Self::Improved => improve_path(states, durations, limits, axes, steps, work),
+        };
+        planned.map_err(|why| error(&why.to_string()))
+    }
+}
+
+/// The library plans no longer path.
+const MOST_SECTIONS: usize = 65_536;
+
 impl Path {
     fn plan(
         py: Python<'_>, plan: &Plan, axes: usize, mut states: Vec<State<Real>>, mut durations: Vec<Real>,
         limits: Vec<Limits<Real>>, steps: u32,
     ) -> PyResult<Py<Self>> {
-        let sections = durations.len();
-        let mut work = Vec::new();
-        let size = if let Plan::Near(_) = plan { path_size_near } else { path_size };
-        size(axes, sections)
-            .and_then(|size| work.try_reserve_exact(size).ok().map(|()| work.resize(size, 0.0)))
-            .ok_or_else(|| PyMemoryError::new_err(format!("no memory for {sections} sections")))?;
-        let (to, times, work) = (&mut states, &mut durations, &mut work);
-        let planned = match plan {
-            Plan::Through => plan_path(to, times, &limits, axes, steps, work),
-            Plan::Near(tolerances) => plan_path_near(to, times, &limits, tolerances, axes, steps, work),
-            Plan::Improved => improve_path(to, times, &limits, axes, steps, work),
-        };
-        let findings = planned.map_err(|why| error(&why.to_string()))?;
+        let findings = plan.run(axes, &mut states, &mut durations, &limits, steps)?;
+        Self::of(py, axes, states, &durations, limits, findings)
+    }
+
+    /// The path through these points that stays near its lines, with up to 16 times as many sections, and 256.
+    fn contour(
+        py: Python<'_>, axes: usize, mut states: Vec<State<Real>>, limits: &[Limits<Real>], within: Real, steps: u32,
+    ) -> PyResult<Py<Self>> {
+        let sections = states.len() / axes - 1;
+        let room = (16 * sections + 256).min(MOST_SECTIONS);
+        let mut work = work(path_size(axes, room), room)?;
+        states.resize(axes * (room + 1), State::at(0.0));
+        let (mut moves, mut durations) = (vec![Move::default(); axes * room], vec![0.0; room]);
+        let mut places = vec![0; sections + 1];
+        let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
+        let findings = plan_contour(path, limits, within, axes, steps, &mut work).map_err(|why| match why {
+            atraj::Error::Position => error("the path leaves its lines farther than the contour allows"),
+            _ => error(&format!("contour: {why}")),
+        })?;
+        durations.truncate(places[sections]);
+        states.truncate(axes * (durations.len() + 1));
+        let has_zones = limits.len() > axes;
+        let zones = places.windows(2).zip(limits.chunks(axes)).flat_map(|(ends, zone)| zone.repeat(ends[1] - ends[0]));
+        let limits = if has_zones { zones.collect() } else { limits.to_vec() };
         Self::of(py, axes, states, &durations, limits, findings)
     }
 
@@ -186,6 +227,31 @@ impl<'a, 'py> FromPyObject<'a, 'py> for PathLimits {
     }
 }
 
+/// A feed for all sections, or one for each of them.
+#[derive(FromPyObject)]
+pub enum Feed {
+    All(Real),
+    Sections(Vec<Real>),
+}
+
+impl Feed {
+    /// The limits of each section that keep the feed.
+    fn limits(
+        self, limits: Vec<Limits<Real>>, states: &[State<Real>], axes: usize, sections: usize,
+    ) -> PyResult<Vec<Limits<Real>>> {
+        let feeds = match self {
+            Self::All(feed) => vec![feed; sections],
+            Self::Sections(feeds) => feeds,
+        };
+        let mut limits = if limits.len() == axes { limits.repeat(sections) } else { limits };
+        limit_feed(&mut limits, states, &feeds, axes).map_err(|why| match why {
+            atraj::Error::Axes => error("feed has a number, or one for each section"),
+            _ => error("a feed is not above 0"),
+        })?;
+        Ok(limits)
+    }
+}
+
 /// A number for each axis, or for each point between the first and the last one a list of them.
 pub enum Tolerances {
     Axes(Vec<Real>),
@@ -242,6 +308,9 @@ impl Tolerances {
 /// With `tolerances` the path passes the points between the first and the last one within fly-by zones: a number for each axis says how far its
 /// position may be from the given one, for all points or in a list for each of them. The path is not longer than the one through the points.
 ///
+/// With `contour` the path stays so near the straight lines between its points: points are added where it would leave them farther. With both,
+/// these are the lines between the points that it passes. `feed` is the highest speed of all axes together, or a list of one for each section.
+///
 /// >>> import atraj
 /// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
 /// >>> path = atraj.path(limits, [[0, 0], [3, 1], [4, 5]])
@@ -254,10 +323,14 @@ impl Tolerances {
 /// >>> near = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], tolerances=[0, 0.1])
 /// >>> bool(near.t < path.t)
 /// True
+/// >>> part = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], contour=0.01, feed=2)
+/// >>> bool(part.deviation <= 0.01 and part.t > path.t)
+/// True
 #[pyfunction]
-#[pyo3(signature = (limits, points, *, tolerances=None, steps=0))]
+#[pyo3(signature = (limits, points, *, tolerances=None, contour=None, feed=None, steps=0))]
 pub fn path(
-    py: Python<'_>, limits: PathLimits, points: Vec<Vec<Bound<'_, PyAny>>>, tolerances: Option<Tolerances>, steps: u32,
+    py: Python<'_>, limits: PathLimits, points: Vec<Vec<Bound<'_, PyAny>>>, tolerances: Option<Tolerances>,
+    contour: Option<Real>, feed: Option<Feed>, steps: u32,
 ) -> PyResult<Py<Path>> {
     let points = coordinates(&points)?;
     let sections = points.len().saturating_sub(1);
@@ -275,13 +348,23 @@ pub fn path(
         check(&points, limits, k + 1 == zones.len())?;
     }
     let axes = zones.first().map_or(0, Vec::len);
-    let states = points.iter().flatten().map(Coordinate::state).collect();
-    let durations = vec![0.0; sections];
+    let mut states: Vec<_> = points.iter().flatten().map(Coordinate::state).collect();
+    let mut limits = zones.concat();
+    if let Some(feed) = feed {
+        limits = feed.limits(limits, &states, axes, sections)?;
+    }
+    let mut durations = vec![0.0; sections];
     let plan = match tolerances {
         Some(tolerances) => Plan::Near(tolerances.of_points(axes, sections - 1)?),
         None => Plan::Through,
     };
-    Path::plan(py, &plan, axes, states, durations, zones.concat(), steps)
+    let Some(within) = contour else {
+        return Path::plan(py, &plan, axes, states, durations, limits, steps);
+    };
+    if let Plan::Near(_) = plan {
+        plan.run(axes, &mut states, &mut durations, &limits, steps)?;
+    }
+    Path::contour(py, axes, states, &limits, within, steps)
 }
 
 fn coordinates(points: &[Vec<Bound<'_, PyAny>>]) -> PyResult<Vec<Vec<Coordinate>>> {

@@ -255,8 +255,8 @@ unsafe fn contour(
 /// @param limits points to the `sections * axes` limits, section by section, which are lowered
 /// @param states points to the `(sections + 1) * axes` states of the points
 /// @param feeds points to the feeds of the `sections` sections, unit/s; an infinite one is none
-/// @return 0, `ATRAJ_ERR_LIMITS` if a feed is not above 0, `ATRAJ_ERR_NOT_FINITE` if it is not a number, or if a section
-/// is not finite, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `atraj_path_size` is 0. On an error no limit changes.
+/// @return 0, or an error as `atraj_path_plan` returns it, `ATRAJ_ERR_LIMITS` also if a feed is not above 0,
+/// `ATRAJ_ERR_NOT_FINITE` if it is not a number. On an error no limit changes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_path_feed(
     limits: *mut atraj_limits, states: *const atraj_state, feeds: *const a_float, axes: usize, sections: usize,

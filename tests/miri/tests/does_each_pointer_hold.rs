@@ -131,8 +131,8 @@ table! { |n|
     atraj_moves_line_stop(n n n _);
     atraj_moves_sync({n} n n n n _ _);
     atraj_moves_sync_within({n} n n n (n of -9.0) (n of 9.0) n _ _);
-    atraj_path_contour({n * n + n} (n * n + 2 * n) {n + 1} {n + 1} n (1 of 0.25) n n (n + 1) (1 of 1.0) {atraj_path_size(n, n + 1)});
-    atraj_path_contour_zones({n * n + n} (n * n + 2 * n) {n + 1} {n + 1} (n * n) (1 of 0.25) n n (n + 1) (1 of 1.0) {atraj_path_size(n, n + 1)});
+    atraj_path_contour({n * n} (n * n + n) {n} {n + 1} n (1 of 1000.0) n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_contour_zones({n * n} (n * n + n) {n} {n + 1} (n * n) (1 of 1000.0) n n n (1 of 1.0) {atraj_path_size(n, n)});
     atraj_path_deviation((n * n) n n);
     atraj_path_feed((n * n) (n * n + n) (n of 9.0) n n);
     atraj_path_improve((n * n + n) n n n n (1 of 1.0) {atraj_path_size(n, n)});
@@ -774,7 +774,7 @@ fn each_number_alone_is_refused() {
                 _ => continue,
             }
             refused += 1;
-            if is_path && !name.starts_with("atraj_path_moves") {
+            if is_path && !name.starts_with("atraj_path_moves") && name != "atraj_path_feed" {
                 caller.arrays.pop(); // the working memory
             }
             caller.judge(name);
