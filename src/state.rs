@@ -36,6 +36,12 @@ impl<R: Real> State<R> {
         Self { position: -position, velocity: -velocity, acceleration: -acceleration }
     }
 
+    /// The state in the other order of time, as the mirrored axis sees it: velocities stay.
+    pub(crate) fn reversed(self) -> Self {
+        let Self { position, velocity, acceleration } = self;
+        Self { position: -position, velocity, acceleration: -acceleration }
+    }
+
     pub(crate) fn is_at_rest(self) -> bool {
         self.velocity == R::ZERO && self.acceleration == R::ZERO
     }

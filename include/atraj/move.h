@@ -54,9 +54,8 @@ int atraj_move_plan(struct atraj_move *ctx,
 /**
  * @brief Plan the fastest move to a state, as `atraj_move_plan` does, that stays between two positions until its end.
  *
- * Where the fastest stop would leave a position, the axis brakes harder, and turns at this position. It is refused if the hardest brake leaves the
- * positions too, or if the state `to` cannot be reached from within them, or if they are so near each other that the axis would turn at both
- * before it can stop.
+ * Where the fastest stop would leave a position, the axis brakes harder, and turns at this position, then at the other one if it must. It is refused
+ * only if no move stays between the positions: the hardest brake leaves them, or the state `to` cannot be reached from within them.
  * @param lowest lowest position, unit; minus infinity: none
  * @param highest highest position, unit, above `lowest`; infinity: none
  * @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if no move stays between the positions up to 128 ulps,
@@ -244,8 +243,8 @@ int atraj_moves_line(atraj_move *axes,
  * An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and
  * goes. Where it has no time to stop on its way, all axes take longer.
  * @param lowest points to the `n` lowest positions, unit, `highest` to the highest; an infinite one is no limit
- * @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if the fastest move of an axis leaves
- * its positions, or if the axis cannot stop between them
+ * @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if no move of an axis stays between its
+ * positions, or if an axis has to wait, but cannot stop between them or come to its end from rest there
  */
 A_EXTERN
 int atraj_moves_sync_within(atraj_move *axes,

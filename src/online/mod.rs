@@ -63,9 +63,9 @@ impl<R: Real> Move<R> {
     /// infinite position is no limit. It returns the findings and errors of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
     /// number, [`Error::Limits`] if `lowest` is not below `highest`.
     ///
-    /// Where the fastest stop from the start would leave a position, the axis brakes harder, and turns at this position. [`Error::Position`] if the
-    /// hardest brake leaves the positions too, or if the target cannot be reached from within them, or if they are so near each other that the axis
-    /// would turn at both before it can stop.
+    /// Where the fastest stop from the start would leave a position, the axis brakes harder, and turns at this position, then at the other one if it
+    /// must. [`Error::Position`] if no motion stays between the positions: the hardest brake leaves them, or the target cannot be reached from
+    /// within them.
     ///
     /// ```
     /// use atraj::online::{Error, Limits, Move, State};

@@ -1,7 +1,8 @@
-//! A wall that binds: the fastest stop would leave a position, and a harder brake turns there.
+//! Walls that bind: the fastest stop would leave a position, and a harder brake turns there.
 //!
 //! The fastest stop eases its brake before the axis stands. The fastest motion that stays inside does not: it comes to the wall at a standstill that
-//! does not last, with an acceleration away from the wall. `docs/planner.md` has the theory, in "Between two positions".
+//! does not last, with an acceleration away from the wall. If the walls are near, the fastest stop from there leaves the other one, and so on.
+//! `docs/planner.md` has the theory, in "Between two positions".
 
 use super::motion::{MOST_PHASES, Move};
 use super::problem::Problem;
@@ -13,35 +14,56 @@ use crate::state::State;
 /// More halvings than a range of accelerations has.
 const MOST_HALVES: u32 = 64;
 
-/// Where an axis turns, if its fastest stop leaves the positions. [`Error::Position`] if the hardest brake leaves them too.
+/// More turns than an axis makes before it can stop, or cannot be saved. What the walls are farther from each other than they must be, as a part of
+/// this, grows from `x` to `√x` with each turn, and 3 % are enough to stop: from a rounding error that takes four turns.
+const MOST_TURNS: usize = 6;
+
+/// Where an axis turns, one turn after the other.
+struct Turns<R> {
+    states: [State<R>; MOST_TURNS],
+    count: usize,
+}
+
+impl<R: Real> Turns<R> {
+    /// The turns from the state `from` on, until the fastest stop stays between the positions, or the hardest brake leaves them.
+    fn after(limits: &Limits<R>, from: State<R>, positions: [R; 2]) -> Result<Self, Error> {
+        let mut turns = Self { states: [from; MOST_TURNS], count: 0 };
+        let mut last = from;
+        while let Some(place) = turns.states.get_mut(turns.count) {
+            let Some(turn) = turn_after(limits, last, positions)? else {
+                break;
+            };
+            (*place, last) = (turn, turn);
+            turns.count += 1;
+        }
+        Ok(turns)
+    }
+
+    /// The turns before the state `to`, from the last one on.
+    fn before(limits: &Limits<R>, to: State<R>, [lowest, highest]: [R; 2]) -> Result<Self, Error> {
+        let mut turns = Self::after(&limits.reversed(), to.reversed(), [-highest, -lowest])?;
+        turns.states = turns.states.map(State::reversed);
+        Ok(turns)
+    }
+
+    fn as_slice(&self) -> &[State<R>] {
+        self.states.get(..self.count).unwrap_or_default()
+    }
+}
+
+/// Where an axis turns, if its fastest stop leaves the positions and its hardest brake does not.
 fn turn_after<R: Real>(
     limits: &Limits<R>, from: State<R>, [lowest, highest]: [R; 2],
 ) -> Result<Option<State<R>>, Error> {
     let mut stop = Move::default();
     stop.stop(limits, from)?;
-    if !stop.leaves(lowest, highest) {
-        return Ok(None);
-    }
-    let turn = if stop.leaves(-R::INFINITY, highest) {
+    Ok(if !stop.leaves(lowest, highest) {
+        None
+    } else if stop.leaves(-R::INFINITY, highest) {
         turn_below(limits, from, highest)
     } else {
         turn_below(&limits.mirrored(), from.mirrored(), -lowest).map(State::mirrored)
-    };
-    turn.map(Some).ok_or(Error::Position)
-}
-
-/// Where an axis comes from that ends in the state `to`, if its fastest launch from rest leaves the positions.
-fn turn_before<R: Real>(
-    limits: &Limits<R>, to: State<R>, [lowest, highest]: [R; 2],
-) -> Result<Option<State<R>>, Error> {
-    // In the other order of time, seen in a mirror, velocities stay.
-    let reversed = |State { position, velocity, acceleration }: State<R>| State {
-        position: -position,
-        velocity,
-        acceleration: -acceleration,
-    };
-    let turn = turn_after(&limits.reversed(), reversed(to), [-highest, -lowest])?;
-    Ok(turn.map(reversed))
+    })
 }
 
 /// The turn at `highest`: its acceleration is the one whose fastest ramp ends there. `None` if no ramp does.
@@ -75,51 +97,78 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
 }
 
 impl<R: Real> Move<R> {
-    /// Plans the fastest motion that turns at one of the positions, or at both, and stays between them.
+    /// Plans the fastest motion that turns at the positions and stays between them. [`Error::Position`] if none does.
     #[cold]
     #[inline(never)] // for its stack
     pub(super) fn plan_with_turns(
         &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, positions: [R; 2],
     ) -> Result<(), Error> {
-        let turns = [turn_after(limits, from, positions)?, turn_before(limits, to, positions)?];
+        let [first, last] = [Turns::after(limits, from, positions)?, Turns::before(limits, to, positions)?];
         let [lowest, highest] = positions;
         let mut answer = Err(Error::Position);
-        for turns in [[turns[0], None], [None, turns[1]], turns] {
-            let mut planned = Self::default();
-            let is_planned = planned.turn(limits, from, turns, to).is_ok();
-            let is_better = answer.is_err() || planned.t < self.t;
-            if is_planned && is_better && !planned.leaves(lowest, highest) {
-                *self = planned;
-                answer = Ok(());
+        for most in 0..=first.count {
+            for rest in 0..=last.count {
+                let mut planned = Self::default();
+                let first = first.as_slice().iter().take(most);
+                let last = last.as_slice().iter().take(rest);
+                let is_planned = planned.turn(limits, from, first, last.rev(), to).is_ok();
+                let is_better = answer.is_err() || planned.t < self.t;
+                if is_planned && is_better && !planned.leaves(lowest, highest) {
+                    *self = planned;
+                    answer = Ok(());
+                }
             }
         }
         answer
     }
 
     /// Plans the fastest motion by way of these turns.
-    fn turn(
-        &mut self, limits: &Limits<R>, from: State<R>, [first, last]: [Option<State<R>>; 2], to: State<R>,
-    ) -> Result<(), Error> {
-        self.stay(from);
-        if let Some(turn) = first {
-            self.ramp(limits, from, turn)?;
+    fn turn<'a>(
+        &mut self, limits: &Limits<R>, from: State<R>, first: impl Iterator<Item = &'a State<R>>,
+        last: impl Iterator<Item = &'a State<R>>, to: State<R>,
+    ) -> Result<(), Error>
+    where
+        R: 'a,
+    {
+        let mut now = self.ramps(limits, from, first)?;
+        let mut is_ramp = false;
+        for end in last.copied().chain([to]) {
+            if is_ramp {
+                self.ramp(limits, now, end)?;
+            } else {
+                let mut next = Self::default();
+                next.plan(limits, now, end)?;
+                self.append(&next)?;
+            }
+            (now, is_ramp) = (end, true);
         }
-        let mut next = Self::default();
-        next.plan(limits, first.unwrap_or(from), last.unwrap_or(to))?;
-        self.append(&next)?;
-        last.map_or(Ok(()), |turn| self.ramp(limits, turn, to))
+        Ok(())
     }
 
-    /// Plans the fastest stop, by way of a turn if it would leave the positions. [`Error::Position`] if the hardest brake leaves them too.
-    pub(crate) fn stop_within(&mut self, limits: &Limits<R>, from: State<R>, positions: [R; 2]) -> Result<(), Error> {
-        let Some(turn) = turn_after(limits, from, positions)? else {
-            return self.stop(limits, from).map(|_| ());
-        };
+    /// Plans the fastest ramps from turn to turn. Answers where they end.
+    fn ramps<'a>(
+        &mut self, limits: &Limits<R>, from: State<R>, turns: impl Iterator<Item = &'a State<R>>,
+    ) -> Result<State<R>, Error>
+    where
+        R: 'a,
+    {
         self.stay(from);
-        self.ramp(limits, from, turn)?;
+        let mut now = from;
+        for turn in turns {
+            self.ramp(limits, now, *turn)?;
+            now = *turn;
+        }
+        Ok(now)
+    }
+
+    /// Plans the fastest stop, by way of turns if it would leave the positions. [`Error::Position`] if the hardest brake leaves them too.
+    pub(crate) fn stop_within(&mut self, limits: &Limits<R>, from: State<R>, positions: [R; 2]) -> Result<(), Error> {
+        let turns = Turns::after(limits, from, positions)?;
+        let turn = self.ramps(limits, from, turns.as_slice().iter())?;
         let mut next = Self::default();
         next.stop(limits, turn)?;
-        self.append(&next)
+        self.append(&next)?;
+        if self.leaves(positions[0], positions[1]) { Err(Error::Position) } else { Ok(()) }
     }
 
     /// Goes on with the fastest ramp from one state to another, whose positions it meets.

@@ -55,8 +55,8 @@ pub unsafe extern "C" fn atraj_moves_line(
 /// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and
 /// goes. Where it has no time to stop on its way, all axes take longer.
 /// @param lowest points to the `n` lowest positions, unit, `highest` to the highest; an infinite one is no limit
-/// @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if the fastest move of an axis leaves
-/// its positions, or if the axis cannot stop between them
+/// @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if no move of an axis stays between its
+/// positions, or if an axis has to wait, but cannot stop between them or come to its end from rest there
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_moves_sync_within(
     axes: *mut atraj_move, limits: *const atraj_limits, from: *const atraj_state, to: *const atraj_state,

@@ -96,9 +96,8 @@ pub unsafe extern "C" fn atraj_move_plan(
 
 /// @brief Plan the fastest move to a state, as `atraj_move_plan` does, that stays between two positions until its end.
 ///
-/// Where the fastest stop would leave a position, the axis brakes harder, and turns at this position. It is refused if the hardest brake leaves the
-/// positions too, or if the state `to` cannot be reached from within them, or if they are so near each other that the axis would turn at both
-/// before it can stop.
+/// Where the fastest stop would leave a position, the axis brakes harder, and turns at this position, then at the other one if it must. It is refused
+/// only if no move stays between the positions: the hardest brake leaves them, or the state `to` cannot be reached from within them.
 /// @param lowest lowest position, unit; minus infinity: none
 /// @param highest highest position, unit, above `lowest`; infinity: none
 /// @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if no move stays between the positions up to 128 ulps,
