@@ -70,6 +70,16 @@ impl<R: Real> Problem<R> {
             return false;
         }
         let size = shift.abs();
+        // An acceleration is known up to its own rounding error, and up to what changes the velocity by its rounding error until the end.
+        let acceleration = from.acceleration.abs().at_least(first.acceleration.abs());
+        let jerk = first.jerk.abs();
+        let velocity = border.rounding_of_velocity();
+        let own = of_state(from.acceleration.abs() + to.acceleration.abs());
+        let is_known =
+            acceleration * size <= velocity && jerk * size <= own + (velocity / t).at_most(of_check(jerk * t));
+        if !is_known {
+            return false;
+        }
         // What the axis travels while its acceleration eases does not vanish at the end of a motion.
         let q = border.per_jerk.q();
         let speed = border.v0.abs().at_least(border.v1.abs()) + border.undone;
@@ -77,14 +87,7 @@ impl<R: Real> Problem<R> {
         let easing = (speed * q).sqrt().at_most(highest * q);
         // Both ends have rounding errors.
         let tie = border.rounding_of_displacement(t + easing, self.positions);
-        let acceleration = from.acceleration.abs().at_least(first.acceleration.abs());
-        let jerk = first.jerk.abs();
-        // An acceleration is known up to its own rounding error, and up to what changes the velocity by its rounding error until the end.
-        let velocity = border.rounding_of_velocity();
-        let own = of_state(from.acceleration.abs() + to.acceleration.abs());
         from.velocity.abs() * size <= tie + tie
-            && acceleration * size <= velocity
-            && jerk * size <= own + (velocity / t).at_most(of_check(jerk * t))
     }
 
     /// Whether the interval of the duration `t` holds the displacement, up to rounding.

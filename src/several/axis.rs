@@ -44,10 +44,14 @@ pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -
     (way + (t + v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
 }
 
+/// Whether an axis can wait where it stands.
+fn may_wait<R: Real>(problem: &Problem<R>) -> bool {
+    problem.from().is_at_rest() || problem.to().is_at_rest()
+}
+
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
 pub(crate) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
-    // An axis can wait where it stands.
-    if problem.from().is_at_rest() || problem.to().is_at_rest() {
+    if may_wait(problem) {
         return t;
     }
     let next = blend::next_duration(problem, t);
@@ -90,22 +94,27 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
     let is_slow = axis.start().is_at_rest() && axis.end().is_at_rest();
     if lasts(axis, t) {
         axis.end_at(t);
-    } else if problem().may_shift(axis, t) {
-        axis.shift_in_time(t);
     } else if is_slow && t > axis.t && axis.t > R::EPSILON * t {
         // The jerk falls by the third power of the factor. It stays within the range of the real type.
         axis.slow_down(t);
     } else {
-        fill(axis, &problem(), t);
+        let problem = problem();
+        if problem.may_shift(axis, t) { axis.shift_in_time(t) } else { fill(axis, &problem, t) }
     }
     if axis.is_finite() { Ok(()) } else { Err(Error::NotFinite) }
 }
 
 /// Lets an axis in motion that has made its fastest plan take the duration `t`.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
-    let is_possible = t >= axis.t && next_duration(problem, t) <= t;
+    if t >= axis.t {
+        if let Some(cruise) = Cruise::of(problem, t) {
+            return cruise.write(problem, axis, t);
+        }
+    }
+    let is_possible = t >= axis.t && (may_wait(problem) || blend::next_duration(problem, t) <= t);
     let problem = if is_possible { *problem } else { neighbour(problem, t).unwrap_or(*problem) };
-    if let Some(cruise) = Cruise::of(&problem, t) {
+    let cruise = if is_possible { None } else { Cruise::of(&problem, t) };
+    if let Some(cruise) = cruise {
         cruise.write(&problem, axis, t);
     } else if let Some(blend) = Blend::of(&problem, t) {
         blend.write(&problem, axis, t);
