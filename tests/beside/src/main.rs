@@ -1,0 +1,75 @@
+//! `beside`: paths through the same points by atraj, rsruckig, TOPP-RA and COPP, as a table. docs/path.md shows it.
+
+mod cases;
+mod copp;
+mod toppra;
+mod two_passes;
+
+use atraj::axes::synchronise;
+use atraj::online::Move;
+use cases::{Case, cases};
+use oracle::judge::path::problems::Chain;
+use oracle::judge::path::{Paths, Planner};
+use oracle::judge::rivals::ruckig_path;
+use std::time::Instant;
+
+/// s
+type Duration = f64;
+
+fn main() {
+    println!("points,planner,jerk,s,ms");
+    for case in cases() {
+        case.print("a stop at each point", true, stopping);
+        case.print("atraj", true, ours);
+        case.print("rsruckig 3.0.1", true, theirs);
+        case.print("two passes with a = 0", true, two_passes::duration);
+        case.print("COPP 0.2.3 on its spline: TOPP3-SOCP", true, |chain| copp::duration(chain, copp::Limits::Jerk));
+        case.print("COPP 0.2.3 on its spline: TOPP2-RA", false, |chain| {
+            copp::duration(chain, copp::Limits::Acceleration)
+        });
+        case.print("atraj through 1,001 points of this spline", true, |chain| ours(&copp::stations(chain)?));
+        toppra::print(&case);
+    }
+}
+
+impl Case {
+    /// Prints the means over the paths, if the planner takes them all.
+    fn print(&self, planner: &str, keeps_jerk: bool, plan: impl Fn(&Chain<f64>) -> Option<Duration>) {
+        let start = Instant::now();
+        let durations: Option<Vec<_>> = self.chains.iter().map(plan).collect();
+        let ms = start.elapsed().as_secs_f64() * 1e3;
+        if let Some(durations) = durations {
+            self.print_row(planner, keeps_jerk, durations.iter().sum(), ms);
+        }
+    }
+
+    /// Prints a row from the sums of the durations and of the times.
+    fn print_row(&self, planner: &str, keeps_jerk: bool, s: f64, ms: f64) {
+        let jerk = if keeps_jerk { "limited" } else { "free" };
+        let count = self.chains.len() as f64;
+        println!("\"{}\",\"{planner}\",{jerk},{:.4},{:.3}", self.name, s / count, ms / count);
+    }
+}
+
+fn ours(chain: &Chain<f64>) -> Option<Duration> {
+    Some(Paths.plan(chain, 0).ok()?.0.duration())
+}
+
+/// rsruckig has one limit of the jerk.
+fn theirs(chain: &Chain<f64>) -> Option<Duration> {
+    let is_symmetric = chain.limits.iter().all(|limits| limits.jmax == -limits.jmin);
+    is_symmetric.then(|| ruckig_path(chain)).flatten()
+}
+
+/// The axes arrive together, and rest.
+fn stopping(chain: &Chain<f64>) -> Option<Duration> {
+    let mut moves = vec![Move::default(); chain.axes];
+    let points: Vec<_> = chain.states.chunks(chain.axes).collect();
+    points
+        .windows(2)
+        .map(|ends| {
+            synchronise(&mut moves, &chain.limits, ends[0], ends[1], 0.0, 0.0).ok()?;
+            Some(moves[0].t)
+        })
+        .sum()
+}
