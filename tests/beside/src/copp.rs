@@ -33,9 +33,23 @@ pub fn stations(chain: &Chain<f64>) -> Option<Chain<f64>> {
     if !is_curve(chain) {
         return None;
     }
-    let derivatives = spline(chain).and_then(|spline| Ok(spline.evaluate_q(&parameters())?)).expect("a spline");
-    let states = derivatives.q.iter().map(|&position| State::at(position)).collect();
+    let points = points(chain, &parameters());
+    let states = points.iter().map(|&position| State::at(position)).collect();
     Some(Chain { states, ..chain.clone() })
+}
+
+/// How far its spline leaves the straight lines between the stations, about in their middle.
+pub fn deviation(chain: &Chain<f64>) -> f64 {
+    let s = parameters();
+    let middles: Vec<_> = s.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])).collect();
+    let (ends, middles) = (points(chain, &s), points(chain, &middles));
+    let away = |k: usize| (middles.column(k) - 0.5 * (ends.column(k) + ends.column(k + 1))).norm();
+    (0..middles.ncols()).map(away).fold(0.0, f64::max)
+}
+
+/// Points of the spline, in columns.
+fn points(chain: &Chain<f64>, s: &[f64]) -> DMatrix<f64> {
+    spline(chain).and_then(|spline| Ok(spline.evaluate_q(s)?.q)).expect("a spline")
 }
 
 /// A spline through a row would run back and forth.

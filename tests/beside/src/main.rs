@@ -5,7 +5,7 @@ mod copp;
 mod toppra;
 mod two_passes;
 
-use atraj::axes::synchronise;
+use atraj::axes::{path_deviation, path_moves, synchronise};
 use atraj::online::Move;
 use cases::{Case, cases};
 use oracle::judge::path::problems::Chain;
@@ -29,6 +29,7 @@ fn main() {
         });
         case.print("atraj through 1,001 points of this spline", true, |chain| ours(&copp::stations(chain)?));
         toppra::print(&case);
+        case.print_deviations();
     }
 }
 
@@ -49,6 +50,28 @@ impl Case {
         let count = self.chains.len() as f64;
         println!("\"{}\",\"{planner}\",{jerk},{:.4},{:.3}", self.name, s / count, ms / count);
     }
+}
+
+impl Case {
+    /// Says how far the path through the stations of a spline, and the spline itself, leave the straight lines between the stations.
+    fn print_deviations(&self) {
+        let stations = self.chains.iter().map(copp::stations).collect::<Option<Vec<_>>>();
+        if let Some(stations) = stations {
+            let ours = stations.iter().map(deviation).fold(0.0, f64::max);
+            let splines = self.chains.iter().map(copp::deviation).fold(0.0, f64::max);
+            eprintln!(
+                "{}: between its 1,001 points atraj leaves the lines by {ours:.5}, the spline by {splines:.5}",
+                self.name
+            );
+        }
+    }
+}
+
+fn deviation(chain: &Chain<f64>) -> f64 {
+    let (path, _) = Paths.plan(chain, 0).expect("a plan");
+    let mut moves = vec![Move::default(); chain.axes * chain.sections()];
+    path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes).expect("motions");
+    path_deviation(&moves, chain.axes)
 }
 
 fn ours(chain: &Chain<f64>) -> Option<Duration> {
