@@ -341,6 +341,7 @@ mod tests {
             sections: 4,
             states: &states,
             limits: &limits,
+            parts: &[],
             tolerances: &tolerances,
             is_begun: false,
         };
