@@ -134,7 +134,7 @@ impl<'w> Trajectory<'w> {
     }
 
     /// Adds `seconds` to what the clock shows. An advance that overflows is ignored. The next start, stop or reset drops an advance
-    /// of more than 10<sup>6</sup> s, because the clock would lose digits beside it.
+    /// of more than 10<sup>6</sup> s, because the clock would lose digits next to it.
     pub fn advance_timer_by(&mut self, seconds: f64) {
         let advanced = self.advanced + seconds;
         if advanced.is_finite() {

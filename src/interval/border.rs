@@ -1,4 +1,4 @@
-//! The motion of a given duration that gets farthest.
+//! The motion of a given duration that covers the largest displacement.
 //!
 //! The displacements that an axis can reach in a duration form an interval, because limits are convex: a mean of two motions within
 //! the limits keeps the limits and travels the mean. The fastest motion over a displacement lies on the border of the first interval that
@@ -136,7 +136,7 @@ impl<R: Real> Border<R> {
     }
 
     /// The rounding error of a displacement of this duration, from that of the states at both ends: of the positions, whose magnitudes have the
-    /// sum `positions`, and of what the velocities and the accelerations travel. It is 0 between standstills, where no rounding costs a detour.
+    /// sum `positions`, and of what the velocities and the accelerations travel. It is 0 between standstills, where no rounding error makes an axis overshoot.
     #[inline(never)] // for its size: it is asked in five places
     pub fn rounding_of_displacement(&self, duration: R, positions: R) -> R {
         let (a0, a1) = (self.a0.abs(), self.a1.abs());
@@ -175,7 +175,7 @@ impl<R: Real> Border<R> {
         fitted.filter(|_| shorter < R::ZERO).map_or(R::ZERO, |fitted| -fitted.faster.negate_if(mirrored))
     }
 
-    /// The change of velocity behind the gap: it turns against both accelerations.
+    /// The change of velocity after the gap: it turns against both accelerations.
     pub fn behind_gap(&self) -> Ramp<R> {
         self.ramp(self.beyond_straight().velocity, self.a0 >= R::ZERO)
     }
@@ -254,7 +254,7 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// The motion of the duration `t` that gets farthest. `None` if the end cannot be reached in this duration, which is not below that of
+    /// The motion of the duration `t` that covers the largest displacement. `None` if the end cannot be reached in this duration, which is not below that of
     /// the direct ramp.
     pub fn farthest(&self, t: R) -> Option<Profile<R>> {
         let straight = self.profile(&Ramp::straight(self.a0, self.a1));
@@ -271,7 +271,7 @@ impl<R: Real> Border<R> {
         self.without_cruise(t)
     }
 
-    /// The motion of the duration `t` that gets farthest between ends that are strictly inside their limits. `None` if it is no more than a ramp,
+    /// The motion of the duration `t` that covers the largest displacement between ends that are strictly inside their limits. `None` if it is no more than a ramp,
     /// or if the end cannot be reached in this duration.
     #[inline]
     pub fn farthest_inside(&self, t: R) -> Option<Profile<R>> {
@@ -291,7 +291,7 @@ impl<R: Real> Border<R> {
         (peak >= a0 && trough <= a1).then_some(profile)
     }
 
-    /// The motion of the duration `t` that gets farthest, if the duration is too short to cruise.
+    /// The motion of the duration `t` that covers the largest displacement, if the duration is too short to cruise.
     fn without_cruise(&self, t: R) -> Option<Profile<R>> {
         let Self { a0, a1, dv, .. } = *self;
         let (bu, bd) = (self.limits.amax, -self.limits.amin);
@@ -353,7 +353,7 @@ impl<R: Real> Border<R> {
         let beyond = held - dv - R::HALF * (gu * first * first + gd * least * least);
         let rounding = self.rounding_of_area() + of_formula(held);
         (beyond >= -rounding).then(|| {
-            // A rise below 0 by rounding is none. Else the hold would have to leave its acceleration.
+            // A rise below 0 by rounding does not exist. Else the hold would have to leave its acceleration.
             let last = larger_root(least, -(beyond.at_least(R::ZERO) / q));
             Profile {
                 first,

@@ -105,8 +105,8 @@ fn first_from<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shor
     first_over(&axis, base, h.negate_if(mirrored), lacks.abs()).map(|profile| Profile { mirrored, ..profile })
 }
 
-/// The motion, or the ramp, if the motion is a detour only because of roundings of the velocities: with a change of the velocity at the start
-/// by its roundings, the ramp, whose displacement lacks `lacks` of `h`, is the motion.
+/// The motion, or the ramp, if the motion overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
+/// by its rounding error, the ramp, whose displacement lacks `lacks` of `h`, is the motion.
 fn without_detour<R: Real>(
     border: &Border<R>, motion: Profile<R>, ramp: &Ramp<R>, lacks: R, wanted: Displacement<R>,
 ) -> Profile<R> {
@@ -151,7 +151,7 @@ pub(crate) fn next_duration<R: Real>(
     for _ in 0..4 {
         let mirrored = border.mirrored();
         let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
-            // The fastest motion is below the shortest ramp, if its velocities are equal up to roundings.
+            // The fastest motion is below the shortest ramp, if its velocities are equal up to rounding.
             let behind = border.passed(&border.behind_gap()).duration;
             t = behind.at_least(border.shortest());
             continue;
@@ -173,11 +173,11 @@ pub(crate) fn next_duration<R: Real>(
             Crossing::GapAfter(last) if h - axis.displacement(&last) > tie => None,
             Crossing::At(first) | Crossing::GapAfter(first) => Some(first.duration(axis.per_jerk)),
         };
-        // Roundings of the velocities may show a motion behind the start of the gap. The motion that is found from there is before the gap.
+        // Rounding can yield a spurious motion just after the gap begins. The real one lies before the gap.
         let is_before = |first: R| first < t - of_formula(t);
         t = match first {
             Some(first) if !is_before(first) => first,
-            // The time of an acceleration that an infinite jerk ends has large roundings. They show a gap that is long over.
+            // With an infinite jerk this time is inaccurate, and can fake a gap that has ended.
             _ => border.passed(&border.behind_gap()).duration.at_least(t),
         };
     }

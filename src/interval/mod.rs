@@ -1,7 +1,7 @@
 //! The displacements that an axis can reach in a duration. They form an interval, because limits are convex: a mean of two motions within
 //! the limits keeps the limits and travels the mean.
 //!
-//! `border` is the motion that gets farthest, `derivatives` are those of its displacement, and `crossing` is the first duration in which
+//! `border` is the motion that covers the largest displacement, `derivatives` are those of its displacement, and `crossing` is the first duration in which
 //! it gets as far as wanted. `docs/planner.md` has the theory.
 
 pub(crate) mod border;

@@ -54,7 +54,7 @@ impl<R: Real> Profile<R> {
     }
 
     /// The motion that falls by `x` more. The first rise grows by `more` and the last one by `rest`, which are `x` in sum. Each number grows by
-    /// itself, because a small peak behind a long rise has fewer roundings than the rise.
+    /// itself, because a small peak after a long rise has a smaller rounding error than the rise.
     pub fn falling_by(self, x: R, more: R, rest: R) -> Self {
         Self {
             first: self.first + more,

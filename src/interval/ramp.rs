@@ -149,7 +149,7 @@ impl<R: Real> Ramp<R> {
         self.hold == R::ZERO && (self.rise == R::ZERO || self.fall == R::ZERO)
     }
 
-    /// The ramp that is `longer` at its highest acceleration, s. `None` if there is none, or if it is faster by more than `most`.
+    /// The ramp that is `longer` at its highest acceleration, s. `None` if it does not exist, or if it is faster by more than `most`.
     pub fn longer(self, longer: R, limit: R, most: R, per_jerk: PerJerk<R>) -> Option<Fitted<R>> {
         let holds = self.hold > R::ZERO;
         let z = if holds { R::ZERO } else { R::HALF * longer / per_jerk.q() };

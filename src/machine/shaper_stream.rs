@@ -219,7 +219,7 @@ impl<R: Real> ShaperStream<R> {
         self.growing.add(state);
         self.at = after(self.at, self.ticks);
         if self.at == 0 {
-            // A sum of these states alone: roundings of earlier ones do not add up.
+            // A sum of these states alone: rounding errors of earlier ones do not add up.
             self.mean = self.growing;
             self.growing = Mean::of(state);
         }

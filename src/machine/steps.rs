@@ -92,7 +92,7 @@ impl<R: Real> Steps<R> {
         Ok(Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 })
     }
 
-    /// Lets the motor stand at the last line that is not above the position.
+    /// Puts the motor at the last line that is not above the position.
     pub(super) fn stand_at(&mut self, position: R) {
         self.count = self.line_below(position);
         self.far = self.count;
@@ -165,7 +165,7 @@ impl<R: Real> Steps<R> {
     /// When the axis is at a line, on the clock of the phase, s. It does not turn between `from` and `to`.
     fn time_at(&self, phase: &Phase<R>, line: i32, direction: R) -> R {
         let line = self.offset + R::from_index(line) * self.step;
-        // Positions counted from the line have the roundings of the way alone.
+        // Positions counted from the line have the rounding error of the displacement alone.
         let seen = Phase { position: phase.position - line, ..*phase };
         let beyond = |z: R| (direction * seen.position(z), direction * seen.velocity(z));
         // The part may end at the line.

@@ -11,9 +11,9 @@ use crate::real::Real;
 
 /// Two motions of the same duration, whose mean travels a displacement.
 pub(super) struct Blend<R> {
-    /// The motion that gets farthest.
+    /// The motion that covers the largest displacement.
     farthest: Profile<R>,
-    /// The motion that gets farthest in the mirrored axis.
+    /// The motion that covers the largest displacement in the mirrored axis.
     nearest: Profile<R>,
     /// The weight of the first motion.
     share: R,
@@ -61,7 +61,7 @@ impl<R: Real> Blend<R> {
     pub fn write(&self, problem: &Problem<R>, ctx: &mut Move<R>, duration: R) {
         let t = problem.behind_inside(duration);
         let share = self.share.at_least(R::ZERO).at_most(R::ONE);
-        // The motion with the larger weight comes first. So the mean of equal numbers is exact, and a small one has small roundings.
+        // The motion with the larger weight comes first. So the mean of equal numbers is exact, and a small one has a small rounding error.
         let (motions, weight) = if share > R::HALF {
             ([&self.farthest, &self.nearest], R::ONE - share)
         } else {
@@ -92,7 +92,7 @@ impl<R: Real> Blend<R> {
 }
 
 /// The axis with a lower limit of its velocity, if it has time: twice the mean velocity is enough between standstills. So the numbers of a
-/// slow motion are small, and with them their roundings.
+/// slow motion are small, and with them their rounding errors.
 fn slower<R: Real>(border: &Border<R>, h: R, t: R) -> Border<R> {
     let mean = h.abs() / t;
     let speed = mean + mean + border.v0.abs() + border.v1.abs() + border.undone;
@@ -104,7 +104,7 @@ fn slower<R: Real>(border: &Border<R>, h: R, t: R) -> Border<R> {
     slower
 }
 
-/// A time in a motion. It is counted from the nearer end, so that a short segment beside a long cruise keeps its digits.
+/// A time in a motion. It is counted from the nearer end, so that a short segment next to a long cruise keeps its digits.
 #[derive(Clone, Copy)]
 struct Instant<R> {
     /// Since the start, s.

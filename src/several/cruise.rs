@@ -47,7 +47,7 @@ impl<R: Real> Cruise<R> {
         let reversed = border.reversed();
         let mean = h / t;
         let ends = border.v0.abs() + border.v1.abs();
-        // The mean velocity of a ramp is at least a third of the cruise's, beside what its own end adds: a half, if both jerks are equal. So
+        // The mean velocity of a ramp is at least a third of the cruise's, plus what its own end adds: a half, if both jerks are equal. So
         // the cruise is not faster.
         let fastest = R::from(3) * (mean.abs() + ends + border.undone);
         let mut low = border.limits.vmin.at_least(-fastest);
@@ -146,7 +146,7 @@ impl<R: Real> Side<R> {
         Self { ramp: ramp.mirrored_if(mirrored), per_jerk, duration, displacement: displacement.negate_if(mirrored) }
     }
 
-    /// How long the phase beside the cruise lasts, s.
+    /// How long the phase next to the cruise lasts, s.
     fn beside(&self) -> R {
         self.per_jerk.gd * self.ramp.fall
     }

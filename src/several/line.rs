@@ -39,7 +39,7 @@ pub fn line<R: Real>(
 }
 
 /// A straight line in the space of all axes. The axis with the longest way leads; of ways that are as long, the one with the finest
-/// roundings. Its positions are counted from its end, so they have the roundings of the way alone.
+/// roundings. Its positions are counted from its end, so they have the rounding error of the displacement alone.
 struct Line<R> {
     /// The lead at the start.
     from: State<R>,
@@ -96,7 +96,7 @@ impl<'a, R: Real + 'a> Line<R> {
         self.from.position.abs() + self.braking * self.speeds()
     }
 
-    /// The reach without the part that the roundings of the positions make uncertain.
+    /// The reach without the part that rounding of the positions makes uncertain.
     fn certain(&self) -> R {
         let reach = self.reach();
         // Both positions and their difference are rounded.
@@ -149,7 +149,7 @@ impl<'a, R: Real + 'a> Line<R> {
         for (limits, (from, to)) in ends {
             tightest.tighten(limits, self.share(from, to).times);
         }
-        // Every axis may be in its target. So the lead may, and only roundings of the shares deny it.
+        // Every axis may be in its target. So the lead may, and only rounding of the shares denies it.
         tightest.include(self.to);
         Ok(tightest)
     }

@@ -10,7 +10,7 @@ use crate::state::State;
 /// Stops axes that move on a straight line, on this line, from the time `x` on, s: a feed hold. Each move becomes its stop, which begins at its
 /// time 0. The lead makes its fastest stop within the tightest limits of all, so no reserve is needed.
 ///
-/// A time before the start is the start; behind the end, the axes move on. An infinite time and NaN are the end.
+/// A time before the start is the start; after the end, the axes move on. An infinite time and NaN are the end.
 ///
 /// [`Error::Line`] if the moves are not on one straight line. It returns the findings and the other errors of [`Move::stop`], and
 /// [`Error::Axes`] if there is no axis or the slices have different lengths. On an error no axis is written.
@@ -66,7 +66,7 @@ impl Order {
 }
 
 /// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
-/// tells the shares of the axes. Their ways may be so short that roundings hide them.
+/// tells the shares of the axes. Their displacements may be so short that rounding hides them.
 struct Highest {
     /// Whose number it is.
     lead: usize,
@@ -99,7 +99,7 @@ impl Highest {
     }
 }
 
-/// Whether every phase of the move is that of the lead times `share`. The states at both ends are the caller's, with roundings of their own, so
+/// Whether every phase of the move is that of the lead times `share`. The states at both ends are the caller's, with rounding errors of their own, so
 /// they count only where there are no others.
 fn goes_beside<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
     let ends = usize::from(lead.phases().len() > 1);

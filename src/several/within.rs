@@ -19,7 +19,7 @@ use crate::state::State;
 const DOUBLINGS: u32 = 12;
 
 /// Plans all axes for the same duration, as [`synchronise`](super::synchronise) does, and lets each of them stay between two positions until
-/// its end, up to 128 roundings. `positions` are the lowest position of each axis and the highest ones. An infinite position is no limit.
+/// its end, up to 128 ulps. `positions` are the lowest position of each axis and the highest ones. An infinite position is no limit.
 ///
 /// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. Where it has no
 /// time to stop on its way, all axes take longer.
@@ -159,7 +159,7 @@ impl<R: Real> Within<'_, R> {
         Ok(())
     }
 
-    /// Plans the moves before and behind a wait: at the target, or where the fastest stop ends.
+    /// Plans the moves before and after a wait: at the target, or where the fastest stop ends.
     fn plan_around_wait(&self, [before, behind]: [&mut Move<R>; 2]) -> Result<(), Error> {
         let (limits, (&from, &to)) = self.ends;
         if to.is_at_rest() {
@@ -172,7 +172,7 @@ impl<R: Real> Within<'_, R> {
         Ok(())
     }
 
-    /// The duration of the moves before and behind a wait, s.
+    /// The duration of the moves before and after a wait, s.
     #[cold]
     fn with_a_stop(&self) -> Result<R, Error> {
         let (mut before, mut behind) = (Move::default(), Move::default());
