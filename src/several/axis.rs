@@ -128,9 +128,38 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
 
 #[cfg(test)]
 mod tests {
-    use super::is_ordinary;
+    use super::{is_ordinary, neighbour};
     use crate::limits::Limits;
+    use crate::online::Move;
+    use crate::online::problem::Problem;
     use crate::state::State;
+
+    /// A gap begins after 1 s. If the start is slower by the rounding error of the velocities, 60 ulps, it begins 120 later. A rise of 40 below
+    /// 0 is none, which is worth 80 more.
+    #[test]
+    fn the_start_is_slower_by_a_rounding_error() {
+        let limits = Limits::symmetric(1.0, 9.0, 9.0);
+        let from = State { position: 0.0, velocity: 1.0, acceleration: 1.0 };
+        let to = State { position: 1.375, velocity: 1.75, acceleration: 1.0 };
+        let problem = Problem::new(&limits, from, to).beside(1e3);
+        let takes = |ulps: f64| neighbour(&problem, 1.0 + ulps * f64::EPSILON).is_some();
+        assert!(takes(170.0) && !takes(260.0));
+    }
+
+    /// In the time of the shift the acceleration changes by the rounding errors of both accelerations, and by what changes the velocity by its rounding
+    /// error.
+    #[test]
+    fn the_start_is_shifted_by_a_rounding_error() {
+        let limits = Limits::symmetric(1.0, 9.0, 9.0);
+        let from = State { position: 0.0, velocity: 2.5, acceleration: 1.0 };
+        let to = State::at(7.0);
+        let mut fastest = Move::default();
+        fastest.plan(&limits, from, to).expect("a plan");
+        let problem = Problem::new(&limits, from, to);
+        let of_velocity = 16.0 * (2.5 + 0.5) / fastest.t;
+        let may_shift = |own: f64| problem.may_shift(&fastest, fastest.t - (own + of_velocity) * f64::EPSILON);
+        assert!(may_shift(11.0) && !may_shift(24.0));
+    }
 
     /// The magnitudes of six limits, both positions, velocities and accelerations, and a duration.
     fn is_ordinary_with([vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration]: [f64; 13]) -> bool {

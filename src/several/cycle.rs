@@ -1,7 +1,7 @@
 //! The ticks on which axes arrive.
 
 use crate::findings::Error;
-use crate::interval::rounding::of_formula;
+use crate::interval::rounding::{of_check, of_formula};
 use crate::real::Real;
 
 /// The period of a control loop. All axes arrive on one of its ticks.
@@ -38,18 +38,15 @@ impl<R: Real> Cycle<R> {
         if t.is_finite() { Ok(t) } else { Err(Error::NotFinite) }
     }
 
-    /// The shortest duration that all axes can take up to rounding, if it is much below the possible duration `t`: one of their own
-    /// `durations`, or its nearest tick. Near its end each axis has a duration with rounding errors of its own, and the next possible one may
-    /// be far away.
+    /// The shortest duration that all axes can take up to rounding: the possible one `t`, or one of their own `durations`, or its nearest tick.
+    /// Near its end each axis has a duration with rounding errors of its own, and the next possible one may be far away.
     pub fn earlier(&self, t: R, slowest: R, durations: impl Iterator<Item = R>, all_take: impl Fn(R) -> bool) -> R {
         let mut shortest = t;
-        if t <= slowest + R::EPSILON.sqrt() * slowest {
-            return t;
-        }
-        let near = durations.chain([slowest]).filter(|duration| *duration >= slowest - R::SIXTEENTH * slowest);
-        for tick in near.map(|duration| self.nearest(duration)) {
-            let is_early = tick < self.earliest - of_formula(tick);
-            if tick < shortest && !is_early && all_take(tick) {
+        let least = (slowest - rounding_of_duration(slowest)).at_least(self.earliest - of_formula(self.earliest));
+        // Without a gap there is nothing to gain.
+        let candidates = durations.chain([slowest]).filter(|_| t > slowest);
+        for tick in candidates.map(|duration| self.nearest(duration)) {
+            if tick < shortest && tick >= least && all_take(tick) {
                 shortest = tick;
             }
         }
@@ -77,8 +74,30 @@ impl<R: Real> Cycle<R> {
     }
 }
 
+/// The rounding error of a duration. Where the displacement `h` is the greatest one of all durations near `t`, `h - D` grows with the square of the
+/// change of the duration, so the error is the root of the one of both end states.
+fn rounding_of_duration<R: Real>(t: R) -> R {
+    of_check(R::ONE).sqrt() * t
+}
+
 /// The whole number next to a number below `1/ε`. Adding and subtracting `1/ε` rounds.
 fn whole<R: Real>(x: R) -> R {
     let whole = R::ONE / R::EPSILON;
     (x + whole) - whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cycle;
+
+    /// 64 ulps have the root `2⁻²³`.
+    #[test]
+    fn a_duration_is_earlier_by_a_rounding_error() {
+        let cycle = Cycle::new(0.0, 0.0).expect("a cycle");
+        let is_asked = |roundings: f64| {
+            let duration = 1.0 - roundings * f64::exp2(-23.0);
+            cycle.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
+        };
+        assert!(is_asked(0.75) && !is_asked(1.5));
+    }
 }
