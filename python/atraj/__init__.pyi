@@ -510,6 +510,9 @@ def path(
     With `tolerances` the path passes the points between the first and the last one within fly-by zones: a number for each axis says how far its
     position may be from the given one, for all points or in a list for each of them. The path is not longer than the one through the points.
 
+    With `contour` the path stays so near the straight lines between its points: points are added where it would leave them farther. With both,
+    these are the lines between the points that it passes. `feed` is the highest speed of all axes together, or a list of one for each section.
+
     >>> import atraj
     >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
     >>> path = atraj.path(limits, [[0, 0], [3, 1], [4, 5]])
@@ -521,6 +524,9 @@ def path(
     True
     >>> near = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], tolerances=[0, 0.1])
     >>> bool(near.t < path.t)
+    True
+    >>> part = atraj.path(limits, [[0, 0], [3, 1], [4, 5]], contour=0.01, feed=2)
+    >>> bool(part.deviation <= 0.01 and part.t > path.t)
     True"""
 @final
 class Clock:

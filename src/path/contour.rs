@@ -83,8 +83,11 @@ pub fn plan_contour<R: Real>(
         let (moves, _) = moves.split_at_mut_checked(axes * sections).ok_or(Error::Axes)?;
         plan(Request::of_parts(planned, lasting, limits, axes, places)?, steps, work)?.write(planned, lasting);
         let found = write_moves(moves, Request::of_parts(planned, lasting, limits, axes, places)?, lasting)?;
-        let is_far = |section: &&[Move<R>]| !stays_within(section, most);
-        let far = moves.chunks_exact(axes).filter(is_far).count();
+        let is_far = |section: &usize| {
+            let moves = moves.get(section * axes..(section + 1) * axes);
+            moves.is_some_and(|moves| !stays_within(moves, most))
+        };
+        let far = (0..sections).filter(is_far).count();
         if far == 0 {
             return Ok(found);
         }
@@ -92,11 +95,11 @@ pub fn plan_contour<R: Real>(
             break;
         }
         let mut end = sections + far;
-        for (section, moves) in moves.chunks_exact(axes).enumerate().rev() {
+        for section in (0..sections).rev() {
             if let Some(place) = places.binary_search(&(section + 1)).ok().and_then(|given| places.get_mut(given)) {
                 *place = end;
             }
-            let is_far = is_far(&moves);
+            let is_far = is_far(&section);
             move_end(states, axes, section, end, is_far);
             end -= if is_far { 2 } else { 1 };
         }

@@ -7,40 +7,30 @@
 use core::ops::Range;
 
 use super::chain::Chain;
-use super::memory::{Memory, Table, Tile, Triangle, tile};
+use super::memory::{Memory, Table, Tile, Triangle, each, tile};
 use crate::real::Real;
 
 /// `a - x y`
 #[inline(always)] // the place of each number is known then
 fn minus<R: Real, const K: usize>(mut a: Tile<R, K>, x: Tile<R, K>, y: Tile<R, K>) -> Tile<R, K> {
-    for (a, x) in a.iter_mut().zip(x) {
-        for (column, a) in a.iter_mut().enumerate() {
-            let mut sum = x[0] * y[0][column];
-            for k in 1..K {
-                sum = sum + x[k] * y[k][column];
-            }
-            *a = *a - sum;
-        }
-    }
+    let columns = transposed(y);
+    each!(row: a[row] = less(a[row], columns, x[row]));
     a
 }
 
 #[inline(always)] // as above
 fn transposed<R: Real, const K: usize>(a: Tile<R, K>) -> Tile<R, K> {
     let mut columns = a;
-    for (i, column) in columns.iter_mut().enumerate() {
-        for (number, row) in column.iter_mut().zip(&a) {
-            *number = row[i];
-        }
-    }
+    each!(row: each!(column: columns[column][row] = a[row][column]));
     columns
 }
 
 #[inline(always)] // as above
 fn dot<R: Real, const K: usize>(x: [R; K], y: [R; K]) -> R {
     let mut sum = x[0] * y[0];
-    for k in 1..K {
-        sum = sum + x[k] * y[k];
+    sum = sum + x[1] * y[1];
+    if K > 2 {
+        sum = sum + x[2] * y[2];
     }
     sum
 }
@@ -48,9 +38,7 @@ fn dot<R: Real, const K: usize>(x: [R; K], y: [R; K]) -> R {
 /// `z - a x`
 #[inline(always)] // as above
 fn less<R: Real, const K: usize>(mut z: [R; K], a: Tile<R, K>, x: [R; K]) -> [R; K] {
-    for (z, row) in z.iter_mut().zip(a) {
-        *z = *z - dot(row, x);
-    }
+    each!(row: z[row] = z[row] - dot(a[row], x));
     z
 }
 
@@ -60,31 +48,46 @@ struct Factors<R, const K: usize>(Tile<R, K>);
 
 impl<R: Real, const K: usize> Factors<R, K> {
     /// `1/D x`
+    #[inline(always)] // as above
     fn divide(self, mut x: [R; K]) -> [R; K] {
-        for (k, x) in x.iter_mut().enumerate() {
-            *x = self.0[k][k] * *x;
-        }
+        each!(k: x[k] = self.0[k][k] * x[k]);
         x
     }
 
     /// `1/L x`
+    #[inline(always)] // as above
     fn solve(self, mut x: [R; K]) -> [R; K] {
-        for row in 1..K {
-            for k in 0..row {
-                x[row] = x[row] - self.0[row][k] * x[k];
-            }
+        x[1] = x[1] - self.0[1][0] * x[0];
+        if K > 2 {
+            x[2] = x[2] - self.0[2][0] * x[0];
+            x[2] = x[2] - self.0[2][1] * x[1];
         }
         x
     }
 
     /// `1/Lᵀ x`
+    #[inline(always)] // as above
     fn solve_transposed(self, mut x: [R; K]) -> [R; K] {
-        for row in (1..K).rev() {
-            for k in 0..row {
-                x[k] = x[k] - self.0[row][k] * x[row];
-            }
+        if K > 2 {
+            x[0] = x[0] - self.0[2][0] * x[2];
+            x[1] = x[1] - self.0[2][1] * x[2];
         }
+        x[0] = x[0] - self.0[1][0] * x[1];
         x
+    }
+
+    /// `1/D` times each row.
+    #[inline(always)] // as above
+    fn divide_rows(self, mut rows: Tile<R, K>) -> Tile<R, K> {
+        each!(row: rows[row] = self.divide(rows[row]));
+        rows
+    }
+
+    /// `1/L` times each row.
+    #[inline(always)] // as above
+    fn solve_rows(self, mut rows: Tile<R, K>) -> Tile<R, K> {
+        each!(row: rows[row] = self.solve(rows[row]));
+        rows
     }
 }
 
@@ -147,9 +150,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let more = if self.is_narrow(section, axis) { R::ONE } else { more };
             let memory = &mut self.memory;
             let mut own = memory.diagonal(row);
-            for (k, row) in own.iter_mut().enumerate() {
-                row[k] = row[k] * more;
-            }
+            each!(k: own[k][k] = own[k][k] * more);
             let mut block = memory.factors.at(section);
             for column in 0..axis {
                 block.set(axis, column, [[R::ZERO; K]; K]);
@@ -177,7 +178,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let factors = Factors(before.tile(index, index));
             let solved = memory.step.row(groups - (axes + 1) + index);
             for row in 0..=index {
-                let scaled = transposed(memory.front.tile(index, row)).map(|column| factors.divide(column));
+                let scaled = factors.divide_rows(transposed(memory.front.tile(index, row)));
                 memory.step.set(groups + row, less(memory.step.row(groups + row), scaled, solved));
                 for column in 0..=row {
                     block.set(row, column, minus(block.tile(row, column), scaled, memory.front.tile(index, column)));
@@ -197,13 +198,13 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                     tile = minus(tile, block.tile(row, k), transposed(block.tile(column, k)));
                 }
                 let factors = Factors(block.tile(column, column));
-                block.set(row, column, tile.map(|row| factors.solve(row)));
+                block.set(row, column, factors.solve_rows(tile));
             }
             let mut diagonal = block.tile(row, row);
             for column in first..row {
                 let product = block.tile(row, column);
                 let factors = Factors(block.tile(column, column));
-                let divided = product.map(|row| factors.divide(row));
+                let divided = factors.divide_rows(product);
                 block.set(row, column, divided);
                 diagonal = minus(diagonal, product, transposed(divided));
             }
@@ -225,9 +226,9 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             return is_positive.then(|| Factors(row_alone(alone(R::ONE / pivot))));
         }
         let sizes = memory.diagonal((section - 1) * self.axes + group);
-        for row in 0..K {
+        each!(row: {
             // Those of the row before they are divided.
-            let mut entries = tile[row];
+            let mut entries: [R; K] = tile[row];
             let mut pivot = entries[row];
             for column in 0..row {
                 for k in 0..column {
@@ -242,7 +243,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let pivot = if pivot >= -least { pivot.at_least(least) } else { pivot };
             (pivot > R::ZERO).then_some(())?;
             tile[row][row] = R::ONE / pivot;
-        }
+        });
         Some(Factors(tile))
     }
 
@@ -266,7 +267,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                     tile = minus(tile, block.tile(row, k), memory.front.tile(k, column));
                 }
                 let factors = Factors(block.tile(row, row));
-                memory.front.set(row, column, transposed(transposed(tile).map(|column| factors.solve(column))));
+                memory.front.set(row, column, transposed(factors.solve_rows(transposed(tile))));
             }
         }
     }

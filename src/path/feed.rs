@@ -42,22 +42,23 @@ pub fn limit_feed<R: Real>(
         feed.partial_cmp(&feed).ok_or(Error::NotFinite)?;
         (feed > R::ZERO).then_some(()).ok_or(Error::Limits)?;
     }
-    let from = states.chunks_exact(axes);
-    let lines = from.clone().zip(from.skip(1));
-    for (zone, ((from, to), &feed)) in limits.chunks_exact_mut(axes).zip(lines.zip(feeds)) {
-        lower(zone, from, to, feed);
+    for (section, &feed) in feeds.iter().enumerate() {
+        let of = section * axes..(section + 1) * axes;
+        let line = states.get(of.start..).unwrap_or_default();
+        lower(limits.get_mut(of).unwrap_or_default(), line, line.get(axes..).unwrap_or_default(), feed);
     }
     Ok(())
 }
 
 /// Lowers the limits of a section.
 fn lower<R: Real>(zone: &mut [Limits<R>], from: &[State<R>], to: &[State<R>], feed: R) {
-    let line = || from.iter().zip(to).map(|(from, to)| (to.position - from.position).abs());
+    let count = zone.len();
+    let line = || from.iter().zip(to).take(count).map(|(from, to)| (to.position - from.position).abs());
     let longest = line().fold(R::ZERO, R::at_least);
     // In parts of the longest one no square leaves the range.
     let parts = || line().map(|way| if longest > R::ZERO { way / longest } else { R::ONE });
     let square = parts().fold(R::ZERO, |sum, part| sum + part * part);
-    let across = R::SIXTEENTH / R::from_index(zone.len() as i32);
+    let across = R::SIXTEENTH / R::from_index(count as i32);
     for (limits, part) in zone.iter_mut().zip(parts()) {
         let speed = feed * (part * part / square * (R::ONE - R::SIXTEENTH) + across).sqrt();
         limits.vmax = limits.vmax.at_most(speed);

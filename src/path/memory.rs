@@ -73,13 +73,26 @@ impl<R: Real> Column<'_, R> {
 /// The unknowns of an axis at a point by those of another: `K` rows.
 pub(super) type Tile<R, const K: usize> = [[R; K]; K];
 
+/// Does this for each of `K` places, which are 2 or 3. No loop: where firmware is small, the compiler unrolls none.
+macro_rules! each {
+    ($place:ident: $done:expr) => {{
+        let $place = 0;
+        $done;
+        let $place = 1;
+        $done;
+        if K > 2 {
+            let $place = 2;
+            $done;
+        }
+    }};
+}
+pub(super) use each;
+
 /// The first `K` numbers.
 #[inline(always)] // the place of each number is known then
 pub(super) fn group<R: Real, const K: usize>(numbers: [R; 3]) -> [R; K] {
     let mut group = [R::ZERO; K];
-    for (number, new) in group.iter_mut().zip(numbers) {
-        *number = new;
-    }
+    each!(k: group[k] = numbers[k]);
     group
 }
 
@@ -87,32 +100,22 @@ pub(super) fn group<R: Real, const K: usize>(numbers: [R; 3]) -> [R; K] {
 #[inline(always)] // the place of each number is known then
 pub(super) fn tile<R: Real, const K: usize>(rows: [[R; 3]; 3]) -> Tile<R, K> {
     let mut tile = [[R::ZERO; K]; K];
-    for (row, numbers) in tile.iter_mut().zip(rows) {
-        *row = group(numbers);
-    }
+    each!(row: tile[row] = group(rows[row]));
     tile
 }
 
 /// A table of tiles.
-pub(super) struct Tiles<'a, R, const K: usize>(&'a mut [R]);
+pub(super) struct Tiles<'a, R, const K: usize>(Table<'a, R, K>);
 
 impl<R: Real, const K: usize> Tiles<'_, R, K> {
     pub fn tile(&self, k: usize) -> Tile<R, K> {
         let mut tile = [[R::ZERO; K]; K];
-        if let Some(numbers) = self.0.get(k * K * K..(k + 1) * K * K) {
-            for (number, found) in tile.as_flattened_mut().iter_mut().zip(numbers) {
-                *number = *found;
-            }
-        }
+        each!(row: tile[row] = self.0.row(K * k + row));
         tile
     }
 
     pub fn set(&mut self, k: usize, tile: Tile<R, K>) {
-        if let Some(numbers) = self.0.get_mut(k * K * K..(k + 1) * K * K) {
-            for (number, new) in numbers.iter_mut().zip(tile.as_flattened()) {
-                *number = *new;
-            }
-        }
+        each!(row: self.0.set(K * k + row, tile[row]));
     }
 }
 
@@ -143,7 +146,7 @@ pub(super) struct Triangles<'a, R, const K: usize> {
 impl<R: Real, const K: usize> Triangles<'_, R, K> {
     pub fn at(&mut self, section: usize) -> Triangle<'_, R, K> {
         let numbers = self.numbers.get_mut(section * self.size..(section + 1) * self.size);
-        Triangle(Tiles(numbers.unwrap_or_default()))
+        Triangle(Tiles(Table(numbers.unwrap_or_default())))
     }
 
     /// The triangle of a section and that of the next one.
@@ -151,7 +154,7 @@ impl<R: Real, const K: usize> Triangles<'_, R, K> {
         let (before, after) = self.numbers.split_at_mut_checked((section + 1) * self.size).unwrap_or_default();
         let [one, next] =
             [before.get_mut(section * self.size..), after.get_mut(..self.size)].map(Option::unwrap_or_default);
-        (Triangle(Tiles(one)), Triangle(Tiles(next)))
+        (Triangle(Tiles(Table(one))), Triangle(Tiles(Table(next))))
     }
 }
 
@@ -274,7 +277,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             bounds: Table(table(6 * way_points)?),
             diagonal: Table(table(3 * way_points)?),
             of_offsets: Table(table(3 * positions)?),
-            coupling: Tiles(table(tile * way_points)?),
+            coupling: Tiles(Table(table(tile * way_points)?)),
             to_duration: Table(table(2 * K * pieces)?),
             gradient: Table(table(K * way_points)?),
             places: Table(table(sections)?),
@@ -286,7 +289,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             mixed: Table(table(sections)?),
             damping: Table(table(sections)?),
             factors: Triangles { numbers: table(triangle * sections)?, size: triangle },
-            front: Triangle(Tiles(table(triangle)?)),
+            front: Triangle(Tiles(Table(table(triangle)?))),
             product: Table(table(K * groups)?),
         })
     }
