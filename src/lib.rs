@@ -107,5 +107,9 @@ pub use state::{Boundary, Saturation, State};
 mod moves {}
 
 #[cfg(doctest)]
+#[doc = include_str!("../docs/path.md")]
+mod waypoints {}
+
+#[cfg(doctest)]
 #[doc = include_str!("../docs/machine.md")]
 mod what_a_loop_holds {}

@@ -10,7 +10,7 @@ import atraj
 import atraj.claraty
 import atraj.f32
 
-PAGE = Path(__file__).parents[2] / "docs/for-python.md"
+PAGES = {Path(__file__).parents[2] / "docs" / name: programs for name, programs in [("for-python.md", 4), ("path.md", 1)]}
 MODULES = [atraj, atraj.f32, atraj.claraty]
 
 
@@ -37,9 +37,10 @@ def test_examples(name):
     assert attempted > 0 and failed == 0
 
 
-def test_the_page_runs():
-    blocks = PAGE.read_text().split("```python\n")[1:]
-    assert len(blocks) == 4
+@pytest.mark.parametrize("page", PAGES)
+def test_the_page_runs(page):
+    blocks = page.read_text().split("```python\n")[1:]
+    assert len(blocks) == PAGES[page]
     for block in blocks:
         exec(block.split("```")[0], {})
 
