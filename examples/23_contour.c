@@ -24,7 +24,7 @@ static double durations[ROOM], work[SIZE];
 static size_t places[ROOM + 1];
 
 /* Reads the corners, mm. The result is how many there are. */
-static int read(char const *name)
+static int read_corners(char const *name)
 {
     FILE *const file = fopen(name, "r");
     int count = 0;
@@ -40,7 +40,7 @@ int main(int argc, char *argv[])
 {
     atraj_limits limits[AXES];
     for (int i = 0; i < AXES; ++i) { atraj_limits_init(&limits[i], 60000, 3000, 100); }
-    int const corners = read(argc > 1 ? argv[1] : "examples/23_contour.csv");
+    int const corners = read_corners(argc > 1 ? argv[1] : "examples/23_contour.csv");
     if (corners < 2) { return 1; }
     if (atraj_path_contour(moves[0], states[0], durations, places, limits, 0.02, AXES, (size_t)corners - 1, ROOM, 0, work) < 0) { return 1; }
     size_t const sections = places[corners - 1];

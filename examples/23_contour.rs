@@ -18,14 +18,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = std::env::args().nth(1).unwrap_or_else(|| "examples/23_contour.csv".into());
     let text = std::fs::read_to_string(file)?;
     let positions = text.lines().skip(1).flat_map(|corner| corner.split(',')); // mm
-    let mut states = positions.map(|position| Ok(State::at(position.parse()?))).collect::<Result<Vec<_>, Box<dyn Error>>>()?;
+    let mut states =
+        positions.map(|position| Ok(State::at(position.parse()?))).collect::<Result<Vec<_>, Box<dyn Error>>>()?;
     let mut places = vec![0; states.len() / 2];
     states.resize(2 * (ROOM + 1), State::at(0.0));
     let limits = [Limits::symmetric(60000.0, 3000.0, 100.0); 2];
     let (mut moves, mut durations) = (vec![Move::default(); 2 * ROOM], vec![0.0; ROOM]);
     let mut work = vec![0.0; path_size(2, ROOM).ok_or("too long")?];
-    let path =
-        Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
+    let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
     plan_contour(path, &limits, 0.02, 2, 0, &mut work)?;
     let sections = places[places.len() - 1];
     println!("Contour of a part: its corners come from a CSV file, and the colour is the speed");

@@ -1,6 +1,6 @@
-//! The arm of example 12 flies by its way points: above the part each joint may be 5 degrees beside its point, and at the part it is exact.
-//! This program prints one setpoint in 50 of a clock of 4 ms: the positions, then the velocities. Then it prints where each point is passed,
-//! and how much time the zones save.
+//! The arm of example 12 flies by its way points: each joint may be 5 degrees beside its point above the part, and 15
+//! degrees on the way home; at the part it is exact. This program prints one setpoint in 50 of a clock of 4 ms: the positions, then the
+//! velocities. Then it prints where each point is passed, and how much time the zones save.
 //!
 //! ```sh
 //! cargo run --example 24_zones
@@ -18,7 +18,7 @@ const POINTS: [[f64; 6]; 5] = [
     [-45.0, -70.0, 80.0, 20.0, -30.0, -90.0],
     [0.0, -90.0, 90.0, 0.0, 0.0, 0.0], // home
 ];
-const TOLERANCES: [f64; 3] = [5.0, 0.0, 5.0];
+const TOLERANCES: [f64; 3] = [5.0, 0.0, 15.0];
 
 fn main() -> Result<(), Error> {
     let large = Limits::symmetric(4000.0, 500.0, 120.0);

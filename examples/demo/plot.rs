@@ -31,7 +31,7 @@ const ARM: &[&str] = &["joint 1", "joint 2", "joint 3", "joint 4", "joint 5", "j
 const SHAPERS: &[&str] = &["ZV", "MZV", "ZVD", "EI", "EI2"];
 const ORIGINAL: &str = "a_trajbell_gen";
 const ORIGINALS: &[(usize, &str, Color)] = &[(0, ORIGINAL, GREY), (1, ORIGINAL, GREY), (2, ORIGINAL, GREY)];
-const PICTURES: [Picture; 24] = [
+const PICTURES: [Picture; 26] = [
     Picture("01_relink", "m", ALONE, 4, &[]),
     Picture("02_follow", "m", ALONE, 4, &[]),
     Picture("03_sample", "m", ALONE, 3, &[]),
@@ -54,7 +54,9 @@ const PICTURES: [Picture; 24] = [
     Picture("20_hold", "m", PLANE, 3, &[]),
     Picture("21_swing", "m", AXIS, 3, &[(0, "load", COLORS[1]), (0, "load without a shaper", COLORS[2])]),
     Picture("22_two_steppers", "mm", PLANE, 1, &[]),
-    Picture("23_printer", "mm", PLANE, 2, &[(1, "filament", COLORS[3])]),
+    Picture("23_contour", "mm", PLANE, 1, &[(1, "speed", INK)]),
+    Picture("24_zones", "deg", ARM, 2, &[]),
+    Picture("25_printer", "mm", PLANE, 2, &[(1, "filament", COLORS[3])]),
     Picture("sensitivity", "%", SHAPERS, 1, &[]),
 ];
 
@@ -64,6 +66,13 @@ const COLORS: [Color; 6] = ["#1F5AA6", "#18804E", "#CC5500", "#8C2882", "#AA8200
 const LIMIT: Color = "#C81E32";
 const INK: Color = "#282C34";
 const GREY: Color = "#646A74";
+/// A speed below the number, mm/s.
+const SPEEDS: [(f64, &str, Color); 4] = [
+    (30.0, "below 30 mm/s", COLORS[3]),
+    (60.0, "below 60 mm/s", COLORS[2]),
+    (90.0, "below 90 mm/s", COLORS[4]),
+    (f64::INFINITY, "faster", COLORS[1]),
+];
 /// What these are on a dark page, in their order.
 const DARK: [Color; 9] =
     ["#7FB2F0", "#5FCF97", "#F2A65A", "#E18CD7", "#DEBE50", "#6ECDE1", "#FF7882", "#E6E7E9", "#979DA6"];
@@ -120,7 +129,8 @@ impl Picture {
         let panel = |name, height| Panel { name, x: times.clone(), marks: marks.clone(), height, ..Panel::default() };
         let mut panels = Vec::new();
         // The plane shows the positions, and the first colours mean its paths.
-        for quantity in usize::from(paths > 0)..quantities {
+        let last_quantity = columns.iter().map(|column| column.0).max().unwrap_or(0);
+        for quantity in usize::from(paths > 0)..=last_quantity {
             let unit = unit.to_owned() + ["", "/s", "/s^2", "/s^3"][quantity];
             let name = if unit == "%" { "vibration" } else { QUANTITIES[quantity] };
             let mut panel = panel(format!("{name} [{}]", unit.replace("^2", "²").replace("^3", "³")), 166.0);
@@ -140,7 +150,7 @@ impl Picture {
         }
         panels.last_mut().unwrap().x_name = if unit == "%" { "frequency [Hz]" } else { "time [s]" };
         if paths > 0 {
-            panels.insert(0, plane(&parts, unit));
+            panels.insert(0, plane(&parts, unit, columns[columns.len() - 1].1 == "speed"));
         }
         panels
     }
@@ -177,8 +187,8 @@ fn levels<'a>(text: &'a str, unit: &str) -> Vec<Level<'a>> {
     levels
 }
 
-/// The paths, and where the marks are on them. The name of a path is the line before it.
-fn plane<'a>(parts: &[&'a str], unit: &str) -> Panel<'a> {
+/// The paths, and where the marks are on them. The name of a path is the line before it, unless its colour is the speed.
+fn plane<'a>(parts: &[&'a str], unit: &str, has_speed: bool) -> Panel<'a> {
     let x_name = if unit == "mm" { "x [mm]" } else { "x [m]" };
     let mut plane = Panel { name: x_name.replace('x', "y"), x_name, ..Panel::default() };
     for (i, part) in parts.iter().enumerate().skip(1) {
@@ -186,6 +196,10 @@ fn plane<'a>(parts: &[&'a str], unit: &str) -> Panel<'a> {
         let place = |row: &Vec<f64>| (row[1], row[2]);
         let marked = marks(part).into_iter().filter_map(|mark| rows.iter().find(|row| row[0] >= mark.0));
         plane.places.extend(marked.map(place));
+        if has_speed {
+            plane.curves.extend(by_speed(&rows));
+            continue;
+        }
         // What does not move is no path.
         let color = if rows[0].len() > 3 { COLORS[i - 1] } else { GREY };
         plane.curves.push((parts[i - 1].lines().last().unwrap(), color, rows.iter().map(place).collect()));
@@ -195,6 +209,20 @@ fn plane<'a>(parts: &[&'a str], unit: &str) -> Panel<'a> {
     // The same scale in both directions.
     let height = (SIDES.end - SIDES.start) * (y.end - y.start) / (x.end - x.start);
     Panel { x, height, ..plane }
+}
+
+/// The path in pieces of about the same speed, which is the third number.
+fn by_speed(rows: &[Vec<f64>]) -> Vec<Curve<'static>> {
+    let class = |row: &Vec<f64>| SPEEDS.iter().position(|speed| row[3] < speed.0).unwrap_or(SPEEDS.len() - 1);
+    let mut end = 0;
+    let pieces = rows.chunk_by(|row, next| class(row) == class(next)).map(|piece| {
+        let start = end;
+        end += piece.len();
+        let (_, name, color) = SPEEDS[class(&piece[0])];
+        // A piece ends where the next one begins.
+        (name, color, rows[start..rows.len().min(end + 1)].iter().map(|row| (row[1], row[2])).collect())
+    });
+    pieces.collect()
 }
 
 fn draw(text: &str, panels: &[Panel]) -> String {

@@ -5,7 +5,7 @@
  1 ms: where the nozzle is, and how fast it and the filament are.
 
      make dist
-     c++ -Itarget/dist/include examples/23_printer.cpp target/dist/lib/libatraj.a -lm -o printer
+     c++ -Itarget/dist/include examples/25_printer.cpp target/dist/lib/libatraj.a -lm -o printer
 */
 #include "atraj/clock.h"
 #include "atraj/path.h"

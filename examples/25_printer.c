@@ -5,7 +5,7 @@
  1 ms: where the nozzle is, and how fast it and the filament are.
 
      make dist
-     cc -Itarget/dist/include examples/23_printer.c target/dist/lib/libatraj.a -lm -o printer
+     cc -Itarget/dist/include examples/25_printer.c target/dist/lib/libatraj.a -lm -o printer
 */
 #include "atraj/clock.h"
 #include "atraj/path.h"

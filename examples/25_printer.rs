@@ -4,7 +4,7 @@
 //! 1 ms: where the nozzle is, and how fast it and the filament are.
 //!
 //! ```sh
-//! cargo run --example 23_printer
+//! cargo run --example 25_printer
 //! ```
 
 use atraj::State;
