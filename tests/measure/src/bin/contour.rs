@@ -23,9 +23,9 @@ const TEETH: u32 = 20;
 const RADII: [f64; 2] = [18.0, 22.0];
 
 fn main() -> Result<(), Error> {
-    println!("part,points given,within mm,points,s,largest deviation mm,ms");
+    println!("part,points given,within mm,points,s,largest deviation mm,highest speed mm/s,ms");
     for (part, points) in [("star", star()), ("gear wheel", gear_wheel())] {
-        println!("{part} with a stop at each point,{},,,{:.3},0,", points.len(), stopping(&points)?);
+        println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&points)?);
         through(part, &points)?;
         for tolerance in [0.1, 0.05, 0.02, 0.01, 0.005] {
             within(part, &points, tolerance, f64::INFINITY)?;
@@ -37,6 +37,7 @@ fn main() -> Result<(), Error> {
     }
     for feed in [60.0, 20.0] {
         within(&format!("gear wheel at {feed} mm/s"), &points, 0.01, feed)?;
+        within(&format!("circle of 314 mm at {feed} mm/s"), &circle(), 0.1, feed)?;
     }
     Ok(())
 }
@@ -48,6 +49,15 @@ fn star() -> Vec<Point> {
         [8.0 * sin, 10.0 * cos]
     };
     [0.0, 2.0, 4.0, 1.0, 3.0, 0.0].map(corner).to_vec()
+}
+
+/// A circle of 64 chords.
+fn circle() -> Vec<Point> {
+    let point = |k| {
+        let (sin, cos) = (f64::from(k) * PI / 32.0).sin_cos();
+        [50.0 * cos, 50.0 * sin]
+    };
+    (0..=64).map(point).collect()
 }
 
 /// A wheel with 50 segments for each tooth: 18 for each flank, which is an involute, 7 at the tip, and 7 at the root.
@@ -104,12 +114,6 @@ fn within(part: &str, points: &[Point], tolerance: f64, feed: f64) -> Result<(),
     let moves = contour(&states(points), tolerance, feed);
     let (moves, start) = (moves.0?, moves.1);
     print(part, points, &tolerance.to_string(), &moves, start);
-    if feed < f64::INFINITY {
-        let speed = |section: &[Move<f64>], x: f64| section[0].velocity(x).hypot(section[1].velocity(x));
-        let speeds =
-            moves.chunks(2).flat_map(|section| (0..=100).map(|k| speed(section, 0.01 * f64::from(k) * section[0].t)));
-        println!("largest speed,,,,,{:.3} mm/s,", speeds.fold(0.0, f64::max));
-    }
     Ok(())
 }
 
@@ -151,5 +155,11 @@ fn print(part: &str, points: &[Point], tolerance: &str, moves: &[Move<f64>], sta
     let took = start.elapsed().as_secs_f64() * 1e3;
     let duration: f64 = moves.iter().step_by(2).map(|axis| axis.t).sum();
     let [given, count] = [points.len(), moves.len() / 2 + 1];
-    println!("{part},{given},{tolerance},{count},{duration:.3},{:.4},{took:.0}", path_deviation(moves, 2));
+    let speed = |section: &[Move<f64>], x: f64| section[0].velocity(x).hypot(section[1].velocity(x));
+    let times = |section: &[Move<f64>]| {
+        (0..=100).map(|k| 0.01 * f64::from(k)).map(|part| part * section[0].t).collect::<Vec<_>>()
+    };
+    let speeds = moves.chunks(2).flat_map(|section| times(section).into_iter().map(|x| speed(section, x)));
+    let (deviation, highest) = (path_deviation(moves, 2), speeds.fold(0.0, f64::max));
+    println!("{part},{given},{tolerance},{count},{duration:.3},{deviation:.4},{highest:.2},{took:.0}");
 }
