@@ -356,7 +356,7 @@ fn at_the_border_of_the_range<R: Real>() {
 /// `OVERSHOOTS` had a tolerance that no header named.
 fn named_tolerance<R: Real>() {
     let header = fs::read_to_string(root().join("include/atraj/codes.h")).expect("a header");
-    assert!(header.contains("128 roundings in a plan"), "{header}");
+    assert!(header.contains("128 ulps in a plan"), "{header}");
     let (one, start) = (R::of(1.0), State::at(R::of(1.0)));
     let limits = Limits::symmetric(one, one, one);
     let (mut within, mut beyond) = (0, 0);
