@@ -38,14 +38,17 @@ impl<R: Real> Cycle<R> {
         if t.is_finite() { Ok(t) } else { Err(Error::NotFinite) }
     }
 
-    /// The shortest duration that all axes can take up to rounding: the possible one `t`, or one of their own `durations`, or its nearest tick.
-    /// Near its end each axis has a duration with rounding errors of its own, and the next possible one may be far away.
+    /// The shortest duration that all axes can take up to rounding, if it is much below the possible duration `t`: one of their own
+    /// `durations`, or its nearest tick. Near its end each axis has a duration with rounding errors of its own, and the next possible one may
+    /// be far away.
     pub fn earlier(&self, t: R, slowest: R, durations: impl Iterator<Item = R>, all_take: impl Fn(R) -> bool) -> R {
         let mut shortest = t;
+        // Less is not worth asking each axis.
+        if t <= slowest + R::EPSILON.sqrt() * slowest {
+            return t;
+        }
         let least = (slowest - rounding_of_duration(slowest)).at_least(self.earliest - of_formula(self.earliest));
-        // Without a gap there is nothing to gain.
-        let candidates = durations.chain([slowest]).filter(|_| t > slowest);
-        for tick in candidates.map(|duration| self.nearest(duration)) {
+        for tick in durations.chain([slowest]).map(|duration| self.nearest(duration)) {
             if tick < shortest && tick >= least && all_take(tick) {
                 shortest = tick;
             }
@@ -99,5 +102,15 @@ mod tests {
             cycle.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
         };
         assert!(is_asked(0.75) && !is_asked(1.5));
+    }
+
+    #[test]
+    fn a_gap_of_a_rounding_error_is_none() {
+        let cycle = Cycle::new(0.0, 0.0).expect("a cycle");
+        let is_gap = |roundings: f64| {
+            let t = 1.0 + roundings * f64::exp2(-26.0);
+            cycle.earlier(t, 1.0, [].into_iter(), |_| true) < t
+        };
+        assert!(!is_gap(0.75) && is_gap(1.5));
     }
 }
