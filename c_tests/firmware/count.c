@@ -347,6 +347,46 @@ static void paths(void) {
     print("path", "", "fastest-memory", sizeof(posed_path.work));
 }
 
+/* Longer paths through the same kind of points, and a window of 16 sections that moves on by one. */
+enum { MOST_POINTS = 64, LONG = MOST_POINTS + 1, WIDE = 16, LONG_SIZE = LONG * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+static atraj_state long_states[(LONG + 1) * AXES];
+static a_float long_durations[LONG], long_work[LONG_SIZE];
+static size_t long_sections;
+
+static a_float plan_long(void) {
+    return (a_float)atraj_path_plan(long_states, long_durations, posed_path.limits, AXES, long_sections, 0, long_work);
+}
+static a_float improve_long(void) {
+    return (a_float)atraj_path_improve(long_states, long_durations, posed_path.limits, AXES, WIDE, STEPS, long_work);
+}
+
+static void put_long(unsigned point, unsigned place) {
+    put_point(&posed_path, point / 3, point, 0);
+    memcpy(long_states + place * AXES, posed_path.states, AXES * sizeof(atraj_state));
+}
+
+static void print_long(const char *what, cost c, size_t sections) {
+    print("paths", what, "-instructions", c.instructions);
+    print("paths", what, "-stack", c.stack);
+    print("paths", what, "-memory", (uint32_t)(atraj_path_size(AXES, sections) * sizeof(a_float)));
+}
+
+static void long_paths(void) {
+    static const struct { const char *name; size_t points; } cases[] = {{"4", 4}, {"16", 16}, {"64", 64}};
+    a_float const none[9] = {0};
+    pose_path(&posed_path, 0);
+    for (size_t i = 0; i != sizeof(cases) / sizeof(*cases); ++i) {
+        long_sections = cases[i].points + 1;
+        for (unsigned point = 0; point <= long_sections; ++point) { put_long(point, point); }
+        print_long(cases[i].name, measure((void (*)(void))plan_long, NULL, none), long_sections);
+    }
+    memmove(long_states, long_states + AXES, WIDE * AXES * sizeof(atraj_state));
+    memmove(long_durations, long_durations + 1, (WIDE - 1) * sizeof(a_float));
+    put_long(WIDE, WIDE);
+    long_durations[WIDE - 1] = 0;
+    print_long("window", measure((void (*)(void))improve_long, NULL, none), WIDE);
+}
+
 static void trap(void) {
     a_trajtrap ctx;
     ONCE(trap_gen, "cruise", ctx, 5, 4, -3, 0, 50, 0, 0);
@@ -385,6 +425,6 @@ int main(void) {
     if (atraj_moves_sync) { axes(); }
     if (atraj_axis_tick) { axis(); }
     if (atraj_steps_next) { machine(); }
-    if (atraj_path_plan) { paths(); }
+    if (atraj_path_plan) { paths(), long_paths(); }
     return 0;
 }

@@ -23,6 +23,10 @@ function row(table, label, name, what, against,   limit) {
     limit = figure[build, "original" against, name, what]
     if (limit != "") { printf "%s,%s,%s,%.2f\n", build, label, figures(name, what), figure[build, "ours", name, what] / limit > file(table) }
 }
+function path(label, what) {
+    printf "%s,%s,%s,%s,%s\n", build, label, figure[build, "ours", "paths", what "-instructions"], figure[build, "ours", "paths", what "-stack"],
+        figure[build, "ours", "paths", what "-memory"] > file("paths")
+}
 function plan(name,   library) {
     library = name ~ /^a_/ ? "originalO2" : "ours"
     printf "%s,%s,%s", build, name, name ~ /^a_/ ? "C -O2" : "ours" > file("plans")
@@ -34,6 +38,7 @@ END {
     print "core,real,function,case,ours,C -Os,C -O2,ours / C -O2" > file("instructions")
     print "core,real,function,library,flash,mean instructions,most instructions,stack" > file("plans")
     print "core,real,function,ours,C -Os,C -O2" > file("stack")
+    print "core,real,path of three axes,instructions,stack,working memory" > file("paths")
     plan_count = split("atraj_bell_gen a_trajbell_gen atraj_trap_gen a_trajtrap_gen atraj_move_plan atraj_move_stop atraj_move_meet " \
         "atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer atraj_moves_sync atraj_moves_line atraj_moves_sync_within " \
         "atraj_axis_tick atraj_axis_go atraj_axis_track atraj_steps_next atraj_shaper_state atraj_clock_rate atraj_clock_state " \
@@ -55,5 +60,9 @@ END {
         print build ",paths and atraj_moves_sync with libgcc and libm," figure[build, "ours", "paths", "fastest-flash"] ",,," > file("size")
         print build ",working memory of a path," figure[build, "ours", "path", "fastest-memory"] ",,," > file("size")
         for (p = 1; p <= plan_count; ++p) { plan(plans[p]) }
+        path("4 waypoints", "4")
+        path("16 waypoints", "16")
+        path("64 waypoints", "64")
+        path("a window of 16 sections moved on by one", "window")
     }
 }
