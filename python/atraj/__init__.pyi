@@ -470,7 +470,8 @@ def line_stop(limits: _LimitsOfAxes, moves: Moves, x: float) -> Moves:
     True"""
 @final
 class Path(Axes):
-    """A motion of several axes through way points, without stops between them unless an axis must turn there: what `path` plans."""
+    """A motion of several axes through way points, without stops between them unless an axis must turn there: what `path` plans.
+    It is a sequence of the `Moves` of its sections."""
     @property
     def times(self) -> _Array:
         """The times at which the points are passed, s, from 0 to `t`."""
@@ -482,6 +483,18 @@ class Path(Axes):
         >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
         >>> round(atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).deviation, 2)
         0.82"""
+    @property
+    def phases(self) -> list[list[Phase]]:
+        """For each axis its phases of constant jerk, in order of time, each a `Phase`. Their starts are times of the path, s.
+
+        >>> import atraj
+        >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+        >>> x, y = atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).phases
+        >>> y[-1].jerk
+        30.0"""
+    def __len__(self) -> int: ...
+    def __getitem__(self, section: int, /) -> Moves: ...
+    def __iter__(self) -> Iterator[Moves]: ...
     def improve(self, *, steps: int = 0) -> Path:
         """A path through the same points that is not longer, from at most `steps` steps (0: as many as the path needs, at most 48).
 

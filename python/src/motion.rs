@@ -284,18 +284,33 @@ pub trait Rows<R> {
     /// Position, velocity, acceleration and jerk of an axis.
     fn quantities(&self, x: R, axis: usize) -> [R; 4];
 
+    /// Writes a quantity, or all four into an array each, of all axes: a row for each of the times, s.
+    fn write(&self, times: &[R], quantity: Option<usize>, arrays: &mut [&mut [R]])
+    where
+        R: Number,
+    {
+        for (k, &x) in times.iter().enumerate() {
+            for axis in 0..self.axes() {
+                let numbers = self.quantities(x, axis);
+                for (rows, number) in arrays.iter_mut().zip(&numbers[quantity.unwrap_or(0)..]) {
+                    rows[k * self.axes() + axis] = *number;
+                }
+            }
+        }
+    }
+
     /// A quantity of all axes at a time, s, or at each of an array of times.
     fn rows<'py>(&self, times: &Bound<'py, PyAny>, quantity: usize) -> PyResult<Bound<'py, PyAny>>
     where
         R: Number,
     {
-        let [rows] = self.some_rows(times, [quantity])?;
+        let [rows] = self.some_rows(times, Some(quantity))?;
         Ok(rows)
     }
 
-    /// Some quantities of all axes at a time, s, or at each of an array of times.
+    /// A quantity, or all four, of all axes at a time, s, or at each of an array of times: `N` arrays.
     fn some_rows<'py, const N: usize>(
-        &self, times: &Bound<'py, PyAny>, wanted: [usize; N],
+        &self, times: &Bound<'py, PyAny>, quantity: Option<usize>,
     ) -> PyResult<[Bound<'py, PyAny>; N]>
     where
         R: Number,
@@ -305,7 +320,7 @@ pub trait Rows<R> {
         let shape = times.shape().iter().copied().chain([self.axes()]);
         let shape = PyTuple::new(py, shape.collect::<Vec<_>>())?;
         let mut arrays = Vec::new();
-        for _ in wanted {
+        for _ in 0..N {
             arrays.push(empty::<R>(py, shape.clone())?);
         }
         let numbers = arrays.iter().map(|array| array.extract());
@@ -314,14 +329,7 @@ pub trait Rows<R> {
         for array in &mut numbers {
             slices.push(array.as_slice_mut()?);
         }
-        for (k, &x) in times.as_slice()?.iter().enumerate() {
-            for axis in 0..self.axes() {
-                let quantities = self.quantities(x, axis);
-                for (slice, quantity) in slices.iter_mut().zip(wanted) {
-                    slice[k * self.axes() + axis] = quantities[quantity];
-                }
-            }
-        }
+        self.write(times.as_slice()?, quantity, &mut slices);
         arrays.try_into().map_err(|_| error("a quantity has no array"))
     }
 
@@ -331,7 +339,7 @@ pub trait Rows<R> {
         R: Number,
     {
         let times = request.times(py, t)?;
-        let [p, v, a, j] = self.some_rows(&times, [0, 1, 2, 3])?;
+        let [p, v, a, j] = self.some_rows(&times, None)?;
         named(py, "Samples", (times, p, v, a, j))
     }
 }

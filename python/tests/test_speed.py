@@ -62,6 +62,20 @@ def test_a_million_samples():
     assert python <= MOST * c
 
 
+MOST_OF_A_MOVE = 2  # times the positions of one axis
+
+
+def test_positions_of_a_path():
+    limits = [atraj.Limits(jerk=60000, acceleration=3000, velocity=100)] * 2
+    turns = np.linspace(0, 2 * np.pi, 101)
+    path = atraj.path(limits, np.stack([50 * np.cos(turns), 50 * np.sin(turns)], 1).tolist())
+    move, times = atraj.Move.plan(limits[0], 0, 50), np.linspace(0, 1, SAMPLES)
+    of_path, of_move = fastest(lambda: path.position(path.t * times), lambda: move.position(move.t * times))
+    of_path, of_move = of_path / (2 * SAMPLES), of_move / SAMPLES
+    print(f"positions of a path of 100 sections: {1e9 * of_path:.1f} ns a number, {of_path / of_move:.2f} times those of a move")
+    assert of_path <= MOST_OF_A_MOVE * of_move
+
+
 PROBLEMS = 500
 MOST_OF_RUCKIG = 1.5  # times its calculation alone, whose input is there before, or its state
 

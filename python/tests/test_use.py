@@ -321,6 +321,41 @@ def test_a_path_leaves_its_lines(real):
 
 
 @reals
+def test_a_path_is_a_sequence_of_sections(real):
+    path = real.module.path([LIMITS] * 3, POINTS)
+    assert len(path) == len(POINTS) - 1 and [moves.t for moves in path] == [path[k].t for k in range(len(path))]
+    for k, moves in enumerate(path):
+        assert moves == path[k] == path[k - len(path)] and isinstance(moves, real.module.Moves)
+        assert moves.position([0, moves.t]).tolist() == POINTS[k : k + 2]
+    for k in [len(path), -len(path) - 1]:
+        with pytest.raises(IndexError, match=rf"section {k} of {len(path)} sections"):
+            path[k]
+
+
+@reals
+def test_the_phases_of_a_path(real):
+    path = real.module.path([LIMITS] * 3, POINTS)
+    assert len(path.phases) == 3
+    for axis, phases in enumerate(path.phases):
+        assert [phase.start for phase in phases] == sorted(phase.start for phase in phases)
+        for start, duration, position, velocity, acceleration, jerk in phases:
+            middle = path.state_at(start + duration / 2)[axis]
+            half, close = duration / 2, 1e-4 if real.dtype == np.float32 else 1e-12
+            assert middle.acceleration == pytest.approx(acceleration + half * jerk, abs=60 * close)
+            assert middle.velocity == pytest.approx(velocity + half * (acceleration + half * jerk / 2), abs=20 * close)
+            assert middle.position == pytest.approx(position + half * (velocity + half * (acceleration / 2 + half * jerk / 6)), abs=9 * close)
+
+
+@reals
+def test_an_array_of_times_has_the_values_of_single_times(real):
+    path = real.module.path([LIMITS] * 3, POINTS)
+    times = np.concatenate([np.linspace(-0.1, path.t + 0.1, 301), path.times, [math.nan, math.inf, -math.inf]]).astype(real.dtype)
+    for times in [times, times[::-1], np.random.default_rng(1).permutation(times)]:
+        for value in [path.position, path.velocity, path.acceleration, path.jerk]:
+            assert np.array_equal(value(times), np.stack([value(float(x)) for x in times]), equal_nan=True)
+
+
+@reals
 def test_a_path_keeps_its_limits_and_does_not_jump(real):
     limits = [LIMITS, atraj.Limits(4, -5, 20, -15, 60, -50), LIMITS]
     t, p, v, a, j = real.module.path(limits, POINTS).sample(0.001)

@@ -27,6 +27,9 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// The lowest and the highest position of an axis that may be anywhere.
 pub const ANYWHERE: [Real; 2] = [Real::NEG_INFINITY, Real::INFINITY];
 
+/// So many times are evaluated for one axis after the other: their rows stay in the cache.
+const BLOCK: usize = 512;
+
 /// A planned motion of several axes: what `Moves` and `Path` have in common.
 ///
 /// Times are in seconds since the start of the motion. A result has one number for each axis, and an array of times gives one such row for
@@ -71,17 +74,60 @@ impl Axes {
         Ok(limits)
     }
 
-    /// The motions at the time `x`, s, and the time since the start of their section, s. A NaN is at the end, as for one axis.
-    fn at(&self, x: Real) -> (&[Motion<Real>], Real) {
-        let later = |start: &Real| x.is_nan() || *start <= x;
-        let begun = self.times.partition_point(later);
-        let section = begun.saturating_sub(1).min(self.sections.len() - 1);
-        let motions = &self.sections[section];
-        let is_over = section > 0 && begun == self.times.len();
-        // The sum of the durations is rounded, and the end is where the last section ends.
-        let since = if is_over { motions[0].t + (x - self.lasts()) } else { x - self.times[section] };
-        (motions, since)
+    /// The section at the time `x`, s. A NaN is at the end, as for one axis.
+    fn section(&self, x: Real) -> usize {
+        let begun = self.times.partition_point(|start| x.is_nan() || *start <= x);
+        begun.saturating_sub(1).min(self.sections.len() - 1)
     }
+
+    /// The time since the start of the section at the time `x`, s.
+    fn since(&self, section: usize, x: Real) -> Real {
+        let is_over = section > 0 && (x.is_nan() || self.lasts() <= x);
+        // The sum of the durations is rounded, and the end is where the last section ends.
+        if is_over { self.sections[section][0].t + (x - self.lasts()) } else { x - self.times[section] }
+    }
+
+    /// Writes a row of the values of all axes for each of the times, s. Times that follow each other in one section share the search for it.
+    fn fill(&self, times: &[Real], rows: &mut [Real], value: impl Fn(&Motion<Real>, Real) -> Real) {
+        let axes = self.axes();
+        let (mut times, mut rows) = (times, rows);
+        while let Some(&first) = times.first() {
+            let section = self.section(first);
+            let lasting = self.times[section]..self.times[section + 1];
+            let inside = times.iter().take(BLOCK).take_while(|x| lasting.contains(x)).count();
+            let since = |x| if inside > 0 { x - lasting.start } else { self.since(section, x) };
+            let (here, later) = times.split_at(inside.max(1));
+            let (now, then) = rows.split_at_mut(axes * here.len());
+            for (axis, motion) in self.sections[section].iter().enumerate() {
+                for (row, &x) in now.chunks_exact_mut(axes).zip(here) {
+                    row[axis] = value(motion, since(x));
+                }
+            }
+            (times, rows) = (later, then);
+        }
+    }
+
+    /// Writes position, velocity, acceleration and jerk of all axes into an array each: a row for each of the times, s.
+    fn fill_all(&self, times: &[Real], arrays: &mut [&mut [Real]]) {
+        let axes = self.axes();
+        for (k, &x) in times.iter().enumerate() {
+            let section = self.section(x);
+            let since = self.since(section, x);
+            for (axis, motion) in self.sections[section].iter().enumerate() {
+                for (rows, number) in arrays.iter_mut().zip(motion.state(since)) {
+                    rows[k * axes + axis] = number;
+                }
+            }
+        }
+    }
+}
+
+/// The place in a sequence of `count` items, from its end on if it is negative. `names` are those of one item and of several.
+pub fn place(index: isize, count: usize, names: [&str; 2]) -> PyResult<usize> {
+    let from_start = if index < 0 { index + count as isize } else { index };
+    let [one, several] = names;
+    let none = || PyIndexError::new_err(format!("{one} {index} of {count} {several}"));
+    usize::try_from(from_start).ok().filter(|&place| place < count).ok_or_else(none)
 }
 
 impl Rows<Real> for Axes {
@@ -90,8 +136,18 @@ impl Rows<Real> for Axes {
     }
 
     fn quantities(&self, x: Real, axis: usize) -> [Real; 4] {
-        let (motions, x) = self.at(x);
-        motions[axis].state(x)
+        let section = self.section(x);
+        self.sections[section][axis].state(self.since(section, x))
+    }
+
+    fn write(&self, times: &[Real], quantity: Option<usize>, arrays: &mut [&mut [Real]]) {
+        match (quantity, arrays) {
+            (Some(0), [rows]) => self.fill(times, rows, Motion::position),
+            (Some(1), [rows]) => self.fill(times, rows, Motion::velocity),
+            (Some(2), [rows]) => self.fill(times, rows, Motion::acceleration),
+            (Some(_), [rows]) => self.fill(times, rows, Motion::jerk),
+            (_, arrays) => self.fill_all(times, arrays),
+        }
     }
 }
 
@@ -131,8 +187,9 @@ impl Axes {
 
     /// The `State` of each axis at the time `x`, s: where another plan starts.
     fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyList>> {
-        let (motions, x) = self.at(x);
-        let states = motions.iter().map(|motion| to_state(py, motion.state_at(x)));
+        let section = self.section(x);
+        let since = self.since(section, x);
+        let states = self.sections[section].iter().map(|motion| to_state(py, motion.state_at(since)));
         PyList::new(py, states.collect::<PyResult<Vec<_>>>()?)
     }
 
@@ -195,7 +252,7 @@ impl Axes {
 pub struct Moves;
 
 impl Moves {
-    fn of(axes: Vec<Motion<Real>>, findings: Findings) -> PyClassInitializer<Self> {
+    pub fn of(axes: Vec<Motion<Real>>, findings: Findings) -> PyClassInitializer<Self> {
         PyClassInitializer::from(Axes::new(vec![axes], findings)).add_subclass(Self)
     }
 
@@ -216,12 +273,8 @@ impl Moves {
     }
 
     fn __getitem__(slf: &Bound<'_, Self>, axis: isize) -> PyResult<Py<Move>> {
-        let count = Self::__len__(slf) as isize;
-        let from_start = if axis < 0 { axis + count } else { axis };
-        let found = usize::try_from(from_start).ok();
-        let mut all = Self::all(slf)?.into_iter();
-        let none = || PyIndexError::new_err(format!("axis {axis} of {count} axes"));
-        found.and_then(|axis| all.nth(axis)).ok_or_else(none)
+        let axis = place(axis, Self::__len__(slf), ["axis", "axes"])?;
+        Ok(Self::all(slf)?.swap_remove(axis))
     }
 
     fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

@@ -4,18 +4,18 @@ use atraj::axes::{
     Contour, improve_path, limit_feed, path_deviation, path_moves, path_size, path_size_near, plan_contour, plan_path,
     plan_path_near,
 };
-use atraj::online::{Limits, Move};
+use atraj::online::{Limits, Move, Phase};
 use atraj::{Findings, State};
 use numpy::PyArray1;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyList, PyTuple};
 
 use super::Real;
-use super::axes::{ANYWHERE, Axes};
+use super::axes::{ANYWHERE, Axes, Moves, place};
 use super::profiles::rebuilding;
 use crate::motion::Rows;
-use crate::values::{GivenLimits, GivenState, error, limits_numbers, state_numbers};
+use crate::values::{GivenLimits, GivenState, error, limits_numbers, state_numbers, to_phase};
 use crate::why::each_alone;
 
 /// Adds the class and the function to a module.
@@ -25,7 +25,8 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 }
 
 /// A motion of several axes through way points, without stops between them unless an axis must turn there: what `path` plans.
-#[pyclass(frozen, extends = Axes)]
+/// It is a sequence of the `Moves` of its sections.
+#[pyclass(frozen, extends = Axes, sequence)]
 pub struct Path {
     /// The states of all axes, point by point.
     states: Vec<State<Real>>,
@@ -110,6 +111,11 @@ impl Path {
         let base = PyClassInitializer::from(Axes::new(sections, findings));
         Py::new(py, base.add_subclass(Self { states, limits }))
     }
+
+    fn section(slf: &Bound<'_, Self>, section: usize) -> PyResult<Py<Moves>> {
+        let Axes { sections, findings, .. } = slf.as_super().get();
+        Py::new(slf.py(), Moves::of(sections[section].clone(), *findings))
+    }
 }
 
 #[pymethods]
@@ -130,6 +136,40 @@ impl Path {
     fn deviation(slf: &Bound<'_, Self>) -> Real {
         let axes = slf.as_super().get();
         path_deviation(&axes.sections.concat(), axes.axes())
+    }
+
+    /// For each axis its phases of constant jerk, in order of time, each a `Phase`. Their starts are times of the path, s.
+    ///
+    /// >>> import atraj
+    /// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
+    /// >>> x, y = atraj.path(limits, [[0, 0], [3, 1], [4, 5]]).phases
+    /// >>> y[-1].jerk
+    /// 30.0
+    #[getter]
+    fn phases<'py>(slf: &Bound<'py, Self>) -> PyResult<Vec<Vec<Bound<'py, PyAny>>>> {
+        let axes = slf.as_super().get();
+        let sections = || axes.sections.iter().zip(&axes.times);
+        let of_axis = |axis: usize| {
+            let phases = sections().flat_map(move |(moves, begun)| {
+                let used = moves[axis].phase.iter().take(moves[axis].count as usize);
+                used.map(move |phase| to_phase(slf.py(), Phase { start: begun + phase.start, ..*phase }))
+            });
+            phases.collect()
+        };
+        (0..axes.axes()).map(of_axis).collect()
+    }
+
+    fn __len__(slf: &Bound<'_, Self>) -> usize {
+        slf.as_super().get().sections.len()
+    }
+
+    fn __getitem__(slf: &Bound<'_, Self>, section: isize) -> PyResult<Py<Moves>> {
+        Self::section(slf, place(section, Self::__len__(slf), ["section", "sections"])?)
+    }
+
+    fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let sections = (0..Self::__len__(slf)).map(|section| Self::section(slf, section));
+        Ok(PyList::new(slf.py(), sections.collect::<PyResult<Vec<_>>>()?)?.try_iter()?.into_any())
     }
 
     /// A path through the same points that is not longer, from at most `steps` steps (0: as many as the path needs, at most 48).
