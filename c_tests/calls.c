@@ -450,6 +450,9 @@ static int clock_of_a_path(void) {
     PROMISE(atraj_clock_rate(&ctx, *moved, reserve, 2, 2, until, 1) == 0);
     atraj_clock_state(&ctx, *moved, 2, 2, until + 50, &now.p, &now.v, &now.a, A_NULL);
     PROMISE(is(now, 10, 0, 0));
+    atraj_clock_rebase(&ctx, until), until = 0;
+    PROMISE(atraj_clock_rate(&ctx, *moved, reserve, 2, 2, 50, 1) == ATRAJ_RATE_NOT_REACHED && atraj_clock_until(&ctx) == 50);
+    PROMISE(atraj_clock_rate(&ctx, *moved, reserve, 2, 2, 49, 0) == ATRAJ_ERR_LATE);
     return 0;
 }
 

@@ -305,6 +305,9 @@ void clock_of_a_path() {
     atraj_clock_start(&function);
     PROMISE(method.rate(&move, &reserve, 1, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &reserve, 1, 1, 1, 0) == 0);
     PROMISE(method.until() == atraj_clock_until(&function) && method.until() > 1);
+    method.rebase(0.5f);
+    atraj_clock_rebase(&function, 0.5f);
+    PROMISE(method.until() == atraj_clock_until(&function) && method.until() > 0.5f);
     atraj::state now;
     atraj_clock_state(&function, &move, 1, 1, 1.5f, &now.p, &now.v, &now.a, A_NULL);
     PROMISE(same(method.state(&move, 1, 1, 1.5f), now));
@@ -313,13 +316,13 @@ void clock_of_a_path() {
 
 // Every finding and every error has a sentence of its own.
 void messages() {
-    for (int code = ATRAJ_ERR_MOVING; code <= ATRAJ_ENDS_LEAVING; ++code) {
+    for (int code = ATRAJ_ERR_MOVING; code <= ATRAJ_RATE_NOT_REACHED; ++code) {
         for (int other = ATRAJ_ERR_MOVING; other < code; ++other) {
             const bool differ = std::strcmp(atraj::message(code), atraj::message(other)) != 0;
             PROMISE(differ == (code <= 0 || other <= 0 || (code & -code) != (other & -other)));
         }
     }
-    PROMISE(std::strcmp(atraj_message(128), "this code is unknown") == 0 && std::strcmp(atraj_message(-11), "this code is unknown") == 0);
+    PROMISE(std::strcmp(atraj_message(256), "this code is unknown") == 0 && std::strcmp(atraj_message(-11), "this code is unknown") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LINE), "the states do not lie on the straight line from their start to their end") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LATE), "the tick at which the plan was to take over has begun, or is too far ahead") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_JUMPS + ATRAJ_OVERSHOOTS), atraj_message(ATRAJ_JUMPS)) == 0);

@@ -40,7 +40,8 @@ int is_fault(enum atraj_finding finding)
         case ATRAJ_JUMPS: return 1;
         case ATRAJ_OVERSHOOTS:
         case ATRAJ_STARTS_OUTSIDE:
-        case ATRAJ_ENDS_LEAVING: return 0;
+        case ATRAJ_ENDS_LEAVING:
+        case ATRAJ_RATE_NOT_REACHED: return 0;
     }
     return 0;
 }

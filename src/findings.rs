@@ -106,6 +106,8 @@ set! {
         STARTS_OUTSIDE = 32: c"the move starts outside its limits, or will unavoidably exceed them",
         /// The axis will unavoidably exceed the limits after the move: the acceleration at the end does not vanish at once.
         ENDS_LEAVING = 64: c"the axis will unavoidably exceed its limits after the move",
+        /// The path ends before its clock has the rate.
+        RATE_NOT_REACHED = 128: c"the path ends before its clock has the rate",
     }
 }
 
@@ -178,7 +180,8 @@ errors! {
         Line = -6: c"the states do not lie on the straight line from their start to their end",
         /// The axis leaves the positions between which it has to stay.
         Position = -7: c"the axis leaves the positions between which it has to stay",
-        /// The tick at which a plan was to take over has begun. Or the plan was for no later tick, or for one that is too far ahead.
+        /// The tick at which a plan was to take over has begun. Or the plan was for no later tick, or for one that is too far ahead. Or a
+        /// change of a clock was to begin before the last one.
         Late = -8: c"the tick at which the plan was to take over has begun, or is too far ahead",
         /// liba finds no such move within the limits, or the move takes no time.
         Unreachable = -9: c"liba finds no such move within the limits, or the move takes no time",

@@ -173,10 +173,10 @@ fn rust_has_the_names() {
             ShaperStream::<f64>::new, ShaperStream::<f64>::advance, ShaperStream::<f64>::change, ShaperStream::<f64>::tick,
             Shaper::<f64>::new,
             Shaper::<f64>::add, Shaper::<f64>::smooth, Shaper::<f64>::state, Shaper::<f64>::bell_state,
-            axes::line_stop::<f64>, Clock::<f64>::new, Clock::<f64>::rate, Clock::<f64>::until, Clock::<f64>::time, Clock::<f64>::state,
+            axes::line_stop::<f64>, Clock::<f64>::new, Clock::<f64>::rate, Clock::<f64>::until, Clock::<f64>::rebase, Clock::<f64>::time, Clock::<f64>::state,
             claraty::Trajectory::start, claraty::Trajectory::stop,
             claraty::Trajectory::reset, Findings::EXCEEDS_JERK, Findings::EXCEEDS_ACCELERATION,
-            Findings::EXCEEDS_VELOCITY, Findings::JUMPS, Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING, Error::Axes,
+            Findings::EXCEEDS_VELOCITY, Findings::JUMPS, Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING, Findings::RATE_NOT_REACHED, Error::Axes,
             Error::NotFinite, Error::Limits, Error::Target, Error::Duration, Error::Line, Error::Position, Error::Late, Error::Unreachable, Error::Moving,
     );
     let named = column(3).into_iter().map(|name| name.replace("online::", "").replace("machine::", ""));

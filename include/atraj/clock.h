@@ -30,16 +30,18 @@ A_EXTERN void atraj_clock_start(struct atraj_clock *ctx);
  *
  * Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits, nothing jumps,
  * and the path is kept. This is proved for each part of the motion, not sampled. So the limits must be larger than the
- * limits of the plans, by a reserve for the clock.
+ * limits of the plans, by a reserve for the clock. At an end at which the path rests its time stands.
  * @param moves points to `sections * n` moves, section by section: of all axes for the first section, then of all axes
  * for the second one. Each move begins where the move of its axis before it ends, and the moves of a section have one
  * duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
  * @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
  * @param sections number of sections; 1 for a single set of moves
- * @param x time since the start of the clock, s, not before the last change
- * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or `sections` is 0, `ATRAJ_ERR_NOT_FINITE`,
- * `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of an acceleration or a jerk are infinite, or
- * `ATRAJ_ERR_TARGET` if no change within the limits is found
+ * @param x time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
+ * begin before the next one is planned
+ * @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
+ * `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of acceleration and jerk
+ * are infinite, `ATRAJ_ERR_LATE` if `x` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
+ * found
  */
 A_EXTERN
 int atraj_clock_rate(struct atraj_clock *ctx,
@@ -51,12 +53,18 @@ int atraj_clock_rate(struct atraj_clock *ctx,
                      a_float rate);
 
 /**
- * @brief When the last rate is reached: time since the start of the clock, s.
+ * @brief When the last rate is reached: time since the start of the clock, s. If it is not reached, the end of the path.
  */
-A_EXTERN a_float atraj_clock_until(const struct atraj_clock *ctx);
+A_EXTERN
+a_float atraj_clock_until(const struct atraj_clock *ctx);
 
 /**
- * @brief The time of the path, s since its start, at the time `x` of the clock.
+ * @brief Let the time `x` of the clock be 0 from now on: a time of many hours has large roundings in `float`.
+ */
+A_EXTERN void atraj_clock_rebase(struct atraj_clock *ctx, a_float x);
+
+/**
+ * @brief The time of the path, s since its start, at the time `x` of the clock. Until the first change it is `x`.
  */
 A_EXTERN a_float atraj_clock_time(const struct atraj_clock *ctx, a_float x);
 
@@ -90,19 +98,44 @@ typedef struct atraj_clock clock;
  */
 struct atraj_clock {
     /**
-     * when the last change of the rate began, s
+     * when the last change of the rate begins, s
      */
     a_float begin;
     /**
-     * the time of the path since then
+     * when the rate is reached, s
+     */
+    a_float until;
+    /**
+     * when the change before the last one began, s
+     */
+    a_float begin_before;
+    /**
+     * 1 if `time` is the position of the lead, else 0
+     */
+    uint32_t is_led;
+    /**
+     * 1 if `before` is the position of the lead, else 0
+     */
+    uint32_t was_led;
+    /**
+     * the time of the path since the last change
      */
     atraj_move time;
+    /**
+     * the time of the path before the last change
+     */
+    atraj_move before;
+    /**
+     * the move of the lead, if the axes stop on a straight line
+     */
+    atraj_move lead;
 #if defined(__cplusplus)
     void start() { atraj_clock_start(this); }
     int rate(const atraj_move *moves, const atraj_limits *limits, size_t n, size_t sections, a_float x, a_float rate_)
     {
         return atraj_clock_rate(this, moves, limits, n, sections, x, rate_);
     }
+    void rebase(a_float x) { atraj_clock_rebase(this, x); }
     a_float until() const { return atraj_clock_until(this); }
     atraj_state state(const atraj_move *moves, size_t n, size_t sections, a_float x) const
     {

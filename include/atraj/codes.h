@@ -42,7 +42,11 @@ enum atraj_finding {
     /**
      * the axis will unavoidably exceed its limits after the move: the acceleration at the end does not vanish at once
      */
-    ATRAJ_ENDS_LEAVING = 64
+    ATRAJ_ENDS_LEAVING = 64,
+    /**
+     * the path ends before its clock has the rate
+     */
+    ATRAJ_RATE_NOT_REACHED = 128
 };
 
 /**
@@ -78,7 +82,7 @@ enum atraj_error {
      */
     ATRAJ_ERR_POSITION = -7,
     /**
-     * the tick at which the plan was to take over has begun, or is too far ahead
+     * the tick at which the plan was to take over has begun, or is too far ahead, or a change of a clock is before the last one
      */
     ATRAJ_ERR_LATE = -8,
     /**

@@ -108,7 +108,7 @@ export class Player {
             this.say(`${asked === 0 ? "The hold" : percent(asked)} is refused: ${message(code)}. It goes on at ${percent(run.rate)}.`, true);
         } else if (rate < asked) {
             this.say(`${percent(asked)} is refused: the reserve allows ${percent(rate)} until the end.`, true);
-        } else if (run.end < run.until) {
+        } else if (code > 0) {
             this.say(`The path ends before ${rate === 0 ? "it stands" : `${percent(rate)} is reached`}.`);
         } else {
             this.say(rate === 0 ? `Holds: stands in ${(run.until - time).toFixed(3)} s.` : `Runs at ${percent(rate)}.`);

@@ -45,8 +45,9 @@ export class Run {
         let [possible, above] = [Math.round(100 * present), Math.round(100 * rate) + 1];
         while (possible + 1 < above) {
             const middle = Math.floor((possible + above) / 2);
-            if (this.change(x, middle / 100) >= 0) {
-                [possible, above] = this.until <= this.end ? [middle, above] : [possible, middle];
+            const code = this.change(x, middle / 100);
+            if (code >= 0) {
+                [possible, above] = code === 0 ? [middle, above] : [possible, middle];
                 this.changes.pop();
                 this.rate = present;
             } else {
@@ -64,20 +65,8 @@ export class Run {
     /** When the path ends, s; infinite while it is held. */
     get end(): number {
         const { clock, until, rate } = this;
-        const path = this.moves[0].duration;
-        const rest = path - c.atraj_clock_time(clock, until);
-        if (rest >= 0) {
-            return rate > 0 ? until + rest / rate : Infinity;
-        }
-        let [before, behind] = [this.changes.at(-1)!, until];
-        for (let middle = (before + behind) / 2; before < middle && middle < behind; middle = (before + behind) / 2) {
-            if (c.atraj_clock_time(clock, middle) < path) {
-                before = middle;
-            } else {
-                behind = middle;
-            }
-        }
-        return behind;
+        const rest = this.moves[0].duration - c.atraj_clock_time(clock, until);
+        return rest > 0 ? (rate > 0 ? until + rest / rate : Infinity) : until;
     }
 
     /** What the axes do until the time `to`, if the rate stays. */

@@ -553,25 +553,28 @@ class Clock:
     >>> planned = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
     >>> limits = [atraj.Limits(jerk=20, acceleration=5, velocity=1)] * 2
     >>> clock = atraj.Clock(limits, atraj.synchronise(planned, [0, 0], [0.8, -0.4]))
-    >>> clock.rate(0.5, 0) # the button is pressed at 0.5 s
+    >>> found = clock.rate(0.5, 0) # the button is pressed at 0.5 s
     >>> held = clock.until
     >>> bool((clock.velocity(held + 1) == 0).all())
     True
-    >>> clock.rate(held + 2, 1) # and released
+    >>> found = clock.rate(held + 2, 1) # and released
     >>> clock.position(10)
     array([ 0.8, -0.4])"""
     def __new__(cls, limits: _LimitsOfAxes, moves: Axes) -> Self: ...
     def __copy__(self) -> Self: ...
     def __deepcopy__(self, _memo: Any) -> Self: ...
-    def rate(self, x: float, rate: float) -> None:
+    def rate(self, x: float, rate: float) -> Findings:
         """Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
-        the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. ValueError if no such change
-        is found, or a number is not finite; then the clock goes on as it did."""
+        the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. `x` may be ahead: until then the
+        clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `x` is before
+        the last change, or a number is not finite; then the clock goes on as it did."""
+    def rebase(self, x: float) -> None:
+        """Lets the time `x`, s, be 0 from now on. Times of many hours have large roundings."""
     @property
     def until(self) -> float:
-        """When the last rate is reached, s."""
+        """When the last rate is reached, s; the end of the path if it is not reached."""
     def time(self, x: float) -> float:
-        """The time of the path at the time `x`, s."""
+        """The time of the path at the time `x`, s. Until the first change it is `x`."""
     def position(self, x: float | _Times) -> _Array:
         """Positions at the time `x`, s, or a row of them for each of an array of times."""
     def velocity(self, x: float | _Times) -> _Array:

@@ -201,6 +201,8 @@ class Findings(IntFlag):
     """The move starts outside its limits, or will unavoidably exceed them."""
     ENDS_LEAVING = 64
     """The axis will unavoidably exceed its limits after the move: the acceleration at the end does not vanish at once."""
+    RATE_NOT_REACHED = 128
+    """The path ends before its clock has the rate."""
 
 
 class Mode(IntEnum):

@@ -24,8 +24,10 @@
 
 #[allow(unsafe_code)] // the moves of an axis, which `handover` proves to be used by one side at a time
 pub(crate) mod axis;
+mod change;
 pub(crate) mod clock;
 mod handover;
+mod lead;
 mod parabola;
 pub(crate) mod shaper;
 pub(crate) mod shaper_stream;

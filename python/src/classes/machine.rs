@@ -12,7 +12,7 @@ use super::axes::Axes;
 use super::online::Move;
 use super::profiles::{Bell, Profile, rebuilding};
 use crate::motion::{Motion, Parts, Request, Rows};
-use crate::values::{GivenLimits, error, named, to_state};
+use crate::values::{GivenLimits, error, named, to_findings, to_state};
 use crate::why::{NUMBER, no_part};
 
 /// Adds the classes to a module.
@@ -322,11 +322,11 @@ impl Steps {
 /// >>> planned = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
 /// >>> limits = [atraj.Limits(jerk=20, acceleration=5, velocity=1)] * 2
 /// >>> clock = atraj.Clock(limits, atraj.synchronise(planned, [0, 0], [0.8, -0.4]))
-/// >>> clock.rate(0.5, 0) # the button is pressed at 0.5 s
+/// >>> found = clock.rate(0.5, 0) # the button is pressed at 0.5 s
 /// >>> held = clock.until
 /// >>> bool((clock.velocity(held + 1) == 0).all())
 /// True
-/// >>> clock.rate(held + 2, 1) # and released
+/// >>> found = clock.rate(held + 2, 1) # and released
 /// >>> clock.position(10)
 /// array([ 0.8, -0.4])
 #[pyclass]
@@ -369,11 +369,12 @@ impl Clock {
     }
 
     /// Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
-    /// the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. ValueError if no such change
-    /// is found, or a number is not finite; then the clock goes on as it did.
-    fn rate(&mut self, x: Real, rate: Real) -> PyResult<()> {
+    /// the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. `x` may be ahead: until then the
+    /// clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `x` is before
+    /// the last change, or a number is not finite; then the clock goes on as it did.
+    fn rate<'py>(&mut self, py: Python<'py>, x: Real, rate: Real) -> PyResult<Bound<'py, PyAny>> {
         let changed = self.inner.rate(&self.moves, &self.limits, x, rate);
-        changed.map_err(|why| match why {
+        let found = changed.map_err(|why| match why {
             Error::Target => error(&format!(
                 "no change to the rate {rate} at {x} s keeps the limits: they need a reserve beyond those of the plan"
             )),
@@ -381,18 +382,25 @@ impl Clock {
                 ("x", x, x.is_finite(), NUMBER),
                 ("rate", rate, rate.is_finite(), NUMBER),
             ]),
-            Error::Limits => error("the rate cannot change: no axis moves, or the axes that move have no finite jerk or no finite acceleration"),
+            Error::Limits => error("the rate cannot change: no axis moves, or the axes that move have no finite jerk and no finite acceleration"),
+            Error::Late => error(&format!("x = {x} is before the last change")),
             _ => error(&why.to_string()),
-        })
+        })?;
+        to_findings(py, found)
     }
 
-    /// When the last rate is reached, s.
+    /// Lets the time `x`, s, be 0 from now on. Times of many hours have large roundings.
+    fn rebase(&mut self, x: Real) {
+        self.inner.rebase(x);
+    }
+
+    /// When the last rate is reached, s; the end of the path if it is not reached.
     #[getter]
     fn until(&self) -> Real {
         self.inner.until()
     }
 
-    /// The time of the path at the time `x`, s.
+    /// The time of the path at the time `x`, s. Until the first change it is `x`.
     fn time(&self, x: Real) -> Real {
         self.inner.time(x)
     }

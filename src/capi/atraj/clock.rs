@@ -3,19 +3,30 @@
 use super::r#move::{atraj_limits, atraj_move};
 use super::{answer, list, write};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut, value};
-use crate::findings::Findings;
 use crate::machine::clock::Clock;
 use core::ffi::c_int;
 
 /// @brief The time of a path as a move itself. Its members are the library's own.
 #[repr(C)]
 pub struct atraj_clock {
-    /// when the last change of the rate began, s
+    /// when the last change of the rate begins, s
     pub begin: a_float,
-    /// the time of the path since then
+    /// when the rate is reached, s
+    pub until: a_float,
+    /// when the change before the last one began, s
+    pub begin_before: a_float,
+    /// 1 if `time` is the position of the lead, else 0
+    pub is_led: u32,
+    /// 1 if `before` is the position of the lead, else 0
+    pub was_led: u32,
+    /// the time of the path since the last change
     pub time: atraj_move,
+    /// the time of the path before the last change
+    pub before: atraj_move,
+    /// the move of the lead, if the axes stop on a straight line
+    pub lead: atraj_move,
 }
-assert_same_layout!(atraj_clock, Clock<Number>, begin time);
+assert_same_layout!(atraj_clock, Clock<Number>, begin until begin_before is_led was_led time before lead);
 
 /// @brief Start a clock at the time 0. It runs as planned: its time is the time of the path.
 /// @param ctx points to a clock, which need not be initialised; nothing happens if it is NULL
@@ -31,16 +42,18 @@ pub unsafe extern "C" fn atraj_clock_start(ctx: *mut atraj_clock) {
 ///
 /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits, nothing jumps,
 /// and the path is kept. This is proved for each part of the motion, not sampled. So the limits must be larger than the
-/// limits of the plans, by a reserve for the clock.
+/// limits of the plans, by a reserve for the clock. At an end at which the path rests its time stands.
 /// @param moves points to `sections * n` moves, section by section: of all axes for the first section, then of all axes
 /// for the second one. Each move begins where the move of its axis before it ends, and the moves of a section have one
 /// duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
 /// @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
 /// @param sections number of sections; 1 for a single set of moves
-/// @param x time since the start of the clock, s, not before the last change
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or `sections` is 0, `ATRAJ_ERR_NOT_FINITE`,
-/// `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of an acceleration or a jerk are infinite, or
-/// `ATRAJ_ERR_TARGET` if no change within the limits is found
+/// @param x time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
+/// begin before the next one is planned
+/// @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
+/// `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of acceleration and jerk
+/// are infinite, `ATRAJ_ERR_LATE` if `x` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
+/// found
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_rate(
     ctx: *mut atraj_clock, moves: *const atraj_move, limits: *const atraj_limits, n: usize, sections: usize,
@@ -49,19 +62,27 @@ pub unsafe extern "C" fn atraj_clock_rate(
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
         let moves = list(moves, n.wrapping_mul(sections));
-        let changed = of_mut(ctx)?.rate(moves?, list(limits, n)?, x.into(), rate.into());
-        Some(changed.map(|()| Findings::default()))
+        Some(of_mut(ctx)?.rate(moves?, list(limits, n)?, x.into(), rate.into()))
     })
 }
 
-/// @brief When the last rate is reached: time since the start of the clock, s.
+/// @brief When the last rate is reached: time since the start of the clock, s. If it is not reached, the end of the path.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_until(ctx: *const atraj_clock) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     value(unsafe { of(ctx) }, Clock::until)
 }
 
-/// @brief The time of the path, s since its start, at the time `x` of the clock.
+/// @brief Let the time `x` of the clock be 0 from now on: a time of many hours has large roundings in `float`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_clock_rebase(ctx: *mut atraj_clock, x: a_float) {
+    // SAFETY: `ctx` is NULL or valid by the contract of this module.
+    if let Some(clock) = unsafe { of_mut(ctx) } {
+        clock.rebase(x.into());
+    }
+}
+
+/// @brief The time of the path, s since its start, at the time `x` of the clock. Until the first change it is `x`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_time(ctx: *const atraj_clock, x: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.

@@ -22,6 +22,8 @@ pub enum atraj_finding {
     ATRAJ_STARTS_OUTSIDE = 32,
     /// the axis will unavoidably exceed its limits after the move: the acceleration at the end does not vanish at once
     ATRAJ_ENDS_LEAVING = 64,
+    /// the path ends before its clock has the rate
+    ATRAJ_RATE_NOT_REACHED = 128,
 }
 use atraj_finding::*;
 
@@ -43,7 +45,7 @@ pub enum atraj_error {
     ATRAJ_ERR_LINE = -6,
     /// the axis leaves the positions between which it has to stay
     ATRAJ_ERR_POSITION = -7,
-    /// the tick at which the plan was to take over has begun, or is too far ahead
+    /// the tick at which the plan was to take over has begun, or is too far ahead, or a change of a clock is before the last one
     ATRAJ_ERR_LATE = -8,
     /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
     ATRAJ_ERR_UNREACHABLE = -9,
@@ -60,6 +62,7 @@ assert_named! { Findings::MEMBERS;
     Findings::OVERSHOOTS.bits() => ATRAJ_OVERSHOOTS,
     Findings::STARTS_OUTSIDE.bits() => ATRAJ_STARTS_OUTSIDE,
     Findings::ENDS_LEAVING.bits() => ATRAJ_ENDS_LEAVING,
+    Findings::RATE_NOT_REACHED.bits() => ATRAJ_RATE_NOT_REACHED,
 }
 assert_named! { Error::ALL;
     Error::Axes => ATRAJ_ERR_NULL,

@@ -106,6 +106,7 @@ table! { |n|
     atraj_bell_sample(1 _ _ n [n] [n] [n] [n]);
     atraj_bell_state(1 _ [1] [1] [1] [1]);
     atraj_clock_rate(1 (n * n) n n n _ _);
+    atraj_clock_rebase(1 _);
     atraj_clock_start({1});
     atraj_clock_state(1 (n * n) n n _ [1] [1] [1] [1]);
     atraj_clock_time(1 _);

@@ -574,9 +574,9 @@ fn bad_profiles<R: Real>() {
     }
 }
 
-/// A clock of moves that stand, or whose jerk has no limit.
+/// A clock of moves that stand, or that have no limit of acceleration and jerk.
 fn bad_clocks<R: Real>() {
-    let [zero, one, infinity] = [0.0, 1.0, f64::INFINITY].map(R::of);
+    let [zero, one] = [0.0, 1.0].map(R::of);
     let limits = Limits::symmetric(one, one, one);
     let mut clock = Clock::new();
     let mut refused = |moves: &[Move<R>], limits: &[Limits<R>], error| {
@@ -586,8 +586,6 @@ fn bad_clocks<R: Real>() {
     let mut planned = Move::default();
     refused(&[planned], &[limits], Error::Limits);
     planned.plan(&limits, State::at(zero), State::at(one)).expect("a plan");
-    let free = Limits::symmetric(infinity, one, one);
-    refused(&[planned], &[free], Error::Limits);
     refused(&[], &[limits], Error::Axes);
     refused(&[planned], &[], Error::Axes);
     refused(&[planned], &[limits, limits], Error::Axes);
@@ -601,6 +599,7 @@ fn bad_clocks<R: Real>() {
     let slow = Limits { vmax: R::of(0.1), ..limits };
     assert_eq!(clock.rate(&[planned], &[slow], one, zero), Err(Error::Target));
     assert_eq!(clock, Clock::new());
+    assert_eq!(clock.rate(&[planned], &[limits], -one, zero), Err(Error::Late));
     let state = clock.state(&[], 1, zero);
     assert!(state.iter().all(|x| x.widen().is_nan()));
 }

@@ -1,5 +1,6 @@
 //! Do axes that hold, slow down, speed up or go back along their path stay on the path, within their limits, without a jump?
 
+use atraj::Findings;
 use atraj::axes::{path_size, plan_path, synchronise};
 use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move, State};
@@ -61,6 +62,8 @@ impl<R: Real> Path<R> {
         let found = sections.find_map(|(section, of)| {
             let local = s - start;
             start = start + of.t;
+            // At the end of the path, whatever the difference is rounded to.
+            let local = if s < start || local > of.t { local } else { of.t };
             (section == last || s < start).then(|| of.state_at(local))
         });
         found.expect("a section")
@@ -127,7 +130,7 @@ fn limits_are_kept<R: Real>() {
             let (before, begin) = (clock, R::of(x));
             let is_steady = before.until().widen() <= x;
             match clock.rate(&path.moves, &limits, begin, R::of(rate)) {
-                Ok(()) => accepted += 1,
+                Ok(_) => accepted += 1,
                 Err(error) => {
                     assert_eq!((error, before), (Error::Target, clock), "path {number}");
                     // Back along the path, an axis needs in one direction what it had in the other.
@@ -174,7 +177,7 @@ fn limits_are_kept<R: Real>() {
         }
         // Wherever the axes were, they end where the plan ends.
         let end = R::of(x + clock.until().widen() + 2.0 * t - clock.time(R::of(x)).widen().min(0.0));
-        if clock.time(end).widen() > t {
+        if clock.time(end).widen() >= t {
             for (axis, to) in path.to.iter().enumerate() {
                 assert_eq!(clock.state(path.axis(axis), n, end)[..2], [to.position, R::of(0.0)], "path {number}");
             }
@@ -243,4 +246,225 @@ fn states_are_derivatives() {
     }
 }
 
-test_both_reals!(limits_are_kept);
+/// Limits of an axis, and its move over 2 within 90 % of them.
+fn short_move<R: Real>() -> ([Move<R>; 1], [Limits<R>; 1]) {
+    let [limits, planned] = [1.0, 0.9].map(|part| {
+        let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(|limit| R::of(part * limit));
+        Limits::symmetric(jerk, acceleration, velocity)
+    });
+    let mut axis = Move::default();
+    axis.plan(&planned, State::at(R::of(0.0)), State::at(R::of(2.0))).expect("a plan");
+    ([axis], [limits])
+}
+
+/// One axis, and axes on a line, stop as fast as without a path, whenever the hold is pressed, and also without a reserve.
+#[test]
+fn a_line_stops_exactly() {
+    let full = Limits::symmetric(30.0, 10.0, 5.0);
+    for part in [0.8, 0.9, 0.95, 1.0] {
+        let planned = Limits::symmetric(30.0 * part, 10.0 * part, 5.0 * part);
+        let (from, to) = ([State::at(0.0); 3], [2.0, -1.0, 0.5].map(State::at));
+        for n in [1, 3] {
+            let (mut moves, limits) = ([Move::default(); 3], [full; 3]);
+            atraj::axes::line(&mut moves[..n], &[planned; 3][..n], &from[..n], &to[..n], 0.0, 0.0).expect("a line");
+            let t: f64 = moves[0].t;
+            for press in 1..1000 {
+                let x = t * f64::from(press) / 1000.0;
+                let mut clock = Clock::new();
+                let found = clock.rate(&moves[..n], &limits[..n], x, 0.0).expect("a hold");
+                assert!(found.is_empty() || part == 1.0);
+                let mut stop = Move::default();
+                stop.stop(&full, moves[0].state_at(x)).expect("a stop");
+                assert!((clock.until() - x - stop.t).abs() < 1e-8 && clock.until() < t + 1e-8, "{n} {part} {x}");
+                for k in 0..=20 {
+                    let y = x + stop.t * f64::from(k) / 20.0;
+                    let s = clock.time(y);
+                    for (axis, limits) in limits[..n].iter().enumerate() {
+                        let state = clock.state(&moves[axis..n], n, y);
+                        assert_eq!(state[0], moves[axis].position(s));
+                        let [_, v, a, j] = state;
+                        let used = [v / limits.vmax, a / limits.amax, j / limits.jmax];
+                        let slack = 1.0 + 1e-6;
+                        assert!(used.iter().all(|used| used.abs() <= slack), "{n} {part} {x} {k}: {state:?}");
+                    }
+                    let [position, velocity, acceleration, _] = clock.state(&moves[..n], n, y);
+                    let lead = stop.state_at(y - x);
+                    let off = [position - lead.position, velocity - lead.velocity, acceleration - lead.acceleration];
+                    assert!(off.iter().all(|off| off.abs() < 1e-6), "{n} {part} {x} {k}: {off:?}");
+                }
+                // It goes on from anywhere.
+                clock.rate(&moves[..n], &limits[..n], x + 0.5 * stop.t, 1.0).map_or_else(
+                    |why| assert!(why == Error::Target && (part == 1.0 || x < 0.02 * t), "{n} {part} {x}: {why}"),
+                    |_| assert_eq!(clock.state(&moves[..n], n, 50.0 * t), [2.0, 0.0, 0.0, 0.0]),
+                );
+            }
+        }
+    }
+}
+
+/// Random paths between way points, planned at a part of the limits.
+fn held_path(random: &mut Random, part: f64) -> (Path<f64>, Vec<Limits<f64>>) {
+    let n = 2 + random.below(4);
+    let sections = random.pick(&[4, 5, 6, 8]);
+    let limits = vec![Limits::symmetric(30.0, 10.0, 5.0); n];
+    let planned = vec![Limits::symmetric(30.0 * part, 10.0 * part, 5.0 * part); n];
+    let position = |_| State::at(random.between(-4.0, 4.0));
+    let mut states: Vec<State<f64>> = (0..n * (sections + 1)).map(position).collect();
+    let mut durations = vec![0.0; sections];
+    let mut work = vec![0.0; path_size(n, sections).expect("a size")];
+    plan_path(&mut states, &mut durations, &planned, n, 2, &mut work).expect("a path");
+    let mut moves = vec![Move::default(); n * sections];
+    atraj::axes::path_moves(&mut moves, &planned, &states, &durations, n).expect("moves");
+    let to = states[n * sections..].to_vec();
+    (Path { moves, limits: planned, to }, limits)
+}
+
+/// Holds of random paths of 2 to 5 axes, in stops of the slowest axis: the median, and what 99 % keep. No hold ends after the path.
+#[test]
+fn holds_are_short() {
+    const HOLDS: usize = if support::BRIEF { 300 } else { 2_000 };
+    for (part, median, highest) in [(0.8, 1.25, 3.5), (0.9, 1.3, 5.5), (0.95, 1.4, 7.0)] {
+        let mut random = Random::seeded(7);
+        let (mut ratios, mut late) = (Vec::new(), 0);
+        for number in 0..HOLDS {
+            let (path, limits) = held_path(&mut random, part);
+            let t = path.duration();
+            let x = t * random.between(0.0, 1.0);
+            let mut clock = Clock::new();
+            let found = clock.rate(&path.moves, &limits, x, 0.0).expect("a hold");
+            late += usize::from(found == Findings::RATE_NOT_REACHED);
+            assert!(clock.until() <= t * (1.0 + 1e-12), "path {number}");
+            assert_eq!(clock.state(&path.moves, path.axes(), clock.until() + 1.0)[1..], [0.0; 3], "path {number}");
+            ratios.push((clock.until() - x) / path.free_stop(&limits, x));
+        }
+        ratios.sort_by(f64::total_cmp);
+        let [half, most] = [ratios[HOLDS / 2], ratios[HOLDS * 99 / 100]];
+        println!("planned at {part}: median {half:.3}, 99 % {most:.2}; {late} of {HOLDS} go to the end");
+        assert!(half < median && most < highest && late < HOLDS * 15 / 100, "{part}: {half} {most} {late}");
+    }
+}
+
+/// A hold never waits for long where a later one stands sooner: presses at each 1/1000 of a path.
+#[test]
+fn a_later_press_is_hardly_sooner() {
+    let mut random = Random::seeded(11);
+    let (mut lost, mut presses, mut sooner) = (0.0, 0, 0);
+    for _ in 0..if support::BRIEF { 3 } else { 12 } {
+        let (path, limits) = held_path(&mut random, 0.9);
+        let t = path.duration();
+        let mut latest: f64 = 0.0;
+        for press in 1..1000 {
+            let x = t * f64::from(press) / 1000.0;
+            let mut clock = Clock::new();
+            clock.rate(&path.moves, &limits, x, 0.0).expect("a hold");
+            presses += 1;
+            lost += (latest - clock.until()).max(0.0) / path.free_stop(&limits, x);
+            sooner += usize::from(latest - clock.until() > 0.5 * path.free_stop(&limits, x));
+            latest = latest.max(clock.until());
+        }
+    }
+    let mean = lost / f64::from(presses);
+    println!("{presses} presses: a later one is sooner by {mean:.3} stops on average, {sooner} by half a stop");
+    assert!(mean < 0.15 && sooner < presses as usize / 20);
+}
+
+/// The time of a path stands at its ends, and the axes with it. It sets off from there at once.
+fn the_time_stands_at_its_ends<R: Real>() {
+    let (axis, limits) = short_move::<R>();
+    let (zero, one) = (R::of(0.0), R::of(1.0));
+    let t = axis[0].t;
+    let mut clock = Clock::new();
+    let of = |clock: &Clock<R>, x: f64| clock.state(&axis, 1, R::of(x));
+    assert_eq!(clock.rate(&axis, &limits, R::of(60.0), -one), Ok(Findings::default()));
+    assert_eq!((clock.until(), clock.time(R::of(60.0))), (R::of(60.0), t));
+    assert!(of(&clock, 60.5)[0] < R::of(2.0) && clock.time(R::of(60.5)) == t - R::of(0.5));
+    assert_eq!((clock.time(R::of(99.0)), of(&clock, 99.0)), (zero, [zero; 4]));
+    // It is at its start: no way is left.
+    assert_eq!(clock.rate(&axis, &limits, R::of(100.0), -one), Ok(Findings::RATE_NOT_REACHED));
+    assert_eq!(clock.until(), R::of(100.0));
+    assert_eq!(clock.rate(&axis, &limits, R::of(110.0), one), Ok(Findings::default()));
+    assert_eq!(clock.time(R::of(110.5)), R::of(0.5));
+    assert_eq!((clock.time(R::of(119.0)), of(&clock, 119.0)), (t, [R::of(2.0), zero, zero, zero]));
+    // A rate that is not reached before the end.
+    let mut clock = Clock::new();
+    assert_eq!(clock.rate(&axis, &limits, R::of(0.5), R::of(1e9)), Ok(Findings::RATE_NOT_REACHED));
+    assert!((clock.until() - t).widen().abs() < 1e-5);
+}
+
+/// A change ahead changes nothing before it begins, and one before the last change is refused.
+fn a_change_waits<R: Real>() {
+    let mut random = Random::seeded(54);
+    for _ in 0..200 {
+        let path = Path::<R>::random(&mut random);
+        let limits = path.wider(0.5);
+        let (n, t) = (path.axes(), path.duration().widen());
+        let mut clock = Clock::new();
+        let first = R::of(t * random.between(0.0, 0.5));
+        let rate = random.pick(&[0.0, 0.5]);
+        clock.rate(&path.moves, &limits, first, R::of(rate)).expect("a change");
+        let (before, x) = (clock, first + R::of(t * random.between(0.01, 0.5)));
+        if clock.rate(&path.moves, &limits, x, R::of(random.pick(&[0.0, 1.0]))).is_err() {
+            continue;
+        }
+        for _ in 0..20 {
+            let y = R::of(random.between(first.widen(), x.widen()));
+            if y < x {
+                let [one, other] = [&before, &clock].map(|clock| clock.state(&path.moves, n, y));
+                assert_eq!((one, before.time(y)), (other, clock.time(y)));
+            }
+        }
+        let changed = clock;
+        assert_eq!(clock.rate(&path.moves, &limits, first, R::of(1.0)), Err(Error::Late));
+        assert_eq!(clock, changed);
+    }
+}
+
+/// Axes without a limit of the jerk hold, too.
+fn infinite_jerks_hold<R: Real>() {
+    let mut random = Random::seeded(55);
+    for number in 0..200 {
+        let n = 1 + random.below(4);
+        let endless = R::of(f64::INFINITY);
+        let planned: Vec<Limits<R>> = (0..n)
+            .map(|_| Limits::symmetric(endless, R::of(random.between(2.0, 8.0)), R::of(random.between(1.0, 4.0))))
+            .collect();
+        let to: Vec<_> = (0..n).map(|_| State::at(R::of(random.between(-3.0, 3.0)))).collect();
+        let mut moves = vec![Move::default(); n];
+        synchronise(&mut moves, &planned, &vec![State::at(R::of(0.0)); n], &to, R::of(0.0), R::of(0.0))
+            .expect("a plan");
+        let path = Path { moves, limits: planned, to };
+        let limits: Vec<Limits<R>> = path.wider(0.2);
+        let x = R::of(path.duration().widen() * random.between(0.05, 0.9));
+        let mut clock = Clock::new();
+        clock.rate(&path.moves, &limits, x, R::of(0.0)).expect("a hold");
+        assert!(clock.until() <= path.duration() * R::of(1.0 + 1e-5), "path {number}");
+        for _ in 0..SAMPLES {
+            let y = R::of(random.between(x.widen(), clock.until().widen() + 0.1));
+            for (axis, limits) in limits.iter().enumerate() {
+                let [_, v, a, _] = clock.state(path.axis(axis), n, y).map(R::widen);
+                let [vmax, amax] = [limits.vmax, limits.amax].map(|limit| limit.widen() * (1.0 + 1e-4));
+                assert!(v.abs() <= vmax && a.abs() <= amax, "path {number}: {v} {a} {limits:?}");
+            }
+        }
+    }
+}
+
+/// After ten hours a clock that was rebased moves evenly.
+#[test]
+fn a_clock_keeps_its_resolution() {
+    let (axis, limits) = short_move::<f32>();
+    let mut clock = Clock::new();
+    clock.rate(&axis, &limits, 0.5, 0.0).expect("a hold");
+    let held = clock.time(36_000.0);
+    clock.rebase(36_000.0);
+    assert_eq!(clock.time(0.0), held);
+    clock.rate(&axis, &limits, 0.0, 1.0).expect("a change");
+    let mut ticks = (1_i16..1000).map(|tick| {
+        let [one, other] = [-1, 0].map(|k| clock.time(clock.until() + f32::from(tick + k) * 0.001));
+        (other, other - one)
+    });
+    assert!(ticks.by_ref().take_while(|(s, _)| *s < axis[0].t).all(|(_, way)| (way - 0.001).abs() < 1e-6));
+    assert!(ticks.next().is_some_and(|(s, way)| s == axis[0].t && way == 0.0));
+}
+
+test_both_reals!(limits_are_kept, the_time_stands_at_its_ends, a_change_waits, infinite_jerks_hold);

@@ -1,0 +1,412 @@
+//! How the clock of a path goes to another rate: a few changes in a row, each proved to keep the limits of all axes.
+//!
+//! `docs/machine.md` has the theory.
+
+use super::clock::Axis;
+use super::parabola::Parabola;
+use crate::findings::Error;
+use crate::limits::Limits;
+use crate::online::{Move, Phase};
+use crate::real::Real;
+use crate::state::State;
+
+/// A faster change is looked for at most so often, each time a twelfth of the slowest axis' free stop later, or a sixteenth of what is left.
+const SEARCHES: u32 = 32;
+const STEPS: u8 = 12;
+
+/// The first limits of a change are these 64ths of `J/|v|`, and `λ A/|v|`. The highest `λ` between 1/256 and 2 that passes is found by halving
+/// the range of its logarithm.
+const SHARES: [u8; 5] = [200, 100, 40, 16, 4];
+const HALVES: u32 = 6;
+
+/// Where no change is found so, its limits are `λ A/V` and `q λ² J/V` with the highest speeds of the whole path: `λ` is halved from 16 down to
+/// `16/2^16`, with one `q` in sixteenths after the other.
+const RATIOS: [u8; 5] = [16, 4, 64, 1, 255];
+const SCALES: u32 = 17;
+
+/// Then each limit is raised alone: by these sixteenths of itself, one after the other.
+const RAISES: [u8; 5] = [64, 32, 24, 20, 20];
+
+/// The most parts in which a phase of the clock is examined: a power of 2. More parts find no shorter hold.
+const PARTS: i32 = 32;
+
+/// The time of a path on its way to a rate.
+pub(super) struct Law<R> {
+    pub time: Move<R>,
+    /// When the rate is reached, s, or else the end of the path.
+    pub until: R,
+    pub is_reached: bool,
+    /// If it is not the time of the path, but the position of this axis.
+    pub lead: Option<Move<R>>,
+}
+
+/// A change of the rate.
+pub(super) struct Change<'a, R> {
+    moves: &'a [Move<R>],
+    limits: &'a [Limits<R>],
+    rate: R,
+    /// The duration of the path; infinite if it ends in motion.
+    length: R,
+    /// The least `A/|v|` and `J/|v|` of the axes at their highest speeds.
+    least: [R; 2],
+}
+
+impl<'a, R: Real> Change<'a, R> {
+    pub fn new(moves: &'a [Move<R>], limits: &'a [Limits<R>], rate: R) -> Result<Self, Error> {
+        let last = moves.iter().rev().take(limits.len());
+        let rests = last.clone().all(|of| of.end().is_at_rest());
+        let length = if rests { Axis::new(moves, limits.len(), 0).duration() } else { R::INFINITY };
+        let speeds = moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), limits));
+        let least = slowest(speeds);
+        let [slowing, bending] = least;
+        if slowing < R::INFINITY || bending < R::INFINITY {
+            Ok(Self { moves, limits, rate, length, least })
+        } else {
+            Err(Error::Limits)
+        }
+    }
+
+    /// From this time of the path and its derivatives.
+    pub fn law_from(&self, [position, velocity, acceleration, _]: [R; 4]) -> Result<Law<R>, Error> {
+        self.law(standing(State { position, velocity, acceleration }))
+    }
+
+    /// The motion `now` goes on until a faster change is found.
+    pub fn law(&self, now: Move<R>) -> Result<Law<R>, Error> {
+        let start = now.start();
+        if self.is_at_end(start.position) {
+            return self.leave(start.position);
+        }
+        let mut time = self.to_the_end(now).ok_or(Error::Target)?;
+        let goes_on = self.keeps(&time);
+        let mut until = if goes_on && self.is_answer(time.end()) { time.t } else { R::INFINITY };
+        let mut is_reached = self.rate == R::ZERO && !self.is_at_end(time.end().position);
+        let step = self.free_stop(start.position)? / R::from(STEPS);
+        let mut t = R::ZERO;
+        for _ in 0..if goes_on { SEARCHES } else { 1 } {
+            let change = self.fastest(time.state_at(t), until - t)?;
+            // A little gain is not worth a phase.
+            let shorter = change.filter(|change| t + change.t + R::SIXTEENTH * step < until);
+            if let Some((law, end)) =
+                shorter.and_then(|change| Some((self.to_the_end(time.then(t, &change)?)?, t + change.t)))
+            {
+                (time, until, is_reached) = (law, end, true);
+            }
+            t = t + step
+                .at_least(R::HALF * R::HALF * R::HALF * t)
+                .at_least(R::SIXTEENTH * R::HALF * R::HALF * (until - t).at_most(time.t));
+            if t >= time.t.at_most(until) {
+                break;
+            }
+        }
+        if until == R::INFINITY {
+            return self.slow(time.start());
+        }
+        Ok(Law { time, until, is_reached, lead: None })
+    }
+
+    /// A change within limits for the whole path, which may be so slow that it passes an end before it has the rate. There the path stands.
+    fn slow(&self, from: State<R>) -> Result<Law<R>, Error> {
+        let (time, limits) = self.first_slow(from)?;
+        let change = self.faster(from, time, limits)?;
+        if self.is_on_path(&change) {
+            let time = self.to_the_end(change).ok_or(Error::Target)?;
+            return Ok(Law { time, until: change.t, is_reached: true, lead: None });
+        }
+        let border = if change.end().position > from.position { self.length } else { R::ZERO };
+        let until = change.time_at(border).ok_or(Error::Target)?;
+        let time = change.then(until, &standing(State::at(border))).ok_or(Error::Target)?;
+        Ok(Law { time, until, is_reached: false, lead: None })
+    }
+
+    fn first_slow(&self, from: State<R>) -> Result<(Move<R>, [R; 3]), Error> {
+        let [slowing, bending] = self.least;
+        for ratio in RATIOS {
+            let mut scale = R::from(16);
+            for _ in 0..SCALES {
+                let bending = R::SIXTEENTH * R::from(ratio) * bending * scale * scale;
+                let limits = [bending, bending, slowing * scale];
+                let time = self.within(from, limits)?;
+                if self.keeps(&time) {
+                    return Ok((time, limits));
+                }
+                scale = R::HALF * scale;
+            }
+        }
+        Err(Error::Target)
+    }
+
+    /// Whether the path is at rest at the time `s`, because it ends there, or starts there.
+    pub fn is_at_end(&self, s: R) -> bool {
+        let mut first = self.moves.iter().take(self.limits.len());
+        s >= self.length || s <= R::ZERO && first.all(|of| of.start().is_at_rest())
+    }
+
+    /// From an end at which the path rests, where the rate may jump.
+    fn leave(&self, s: R) -> Result<Law<R>, Error> {
+        let (s, away) = if s > R::ZERO { (self.length, self.rate < R::ZERO) } else { (R::ZERO, self.rate > R::ZERO) };
+        let at_once = standing(State { velocity: if away { self.rate } else { R::ZERO }, ..State::at(s) });
+        if self.keeps(&at_once) {
+            let time = self.to_the_end(at_once).ok_or(Error::Target)?;
+            return Ok(Law { time, until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None });
+        }
+        self.slow(State::at(s))
+    }
+
+    /// The motion goes on at its last rate to the end of the path, or to its start, and stands there.
+    fn to_the_end(&self, time: Move<R>) -> Option<Move<R>> {
+        let State { position, velocity, acceleration } = time.end();
+        let border = if velocity > R::ZERO { self.length } else { R::ZERO };
+        let duration = (border - position) / velocity;
+        if !(velocity != R::ZERO && acceleration == R::ZERO && duration < R::INFINITY) {
+            return Some(time);
+        }
+        let mut way = standing(time.end());
+        let [_, first, end, ..] = &mut way.phase;
+        (first.duration, end.start, end.position) = (duration.at_least(R::ZERO), duration.at_least(R::ZERO), border);
+        (way.t, way.count) = (end.start, 2);
+        time.then(time.t, &way)
+    }
+
+    /// Whether the clock stands where it has to, or where the path ends.
+    fn is_answer(&self, end: State<R>) -> bool {
+        end.velocity == R::ZERO && (self.rate == R::ZERO || self.is_at_end(end.position))
+    }
+
+    /// How long the slowest axis takes for its stop at the time `s` of the path.
+    fn free_stop(&self, s: R) -> Result<R, Error> {
+        let mut longest = R::ZERO;
+        for (index, limits) in self.limits.iter().enumerate() {
+            if let Some((of, start)) = self.axis(index).section(s) {
+                let mut stop = Move::default();
+                stop.stop(limits, of.state_at(s - start))?;
+                longest = longest.at_least(stop.t);
+            }
+        }
+        Ok(longest)
+    }
+
+    fn axis(&self, index: usize) -> Axis<'a, R> {
+        Axis::new(self.moves, self.limits.len(), index)
+    }
+
+    /// The fastest change that is found, if any: not much longer than `most`.
+    fn fastest(&self, from: State<R>, most: R) -> Result<Option<Move<R>>, Error> {
+        let [slowing, bending] = self.limits_at(from.position);
+        let mut shortest = most + R::HALF * most;
+        let mut best = None;
+        for share in SHARES {
+            let bending = R::from(share) * R::SIXTEENTH * R::SIXTEENTH * bending;
+            let (mut low, mut high) = (R::SIXTEENTH * R::SIXTEENTH, R::ONE + R::ONE);
+            for _ in 0..HALVES {
+                let scale = (low * high).sqrt();
+                let limits = [bending, bending, slowing * scale];
+                let time = self.within(from, limits)?;
+                let is_better = time.t < shortest && self.is_on_path(&time);
+                if is_better && !self.keeps(&time) {
+                    high = scale;
+                    continue;
+                }
+                low = scale;
+                if is_better {
+                    shortest = time.t;
+                    best = Some((time, limits));
+                }
+            }
+        }
+        best.map(|(time, limits)| self.faster(from, time, limits)).transpose()
+    }
+
+    /// How fast the rate may change at this time of the path: the least `A/|v|` and `J/|v|` of the axes.
+    fn limits_at(&self, s: R) -> [R; 2] {
+        let speed = |index| self.axis(index).section(s).map_or(R::ZERO, |(of, start)| of.velocity(s - start).abs());
+        let here = slowest(self.limits.iter().enumerate().map(|(index, limits)| (speed(index), limits)));
+        let [slowing, bending] = self.least.map(|least| R::from(16) * R::from(16) * R::from(16) * least);
+        let [slowing_here, bending_here] = here;
+        [slowing_here.at_most(slowing), bending_here.at_most(bending)]
+    }
+
+    /// Raises each limit of a change alone, as long as the limits of the axes are kept.
+    fn faster(&self, from: State<R>, mut time: Move<R>, mut limits: [R; 3]) -> Result<Move<R>, Error> {
+        for raise in RAISES {
+            for index in 0..limits.len() {
+                let mut higher = limits;
+                if let Some(limit) = higher.get_mut(index) {
+                    *limit = *limit * R::SIXTEENTH * R::from(raise);
+                }
+                let faster = self.within(from, higher)?;
+                let is_better = faster.t < time.t && (self.is_on_path(&faster) || !self.is_on_path(&time));
+                if is_better && self.keeps(&faster) {
+                    (time, limits) = (faster, higher);
+                }
+            }
+        }
+        Ok(time)
+    }
+
+    /// The fastest change within limits of its own.
+    fn within(&self, from: State<R>, [up, down, slowing]: [R; 3]) -> Result<Move<R>, Error> {
+        let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
+        let mut time = Move::default();
+        time.reach(&limits, from, self.rate, R::ZERO)?;
+        Ok(time)
+    }
+
+    /// Whether the time stays between the ends of the path.
+    fn is_on_path(&self, time: &Move<R>) -> bool {
+        let extremes = time.extremes();
+        let rounding = R::DOUBT * self.axis(0).duration();
+        extremes.lowest.position >= -rounding && extremes.highest.position <= self.length + rounding
+    }
+
+    /// Whether the rate does not overshoot by more than 1, and all axes surely keep their limits.
+    fn keeps(&self, time: &Move<R>) -> bool {
+        let fastest = R::ONE + time.start().velocity.abs().at_least(self.rate.abs());
+        let mut axes = self.limits.iter().enumerate();
+        time.extremes().speed() <= fastest
+            && axes.all(|(index, limits)| Trial { time, axis: self.axis(index), limits }.keeps())
+    }
+}
+
+/// The least `A/|v|` and `J/|v|`.
+fn slowest<'a, R: Real + 'a>(speeds: impl Iterator<Item = (R, &'a Limits<R>)>) -> [R; 2] {
+    let [mut slowing, mut bending] = [R::INFINITY; 2];
+    for (speed, limits) in speeds {
+        slowing = slowing.at_most(limits.amax.at_most(-limits.amin) / speed);
+        bending = bending.at_most(limits.jmax.at_most(-limits.jmin) / speed);
+    }
+    [slowing, bending]
+}
+
+fn standing<R: Real>(state: State<R>) -> Move<R> {
+    let mut time = Move::default();
+    time.stay(state);
+    time
+}
+
+impl<R: Real> Move<R> {
+    /// The motion from the time `x` on.
+    pub(super) fn rest(&self, x: R) -> Option<Self> {
+        let later = self.lasting().filter(|phase| phase.duration == R::ZERO || phase.start + phase.duration > x);
+        let rest = later.map(|phase| {
+            let passed = (x - phase.start).at_least(R::ZERO);
+            let State { position, velocity, acceleration } = phase.state().after(passed, phase.jerk);
+            let duration = (phase.duration - passed).at_least(R::ZERO);
+            let start = (phase.start - x).at_least(R::ZERO);
+            Phase { start, duration, position, velocity, acceleration, jerk: phase.jerk }
+        });
+        joined(self.state_at(x), rest)
+    }
+
+    /// This motion until the time `t`, and then the other one.
+    fn then(&self, t: R, other: &Self) -> Option<Self> {
+        let mine = self.lasting().take_while(|phase| phase.duration > R::ZERO && phase.start < t);
+        let mine = mine.map(|phase| Phase { duration: phase.duration.at_most(t - phase.start), ..*phase });
+        let theirs = other.lasting().map(|phase| Phase { start: t + phase.start, ..*phase });
+        joined(self.start(), mine.chain(theirs))
+    }
+
+    /// The phases that last, and the end.
+    fn lasting(&self) -> impl Iterator<Item = &Phase<R>> {
+        let end = self.phases().len();
+        let used = self.phase.iter().enumerate().take(1 + end).skip(1);
+        used.filter(move |(index, phase)| phase.duration > R::ZERO || *index == end).map(|(_, phase)| phase)
+    }
+}
+
+/// A motion of these phases. The last one is the end. `None` if they are too many.
+fn joined<R: Real>(start: State<R>, phases: impl Iterator<Item = Phase<R>>) -> Option<Move<R>> {
+    let mut motion = standing(start);
+    motion.count = 0;
+    let mut slots = motion.phase.iter_mut().skip(1);
+    for phase in phases {
+        motion.t = phase.start;
+        motion.count += 1;
+        *slots.next()? = phase;
+    }
+    Some(motion)
+}
+
+/// The phases of a move that starts at `start`, each with the time at which it starts and the time at which the next one does. If the move goes on, its end
+/// is the last one.
+fn phases<R: Real>(of: &Move<R>, start: R, goes_on: bool) -> impl Iterator<Item = (&Phase<R>, R, R)> {
+    let count = of.phases().len();
+    let used = of.phase.iter().take(count + usize::from(goes_on));
+    // Phase 0 is the start.
+    let lasting = used.enumerate().skip(1).filter(move |(index, phase)| phase.duration > R::ZERO || *index == count);
+    lasting.map(move |(index, phase)| {
+        let next = of.phase.get(index + 1).filter(|_| index < count);
+        let next = next.map_or(R::INFINITY, |next| start + next.start);
+        (phase, start + phase.start, next)
+    })
+}
+
+/// A change of the rate as an axis sees it.
+struct Trial<'a, R> {
+    time: &'a Move<R>,
+    axis: Axis<'a, R>,
+    limits: &'a Limits<R>,
+}
+
+impl<R: Real> Trial<'_, R> {
+    /// Whether the axis surely keeps its limits: during the change, and then at the new rate until the end of the path or its start.
+    fn keeps(&self) -> bool {
+        let mut phases = self.time.phases().iter();
+        phases.all(|phase| self.keeps_in(phase)) && self.keeps_in(&self.after())
+    }
+
+    /// The new rate as a phase of the clock.
+    fn after(&self) -> Phase<R> {
+        let State { position: s, velocity: rate, .. } = self.time.end();
+        let way = if rate > R::ZERO { self.axis.duration() - s } else { s };
+        let duration = if rate != R::ZERO && way > R::ZERO { way / rate.abs() } else { R::ZERO };
+        Phase { duration, position: s, velocity: rate, ..Phase::default() }
+    }
+
+    /// During a phase of the clock: as a whole, or else each half of it, and so on.
+    fn keeps_in(&self, phase: &Phase<R>) -> bool {
+        let least = phase.duration / R::from_index(PARTS);
+        let (mut done, mut part) = (0, PARTS);
+        while done < PARTS {
+            let [from, to] = [done, done + part].map(|k| R::from_index(k) * least);
+            if self.keeps_over(phase, Parabola::between(from, to)) {
+                done += part;
+                part = done & done.wrapping_neg();
+            } else if part > 1 {
+                part /= 2;
+            } else {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// In a part of a phase of the clock.
+    fn keeps_over(&self, of: &Phase<R>, part: Parabola<R>) -> bool {
+        let [passed, ..] = part.along(of);
+        let [low, high] = passed.range();
+        let is_touched = |start: R, end: R| high >= start && low <= end;
+        let touched =
+            |(section, begin, end)| is_touched(begin, end).then(|| phases(section, begin, end == R::INFINITY));
+        self.axis.sections().filter_map(touched).all(|mut phases| {
+            phases.all(|(phase, start, end)| {
+                let part = part.narrowed(passed.when_between(start, end));
+                !is_touched(start, end) || self.keeps_beside(phase, start, part.along(of))
+            })
+        })
+    }
+
+    /// While the axis is in a phase that starts at the time `start` of the path, and the time of the path and its derivatives are in these parts.
+    fn keeps_beside(&self, phase: &Phase<R>, start: R, [s, rate, slowing, bending]: [Parabola<R>; 4]) -> bool {
+        let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
+        let square = rate.times(rate);
+        let three = Parabola::constant(R::from(3));
+        let acceleration = a.times(square).plus(v.times(slowing));
+        let turning = three.times(a).times(rate.times(slowing));
+        let jerk = j.times(square.times(rate)).plus(turning).plus(v.times(bending));
+        let limits = self.limits;
+        v.times(rate).is_between(limits.vmin, limits.vmax)
+            && acceleration.is_between(limits.amin, limits.amax)
+            && jerk.is_between(limits.jmin, limits.jmax)
+    }
+}

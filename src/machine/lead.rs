@@ -1,0 +1,71 @@
+//! The stop of axes on one straight line: that of the axis with the longest way, which needs no reserve.
+
+use super::change::Law;
+use crate::findings::Error;
+use crate::limits::Limits;
+use crate::online::Move;
+use crate::real::Real;
+use crate::state::State;
+
+/// The lead's fastest stop, if the path is one section on a straight line, from rest to rest. `time` is the time of the path and its derivatives.
+pub(super) fn stop<R: Real>(moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4]) -> Result<Option<Law<R>>, Error> {
+    let displacement = |of: &Move<R>| of.end().position - of.start().position;
+    let Some(first) = moves.first().filter(|_| moves.len() == limits.len()) else { return Ok(None) };
+    let farther = |one: &Move<R>, other: &Move<R>| displacement(one).abs() < displacement(other).abs();
+    let lead = moves.iter().fold(first, |lead, of| if farther(lead, of) { of } else { lead });
+    let endless = R::INFINITY;
+    let mut tightest = Limits::symmetric(endless, endless, endless);
+    for (of, limits) in moves.iter().zip(limits) {
+        let share = displacement(of) / displacement(lead);
+        if !(of.start().is_at_rest() && of.end().is_at_rest() && goes_along(of, lead, share)) {
+            return Ok(None);
+        }
+        tightest.tighten(limits, share);
+    }
+    let [s, rate, slowing, _] = time;
+    let State { position, velocity, acceleration } = lead.state_at(s);
+    let from =
+        State { position, velocity: velocity * rate, acceleration: acceleration * rate * rate + velocity * slowing };
+    let mut stop = Move::default();
+    let is_within = stop.stop(&tightest, from)?.is_empty() && !stop.leaves_the_way_of(lead);
+    let is_reached = along(lead, stop.state(stop.t))[0] < lead.t;
+    let law = Law { until: stop.t, is_reached, time: stop, lead: Some(*lead) };
+    Ok(Some(law).filter(|_| is_within))
+}
+
+/// Whether every phase is that of the lead times `share`.
+fn goes_along<R: Real>(of: &Move<R>, lead: &Move<R>, share: R) -> bool {
+    let agree = |x: R, y: R| (x - share * y).abs() <= R::DOUBT * (x.abs() + (share * y).abs());
+    let mut phases = of.phases().iter().zip(lead.phases()).skip(2);
+    of.count == lead.count
+        && of.t == lead.t
+        && phases.all(|(phase, other)| {
+            phase.start == other.start
+                && agree(phase.velocity, other.velocity)
+                && agree(phase.acceleration, other.acceleration)
+        })
+}
+
+impl<R: Real> Move<R> {
+    fn leaves_the_way_of(&self, lead: &Self) -> bool {
+        let (one, other, reached) = (lead.start().position, lead.end().position, self.extremes());
+        let rounding = R::DOUBT * (one.abs() + other.abs());
+        reached.lowest.position < one.at_most(other) - rounding
+            || reached.highest.position > one.at_least(other) + rounding
+    }
+}
+
+/// The time of the path and its derivatives where the lead has these position, velocity, acceleration and jerk.
+pub(super) fn along<R: Real>(lead: &Move<R>, [position, velocity, acceleration, jerk]: [R; 4]) -> [R; 4] {
+    let (zero, end) = (R::ZERO, lead.end().position);
+    let beyond = (position - end).abs() <= (position - lead.start().position).abs();
+    let s = lead.time_at(position).unwrap_or(if beyond { lead.t } else { zero });
+    let [_, v, a, j] = lead.state(s);
+    if v == zero {
+        return [s, zero, zero, zero];
+    }
+    let rate = velocity / v;
+    let square = rate * rate;
+    let slowing = (acceleration - a * square) / v;
+    [s, rate, slowing, (jerk - j * square * rate - R::from(3) * a * rate * slowing) / v]
+}
