@@ -83,11 +83,11 @@ pub fn plan_contour<R: Real>(
         let (moves, _) = moves.split_at_mut_checked(axes * sections).ok_or(Error::Axes)?;
         plan(Request::of_parts(planned, lasting, limits, axes, places)?, steps, work)?.write(planned, lasting);
         let found = write_moves(moves, Request::of_parts(planned, lasting, limits, axes, places)?, lasting)?;
-        let is_far = |section: &usize| {
+        let is_far = |section: usize| {
             let moves = moves.get(section * axes..(section + 1) * axes);
             moves.is_some_and(|moves| !stays_within(moves, most))
         };
-        let far = (0..sections).filter(is_far).count();
+        let far = (0..sections).fold(0, |far, section| far + usize::from(is_far(section)));
         if far == 0 {
             return Ok(found);
         }
@@ -99,7 +99,7 @@ pub fn plan_contour<R: Real>(
             if let Some(place) = places.binary_search(&(section + 1)).ok().and_then(|given| places.get_mut(given)) {
                 *place = end;
             }
-            let is_far = is_far(&section);
+            let is_far = is_far(section);
             move_end(states, axes, section, end, is_far);
             end -= if is_far { 2 } else { 1 };
         }
