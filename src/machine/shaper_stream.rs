@@ -211,7 +211,7 @@ impl<R: Real> ShaperStream<R> {
         let state = [now.position, now.velocity, now.acceleration];
         let oldest = self.at as usize;
         let old = row(line, oldest);
-        let newest = row(line, before(self.at, self.ticks) as usize);
+        let newest = row(line, earlier(self.at, 1, self.ticks) as usize);
         self.still = if newest == state { self.still.saturating_add(1) } else { 1 };
         self.still = if now.is_at_rest() { self.still } else { 0 };
         set(line, oldest, state);
@@ -231,10 +231,7 @@ impl<R: Real> ShaperStream<R> {
 
     /// The mean over the impulses, counted from the newest state: where all are equal, it is exact.
     fn shaped(&self, line: &[R]) -> State<R> {
-        let mean = |back: i32| {
-            let back = (back as u32).min(self.at_mean + self.means);
-            row(line, (self.ticks + (self.at_mean + self.means - back) % self.means) as usize)
-        };
+        let mean = |back: i32| row(line, (self.ticks + earlier(self.at_mean, back as u32, self.means)) as usize);
         let newest = mean(0);
         let mut shaped = newest;
         for (weight, delay) in self.shaper.impulses() {
@@ -250,12 +247,14 @@ impl<R: Real> ShaperStream<R> {
     }
 }
 
+/// The next place in a ring.
 fn after(k: u32, count: u32) -> u32 {
     if k + 1 < count { k + 1 } else { 0 }
 }
 
-fn before(k: u32, count: u32) -> u32 {
-    if k > 0 { k - 1 } else { count - 1 }
+/// The place so many places before `k`, in a ring.
+fn earlier(k: u32, back: u32, count: u32) -> u32 {
+    if back <= k { k - back } else { (k + count).saturating_sub(back) }
 }
 
 /// State `k` of a delay line.

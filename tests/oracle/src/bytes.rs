@@ -427,8 +427,11 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
     let is_ordinary = are_promises_kept(&problem, &states, &durations, &limits);
     let before = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
+    let given = (states.clone(), durations.clone());
     let improved = axes::improve_path(&mut states, &mut durations, &limits, axes, 4, &mut work);
-    assert!(improved.is_ok(), "{problem}: {improved:?}");
+    // A path whose powers are beyond the range may be refused as such. Then it stays.
+    let stays = !is_ordinary && improved == Err(Error::NotFinite) && (&states, &durations) == (&given.0, &given.1);
+    assert!(improved.is_ok() || stays, "{problem}: {improved:?}");
     are_promises_kept(&problem, &states, &durations, &limits);
     let after = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
     let is_longer = after > before && is_ordinary;
