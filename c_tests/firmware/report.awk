@@ -24,6 +24,7 @@ function row(table, label, name, what, against,   limit) {
     if (limit != "") { printf "%s,%s,%s,%.2f\n", build, label, figures(name, what), figure[build, "ours", name, what] / limit > file(table) }
 }
 function path(label, what) {
+    if (figure[build, "ours", "paths", what "-instructions"] == "") { return }
     printf "%s,%s,%s,%s,%s\n", build, label, figure[build, "ours", "paths", what "-instructions"], figure[build, "ours", "paths", what "-stack"],
         figure[build, "ours", "paths", what "-memory"] > file("paths")
 }
