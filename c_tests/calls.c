@@ -323,7 +323,7 @@ static int axes(void) {
     return 0;
 }
 
-/* The way points of example 3 of Ruckig. */
+/* The waypoints of example 3 of Ruckig. */
 enum { AXES = 3, SECTIONS = 5, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 static const atraj_limits of_axes[AXES] = {{1, -1, 3, -3, 6, -6}, {2, -2, 2, -2, 10, -10}, {1, -1, 2, -2, 20, -20}};
 static const atraj_state points[(SECTIONS + 1) * AXES] = {

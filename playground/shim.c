@@ -57,7 +57,7 @@ atraj_clock *clock_at(int i) { return &clocks[i]; }
 atraj_limits *limits_at(int i) { return &limits[i]; }
 atraj_state *from_at(int i) { return &from[i]; }
 atraj_state *to_at(int i) { return &to[i]; }
-/* The state of an axis at a way point, the durations of the sections between them, and the memory to plan them. */
+/* The state of an axis at a waypoint, the durations of the sections between them, and the memory to plan them. */
 atraj_state *state_at(int point, int axis) { return &states[point * PATH_AXES + axis]; }
 a_float *durations_at(void) { return durations; }
 a_float *work_at(void) { return work; }

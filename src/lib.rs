@@ -30,7 +30,7 @@
 //! | [`Poly3`], [`Poly5`], [`Poly7`] | nothing: the duration is given | a move must take a given time, with given derivatives at its ends |
 //! | [`online::Move`] | jerk, acceleration, velocity, each way | the axis is in motion, the target may change, or the limits differ each way |
 //! | [`axes::synchronise`], [`axes::line`] | the same for each axis | several axes arrive together, or on a straight line |
-//! | [`axes::plan_path`] | the same for each axis | several axes pass way points without stops |
+//! | [`axes::plan_path`] | the same for each axis | several axes pass waypoints without stops |
 //! | [`machine::Axis`] | the same | a timer interrupt needs a setpoint while the main loop plans |
 //! | [`machine::Clock`] | the same, with a reserve | planned axes must hold, slow down or go back on their path |
 //! | [`machine::Shaper`] | keeps the limits of a move | a load must not swing at a known frequency |
@@ -61,7 +61,7 @@
 #![deny(unsafe_code)]
 
 pub mod axes {
-    //! Several axes that move together: in the same time, on a straight line, or through way points.
+    //! Several axes that move together: in the same time, on a straight line, or through waypoints.
     //!
     //! ```
     //! use atraj::axes::synchronise;

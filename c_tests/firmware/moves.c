@@ -1,6 +1,6 @@
 /* Prints moves that this host plans, in the form of the golden tables: moves TABLE > FILE. The tables `bell` and `trap` are plans of
  * atraj.h. The tables `move`, `phase` and `eval` are plans of atraj/move.h, their phases and their evaluations. The table `machine` has their steps, shaped states and holds. The tables `axes` and `stretched`
- * are sets of axes and the phases of their plans. The table `path` has paths through way points. The firmware must compute the same
+ * are sets of axes and the phases of their plans. The table `path` has paths through waypoints. The firmware must compute the same
  * bits. */
 #include <math.h>
 #include <stdio.h>

@@ -11,7 +11,7 @@ export const c = functions as Functions;
 export const AXES = c.axis_count();
 /** How many moves there are places for. */
 export const MOVES = c.move_count();
-/** How many way points there are places for. */
+/** How many waypoints there are places for. */
 export const POINTS = c.point_count();
 /** How many clocks there are places for. */
 export const CLOCKS = c.clock_count();

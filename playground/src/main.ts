@@ -202,7 +202,7 @@ function markRefused(): void {
     [...the("commands").children].forEach((item, i) => item.classList.toggle("bad", i >= (outcome.refused ?? Infinity)));
 }
 
-/** Adds a way point in the middle of the longest section. */
+/** Adds a waypoint in the middle of the longest section. */
 function add(): void {
     const length = (i: number) => Math.hypot(...state.points[i].map((value, axis) => value - state.points[i + 1][axis]));
     const sections = state.points.slice(1).map((_, i) => i);

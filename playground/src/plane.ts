@@ -1,9 +1,9 @@
-// The path of two axes in their plane, whose way points are dragged or moved by the arrow keys.
+// The path of two axes in their plane, whose waypoints are dragged or moved by the arrow keys.
 import { number } from "./plots";
 import type { Point } from "./state";
 
 export interface Moves {
-    /** A way point is to be there. */
+    /** A waypoint is to be there. */
     move(index: number, to: Point): void;
     remove(index: number): void;
 }
@@ -42,7 +42,7 @@ export class Plane {
         host.append(this.grid, this.straight, this.path, this.marker);
     }
 
-    /** Shows the way points, and the path of two curves, if there is one. */
+    /** Shows the waypoints, and the path of two curves, if there is one. */
     show(points: Point[], [xs, ys]: Float64Array[], unit: string): void {
         [this.points, this.unit] = [points, unit];
         const path = Array.from(xs ?? [], (x, k): Point => [x, ys[k]]);
@@ -128,7 +128,7 @@ export class Plane {
 
     private handle(i: number): SVGCircleElement {
         const handle = drawn("circle", {
-            class: "point", r: 9, tabindex: 0, role: "slider", "aria-label": `Way point ${i + 1}`, "aria-roledescription": "way point",
+            class: "point", r: 9, tabindex: 0, role: "slider", "aria-label": `Waypoint ${i + 1}`, "aria-roledescription": "waypoint",
         });
         handle.addEventListener("pointerdown", (event) => {
             handle.setPointerCapture(event.pointerId);

@@ -49,7 +49,7 @@ export interface Profile {
     runs?: boolean;
     /** What the dashed lines on the plots mark. */
     marks?: string;
-    /** Two axes pass way points. */
+    /** Two axes pass waypoints. */
     points?: boolean;
     plan(state: State): Outcome;
 }
@@ -441,13 +441,13 @@ export const PROFILES: Profile[] = [
     },
     {
         id: "path",
-        name: "Way points without stops",
+        name: "Waypoints without stops",
         note: "Two axes pass every point, as fast as the limits of both allow. Drag a point, or move it by the arrow keys.",
         groups: [...limitGroups.slice(0, PLANE.length), ...RUN],
         axes: PLANE,
         points: true,
         runs: true,
-        marks: "way point",
+        marks: "waypoint",
         plan: ({ values, points }) => planPath(values, points),
     },
 ];

@@ -9,7 +9,7 @@ export interface Command {
     target: number;
 }
 
-/** A way point in the plane of two axes. */
+/** A waypoint in the plane of two axes. */
 export type Point = [x: number, y: number];
 
 export interface State {

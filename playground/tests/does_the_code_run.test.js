@@ -37,7 +37,7 @@ const HASHES = {
     reserved: "profile=sync&run=1&reserve=30",
     path: "profile=path&unit=mm&points=0~0_3~4_3~-1_6~2",
 };
-/** The program for the path prints six setpoints of each section, and each way point once. In Python it prints eleven. */
+/** The program for the path prints six setpoints of each section, and each waypoint once. In Python it prints eleven. */
 const SETPOINTS = { path: 16 };
 
 let browser, close;

@@ -248,8 +248,8 @@ test("on a narrow screen the plots stay in sight while a limit is dragged", asyn
 const positions = (page) => page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => [...position]));
 const passes = ([xs, ys], [x, y]) => xs.some((value, k) => Math.hypot(value - x, ys[k] - y) < 0.02);
 
-onPage("a way point is dragged by the mouse", "#profile=path", async (page) => {
-    const { x, y, width } = await page.getByRole("slider", { name: "Way point 2" }).boundingBox();
+onPage("a waypoint is dragged by the mouse", "#profile=path", async (page) => {
+    const { x, y, width } = await page.getByRole("slider", { name: "Waypoint 2" }).boundingBox();
     const before = await duration(page);
     await page.mouse.move(x + width / 2, y + width / 2);
     await page.mouse.down();
@@ -260,12 +260,12 @@ onPage("a way point is dragged by the mouse", "#profile=path", async (page) => {
     const [, px, py] = page.url().match(/points=0%7E0_([-.\d]+)%7E([-.\d]+)_8%7E5_12%7E0/);
     assert.ok(px < 4 && py < 5, `${px} ${py}`);
     assert.ok(passes(await positions(page), [px, py]));
-    const box = await page.getByRole("slider", { name: "Way point 2" }).boundingBox();
+    const box = await page.getByRole("slider", { name: "Waypoint 2" }).boundingBox();
     assert.ok(box.x < x && box.y > y - 40);
 });
 
-onPage("the keyboard alone moves, adds and removes a way point", "#profile=path", async (page) => {
-    const point = page.getByRole("slider", { name: "Way point 3" });
+onPage("the keyboard alone moves, adds and removes a waypoint", "#profile=path", async (page) => {
+    const point = page.getByRole("slider", { name: "Waypoint 3" });
     await point.focus();
     await page.keyboard.press("ArrowRight");
     await page.keyboard.press("ArrowDown");
@@ -274,15 +274,15 @@ onPage("the keyboard alone moves, adds and removes a way point", "#profile=path"
     assert.ok(passes(await positions(page), [8.1, 4.9]));
     await page.getByRole("button", { name: "Add a point" }).press("Enter");
     await settled(page);
-    assert.equal(await page.getByRole("slider", { name: /^Way point/ }).count(), 5);
+    assert.equal(await page.getByRole("slider", { name: /^Waypoint/ }).count(), 5);
     await page.keyboard.press("Delete");
     await page.keyboard.press("Delete");
     await settled(page);
-    assert.equal(await page.getByRole("slider", { name: /^Way point/ }).count(), 3);
+    assert.equal(await page.getByRole("slider", { name: /^Waypoint/ }).count(), 3);
     for (let k = 0; k < 3; k += 1) {
         await page.getByRole("button", { name: "Remove the last" }).click();
     }
-    assert.equal(await page.getByRole("slider", { name: /^Way point/ }).count(), 2);
+    assert.equal(await page.getByRole("slider", { name: /^Waypoint/ }).count(), 2);
 });
 
 onPage("the plane has one scale", "#profile=path&points=0~0_10~10", async (page) => {

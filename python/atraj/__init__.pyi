@@ -470,7 +470,7 @@ def line_stop(limits: _LimitsOfAxes, moves: Moves, x: float) -> Moves:
     True"""
 @final
 class Path(Axes):
-    """A motion of several axes through way points, without stops between them unless an axis must turn there: what `path` plans.
+    """A motion of several axes through waypoints, without stops between them unless an axis must turn there: what `path` plans.
     It is a sequence of the `Moves` of its sections."""
     @property
     def times(self) -> _Array:

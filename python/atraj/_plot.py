@@ -40,7 +40,7 @@ def plot_axes(
     labels: Sequence[str] | None,
     plane: tuple[int, int] | None,
 ) -> Figure:
-    """The same for several axes, in a colour each, with a dot at each way point."""
+    """The same for several axes, in a colour each, with a dot at each waypoint."""
     t, *curves = motion.sample(n=SAMPLES)
     times = getattr(motion, "times", t[[0, -1]])
     points = motion.position(times)

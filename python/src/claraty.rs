@@ -10,7 +10,7 @@ use crate::values::{error, named, to_state};
 ///
 /// `now` is a reading of one clock, s, `time.monotonic()` for example. Nothing here reads a clock. `mode` is the `Mode` of the starts and
 /// stops: `Mode.CORRECTED` keeps the promise of CLARAty's class, `Mode.LISTING` gives the bits of the published listing. ValueError for
-/// another number. Way points are in Rust and C only.
+/// another number. Waypoints are in Rust and C only.
 ///
 /// >>> from atraj.claraty import Trajectory
 /// >>> axis = Trajectory()

@@ -1,6 +1,6 @@
 //! What the steps make small: the sum of the durations, less `mu` times the weighted logarithms of all slacks.
 //!
-//! `docs/path.md` has the theory, in "The barrier".
+//! `docs/path-theory.md` has the theory, in "The barrier".
 
 use super::chain::Chain;
 use super::memory::{group, tile};
@@ -115,7 +115,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    /// The weight of a way point.
+    /// The weight of a waypoint.
     fn weight_of_point(&self, point: usize) -> R {
         let weights = &self.memory.weights;
         weights.at(point - 1).at_most(weights.at(point))
@@ -170,7 +170,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         memory.of_durations.add(section, [tt]);
         memory.to_duration.set(2 * piece, group([tv0, ta0, x * ht]));
         memory.to_duration.set(2 * piece + 1, group([tv1, ta1, y * ht]));
-        // Way point `k` has the row before that of section `k`.
+        // Waypoint `k` has the row before that of section `k`.
         if let Some(start) = piece.checked_sub(self.axes) {
             memory.gradient.add(start, group([g_v0, g_a0, x * g_h]));
             memory.diagonal.add(start, [v0v0, a0v0, a0a0]);
@@ -283,7 +283,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(logarithms.sum())
     }
 
-    /// The change of the logarithms of a way point's slacks.
+    /// The change of the logarithms of a waypoint's slacks.
     fn try_point(&self, point: usize) -> Option<R> {
         let mut logarithms = Logarithms::none();
         for axis in 0..self.axes {
@@ -324,7 +324,7 @@ mod tests {
         }
     }
 
-    /// A path of two axes that differ, with two way points close to each other, in which the plan is inside. With three unknowns one position
+    /// A path of two axes that differ, with two waypoints close to each other, in which the plan is inside. With three unknowns one position
     /// alone is exact.
     fn with_path<const K: usize>(judge: impl FnOnce(&mut Chain<f64, K>)) {
         let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
@@ -411,7 +411,7 @@ mod tests {
         });
     }
 
-    /// Gradient and Hessian are those of what a step changes, by differences, also where a way point is moved along a curve.
+    /// Gradient and Hessian are those of what a step changes, by differences, also where a waypoint is moved along a curve.
     #[test]
     fn the_tables_are_derivatives() {
         tables_are_derivatives::<2>();

@@ -1,6 +1,6 @@
 //! Steps along a curve, where a straight one would leave the narrow way of close points.
 //!
-//! `docs/path.md` has the theory, in "Close points".
+//! `docs/path-theory.md` has the theory, in "Close points".
 
 use super::chain::Chain;
 use super::memory::Column;
@@ -57,7 +57,7 @@ impl<R: Real> Parabola<R> {
 }
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
-    /// The state at a way point, moved by the part `part` of the step.
+    /// The state at a waypoint, moved by the part `part` of the step.
     pub fn moved(&self, point: usize, axis: usize, part: R) -> [R; 2] {
         let [v, a] = self.at(point, axis);
         let step = self.direction(point, axis);
@@ -81,7 +81,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if is_bent { self.parabola(point, axis, &self.memory.durations).slopes } else { [[R::ZERO; 2]; 2] }
     }
 
-    /// Whether the possible displacements of a section beside a way point spread less than half of the way.
+    /// Whether the possible displacements of a section beside a waypoint spread less than half of the way.
     pub fn is_narrow(&self, point: usize, axis: usize) -> bool {
         let is_narrow = |section| {
             let [above, below] = self.memory.slacks.row(section * self.axes + axis);

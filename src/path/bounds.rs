@@ -1,10 +1,10 @@
-//! The limits of the states at a way point, and their logarithmic barrier.
+//! The limits of the states at a waypoint, and their logarithmic barrier.
 
 use crate::interval::ramp::PerJerk;
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// The tightest limits of the sections at a way point.
+/// The tightest limits of the sections at a waypoint.
 struct Tightest<R> {
     vmax: R,
     vmin: R,
@@ -44,7 +44,7 @@ impl<R: Real> Tightest<R> {
     }
 }
 
-/// The limits of a way point as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite
+/// The limits of a waypoint as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite
 /// limit is 0.
 pub(super) struct Bounds<R>(pub [R; 6]);
 

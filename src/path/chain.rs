@@ -183,7 +183,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         self.request.limits(place, axis)
     }
 
-    /// The limits of a way point: the limits of both sections, and of sections between them that do not last.
+    /// The limits of a waypoint: the limits of both sections, and of sections between them that do not last.
     pub fn bounds(&self, point: usize, axis: usize) -> Bounds<R> {
         Bounds(self.memory.bounds.row((point - 1) * self.axes + axis))
     }
@@ -309,7 +309,7 @@ impl<'w, R: Real, const K: usize> Chain<'_, 'w, R, K> {
 }
 
 impl<R: Real, const K: usize> Planned<'_, R, K> {
-    /// Writes the states of the way points and the durations of all sections. A section that does not last keeps the state.
+    /// Writes the states of the waypoints and the durations of all sections. A section that does not last keeps the state.
     pub fn write(self, states: &mut [State<R>], durations: &mut [R]) -> Findings {
         let Self { axes, sections, memory, findings } = self;
         let mut point = 0;

@@ -2,7 +2,7 @@
 //! of each axis at the start of a section, with its offset if the points have tolerances, and then the section's duration with unknowns that
 //! are always 0.
 //!
-//! `docs/path.md` has the letters and the theory, in "The step". No root is taken, so powers of two in the units change no bit.
+//! `docs/path-theory.md` has the letters and the theory, in "The step". No root is taken, so powers of two in the units change no bit.
 
 use core::ops::Range;
 
@@ -92,7 +92,7 @@ impl<R: Real, const K: usize> Factors<R, K> {
 }
 
 impl<R: Real, const K: usize> Memory<'_, R, K> {
-    /// The block of a way point: `D`.
+    /// The block of a waypoint: `D`.
     fn diagonal(&self, row: usize) -> Tile<R, K> {
         let ([vv, va, aa], [vx, ax, xx]) = (self.diagonal.row(row), self.of_offsets.row(row));
         tile([[vv, va, vx], [va, aa, ax], [vx, ax, xx]])

@@ -165,7 +165,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub states: Table<'a, R, 2>,
     /// The states of a step that is tried, also of the start and of the end.
     pub tried_states: Table<'a, R, 2>,
-    /// How far each way point is from where it is given, in tolerances. Only with three unknowns, as all tables of positions.
+    /// How far each waypoint is from where it is given, in tolerances. Only with three unknowns, as all tables of positions.
     pub offsets: Column<'a, R>,
     /// The offsets of a step that is tried.
     pub tried_offsets: Column<'a, R>,
@@ -179,17 +179,17 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub inside: Column<'a, R>,
     /// The slacks of both borders.
     pub slacks: Table<'a, R, 2>,
-    /// The limits of the way points.
+    /// The limits of the waypoints.
     pub bounds: Table<'a, R, 6>,
-    /// `D`: the blocks of the way points, as `vv`, `va`, `aa`.
+    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`.
     pub diagonal: Table<'a, R, 3>,
     /// The rest of `D`, with the offset `x`: `vx`, `ax`, `xx`.
     pub of_offsets: Table<'a, R, 3>,
-    /// `E`: the blocks between a way point and the next one.
+    /// `E`: the blocks between a waypoint and the next one.
     pub coupling: Tiles<'a, R, K>,
     /// `B`: the blocks between a section's ends and its duration: a row for the start, and one for the end.
     pub to_duration: Table<'a, R, K>,
-    /// The gradient by the unknowns of the way points.
+    /// The gradient by the unknowns of the waypoints.
     pub gradient: Table<'a, R, K>,
     /// Which section of the caller each one is.
     pub places: Column<'a, R>,

@@ -1,6 +1,6 @@
-//! Way points without stops: several axes pass given points at the same times, and stop nowhere unless they must.
+//! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must.
 //!
-//! `docs/path.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
+//! `docs/path-theory.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
 //! one step, `steps` takes them. `start` and `warm` find the plan before the first step. `moves` makes the motions of a planned path, and
 //! `deviation` says how far they leave the straight lines between its points, and `contour` adds points where that is too far. `feed` limits the
 //! speed of all axes together.
@@ -40,7 +40,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
     memory::size::<2>(axes, sections)
 }
 
-/// Plans a path through way points: the velocities and accelerations at the way points, and the durations of the sections between them. No section
+/// Plans a path through waypoints: the velocities and accelerations at the waypoints, and the durations of the sections between them. No section
 /// is impossible, and the path is not longer than one that stops at every point.
 ///
 /// `states` has a state for each of the `axes`, point by point: one point more than `durations` has sections. Every position is given, and the first and

@@ -1,6 +1,6 @@
 //! First plans that pass waypoints: straight rows of points as one move, and for one axis the highest speeds without acceleration.
 //!
-//! `docs/path.md` has the reasons, in "The first plan".
+//! `docs/path-theory.md` has the reasons, in "The first plan".
 
 use super::chain::Chain;
 use crate::findings::Error;

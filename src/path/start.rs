@@ -1,4 +1,4 @@
-//! The first plan: it stops at every way point, or rolls past a point at which an axis cannot stop in time.
+//! The first plan: it stops at every waypoint, or rolls past a point at which an axis cannot stop in time.
 
 use super::chain::Chain;
 use crate::findings::Error;
@@ -9,7 +9,7 @@ use crate::several::axis::next_duration;
 use crate::several::cycle::Cycle;
 use crate::state::State;
 
-/// Durations that are tried for a section in which an axis passes its way point.
+/// Durations that are tried for a section in which an axis passes its waypoint.
 const TRIED: u8 = 8;
 
 /// When an axis that moves on after its ramp is at the position, which is ahead of it, s.
@@ -53,7 +53,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Lets all axes stop at every way point. Gives the duration of the path, s.
+    /// Lets all axes stop at every waypoint. Gives the duration of the path, s.
     pub fn stop_everywhere(&mut self) -> Result<R, Error> {
         for point in 1..self.sections {
             self.stop_at(point);
@@ -87,7 +87,7 @@ impl<R: Real> Chain<'_, '_, R> {
         true
     }
 
-    /// Lets axes that cannot stop before the next way point pass it, as long as this takes less time than to turn and come again.
+    /// Lets axes that cannot stop before the next waypoint pass it, as long as this takes less time than to turn and come again.
     ///
     /// To pass and to turn are separated by impossible durations, so the steps would keep the turn.
     pub fn roll(&mut self) -> Result<(), Error> {
@@ -176,7 +176,7 @@ impl<R: Real> Chain<'_, '_, R> {
         Some([ramp(highest)?, ramp(lowest)?])
     }
 
-    /// Lets every axis be at the way point after `duration`: at rest where this is possible, else in the mean of the motions that get farthest to
+    /// Lets every axis be at the waypoint after `duration`: at rest where this is possible, else in the mean of the motions that get farthest to
     /// both sides. Whether all can.
     fn pass(&mut self, point: usize, duration: R) -> bool {
         let mut axes = 0..self.axes;

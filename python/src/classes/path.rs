@@ -1,4 +1,4 @@
-//! Way points without stops.
+//! Waypoints without stops.
 
 use atraj::axes::{
     Contour, improve_path, limit_feed, path_deviation, path_moves, path_size, path_size_near, plan_contour, plan_path,
@@ -24,7 +24,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(path, module)?)
 }
 
-/// A motion of several axes through way points, without stops between them unless an axis must turn there: what `path` plans.
+/// A motion of several axes through waypoints, without stops between them unless an axis must turn there: what `path` plans.
 /// It is a sequence of the `Moves` of its sections.
 #[pyclass(frozen, extends = Axes, sequence)]
 pub struct Path {

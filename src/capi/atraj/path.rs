@@ -1,4 +1,4 @@
-//! `atraj/path.h`: way points without stops.
+//! `atraj/path.h`: waypoints without stops.
 
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
 use super::{answer, list, list_mut};

@@ -46,7 +46,7 @@ macro_rules! promise {
     };
 }
 
-/// A call of a function with arguments for `n` axes, samples or way points.
+/// A call of a function with arguments for `n` axes, samples or waypoints.
 type Call = fn(&mut Caller, n: usize) -> Answer;
 
 /// `name(arguments);` where `3` are three elements to read, `[3]` three to write, `{3}` room for three, and `_` is any value.

@@ -59,7 +59,7 @@ of_bytes! {
     /// Plans a move from any state, counts its steps and shapes it. Panics if a step is lost, if the shaped motion ends elsewhere, or if a refusal
     /// leaves a trace.
     steps_and_shapes => machine_as;
-    /// Plans a path through way points, and improves it. Panics if an error writes anything, or if a promised duration is refused.
+    /// Plans a path through waypoints, and improves it. Panics if an error writes anything, or if a promised duration is refused.
     way_points => path_as;
 }
 

@@ -1,4 +1,4 @@
-//! Does a path pass its way points within all limits, in the promised durations, and never later than with stops, in 2,000 paths per real type?
+//! Does a path pass its waypoints within all limits, in the promised durations, and never later than with stops, in 2,000 paths per real type?
 
 use atraj::State;
 use atraj::axes::{path_size, synchronise};
@@ -152,7 +152,7 @@ fn units_change_no_bit<R: Original>() {
     }
 }
 
-/// One axis moves and comes back to where it starts, the other one cannot stop before its way point: to both sides alike.
+/// One axis moves and comes back to where it starts, the other one cannot stop before its waypoint: to both sides alike.
 fn there_and_back<R: Original>() {
     let state = |numbers: [f64; 3]| {
         let [position, velocity, acceleration] = numbers.map(R::of);
@@ -169,7 +169,7 @@ fn there_and_back<R: Original>() {
     to_both_sides_alike(&chain);
 }
 
-/// An axis cannot stop before its way points, and another one hardly gets to its own in time.
+/// An axis cannot stop before its waypoints, and another one hardly gets to its own in time.
 fn hardly_in_time<R: Original>() {
     let mut random = Random::seeded(7);
     for _ in 0..200 {

@@ -9,7 +9,7 @@ use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use oracle::liba::abi::Original;
 use support::{Random, Real, test_both_reals};
 
-/// Way points that the documentation of Ruckig plans in its example 3.
+/// Waypoints that the documentation of Ruckig plans in its example 3.
 fn example_of_ruckig<R: Real>() -> Chain<R> {
     let points =
         [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
@@ -354,7 +354,7 @@ fn beside_the_move<R: Original>() {
     assert!(worst[0] < 1.1 && worst[1] < 1.0 + rounding);
 }
 
-/// By default a path of 10 sections gets 48 steps, as `docs/path.md` says, and a shorter one fewer.
+/// By default a path of 10 sections gets 48 steps, as `docs/path-theory.md` says, and a shorter one fewer.
 #[test]
 fn ten_sections_get_all_steps() {
     let mut chains = Chains::new(7);

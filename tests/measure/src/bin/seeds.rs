@@ -1,5 +1,5 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
-//! another, random problems of `Move` in a third, of several axes in a fourth, of way points in a fifth, and requests to an axis in a sixth.
+//! another, random problems of `Move` in a third, of several axes in a fourth, of waypoints in a fifth, and requests to an axis in a sixth.
 
 use atraj::State;
 use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
@@ -84,7 +84,7 @@ fn of_machine<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-/// Way points of one or two axes: the first byte holds the number of axes and that of sections above the real type.
+/// Waypoints of one or two axes: the first byte holds the number of axes and that of sections above the real type.
 fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let [axes, sections] = [1 + case % 2, 1 + case / 2 % 4];
     let mut numbers = Vec::new();

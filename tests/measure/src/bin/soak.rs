@@ -1,6 +1,6 @@
 //! `soak <what> <first seed> <seeds> <file>`: a portion of random cases per seed and real type. `calls`: a million calls against the
 //! original. `plans`: a million motions without acceleration at their ends against the referee. `moves`: a quarter of a million moves from
-//! any state to any state. `axes`: ten thousand sets of axes that move together. `paths`: a thousand paths through way points.
+//! any state to any state. `axes`: ten thousand sets of axes that move together. `paths`: a thousand paths through waypoints.
 //!
 //! After each seed the file holds what was done: `what,seeds,count,faults,an hour`. So a run may be stopped at any time.
 
@@ -125,7 +125,7 @@ impl Display for Judged {
     }
 }
 
-/// Paths through way points.
+/// Paths through waypoints.
 struct Chained<R> {
     paths: u64,
     bad: Vec<String>,

@@ -5,7 +5,7 @@
 //! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
 //! `bench moves`: a table of the moves from any state to any state, and of several axes that arrive together, beside rsruckig and Ruckig's C++.
 //! `bench evaluations`: a table of evaluations of such moves, beside the double-S.
-//! `bench path`: a table of paths through way points, beside the crate rsruckig.
+//! `bench path`: a table of paths through waypoints, beside the crate rsruckig.
 //! `bench levels`: a table of samples from the shared library of each level of x86-64, beside the original's at `-O2` and beside
 //! filling the arrays with a constant.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.

@@ -15,13 +15,13 @@ pub enum Fault {
     Waits,
     /// It promises a little less than a section takes.
     TooShort,
-    /// An axis passes a way point a little too fast.
+    /// An axis passes a waypoint a little too fast.
     TooFast,
     /// The limits are a little wider.
     WideLimits,
     /// The limits of the first section hold everywhere.
     NoZones,
-    /// A way point is a representable number beside the given one.
+    /// A waypoint is a representable number beside the given one.
     Beside,
     /// The end has another velocity.
     EndOff,

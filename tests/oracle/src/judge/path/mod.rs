@@ -146,7 +146,7 @@ fn wrong_section<R: Original>(
     None
 }
 
-/// How long the path takes that stops at every way point, s. A section in which nothing moves takes no time.
+/// How long the path takes that stops at every waypoint, s. A section in which nothing moves takes no time.
 pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
     let (axes, sections) = (chain.axes, chain.sections());
     let mut states = chain.states.clone();

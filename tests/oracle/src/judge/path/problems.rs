@@ -10,7 +10,7 @@ use support::{Random, Real};
 pub enum Family {
     /// From rest to rest.
     AtRest,
-    /// One way point.
+    /// One waypoint.
     OnePoint,
     /// All limits differ.
     UnequalLimits,
@@ -42,7 +42,7 @@ pub enum Family {
     Dense,
     /// Some limits are infinite.
     Unlimited,
-    /// No way point.
+    /// No waypoint.
     NoPoint,
 }
 
