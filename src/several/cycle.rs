@@ -60,7 +60,8 @@ impl<R: Real> Cycle<R> {
     fn from(&self, t: R) -> R {
         self.count(t).map_or(t, |count| {
             let nearest = whole(count);
-            let is_early = nearest < count - of_formula(count);
+            // A part of a period may be too small for a number.
+            let is_early = nearest < count - of_formula(count) || count == R::ZERO && t > R::ZERO;
             self.period * if is_early { nearest + R::ONE } else { nearest }
         })
     }
@@ -102,6 +103,12 @@ mod tests {
             cycle.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
         };
         assert!(is_asked(0.75) && !is_asked(1.5));
+    }
+
+    #[test]
+    fn a_tick_is_not_before_a_duration_that_no_part_of_a_period_shows() {
+        let cycle = Cycle::new(0.0, 1e241).expect("a cycle");
+        assert_eq!([0.0, 1e-102].map(|t| cycle.until_possible(1, t, |t| t)), [Ok(0.0), Ok(1e241)]);
     }
 
     #[test]
