@@ -113,7 +113,7 @@ impl<'a, R: Real> Change<'a, R> {
             let time = self.to_the_end(change).ok_or(Error::Target)?;
             return Ok(Law { time, until: change.t, is_reached: true, lead: None });
         }
-        let border = if change.end().position > from.position { self.length } else { R::ZERO };
+        let border = if self.rate > R::ZERO { self.length } else { R::ZERO };
         let until = change.time_at(border).ok_or(Error::Target)?;
         let time = change.then(until, &standing(State::at(border))).ok_or(Error::Target)?;
         Ok(Law { time, until, is_reached: false, lead: None })

@@ -28,9 +28,13 @@ pub(super) fn stop<R: Real>(moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4
         State { position, velocity: velocity * rate, acceleration: acceleration * rate * rate + velocity * slowing };
     let mut stop = Move::default();
     let is_within = stop.stop(&tightest, from)?.is_empty() && !stop.leaves_the_way_of(lead);
-    let is_reached = along(lead, stop.state(stop.t))[0] < lead.t;
+    // A low velocity of the lead, compared with its highest, has large roundings where the rate is divided by it.
+    let least = R::EPSILON.sqrt() * lead.extremes().speed();
+    let [stands, ..] = along(lead, stop.state(stop.t));
+    let is_exact = [s, stands].into_iter().all(|s| lead.velocity(s).abs() > least);
+    let is_reached = stands < lead.t;
     let law = Law { until: stop.t, is_reached, time: stop, lead: Some(*lead) };
-    Ok(Some(law).filter(|_| is_within))
+    Ok(Some(law).filter(|_| is_within && is_exact))
 }
 
 /// Whether every phase is that of the lead times `share`.

@@ -11,7 +11,7 @@ const PATHS: usize = if support::BRIEF { 3_334 } else { 33_334 };
 const SAMPLES: usize = 40;
 const RESERVES: [f64; 3] = [0.1, 0.2, 0.5];
 
-/// Axes that arrive together, from rest to rest, in one section or in several ones between waypoints.
+/// Axes that arrive together, from rest to rest, in one section or in several ones between way points.
 struct Path<R> {
     /// Section by section.
     moves: Vec<Move<R>>,
@@ -302,7 +302,7 @@ fn a_line_stops_exactly() {
     }
 }
 
-/// Random paths between waypoints, planned at a part of the limits.
+/// Random paths between way points, planned at a part of the limits.
 fn held_path(random: &mut Random, part: f64) -> (Path<f64>, Vec<Limits<f64>>) {
     let n = 2 + random.below(4);
     let sections = random.pick(&[4, 5, 6, 8]);
