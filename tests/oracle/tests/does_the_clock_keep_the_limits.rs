@@ -292,11 +292,19 @@ fn a_line_stops_exactly() {
                     let off = [position - lead.position, velocity - lead.velocity, acceleration - lead.acceleration];
                     assert!(off.iter().all(|off| off.abs() < 1e-6), "{n} {part} {x} {k}: {off:?}");
                 }
-                // It goes on from anywhere.
-                clock.rate(&moves[..n], &limits[..n], x + 0.5 * stop.t, 1.0).map_or_else(
-                    |why| assert!(why == Error::Target && (part == 1.0 || x < 0.02 * t), "{n} {part} {x}: {why}"),
-                    |_| assert_eq!(clock.state(&moves[..n], n, 50.0 * t), [2.0, 0.0, 0.0, 0.0]),
-                );
+                // It goes on, at the latest when it stands. In the middle the brake is at its limit, where a change may not be proved.
+                let mut resumed = clock;
+                let is_refused = resumed.rate(&moves[..n], &limits[..n], x + 0.5 * stop.t, 1.0).is_err();
+                if is_refused {
+                    assert_eq!(resumed, clock);
+                    let at_rest = resumed.rate(&moves[..n], &limits[..n], clock.until(), 1.0);
+                    assert!(at_rest.is_ok() || at_rest == Err(Error::Target) && part == 1.0, "{n} {part} {x}");
+                    if at_rest.is_err() {
+                        continue;
+                    }
+                }
+                let end = resumed.state(&moves[..n], n, 50.0 * t);
+                assert_eq!(end, [2.0, 0.0, 0.0, 0.0], "{n} {part} {x}");
             }
         }
     }
