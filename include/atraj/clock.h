@@ -104,7 +104,7 @@ struct atraj_clock {
     /**
      * when the rate is reached, s
      */
-    a_float until;
+    a_float reached;
     /**
      * when the change before the last one began, s
      */

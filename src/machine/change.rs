@@ -2,8 +2,8 @@
 //!
 //! `docs/machine.md` has the theory.
 
-use super::clock::Axis;
 use super::parabola::Parabola;
+use super::sections::Axis;
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::online::{Move, Phase};

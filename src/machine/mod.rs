@@ -29,6 +29,7 @@ pub(crate) mod clock;
 mod handover;
 mod lead;
 mod parabola;
+mod sections;
 pub(crate) mod shaper;
 pub(crate) mod shaper_stream;
 pub(crate) mod step_stream;

@@ -12,7 +12,7 @@ pub struct atraj_clock {
     /// when the last change of the rate begins, s
     pub begin: a_float,
     /// when the rate is reached, s
-    pub until: a_float,
+    pub reached: a_float,
     /// when the change before the last one began, s
     pub begin_before: a_float,
     /// 1 if `time` is the position of the lead, else 0
@@ -26,7 +26,7 @@ pub struct atraj_clock {
     /// the move of the lead, if the axes stop on a straight line
     pub lead: atraj_move,
 }
-assert_same_layout!(atraj_clock, Clock<Number>, begin until begin_before is_led was_led time before lead);
+assert_same_layout!(atraj_clock, Clock<Number>, begin reached = until begin_before is_led was_led time before lead);
 
 /// @brief Start a clock at the time 0. It runs as planned: its time is the time of the path.
 /// @param ctx points to a clock, which need not be initialised; nothing happens if it is NULL

@@ -1,0 +1,48 @@
+//! The moves of an axis, section by section.
+
+use crate::online::Move;
+use crate::real::Real;
+
+/// The moves of an axis: the first one, and then each `n` moves after the one before.
+#[derive(Clone, Copy)]
+pub(super) struct Axis<'a, R> {
+    pub moves: &'a [Move<R>],
+    pub n: usize,
+}
+
+impl<'a, R: Real> Axis<'a, R> {
+    /// Axis `index` of `n` axes.
+    pub fn new(moves: &'a [Move<R>], n: usize, index: usize) -> Self {
+        let moves = moves.get(index..).unwrap_or_default();
+        Self { moves, n }
+    }
+
+    /// The moves, each with the time at which it starts and the time at which the next one does. The last move goes on.
+    pub fn sections(self) -> impl Iterator<Item = (&'a Move<R>, R, R)> {
+        let (mut rest, mut end) = (self.moves, R::ZERO);
+        core::iter::from_fn(move || {
+            let (of, start) = (rest.first()?, end);
+            rest = rest.get(self.n.max(1)..).unwrap_or_default();
+            let is_last = rest.is_empty();
+            end = if is_last { R::INFINITY } else { start + of.t };
+            Some((of, start, end))
+        })
+    }
+
+    /// The move at the time `s`, and when it starts. The first move is there before its start, too.
+    pub fn section(self, s: R) -> Option<(&'a Move<R>, R)> {
+        let mut found = None;
+        for (of, start, end) in self.sections() {
+            found = Some((of, start));
+            if s < end {
+                break;
+            }
+        }
+        found
+    }
+
+    /// The duration.
+    pub fn duration(self) -> R {
+        self.sections().last().map_or(R::ZERO, |(of, start, _)| start + of.t)
+    }
+}
