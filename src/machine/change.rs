@@ -37,7 +37,7 @@ pub(super) struct Law<R> {
     pub until: R,
     pub is_reached: bool,
     /// If it is not the time of the path, but the position of this axis.
-    pub lead: Option<Move<R>>,
+    pub lead: Option<usize>,
 }
 
 /// A change of the rate.
@@ -68,11 +68,12 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// From this time of the path and its derivatives.
     pub fn law_from(&self, [position, velocity, acceleration, _]: [R; 4]) -> Result<Law<R>, Error> {
-        self.law(standing(State { position, velocity, acceleration }))
+        self.law(&standing(State { position, velocity, acceleration }))
     }
 
     /// The motion `now` goes on until a faster change is found.
-    pub fn law(&self, now: Move<R>) -> Result<Law<R>, Error> {
+    #[inline(never)] // for its stack
+    pub fn law(&self, now: &Move<R>) -> Result<Law<R>, Error> {
         let start = now.start();
         if self.is_at_end(start.position) {
             return self.leave(start.position);
@@ -88,7 +89,7 @@ impl<'a, R: Real> Change<'a, R> {
             // A little gain is not worth a phase.
             let shorter = change.filter(|change| t + change.t + R::SIXTEENTH * step < until);
             if let Some((law, end)) =
-                shorter.and_then(|change| Some((self.to_the_end(time.then(t, &change)?)?, t + change.t)))
+                shorter.and_then(|change| Some((self.to_the_end(&time.then(t, &change)?)?, t + change.t)))
             {
                 (time, until, is_reached) = (law, end, true);
             }
@@ -106,11 +107,12 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// A change within limits for the whole path, which may be so slow that it passes an end before it has the rate. There the path stands.
+    #[inline(never)] // for its stack
     fn slow(&self, from: State<R>) -> Result<Law<R>, Error> {
         let (time, limits) = self.first_slow(from)?;
         let change = self.faster(from, time, limits)?;
         if self.is_on_path(&change) {
-            let time = self.to_the_end(change).ok_or(Error::Target)?;
+            let time = self.to_the_end(&change).ok_or(Error::Target)?;
             return Ok(Law { time, until: change.t, is_reached: true, lead: None });
         }
         let border = if self.rate > R::ZERO { self.length } else { R::ZERO };
@@ -143,23 +145,25 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// From an end at which the path rests, where the rate may jump.
+    #[inline(never)] // for its stack
     fn leave(&self, s: R) -> Result<Law<R>, Error> {
         let (s, away) = if s > R::ZERO { (self.length, self.rate < R::ZERO) } else { (R::ZERO, self.rate > R::ZERO) };
         let at_once = standing(State { velocity: if away { self.rate } else { R::ZERO }, ..State::at(s) });
         if self.keeps(&at_once) {
-            let time = self.to_the_end(at_once).ok_or(Error::Target)?;
+            let time = self.to_the_end(&at_once).ok_or(Error::Target)?;
             return Ok(Law { time, until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None });
         }
         self.slow(State::at(s))
     }
 
     /// The motion goes on at its last rate to the end of the path, or to its start, and stands there.
-    fn to_the_end(&self, time: Move<R>) -> Option<Move<R>> {
+    #[inline(never)] // for its stack
+    fn to_the_end(&self, time: &Move<R>) -> Option<Move<R>> {
         let State { position, velocity, acceleration } = time.end();
         let border = if velocity > R::ZERO { self.length } else { R::ZERO };
         let duration = (border - position) / velocity;
         if !(velocity != R::ZERO && acceleration == R::ZERO && duration < R::INFINITY) {
-            return Some(time);
+            return Some(*time);
         }
         let mut way = standing(time.end());
         let [_, first, end, ..] = &mut way.phase;
@@ -174,6 +178,7 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// How long the slowest axis takes for its stop at the time `s` of the path.
+    #[inline(never)] // for its stack
     fn free_stop(&self, s: R) -> Result<R, Error> {
         let mut longest = R::ZERO;
         for (index, limits) in self.limits.iter().enumerate() {
@@ -191,6 +196,7 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// The fastest change that is found, if any: not much longer than `most`.
+    #[inline(never)] // for its stack
     fn fastest(&self, from: State<R>, most: R) -> Result<Option<Move<R>>, Error> {
         let [slowing, bending] = self.limits_at(from.position);
         let mut shortest = most + R::HALF * most;
@@ -227,6 +233,7 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// Raises each limit of a change alone, as long as the limits of the axes are kept.
+    #[inline(never)] // for its stack
     fn faster(&self, from: State<R>, mut time: Move<R>, mut limits: [R; 3]) -> Result<Move<R>, Error> {
         for raise in RAISES {
             for index in 0..limits.len() {
@@ -245,6 +252,7 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// The fastest change within limits of its own.
+    #[inline(never)] // for its stack
     fn within(&self, from: State<R>, [up, down, slowing]: [R; 3]) -> Result<Move<R>, Error> {
         let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
         let mut time = Move::default();
@@ -286,6 +294,7 @@ fn standing<R: Real>(state: State<R>) -> Move<R> {
 
 impl<R: Real> Move<R> {
     /// The motion from the time `x` on.
+    #[inline(never)] // for its stack
     pub(super) fn rest(&self, x: R) -> Option<Self> {
         let later = self.lasting().filter(|phase| phase.duration == R::ZERO || phase.start + phase.duration > x);
         let rest = later.map(|phase| {
@@ -299,6 +308,7 @@ impl<R: Real> Move<R> {
     }
 
     /// This motion until the time `t`, and then the other one.
+    #[inline(never)] // for its stack
     fn then(&self, t: R, other: &Self) -> Option<Self> {
         let mine = self.lasting().take_while(|phase| phase.duration > R::ZERO && phase.start < t);
         let mine = mine.map(|phase| Phase { duration: phase.duration.at_most(t - phase.start), ..*phase });

@@ -103,13 +103,17 @@ impl<R: Real> Clock<R> {
         let law = match stop {
             Some(stop) => stop,
             None if self.is_led > 0 => change.law_from(now)?,
-            None => change.law(self.time.rest(x - self.begin).ok_or(Error::Target)?)?,
+            None => change.law(&self.time.rest(x - self.begin).ok_or(Error::Target)?)?,
         };
         if x > self.begin {
             (self.begin_before, self.was_led, self.before) = (self.begin, self.is_led, self.time);
         }
         (self.begin, self.until, self.time) = (x, x + law.until, law.time);
-        (self.is_led, self.lead) = (u32::from(law.lead.is_some()), law.lead.unwrap_or(self.lead));
+        let lead = law.lead.and_then(|lead| moves.get(lead));
+        self.is_led = u32::from(lead.is_some());
+        if let Some(lead) = lead {
+            self.lead = *lead;
+        }
         Ok(Findings::RATE_NOT_REACHED.when(!law.is_reached))
     }
 

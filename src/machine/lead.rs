@@ -8,11 +8,13 @@ use crate::real::Real;
 use crate::state::State;
 
 /// The lead's fastest stop, if the path is one section on a straight line, from rest to rest. `time` is the time of the path and its derivatives.
+#[inline(never)] // for its stack
 pub(super) fn stop<R: Real>(moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4]) -> Result<Option<Law<R>>, Error> {
     let displacement = |of: &Move<R>| of.end().position - of.start().position;
     let Some(first) = moves.first().filter(|_| moves.len() == limits.len()) else { return Ok(None) };
     let farther = |one: &Move<R>, other: &Move<R>| displacement(one).abs() < displacement(other).abs();
-    let lead = moves.iter().fold(first, |lead, of| if farther(lead, of) { of } else { lead });
+    let each = moves.iter().enumerate();
+    let (index, lead) = each.fold((0, first), |lead, of| if farther(lead.1, of.1) { of } else { lead });
     let endless = R::INFINITY;
     let mut tightest = Limits::symmetric(endless, endless, endless);
     for (of, limits) in moves.iter().zip(limits) {
@@ -33,7 +35,7 @@ pub(super) fn stop<R: Real>(moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4
     let [stands, ..] = along(lead, stop.state(stop.t));
     let is_exact = [s, stands].into_iter().all(|s| lead.velocity(s).abs() > least);
     let is_reached = stands < lead.t;
-    let law = Law { until: stop.t, is_reached, time: stop, lead: Some(*lead) };
+    let law = Law { until: stop.t, is_reached, time: stop, lead: Some(index) };
     Ok(Some(law).filter(|_| is_within && is_exact))
 }
 
