@@ -251,7 +251,7 @@ impl Answer {
     fn is_documented(&self, name: &str, n: usize) -> bool {
         match *self {
             Self::Nothing | Self::Number(_) => true,
-            Self::Code(code) => COUNTS.contains(&name) || (-10..128).contains(&code),
+            Self::Code(code) => COUNTS.contains(&name) || (-10..256).contains(&code),
             Self::Count(count) => count <= n || SIZES.iter().any(|size| name.starts_with(size)),
             // SAFETY: a text lasts as long as the program.
             Self::Text(text) => !unsafe { CStr::from_ptr(text) }.is_empty(),
