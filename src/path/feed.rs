@@ -34,13 +34,13 @@ use crate::state::State;
 pub fn limit_feed<R: Real>(
     limits: &mut [Limits<R>], states: &[State<R>], feeds: &[R], axes: usize,
 ) -> Result<(), Error> {
-    Request::of(states, feeds, limits, axes)?;
-    if limits.len() != axes * feeds.len() {
-        return Err(Error::Axes);
-    }
     for &feed in feeds {
         feed.partial_cmp(&feed).ok_or(Error::NotFinite)?;
         (feed > R::ZERO).then_some(()).ok_or(Error::Limits)?;
+    }
+    Request::of(states, feeds, limits, axes)?;
+    if limits.len() != axes * feeds.len() {
+        return Err(Error::Axes);
     }
     for (section, &feed) in feeds.iter().enumerate() {
         let of = section * axes..(section + 1) * axes;
