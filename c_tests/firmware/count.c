@@ -151,7 +151,7 @@ WEAK(atraj_move_acc) WEAK(atraj_move_jer) WEAK(atraj_limits_init) WEAK(atraj_mov
 WEAK(atraj_moves_sync_within) WEAK(atraj_axis_init) WEAK(atraj_axis_tick) WEAK(atraj_axis_go) WEAK(atraj_axis_track)
 WEAK(atraj_steps_init) WEAK(atraj_steps_next) WEAK(atraj_clock_start) WEAK(atraj_clock_rate) WEAK(atraj_clock_state)
 WEAK(atraj_shaper_init) WEAK(atraj_shaper_smooth) WEAK(atraj_shaper_add) WEAK(atraj_shaper_state)
-WEAK(atraj_path_plan) WEAK(atraj_path_improve)
+WEAK(atraj_path_plan) WEAK(atraj_path_improve) WEAK(atraj_path_size)
 
 static void fastest(void) {
     if (atraj_bell_gen) {
