@@ -52,7 +52,7 @@ def test_a_copied_clock_goes_its_own_way(real):
 @reals
 def test_a_clock_stands_at_its_ends(real):
     clock = real.module.Clock(LIMITS, real.module.path(PLANNED, POINTS))
-    found = real.module.Findings
+    found = atraj.Findings
     assert clock.rate(100, 1) == found.RATE_NOT_REACHED and clock.until == 100
     assert clock.rate(120, -1) == found(0)
     assert clock.position(200).tolist() == POINTS[0] and not clock.velocity(200).any()
@@ -66,7 +66,7 @@ def test_a_clock_says_why_not():
     clock = atraj.Clock(PLANNED, moves)
     for message, call in {
         "needs? a reserve|need a reserve": lambda: atraj.Clock([PLANNED[0]._replace(vmax=0.1)] * 2, moves).rate(0.5, 0),
-        "^x = -1.0 is before the last change": lambda: clock.rate(-1.0, 0),
+        "^x = -1 is before the last change": lambda: clock.rate(-1.0, 0),
         "^rate = NaN is infinite": lambda: clock.rate(0.1, math.nan),
         "^x = inf is infinite": lambda: clock.rate(math.inf, 0),
         "limits has 1 items, and moves 2 axes": lambda: atraj.Clock(PLANNED[:1], moves),
