@@ -112,11 +112,11 @@ struct atraj_clock {
     /**
      * 1 if `time` is the position of the lead, else 0
      */
-    uint32_t is_led;
+    unsigned int is_led;
     /**
      * 1 if `before` is the position of the lead, else 0
      */
-    uint32_t was_led;
+    unsigned int was_led;
     /**
      * the time of the path since the last change
      */

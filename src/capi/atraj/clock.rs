@@ -4,7 +4,7 @@ use super::r#move::{atraj_limits, atraj_move};
 use super::{answer, list, write};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut, value};
 use crate::machine::clock::Clock;
-use core::ffi::c_int;
+use core::ffi::{c_int, c_uint};
 
 /// @brief The time of a path as a move itself. Its members are the library's own.
 #[repr(C)]
@@ -16,9 +16,9 @@ pub struct atraj_clock {
     /// when the change before the last one began, s
     pub begin_before: a_float,
     /// 1 if `time` is the position of the lead, else 0
-    pub is_led: u32,
+    pub is_led: c_uint,
     /// 1 if `before` is the position of the lead, else 0
-    pub was_led: u32,
+    pub was_led: c_uint,
     /// the time of the path since the last change
     pub time: atraj_move,
     /// the time of the path before the last change
