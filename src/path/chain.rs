@@ -74,7 +74,7 @@ impl<'a, R: Real> Request<'a, R> {
             let mut section = self.sections - 1;
             self.limits(section, axis)?.check(self.state(0, axis), end)?;
             while section > 0 && !self.moves(section) {
-                // An axis that is bound to leave its limits cannot stay.
+                // An axis that will unavoidably exceed its limits cannot stay.
                 if self.limits(section, axis)?.are_left_after(end) {
                     return Err(Error::Target);
                 }
@@ -123,7 +123,7 @@ pub(super) struct Chain<'a, 'w, R, const K: usize = 2> {
     /// How many sections last.
     pub sections: usize,
     pub memory: Memory<'w, R, K>,
-    /// Whether an axis starts outside its limits, or is bound to leave them at the end.
+    /// Whether an axis starts outside its limits, or will unavoidably exceed them at the end.
     pub findings: Findings,
 }
 

@@ -50,7 +50,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 ///
 /// [`path_moves`] makes the motions of the sections. A point whose state is given splits a path into two.
 ///
-/// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits, and [`Findings::ENDS_LEAVING`] if an axis is bound to leave them
+/// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits, and [`Findings::ENDS_LEAVING`] if an axis will unavoidably exceed them
 /// after the end. [`Error::Axes`] if the lengths do not fit together; [`Error::Target`] also if points repeat at an end at which an axis is bound
 /// to leave its limits; the others as for [`synchronise`](crate::axes::synchronise). On an error nothing but `work` is written.
 ///
@@ -148,7 +148,7 @@ fn check_tolerances<R: Real>(tolerances: &[R], count: usize) -> Result<(), Error
 ///
 /// A path may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of the duration of
 /// its section. Append points at rest, with sections of the duration 0: they are stretched until they are possible. If the states and durations
-/// are impossible otherwise, the path is planned anew. It takes the arguments and returns the findings and errors of [`plan_path`]; [`Error::NotFinite`] also
+/// are impossible otherwise, the path is planned again. It takes the arguments and returns the findings and errors of [`plan_path`]; [`Error::NotFinite`] also
 /// if a state between is not made of numbers, [`Error::Duration`] if a duration is negative, infinite or not a number.
 pub fn improve_path<R: Real>(
     states: &mut [State<R>], durations: &mut [R], limits: &[Limits<R>], axes: usize, steps: u32, work: &mut [R],
