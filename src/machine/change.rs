@@ -30,9 +30,8 @@ const RAISES: [u8; 5] = [64, 32, 24, 20, 20];
 /// The most parts in which a phase of the clock is examined: a power of 2. More parts find no shorter hold.
 const PARTS: i32 = 32;
 
-/// The time of a path on its way to a rate.
+/// What there is to know of the time of a path on its way to a rate.
 pub(super) struct Law<R> {
-    pub time: Move<R>,
     /// When the rate is reached, s, or else the end of the path.
     pub until: R,
     pub is_reached: bool,
@@ -66,32 +65,38 @@ impl<'a, R: Real> Change<'a, R> {
         }
     }
 
-    /// From this time of the path and its derivatives.
-    pub fn law_from(&self, [position, velocity, acceleration, _]: [R; 4]) -> Result<Law<R>, Error> {
-        self.law(&standing(State { position, velocity, acceleration }))
+    /// Writes the law to `time`, which is the motion as it would go on. It does so until a faster change is found.
+    pub fn law(&self, time: &mut Move<R>) -> Result<Law<R>, Error> {
+        let from = time.start();
+        if self.is_at_end(from.position) {
+            return self.leave(from.position, time);
+        }
+        match self.faster_later(time)? {
+            Some(law) => Ok(law),
+            None => self.slow(from, time),
+        }
     }
 
-    /// The motion `now` goes on until a faster change is found.
+    /// A faster change, which may begin later; `None` if none is found and the motion cannot go on.
     #[inline(never)] // for its stack
-    pub fn law(&self, now: &Move<R>) -> Result<Law<R>, Error> {
-        let start = now.start();
-        if self.is_at_end(start.position) {
-            return self.leave(start.position);
-        }
-        let mut time = self.to_the_end(now).ok_or(Error::Target)?;
-        let goes_on = self.keeps(&time);
+    fn faster_later(&self, time: &mut Move<R>) -> Result<Option<Law<R>>, Error> {
+        let start = time.start();
+        self.go_to_the_end(time).ok_or(Error::Target)?;
+        let goes_on = self.keeps(time);
         let mut until = if goes_on && self.is_answer(time.end()) { time.t } else { R::INFINITY };
         let mut is_reached = self.rate == R::ZERO && !self.is_at_end(time.end().position);
         let step = self.free_stop(start.position)? / R::from(STEPS);
-        let mut t = R::ZERO;
+        let (mut change, mut t) = (Move::default(), R::ZERO);
         for _ in 0..if goes_on { SEARCHES } else { 1 } {
-            let change = self.fastest(time.state_at(t), until - t)?;
+            let is_found = self.fastest(time.state_at(t), until - t, &mut change)?;
             // A little gain is not worth a phase.
-            let shorter = change.filter(|change| t + change.t + R::SIXTEENTH * step < until);
-            if let Some((law, end)) =
-                shorter.and_then(|change| Some((self.to_the_end(&time.then(t, &change)?)?, t + change.t)))
-            {
-                (time, until, is_reached) = (law, end, true);
+            let reached = t + change.t;
+            if is_found && reached + R::SIXTEENTH * step < until {
+                let mut joined = *time;
+                if joined.change_at(t, &change).and_then(|()| self.go_to_the_end(&mut joined)).is_some() {
+                    (until, is_reached) = (reached, true);
+                    *time = joined;
+                }
             }
             t = t + step
                 .at_least(R::HALF * R::HALF * R::HALF * t)
@@ -100,37 +105,36 @@ impl<'a, R: Real> Change<'a, R> {
                 break;
             }
         }
-        if until == R::INFINITY {
-            return self.slow(time.start());
-        }
-        Ok(Law { time, until, is_reached, lead: None })
+        Ok((until < R::INFINITY).then_some(Law { until, is_reached, lead: None }))
     }
 
     /// A change within limits for the whole path, which may be so slow that it passes an end before it has the rate. There the path stands.
     #[inline(never)] // for its stack
-    fn slow(&self, from: State<R>) -> Result<Law<R>, Error> {
-        let (time, limits) = self.first_slow(from)?;
-        let change = self.faster(from, time, limits)?;
-        if self.is_on_path(&change) {
-            let time = self.to_the_end(&change).ok_or(Error::Target)?;
-            return Ok(Law { time, until: change.t, is_reached: true, lead: None });
+    fn slow(&self, from: State<R>, time: &mut Move<R>) -> Result<Law<R>, Error> {
+        let limits = self.first_slow(from, time)?;
+        self.hurry(from, time, limits)?;
+        if self.is_on_path(time) {
+            let until = time.t;
+            self.go_to_the_end(time).ok_or(Error::Target)?;
+            return Ok(Law { until, is_reached: true, lead: None });
         }
         let border = if self.rate > R::ZERO { self.length } else { R::ZERO };
-        let until = change.time_at(border).ok_or(Error::Target)?;
-        let time = change.then(until, &standing(State::at(border))).ok_or(Error::Target)?;
-        Ok(Law { time, until, is_reached: false, lead: None })
+        let until = time.time_at(border).ok_or(Error::Target)?;
+        time.keep_until(until);
+        time.push(Phase { start: until, position: border, ..Phase::default() }).ok_or(Error::Target)?;
+        Ok(Law { until, is_reached: false, lead: None })
     }
 
-    fn first_slow(&self, from: State<R>) -> Result<(Move<R>, [R; 3]), Error> {
+    fn first_slow(&self, from: State<R>, time: &mut Move<R>) -> Result<[R; 3], Error> {
         let [slowing, bending] = self.least;
         for ratio in RATIOS {
             let mut scale = R::from(16);
             for _ in 0..SCALES {
                 let bending = R::SIXTEENTH * R::from(ratio) * bending * scale * scale;
                 let limits = [bending, bending, slowing * scale];
-                let time = self.within(from, limits)?;
-                if self.keeps(&time) {
-                    return Ok((time, limits));
+                self.within(from, limits, time)?;
+                if self.keeps(time) {
+                    return Ok(limits);
                 }
                 scale = R::HALF * scale;
             }
@@ -145,31 +149,28 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// From an end at which the path rests, where the rate may jump.
-    #[inline(never)] // for its stack
-    fn leave(&self, s: R) -> Result<Law<R>, Error> {
+    fn leave(&self, s: R, time: &mut Move<R>) -> Result<Law<R>, Error> {
         let (s, away) = if s > R::ZERO { (self.length, self.rate < R::ZERO) } else { (R::ZERO, self.rate > R::ZERO) };
-        let at_once = standing(State { velocity: if away { self.rate } else { R::ZERO }, ..State::at(s) });
-        if self.keeps(&at_once) {
-            let time = self.to_the_end(&at_once).ok_or(Error::Target)?;
-            return Ok(Law { time, until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None });
+        time.stay(State { velocity: if away { self.rate } else { R::ZERO }, ..State::at(s) });
+        if !self.keeps(time) {
+            return self.slow(State::at(s), time);
         }
-        self.slow(State::at(s))
+        self.go_to_the_end(time).ok_or(Error::Target)?;
+        Ok(Law { until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None })
     }
 
-    /// The motion goes on at its last rate to the end of the path, or to its start, and stands there.
-    #[inline(never)] // for its stack
-    fn to_the_end(&self, time: &Move<R>) -> Option<Move<R>> {
+    /// Makes the motion go on at its last rate to the end of the path, or to its start, and stand there.
+    fn go_to_the_end(&self, time: &mut Move<R>) -> Option<()> {
         let State { position, velocity, acceleration } = time.end();
         let border = if velocity > R::ZERO { self.length } else { R::ZERO };
         let duration = (border - position) / velocity;
-        if !(velocity != R::ZERO && acceleration == R::ZERO && duration < R::INFINITY) {
-            return Some(*time);
+        if velocity == R::ZERO || acceleration != R::ZERO || duration == R::INFINITY {
+            return Some(());
         }
-        let mut way = standing(time.end());
-        let [_, first, end, ..] = &mut way.phase;
-        (first.duration, end.start, end.position) = (duration.at_least(R::ZERO), duration.at_least(R::ZERO), border);
-        (way.t, way.count) = (end.start, 2);
-        time.then(time.t, &way)
+        let (start, duration) = (time.t, duration.at_least(R::ZERO));
+        time.keep_until(start);
+        time.push(Phase { start, duration, position, velocity, ..Phase::default() })?;
+        time.push(Phase { start: start + duration, position: border, ..Phase::default() })
     }
 
     /// Whether the clock stands where it has to, or where the path ends.
@@ -195,19 +196,19 @@ impl<'a, R: Real> Change<'a, R> {
         Axis::new(self.moves, self.limits.len(), index)
     }
 
-    /// The fastest change that is found, if any: not much longer than `most`.
+    /// The fastest change, and whether one is found: not much longer than `most`.
     #[inline(never)] // for its stack
-    fn fastest(&self, from: State<R>, most: R) -> Result<Option<Move<R>>, Error> {
+    fn fastest(&self, from: State<R>, most: R, change: &mut Move<R>) -> Result<bool, Error> {
         let [slowing, bending] = self.limits_at(from.position);
         let mut shortest = most + R::HALF * most;
-        let mut best = None;
+        let (mut time, mut best) = (Move::default(), None);
         for share in SHARES {
             let bending = R::from(share) * R::SIXTEENTH * R::SIXTEENTH * bending;
             let (mut low, mut high) = (R::SIXTEENTH * R::SIXTEENTH, R::ONE + R::ONE);
             for _ in 0..HALVES {
                 let scale = (low * high).sqrt();
                 let limits = [bending, bending, slowing * scale];
-                let time = self.within(from, limits)?;
+                self.within(from, limits, &mut time)?;
                 let is_better = time.t < shortest && self.is_on_path(&time);
                 if is_better && !self.keeps(&time) {
                     high = scale;
@@ -215,12 +216,12 @@ impl<'a, R: Real> Change<'a, R> {
                 }
                 low = scale;
                 if is_better {
-                    shortest = time.t;
-                    best = Some((time, limits));
+                    (shortest, best) = (time.t, Some(limits));
+                    *change = time;
                 }
             }
         }
-        best.map(|(time, limits)| self.faster(from, time, limits)).transpose()
+        best.map(|limits| self.hurry(from, change, limits)).transpose().map(|done| done.is_some())
     }
 
     /// How fast the rate may change at this time of the path: the least `A/|v|` and `J/|v|` of the axes.
@@ -234,30 +235,29 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// Raises each limit of a change alone, as long as the limits of the axes are kept.
     #[inline(never)] // for its stack
-    fn faster(&self, from: State<R>, mut time: Move<R>, mut limits: [R; 3]) -> Result<Move<R>, Error> {
+    fn hurry(&self, from: State<R>, time: &mut Move<R>, mut limits: [R; 3]) -> Result<(), Error> {
+        let mut faster = Move::default();
         for raise in RAISES {
             for index in 0..limits.len() {
                 let mut higher = limits;
                 if let Some(limit) = higher.get_mut(index) {
                     *limit = *limit * R::SIXTEENTH * R::from(raise);
                 }
-                let faster = self.within(from, higher)?;
-                let is_better = faster.t < time.t && (self.is_on_path(&faster) || !self.is_on_path(&time));
+                self.within(from, higher, &mut faster)?;
+                let is_better = faster.t < time.t && (self.is_on_path(&faster) || !self.is_on_path(time));
                 if is_better && self.keeps(&faster) {
-                    (time, limits) = (faster, higher);
+                    (*time, limits) = (faster, higher);
                 }
             }
         }
-        Ok(time)
+        Ok(())
     }
 
     /// The fastest change within limits of its own.
-    #[inline(never)] // for its stack
-    fn within(&self, from: State<R>, [up, down, slowing]: [R; 3]) -> Result<Move<R>, Error> {
+    fn within(&self, from: State<R>, [up, down, slowing]: [R; 3], time: &mut Move<R>) -> Result<(), Error> {
         let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
-        let mut time = Move::default();
         time.reach(&limits, from, self.rate, R::ZERO)?;
-        Ok(time)
+        Ok(())
     }
 
     /// Whether the time stays between the ends of the path.
@@ -286,55 +286,57 @@ fn slowest<'a, R: Real + 'a>(speeds: impl Iterator<Item = (R, &'a Limits<R>)>) -
     [slowing, bending]
 }
 
-fn standing<R: Real>(state: State<R>) -> Move<R> {
-    let mut time = Move::default();
-    time.stay(state);
-    time
-}
-
 impl<R: Real> Move<R> {
-    /// The motion from the time `x` on.
-    #[inline(never)] // for its stack
-    pub(super) fn rest(&self, x: R) -> Option<Self> {
-        let later = self.lasting().filter(|phase| phase.duration == R::ZERO || phase.start + phase.duration > x);
-        let rest = later.map(|phase| {
-            let passed = (x - phase.start).at_least(R::ZERO);
-            let State { position, velocity, acceleration } = phase.state().after(passed, phase.jerk);
-            let duration = (phase.duration - passed).at_least(R::ZERO);
-            let start = (phase.start - x).at_least(R::ZERO);
-            Phase { start, duration, position, velocity, acceleration, jerk: phase.jerk }
-        });
-        joined(self.state_at(x), rest)
-    }
-
-    /// This motion until the time `t`, and then the other one.
-    #[inline(never)] // for its stack
-    fn then(&self, t: R, other: &Self) -> Option<Self> {
-        let mine = self.lasting().take_while(|phase| phase.duration > R::ZERO && phase.start < t);
-        let mine = mine.map(|phase| Phase { duration: phase.duration.at_most(t - phase.start), ..*phase });
-        let theirs = other.lasting().map(|phase| Phase { start: t + phase.start, ..*phase });
-        joined(self.start(), mine.chain(theirs))
-    }
-
-    /// The phases that last, and the end.
-    fn lasting(&self) -> impl Iterator<Item = &Phase<R>> {
+    /// Forgets the motion before the time `x`, which is 0 from now on.
+    pub(super) fn begin_at(&mut self, x: R) -> Option<()> {
+        let State { position, velocity, acceleration } = self.state_at(x);
         let end = self.phases().len();
-        let used = self.phase.iter().enumerate().take(1 + end).skip(1);
-        used.filter(move |(index, phase)| phase.duration > R::ZERO || *index == end).map(|(_, phase)| phase)
+        self.count = 0;
+        for index in 1..=end {
+            let phase = *self.phase.get(index)?;
+            let lasts = phase.duration > R::ZERO && phase.start + phase.duration > x;
+            if lasts || index == end {
+                let passed = (x - phase.start).at_least(R::ZERO);
+                let State { position, velocity, acceleration } = phase.state().after(passed, phase.jerk);
+                let duration = (phase.duration - passed).at_least(R::ZERO);
+                let start = (phase.start - x).at_least(R::ZERO);
+                self.push(Phase { start, duration, position, velocity, acceleration, jerk: phase.jerk })?;
+            }
+        }
+        self.phase[0] = Phase { position, velocity, acceleration, ..Phase::default() };
+        Some(())
     }
-}
 
-/// A motion of these phases. The last one is the end. `None` if they are too many.
-fn joined<R: Real>(start: State<R>, phases: impl Iterator<Item = Phase<R>>) -> Option<Move<R>> {
-    let mut motion = standing(start);
-    motion.count = 0;
-    let mut slots = motion.phase.iter_mut().skip(1);
-    for phase in phases {
-        motion.t = phase.start;
-        motion.count += 1;
-        *slots.next()? = phase;
+    /// At the time `t` another motion begins. `None` if it has too many phases.
+    fn change_at(&mut self, t: R, other: &Self) -> Option<()> {
+        self.keep_until(t);
+        let end = other.phases().len();
+        for phase in other.phase.get(1..=end).unwrap_or_default() {
+            self.push(Phase { start: t + phase.start, ..*phase })?;
+        }
+        Some(())
     }
-    Some(motion)
+
+    /// Forgets the motion after the time `t`. What follows is to be pushed.
+    fn keep_until(&mut self, t: R) {
+        let end = self.phases().len();
+        self.count = 0;
+        for phase in self.phase.get_mut(1..end).unwrap_or_default() {
+            if !(phase.duration > R::ZERO && phase.start < t) {
+                break;
+            }
+            phase.duration = phase.duration.at_most(t - phase.start);
+            self.count += 1;
+        }
+    }
+
+    /// Adds a phase, or the end. `None` if there is no room for it.
+    fn push(&mut self, phase: Phase<R>) -> Option<()> {
+        self.count += 1;
+        self.t = phase.start;
+        *self.phase.get_mut(self.count as usize)? = phase;
+        Some(())
+    }
 }
 
 /// The phases of a move that starts at `start`, each with the time at which it starts and the time at which the next one does. If the move goes on, its end

@@ -99,22 +99,36 @@ impl<R: Real> Clock<R> {
         }
         let change = Change::new(moves, limits, rate)?;
         let now = self.state_of_time(x);
-        let stop = if rate == R::ZERO && !change.is_at_end(now[0]) { lead::stop(moves, limits, now)? } else { None };
-        let law = match stop {
+        let mut time = Move::default();
+        let is_stop = rate == R::ZERO && !change.is_at_end(now[0]);
+        let law = match if is_stop { lead::stop(moves, limits, now, &mut time)? } else { None } {
             Some(stop) => stop,
-            None if self.is_led > 0 => change.law_from(now)?,
-            None => change.law(&self.time.rest(x - self.begin).ok_or(Error::Target)?)?,
+            None => {
+                self.go_on(x, now, &mut time)?;
+                change.law(&mut time)?
+            }
         };
         if x > self.begin {
             (self.begin_before, self.was_led, self.before) = (self.begin, self.is_led, self.time);
         }
-        (self.begin, self.until, self.time) = (x, x + law.until, law.time);
+        (self.begin, self.until, self.time) = (x, x + law.until, time);
         let lead = law.lead.and_then(|lead| moves.get(lead));
         self.is_led = u32::from(lead.is_some());
         if let Some(lead) = lead {
             self.lead = *lead;
         }
         Ok(Findings::RATE_NOT_REACHED.when(!law.is_reached))
+    }
+
+    /// The time of the path from the time `x` on, if nothing changes. A lead's is only known as it is `now`.
+    fn go_on(&self, x: R, now: [R; 4], time: &mut Move<R>) -> Result<(), Error> {
+        let [position, velocity, acceleration, _] = now;
+        if self.is_led > 0 {
+            time.stay(State { position, velocity, acceleration });
+            return Ok(());
+        }
+        *time = self.time;
+        time.begin_at(x - self.begin).ok_or(Error::Target)
     }
 
     /// When the last rate is reached, s; the end of the path if it is not reached.

@@ -7,9 +7,12 @@ use crate::online::Move;
 use crate::real::Real;
 use crate::state::State;
 
-/// The lead's fastest stop, if the path is one section on a straight line, from rest to rest. `time` is the time of the path and its derivatives.
+/// Writes the lead's fastest stop to `stop`, if the path is one section on a straight line, from rest to rest. `time` is the time of the path and
+/// its derivatives.
 #[inline(never)] // for its stack
-pub(super) fn stop<R: Real>(moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4]) -> Result<Option<Law<R>>, Error> {
+pub(super) fn stop<R: Real>(
+    moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4], stop: &mut Move<R>,
+) -> Result<Option<Law<R>>, Error> {
     let displacement = |of: &Move<R>| of.end().position - of.start().position;
     let Some(first) = moves.first().filter(|_| moves.len() == limits.len()) else { return Ok(None) };
     let farther = |one: &Move<R>, other: &Move<R>| displacement(one).abs() < displacement(other).abs();
@@ -28,14 +31,13 @@ pub(super) fn stop<R: Real>(moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4
     let State { position, velocity, acceleration } = lead.state_at(s);
     let from =
         State { position, velocity: velocity * rate, acceleration: acceleration * rate * rate + velocity * slowing };
-    let mut stop = Move::default();
     let is_within = stop.stop(&tightest, from)?.is_empty() && !stop.leaves_the_way_of(lead);
     // A low velocity of the lead, compared with its highest, has large roundings where the rate is divided by it.
     let least = R::EPSILON.sqrt() * lead.extremes().speed();
     let [stands, ..] = along(lead, stop.state(stop.t));
     let is_exact = [s, stands].into_iter().all(|s| lead.velocity(s).abs() > least);
     let is_reached = stands < lead.t;
-    let law = Law { until: stop.t, is_reached, time: stop, lead: Some(index) };
+    let law = Law { until: stop.t, is_reached, lead: Some(index) };
     Ok(Some(law).filter(|_| is_within && is_exact))
 }
 
