@@ -1,4 +1,4 @@
-//! Follows a sensor: a hand moves a knob to and fro and once jerks it. The sensor adds up to 1 mm of noise to the position and up to 1 cm/s
+//! Follows a sensor: a hand moves a knob back and forth and once jerks it. The sensor adds up to 1 mm of noise to the position and up to 1 cm/s
 //! to the velocity. Every millisecond the axis plans so as to be beside the knob 0.1 s later, within a jerk of 200 m/s³, an acceleration
 //! of 10 m/s² and a velocity of 1 m/s. The horizon of 0.1 s smooths the noise: the jerk of the motion stays far below its limit. Behind
 //! the jump the axis meets the knob as fast as it can. This program prints one setpoint in 250.

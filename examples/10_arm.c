@@ -1,5 +1,5 @@
 /*
- An arm with six axes follows way points and stops at each. The axes have limits of their own, arrive at a way point together, and
+ An arm with six axes follows waypoints and stops at each. The axes have limits of their own, arrive at a waypoint together, and
  stretch their moves to the slowest axis. The clock of the drives ticks every 4 ms, and every move ends on a tick. This program
  prints one setpoint in 50: the positions, then the velocities.
 
@@ -40,7 +40,7 @@ int main(void)
     atraj_limits limits[AXES];
     for (int i = 0; i < AXES; ++i) { atraj_limits_init(&limits[i], i < 3 ? 4000 : 9000, i < 3 ? 500 : 1000, i < 3 ? 120 : 250); }
     double start = 0;
-    puts("Arm over way points: six joints arrive together at each");
+    puts("Arm over waypoints: six joints arrive together at each");
     puts("joints 1 to 3 within 120 deg/s");
     puts("joints 4 to 6 within 250 deg/s");
     for (int k = 0; k < MOVES; ++k) {

@@ -1,5 +1,5 @@
 /*
- An arm with six axes follows way points and stops at each. The axes have limits of their own, arrive at a way point together, and
+ An arm with six axes follows waypoints and stops at each. The axes have limits of their own, arrive at a waypoint together, and
  stretch their moves to the slowest axis. The clock of the drives ticks every 4 ms, and every move ends on a tick. This program
  prints one setpoint in 50: the positions, then the velocities.
 
@@ -42,7 +42,7 @@ int main()
         else { limits[i].init(9000, 1000, 250); }
     }
     double start = 0;
-    std::puts("Arm over way points: six joints arrive together at each");
+    std::puts("Arm over waypoints: six joints arrive together at each");
     std::puts("joints 1 to 3 within 120 deg/s");
     std::puts("joints 4 to 6 within 250 deg/s");
     for (int k = 0; k < MOVES; ++k)

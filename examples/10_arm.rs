@@ -1,4 +1,4 @@
-//! An arm with six axes follows way points and stops at each. The axes have limits of their own, arrive at a way point together, and
+//! An arm with six axes follows waypoints and stops at each. The axes have limits of their own, arrive at a waypoint together, and
 //! stretch their moves to the slowest axis. The clock of the drives ticks every 4 ms, and every move ends on a tick. This program
 //! prints one setpoint in 50: the positions, then the velocities.
 //!
@@ -35,7 +35,7 @@ fn main() -> Result<(), Error> {
     let small = Limits::symmetric(9000.0, 1000.0, 250.0);
     let limits = [large, large, large, small, small, small];
     let (mut axes, mut start) = ([Move::default(); 6], 0.0);
-    println!("Arm over way points: six joints arrive together at each");
+    println!("Arm over waypoints: six joints arrive together at each");
     println!("joints 1 to 3 within 120 deg/s");
     println!("joints 4 to 6 within 250 deg/s");
     for (k, points) in POINTS.windows(2).enumerate() {

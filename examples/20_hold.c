@@ -1,5 +1,5 @@
 /*
- Two axes pass way points, and an operator turns the override knob and presses the pause button. The axes stay on their path: the clock
+ Two axes pass waypoints, and an operator turns the override knob and presses the pause button. The axes stay on their path: the clock
  of the path slows down, holds, and goes on. The path is planned within 85 % of the limits, and the clock has all of them, because braking on
  a path takes more than the plan. This program prints one setpoint in 125 of a clock of 2 ms: positions, velocities, accelerations.
 

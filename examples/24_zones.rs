@@ -1,4 +1,4 @@
-//! The arm of example 12 flies by its way points: each joint may be 5 degrees beside its point above the part, and 15
+//! The arm of example 12 flies by its waypoints: each joint may be 5 degrees beside its point above the part, and 15
 //! degrees on the way home; at the part it is exact. This program prints one setpoint in 50 of a clock of 4 ms: the positions, then the
 //! velocities. Then it prints where each point is passed, and how much time the zones save.
 //!

@@ -23,7 +23,7 @@ fn state<R: Real>(state: [f64; 3]) -> State<R> {
     State { position, velocity, acceleration }
 }
 
-/// The farthest jump of the position between two phases, in roundings of the positions and of speed times duration.
+/// The farthest jump of the position between two phases, in ulps of the positions and of speed times duration.
 fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
     let reached = planned.extremes();
     let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
@@ -40,8 +40,8 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
     jump / (R::MACHINE_EPSILON.widen() * scale)
 }
 
-/// Plans that were refused or jumped: the start is bound to leave the velocity, and the target is on the border of what can be held; in the last
-/// one a step of Newton's method was small by chance, and the method ended 1,229 roundings beside the root.
+/// Plans that were refused or jumped: the start will unavoidably exceed the velocity, and the target is on the border of what can be held; in the last
+/// one a step of Newton's method was small by chance, and the method ended 1,229 ulps beside the root.
 #[rustfmt::skip]
 const PLANNED_WITHOUT_A_JUMP: [Row; 3] = [
     ([4.0, -4.0, 2.0, -2.0, 2.0, -3.0], [0.0, -4.0, -2.0], [-18.0, -3.0, 2.0]),
@@ -59,11 +59,11 @@ fn planned_without_a_jump<R: Real>() {
         assert!(result.is_ok(), "{result:?}: {bounds:?} {from:?} {to:?}");
         assert_eq!(planned.state_at(planned.t), state(to));
         let jump = worst_jump(&planned);
-        assert!(jump <= 64.0, "{jump} roundings: {bounds:?} {from:?} {to:?}");
+        assert!(jump <= 64.0, "{jump} ulps: {bounds:?} {from:?} {to:?}");
     }
 }
 
-/// An axis that passes its target in motion, and its mirror. The target was within 60 roundings of a ramp, and the plan turned and came again:
+/// An axis that passes its target in motion, and its mirror. The target was within 60 ulps of a ramp, and the plan turned and came again:
 /// it took 5.44 s, though 0.83 s is enough.
 #[rustfmt::skip]
 const PASSED_IN_MOTION: Row = (
@@ -73,7 +73,7 @@ const PASSED_IN_MOTION: Row = (
     [-0.145_124_283_038_224, -1.057_575_497_467_683_4, 0.0],
 );
 
-/// Plans the row and its mirror, and then in every millisecond anew, from the start and from states on the way. Each plan arrives when the
+/// Plans the row and its mirror, and then in every millisecond again, from the start and from states on the way. Each plan arrives when the
 /// first one said, up to a tick.
 fn passed_in_motion<R: Real>() {
     const TICK: f64 = 1e-3;
@@ -138,7 +138,7 @@ fn one_jerk_is_far_larger<R: Real>() {
             jumps += usize::from(jump > 64.0);
         }
     }
-    println!("{}: {jumps} of {planned} plans jump, by {worst:.0} roundings at most", R::NAME);
+    println!("{}: {jumps} of {planned} plans jump, by {worst:.0} ulps at most", R::NAME);
     assert!(2 * planned > PLANS && jumps * ONE_JUMP_OF <= planned, "{jumps}");
 }
 
@@ -370,10 +370,10 @@ fn named_tolerance<R: Real>() {
         let overshoots = found.expect("numbers").contains(Findings::OVERSHOOTS);
         if roundings < 127.0 {
             within += 1;
-            assert!(!overshoots, "{roundings} roundings");
+            assert!(!overshoots, "{roundings} ulps");
         } else if roundings > 129.0 {
             beyond += 1;
-            assert!(overshoots, "{roundings} roundings");
+            assert!(overshoots, "{roundings} ulps");
         }
     }
     assert!(within > 5 && beyond > 5, "{within} {beyond}");
@@ -397,7 +397,7 @@ fn at_a_tick<R: Real>(row: Row, duration: f64, cycle: f64) -> Move<R> {
 
 fn assert_no_jump<R: Real>(planned: &Move<R>) {
     let jump = worst_jump(planned);
-    assert!(jump <= 64.0, "{jump} roundings: {planned:?}");
+    assert!(jump <= 64.0, "{jump} ulps: {planned:?}");
 }
 
 /// Axes were written before it was seen that one of them has no plan.
@@ -442,7 +442,7 @@ fn a_tick_lies_in_a_gap() {
     assert_no_jump(&at_a_tick::<f64>((
         [0.6257521516685459, -0.6257521516685459, 281.4482053905411, -67.5061572788349, 2.8118816224501266, f64::NEG_INFINITY],
         [0.0, 0.0, 1.395187018055807], [0.047079109128108414, 0.0, -58.79252047690602]), 0.0, 0.01713017967812304));
-    // Both velocities are equal up to roundings, so the fastest motion is below the shortest ramp between them. Twice its duration is
+    // Both velocities are equal up to rounding, so the fastest motion is below the shortest ramp between them. Twice its duration is
     // impossible, because the axis must brake and come again: the whole way.
     assert_no_jump(&at_a_tick::<f32>((
         [27.263441, -27.263441, 1.5604597, -1.0479444, 1.186262, -1.186262],
@@ -463,7 +463,7 @@ fn an_axis_misses_a_tick() {
     let cruising = at_a_tick::<f32>(cruise, 0.0, 3.421211e-5);
     assert!(cruising.count == 2 && cruising.phases().iter().all(|phase| phase.jerk == 0.0), "{cruising:?}");
     assert_eq!(at_a_tick::<f32>(cruise, f64::from(cruising.t), 3.421211e-5).t, cruising.t);
-    // It starts outside its limits: its start slipped by as much as an axis inside the limits can, and the velocity jumped by 2,400 roundings.
+    // It starts outside its limits: its start slipped by as much as an axis inside the limits can, and the velocity jumped by 2,400 ulps.
     let start = [2.8909657, -54.078053, -0.54312253];
     let outside = at_a_tick::<f32>((
         [45.96713, -45.96713, 0.012977194, -0.012977194, 0.09826026, -0.09826026], start, [2.8992696, 7.626151, -0.0106264325]), 0.0, 1.0810082);
@@ -477,7 +477,7 @@ fn an_axis_misses_a_tick() {
     assert_eq!(least.t, tick);
 }
 
-/// The straight change of the acceleration leads to the target up to roundings. The first axis has its highest deceleration at the start. So the ramp
+/// The straight change of the acceleration leads to the target up to rounding. The first axis has its highest deceleration at the start. So the ramp
 /// cannot grow to this side, and the axis made a detour of 0.3 s. In the second one both accelerations point against the change of velocity.
 #[test]
 #[rustfmt::skip]

@@ -1,4 +1,4 @@
-//! Do moves have few phases, and none that is shorter than a few roundings of the duration? How many axes that arrive together need the mean of
+//! Do moves have few phases, and none that is shorter than a few ulps of the duration? How many axes that arrive together need the mean of
 //! two motions, which has more phases?
 
 use atraj::axes::synchronise;
@@ -63,7 +63,7 @@ fn few<R: Real>() {
     assert!(means > 0 && means * 1000 < all, "{means} of {all}");
 }
 
-/// Whether a phase is shorter than 4 roundings of the duration.
+/// Whether a phase is shorter than 4 ulps of the duration.
 fn has_sliver<R: Real>(planned: &Move<R>) -> bool {
     let short = 4.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
     let mut phases = planned.phases().iter().skip(1);

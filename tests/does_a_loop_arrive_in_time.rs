@@ -1,4 +1,4 @@
-//! Does a control loop that plans anew at every tick arrive when its first plan said, and is every state of its own motion accepted?
+//! Does a control loop that plans again at every tick arrive when its first plan said, and is every state of its own motion accepted?
 //!
 //! Targets are passed in motion. There an axis that is late by a rounding has a detour before it: it turns and comes again.
 

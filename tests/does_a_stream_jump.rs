@@ -363,7 +363,7 @@ fn a_tick_without_questions_loses_nothing<R: Real>() {
     assert_eq!(StepStream::new(tenth, period, State::at(R::of(f64::NAN))), Err(Error::NotFinite));
 }
 
-/// An axis that creeps over a line in one direction steps over it once, though the positions of two ticks differ by roundings.
+/// An axis that creeps over a line in one direction steps over it once, though the positions of two ticks differs by rounding.
 #[test]
 fn a_slow_axis_does_not_chatter() {
     let mut motor = StepStream::new(0.01_f32, 1e-3, State::at(1000.0)).expect("a motor");

@@ -121,7 +121,7 @@ fn values<R: Real>(state: &State<R>) -> [f64; 3] {
     [state.position, state.velocity, state.acceleration].map(R::widen)
 }
 
-/// Samples the move densely. The result is how far samples lie beyond the reported extremes, in roundings of the scale. The extremes
+/// Samples the move densely. The result is how far samples lie beyond the reported extremes, in ulps of the scale. The extremes
 /// may lie beyond the samples by no more than what samples miss.
 fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     let lowest = values(&the_move.reached.lowest);
@@ -156,7 +156,7 @@ fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
             most = most.max(worst(&the_move));
         }
     }
-    println!("{}: a sample lies {most:.1} roundings beyond an extreme", R::NAME);
+    println!("{}: a sample lies {most:.1} ulps beyond an extreme", R::NAME);
     assert!(most <= ROUNDINGS, "{most}");
 }
 

@@ -115,7 +115,7 @@ fn each_example_has_its_picture_and_the_pages_show_it() {
             assert!(expected.lines().all(|line| printed.any(|other| other == line)), "{name} prints other setpoints");
         }
     }
-    let arm = fs::read_to_string(root().join("examples/expected/12_way_points.txt")).unwrap();
+    let arm = fs::read_to_string(root().join("examples/expected/12_waypoints.txt")).unwrap();
     let saved = arm.trim_end().rsplit(": ").next().unwrap().replace(" saved", "");
     let pages = fs::read_to_string(root().join("README.md")).unwrap();
     assert!(pages.contains(&format!("an arm arrives {saved} sooner")), "{saved}");

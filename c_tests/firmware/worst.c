@@ -1,5 +1,5 @@
 /* Searches the arguments for which a function takes the most instructions: from random arguments it climbs by small changes that take no
- * fewer, and begins anew where TRIES changes in a row take fewer. These are the largest counts that were found, not the largest that exist.
+ * fewer, and begins again where TRIES changes in a row take fewer. These are the largest counts that were found, not the largest that exist.
  *
  * Prints lines "function instructions". */
 #include <math.h>

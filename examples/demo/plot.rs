@@ -43,7 +43,7 @@ const PICTURES: [Picture; 26] = [
     Picture("09_gantry", "m", PLANE, 3, &[]),
     Picture("10_arm", "deg", ARM, 2, &[]),
     Picture("11_claraty", "m", ALONE, 3, &[]),
-    Picture("12_way_points", "deg", ARM, 2, &[]),
+    Picture("12_waypoints", "deg", ARM, 2, &[]),
     Picture("13_obstacle", "m", PLANE, 3, &[]),
     Picture("14_horizon", "m", PLANE, 3, &[]),
     Picture("15_jog", "m", ALONE, 3, &[]),

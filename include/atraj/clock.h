@@ -59,7 +59,7 @@ A_EXTERN
 a_float atraj_clock_until(const struct atraj_clock *ctx);
 
 /**
- * @brief Let the time `x` of the clock be 0 from now on: a time of many hours has large roundings in `float`.
+ * @brief Let the time `x` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
  */
 A_EXTERN void atraj_clock_rebase(struct atraj_clock *ctx, a_float x);
 
@@ -71,7 +71,7 @@ A_EXTERN a_float atraj_clock_time(const struct atraj_clock *ctx, a_float x);
 /**
  * @brief State of an axis of the path at the time `x` of the clock: position, velocity, acceleration and jerk.
  * @param moves points to the move of the axis in the first section, `moves + axis` of `atraj_clock_rate`
- * @param n number of axes: the next move of the axis is `n` moves behind
+ * @param n number of axes: the next move of the axis is `n` moves later
  * @param sections number of sections. All results are NaN if `n` or `sections` is 0, or `ctx` or `moves` is NULL
  */
 A_EXTERN

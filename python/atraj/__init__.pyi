@@ -205,7 +205,7 @@ class Trap(Profile):
     ) -> Trap:
         """The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
 
-        One of `ac` and `de` is positive, the other negative. ValueError if not, if the velocity is 0, an argument is no number, or
+        One of `ac` and `de` is positive, the other negative. ValueError if not, if the velocity is 0, an argument is NaN or infinite, or
         a position is infinite."""
     @staticmethod
     def from_fields(fields: TrapFields | Sequence[float]) -> Trap:
@@ -291,7 +291,7 @@ class Move(Profile):
     target changes, plan again from `state_at` of this moment. After its end the axis moves on with the acceleration of the end.
 
     A state is a `State`, up to three numbers in its order, or a position at rest; limits are a `Limits` or six numbers in its order. ValueError
-    says which number is no number, which limit is 0 or has the wrong sign, or what is outside the limits.
+    says which number is NaN or infinite, which limit is 0 or has the wrong sign, or what is outside the limits.
 
     >>> import atraj
     >>> limits = atraj.Limits(jerk=30, acceleration=10, velocity=5)
@@ -303,7 +303,7 @@ class Move(Profile):
     def plan(limits: _Limits, start: _State, end: _State) -> Move:
         """The fastest motion from the state `start` to the state `end`.
 
-        A start outside the limits comes inside in the fastest way. The end may be behind, or nearer than the way to stop."""
+        A start outside the limits returns within them in minimum time. The end may be behind, or nearer than the way to stop."""
     @staticmethod
     def within(limits: _Limits, start: _State, end: _State, lowest: float, highest: float) -> Move:
         """The fastest motion from the state `start` to the state `end`, if it stays between two positions until its end; `-inf` and `inf` are no
@@ -569,7 +569,7 @@ class Clock:
         clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `x` is before
         the last change, or a number is not finite; then the clock goes on as it did."""
     def rebase(self, x: float) -> None:
-        """Lets the time `x`, s, be 0 from now on. Times of many hours have large roundings."""
+        """The time `x`, s, is 0 from now on. Times of many hours are rounded coarsely."""
     @property
     def until(self) -> float:
         """When the last rate is reached, s; the end of the path if it is not reached."""

@@ -196,7 +196,7 @@ class Findings(IntFlag):
     JUMPS = 8
     """Position or velocity is not continuous, or not where the fields say."""
     OVERSHOOTS = 16
-    """The move leaves the positions between its ends by more than rounding: 128 roundings in a plan, 64 in a check."""
+    """The move leaves the positions between its ends by more than rounding: 128 ulps in a plan, 64 in a check."""
     STARTS_OUTSIDE = 32
     """The move starts outside its limits, or will unavoidably exceed them."""
     ENDS_LEAVING = 64

@@ -122,7 +122,7 @@ Compared = list[tuple[str, atraj.Profile, atraj.Move]]
 def compare() -> Compared:
     """A shaper of each kind beside a lower jerk."""
     shaped = [atraj.Shaper(kind, FREQUENCY, DAMPING).shape(plan(math.inf)) for kind in atraj.ShaperKind]
-    # What is left does not fall evenly with the jerk, so every jerk is tried, down to one that suits the calmest shaper.
+    # What is left does not fall evenly with the jerk, so every jerk is tried, down to one that suits the gentlest shaper.
     leaves = [worst(motion) for motion in shaped]
     jerk = 1000 * ACCELERATION
     tried = [(worst(plan(jerk)), plan(jerk))]
@@ -130,8 +130,8 @@ def compare() -> Compared:
         jerk *= 0.995
         move = plan(jerk)
         tried.append((worst(move), move))
-    calm = [next(move for left, move in tried if left <= most) for most in leaves]
-    return [(kind.name, motion, move) for kind, motion, move in zip(atraj.ShaperKind, shaped, calm)]
+    gentle = [next(move for left, move in tried if left <= most) for most in leaves]
+    return [(kind.name, motion, move) for kind, motion, move in zip(atraj.ShaperKind, shaped, gentle)]
 
 
 DARK = "<style>@media (prefers-color-scheme: dark) {svg {filter: invert(.93) hue-rotate(180deg)}}</style>"

@@ -1,6 +1,6 @@
 //! The note in the archive that says which build a program holds: `make identify FILE=program` prints it, `readelf -n` finds it.
 //!
-//! The note's section has no flag "a", so nothing loads it and it takes no flash. Linkers keep such a section beside any
+//! The note's section has no flag "a", so nothing loads it and it takes no flash. Linkers keep such a section next to any
 //! function of the same object, even with `--gc-sections`. Its name does not begin with ".note", because linker scripts for bare
 //! metal discard such names: picolibc's does.
 

@@ -7,7 +7,7 @@
 //! The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
 //! the upper border of the mirrored axis.
 //!
-//! The acceleration is 0 at both ends. An end with an acceleration becomes such an end if the acceleration is undone: slid along the
+//! The acceleration is 0 at both ends. An end with an acceleration becomes such an end if the acceleration goes to 0: slid along the
 //! parabola of the jerk to where it is 0. The formulas hold for these ends.
 //!
 //! All quantities here are divided by the jerk, which leaves powers of time: an acceleration is in s, a velocity in s^2, a

@@ -32,8 +32,8 @@ pub(crate) struct Border<R> {
     pub above: R,
     /// From the lowest velocity up to the one at the start. It is formed once, from the arguments.
     pub below: R,
-    /// The changes of velocity in which the accelerations at both ends are undone, in sum.
-    pub undone: R,
+    /// How much the velocity changes while the accelerations at both ends go to 0, in sum.
+    pub eased: R,
     pub limits: Limits<R>,
     pub per_jerk: PerJerk<R>,
 }
@@ -58,14 +58,14 @@ impl<R: Real> Border<R> {
             dv: v1 - v0,
             above: limits.vmax - v0,
             below: v0 - limits.vmin,
-            undone: Self::undone(per_jerk, a0, a1),
+            eased: Self::eased(per_jerk, a0, a1),
             limits: *limits,
             per_jerk,
         }
     }
 
-    /// The changes of velocity in which the accelerations at both ends are undone, in sum.
-    pub fn undone(per_jerk: PerJerk<R>, a0: R, a1: R) -> R {
+    /// How much the velocity changes while the accelerations at both ends go to 0, in sum.
+    pub fn eased(per_jerk: PerJerk<R>, a0: R, a1: R) -> R {
         per_jerk.straight(a0, R::ZERO).abs() + per_jerk.straight(R::ZERO, a1).abs()
     }
 
@@ -80,7 +80,7 @@ impl<R: Real> Border<R> {
             dv: -self.dv,
             above: self.below,
             below: self.above,
-            undone: self.undone,
+            eased: self.eased,
             limits: self.limits.mirrored(),
             per_jerk: self.per_jerk.mirrored(),
         }
@@ -107,8 +107,8 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// How much the change of velocity exceeds the one of the straight change of the acceleration. The rounding is the sum of the roundings
-    /// of the velocities at both ends, also with the acceleration undone.
+    /// How much the change of velocity exceeds the one of the straight change of the acceleration. The rounding is the sum of the rounding errors
+    /// of the velocities at both ends, and of the velocities once the acceleration is 0.
     pub fn beyond_straight(&self) -> Excess<R> {
         let Self { a0, a1, .. } = *self;
         let velocity = self.dv - self.per_jerk.straight(a0, a1);
@@ -117,10 +117,10 @@ impl<R: Real> Border<R> {
 
     /// The sum of the magnitudes of the velocities at both ends, and of what undoing the accelerations adds.
     fn speeds(&self) -> R {
-        self.v0.abs() + self.v1.abs() + self.undone
+        self.v0.abs() + self.v1.abs() + self.eased
     }
 
-    /// The rounding error of the velocities at both ends, also with the accelerations undone.
+    /// The rounding error of the velocities at both ends, and of the velocities once the accelerations are 0.
     pub fn rounding_of_velocity(&self) -> R {
         of_state(self.speeds())
     }
@@ -140,7 +140,7 @@ impl<R: Real> Border<R> {
     #[inline(never)] // for its size: it is asked in five places
     pub fn rounding_of_displacement(&self, duration: R, positions: R) -> R {
         let (a0, a1) = (self.a0.abs(), self.a1.abs());
-        let added = self.undone.at_most(a0.at_least(a1) * duration);
+        let added = self.eased.at_most(a0.at_least(a1) * duration);
         let speed = self.v0.abs().at_least(self.v1.abs()) + added;
         let of_end = of_state(positions + speed * duration);
         if speed > R::ZERO { of_end + of_end } else { R::ZERO }
@@ -176,7 +176,7 @@ impl<R: Real> Border<R> {
     }
 
     /// The change of velocity after the gap: it turns against both accelerations.
-    pub fn behind_gap(&self) -> Ramp<R> {
+    pub fn after_gap(&self) -> Ramp<R> {
         self.ramp(self.beyond_straight().velocity, self.a0 >= R::ZERO)
     }
 

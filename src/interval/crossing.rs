@@ -15,7 +15,7 @@ use crate::roots::larger_root;
 #[derive(Clone, Copy)]
 pub(crate) struct Displacement<R> {
     pub h: R,
-    /// The sum of the magnitudes of both positions, which tells their rounding.
+    /// The sum of the magnitudes of both positions: their rounding is an ulp of it.
     pub positions: R,
 }
 
@@ -80,13 +80,13 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     if shortfall(border, &last_before_gap, wanted).is_rounding() {
         return border.profile(&last_before_gap);
     }
-    let behind = border.behind_gap();
-    let first = match first_from(border, &behind, wanted.h, shortfall(border, &behind, wanted)) {
+    let after = border.after_gap();
+    let first = match first_from(border, &after, wanted.h, shortfall(border, &after, wanted)) {
         Crossing::At(first) => first,
-        Crossing::GapAfter(_) => border.profile(&behind),
+        Crossing::GapAfter(_) => border.profile(&after),
     };
     // The fastest ramp is the last one that is tried.
-    let ramps = [&behind, &last_before_gap, &direct];
+    let ramps = [&after, &last_before_gap, &direct];
     let shorter = |first, ramp| without_detour(border, first, ramp, shortfall(border, ramp, wanted).lacks, wanted);
     ramps.into_iter().fold(first, shorter)
 }
@@ -152,8 +152,8 @@ pub(crate) fn next_duration<R: Real>(
         let mirrored = border.mirrored();
         let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
             // The fastest motion is below the shortest ramp, if its velocities are equal up to rounding.
-            let behind = border.passed(&border.behind_gap()).duration;
-            t = behind.at_least(border.shortest());
+            let after = border.passed(&border.after_gap()).duration;
+            t = after.at_least(border.shortest());
             continue;
         };
         let tie = border.rounding_of_displacement(t, positions);
@@ -178,7 +178,7 @@ pub(crate) fn next_duration<R: Real>(
         t = match first {
             Some(first) if !is_before(first) => first,
             // With an infinite jerk this time is inaccurate, and can fake a gap that has ended.
-            _ => border.passed(&border.behind_gap()).duration.at_least(t),
+            _ => border.passed(&border.after_gap()).duration.at_least(t),
         };
     }
     t

@@ -1,6 +1,6 @@
 //! The derivatives of the displacement on the border by velocity and acceleration at both ends, and by the duration.
 //!
-//! `docs/path-theory.md` has the tables, in "Its derivatives". A letter of theirs that is no name here stands in a comment.
+//! `docs/path-theory.md` has the tables, in "Its derivatives". Letters without a variable of that name are given in comments.
 
 use super::border::Border;
 use super::profile::Profile;

@@ -403,13 +403,13 @@ impl<R: Real> Trial<'_, R> {
         self.axis.sections().filter_map(touched).all(|mut phases| {
             phases.all(|(phase, start, end)| {
                 let part = part.narrowed(passed.when_between(start, end));
-                !is_touched(start, end) || self.keeps_beside(phase, start, part.along(of))
+                !is_touched(start, end) || self.keeps_within(phase, start, part.along(of))
             })
         })
     }
 
     /// While the axis is in a phase that starts at the time `start` of the path, and the time of the path and its derivatives are in these parts.
-    fn keeps_beside(&self, phase: &Phase<R>, start: R, [s, rate, slowing, bending]: [Parabola<R>; 4]) -> bool {
+    fn keeps_within(&self, phase: &Phase<R>, start: R, [s, rate, slowing, bending]: [Parabola<R>; 4]) -> bool {
         let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
         let square = rate.times(rate);
         let three = Parabola::constant(R::from(3));

@@ -136,7 +136,7 @@ impl<R: Real> Clock<R> {
         self.until
     }
 
-    /// The time `x`, s, is 0 from now on. Times of many hours have large roundings.
+    /// The time `x`, s, is 0 from now on. Times of many hours are rounded coarsely.
     pub fn rebase(&mut self, x: R) {
         for time in [&mut self.begin, &mut self.until, &mut self.begin_before] {
             *time = *time - x;
@@ -161,7 +161,7 @@ impl<R: Real> Clock<R> {
     }
 
     /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s. The move of the axis in the first section begins `moves`, and its
-    /// move in the next section is `n` moves behind: axis `i` of `n` axes has `&moves[i..]`. All are NaN if there is no move.
+    /// move in the next section is `n` moves later: axis `i` of `n` axes has `&moves[i..]`. All are NaN if there is no move.
     pub fn state(&self, moves: &[Move<R>], n: usize, x: R) -> [R; 4] {
         let [s, rate, slowing, bending] = self.state_of_time(x);
         let Some((of, start)) = (Axis { moves, n }).section(s) else {

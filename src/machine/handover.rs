@@ -27,7 +27,7 @@
 //!
 //! **The counter wraps**, after 74 hours at 1 kHz. It starts shortly before, so every test passes the wrap. The age of a move has 55
 //! bits: the upper ones are `halves`, the lower ones are a difference of ticks. The main loop loads `halves` first, so it may miss the
-//! last half. The highest bit of the difference is also the lowest bit of `halves`, and tells. A `halves` of another place is for the
+//! last half. The highest bit of the difference is also the lowest bit of `halves`, and decides. A `halves` of another place is for the
 //! move before, and the move in force is young.
 //!
 //! Between its store of `due` and its look at `now`, the main loop must not be held up for 74 hours.

@@ -32,7 +32,7 @@ pub(super) fn stop<R: Real>(
     let from =
         State { position, velocity: velocity * rate, acceleration: acceleration * rate * rate + velocity * slowing };
     let is_within = stop.stop(&tightest, from)?.is_empty() && !stop.leaves_the_way_of(lead);
-    // A low velocity of the lead, compared with its highest, has large roundings where the rate is divided by it.
+    // A low velocity of the lead, compared with its highest, has a large rounding error where the rate is divided by it.
     let least = R::EPSILON.sqrt() * lead.extremes().speed();
     let [stands, ..] = along(lead, stop.state(stop.t));
     let is_exact = [s, stands].into_iter().all(|s| lead.velocity(s).abs() > least);

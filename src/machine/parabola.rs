@@ -97,7 +97,7 @@ impl<R: Real> Parabola<R> {
         [one.at_most(other).at_most(turn) - rest, one.at_least(other).at_least(turn) + rest]
     }
 
-    /// Up to 64 roundings of the limits.
+    /// Up to 64 ulps of the limits.
     pub fn is_between(self, lowest: R, highest: R) -> bool {
         let [low, high] = self.range();
         let wider = R::ONE + R::DOUBT;

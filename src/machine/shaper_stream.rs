@@ -120,7 +120,7 @@ impl<R: Real> Shaper<R> {
 
 impl<R: Real> ShaperStream<R> {
     /// A stream that is in the state `now`, and gets a state every `period`, s. A stream in motion is taken to have had its velocity for long: so it
-    /// starts behind `now` by the mean delay.
+    /// starts later than `now` by the mean delay.
     ///
     /// [`Error::Duration`] if [`Shaper::size`] is `None`; [`Error::Axes`] if the line has fewer numbers; [`Error::NotFinite`] if the state is not
     /// finite, or one that it is taken to have had.

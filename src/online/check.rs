@@ -72,9 +72,9 @@ impl<R: Real> Move<R> {
         }
         let (a0, a1) = (self.phase[0].acceleration, self.end().acceleration);
         let per_jerk = R::ONE / limits.jmax - R::ONE / limits.jmin;
-        let undone = R::HALF * (a0 * a0 + a1 * a1) * per_jerk;
+        let eased = R::HALF * (a0 * a0 + a1 * a1) * per_jerk;
         // A mean of two motions has the rounding errors of both, and they may use the limits fully.
-        let velocity = reached.speed() + changes + undone + limits.speed_within(self.t);
+        let velocity = reached.speed() + changes + eased + limits.speed_within(self.t);
         let positions = reached.lowest.position.abs() + reached.highest.position.abs();
         Scale { position: positions + velocity * self.t, velocity, acceleration: acceleration + jerk * self.t }
     }

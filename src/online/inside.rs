@@ -29,12 +29,12 @@ impl<R: Real> Inside<R> {
     /// The way from the state `from`. It has no duration if `from` is inside.
     pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
         let State { velocity: v, acceleration: a, .. } = from;
-        // The velocity after the acceleration is undone.
-        let undone = v + per_jerk.straight(a, R::ZERO);
+        // The velocity once the acceleration is 0.
+        let v_at_a_zero = v + per_jerk.straight(a, R::ZERO);
         let is_inside = a <= limits.amax
             && a >= limits.amin
-            && undone.at_least(v) <= limits.vmax
-            && undone.at_most(v) >= limits.vmin;
+            && v_at_a_zero.at_least(v) <= limits.vmax
+            && v_at_a_zero.at_most(v) >= limits.vmin;
         if is_inside {
             Self {
                 acceleration: a,
@@ -45,23 +45,23 @@ impl<R: Real> Inside<R> {
                 starts_outside: false,
             }
         } else {
-            Self::way(limits, per_jerk, (v, a), undone)
+            Self::way(limits, per_jerk, (v, a), v_at_a_zero)
         }
     }
 
     /// The way from a velocity and an acceleration that may be outside.
-    fn way(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), undone: R) -> Self {
+    fn way(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), v_at_a_zero: R) -> Self {
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
-        // A start beyond a velocity by rounding stays there. A way inside would be a detour for a target beside it.
-        let rounding = of_state(v.abs() + (undone - v).abs());
+        // A start beyond a velocity by rounding stays there. A recovery would be a detour for a target next to it.
+        let rounding = of_state(v.abs() + (v_at_a_zero - v).abs());
         let (highest, lowest) = (vmax + rounding, vmin - rounding);
         // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
-        let (to, way, rises, hold) = if undone > highest {
-            let ramp = Ramp::over(undone - vmax, (-a).at_most(-amin), R::ZERO, -amin, per_jerk);
+        let (to, way, rises, hold) = if v_at_a_zero > highest {
+            let ramp = Ramp::over(v_at_a_zero - vmax, (-a).at_most(-amin), R::ZERO, -amin, per_jerk);
             (-ramp.peak, ramp.rise + below, below > R::ZERO, ramp.hold)
-        } else if undone < lowest {
-            let ramp = Ramp::over(vmin - undone, a.at_most(amax), R::ZERO, amax, per_jerk);
+        } else if v_at_a_zero < lowest {
+            let ramp = Ramp::over(vmin - v_at_a_zero, a.at_most(amax), R::ZERO, amax, per_jerk);
             (ramp.peak, ramp.rise + above, above == R::ZERO, ramp.hold)
         } else {
             let limited = a.at_most(amax).at_least(amin);
@@ -69,8 +69,8 @@ impl<R: Real> Inside<R> {
         };
         let ramp = way * if rises { per_jerk.gu } else { per_jerk.gd };
         let change = Change::of(a, to, ramp).hold(to, hold);
-        let starts_outside = undone.at_least(v) > highest
-            || undone.at_most(v) < lowest
+        let starts_outside = v_at_a_zero.at_least(v) > highest
+            || v_at_a_zero.at_most(v) < lowest
             || above > of_state(amax)
             || below > of_state(-amin);
         Self { acceleration: to, rises, ramp, hold, change, starts_outside }
@@ -79,8 +79,7 @@ impl<R: Real> Inside<R> {
     /// The motions from the end of the way on.
     pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>, to: State<R>) -> Border<R> {
         let change = self.change.velocity;
-        let [before, behind] = [self.acceleration, to.acceleration];
-        let undone = Border::undone(per_jerk, before, behind);
+        let eased = Border::eased(per_jerk, self.acceleration, to.acceleration);
         Border {
             v0: from.velocity + change,
             a0: self.acceleration,
@@ -89,7 +88,7 @@ impl<R: Real> Inside<R> {
             dv: (to.velocity - from.velocity) - change,
             above: (limits.vmax - from.velocity) - change,
             below: (from.velocity - limits.vmin) + change,
-            undone,
+            eased,
             limits: *limits,
             per_jerk,
         }

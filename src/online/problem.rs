@@ -1,4 +1,4 @@
-//! What is to be planned for one axis: the way inside the limits, and the motions behind it.
+//! What is to be planned for one axis: the recovery, and the motions after it.
 //!
 //! A problem has two clocks. The clock of the move begins at the start. The clock of the border begins where the way inside ends.
 
@@ -20,10 +20,10 @@ use crate::state::State;
 pub(crate) struct Problem<R> {
     from: State<R>,
     to: State<R>,
-    /// The sum of the magnitudes of both positions, which tells their rounding.
+    /// The sum of the magnitudes of both positions: their rounding is an ulp of it.
     positions: R,
     inside: Inside<R>,
-    /// The motions behind the way inside the limits.
+    /// The motions after the recovery.
     pub border: Border<R>,
 }
 
@@ -35,8 +35,8 @@ impl<R: Real> Problem<R> {
         Self { from, to, positions: from.position.abs() + to.position.abs(), inside, border }
     }
 
-    /// The problem of an axis whose positions are counted from its end. The sum of the magnitudes of its true positions tells their rounding.
-    pub fn beside(self, positions: R) -> Self {
+    /// The problem of an axis whose positions are counted from its end. Their rounding is an ulp of the sum of the magnitudes of the true ones.
+    pub fn with_positions(self, positions: R) -> Self {
         Self { positions, ..self }
     }
 
@@ -44,21 +44,21 @@ impl<R: Real> Problem<R> {
     pub fn reach(&mut self) -> Profile<R> {
         let border = &self.border;
         let direct = border.direct(border.beyond_straight());
-        let displacement = self.displacement_inside() + border.passed(&direct).displacement;
+        let displacement = self.displacement_of_recovery() + border.passed(&direct).displacement;
         self.to.position = self.from.position + displacement;
         border.profile(&direct)
     }
 
-    /// Displacement on the way inside the limits.
-    fn displacement_inside(&self) -> R {
+    /// Displacement on the recovery.
+    fn displacement_of_recovery(&self) -> R {
         let change = &self.inside.change;
         self.from.velocity * change.duration + change.displacement
     }
 
-    /// The displacement behind the way inside the limits.
+    /// The displacement after the recovery.
     pub fn displacement(&self) -> Displacement<R> {
         let way = self.to.position - self.from.position;
-        Displacement { h: way - self.displacement_inside(), positions: self.positions }
+        Displacement { h: way - self.displacement_of_recovery(), positions: self.positions }
     }
 
     /// Whether the start may be shifted in time along the first phase of the fastest motion, so that the rest lasts `t`: position, velocity
@@ -82,7 +82,7 @@ impl<R: Real> Problem<R> {
         }
         // What the axis travels while its acceleration eases does not vanish at the end of a motion.
         let q = border.per_jerk.q();
-        let speed = border.v0.abs().at_least(border.v1.abs()) + border.undone;
+        let speed = border.v0.abs().at_least(border.v1.abs()) + border.eased;
         let highest = border.limits.amax.at_least(-border.limits.amin);
         let easing = (speed * q).sqrt().at_most(highest * q);
         // Both ends have rounding errors.
@@ -92,12 +92,12 @@ impl<R: Real> Problem<R> {
 
     /// Whether the interval of the duration `t` holds the displacement, up to rounding.
     pub fn takes(&self, t: R) -> bool {
-        let behind = self.behind_inside(t);
-        let lasts = t > R::ZERO && behind + of_state(t) >= self.border.shortest();
-        lasts && crossing::next_duration(&self.border, behind, self.displacement()) <= behind
+        let after = self.after_recovery(t);
+        let lasts = t > R::ZERO && after + of_state(t) >= self.border.shortest();
+        lasts && crossing::next_duration(&self.border, after, self.displacement()) <= after
     }
 
-    /// The problem behind the way inside the limits, with another velocity at its start.
+    /// The problem after the recovery, with another velocity at its start.
     pub fn starting_faster(&self, change: R) -> Self {
         let border = Border {
             v0: self.border.v0 + change,
@@ -110,7 +110,7 @@ impl<R: Real> Problem<R> {
     }
 
     /// A duration of the move on the clock of the border, s.
-    pub fn behind_inside(&self, duration: R) -> R {
+    pub fn after_recovery(&self, duration: R) -> R {
         duration - self.inside.change.duration
     }
 
@@ -124,7 +124,7 @@ impl<R: Real> Problem<R> {
         crossing::fastest(&self.border, self.displacement())
     }
 
-    /// Duration of a motion with the way inside the limits, up to rounding, s.
+    /// Duration of a motion with the recovery, up to rounding, s.
     pub fn duration(&self, profile: &Profile<R>) -> R {
         let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
         self.with_inside(profile.duration(per_jerk))
@@ -134,8 +134,8 @@ impl<R: Real> Problem<R> {
         self.inside.segments(&self.border.limits, self.from.acceleration)
     }
 
-    /// Whether a motion, and `beside` added to any of its numbers, is within the range of the real type.
-    pub fn check(&self, profile: &Profile<R>, beside: R) -> Result<(), Error> {
+    /// Whether a motion, and `added` added to any of its numbers, is within the range of the real type.
+    pub fn check(&self, profile: &Profile<R>, added: R) -> Result<(), Error> {
         let Self { from, to, .. } = self;
         let t = self.duration(profile);
         // A rise below 0 by rounding moves the accelerations of the fall: see `Border::segments`.
@@ -147,8 +147,8 @@ impl<R: Real> Problem<R> {
         let v = from.velocity.abs() + to.velocity.abs() + a * t;
         // Twice what the highest acceleration would reach in the whole time.
         let bound = from.position.abs() + to.position.abs() + v * t;
-        let is_small = (bound + bound + beside).is_finite();
-        if is_small || (t + self.sum(profile) + beside).is_finite() { Ok(()) } else { Err(Error::NotFinite) }
+        let is_small = (bound + bound + added).is_finite();
+        if is_small || (t + self.sum(profile) + added).is_finite() { Ok(()) } else { Err(Error::NotFinite) }
     }
 
     /// The sum of the magnitudes of all positions and velocities that [`Problem::write`] writes. No infinity gets lost in it.
@@ -166,7 +166,7 @@ impl<R: Real> Problem<R> {
         sum
     }
 
-    /// Writes the way inside the limits and a motion, unless the numbers are beyond the range of the real type.
+    /// Writes the recovery and a motion, unless the numbers are beyond the range of the real type.
     pub fn write(&self, ctx: &mut Move<R>, profile: &Profile<R>) -> Result<(), Error> {
         self.check(profile, R::ZERO)?;
         let mut writer = self.writer(ctx);
@@ -177,7 +177,7 @@ impl<R: Real> Problem<R> {
         Ok(())
     }
 
-    /// A writer that has written the way inside the limits.
+    /// A writer that has written the recovery.
     pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
         let mut writer = Writer::new(ctx, self.from);
         if self.inside.change.duration > R::ZERO {
@@ -198,7 +198,7 @@ impl<R: Real> Problem<R> {
         self.to
     }
 
-    /// What is outside the limits before or behind the move.
+    /// What exceeds the limits before or after the move.
     pub fn outside(&self) -> Findings {
         let is_leaving = self.border.limits.are_left_after(self.to);
         Findings::STARTS_OUTSIDE.when(self.inside.starts_outside) | Findings::ENDS_LEAVING.when(is_leaving)

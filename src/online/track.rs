@@ -134,7 +134,7 @@ impl<R: Real> Way<'_, R> {
         let left = self.left();
         left.are_limits().ok()?;
         let positions = self.from.position.abs() + self.signal.position.abs();
-        let problem = Problem::new(&left, self.distance(), State::at(R::ZERO)).beside(positions);
+        let problem = Problem::new(&left, self.distance(), State::at(R::ZERO)).with_positions(positions);
         let mut planned = Move::default();
         problem.write(&mut planned, &problem.fastest()).ok()?;
         let is_uniform = self.signal.acceleration == R::ZERO && self.signal.jerk == R::ZERO;

@@ -234,15 +234,15 @@ impl<R: Real> Move<R> {
     }
 
     /// The move of an axis that travels `share` times as far, where this move is at 0 while the axis is at `position`.
-    pub(crate) fn beside(&self, position: R, share: R) -> Self {
-        let mut beside = *self;
+    pub(crate) fn scaled(&self, position: R, share: R) -> Self {
+        let mut scaled = *self;
         let count = self.phase_count();
-        for phase in beside.phase.iter_mut().take(1 + count) {
+        for phase in scaled.phase.iter_mut().take(1 + count) {
             phase.position = position + share * phase.position;
             phase.velocity = share * phase.velocity;
             phase.acceleration = share * phase.acceleration;
             phase.jerk = share * phase.jerk;
         }
-        beside
+        scaled
     }
 }

@@ -188,7 +188,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(())
     }
 
-    /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points beside
+    /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points next to
     /// the section, which is that of the step before.
     fn damp(&mut self, (section, axis): (usize, usize), logarithms: [[R; 5]; 2], mu: R) {
         let [before, start] = self.slopes(section, axis);
@@ -224,13 +224,13 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let gradient = self.memory.gradient.row(row);
             let (g_v, g_a) = (gradient[0], gradient[1]);
             let parabola = self.parabola(point, axis, &self.memory.durations);
-            let [before, mixed, behind] = parabola.bends(g_v, g_a);
+            let [before, mixed, later] = parabola.bends(g_v, g_a);
             // What the curves of the durations add.
             let curves = [point - 1, point].map(|section| R::ONE / self.memory.durations.at(section));
             let [first, second] = parabola.slopes.map(|[v, a]| g_v * v + g_a * a);
             self.memory.of_durations.add(point - 1, [before + first * curves[0]]);
             self.memory.mixed.add(point - 1, [mixed]);
-            self.memory.of_durations.add(point, [behind + second * curves[1]]);
+            self.memory.of_durations.add(point, [later + second * curves[1]]);
         }
         Some(())
     }

@@ -68,11 +68,11 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let now = self.parabola(point, axis, &self.memory.durations);
         let then = self.parabola(point, axis, &self.memory.tried);
         let before = part * self.change(point - 1);
-        let behind = part * self.change(point);
+        let after = part * self.change(point);
         let [[v1, a1], [v2, a2]] = now.slopes;
         let ([v, a], [to_v, to_a]) = (now.state, then.state);
         let [moved_v, moved_a] = straight;
-        [moved_v + ((to_v - v) - (v1 * before + v2 * behind)), moved_a + ((to_a - a) - (a1 * before + a2 * behind))]
+        [moved_v + ((to_v - v) - (v1 * before + v2 * after)), moved_a + ((to_a - a) - (a1 * before + a2 * after))]
     }
 
     /// What the durations of both sections change of velocity and acceleration at a point, if it is narrow.
@@ -81,7 +81,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if is_bent { self.parabola(point, axis, &self.memory.durations).slopes } else { [[R::ZERO; 2]; 2] }
     }
 
-    /// Whether the possible displacements of a section beside a waypoint spread less than half of the way.
+    /// Whether the possible displacements of a section next to a waypoint spread less than half of the way.
     pub fn is_narrow(&self, point: usize, axis: usize) -> bool {
         let is_narrow = |section| {
             let [above, below] = self.memory.slacks.row(section * self.axes + axis);

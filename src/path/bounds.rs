@@ -58,7 +58,7 @@ impl<R: Real> Bounds<R> {
         Self([amax, amin, vmax, vmin, R::HALF * gd * vmax, -R::HALF * gu * vmin])
     }
 
-    /// What the acceleration, and the velocity after the acceleration is undone, leave of both limits: parts of the limits. An infinite limit
+    /// What the acceleration, and the velocity once the acceleration is 0, leave of both limits: parts of the limits. An infinite limit
     /// leaves 1.
     fn slacks(&self, [v, a]: [R; 2]) -> [R; 4] {
         let Self([amax, amin, vmax, vmin, down, up]) = *self;
@@ -73,7 +73,7 @@ impl<R: Real> Bounds<R> {
         is_inside.then_some((amax * amin) * (vmax * vmin))
     }
 
-    /// Whether a state is inside, up to roundings.
+    /// Whether a state is inside, up to rounding.
     pub fn hold(&self, state: [R; 2]) -> bool {
         self.slacks(state).iter().all(|slack| *slack >= -R::DOUBT)
     }
@@ -84,18 +84,18 @@ impl<R: Real> Bounds<R> {
         let [of_amax, of_amin, of_vmax, of_vmin] = self.slacks(state).map(|slack| R::ONE / slack);
         let accelerations = [amax * of_amax, amin * of_amin];
         let velocities = [vmax * of_vmax, vmin * of_vmin];
-        // What an acceleration changes of the velocity after it is undone.
+        // What an acceleration changes of the velocity until it is 0.
         let (down, up) = (down * of_vmax, up * of_vmin);
-        let undone = [(a + a) * down, (a + a) * up];
-        // Terms of the upper and the lower limit are summed first, so the mirrored axis has the same roundings.
+        let eased = [(a + a) * down, (a + a) * up];
+        // Terms of the upper and the lower limit are summed first, so the mirrored axis is rounded alike.
         let sum = |[x, y]: [R; 2]| x + y;
         let dot = |[x, y]: [R; 2], [z, w]: [R; 2]| x * z + y * w;
         (
-            [mu * sum(velocities), mu * (sum(accelerations) + sum(undone))],
+            [mu * sum(velocities), mu * (sum(accelerations) + sum(eased))],
             [
                 mu * dot(velocities, velocities),
-                mu * dot(velocities, undone),
-                mu * (dot(accelerations, accelerations) + (dot(undone, undone) + ((down + up) + (down + up)))),
+                mu * dot(velocities, eased),
+                mu * (dot(accelerations, accelerations) + (dot(eased, eased) + ((down + up) + (down + up)))),
             ],
         )
     }

@@ -1,4 +1,4 @@
-//! The sections of a path, one behind the other: what is given, and the plan as it stands.
+//! The sections of a path, one after the other: what is given, and the plan as it stands.
 
 use super::bounds::Bounds;
 use super::memory::{Column, Memory};
@@ -103,7 +103,7 @@ impl<'a, R: Real> Request<'a, R> {
         })
     }
 
-    /// Which sections last: each section in which an axis moves, and one in which the start comes inside its limits. If none does, the last one.
+    /// Which sections last: each section in which an axis moves, and one in which the start returns within its limits. If none does, the last one.
     fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
         let mut has_begun = false;
         let last = self.sections - 1;
@@ -154,7 +154,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         Ok(chain)
     }
 
-    /// Lets an axis come inside its limits in the first section, and sets the states of both ends.
+    /// Makes an axis return within its limits in the first section, and sets the states of both ends.
     fn start(&mut self, axis: usize) -> Result<(), Error> {
         let target = State::at(self.positions(0, axis).1);
         let start = self.request.state(0, axis);

@@ -7,7 +7,7 @@ use super::memory;
 use crate::online::Move;
 use crate::real::Real;
 
-/// The shortest part of a piece that is looked at is one of so many: the most that binary32 counts. An axis that turns just behind its point
+/// The shortest part of a piece that is looked at is one of so many: the most that binary32 counts. An axis that turns just after its point
 /// needs short ones.
 const PARTS: i32 = 1 << 24;
 

@@ -9,7 +9,7 @@ use crate::state::State;
 /// Lowers the limits of the velocities such that the axes together are nowhere faster than the feed: the norm of their velocities.
 ///
 /// `limits` has an entry for each of the `axes` section by section, as [`plan_path`](super::plan_path) takes them, `states` has the points of the
-/// path, and `feeds` a feed for each section, unit/s; an infinite one is none.
+/// path, and `feeds` a feed for each section, unit/s; an infinite one sets no limit.
 ///
 /// Each axis of a section gets the part `w` of its feed, with `w² = 15/16 d² + 1/(16 axes)` for the direction `d` of its line. The squares add
 /// up to 1, so the feed is kept at all times, however a path moves between its points. On a line it moves at 96.8 % of the feed or more. Where

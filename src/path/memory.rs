@@ -173,9 +173,9 @@ pub(super) struct Memory<'a, R, const K: usize> {
     /// The step in groups of `K`, section by section: of the state of each axis at its start, and of its duration with zeros. Those of the first
     /// start mean nothing.
     pub step: Table<'a, R, K>,
-    /// Displacements of the sections between the given points; in the first section behind the way inside the limits.
+    /// Displacements of the sections between the given points; in the first section after the recovery.
     pub displacements: Column<'a, R>,
-    /// How long each axis comes inside the limits in the first section, s.
+    /// How long the recovery of each axis lasts in the first section, s.
     pub inside: Column<'a, R>,
     /// The slacks of both borders.
     pub slacks: Table<'a, R, 2>,
@@ -259,9 +259,9 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
     /// The tables, if the memory has room for them.
     pub fn of(mut work: &'a mut [R], axes: usize, sections: usize) -> Option<Self> {
         size::<K>(axes, sections).filter(|&size| size <= work.len())?;
-        let (way_points, points) = (axes * (sections - 1), axes * (sections + 1));
+        let (waypoints, points) = (axes * (sections - 1), axes * (sections + 1));
         let (pieces, groups) = (axes * sections, axes + 1);
-        let positions = (K - 2) * way_points;
+        let positions = (K - 2) * waypoints;
         let (tile, triangle) = (K * K, K * K * before(groups));
         let mut table = |numbers| take(&mut work, numbers);
         Some(Self {
@@ -274,12 +274,12 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             displacements: Table(table(pieces)?),
             inside: Table(table(axes)?),
             slacks: Table(table(2 * pieces)?),
-            bounds: Table(table(6 * way_points)?),
-            diagonal: Table(table(3 * way_points)?),
+            bounds: Table(table(6 * waypoints)?),
+            diagonal: Table(table(3 * waypoints)?),
             of_offsets: Table(table(3 * positions)?),
-            coupling: Tiles(Table(table(tile * way_points)?)),
+            coupling: Tiles(Table(table(tile * waypoints)?)),
             to_duration: Table(table(2 * K * pieces)?),
-            gradient: Table(table(K * way_points)?),
+            gradient: Table(table(K * waypoints)?),
             places: Table(table(sections)?),
             durations: Table(table(sections)?),
             tried: Table(table(sections)?),
@@ -299,7 +299,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
 mod tests {
     use super::{Memory, size};
 
-    /// The tables stand one behind the other, so the last one ends where the memory does.
+    /// The tables stand one after the other, so the last one ends where the memory does.
     #[test]
     fn the_tables_take_all_of_the_memory() {
         ends_with_the_memory::<2>();

@@ -44,7 +44,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// is impossible, and the path is not longer than one that stops at every point.
 ///
 /// `states` has a state for each of the `axes`, point by point: one point more than `durations` has sections. Every position is given, and the first and
-/// the last state; the states between are written, and the durations, s. A start outside the limits comes inside in the first section.
+/// the last state; the states between are written, and the durations, s. A start outside the limits returns within them in the first section.
 /// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: as many as
 /// the path needs, at most 48. `work` has [`path_size`] numbers of any value.
 ///
@@ -234,7 +234,7 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(())
     }
 
-    /// Lets the first plan come strictly inside. Whether it does.
+    /// Makes the first plan come strictly inside. Whether it does.
     fn is_inside(&mut self, passes: bool) -> Result<bool, Error> {
         if passes && self.slow_down_all() {
             return Ok(true);

@@ -83,7 +83,7 @@ impl<R: Real> Chain<'_, '_, R> {
         squares.fold(R::ZERO, |sum, square| sum + square).sqrt()
     }
 
-    /// The motion along the parabola through a point and the points beside it.
+    /// The motion along the parabola through a point and the points next to it.
     fn try_point_of_row(&mut self, point: usize, along: State<R>) {
         let [before, after] = [point - 1, point].map(|section| self.chord(section));
         let (speed, per) = (along.velocity, R::ONE / (before + after));
@@ -146,7 +146,7 @@ impl<R: Real> Chain<'_, '_, R> {
         })
     }
 
-    /// Lets one axis pass each point as fast as it can without acceleration there: a pass ahead and a pass back. Takes the plan if it is shorter.
+    /// Makes one axis pass each point as fast as it can without acceleration there: a pass ahead and a pass back. Takes the plan if it is shorter.
     fn pass_twice(&mut self) -> Result<bool, Error> {
         self.memory.tried_states.copy(&self.memory.states);
         let mut speed = R::ZERO;

@@ -1,4 +1,4 @@
-//! What a section can spare: how much farther the farthest motion of its duration gets than the section is long.
+//! What a section can spare: how much longer the largest displacement of its duration is than the section.
 
 use crate::interval::border::Border;
 use crate::interval::derivatives::Derivatives;
@@ -17,10 +17,10 @@ pub(super) struct Side<R> {
     sign: R,
 }
 
-/// The motion of a duration that gets farthest.
+/// The motion of a duration with the largest displacement.
 pub(super) struct Farthest<R> {
     profile: Profile<R>,
-    /// How much farther the motion gets than the section is long.
+    /// How much larger its displacement is than the section.
     pub slack: R,
 }
 
@@ -35,7 +35,7 @@ impl<R: Real> Side<R> {
         Self { border: self.border.mirrored(), t: self.t, h: -self.h, sign: -self.sign }
     }
 
-    /// The farthest motion, if there is one, and if it gets farther than the section is long.
+    /// The farthest motion, if there is one, and if its displacement is larger than the section.
     pub fn farthest(&self) -> Option<Farthest<R>> {
         let profile = self.border.farthest_inside(self.t)?;
         let way = self.border.change(&profile);
@@ -59,7 +59,7 @@ mod tests {
     use super::Side;
     use crate::limits::Limits;
 
-    /// From standstill to standstill the farthest motion of 4 s gets 2 units far: each second of jerk changes the acceleration by 1.
+    /// From standstill to standstill the largest displacement in 4 s is 2 units: each second of jerk changes the acceleration by 1.
     #[test]
     fn a_border_is_no_place_for_a_plan() {
         let limits = Limits::symmetric(1.0, 2.0, 3.0);

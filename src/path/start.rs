@@ -41,7 +41,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         any_time.until_possible(self.axes, slowest, next_duration)
     }
 
-    /// Lets every section last until its end can be reached: the planner of the motions has the last word.
+    /// Makes every section last until its end can be reached: the planner of the motions decides.
     pub fn promise(&mut self) -> Result<(), Error> {
         for section in 0..self.sections {
             let duration = self.memory.durations.at(section);
@@ -53,7 +53,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Lets all axes stop at every waypoint. Gives the duration of the path, s.
+    /// Makes all axes stop at every waypoint. Returns the duration of the path, s.
     pub fn stop_everywhere(&mut self) -> Result<R, Error> {
         for point in 1..self.sections {
             self.stop_at(point);
@@ -71,7 +71,7 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    /// Lets the sections last a little longer, so that the plan is strictly inside. Whether it is.
+    /// Makes the sections last a little longer, so that the plan is strictly inside. Whether it is.
     pub fn come_inside(&mut self) -> bool {
         for section in 0..self.sections {
             let least = self.memory.durations.at(section);
@@ -87,7 +87,7 @@ impl<R: Real> Chain<'_, '_, R> {
         true
     }
 
-    /// Lets axes that cannot stop before the next waypoint pass it, as long as this takes less time than to turn and come again.
+    /// Makes axes that cannot stop before the next waypoint pass it, as long as this takes less time than to turn and return.
     ///
     /// To pass and to turn are separated by impossible durations, so the steps would keep the turn.
     pub fn roll(&mut self) -> Result<(), Error> {
@@ -103,9 +103,9 @@ impl<R: Real> Chain<'_, '_, R> {
                 let part = R::from(k) / R::from(TRIED);
                 let duration = earliest + (latest - earliest) * part;
                 if duration < turning && self.pass(point, duration) {
-                    let behind = self.shortest(point, R::ZERO)?;
-                    if duration + behind < best.0 + best.1 {
-                        best = (duration, behind);
+                    let after = self.shortest(point, R::ZERO)?;
+                    if duration + after < best.0 + best.1 {
+                        best = (duration, after);
                     }
                 }
             }
@@ -176,8 +176,8 @@ impl<R: Real> Chain<'_, '_, R> {
         Some([ramp(highest)?, ramp(lowest)?])
     }
 
-    /// Lets every axis be at the waypoint after `duration`: at rest where this is possible, else in the mean of the motions that get farthest to
-    /// both sides. Whether all can.
+    /// Makes every axis be at the waypoint after `duration`: at rest where this is possible, else in the mean of the motions with the largest
+    /// displacement to both sides. Whether all can.
     fn pass(&mut self, point: usize, duration: R) -> bool {
         let mut axes = 0..self.axes;
         axes.all(|axis| {

@@ -150,7 +150,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
         let slope = self.slope();
         let distance = -slope / mu;
-        // At the centre of this weight roundings may hide the decrease, so being inside is enough.
+        // At the centre of this weight rounding may hide the decrease, so being inside is enough.
         let is_near = distance < R::SIXTEENTH * R::HALF * R::HALF;
         let mut part = first;
         for halvings in 0..MOST_HALVINGS {

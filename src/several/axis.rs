@@ -55,7 +55,7 @@ pub(crate) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
         return t;
     }
     let next = blend::next_duration(problem, t);
-    // Roundings, and numbers beyond the range, may hide a duration in which the axis cruises.
+    // Rounding and overflow may hide a feasible duration.
     if next > t && Cruise::of(problem, t).is_none() { next } else { t }
 }
 
@@ -84,12 +84,12 @@ pub(super) fn takes<R: Real>(axis: &Move<R>, problem: &Problem<R>, t: R) -> bool
 /// The problem, or one whose velocity at the start differs by rounding, if it takes the duration `t`.
 fn neighbour<R: Real>(problem: &Problem<R>, t: R) -> Option<Problem<R>> {
     let rounding = problem.border.rounding_of_velocity();
-    let fitting = problem.border.faster_for(problem.behind_inside(t));
+    let fitting = problem.border.faster_for(problem.after_recovery(t));
     let neighbours = [fitting, R::ZERO, rounding, -rounding].map(|change| problem.starting_faster(change));
     neighbours.into_iter().find(|problem| problem.takes(t))
 }
 
-/// Lets an axis that has made its fastest plan take the duration `t`, which is possible.
+/// Makes the move of an axis, planned as fast as possible, last `t`, which is possible.
 pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem<R>, t: R) -> Result<(), Error> {
     let is_slow = axis.start().is_at_rest() && axis.end().is_at_rest();
     if lasts(axis, t) {
@@ -104,7 +104,7 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
     if axis.is_finite() { Ok(()) } else { Err(Error::NotFinite) }
 }
 
-/// Lets an axis in motion that has made its fastest plan take the duration `t`.
+/// Makes the move of an axis in motion, planned as fast as possible, last `t`.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     if t >= axis.t {
         if let Some(cruise) = Cruise::of(problem, t) {
@@ -135,13 +135,13 @@ mod tests {
     use crate::state::State;
 
     /// A gap begins after 1 s. If the start is slower by the rounding error of the velocities, 60 ulps, it begins 120 later. A rise of 40 below
-    /// 0 is none, which is worth 80 more.
+    /// 0 does not exist, which is worth 80 more.
     #[test]
     fn the_start_is_slower_by_a_rounding_error() {
         let limits = Limits::symmetric(1.0, 9.0, 9.0);
         let from = State { position: 0.0, velocity: 1.0, acceleration: 1.0 };
         let to = State { position: 1.375, velocity: 1.75, acceleration: 1.0 };
-        let problem = Problem::new(&limits, from, to).beside(1e3);
+        let problem = Problem::new(&limits, from, to).with_positions(1e3);
         let takes = |ulps: f64| neighbour(&problem, 1.0 + ulps * f64::EPSILON).is_some();
         assert!(takes(170.0) && !takes(260.0));
     }
@@ -199,7 +199,7 @@ mod tests {
         let mut with_high_jerks = with(17, &[2, 8]);
         with_high_jerks[4..6].fill(f64::exp2(17.0));
         assert!(!is_ordinary_with(with_high_jerks));
-        // A low limit counts beside high ones.
+        // A low limit counts among high ones.
         for limit in 0..6 {
             let mut numbers = with(-60, &[0, 1, 2, 3, 4, 5]);
             numbers[limit] = 1.0 / numbers[limit];

@@ -21,7 +21,7 @@ pub(super) struct Blend<R> {
 
 /// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s.
 pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
-    let t = problem.behind_inside(duration);
+    let t = problem.after_recovery(duration);
     let next = crossing::next_duration(&problem.border, t, problem.displacement());
     if next > t { problem.with_inside(next) } else { duration }
 }
@@ -29,13 +29,13 @@ pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
 impl<R: Real> Blend<R> {
     /// A motion of this duration, if one is possible: a slow one if there is one.
     pub fn of(problem: &Problem<R>, duration: R) -> Option<Self> {
-        let (h, t) = (problem.displacement().h, problem.behind_inside(duration));
+        let (h, t) = (problem.displacement().h, problem.after_recovery(duration));
         Self::slow(problem, duration).or_else(|| Self::over(&problem.border, h, t))
     }
 
     /// A slow motion of this duration, if there is one.
     fn slow(problem: &Problem<R>, duration: R) -> Option<Self> {
-        let (h, t) = (problem.displacement().h, problem.behind_inside(duration));
+        let (h, t) = (problem.displacement().h, problem.after_recovery(duration));
         Self::over(&slower(&problem.border, h, t), h, t).filter(Self::keeps_limits)
     }
 
@@ -57,9 +57,9 @@ impl<R: Real> Blend<R> {
         self.share >= R::ZERO && self.share <= R::ONE
     }
 
-    /// Writes the way inside the limits and the mean.
+    /// Writes the recovery and the mean.
     pub fn write(&self, problem: &Problem<R>, ctx: &mut Move<R>, duration: R) {
-        let t = problem.behind_inside(duration);
+        let t = problem.after_recovery(duration);
         let share = self.share.at_least(R::ZERO).at_most(R::ONE);
         // The motion with the larger weight comes first. So the mean of equal numbers is exact, and a small one has a small rounding error.
         let (motions, weight) = if share > R::HALF {
@@ -95,7 +95,7 @@ impl<R: Real> Blend<R> {
 /// slow motion are small, and with them their rounding errors.
 fn slower<R: Real>(border: &Border<R>, h: R, t: R) -> Border<R> {
     let mean = h.abs() / t;
-    let speed = mean + mean + border.v0.abs() + border.v1.abs() + border.undone;
+    let speed = mean + mean + border.v0.abs() + border.v1.abs() + border.eased;
     let mut slower = *border;
     slower.limits.vmax = border.limits.vmax.at_most(speed);
     slower.limits.vmin = border.limits.vmin.at_least(-speed);

@@ -37,7 +37,7 @@ const MOST_ROUNDS: u32 = 24;
 impl<R: Real> Cruise<R> {
     /// The motion of a problem in the duration `duration`. `None` if the ramps take longer at the velocity that travels the displacement.
     pub fn of(problem: &Problem<R>, duration: R) -> Option<Self> {
-        let (h, t) = (problem.displacement().h, problem.behind_inside(duration));
+        let (h, t) = (problem.displacement().h, problem.after_recovery(duration));
         Self::over(&problem.border, h, t)
     }
 
@@ -49,7 +49,7 @@ impl<R: Real> Cruise<R> {
         let ends = border.v0.abs() + border.v1.abs();
         // The mean velocity of a ramp is at least a third of the cruise's, plus what its own end adds: a half, if both jerks are equal. So
         // the cruise is not faster.
-        let fastest = R::from(3) * (mean.abs() + ends + border.undone);
+        let fastest = R::from(3) * (mean.abs() + ends + border.eased);
         let mut low = border.limits.vmin.at_least(-fastest);
         let mut high = border.limits.vmax.at_most(fastest);
         let mut v = mean.at_least(low).at_most(high);
@@ -94,13 +94,13 @@ impl<R: Real> Cruise<R> {
 
     /// How much the velocity is to fall for the displacement to fall by `beyond`, where the displacement is taken for a quadratic.
     fn step(&self, beyond: R) -> R {
-        let slope = self.c + R::HALF * (self.start.beside() + self.end.beside());
+        let slope = self.c + R::HALF * (self.start.next_to_cruise() + self.end.next_to_cruise());
         let newton = beyond / slope;
         let bend = newton * (self.start.curvature() + self.end.curvature()) / slope;
         if bend.abs() < R::HALF { (newton + newton) / (R::ONE + (R::ONE - (bend + bend)).sqrt()) } else { newton }
     }
 
-    /// Writes the way inside the limits and the motion.
+    /// Writes the recovery and the motion.
     pub fn write(&self, problem: &Problem<R>, axis: &mut Move<R>, duration: R) {
         let mut writer = problem.writer(axis);
         for segment in &self.segments(&problem.border) {
@@ -123,9 +123,9 @@ impl<R: Real> Cruise<R> {
         [
             (border.a0, away, start.per_jerk.gu * start.ramp.rise),
             (peak, R::ZERO, start.ramp.hold),
-            (peak, back, start.beside()),
+            (peak, back, start.next_to_cruise()),
             (R::ZERO, R::ZERO, self.c),
-            (R::ZERO, onto, end.beside()),
+            (R::ZERO, onto, end.next_to_cruise()),
             (trough, R::ZERO, end.ramp.hold),
             (trough, off, end.per_jerk.gu * end.ramp.rise),
         ]
@@ -147,7 +147,7 @@ impl<R: Real> Side<R> {
     }
 
     /// How long the phase next to the cruise lasts, s.
-    fn beside(&self) -> R {
+    fn next_to_cruise(&self) -> R {
         self.per_jerk.gd * self.ramp.fall
     }
 

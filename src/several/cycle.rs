@@ -98,8 +98,8 @@ mod tests {
     #[test]
     fn a_duration_is_earlier_by_a_rounding_error() {
         let cycle = Cycle::new(0.0, 0.0).expect("a cycle");
-        let is_asked = |roundings: f64| {
-            let duration = 1.0 - roundings * f64::exp2(-23.0);
+        let is_asked = |ulps: f64| {
+            let duration = 1.0 - ulps * f64::exp2(-23.0);
             cycle.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
         };
         assert!(is_asked(0.75) && !is_asked(1.5));
@@ -114,8 +114,8 @@ mod tests {
     #[test]
     fn a_gap_of_a_rounding_error_is_none() {
         let cycle = Cycle::new(0.0, 0.0).expect("a cycle");
-        let is_gap = |roundings: f64| {
-            let t = 1.0 + roundings * f64::exp2(-26.0);
+        let is_gap = |ulps: f64| {
+            let t = 1.0 + ulps * f64::exp2(-26.0);
             cycle.earlier(t, 1.0, [].into_iter(), |_| true) < t
         };
         assert!(!is_gap(0.75) && is_gap(1.5));

@@ -24,7 +24,7 @@ pub fn line<R: Real>(
     let limits = line.tightest(ends.clone())?;
     limits.check(line.from, line.to)?;
     line.check(ends.clone())?;
-    let problem = Problem::new(&limits, line.from, line.to).beside(line.positions);
+    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.positions);
     let mut lead = Move::default();
     problem.write(&mut lead, &problem.fastest())?;
     let slowest = duration.at_least(lead.t);
@@ -32,20 +32,20 @@ pub fn line<R: Real>(
     let t = cycle.earlier(t, slowest, [lead.t].into_iter(), |t| takes(&lead, &problem, t));
     stretch(&mut lead, &|| problem, t)?;
     for ((_, (from, to)), axis) in ends.zip(axes) {
-        *axis = lead.beside(to.position, line.share(from, to).times);
+        *axis = lead.scaled(to.position, line.share(from, to).times);
         axis.set_ends(*from, *to);
     }
     Ok(problem.findings(&lead))
 }
 
-/// A straight line in the space of all axes. The axis with the longest way leads; of ways that are as long, the one with the finest
-/// roundings. Its positions are counted from its end, so they have the rounding error of the displacement alone.
+/// A straight line in the space of all axes. The axis with the longest way leads; of ways that are as long, the one whose
+/// positions round least. Its positions are counted from its end, so they have the rounding error of the displacement alone.
 struct Line<R> {
     /// The lead at the start.
     from: State<R>,
     /// The lead at the end.
     to: State<R>,
-    /// The sum of the magnitudes of the lead's true positions, which tells their rounding.
+    /// The sum of the magnitudes of the lead's true positions: their rounding is an ulp of it.
     positions: R,
     /// How long the slowest axis takes to brake, s.
     braking: R,

@@ -29,25 +29,25 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     let mut tightest = Limits::symmetric(endless, endless, endless);
     for (axis, limits) in axes.iter().zip(limits) {
         limits.are_limits()?;
-        if !goes_beside(share(axis), axis, &lead) {
+        if !goes_along(share(axis), axis, &lead) {
             return Err(Error::Line);
         }
         tightest.tighten(limits, share(axis));
     }
     let mut stop = Move::default();
     let found = stop.stop(&tightest, State { position: R::ZERO, ..now })?;
-    let beside = |axis: &Move<R>| stop.beside(axis.position(x), share(axis));
-    let is_finite = |axis: &Move<R>| beside(axis).end().position.is_finite();
+    let scaled = |axis: &Move<R>| stop.scaled(axis.position(x), share(axis));
+    let is_finite = |axis: &Move<R>| scaled(axis).end().position.is_finite();
     if !axes.iter().all(is_finite) {
         return Err(Error::NotFinite);
     }
     for axis in axes {
-        *axis = beside(axis);
+        *axis = scaled(axis);
     }
     Ok(found)
 }
 
-/// Which quantity of a phase tells the shares of the axes.
+/// The quantity of a phase that the shares of the axes come from.
 #[derive(Clone, Copy)]
 enum Order {
     Jerk,
@@ -66,7 +66,7 @@ impl Order {
 }
 
 /// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
-/// tells the shares of the axes. Their displacements may be so short that rounding hides them.
+/// gives the shares of the axes. Their displacements may be so short that rounding hides them.
 struct Highest {
     /// Whose number it is.
     lead: usize,
@@ -101,12 +101,12 @@ impl Highest {
 
 /// Whether every phase of the move is that of the lead times `share`. The states at both ends are the caller's, with rounding errors of their own, so
 /// they count only where there are no others.
-fn goes_beside<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
+fn goes_along<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
     let ends = usize::from(lead.phases().len() > 1);
     let mut phases = axis.phases().iter().zip(lead.phases()).skip(ends);
-    let are_beside =
+    let agree_on_positions =
         phases.all(|(phase, other)| phase.start == other.start && lies_on(share, &phase.state(), &other.state()));
-    are_beside && axis.count == lead.count
+    agree_on_positions && axis.count == lead.count
 }
 
 /// Whether velocity and acceleration are the lead's, times `share`.

@@ -144,9 +144,9 @@ impl<R: Real> Within<'_, R> {
             axis.end_at(t);
             return Ok(());
         }
-        let mut behind = Move::default();
-        self.plan_around_wait([axis, &mut behind])?;
-        let until = t - behind.t;
+        let mut after = Move::default();
+        self.plan_around_wait([axis, &mut after])?;
+        let until = t - after.t;
         if axis.t > until {
             return Err(Error::Position);
         }
@@ -154,20 +154,20 @@ impl<R: Real> Within<'_, R> {
         if axis.t < until {
             return Err(Error::Position); // no phase is left for the wait
         }
-        axis.append(&behind)?;
+        axis.append(&after)?;
         axis.end_at(t);
         Ok(())
     }
 
     /// Plans the moves before and after a wait: at the target, or where the fastest stop ends.
-    fn plan_around_wait(&self, [before, behind]: [&mut Move<R>; 2]) -> Result<(), Error> {
+    fn plan_around_wait(&self, [before, after]: [&mut Move<R>; 2]) -> Result<(), Error> {
         let (limits, (&from, &to)) = self.ends;
         if to.is_at_rest() {
             before.within(limits, from, to, self.lowest, self.highest)?;
-            behind.stay(to);
+            after.stay(to);
         } else {
             before.stop_within(limits, from, [self.lowest, self.highest])?;
-            behind.within(limits, State::at(before.end().position), to, self.lowest, self.highest)?;
+            after.within(limits, State::at(before.end().position), to, self.lowest, self.highest)?;
         }
         Ok(())
     }
@@ -175,8 +175,8 @@ impl<R: Real> Within<'_, R> {
     /// The duration of the moves before and after a wait, s.
     #[cold]
     fn with_a_stop(&self) -> Result<R, Error> {
-        let (mut before, mut behind) = (Move::default(), Move::default());
-        self.plan_around_wait([&mut before, &mut behind])?;
-        Ok(before.t + behind.t)
+        let (mut before, mut after) = (Move::default(), Move::default());
+        self.plan_around_wait([&mut before, &mut after])?;
+        Ok(before.t + after.t)
     }
 }

@@ -1,5 +1,5 @@
 //! Compiles the original's C sources out of the `liba` crate: as `c8_…` in binary64 and as `c4_…` in binary32. For
-//! measurements it compiles them again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`. The referee of the
+//! measurements it compiles them again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`. The reference solver of the
 //! fastest motions is compiled too.
 //!
 //! The new names keep the libraries apart. Under the same names the linker would resolve both sides of every comparison to
@@ -40,7 +40,7 @@ fn main() {
     for flag in ["-std=c99", "-fno-math-errno", "-Wall", "-Wextra"] {
         build.flag(flag);
     }
-    build.opt_level(2).warnings_into_errors(true).files(["c/referee.c", "c/steps.c"]).compile("referee");
+    build.opt_level(2).warnings_into_errors(true).files(["c/solver.c", "c/steps.c"]).compile("solver");
     println!("cargo:rerun-if-env-changed=BRIEF");
     if env::var_os("BRIEF").is_some() {
         brief();

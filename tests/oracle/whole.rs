@@ -42,7 +42,7 @@ mod is_a_wrong_motion_seen;
 mod is_the_fastest_motion_right;
 #[path = "tests/is_the_original_golden.rs"]
 mod is_the_original_golden;
-#[path = "tests/is_the_referee_right.rs"]
-mod is_the_referee_right;
+#[path = "tests/is_the_solver_right.rs"]
+mod is_the_solver_right;
 #[path = "tests/what_does_the_original_break.rs"]
 mod what_does_the_original_break;

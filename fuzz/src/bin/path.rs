@@ -1,4 +1,4 @@
 //! Are any bytes, as limits and waypoints, refused without a trace or planned as a path that is possible, without a panic?
 #![no_main]
-use oracle::bytes::way_points;
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| way_points(bytes));
+use oracle::bytes::waypoints;
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| waypoints(bytes));

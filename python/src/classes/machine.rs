@@ -389,7 +389,7 @@ impl Clock {
         to_findings(py, found)
     }
 
-    /// Lets the time `x`, s, be 0 from now on. Times of many hours have large roundings.
+    /// The time `x`, s, is 0 from now on. Times of many hours are rounded coarsely.
     fn rebase(&mut self, x: Real) {
         self.inner.rebase(x);
     }

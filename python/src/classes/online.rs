@@ -22,7 +22,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// target changes, plan again from `state_at` of this moment. After its end the axis moves on with the acceleration of the end.
 ///
 /// A state is a `State`, up to three numbers in its order, or a position at rest; limits are a `Limits` or six numbers in its order. ValueError
-/// says which number is no number, which limit is 0 or has the wrong sign, or what is outside the limits.
+/// says which number is NaN or infinite, which limit is 0 or has the wrong sign, or what is outside the limits.
 ///
 /// >>> import atraj
 /// >>> limits = atraj.Limits(jerk=30, acceleration=10, velocity=5)
@@ -65,7 +65,7 @@ impl Move {
 impl Move {
     /// The fastest motion from the state `start` to the state `end`.
     ///
-    /// A start outside the limits comes inside in the fastest way. The end may be behind, or nearer than the way to stop.
+    /// A start outside the limits returns within them in minimum time. The end may be behind, or nearer than the way to stop.
     #[staticmethod]
     fn plan(
         py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, end: GivenState<Real>,

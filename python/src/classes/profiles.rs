@@ -310,7 +310,7 @@ impl Trap {
 
     /// The fastest move within the limits, which never fails: a target behind, or too near to stop, is reached by turning.
     ///
-    /// One of `ac` and `de` is positive, the other negative. ValueError if not, if the velocity is 0, an argument is no number, or
+    /// One of `ac` and `de` is positive, the other negative. ValueError if not, if the velocity is 0, an argument is NaN or infinite, or
     /// a position is infinite.
     #[staticmethod]
     #[pyo3(signature = (velocity, ac, de, p0, p1, v0=0.0, v1=0.0))]

@@ -73,7 +73,7 @@ pub unsafe extern "C" fn atraj_clock_until(ctx: *const atraj_clock) -> a_float {
     value(unsafe { of(ctx) }, Clock::until)
 }
 
-/// @brief Let the time `x` of the clock be 0 from now on: a time of many hours has large roundings in `float`.
+/// @brief Let the time `x` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_rebase(ctx: *mut atraj_clock, x: a_float) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
@@ -91,7 +91,7 @@ pub unsafe extern "C" fn atraj_clock_time(ctx: *const atraj_clock, x: a_float) -
 
 /// @brief State of an axis of the path at the time `x` of the clock: position, velocity, acceleration and jerk.
 /// @param moves points to the move of the axis in the first section, `moves + axis` of `atraj_clock_rate`
-/// @param n number of axes: the next move of the axis is `n` moves behind
+/// @param n number of axes: the next move of the axis is `n` moves later
 /// @param sections number of sections. All results are NaN if `n` or `sections` is 0, or `ctx` or `moves` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_state(

@@ -25,7 +25,7 @@ pub extern "C" fn atraj_path_size(axes: usize, sections: usize) -> usize {
 /// The work is bounded, and linear in the sections. Each step takes at most 12 times the work of one pass over all
 /// sections and axes, and 24 factorisations with `2 * axes + 1` rows a section.
 /// @param states points to `(sections + 1) * axes` states, point by point. Every position is given, and the first and
-/// the last state whole. A start outside the limits comes inside in the first section. The other velocities and
+/// the last state whole. A start outside the limits returns within them in the first section. The other velocities and
 /// accelerations are written.
 /// @param durations points to room for `sections` durations, which are written, s; 0 for a section in which nothing
 /// moves
@@ -254,7 +254,7 @@ unsafe fn contour(
 /// corner, it has little of the feed.
 /// @param limits points to the `sections * axes` limits, section by section, which are lowered
 /// @param states points to the `(sections + 1) * axes` states of the points
-/// @param feeds points to the feeds of the `sections` sections, unit/s; an infinite one is none
+/// @param feeds points to the feeds of the `sections` sections, unit/s; an infinite one sets no limit
 /// @return 0, or an error as `atraj_path_plan` returns it, `ATRAJ_ERR_LIMITS` also if a feed is not above 0,
 /// `ATRAJ_ERR_NOT_FINITE` if it is not a number. On an error no limit changes.
 #[unsafe(no_mangle)]

@@ -142,7 +142,7 @@ pub unsafe extern "C" fn atraj_shaper_size(ctx: *const atraj_shaper, period: a_f
 ///
 /// The shaped state is a mean of the states that the stream had before. So it keeps every limit of the stream, and
 /// nothing jumps, whatever the stream does. A delay that is no multiple of the period is a mean of two ticks. A stream
-/// in motion is taken to have had its velocity for long: so it starts behind `now` by the mean delay.
+/// in motion is taken to have had its velocity for long: so it starts later than `now` by the mean delay.
 /// @param shaper points to the shaper, which is copied
 /// @param period from one tick to the next, s
 /// @param now points to the state of the stream

@@ -57,7 +57,7 @@ impl<R: Real> Piece<R> {
     /// Where the displacement is `lacks` for the first time; else what it lacks at `end`. `turns`: the acceleration changes its sign in the
     /// middle of the motion. Then the displacement is convex wherever it rises.
     pub fn first_over(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
-        let beside = |x| {
+        let beyond_at = |x| {
             let (displacement, slope) = self.displacement(x);
             (displacement - lacks, slope)
         };
@@ -65,24 +65,24 @@ impl<R: Real> Piece<R> {
         let mut low = R::ZERO;
         if !(turns && rises) {
             if let Some(x) = self.turning_point().filter(|x| *x < end) {
-                if rises && beside(x).0 >= R::ZERO {
-                    return Ok(root_between(R::ZERO, x, beside));
+                if rises && beyond_at(x).0 >= R::ZERO {
+                    return Ok(root_between(R::ZERO, x, beyond_at));
                 }
                 low = x;
             }
         }
         if end < R::INFINITY {
-            let beyond = beside(end).0;
+            let beyond = beyond_at(end).0;
             if beyond < R::ZERO {
                 return Err(-beyond);
             }
         }
         let mut high = end;
         if turns {
-            let bound = if low > R::ZERO { low + self.from(low).bound(-beside(low).0) } else { self.bound(lacks) };
+            let bound = if low > R::ZERO { low + self.from(low).bound(-beyond_at(low).0) } else { self.bound(lacks) };
             high = bound.at_most(end);
         }
-        Ok(root_between(low, high, beside))
+        Ok(root_between(low, high, beyond_at))
     }
 
     /// The derivative of the displacement with respect to the duration, in the first motion.

@@ -112,7 +112,7 @@ impl<R: Real> Bell<R> {
         y.negate_if(self.is_backward())
     }
 
-    /// The phase at `x`; `is_ahead(x, border)` tells whether a border is ahead of `x`. The quantities ask in different ways, which
+    /// The phase at `x`; `is_ahead(x, border)` decides whether a border is ahead of `x`. The quantities ask in different ways, which
     /// differ where a border is NaN.
     // Each caller has its own copy: the phase becomes a place in the code instead of a value.
     #[inline(always)]

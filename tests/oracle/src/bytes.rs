@@ -53,14 +53,14 @@ of_bytes! {
     move_from_any_state => move_as;
     /// Plans several axes together. Panics if an error writes an axis, or if axes arrive at different times or elsewhere.
     several_axes => axes_as;
-    /// Lets an axis tick between nonsensical plans. Panics if an answer or a setpoint is another than that of moves planned one by one, or if a
+    /// Ticks an axis between nonsensical plans. Panics if an answer or a setpoint is another than that of moves planned one by one, or if a
     /// move does not begin where the one before it is at the takeover.
     axis_in_a_machine => axis_as;
     /// Plans a move from any state, counts its steps and shapes it. Panics if a step is lost, if the shaped motion ends elsewhere, or if a refusal
     /// leaves a trace.
     steps_and_shapes => machine_as;
     /// Plans a path through waypoints, and improves it. Panics if an error writes anything, or if a promised duration is refused.
-    way_points => path_as;
+    waypoints => path_as;
 }
 
 fn plan_as<R: Original>(_: u8, mut bytes: &[u8]) {

@@ -475,7 +475,7 @@ fn bad_motions<R: Real>() {
                 assert_eq!(answer(zones, &|states, _, _| states[k].velocity = bad), refused);
                 assert_eq!(answer(zones, &|states, _, _| states[k].acceleration = bad), refused);
             }
-            // The start comes inside its limits.
+            // The start returns within its limits.
             let expected = if k < AXES {
                 (Ok(Findings::STARTS_OUTSIDE | Findings::OVERSHOOTS), 6)
             } else {

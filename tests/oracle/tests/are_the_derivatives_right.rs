@@ -1,4 +1,4 @@
-//! Are the derivatives of a border, by which a path takes its steps, those of the referee's differences in 80 bits?
+//! Are the derivatives of a border, by which a path takes its steps, those of the reference solver's differences in 80 bits?
 //!
 //! The border is no part of the interface, so its source is compiled here.
 
@@ -32,7 +32,7 @@ mod interval {
 use interval::border::Border;
 use interval::derivatives::Derivatives;
 use limits::Limits;
-use oracle::judge::referee::Motion;
+use oracle::judge::solver::Motion;
 use support::Random;
 
 /// The slack of the upper or the lower border with its derivatives, if a motion has this duration.

@@ -40,7 +40,7 @@ fn every_fault_is_seen<R: Original>() {
     }
 }
 
-/// The widest gap between the end of a phase and the start of the next one, in roundings of the duration.
+/// The widest gap between the end of a phase and the start of the next one, in ulps of the duration.
 fn gap<R: Real>(axis: &Move<R>) -> f64 {
     let phases = &axis.phase[..=axis.count as usize];
     let gaps = phases.windows(2).map(|pair| {
@@ -50,8 +50,8 @@ fn gap<R: Real>(axis: &Move<R>) -> f64 {
     gaps.fold(0.0, f64::max) / (R::MACHINE_EPSILON.widen() * axis.t.widen())
 }
 
-/// An axis takes the common duration without a slip if both differ by 6 roundings at most. The start of a phase is rounded too. Of 50,000 sets
-/// in binary32, 2 had a gap of more than 8 roundings.
+/// An axis takes the common duration without a slip if both differ by 6 ulps at most. The start of a phase is rounded too. Of 50,000 sets
+/// in binary32, 2 had a gap of more than 8 ulps.
 fn phases_follow_each_other<R: Real>() {
     let mut widest: f64 = 0.0;
     for set in Sets::<R>::new(26).take(50_000) {
@@ -60,11 +60,11 @@ fn phases_follow_each_other<R: Real>() {
         assert!(planned.is_ok(), "{planned:?}: {}", set.show());
         for axis in axes.iter().filter(|axis| axis.t.widen() > 0.0) {
             let gap = gap(axis);
-            assert!(gap <= 7.0, "{gap} roundings: {}", set.show());
+            assert!(gap <= 7.0, "{gap} ulps: {}", set.show());
             widest = widest.max(gap);
         }
     }
-    println!("{}: {widest:.1} roundings", R::NAME);
+    println!("{}: {widest:.1} ulps", R::NAME);
     assert!(widest > 0.0);
 }
 
@@ -77,7 +77,7 @@ fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }
 }
 
-/// The planner counts the positions of a line from its end. So an axis that slips has the phases of its fastest move up to roundings, and the judge
+/// The planner counts the positions of a line from its end. So an axis that slips has the phases of its fastest move up to rounding, and the judge
 /// took it for one that jumps.
 #[test]
 #[rustfmt::skip]
@@ -111,7 +111,7 @@ fn both_ends_slip() {
     assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
 }
 
-/// A ramp joins both ends up to roundings. The referee tries some of these ends only, and the judge called its duration impossible.
+/// A ramp joins both ends up to rounding. The reference solver tries some of these ends only, and the judge called its duration impossible.
 #[test]
 #[rustfmt::skip]
 fn a_ramp_is_possible() {

@@ -65,7 +65,7 @@ impl<R: Original> Walled<R> {
         self.leaves(span, by)
     }
 
-    /// What a move may leave the walls by: 128 roundings of its positions and of speed times duration, and those of the hull.
+    /// What a move may leave the walls by: 128 ulps of its positions and of speed times duration, and those of the hull.
     fn rounding(&self, axis: &Move<R>) -> f64 {
         let reached = axis.extremes();
         let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());

@@ -167,7 +167,7 @@ fn stopped(mut axes: Vec<Move<f64>>, limits: &[Limits<f64>], x: f64) -> Result<V
     line_stop(&mut axes, limits, x).map(|_| axes)
 }
 
-/// Several axes move and stop alike in other units, and are refused alike. Mirrored, they move alike up to roundings: the mean of two motions is
+/// Several axes move and stop alike in other units, and are refused alike. Mirrored, they move alike up to rounding: the mean of two motions is
 /// counted from the other one.
 #[test]
 fn several_axes() {
@@ -205,7 +205,7 @@ fn several_axes() {
     assert!(planned[0] > 500 && planned[1] > 3_000, "{planned:?}");
 }
 
-/// A move of which a number is changed by some roundings has the same findings in other units.
+/// A move of which a number is changed by some ulps has the same findings in other units.
 #[test]
 fn spoiled_moves() {
     let mut random = Random::seeded(10);
@@ -250,7 +250,7 @@ const FIELDS_OF_TRAP: [Field; 12] = [
     Time, Of(0), Of(0), Of(1), Of(1), Of(1), Time, Time, Of(0), Of(0), Of(2), Of(2),
 ];
 
-/// Changes a field by some roundings. Whether the check finds a jump; it finds the same in other units.
+/// Changes a field by some ulps. Whether the check finds a jump; it finds the same in other units.
 fn spoiled_alike<const N: usize>(
     random: &mut Random, units: Units, kinds: [Field; N], mut near: [f64; N],
     check: impl Fn(&[f64], Units) -> Result<Findings, Error>,
@@ -266,7 +266,7 @@ fn spoiled_alike<const N: usize>(
     found.is_ok_and(|found| found.contains(Findings::JUMPS))
 }
 
-/// A double-S and a trapezoid of which a number is changed by some roundings have the same findings in other units.
+/// A double-S and a trapezoid of which a number is changed by some ulps have the same findings in other units.
 #[test]
 fn spoiled_profiles() {
     let mut random = Random::seeded(11);

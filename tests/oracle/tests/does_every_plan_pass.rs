@@ -11,7 +11,7 @@ use support::{Real, test_both_reals};
 const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 4_000 };
 
-/// An axis that slips by roundings, so that all arrive together, may show a step: 6 of 52,245 axes in binary64, 71 in binary32. So a monitor
+/// An axis that slips by rounding errors, so that all arrive together, may show a step: 6 of 52,245 axes in binary64, 71 in binary32. So a monitor
 /// refuses at most one of so many.
 const ONE_STEP_OF: usize = 500;
 

@@ -11,7 +11,7 @@ const PATHS: usize = if support::BRIEF { 3_334 } else { 33_334 };
 const SAMPLES: usize = 40;
 const RESERVES: [f64; 3] = [0.1, 0.2, 0.5];
 
-/// Axes that arrive together, from rest to rest, in one section or in several ones between way points.
+/// Axes that arrive together, from rest to rest, in one section or in several ones between waypoints.
 struct Path<R> {
     /// Section by section.
     moves: Vec<Move<R>>,
@@ -102,7 +102,7 @@ impl<R: Real> Path<R> {
     }
 }
 
-/// Whether a state keeps the limits, up to 256 roundings of them.
+/// Whether a state keeps the limits, up to 256 ulps of them.
 fn keeps<R: Real>(state: [R; 4], limits: &Limits<R>) -> bool {
     let pairs = [(limits.vmin, limits.vmax), (limits.amin, limits.amax), (limits.jmin, limits.jmax)];
     state[1..].iter().zip(pairs).all(|(value, (low, high))| {
@@ -310,7 +310,7 @@ fn a_line_stops_exactly() {
     }
 }
 
-/// Random paths between way points, planned at a part of the limits.
+/// Random paths between waypoints, planned at a part of the limits.
 fn held_path(random: &mut Random, part: f64) -> (Path<f64>, Vec<Limits<f64>>) {
     let n = 2 + random.below(4);
     let sections = random.pick(&[4, 5, 6, 8]);

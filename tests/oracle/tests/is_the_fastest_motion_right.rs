@@ -1,4 +1,4 @@
-//! Is the fastest motion right: never refused, never wrong, never longer than the referee's? Per real type four million double-S,
+//! Is the fastest motion right: never refused, never wrong, never longer than the reference solver's? Per real type four million double-S,
 //! trapezoids and moves without acceleration at their ends, and a million moves from any state to any state.
 
 use oracle::judge::planner::Fastest;

@@ -40,7 +40,7 @@ pub fn fewer_limits<R: Real>(random: &mut Random, limits: Limits<R>) -> Limits<R
     fewer
 }
 
-/// A state in which an axis can be without having left the limits before, and without being bound to leave them.
+/// A state in which an axis can be without having left the limits before, and without exceeding them unavoidably.
 pub fn inside<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     let [vmax, vmin, amax, amin, jmax, jmin] = finite(limits);
     let position = random.sign() * random.magnitude(-2.0, 1.5);

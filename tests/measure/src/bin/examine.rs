@@ -1,5 +1,5 @@
 //! `examine [f64|f32] [plan|reach|stop|meet|bell|trap] vmax vmin amax amin jmax jmin p0 v0 a0 p1 v1 a1`: one motion,
-//! what the referee knows of it, and what the judge says.
+//! what the reference solver knows of it, and what the judge says.
 
 use oracle::judge::planner::{Fastest, Planner};
 use oracle::judge::problem::{Problem, Request};

@@ -1,4 +1,4 @@
-//! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and nasty problems in
+//! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and adversarial problems in
 //! another, random problems of `Move` in a third, of several axes in a fourth, of waypoints in a fifth, and requests to an axis in a sixth.
 
 use atraj::State;
@@ -22,7 +22,7 @@ fn main() -> Result<()> {
 fn write_all<R: Original>(directory: &Path) -> Result<()> {
     let problems = Problems::<R>::of_profiles(0).take(6 * Kind::OF_PROFILES.len());
     let problems = problems.map(|problem| encode(&problem.arguments(), &[]));
-    write_corpus::<R>(&directory.join("fastest"), "nasty", problems)?;
+    write_corpus::<R>(&directory.join("fastest"), "adversarial", problems)?;
     let [mut moves, mut axes, mut paths, mut requests, mut machines] = [0, 1, 2, 3, 3].map(Random::seeded);
     let write =
         |name, cases: &mut dyn Iterator<Item = Vec<u8>>| write_corpus::<R>(&directory.join(name), "random", cases);

@@ -1,5 +1,5 @@
 //! `soak <what> <first seed> <seeds> <file>`: a portion of random cases per seed and real type. `calls`: a million calls against the
-//! original. `plans`: a million motions without acceleration at their ends against the referee. `moves`: a quarter of a million moves from
+//! original. `plans`: a million motions without acceleration at their ends against the reference solver. `moves`: a quarter of a million moves from
 //! any state to any state. `axes`: ten thousand sets of axes that move together. `paths`: a thousand paths through waypoints.
 //!
 //! After each seed the file holds what was done: `what,seeds,count,faults,an hour`. So a run may be stopped at any time.

@@ -30,9 +30,9 @@ listed! {
         EndOff,
         /// The final velocity is a representable number off.
         EndVelocityOff,
-        /// The position jumps 100 roundings.
+        /// The position jumps 100 ulps.
         Jump,
-        /// The velocity jumps 100 roundings.
+        /// The velocity jumps 100 ulps.
         VelocityJump,
         /// The shortest phase is missing.
         DroppedPhase,
@@ -44,7 +44,7 @@ listed! {
         SilentOvershoot,
         /// It does not say that the start is outside.
         SilentStart,
-        /// It does not say that the axis is bound to leave its limits afterwards.
+        /// It does not say that the axis will unavoidably exceed its limits afterwards.
         SilentEnd,
     }
 }
@@ -146,7 +146,7 @@ impl Fault {
     }
 }
 
-/// 100 roundings.
+/// 100 ulps.
 fn off<R: Real>(scale: f64) -> R {
     R::of(100.0 * R::MACHINE_EPSILON.widen() * scale)
 }

@@ -1,6 +1,6 @@
 //! The positions that an axis cannot avoid: those of its motion, of its fastest stop and of its fastest motion from rest to the target.
 
-use super::referee::Walk;
+use super::solver::Walk;
 use atraj::online::{Limits, Move, State};
 use support::Real;
 

@@ -1,7 +1,7 @@
 //! One judge of all motions. A double-S is a motion without acceleration at its ends, and with the same limits in both directions. A
 //! trapezoid has no limit of the jerk.
 //!
-//! [`problems`] makes nasty problems, [`planner`] has the planners under test, [`referee`] knows the fastest motion, [`trial`] says what
+//! [`problems`] makes adversarial problems, [`planner`] has the planners under test, [`solver`] knows the fastest motion, [`trial`] says what
 //! is wrong with a plan, [`tally`] counts, and [`faults`] show that the judge sees a fault.
 
 /// An enumeration that lists its values.
@@ -27,8 +27,8 @@ pub mod path;
 pub mod planner;
 pub mod problem;
 pub mod problems;
-pub mod referee;
 pub mod rivals;
+pub mod solver;
 pub mod steps;
 pub mod tally;
 pub mod trial;

@@ -36,7 +36,7 @@ impl Request {
 /// A motion to plan.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<R> {
-    /// What is nasty about it.
+    /// What is adversarial about it.
     pub kind: Kind,
     /// What is asked for.
     pub request: Request,

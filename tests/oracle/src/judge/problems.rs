@@ -1,8 +1,8 @@
-//! Nasty problems for every planner, in kinds. The same seed gives the same problems.
+//! Adversarial problems for every planner, in kinds. The same seed gives the same problems.
 
 use super::planner::{Fastest, Planner};
 use super::problem::{POWERS_OF_TIME, Problem, Request, beyond_legal, parts};
-use super::referee::Motion;
+use super::solver::Motion;
 use atraj::State;
 use support::{Family, Random, Real};
 
@@ -19,7 +19,7 @@ impl Kind {
 }
 
 listed! {
-    /// What is nasty about a problem.
+    /// What is adversarial about a problem.
     pub enum Kind {
         /// At rest at both ends.
         Rest,
@@ -166,8 +166,8 @@ impl<R: Real> Problems<R> {
     }
 
     fn problem(&mut self, kind: Kind, request: Request) -> Problem<R> {
-        // A problem in which something is special is nasty in another way too.
-        let nasty = match kind {
+        // A problem in which something is special is adversarial in another way too.
+        let adversarial = match kind {
             Kind::Remainder if self.of_profiles => self.random.pick(&Kind::OF_PROFILES),
             Kind::Reach | Kind::Stop | Kind::Meet | Kind::Remainder | Kind::NextCycle => {
                 Kind::ALL[self.random.below(Kind::NeverReached as usize)]
@@ -178,11 +178,11 @@ impl<R: Real> Problems<R> {
         if self.of_profiles {
             draft.fit(request);
         }
-        self.make_nasty(nasty, &mut draft);
+        self.make_adversarial(adversarial, &mut draft);
         if self.of_profiles {
             draft.fit(request);
         }
-        let is_boundary = nasty == Kind::TargetOnTheBoundary;
+        let is_boundary = adversarial == Kind::TargetOnTheBoundary;
         draft.make_target_legal(is_boundary.then_some(self.random.one_in(2)));
         match request {
             Request::Stop => (draft.v1, draft.a1) = (0.0, 0.0),
@@ -193,7 +193,7 @@ impl<R: Real> Problems<R> {
             _ => {}
         }
         let mut problem = Self::rounded(kind, request, draft);
-        self.aim(nasty, &mut problem);
+        self.aim(adversarial, &mut problem);
         match kind {
             Kind::Remainder => self.advance(&mut problem, 1.0),
             Kind::NextCycle => {
@@ -240,7 +240,7 @@ impl<R: Real> Problems<R> {
         draft
     }
 
-    fn make_nasty(&mut self, kind: Kind, draft: &mut Draft) {
+    fn make_adversarial(&mut self, kind: Kind, draft: &mut Draft) {
         let wide = Self::wide();
         let random = &mut self.random;
         match kind {
@@ -289,8 +289,8 @@ impl<R: Real> Problems<R> {
                     (draft.vmin, draft.amax, draft.jmin)
                 };
                 draft.a0 = a * random.between(0.0, 1.0);
-                let undone = 0.5 * draft.a0 * draft.a0 / jerk;
-                draft.v0 = v + undone * random.pick(&[0.0, 0.5, 1.0]);
+                let at_zero_a = 0.5 * draft.a0 * draft.a0 / jerk;
+                draft.v0 = v + at_zero_a * random.pick(&[0.0, 0.5, 1.0]);
             }
             Kind::InfiniteVelocity => {
                 let [vmax, vmin, ..] = draft.limits();
@@ -621,7 +621,7 @@ impl Draft {
         0.5 * (self.a1 + self.a0) * (self.a1 - self.a0) / jerk
     }
 
-    /// Changes the start so that the axis is inside and is not bound to leave.
+    /// Changes the start so that the axis is inside and need not exceed its limits.
     fn make_start_legal(&mut self) {
         self.a0 = self.a0.clamp(self.amin, self.amax);
         let jerk = if self.a0 > 0.0 { self.jmin } else { self.jmax };

@@ -22,7 +22,7 @@ pub struct Tally {
     pub longer: u64,
     /// Durations that are too short, or in which a target cannot be reached.
     pub impossible: u64,
-    /// Good motions that turn and come again, though a ramp ends within 4 roundings of the target.
+    /// Good motions that turn and come again, though a ramp ends within 4 ulps of the target.
     pub detours: u64,
     /// The worst relative error of a duration.
     pub worst: f64,

@@ -1,10 +1,10 @@
-//! What is wrong with a motion: longer, shorter or other than the referee's, a jump, a limit that it leaves, an end that it misses,
+//! What is wrong with a motion: longer, shorter or other than the reference solver's, a jump, a limit that it leaves, an end that it misses,
 //! other durations if it is mirrored or in other units.
 
 use super::planner::{Plan, Planner};
 use super::problem::{Problem, Request};
 use super::problems::Kind;
-use super::referee::{Best, Grid, Knot, Motion, Walk};
+use super::solver::{Best, Grid, Knot, Motion, Walk};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
@@ -19,7 +19,7 @@ pub fn are_of_a_move(findings: Findings) -> bool {
     all.is_some_and(|all| all.contains(findings))
 }
 
-/// The verdict if the finding is missing that the axis is bound to leave its limits after the target.
+/// The verdict if the finding is missing that the axis will unavoidably exceed its limits after the target.
 pub const LEAVES: &str = "it leaves the limits afterwards";
 
 /// What the judge says of a plan.
@@ -29,7 +29,7 @@ pub enum Verdict {
     Good {
         /// Its relative error.
         error: f64,
-        /// Whether the axis turns and comes again, though a ramp ends within 4 roundings of the target.
+        /// Whether the axis turns and comes again, though a ramp ends within 4 ulps of the target.
         detour: bool,
     },
     /// There is no plan.
@@ -57,17 +57,17 @@ impl Verdict {
     }
 }
 
-/// How far a duration may be off, besides what a few roundings of the target explain.
+/// How far a duration may be off, besides what a few ulps of the target explain.
 pub fn tolerance<R: Real>() -> f64 {
     if size_of::<R>() == 8 { 1e-9 } else { 1e-5 }
 }
 
-/// 64 roundings of 1.
+/// 64 ulps of 1.
 pub fn doubt<R: Real>() -> f64 {
     64.0 * R::MACHINE_EPSILON.widen()
 }
 
-/// How large the numbers of a motion are. Its errors are measured in roundings of them.
+/// How large the numbers of a motion are. Its errors are measured in ulps of them.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Scale {
     /// Of its positions.
@@ -108,9 +108,9 @@ impl Scale {
         let knots = walk.knots.iter();
         let most = |k: usize| knots.clone().map(|knot| knot[k].abs()).fold(0.0, f64::max);
         let t = planned.t.widen();
-        // The velocities with the acceleration undone at the start or at the end are the axis' own too.
+        // The velocities once the acceleration is 0, at the start or at the end are the axis' own too.
         let [first, last] = [0, planned.count as usize].map(|k| planned.phase[k].acceleration.widen());
-        let undone = 0.25 * pace * (first * first + last * last);
+        let at_zero_a = 0.25 * pace * (first * first + last * last);
         let mut fastest = most(2);
         let mut changes: f64 = 0.0;
         let mut most_jerk: f64 = 0.0;
@@ -124,7 +124,7 @@ impl Scale {
         }
         // A profile counts from both of its ends: errors do not add up from phase to phase, but the time is rounded.
         let is_profile = plan.profile.is_some();
-        let velocity = fastest + undone + if is_profile { 0.0 } else { changes };
+        let velocity = fastest + at_zero_a + if is_profile { 0.0 } else { changes };
         Self {
             position: 2.0 * most(1) + velocity * t,
             velocity: velocity + if is_profile { most(3) * t } else { 0.0 },
@@ -133,7 +133,7 @@ impl Scale {
     }
 }
 
-/// A problem with what the referee knows of it.
+/// A problem with what the reference solver knows of it.
 pub struct Trial<R> {
     problem: Problem<R>,
     motion: Motion,
@@ -141,14 +141,14 @@ pub struct Trial<R> {
 }
 
 impl<R: Original> Trial<R> {
-    /// Asks the referee.
+    /// Asks the reference solver.
     pub fn new(problem: Problem<R>) -> Self {
         let motion = Motion::of(&problem);
         let best = motion.best();
         Self { problem, motion, best }
     }
 
-    /// What the referee knows.
+    /// What the reference solver knows.
     pub fn best(&self) -> Best {
         self.best
     }
@@ -158,7 +158,7 @@ impl<R: Original> Trial<R> {
         &self.problem
     }
 
-    /// The motion that the referee was asked for.
+    /// The motion that the reference solver was asked for.
     pub fn motion(&self) -> Motion {
         self.motion
     }
@@ -182,7 +182,7 @@ impl<R: Original> Trial<R> {
         [ends + velocity * duration, velocity]
     }
 
-    /// The least duration, and the durations that are as good because the target is a few roundings away.
+    /// The least duration, and the durations that are as good because the target is a few ulps away.
     fn possible(&self, best: &Best, position: f64, velocity: f64) -> impl Iterator<Item = f64> {
         let near = |beside: f64| !self.has_position() || beside.abs() <= position;
         let direct = near(best.beside_direct);
@@ -199,7 +199,7 @@ impl<R: Original> Trial<R> {
         [self.least(best)].into_iter().chain(others.map(|(_, duration)| duration))
     }
 
-    /// Whether the target, but for a few roundings of both ends, can be reached in this duration.
+    /// Whether the target, but for a few ulps of both ends, can be reached in this duration.
     pub fn is_possible(&self, duration: f64) -> bool {
         let tolerance = tolerance::<R>();
         let [position, velocity] = self.roundings(duration);
@@ -210,14 +210,14 @@ impl<R: Original> Trial<R> {
             || matches!(self.duration(duration), Verdict::Good { .. })
     }
 
-    /// Whether the target, and whatever is a few roundings beside it, can be reached in this duration.
+    /// Whether the target, and whatever is a few ulps beside it, can be reached in this duration.
     pub fn is_surely_possible(&self, duration: f64) -> bool {
         let [position, velocity] = self.roundings(duration);
         self.motion.possible(duration)
             && besides(position, velocity).all(|beside| self.motion.lacks(duration, beside) == 0.0)
     }
 
-    /// 64 roundings of the positions and of the velocities of a motion that lasts as long, or more if the referee knows them no better.
+    /// 64 ulps of the positions and of the velocities of a motion that lasts as long, or more if the reference solver knows them no better.
     fn roundings(&self, duration: f64) -> [f64; 2] {
         let doubt = doubt::<R>().max(4.0 * self.best.wrong);
         let [position, velocity] = self.passed();
@@ -225,7 +225,7 @@ impl<R: Original> Trial<R> {
         [position + velocity * longer, velocity].map(|scale| scale * doubt)
     }
 
-    /// Whether the axis turns and comes again, though a ramp ends within 4 roundings of the target.
+    /// Whether the axis turns and comes again, though a ramp ends within 4 ulps of the target.
     pub fn is_detour(&self, duration: f64) -> bool {
         let [p0, v0, _] = self.motion.start.map(f64::abs);
         let [p1, v1, _] = self.motion.target.map(f64::abs);
@@ -235,7 +235,7 @@ impl<R: Original> Trial<R> {
         duration > 1.1 * shortest.fold(f64::INFINITY, f64::min)
     }
 
-    /// Compares a duration with the referee's, and if they differ, with the referee's for ends a few roundings away.
+    /// Compares a duration with the reference solver's, and if they differ, with the solver's for ends a few ulps away.
     pub fn duration(&self, duration: f64) -> Verdict {
         self.duration_near(duration, 0.0)
     }
@@ -251,7 +251,7 @@ impl<R: Original> Trial<R> {
         if error(least) <= tolerance {
             return good(least);
         }
-        // Where the referee's own motion misses the ends, it knows the ends no better.
+        // Where the reference solver's own motion misses the ends, it knows the ends no better.
         let doubt = doubt::<R>().max(4.0 * self.best.wrong);
         let near = |scale: f64| (scale * doubt).max(accuracy);
         let [position, velocity] = self.passed().map(near);
@@ -366,7 +366,7 @@ impl<R: Original> Trial<R> {
         ((end - met).abs() > doubt * (scale.position + p1.abs())).then_some("the target is missed")
     }
 
-    /// Whether the motion leaves its limits, or does not come inside.
+    /// Whether the motion leaves its limits, or does not return within them.
     fn leaves_limits(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [_, v0, a0] = self.motion.start;
@@ -384,7 +384,7 @@ impl<R: Original> Trial<R> {
         )
     }
 
-    /// Whether the axis is bound to leave its limits after the target; `None` if roundings decide.
+    /// Whether the axis will unavoidably exceed its limits after the target; `None` if roundings decide.
     pub fn leaves_after(&self) -> Option<bool> {
         let [vmax, vmin, _, _, jmax, jmin] = self.motion.limits;
         let [_, v1, a1] = self.motion.target;
@@ -411,9 +411,9 @@ impl<R: Original> Trial<R> {
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [p0, v0, a0] = self.motion.start;
         let doubt = doubt::<R>();
-        let undone = v0 - 0.5 * a0.abs() * a0 / if a0 > 0.0 { jmin } else { -jmax };
-        let beyond = (v0.max(undone) - vmax).max(vmin - v0.min(undone));
-        let slack = doubt * (v0.abs() + undone.abs());
+        let at_zero_a = v0 - 0.5 * a0.abs() * a0 / if a0 > 0.0 { jmin } else { -jmax };
+        let beyond = (v0.max(at_zero_a) - vmax).max(vmin - v0.min(at_zero_a));
+        let slack = doubt * (v0.abs() + at_zero_a.abs());
         let accelerated = a0 > amax || a0 < amin;
         let outside = found(Findings::STARTS_OUTSIDE);
         if outside && !accelerated && beyond < -slack {
@@ -433,7 +433,7 @@ impl<R: Original> Trial<R> {
         let [_, v1, a1] = self.motion.target;
         let before = v1 - 0.5 * a1.abs() * a1 / if a1 > 0.0 { jmax } else { -jmin };
         let way = p1 - p0;
-        let against = way == 0.0 || [v0, undone, v1, before].iter().any(|v| way * v < 0.0);
+        let against = way == 0.0 || [v0, at_zero_a, v1, before].iter().any(|v| way * v < 0.0);
         // Beside the velocities that an acceleration leads to afterwards, those of the move may be as small as roundings.
         let leaves = self.leaves_after() == Some(true);
         if overshoots && excess == 0.0 && !(against || leaves) {
@@ -455,7 +455,7 @@ impl<R: Original> Trial<R> {
         }
         let [length, time] = [(); 2].map(|()| random.steps(3));
         let expected = t.widen() * f64::from(time).exp2();
-        // Near the border of the range a product is infinite in some units only. Then the motion is found in another way, up to roundings.
+        // Near the border of the range a product is infinite in some units only. Then the motion is found in another way, up to rounding.
         let is_extreme = problem.kind == Kind::ExtremeScale;
         let rounding = if is_extreme { 4.0 * R::MACHINE_EPSILON.widen() * expected } else { 0.0 };
         let is_expected = |t: R| (t.widen() - expected).abs() <= rounding;
@@ -488,7 +488,7 @@ impl<R: Original> Trial<R> {
     }
 
     /// Whether the acceleration makes one ramp: it changes, (holds) and changes back. The duration of a ramp allows one displacement only, and a
-    /// ramp whose states are right up to roundings of both ends shows itself that such ends can be joined in its duration. The referee tries
+    /// ramp whose states are right up to rounding of both ends shows itself that such ends can be joined in its duration. The reference solver tries
     /// some of them only.
     pub fn is_ramp(&self, planned: &Move<R>) -> bool {
         self.problem.request.profile().is_none() && planned.count <= 4
@@ -527,7 +527,7 @@ struct Side {
 }
 
 impl Side {
-    /// Whether the motion leaves the limits on this side. A start outside may come inside, but not go further out.
+    /// Whether the motion leaves the limits on this side. A start outside may return within them, but not go further out.
     fn left(&self, knots: &[Knot], scale: &Scale, doubt: f64) -> Option<&'static str> {
         let mut velocity = self.velocity.max(self.unavoidable);
         let mut acceleration = self.acceleration.max(self.sign * knots[0][3]);

@@ -10,7 +10,7 @@ use support::{Family, Random, Real};
 enum Distribution {
     /// 2^-7 to 2^7.
     Ordinary,
-    /// Ordinary, with a distance at which a few roundings decide the branch of the plan, or whether it has a solution.
+    /// Ordinary, with a distance at which a few ulps decide the branch of the plan, or whether it has a solution.
     NearlyInfeasible,
     /// Near the smallest normal number.
     Tiny,

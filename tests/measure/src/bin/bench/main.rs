@@ -406,7 +406,7 @@ fn at_once(
     })
 }
 
-/// Lets the library of a number fill `n` samples with this time between two.
+/// Makes the library of a number fill `n` samples with this time between two.
 fn sampling(function: &str, n: usize, duration: a_float, fill: impl Fn(usize, a_float, Samples) + 'static) -> Row {
     let dt = duration / (n - 1) as a_float;
     let mut memory = vec![0.0; 4 * n + 16];

@@ -17,7 +17,7 @@ const REPEATS: usize = 41;
 /// A row, and its plans one by one.
 pub struct Race {
     pub row: Row,
-    /// Lets the library of this number make the plan of this number.
+    /// Makes the library of this number write the plan of this number.
     one: Box<dyn Fn(usize, usize)>,
     /// Plans with ours and with rsruckig. It takes too long for every run under callgrind.
     pub compare: Box<dyn Fn() -> Tally>,

@@ -65,7 +65,7 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
         Ok(found) => found,
         Err(error) => return Some((0, Verdict::Refused(error))),
     };
-    // The lead comes inside within the tightest limits. So an axis may go further out than its own limits make unavoidable.
+    // The lead recovers within the tightest limits. So an axis may go further out than its own limits make unavoidable.
     let outside = found.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
     let is_excused =
         |(_, verdict): &Bad| outside && matches!(verdict, Verdict::Wrong(what) if what.ends_with("beyond its limit"));

@@ -88,7 +88,7 @@ impl Family {
             let set: Set<R> = self.draw(random);
             let mut axes = vec![Move::default(); set.limits.len()];
             let planned = self.plan(&set, &mut axes);
-            // An axis that is bound to leave its limits after its end is outside before it arrives.
+            // An axis that will unavoidably exceed its limits after its end is outside before it arrives.
             let stays = planned.is_ok_and(|found| !found.contains(Findings::ENDS_LEAVING));
             if stays && axes[0].t.widen() <= MOST_TICKS * set.tick {
                 return (set, axes);

@@ -47,8 +47,8 @@ families! {
     OneAtTarget: [Rest, Moving, Accelerated],
     /// The rests of planned moves.
     UnderWay: [Remainder, NextCycle],
-    /// Whatever is nasty for one axis.
-    Nasty: [NoDisplacement, DirectTie, BorderOfCruise, BorderOfShape, BorderOfHold, TargetOnTheBoundary, Tiny, Offset, NeverReached,
+    /// Whatever is adversarial for one axis.
+    Adversarial: [NoDisplacement, DirectTie, BorderOfCruise, BorderOfShape, BorderOfHold, TargetOnTheBoundary, Tiny, Offset, NeverReached,
             WeakLimits, HugeJerk, Lens, Rest, Moving],
 }
 

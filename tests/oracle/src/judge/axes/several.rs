@@ -55,9 +55,9 @@ pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scal
 }
 
 /// By how much the numbers of an axis may be larger than their own scale. The axis may slip, s: it arrives at a tick that its fastest motion
-/// misses by roundings.
+/// misses by rounding errors.
 ///
-/// Then each end changes by up to eight times as many roundings of positions and velocities: 256 roundings of both velocities in sum are 512
+/// Then each end changes by up to eight times as many ulps of positions and velocities: 256 ulps of both velocities in sum are 512
 /// of the higher one. The motion is followed from its start, so the changes of the velocity at both ends add up. A slip is a shift in time, so
 /// the acceleration changes by what the jerk changes in the slip. The positions and the velocities limit the slip.
 pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f64) -> Scale {
@@ -75,9 +75,9 @@ pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f6
     })
 }
 
-/// By how much an axis arrives earlier than its fastest move does, or later, at a tick which the move misses by roundings, s; 0 if it does
+/// By how much an axis arrives earlier than its fastest move does, or later, at a tick which the move misses by rounding errors, s; 0 if it does
 /// not. A slip keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one. On a line, the planner
-/// counts the positions from the end, and the shares of the axes are rounded. So the phases are the same up to roundings.
+/// counts the positions from the end, and the shares of the axes are rounded. So the phases are the same up to rounding.
 pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let mut fastest = Move::default();
     let planned = fastest.plan(&problem.limits, problem.from, problem.to);
@@ -91,7 +91,7 @@ pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     }
 }
 
-/// Whether an axis has the phases of its fastest move behind the first one, up to roundings.
+/// Whether an axis has the phases of its fastest move behind the first one, up to rounding.
 fn keeps_way<R: Real>(problem: &Problem<R>, axis: &Move<R>, fastest: &Move<R>) -> bool {
     let scale = Scale::of(problem, &plan_of(fastest));
     let agree = |one: R, other: R, scale: f64| (one.widen() - other.widen()).abs() <= doubt::<R>() * scale;
@@ -126,7 +126,7 @@ impl<R: Original> Timing<'_, R> {
     /// What is wrong with the duration, if something is. `other` gives a duration that another library finds.
     /// It is asked only if an axis alone would arrive before: a shorter duration than that of the slowest axis is impossible.
     pub fn wrong(&self, t: f64, other: impl Fn() -> Option<f64>) -> Option<Bad> {
-        // 4 roundings of the number of the tick, and those of the division and of the product.
+        // 4 ulps of the number of the tick, and those of the division and of the product.
         let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
         if t < self.duration - rounding {
             return Some((0, Verdict::Wrong("the duration is too short")));
@@ -233,7 +233,7 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
     for (k, (problem, axis)) in set.axes.iter().zip(axes).enumerate() {
         let mut fastest = Move::default();
         let planned = fastest.plan(&problem.limits, problem.from, problem.to);
-        // An axis that slips begins and ends beside its fastest move by roundings, and is judged like any other.
+        // An axis that slips begins and ends beside its fastest move by rounding errors, and is judged like any other.
         let is_slowest = planned.is_ok() && fastest.t >= axis.t && slip(problem, axis) == 0.0;
         // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
         for phase in &mut fastest.phase {

@@ -63,8 +63,8 @@ impl<R: Real> Planner<R> for Fault {
         let middle = path.states.len() / 2;
         match self {
             Self::Waits => {
-                let way_points = chain.axes..sections * chain.axes;
-                for state in &mut path.states[way_points] {
+                let waypoints = chain.axes..sections * chain.axes;
+                for state in &mut path.states[waypoints] {
                     (state.velocity, state.acceleration) = (R::of(0.0), R::of(0.0));
                 }
                 for duration in &mut path.durations {

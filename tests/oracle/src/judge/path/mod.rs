@@ -64,7 +64,7 @@ pub struct Paths;
 
 impl<R: Real> Planner<R> for Paths {}
 
-/// By which part of its promised duration a section may last longer or shorter: 4 roundings.
+/// By which part of its promised duration a section may last longer or shorter: 4 ulps.
 pub fn promised<R: Real>() -> f64 {
     4.0 * R::MACHINE_EPSILON.widen()
 }

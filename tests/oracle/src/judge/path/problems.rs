@@ -5,7 +5,7 @@ use atraj::online::Limits;
 use support::online::{limits_of, numbers_of};
 use support::{Random, Real};
 
-/// What is nasty about a path.
+/// What is adversarial about a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// From rest to rest.
@@ -73,7 +73,7 @@ impl Family {
 /// A path to plan.
 #[derive(Clone, Debug)]
 pub struct Chain<R> {
-    /// What is nasty about it.
+    /// What is adversarial about it.
     pub family: Family,
     /// How many axes it has.
     pub axes: usize,

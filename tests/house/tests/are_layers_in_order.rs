@@ -1,4 +1,4 @@
-//! Does every file of `src` import from its own storey and from those below it only, and do no files import each other in a circle?
+//! Does every file of `src` import from its own layer and from those below it only, and do no files import each other in a circle?
 //!
 //! An import is a `use`, or a path in a body. It does not count if it is for tests only, or if a module re-exports its own parts.
 
@@ -9,15 +9,15 @@ use std::fs;
 use std::path::Path;
 use support::repository::root;
 
-/// The storeys from the ground, and the modules of each. `|` parts storeys that stand beside each other.
+/// The layers from the ground, and the modules of each. `|` parts layers at the same height.
 const HOUSE: &str = "real < state limits findings roots sampling < liba | claraty < fastest < interval < online < several < path < machine < capi < lib";
 
-/// How high a module stands, and which of the storeys at this height is its own.
-fn storey(module: &[String]) -> Option<(usize, usize)> {
+/// How high a module stands, and which of the layers at this height is its own.
+fn layer(module: &[String]) -> Option<(usize, usize)> {
     let top = module.first().map_or("lib", String::as_str);
-    let has_top = |storey: &str| storey.split_whitespace().any(|name| name == top);
+    let has_top = |layer: &str| layer.split_whitespace().any(|name| name == top);
     let mut heights = HOUSE.split('<').enumerate();
-    heights.find_map(|(height, storeys)| Some((height, storeys.split('|').position(has_top)?)))
+    heights.find_map(|(height, layers)| Some((height, layers.split('|').position(has_top)?)))
 }
 
 /// The names that lead to a module. The crate itself has none.
@@ -209,15 +209,14 @@ impl<'a> Files<'a> {
     fn faults(&self) -> BTreeSet<String> {
         let imported = self.imported();
         let path = |module: &Module| self.0[module].0;
-        let homeless = self.0.keys().filter(|module| storey(module).is_none());
-        let mut faults: BTreeSet<_> =
-            homeless.map(|module| format!("{} belongs to no storey.", path(module))).collect();
+        let homeless = self.0.keys().filter(|module| layer(module).is_none());
+        let mut faults: BTreeSet<_> = homeless.map(|module| format!("{} belongs to no layer.", path(module))).collect();
         let imports = imported.iter().flat_map(|(from, all)| all.iter().map(|to| (*from, to)));
         for (from, to) in imports {
-            let storeys = storey(from).zip(storey(to));
-            let fault = storeys.and_then(|((own, side), (other, other_side))| match other.cmp(&own) {
-                Ordering::Greater => Some("an upper storey"),
-                Ordering::Equal if side != other_side => Some("a storey beside its own"),
+            let layers = layer(from).zip(layer(to));
+            let fault = layers.and_then(|((own, side), (other, other_side))| match other.cmp(&own) {
+                Ordering::Greater => Some("an upper layer"),
+                Ordering::Equal if side != other_side => Some("another layer at its height"),
                 _ => None,
             });
             faults.extend(fault.map(|fault| format!("{} imports {}, which is in {fault}.", path(from), path(to))));
@@ -289,22 +288,22 @@ capi/mod.rs: use crate::online::Move; const TEXT: &str = "crate::machine::Axis";
 /// parts, but it may not use a part that uses it.
 const PLANTED: &str = "
 roots.rs: use crate::real::Real; =>
-state.rs: use crate::online::Move; => state.rs imports online/mod.rs, which is in an upper storey.
-state.rs: use crate::{real::Real, capi::{a, b}}; => state.rs imports capi/mod.rs, which is in an upper storey.
-state.rs: use crate::{capi as c}; => state.rs imports capi/mod.rs, which is in an upper storey.
-state.rs: fn f() { crate::online::Move::new() } => state.rs imports online/mod.rs, which is in an upper storey.
-fastest.rs: macro_rules! m { ($x:ty) => { $crate::capi::f() }; } => fastest.rs imports capi/mod.rs, which is in an upper storey.
-state.rs: use crate::liba::Trap; => state.rs imports liba/trap.rs, which is in an upper storey.
-state.rs: use crate::Trap; => state.rs imports lib.rs, which is in an upper storey.
-claraty/mod.rs: use crate::liba::bell; => claraty/mod.rs imports liba/bell.rs, which is in a storey beside its own.
-liba/bell.rs: use super::super::claraty::x; => liba/bell.rs imports claraty/mod.rs, which is in a storey beside its own.
+state.rs: use crate::online::Move; => state.rs imports online/mod.rs, which is in an upper layer.
+state.rs: use crate::{real::Real, capi::{a, b}}; => state.rs imports capi/mod.rs, which is in an upper layer.
+state.rs: use crate::{capi as c}; => state.rs imports capi/mod.rs, which is in an upper layer.
+state.rs: fn f() { crate::online::Move::new() } => state.rs imports online/mod.rs, which is in an upper layer.
+fastest.rs: macro_rules! m { ($x:ty) => { $crate::capi::f() }; } => fastest.rs imports capi/mod.rs, which is in an upper layer.
+state.rs: use crate::liba::Trap; => state.rs imports liba/trap.rs, which is in an upper layer.
+state.rs: use crate::Trap; => state.rs imports lib.rs, which is in an upper layer.
+claraty/mod.rs: use crate::liba::bell; => claraty/mod.rs imports liba/bell.rs, which is in another layer at its height.
+liba/bell.rs: use super::super::claraty::x; => liba/bell.rs imports claraty/mod.rs, which is in another layer at its height.
 liba/bell.rs: use super::Trap; pub struct Bell; => liba/bell.rs and liba/trap.rs import each other.
 liba/bell.rs: pub struct Bell(super::trap::Trap); => liba/bell.rs and liba/trap.rs import each other.
 liba/bell.rs: use crate::liba; fn f() { liba::trap::f() } => liba/bell.rs and liba/trap.rs import each other.
 liba/bell.rs: use super::poly::Poly; => liba/bell.rs and liba/poly.rs and liba/trap.rs import each other.
 real/mod.rs: mod soft; use soft::root; pub trait Real {} => real/mod.rs and real/soft.rs import each other.
 real/mod.rs: mod soft; fn f() { soft::root() } => real/mod.rs and real/soft.rs import each other.
-speed.rs: use crate::real::Real; => speed.rs belongs to no storey.
+speed.rs: use crate::real::Real; => speed.rs belongs to no layer.
 ";
 
 #[test]

@@ -1,9 +1,9 @@
-//! The arm of example 10 passes its way points without stops. The planner finds the velocities and accelerations at the points, and how
+//! The arm of example 10 passes its waypoints without stops. The planner finds the velocities and accelerations at the points, and how
 //! long each section takes; `path_moves` makes the motions. This program prints one setpoint in 50 of a clock of 4 ms:
 //! the positions, then the velocities. Then it prints how much time a stop at every point would cost.
 //!
 //! ```sh
-//! cargo run --example 12_way_points
+//! cargo run --example 12_waypoints
 //! ```
 
 use atraj::State;
@@ -51,7 +51,7 @@ fn main() -> Result<(), Error> {
     let mut work = vec![0.0; path_size(6, durations.len()).expect("a short path")];
     plan_path(&mut states, &mut durations, &limits, 6, 0, &mut work)?;
     path_moves(moves.as_flattened_mut(), &limits, &states, &durations, 6)?;
-    println!("Arm through way points: six joints pass each together and do not stop");
+    println!("Arm through waypoints: six joints pass each together and do not stop");
     println!("joints 1 to 3 within 120 deg/s");
     println!("joints 4 to 6 within 250 deg/s");
     let (mut start, mut tick) = (0.0, 0);

@@ -1,10 +1,10 @@
 /*
- The arm of example 10 passes its way points without stops. The planner finds the velocities and accelerations at the points, and how
+ The arm of example 10 passes its waypoints without stops. The planner finds the velocities and accelerations at the points, and how
  long each section takes; `atraj_path_moves` makes the motions. This program prints one setpoint in 50 of a clock of
  4 ms: the positions, then the velocities. Then it prints how much time a stop at every point would cost.
 
      make dist
-     cc -Itarget/dist/include examples/12_way_points.c target/dist/lib/libatraj.a -lm -o way_points
+     cc -Itarget/dist/include examples/12_waypoints.c target/dist/lib/libatraj.a -lm -o waypoints
 */
 #include "atraj/path.h"
 #include <stdio.h>
@@ -54,7 +54,7 @@ int main(void)
     double durations[SECTIONS], work[SIZE];
     if (atraj_path_plan(&states[0][0], durations, limits, AXES, SECTIONS, 0, work) < 0) { return 1; }
     if (atraj_path_moves(moves[0], limits, states[0], durations, AXES, SECTIONS) < 0) { return 1; }
-    puts("Arm through way points: six joints pass each together and do not stop");
+    puts("Arm through waypoints: six joints pass each together and do not stop");
     puts("joints 1 to 3 within 120 deg/s");
     puts("joints 4 to 6 within 250 deg/s");
     for (int k = 0, tick = 0; k < SECTIONS; ++k) {

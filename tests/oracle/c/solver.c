@@ -6,9 +6,9 @@
  interval. The displacement on its upper border is a closed form. The lower border is the upper one of the mirrored axis. The least
  duration is the first one whose interval holds the wanted displacement.
 
- The referee shares this theory with the library: the interval, the shapes of the border, the gap, the way inside
+ The reference solver shares this theory with the library: the interval, the shapes of the border, the gap, the way inside
  (docs/planner.md). It shares no code. It looks at the border of many durations where the library solves equations, and adds phases up
- where the library has closed forms. A mistake of the theory would be a mistake of both. So `is_the_referee_right.rs` checks the theory:
+ where the library has closed forms. A mistake of the theory would be a mistake of both. So `is_the_solver_right.rs` checks the theory:
  random motions, plans of rsruckig, and, for ends without acceleration, a bisection of the peak velocity, which knows no border.
 
  `long double` has a significand of 64 bits on x86 (x87), so its roundings are 2048 times finer than in `double`.
@@ -17,7 +17,7 @@
 #include <math.h>
 
 #if LDBL_MANT_DIG < 64
-#error the referee needs a long double finer than double
+#error the reference solver needs a long double finer than double
 #endif
 
 typedef long double real;
@@ -149,7 +149,7 @@ static real cruise_begins(const struct axis *axis) {
 enum { NO_HOLD, TOP, BOTTOM, BOTH };
 
 /*
- The motion of this duration that gets farthest, if it does not cruise: the acceleration rises to `peak`, (holds), falls to
+ The motion of this duration that covers the largest displacement, if it does not cruise: the acceleration rises to `peak`, (holds), falls to
  `trough`, (holds) and rises. Two equations determine it. The durations add up to the whole one, the changes of velocity to `dv`.
 */
 static struct motion without_cruise(const struct axis *axis, real duration) {
@@ -193,7 +193,7 @@ static struct motion without_cruise(const struct axis *axis, real duration) {
     return motion;
 }
 
-/* The motion of this duration that gets farthest. */
+/* The motion of this duration that covers the largest displacement. */
 static struct motion border(const struct axis *axis, real duration, real cruise) {
     return duration >= cruise ? by_way_of_vmax(axis, duration - cruise) : without_cruise(axis, duration);
 }
@@ -399,9 +399,9 @@ struct inside {
 };
 
 /*
- Brings the start of the axis to a state from which the limits can be kept: the acceleration within its limits, and undone it leaves
+ Brings the start of the axis to a state from which the limits can be kept: the acceleration within its limits, and once it is 0 it leaves
  the velocity within its limits. The jerk and the acceleration are the highest. `high` and `low` tell whether the axis is bound to
- leave, `undone` is the velocity after the acceleration is undone.
+ leave, `at_zero_a` is the velocity once the acceleration is 0.
 */
 static struct inside come_inside(struct axis *axis) {
     const real a = axis->a0, both = axis->up + axis->down;
@@ -484,11 +484,11 @@ static real wrong(const struct axis *axis, const struct inside *inside, const st
 
 /*
  The fastest motion. Results: its duration, its highest speed, the sum of the magnitudes of all its changes of velocity; its highest
- acceleration times how long the acceleration changes; how long it comes inside; the durations T0, T1, T2 from the start on (T1 and T2
+ acceleration times how long the acceleration changes; how long the recovery lasts; the durations T0, T1, T2 from the start on (T1 and T2
  infinite without a gap), and how much further than the displacements there the target is; the duration of the straight change of the
  acceleration, and how much further and faster than its end the target is.
 */
-void referee_fastest(
+void solver_fastest(
     const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, const struct grid *grid,
     double results[RESULTS]) {
     struct axis axis = axis_of(limits, start, target, beside, frame);
@@ -526,7 +526,7 @@ void referee_fastest(
  duration is before the first possible one or in the gap. The target is `beside[0]` further and `beside[1]` faster, and the start is
  `beside[2]` faster.
 */
-double referee_possible(
+double solver_possible(
     const double limits[6], const double start[3], const double target[3], const double beside[3], double duration) {
     struct axis axis = axis_of(limits, start, target, beside, 0), other;
     const struct inside inside = bring_inside(&axis);
@@ -542,7 +542,7 @@ double referee_possible(
 }
 
 /* The displacements from the start that can be reached in this duration: the lowest and the highest. Returns 0 if none can. */
-int referee_interval(
+int solver_interval(
     const double limits[6], const double start[3], const double target[3], double duration, double interval[2]) {
     const double beside[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, beside, 0), other;
@@ -560,7 +560,7 @@ int referee_interval(
  The displacements from the start at which the border changes its shape: on the upper border, or on the lower one if `lower`. Returns
  how many there are, at most 8. The last one is where the axis begins to cruise.
 */
-int referee_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8]) {
+int solver_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8]) {
     const double beside[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, beside, 0);
     const struct inside inside = bring_inside(&axis);
@@ -634,7 +634,7 @@ static int turns(const struct knot *knot, real jerk, real duration, real out[3])
  of time: these states, once more with the acceleration of the phase, the highest and the lowest velocities, and where the axis turns.
  Returns the number of knots.
 */
-int referee_walk(
+int solver_walk(
     const double start[3], const double phases[][3], int count, double borders[][3], double knots[][4]) {
     struct knot knot = {0, start[0], start[1], start[2]};
     int i, k, noted = 0;
@@ -691,7 +691,7 @@ static real beside(const struct axis *axis, const real point[POINT], int i, real
  the start, at the end, and by the duration; and those by two of them, row by row up to the diagonal. They are differences. Returns the
  shape, or -1 where it changes or no motion has this duration.
 */
-int referee_derivatives(
+int solver_derivatives(
     const double limits[6], const double start[3], const double target[3], double duration, int lower, double first[5], double second[15]) {
     static const double none[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, none, 0);

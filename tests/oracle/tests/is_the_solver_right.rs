@@ -1,12 +1,12 @@
-//! Is the referee right? Its motions are possible, and no motion is faster: neither a random one nor one of rsruckig. A bisection of
+//! Is the reference solver right? Its motions are possible, and no motion is faster: neither a random one nor one of rsruckig. A bisection of
 //! the peak velocity, which knows no border, finds the same durations of motions without acceleration at their ends.
 
 use atraj::online::{Limits, Move, Phase, State};
 use oracle::judge::planner::Fastest;
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
-use oracle::judge::referee::Walk;
 use oracle::judge::rivals::Theirs;
+use oracle::judge::solver::Walk;
 use oracle::judge::trial::{Trial, Verdict};
 use support::Random;
 
@@ -51,9 +51,9 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     let [position, velocity, acceleration] = walk.borders[end];
     let to = State { position, velocity, acceleration: acceleration.clamp(amin, amax) };
     let inside = walk.knots.iter().all(|&[_, _, v, _]| v <= vmax && v >= vmin);
-    let undone = from.velocity
+    let at_zero_a = from.velocity
         - 0.5 * from.acceleration * from.acceleration.abs() / if from.acceleration > 0.0 { jmin } else { -jmax };
-    let legal = beyond_legal(&limits, to) <= 0.0 && undone <= vmax && undone >= vmin;
+    let legal = beyond_legal(&limits, to) <= 0.0 && at_zero_a <= vmax && at_zero_a >= vmin;
     let kind = Kind::Moving;
     let request = Request::Plan;
     let problem = Problem { kind, request, limits, from, to };
@@ -90,8 +90,8 @@ fn no_random_motion_is_faster() {
     assert!(fastest > motions / 100);
 }
 
-/// A start beyond a velocity comes inside with an acceleration. It eases in the middle of the motion, and its border rises, falls and rises
-/// again. The fastest motion is below the first top, which the referee passed over.
+/// A start beyond a velocity recovers with an acceleration. It eases in the middle of the motion, and its border rises, falls and rises
+/// again. The fastest motion is below the first top, which the reference solver passed over.
 #[test]
 fn a_start_beyond_the_velocity_eases() {
     let rows = [
@@ -107,7 +107,7 @@ fn a_start_beyond_the_velocity_eases() {
     }
 }
 
-/// The referee's motions end where they should, keep the limits, and have no phase of negative duration.
+/// The reference solver's motions end where they should, keep the limits, and have no phase of negative duration.
 #[test]
 fn its_motions_are_possible() {
     let mut worst: f64 = 0.0;

@@ -1,11 +1,11 @@
-//! The referee, which is in C because Rust has no `long double`: `c/referee.c`.
+//! The reference solver, which is in C because Rust has no `long double`: `c/solver.c`.
 
 use super::problem::{Problem, Request, parts, widened};
 use atraj::State;
 use atraj::online::Move;
 use support::Real;
 
-/// A motion as the referee takes it, exact in binary64.
+/// A motion as the reference solver takes it, exact in binary64.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     /// Highest and lowest velocity, acceleration and jerk.
@@ -18,7 +18,7 @@ pub struct Motion {
     pub frame: f64,
 }
 
-/// What the referee finds.
+/// What the reference solver finds.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
 pub struct Best {
@@ -30,7 +30,7 @@ pub struct Best {
     pub variation: f64,
     /// Its highest acceleration times how long the acceleration changes. A rounding of the acceleration changes the velocity by so many.
     pub changing: f64,
-    /// How long the axis comes inside.
+    /// How long the recovery lasts.
     pub inside: f64,
     /// The duration with the direct ramp. From here on the end can be reached.
     pub direct: f64,
@@ -54,7 +54,7 @@ pub struct Best {
     pub wrong: f64,
 }
 
-/// When the referee looks at the border: first this part of its beginning later, then always this factor later.
+/// When the reference solver looks at the border: first this part of its beginning later, then always this factor later.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Grid {
@@ -88,24 +88,24 @@ pub struct Walk {
 }
 
 unsafe extern "C" {
-    safe fn referee_fastest(
+    safe fn solver_fastest(
         limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], beside: &[f64; 3], frame: f64, grid: &Grid,
         results: &mut Best,
     );
-    safe fn referee_possible(
+    safe fn solver_possible(
         limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], beside: &[f64; 3], duration: f64,
     ) -> f64;
-    safe fn referee_interval(
+    safe fn solver_interval(
         limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], duration: f64, interval: &mut [f64; 2],
     ) -> i32;
-    safe fn referee_knees(
+    safe fn solver_knees(
         limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], lower: i32, knees: &mut [f64; 8],
     ) -> i32;
-    safe fn referee_derivatives(
+    safe fn solver_derivatives(
         limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], duration: f64, lower: i32, first: &mut [f64; 5],
         second: &mut [f64; 15],
     ) -> i32;
-    safe fn referee_walk(
+    safe fn solver_walk(
         start: &[f64; 3], phases: &[[f64; 3]; 17], count: i32, borders: &mut Borders, knots: &mut [Knot; 96],
     ) -> i32;
 }
@@ -133,12 +133,12 @@ impl Motion {
         let mut best = Best::default();
         let [_, v0, a0] = self.start;
         let [vmax, vmin, ..] = self.limits;
-        // A start beyond a velocity comes inside with an acceleration.
+        // A start beyond a velocity recovers with an acceleration.
         let comes_inside = v0 > vmax || v0 < vmin;
         let is_accelerated = a0 != 0.0 || self.target[2] != 0.0 || comes_inside;
         let grid = if is_accelerated { grid } else { Grid::SPARSE };
         let Self { limits, start, target, frame } = self;
-        referee_fastest(limits, start, target, &beside, *frame, &grid, &mut best);
+        solver_fastest(limits, start, target, &beside, *frame, &grid, &mut best);
         best
     }
 
@@ -146,7 +146,7 @@ impl Motion {
     /// in this duration. The target is so much further and so much faster, and the start is so much faster.
     pub fn lacks(&self, duration: f64, beside: [f64; 3]) -> f64 {
         let Self { limits, start, target, .. } = self;
-        referee_possible(limits, start, target, &beside, duration)
+        solver_possible(limits, start, target, &beside, duration)
     }
 
     /// Whether the target can be reached in this duration.
@@ -158,7 +158,7 @@ impl Motion {
     pub fn interval(&self, duration: f64) -> Option<[f64; 2]> {
         let mut interval = [0.0; 2];
         let Self { limits, start, target, .. } = self;
-        let possible = referee_interval(limits, start, target, duration, &mut interval);
+        let possible = solver_interval(limits, start, target, duration, &mut interval);
         (possible != 0).then_some(interval)
     }
 
@@ -169,7 +169,7 @@ impl Motion {
         let (mut first, mut second) = ([0.0; 5], [0.0; 15]);
         let Self { limits, start, target, .. } = self;
         let lower = i32::from(lower);
-        let shape = referee_derivatives(limits, start, target, duration, lower, &mut first, &mut second);
+        let shape = solver_derivatives(limits, start, target, duration, lower, &mut first, &mut second);
         let shape = usize::try_from(shape).ok()?;
         Some((shape, first, second))
     }
@@ -178,7 +178,7 @@ impl Motion {
     pub fn knees(&self, lower: bool) -> Vec<f64> {
         let mut knees = [0.0; 8];
         let Self { limits, start, target, .. } = self;
-        let count = referee_knees(limits, start, target, lower.into(), &mut knees);
+        let count = solver_knees(limits, start, target, lower.into(), &mut knees);
         knees[..count as usize].to_vec()
     }
 }
@@ -193,7 +193,7 @@ impl Walk {
         let mut borders = [[0.0; 3]; 17];
         let mut knots = [[0.0; 4]; 96];
         let count = (planned.count as i32).min(15);
-        let noted = referee_walk(&start, &all, count, &mut borders, &mut knots);
+        let noted = solver_walk(&start, &all, count, &mut borders, &mut knots);
         Self { borders, knots: knots[..noted as usize].to_vec() }
     }
 }

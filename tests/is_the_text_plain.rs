@@ -1,0 +1,93 @@
+//! Does the repository say things in the words of the field? Each of these words once stood for a term that has a name.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use support::repository::root;
+
+/// What is not written, and what is written instead.
+const WORDS: [(&str, &str); 15] = [
+    ("anew", "again"),
+    ("to and fro", "back and forth"),
+    ("nasty", "adversarial"),
+    ("referee", "reference solver"),
+    ("storey", "layer"),
+    ("storeys", "layers"),
+    ("undone", "at zero acceleration"),
+    ("calm", "shaped"),
+    ("comes inside", "returns within the limits"),
+    ("bound to leave", "will unavoidably exceed"),
+    ("is no number", "is NaN or infinite"),
+    ("way point", "waypoint"),
+    ("way points", "waypoints"),
+    ("gets farthest", "covers the largest displacement"),
+    ("mend", "fix"),
+];
+
+/// Not written where a user reads: the tests have variables of this name.
+const WORD_OF_TESTS: (&str, &str) = ("roundings", "ulps, or the rounding error");
+
+const FOR_USERS: [&str; 5] = ["docs", "include", "src", "examples", "python"];
+const FOR_DEVELOPERS: [&str; 4] = ["tests", "c_tests", "fuzz", "packaging"];
+const EXTENSIONS: [&str; 10] = ["md", "rs", "c", "h", "cpp", "py", "pyi", "sh", "toml", "txt"];
+const THIS: &str = "is_the_text_plain.rs";
+
+fn texts(directory: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().and_then(OsStr::to_str).unwrap();
+        if path.is_dir() {
+            if !["target", "corpus", "golden", ".venv"].contains(&name) {
+                texts(&path, found);
+            }
+        } else if path.extension().and_then(OsStr::to_str).is_some_and(|e| EXTENSIONS.contains(&e)) && name != THIS {
+            found.push(path);
+        }
+    }
+}
+
+/// The lines of a text in which a word stands alone, as `line: word, say …`.
+fn faults(text: &str, words: &[(&str, &str)]) -> Vec<String> {
+    let is_letter = |letter: Option<char>| letter.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
+    let stands_alone = |line: &str, place: usize, word: &str| {
+        let after = line.get(place + word.len()..).unwrap();
+        !is_letter(line.get(..place).unwrap().chars().next_back()) && !is_letter(after.chars().next())
+    };
+    let lines = text.lines().enumerate();
+    lines
+        .flat_map(|(index, line)| {
+            let lower = line.to_lowercase();
+            let found = words
+                .iter()
+                .filter(move |(word, _)| lower.match_indices(word).any(|(place, _)| stands_alone(&lower, place, word)));
+            found.map(move |(word, plain)| format!("{}: {word}, say {plain}", index + 1))
+        })
+        .collect()
+}
+
+#[test]
+fn every_text_is() {
+    let every: Vec<_> = WORDS.iter().copied().chain([WORD_OF_TESTS]).collect();
+    let mut wrong = Vec::new();
+    for (directories, words) in [(&FOR_USERS[..], &every[..]), (&FOR_DEVELOPERS[..], &WORDS[..])] {
+        let mut paths = Vec::new();
+        directories.iter().for_each(|directory| texts(&root().join(directory), &mut paths));
+        assert!(paths.len() > 50, "{directories:?}");
+        for path in paths {
+            let text = fs::read_to_string(&path).unwrap();
+            wrong.extend(faults(&text, words).into_iter().map(|fault| format!("{}:{fault}", path.display())));
+        }
+    }
+    for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"] {
+        let text = fs::read_to_string(root().join(page)).unwrap();
+        wrong.extend(faults(&text, &every).into_iter().map(|fault| format!("{page}:{fault}")));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn faults_are_seen() {
+    let found = |text| faults(text, &WORDS);
+    assert_eq!(found("fine\nIt begins Anew."), ["2: anew, say again"]);
+    assert_eq!(found("A renewed v_undone, amend."), [""; 0]);
+}
