@@ -165,7 +165,7 @@ by_meson() {
     rm -rf build
     mkdir -p subprojects
     ln -sfn "$root" subprojects/atraj
-    cp "$subproject"/meson.* .
+    cp "$subproject"/meson* .
     meson setup build -Ddependency=$package -Datraj:real=$real "$@"
     ninja -C build
 }
