@@ -1,6 +1,6 @@
 #!/bin/sh
-# archive.sh DIST FOLDER TARGET ABI: makes FOLDER, the content of a release archive: the files of DIST, README.md, which says
-# how a program for TARGET is compiled, and example.c. ABI is double, float, double-compact or float-compact.
+# archive.sh DIST FOLDER TARGET ABI: makes FOLDER, the content of a release archive: the files of DIST, CHANGELOG.md,
+# README.md, which says how a program for TARGET is compiled, and example.c. ABI is double, float, double-compact or float-compact.
 set -eu
 dist=$1 folder=$2 target=$3
 real=${4%-compact}
@@ -14,6 +14,7 @@ optimise=-O2 board='' program=example
 
 rm -rf "$folder"
 cp -R "$dist" "$folder"
+cp CHANGELOG.md "$folder"
 
 # Hosts: the compiler has its name from Debian, an emulator runs the example of another system, and a note is for those who have that system.
 # The other targets are chips.
@@ -46,7 +47,7 @@ compile="$compiler $optimise -Iinclude example.c $library -lm${board:+ $board} -
 cat > "$folder/README.md" << END
 # atraj $version for $target, a_float is $real
 Motion profiles behind a C ABI, compiled: a program needs a C compiler, and no Rust. MIT or Apache-2.0: \`share/doc\`.
-The polynomial structs are $polynomials. The headers in \`include\` describe the functions.
+The polynomial structs are $polynomials. The headers in \`include\` describe the functions, and the release's \`atraj-$version-site.tar.gz\` holds the documentation.
 Flags for C: \`-Iinclude${flags:+ $flags}\`. Link \`$library\`, then \`-lm\`. pkg-config and CMake find the library in \`lib\`.
 \`\`\`sh
 $compile

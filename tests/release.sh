@@ -82,7 +82,7 @@ told_once() {
     tar xzf "$release/$1.tar.gz"
     test "$(wc -l < "$1/README.md")" -le 11
     grep -qF "$(lines "$1/README.md" | head -1)" "$1/example.c"
-    for file in "lib/pkgconfig/*.pc" "lib/cmake/*/*-config.cmake" include/a/atraj_config.h "share/doc/*/LICENSE-MIT"; do
+    for file in CHANGELOG.md "lib/pkgconfig/*.pc" "lib/cmake/*/*-config.cmake" include/a/atraj_config.h "share/doc/*/LICENSE-MIT"; do
         test -s "$1"/$file
     done
     test -z "$(grep -rlF "$root" "$1")"
