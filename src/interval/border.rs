@@ -115,7 +115,7 @@ impl<R: Real> Border<R> {
         Excess { velocity, is_real: velocity.abs() > self.rounding_of_velocity() }
     }
 
-    /// The sum of the magnitudes of the velocities at both ends, and of what undoing the accelerations adds.
+    /// The sum of the magnitudes of the velocities at both ends, and of `eased`.
     fn speeds(&self) -> R {
         self.v0.abs() + self.v1.abs() + self.eased
     }

@@ -104,9 +104,9 @@ impl Highest {
 fn goes_along<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
     let ends = usize::from(lead.phases().len() > 1);
     let mut phases = axis.phases().iter().zip(lead.phases()).skip(ends);
-    let agree_on_positions =
+    let all_lie_on =
         phases.all(|(phase, other)| phase.start == other.start && lies_on(share, &phase.state(), &other.state()));
-    agree_on_positions && axis.count == lead.count
+    all_lie_on && axis.count == lead.count
 }
 
 /// Whether velocity and acceleration are the lead's, times `share`.
