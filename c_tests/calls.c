@@ -456,6 +456,39 @@ static int clock_of_a_path(void) {
     return 0;
 }
 
+/* Two axes on a line: a hold, the rest of it, a path there and back, and each axis for itself. */
+static int group(void) {
+    const atraj_limits planned[2] = {{4, -4, 8, -8, 24, -24}, {4, -4, 8, -8, 24, -24}}, reserve[2] = {{5, -5, 10, -10, 30, -30}, {6, -6, 12, -12, 36, -36}};
+    const atraj_state way[3][2] = {{{5, 0, 0}, {-1, 0, 0}}, {{6, 1, 0}, {-3, 1, 0}}, {{5, 0, 0}, {-1, 0, 0}}};
+    const a_float period = A_FLOAT_C(0.0078125);
+    atraj_state states[2] = {{0, 0, 0}, {0, 0, 0}}, now[2];
+    atraj_move room[6], path[2][2];
+    atraj_group ctx;
+    int n;
+    PROMISE(atraj_group_init(&ctx, 0, states, room, 2) == ATRAJ_ERR_DURATION && atraj_group_init(&ctx, period, states, room, 0) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_group_init(&ctx, period, states, room, 2) == 0);
+    PROMISE(atraj_group_line(&ctx, planned, way[0], 0) == ATRAJ_ERR_LATE && atraj_group_line(&ctx, planned, way[0], 2) == 0);
+    PROMISE(atraj_group_tick(&ctx, now) == 0 && is(now[1], 0, 0, 0) && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
+    for (n = 0; n != 60; ++n) { PROMISE(atraj_group_tick(&ctx, now) == 0); }
+    PROMISE(now[0].p > 0 && fabs((double)(now[0].p + 5 * now[1].p)) < 1e-5);
+    PROMISE(atraj_group_rate(&ctx, reserve, 0, 1) == 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS && now[0].v > 0);
+    while (atraj_group_tick(&ctx, now) != ATRAJ_TICK_ENDS) {}
+    PROMISE(now[0].p < 5 && now[0].v == 0 && fabs((double)(now[0].p + 5 * now[1].p)) < 1e-5);
+    PROMISE(atraj_group_rate(&ctx, reserve, 1, 1) == 0);
+    while (atraj_group_tick(&ctx, now) != ATRAJ_TICK_ENDS) {}
+    PROMISE(is(now[0], 5, 0, 0) && is(now[1], -1, 0, 0));
+    PROMISE(atraj_moves_sync(path[0], planned, way[0], way[1], 2, 0, 0) >= 0 && atraj_moves_sync(path[1], planned, way[1], way[2], 2, 0, 0) >= 0);
+    PROMISE(atraj_group_path(&ctx, reserve, *path, 2, 1, 1) == ATRAJ_ERR_TARGET && atraj_group_path(&ctx, reserve, *path, 2, 0, 1) == 0);
+    for (n = 0; n != 60; ++n) { atraj_group_tick(&ctx, now); }
+    PROMISE(is(now[1], atraj_move_pos(&path[0][1], period * 59), atraj_move_vel(&path[0][1], period * 59), atraj_move_acc(&path[0][1], period * 59)));
+    PROMISE(atraj_group_go(&ctx, reserve, way[1], 1) >= 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
+    PROMISE(atraj_group_sync(&ctx, reserve, way[2], 1) >= 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
+    PROMISE(atraj_group_stop(&ctx, reserve, 1) == 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
+    while (atraj_group_tick(&ctx, now) != ATRAJ_TICK_ENDS) {}
+    PROMISE(now[0].v == 0 && now[1].v == 0);
+    return 0;
+}
+
 int main(void) {
-    return bell() || trap() || polynomials() || move() || steps() || shaper() || streams() || axes() || path() || path_near() || path_contour() || clock_of_a_path();
+    return bell() || trap() || polynomials() || move() || steps() || shaper() || streams() || axes() || path() || path_near() || path_contour() || clock_of_a_path() || group();
 }

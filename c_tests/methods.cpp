@@ -314,6 +314,27 @@ void clock_of_a_path() {
     PROMISE(atraj::line_stop(&move, &reserve, 1, 1) == 0 && move.vel(move.t) == 0);
 }
 
+void group() {
+    atraj::limits limits[2];
+    limits[0].init(30, 10, 5);
+    limits[1].init(30, 10, 5);
+    const atraj::state to[2] = {{10, 0, 0}, {-5, 0, 0}};
+    atraj::state states[2][2] = {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}, one[2], other[2];
+    atraj::move room[2][6], path[2];
+    atraj::group method;
+    atraj_group function;
+    PROMISE(method.init(0.001f, states[0], room[0], 2) == 0 && atraj_group_init(&function, 0.001f, states[1], room[1], 2) == 0);
+    PROMISE(method.line(limits, to, 1) == 0 && atraj_group_line(&function, limits, to, 1) == 0);
+    for (int i = 0; i < 500; ++i) { PROMISE(method.tick(one) == atraj_group_tick(&function, other) && same(one[1], other[1])); }
+    PROMISE(method.rate(limits, 0, 1) == 0 && atraj_group_rate(&function, limits, 0, 1) == 0 && method.stop(limits, 0) == ATRAJ_ERR_LATE);
+    for (int i = 0; i < 2000; ++i) { PROMISE(method.tick(one) == atraj_group_tick(&function, other) && same(one[1], other[1])); }
+    PROMISE(one[0].v == 0 && one[0].p > 0 && one[0].p < 10);
+    PROMISE(method.go(limits, to, 1) == atraj_group_go(&function, limits, to, 1) && method.sync(limits, to, 1) == 0);
+    PROMISE(atraj::sync(path, limits, one, to, 2) == 0 && method.path(limits, path, 1, 0, 1) == 0);
+    for (int i = 0; i < 5000; ++i) { method.tick(one); }
+    PROMISE(one[0].p == 10 && one[1].p == -5);
+}
+
 // Every finding and every error has a sentence of its own.
 void messages() {
     for (int code = ATRAJ_ERR_MOVING; code <= ATRAJ_RATE_NOT_REACHED; ++code) {
@@ -343,6 +364,7 @@ int main() {
     shaper();
     streams();
     clock_of_a_path();
+    group();
     messages();
 #endif
     return broken;

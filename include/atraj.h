@@ -27,6 +27,7 @@
 #include "atraj/axis.h"
 #include "atraj/clock.h"
 #include "atraj/codes.h"
+#include "atraj/group.h"
 #include "atraj/move.h"
 #include "atraj/path.h"
 #include "atraj/shaper.h"

@@ -7,7 +7,10 @@
 //! `State`, and its `state` plain numbers with the jerk; Python's `path` also makes the motions of a path, and its `Shaper.shape` gives
 //! the shaped move as a motion.
 
-use atraj::machine::{Axis, Clock, Planner, Shaper, ShaperKind, ShaperStream, Step, StepStream, Steps, Ticker};
+use atraj::machine::{
+    Axis, Clock, Group, GroupPlanner, GroupTicker, Planner, Shaper, ShaperKind, ShaperStream, Step, StepStream, Steps,
+    Tick, Ticker,
+};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Error, Extremes, Findings, Poly3, Poly5, Poly7, State, Trap, axes, claraty};
 use std::collections::BTreeSet;
@@ -158,7 +161,7 @@ macro_rules! paths {
 fn rust_has_the_names() {
     let compiled = paths!(
         types: Bell<f64>, Trap<f64>, Poly3<f64>, Poly5<f64>, Poly7<f64>, Move<f64>, Phase<f64>, Limits<f64>, State<f64>,
-            Extremes<f64>, Axis<f64>, Planner<f64>, Ticker<f64>, Step<f64>, Steps<f64>, StepStream<f64>, Clock<f64>, Shaper<f64>, ShaperStream<f64>, ShaperKind, axes::Contour<f64>, Findings, Error, claraty::Trajectory, claraty::Warnings;
+            Extremes<f64>, Axis<f64>, Planner<f64>, Ticker<f64>, Group<f64>, GroupPlanner<f64>, GroupTicker<f64>, Tick, Step<f64>, Steps<f64>, StepStream<f64>, Clock<f64>, Shaper<f64>, ShaperStream<f64>, ShaperKind, axes::Contour<f64>, Findings, Error, claraty::Trajectory, claraty::Warnings;
         values: Bell::<f64>::new, Bell::<f64>::fastest, Bell::<f64>::check, Bell::<f64>::extremes, Bell::<f64>::position,
             Bell::<f64>::velocity, Bell::<f64>::acceleration, Bell::<f64>::jerk, Bell::<f64>::state_at,
             Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check,
@@ -167,7 +170,9 @@ fn rust_has_the_names() {
             axes::plan_path::<f64>, axes::plan_path_near::<f64>, axes::improve_path::<f64>,
             axes::path_moves::<f64>, axes::path_deviation::<f64>, axes::plan_contour::<f64>, axes::limit_feed::<f64>,
             Axis::<f64>::new, Axis::<f64>::split, Ticker::<f64>::tick, Planner::<f64>::go, Planner::<f64>::reach, Planner::<f64>::track,
-            Planner::<f64>::stop,
+            Planner::<f64>::stop, Group::<f64>::new, Group::<f64>::split, GroupTicker::<f64>::tick, GroupPlanner::<f64>::go,
+            GroupPlanner::<f64>::sync, GroupPlanner::<f64>::line, GroupPlanner::<f64>::path, GroupPlanner::<f64>::rate,
+            GroupPlanner::<f64>::stop,
             Steps::<f64>::new, Steps::<f64>::next, Steps::<f64>::follow, StepStream::<f64>::new, StepStream::<f64>::wait,
             StepStream::<f64>::tick, StepStream::<f64>::next, StepStream::<f64>::count, Shaper::<f64>::size,
             ShaperStream::<f64>::new, ShaperStream::<f64>::advance, ShaperStream::<f64>::change, ShaperStream::<f64>::tick,

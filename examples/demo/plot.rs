@@ -31,7 +31,7 @@ const ARM: &[&str] = &["joint 1", "joint 2", "joint 3", "joint 4", "joint 5", "j
 const SHAPERS: &[&str] = &["ZV", "MZV", "ZVD", "EI", "EI2"];
 const ORIGINAL: &str = "a_trajbell_gen";
 const ORIGINALS: &[(usize, &str, Color)] = &[(0, ORIGINAL, GREY), (1, ORIGINAL, GREY), (2, ORIGINAL, GREY)];
-const PICTURES: [Picture; 26] = [
+const PICTURES: [Picture; 27] = [
     Picture("01_relink", "m", ALONE, 4, &[]),
     Picture("02_follow", "m", ALONE, 4, &[]),
     Picture("03_sample", "m", ALONE, 3, &[]),
@@ -57,6 +57,7 @@ const PICTURES: [Picture; 26] = [
     Picture("23_contour", "mm", PLANE, 1, &[(1, "speed", INK)]),
     Picture("24_zones", "deg", ARM, 2, &[]),
     Picture("25_printer", "mm", PLANE, 2, &[(1, "filament", COLORS[3])]),
+    Picture("26_cell", "m", PLANE, 3, &[]),
     Picture("sensitivity", "%", SHAPERS, 1, &[]),
 ];
 

@@ -138,7 +138,7 @@ impl<'a, R: Real> Planner<'a, R> {
 }
 
 /// The time since the start of the move, s: a product, because a sum of periods would drift.
-fn elapsed<R: Real>(period: R, moment: Moment) -> R {
+pub(super) fn elapsed<R: Real>(period: R, moment: Moment) -> R {
     const UPPER: i32 = 1 << 30;
     let [upper, lower] = [moment.age >> 30, moment.age % UPPER as u64];
     let ticks = R::from_index(upper as i32) * R::from_index(UPPER) + R::from_index(lower as i32);

@@ -3,7 +3,7 @@
 //! `docs/machine.md` has the theory.
 
 use super::parabola::Parabola;
-use super::sections::Axis;
+use super::sections::{Axis, start_at_rest, time_of_rest};
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::online::{Move, Phase};
@@ -52,9 +52,10 @@ pub(super) struct Change<'a, R> {
 
 impl<'a, R: Real> Change<'a, R> {
     pub fn new(moves: &'a [Move<R>], limits: &'a [Limits<R>], rate: R) -> Result<Self, Error> {
-        let last = moves.iter().rev().take(limits.len());
-        let rests = last.clone().all(|of| of.end().is_at_rest());
-        let length = if rests { Axis::new(moves, limits.len(), 0).duration() } else { R::INFINITY };
+        let length = time_of_rest(moves, limits.len());
+        if rate < R::ZERO && !start_at_rest(moves, limits.len()) {
+            return Err(Error::Target);
+        }
         let speeds = moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), limits));
         let least = slowest(speeds);
         let [slowing, bending] = least;
@@ -81,7 +82,7 @@ impl<'a, R: Real> Change<'a, R> {
     #[inline(never)] // for its stack
     fn faster_later(&self, time: &mut Move<R>) -> Result<Option<Law<R>>, Error> {
         let start = time.start();
-        self.go_to_the_end(time).ok_or(Error::Target)?;
+        time.go_to_the_end(self.length).ok_or(Error::Target)?;
         let goes_on = self.keeps(time);
         let mut until = if goes_on && self.is_answer(time.end()) { time.t } else { R::INFINITY };
         let mut is_reached = self.rate == R::ZERO && !self.is_at_end(time.end().position);
@@ -93,7 +94,7 @@ impl<'a, R: Real> Change<'a, R> {
             let reached = t + change.t;
             if is_found && reached + R::SIXTEENTH * step < until {
                 let mut joined = *time;
-                if joined.change_at(t, &change).and_then(|()| self.go_to_the_end(&mut joined)).is_some() {
+                if joined.change_at(t, &change).and_then(|()| joined.go_to_the_end(self.length)).is_some() {
                     (until, is_reached) = (reached, true);
                     *time = joined;
                 }
@@ -115,7 +116,7 @@ impl<'a, R: Real> Change<'a, R> {
         self.hurry(from, time, limits)?;
         if self.is_on_path(time) {
             let until = time.t;
-            self.go_to_the_end(time).ok_or(Error::Target)?;
+            time.go_to_the_end(self.length).ok_or(Error::Target)?;
             return Ok(Law { until, is_reached: true, lead: None });
         }
         let border = if self.rate > R::ZERO { self.length } else { R::ZERO };
@@ -144,8 +145,7 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// Whether the path is at rest at the time `s`, because it ends there, or starts there.
     pub fn is_at_end(&self, s: R) -> bool {
-        let mut first = self.moves.iter().take(self.limits.len());
-        s >= self.length || s <= R::ZERO && first.all(|of| of.start().is_at_rest())
+        s >= self.length || s <= R::ZERO && start_at_rest(self.moves, self.limits.len())
     }
 
     /// From an end at which the path rests, where the rate may jump.
@@ -155,22 +155,8 @@ impl<'a, R: Real> Change<'a, R> {
         if !self.keeps(time) {
             return self.slow(State::at(s), time);
         }
-        self.go_to_the_end(time).ok_or(Error::Target)?;
+        time.go_to_the_end(self.length).ok_or(Error::Target)?;
         Ok(Law { until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None })
-    }
-
-    /// Makes the motion go on at its last rate to the end of the path, or to its start, and stand there.
-    fn go_to_the_end(&self, time: &mut Move<R>) -> Option<()> {
-        let State { position, velocity, acceleration } = time.end();
-        let border = if velocity > R::ZERO { self.length } else { R::ZERO };
-        let duration = (border - position) / velocity;
-        if velocity == R::ZERO || acceleration != R::ZERO || duration == R::INFINITY {
-            return Some(());
-        }
-        let (start, duration) = (time.t, duration.at_least(R::ZERO));
-        time.keep_until(start);
-        time.push(Phase { start, duration, position, velocity, ..Phase::default() })?;
-        time.push(Phase { start: start + duration, position: border, ..Phase::default() })
     }
 
     /// Whether the clock stands where it has to, or where the path ends.
@@ -268,7 +254,7 @@ impl<'a, R: Real> Change<'a, R> {
     }
 
     /// Whether the rate does not overshoot by more than 1, and all axes surely keep their limits.
-    fn keeps(&self, time: &Move<R>) -> bool {
+    pub fn keeps(&self, time: &Move<R>) -> bool {
         let fastest = R::ONE + time.start().velocity.abs().at_least(self.rate.abs());
         let mut axes = self.limits.iter().enumerate();
         time.extremes().speed() <= fastest
@@ -305,6 +291,20 @@ impl<R: Real> Move<R> {
         }
         self.phase[0] = Phase { position, velocity, acceleration, ..Phase::default() };
         Some(())
+    }
+
+    /// Makes the time of a path go on at its last rate to the end of the path at `length`, or to its start, and stand there.
+    pub(super) fn go_to_the_end(&mut self, length: R) -> Option<()> {
+        let State { position, velocity, acceleration } = self.end();
+        let border = if velocity > R::ZERO { length } else { R::ZERO };
+        let duration = (border - position) / velocity;
+        if velocity == R::ZERO || acceleration != R::ZERO || duration == R::INFINITY {
+            return Some(());
+        }
+        let (start, duration) = (self.t, duration.at_least(R::ZERO));
+        self.keep_until(start);
+        self.push(Phase { start, duration, position, velocity, ..Phase::default() })?;
+        self.push(Phase { start: start + duration, position: border, ..Phase::default() })
     }
 
     /// At the time `t` another motion begins. `None` if it has too many phases.

@@ -4,7 +4,7 @@
 
 use super::change::Change;
 use super::lead;
-use super::sections::Axis;
+use super::sections::{Axis, are_whole};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -67,6 +67,20 @@ impl<R: Real> Clock<R> {
         Self { begin: zero, until: zero, begin_before: zero, is_led: 0, was_led: 0, time, before: time, lead: time }
     }
 
+    /// Begins again at the time `s` of a path, at this rate, and stands at its end at `length`.
+    pub(super) fn begin_at(&mut self, s: R, rate: R, length: R) {
+        *self = Self::new();
+        self.time.stay(State { velocity: rate, ..State::at(s) });
+        self.time.go_to_the_end(length);
+    }
+
+    /// Goes on as another clock does from its time `x` on, which is 0 from now on.
+    #[inline(never)] // else the compiler copies as if both overlapped, and needs `memmove`
+    pub(super) fn go_on_from(&mut self, other: &Self, x: R) {
+        *self = *other;
+        self.rebase(x);
+    }
+
     /// Goes to another rate from the time `x` on, s: 1 as planned, 0 hold, -1 back along the path. The axes have the limits in `limits`: the limits of
     /// their plans and a reserve. `x` may be ahead: until then the clock goes on as it did. Let one change begin before the next one is planned.
     ///
@@ -76,16 +90,12 @@ impl<R: Real> Clock<R> {
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
     /// sampled. There the time of the path stands. Only at an end in motion the axes go on.
     ///
-    /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found;
+    /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found, or if the rate is negative and the path begins in motion;
     /// [`Error::Late`] if `x` is before the last change; [`Error::Axes`] if there is no
     /// axis or no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing
     /// moves, or if no axis that moves has a finite jerk or acceleration. On an error the clock goes on as it did.
     pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<Findings, Error> {
-        let (n, mut left) = (limits.len(), moves.len());
-        while n > 0 && left > n {
-            left -= n;
-        }
-        if n == 0 || left != n {
+        if !are_whole(moves, limits.len()) {
             return Err(Error::Axes);
         }
         if !(x.is_finite() && rate.is_finite()) {
@@ -150,7 +160,7 @@ impl<R: Real> Clock<R> {
     }
 
     /// The time of the path and its derivatives.
-    fn state_of_time(&self, x: R) -> [R; 4] {
+    pub(super) fn state_of_time(&self, x: R) -> [R; 4] {
         let (of, start, is_led) = if x < self.begin {
             (&self.before, self.begin_before, self.was_led)
         } else {
@@ -163,15 +173,20 @@ impl<R: Real> Clock<R> {
     /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s. The move of the axis in the first section begins `moves`, and its
     /// move in the next section is `n` moves later: axis `i` of `n` axes has `&moves[i..]`. All are NaN if there is no move.
     pub fn state(&self, moves: &[Move<R>], n: usize, x: R) -> [R; 4] {
-        let [s, rate, slowing, bending] = self.state_of_time(x);
-        let Some((of, start)) = (Axis { moves, n }).section(s) else {
-            return [R::NAN; 4];
-        };
-        // The path is at its end, whatever a difference is rounded to.
-        let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
-        let [position, v, a, j] = of.state(passed);
-        let square = rate * rate;
-        let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
-        [position, v * rate, a * square + v * slowing, jerk]
+        state_on_path(moves, n, self.state_of_time(x))
     }
+}
+
+/// The state of an axis of a path, by the time of the path and its derivatives.
+pub(super) fn state_on_path<R: Real>(moves: &[Move<R>], n: usize, time: [R; 4]) -> [R; 4] {
+    let [s, rate, slowing, bending] = time;
+    let Some((of, start)) = (Axis { moves, n }).section(s) else {
+        return [R::NAN; 4];
+    };
+    // The path is at its end, whatever a difference is rounded to.
+    let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
+    let [position, v, a, j] = of.state(passed);
+    let square = rate * rate;
+    let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
+    [position, v * rate, a * square + v * slowing, jerk]
 }

@@ -26,6 +26,8 @@
 pub(crate) mod axis;
 mod change;
 pub(crate) mod clock;
+#[allow(unsafe_code)] // as above
+pub(crate) mod group;
 mod handover;
 mod lead;
 mod parabola;
@@ -38,6 +40,7 @@ pub(crate) mod steps;
 pub use axis::{Axis, Planner, Ticker};
 pub use clock::Clock;
 use core::sync::atomic;
+pub use group::{Group, GroupPlanner, GroupTicker, Tick};
 pub use shaper::{Shaper, ShaperKind};
 pub use shaper_stream::ShaperStream;
 pub use step_stream::StepStream;

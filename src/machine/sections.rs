@@ -3,6 +3,27 @@
 use crate::online::Move;
 use crate::real::Real;
 
+/// Whether the moves are whole sections of `n` axes.
+pub(super) fn are_whole<R>(moves: &[Move<R>], n: usize) -> bool {
+    n > 0 && !moves.is_empty() && moves.chunks(n).all(|section| section.len() == n)
+}
+
+/// Whether all axes start at rest.
+pub(super) fn start_at_rest<R: Real>(moves: &[Move<R>], n: usize) -> bool {
+    moves.iter().take(n).all(|of| of.start().is_at_rest())
+}
+
+/// How long the slowest axis moves, s.
+pub(super) fn duration<R: Real>(moves: &[Move<R>], n: usize) -> R {
+    (0..n).map(|index| Axis::new(moves, n, index).duration()).fold(R::ZERO, R::at_least)
+}
+
+/// When all axes have come to rest, s; infinite if one of them moves on.
+pub(super) fn time_of_rest<R: Real>(moves: &[Move<R>], n: usize) -> R {
+    let rests = moves.iter().rev().take(n).all(|of| of.end().is_at_rest());
+    if rests { duration(moves, n) } else { R::INFINITY }
+}
+
 /// The moves of an axis: the first one, and then each `n` moves after the one before.
 #[derive(Clone, Copy)]
 pub(super) struct Axis<'a, R> {

@@ -51,7 +51,8 @@ fn liba_headers_are_fresh() {
 fn the_header_of_all_is_fresh() {
     let families = Family::ALL.map(|family| format!("a/{}.h", family.c_name()));
     let families: Vec<_> = families.iter().map(String::as_str).collect();
-    let ours = ["axis", "clock", "codes", "move", "path", "shaper", "steps"].map(|name| format!("atraj/{name}.h"));
+    let ours =
+        ["axis", "clock", "codes", "group", "move", "path", "shaper", "steps"].map(|name| format!("atraj/{name}.h"));
     let ours: Vec<_> = ours.iter().map(String::as_str).collect();
     let functions = pass(&["atraj/bell", "atraj/trap", "atraj/poly"], &config("atraj"), ItemType::Functions);
     let all = includes(&[&["a/a.h", "a/atraj_check.h"], &families[..], &ours].concat());
@@ -62,7 +63,7 @@ fn the_header_of_all_is_fresh() {
 #[test]
 fn our_headers_are_fresh() {
     type Header = (&'static str, &'static [&'static str], &'static [&'static str], &'static [&'static str]);
-    let table: [Header; 7] = [
+    let table: [Header; 8] = [
         ("codes", &["a/a.h", "a/atraj_check.h"], &[], &["codes"]),
         (
             "move",
@@ -73,6 +74,7 @@ fn our_headers_are_fresh() {
         ("path", &["a/a.h", "a/atraj_check.h", "atraj/codes.h", "atraj/move.h"], &[], &["path"]),
         ("axis", &["atraj/move.h"], &["axis"], &["axis"]),
         ("clock", &["atraj/move.h"], &["clock"], &["clock"]),
+        ("group", &["atraj/clock.h"], &["course", "group"], &["group"]),
         ("shaper", &["a/trajbell.h", "atraj/move.h"], &["shaper", "shaper_stream"], &["shaper"]),
         ("steps", &["atraj/move.h"], &["steps", "step_stream"], &["steps"]),
     ];

@@ -1,0 +1,389 @@
+//! Axes that move together while the next motion is planned: on one line, on a path, or each for itself.
+
+use super::axis::elapsed;
+use super::change::Change;
+use super::clock::{Clock, state_on_path};
+use super::handover::{Handover, Moment, at};
+use super::sections::{are_whole, duration, time_of_rest};
+use crate::findings::{Error, Findings};
+use crate::limits::Limits;
+use crate::online::Move;
+use crate::real::Real;
+use crate::several::{line, line_stop, synchronise};
+use crate::state::State;
+use core::cell::{Cell, UnsafeCell};
+
+/// Several axes between a main loop, which plans, and a timer interrupt, which asks for setpoints: [`Group::split`] gives a half to each.
+///
+/// As for an [`Axis`](super::Axis), a plan starts from the states that the axes will have after `lead` ticks, and all axes take it over
+/// together, in this tick or never. The memory is the caller's: a state for each axis, three moves for each axis, and the moves of a path.
+///
+/// ```
+/// use atraj::machine::Group;
+/// use atraj::online::{Limits, Move, State};
+/// let limits = [Limits::symmetric(30.0, 10.0, 5.0); 2];
+/// let (mut states, mut moves) = ([State::at(0.0); 2], [Move::default(); 6]);
+/// let mut group = Group::new(0.001, &mut states, &mut moves)?;
+/// let (mut planner, mut ticker) = group.split();
+/// let mut now = [State::at(0.0); 2];
+/// planner.line(&limits, &[State::at(1.0), State::at(2.0)], 5)?;
+/// for _ in 0..500 {
+///     ticker.tick(&mut now);
+/// }
+/// planner.rate(&limits, 0.0, 5)?; // a feed hold: the axes stop on the line
+/// while !ticker.tick(&mut now).ends {}
+/// assert_eq!(now[1].velocity, 0.0);
+/// planner.rate(&limits, 1.0, 5)?; // and go on
+/// while !ticker.tick(&mut now).ends {}
+/// assert_eq!(now, [State::at(1.0), State::at(2.0)]);
+/// # Ok::<(), atraj::Error>(())
+/// ```
+#[repr(C)]
+pub struct Group<'a, R> {
+    pub(crate) handover: Handover,
+    /// From one tick to the next, s.
+    pub(crate) period: R,
+    /// The planner's: where the axes will be when the next motion takes over.
+    pub(crate) states: &'a [Cell<State<R>>],
+    /// The moves of all axes at the first place, then at the next one.
+    pub(crate) moves: &'a [Cell<Move<R>>],
+    /// The motions at their places. The handover says who may use which one.
+    pub(crate) courses: [UnsafeCell<Course<'a, R>>; 3],
+}
+
+/// What the axes follow at a place: its moves or a path, by a clock.
+#[derive(Debug)]
+#[repr(C)]
+pub(crate) struct Course<'a, R> {
+    /// The caller's path; empty: the moves of the place.
+    pub path: &'a [Move<R>],
+    /// When it is at its end, s.
+    pub end: R,
+    pub clock: Clock<R>,
+}
+
+/// What is new in a tick of a [`Group`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tick {
+    /// A plan takes over in this tick.
+    pub begins: bool,
+    /// From this tick on the motion is at its end: all axes are at their targets, or stand in a hold.
+    pub ends: bool,
+}
+
+/// The half of a group for the main loop.
+pub struct GroupPlanner<'g, 'a, R>(&'g Group<'a, R>);
+
+/// The half of a group for the interrupt.
+pub struct GroupTicker<'g, 'a, R>(&'g Group<'a, R>);
+
+// SAFETY: as for the halves of an axis. The states of the group are the planner's alone, and nobody writes to a path.
+unsafe impl<R: Send + Sync> Send for GroupPlanner<'_, '_, R> {}
+// SAFETY: as above.
+unsafe impl<R: Send + Sync> Send for GroupTicker<'_, '_, R> {}
+
+/// What is in force at a takeover.
+struct InForce<'g, 'a, R> {
+    course: &'g Course<'a, R>,
+    moves: &'g [Move<R>],
+    /// For how long, s.
+    x: R,
+    /// Where the axes are then.
+    states: &'g [State<R>],
+}
+
+/// The place of the next motion.
+struct Next<'g, 'a, R> {
+    course: &'g mut Course<'a, R>,
+    moves: &'g mut [Move<R>],
+    period: R,
+}
+
+impl<'a, R: Real> Group<'a, R> {
+    /// Axes that stand or move in these states, which get a tick every `period`, s. They stay there until a plan takes over. `moves` is room for
+    /// three moves for each axis. [`Error::Axes`] if there is no axis or the room is another; [`Error::Duration`] if the period is not above 0 or
+    /// not finite; [`Error::NotFinite`] if a state is not made of numbers.
+    pub fn new(period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>]) -> Result<Self, Error> {
+        if states.is_empty() || moves.len() / 3 != states.len() || moves.len() != 3 * states.len() {
+            return Err(Error::Axes);
+        }
+        if !(period > R::ZERO && period.is_finite()) {
+            return Err(Error::Duration);
+        }
+        if !states.iter().all(|state| state.is_finite()) {
+            return Err(Error::NotFinite);
+        }
+        // All three places, because moves are copied whole.
+        for (axis, state) in moves.iter_mut().zip(states.iter().cycle()) {
+            *axis = Move::default();
+            axis.stay(*state);
+        }
+        let course = || UnsafeCell::new(Course { path: &[], end: R::ZERO, clock: Clock::new() });
+        Ok(Self {
+            handover: Handover::new(),
+            period,
+            states: Cell::from_mut(states).as_slice_of_cells(),
+            moves: Cell::from_mut(moves).as_slice_of_cells(),
+            courses: [course(), course(), course()],
+        })
+    }
+
+    /// The halves. Each may go to a thread or to an interrupt of its own. Nobody locks or waits, and nobody sees half a plan.
+    pub fn split(&mut self) -> (GroupPlanner<'_, 'a, R>, GroupTicker<'_, 'a, R>) {
+        (GroupPlanner(self), GroupTicker(self))
+    }
+
+    /// The moves at a place.
+    fn place(&self, place: usize) -> &[Cell<Move<R>>] {
+        let n = self.states.len();
+        self.moves.get(place * n..).and_then(|moves| moves.get(..n)).unwrap_or_default()
+    }
+
+    /// The course at a place, and its moves.
+    ///
+    /// # Safety
+    /// Nobody writes to the place as long as the result lives.
+    unsafe fn course(&self, place: usize) -> (&Course<'a, R>, &[Move<R>]) {
+        let moves = self.place(place);
+        // SAFETY: by the contract of this function; a cell has the layout of its value.
+        let (course, moves) = unsafe { (&*at(&self.courses, place).get(), &*(&raw const *moves as *const [Move<R>])) };
+        (course, if course.path.is_empty() { moves } else { course.path })
+    }
+}
+
+impl<'g, 'a, R: Real> GroupTicker<'g, 'a, R> {
+    /// # Safety
+    /// This is the only ticker of the group.
+    #[cfg(feature = "capi")]
+    pub(crate) unsafe fn of(group: &'g Group<'a, R>) -> Self {
+        Self(group)
+    }
+
+    /// The next setpoints: the states of the axes in this tick. Call it once in each tick.
+    pub fn tick(&mut self, states: &mut [State<R>]) -> Tick {
+        let Group { handover, period, .. } = self.0;
+        let moment = handover.tick();
+        // SAFETY: nobody writes to what is in force.
+        let (course, moves) = unsafe { self.0.course(moment.place) };
+        let x = elapsed(*period, moment);
+        write_states(states, &course.clock, moves, self.0.states.len(), x);
+        let begins = moment.age == 0;
+        let has_ended = !begins && elapsed(*period, Moment { age: moment.age - 1, ..moment }) >= course.end;
+        Tick { begins, ends: x >= course.end && !has_ended }
+    }
+}
+
+fn write_states<R: Real>(states: &mut [State<R>], clock: &Clock<R>, moves: &[Move<R>], n: usize, x: R) {
+    let time = clock.state_of_time(x);
+    for (index, state) in states.iter_mut().enumerate() {
+        let [position, velocity, acceleration, _] = state_on_path(moves.get(index..).unwrap_or_default(), n, time);
+        *state = State { position, velocity, acceleration };
+    }
+}
+
+impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
+    /// # Safety
+    /// This is the only planner of the group.
+    #[cfg(feature = "capi")]
+    pub(crate) unsafe fn of(group: &'g Group<'a, R>) -> Self {
+        Self(group)
+    }
+
+    /// Each axis goes to its state by its fastest move, [`Move::plan`], after `lead` ticks. It returns the findings and errors of [`Move::plan`];
+    /// [`Error::Axes`] if a list does not have one element for each axis; [`Error::Late`] as for an axis. On an error the motion goes on.
+    pub fn go(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
+        self.plan(limits, lead, |moves, from, _| {
+            let mut found = Findings::default();
+            if to.len() != moves.len() {
+                return Err(Error::Axes);
+            }
+            for (((axis, limits), from), to) in moves.iter_mut().zip(limits).zip(from).zip(to) {
+                found |= axis.plan(limits, *from, *to)?;
+            }
+            Ok(found)
+        })
+    }
+
+    /// All axes arrive in the same tick, by [`synchronise`] with the period as its cycle. It returns the findings and errors of both.
+    pub fn sync(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
+        self.plan(limits, lead, |moves, from, period| synchronise(moves, limits, from, to, R::ZERO, period))
+    }
+
+    /// The axes move on the straight line to their states, by [`line`] with the period as its cycle. It returns the findings and errors of both.
+    pub fn line(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
+        self.plan(limits, lead, |moves, from, period| line(moves, limits, from, to, R::ZERO, period))
+    }
+
+    /// Follows a path from its time `s` on, s: 0 from its start. `moves` has the moves of all axes for the first section, then for the second one, as
+    /// [`path_moves`](crate::axes::path_moves) writes them. The path may be another than the one in force, if both have the same state at the
+    /// takeover: so a path is continued while the axes move. Its clock has the rate 1, else the rate in force.
+    ///
+    /// [`Error::Axes`] if the moves are no whole sections; [`Error::Target`] if the moves of a section have several durations, if a section does not
+    /// begin where the one before ends, if `s` is not on the path, or if the path does not have the state of the axes there. Then the motion goes on.
+    pub fn path(&mut self, limits: &[Limits<R>], moves: &'a [Move<R>], s: R, lead: u32) -> Result<Findings, Error> {
+        self.next(limits, lead, |from, next| {
+            if !are_whole(moves, limits.len()) {
+                return Err(Error::Axes);
+            }
+            let is_on_path = s >= R::ZERO && s <= duration(moves, limits.len());
+            if !(is_on_path && is_path(moves, limits.len())) {
+                return Err(Error::Target);
+            }
+            let [_, rate, slowing, _] = from.course.clock.state_of_time(from.x);
+            let steady = if slowing == R::ZERO { rate } else { R::ONE };
+            let length = time_of_rest(moves, limits.len());
+            next.course.path = moves;
+            for rate in [R::ONE, steady] {
+                next.course.clock.begin_at(s, rate, length);
+                let is_within = || Ok(Change::new(moves, limits, rate)?.keeps(&next.course.clock.time));
+                if from.is_at(moves, s, rate) && (rate.abs() <= R::ONE || is_within()?) {
+                    next.course.set_end(moves, limits.len());
+                    return Ok(Findings::default());
+                }
+            }
+            Err(Error::Target)
+        })
+    }
+
+    /// Goes to another rate of the motion, which stays on its line or path: 1 as planned, 0 hold, 1/2 override, -1 back. `limits` are those of the
+    /// plans and a reserve. It returns the findings and errors of [`Clock::rate`]; [`Error::Target`] also if the axes move each for itself.
+    pub fn rate(&mut self, limits: &[Limits<R>], rate: R, lead: u32) -> Result<Findings, Error> {
+        self.next(limits, lead, |from, next| next.change(from, limits, rate))
+    }
+
+    /// Stops on the line or path, if all axes then stand within twice the time of the slowest axis' own stop; else on a line that is in force as
+    /// planned, by [`line_stop`]; else each axis at once. It returns the findings and errors of [`Move::stop`], and [`Error::Late`].
+    pub fn stop(&mut self, limits: &[Limits<R>], lead: u32) -> Result<Findings, Error> {
+        self.next(limits, lead, |from, next| {
+            next.stop_each(from, limits)?;
+            let slowest = next.moves.iter().fold(R::ZERO, |t, axis| t.at_least(axis.t));
+            if next.change(from, limits, R::ZERO).is_ok() && next.course.end <= slowest + slowest {
+                return Ok(Findings::default());
+            }
+            let [s, rate, slowing, _] = from.course.clock.state_of_time(from.x);
+            if from.moves.len() == limits.len() && rate == R::ONE && slowing == R::ZERO {
+                copy(next.moves, from.moves);
+                if let Ok(found) = line_stop(next.moves, limits, s) {
+                    next.course.follow_moves(next.moves);
+                    return Ok(found);
+                }
+            }
+            next.stop_each(from, limits)
+        })
+    }
+
+    /// `plan` gets the moves to write, the states from which they start, and the period.
+    fn plan(
+        &mut self, limits: &[Limits<R>], lead: u32,
+        plan: impl FnOnce(&mut [Move<R>], &[State<R>], R) -> Result<Findings, Error>,
+    ) -> Result<Findings, Error> {
+        self.next(limits, lead, |from, next| {
+            let found = plan(next.moves, from.states, next.period)?;
+            next.course.follow_moves(next.moves);
+            Ok(found)
+        })
+    }
+
+    fn next(
+        &mut self, limits: &[Limits<R>], lead: u32,
+        plan: impl FnOnce(&InForce<'_, 'a, R>, &mut Next<'_, 'a, R>) -> Result<Findings, Error>,
+    ) -> Result<Findings, Error> {
+        let Group { ref handover, period, states, ref courses, .. } = *self.0;
+        if limits.len() != states.len() {
+            return Err(Error::Axes);
+        }
+        let takeover = handover.prepare(lead).ok_or(Error::Late)?;
+        let place = self.0.place(takeover.place);
+        // SAFETY: nobody writes to what is in force. Nobody else uses the place of the takeover, which is another one, or the states.
+        let ((course, in_force), next, states, moves) = unsafe {
+            (
+                self.0.course(takeover.from.place),
+                &mut *at(courses, takeover.place).get(),
+                &mut *(&raw const *states as *mut [State<R>]),
+                &mut *(&raw const *place as *mut [Move<R>]),
+            )
+        };
+        let x = elapsed(period, takeover.from);
+        write_states(states, &course.clock, in_force, limits.len(), x);
+        let from = InForce { course, moves: in_force, x, states };
+        let mut next = Next { course: next, moves, period };
+        let findings = plan(&from, &mut next)?;
+        if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
+    }
+}
+
+impl<R: Real> InForce<'_, '_, R> {
+    /// Whether the axes are on a path at its time `s`, at this rate.
+    fn is_at(&self, moves: &[Move<R>], s: R, rate: R) -> bool {
+        let near = |x: R, y: R, slope: R| (x - y).abs() <= R::DOUBT * (y.abs() + slope.abs() * (s + self.x));
+        let mut states = self.states.iter().enumerate();
+        states.all(|(index, now)| {
+            let axis = moves.get(index..).unwrap_or_default();
+            let [p, v, a, j] = state_on_path(axis, self.states.len(), [s, rate, R::ZERO, R::ZERO]);
+            near(now.position, p, v) && near(now.velocity, v, a) && near(now.acceleration, a, j)
+        })
+    }
+}
+
+impl<'a, R: Real> Next<'_, 'a, R> {
+    fn stop_each(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>]) -> Result<Findings, Error> {
+        let mut found = Findings::default();
+        for ((axis, limits), from) in self.moves.iter_mut().zip(limits).zip(from.states) {
+            found |= axis.stop(limits, *from)?;
+        }
+        self.course.follow_moves(self.moves);
+        Ok(found)
+    }
+
+    /// Goes on in the moves in force, by a clock that changes its rate.
+    fn change(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>], rate: R) -> Result<Findings, Error> {
+        if !is_path(from.moves, limits.len()) {
+            return Err(Error::Target);
+        }
+        self.course.path = from.course.path;
+        copy(self.moves, from.moves);
+        let clock = &mut self.course.clock;
+        clock.go_on_from(&from.course.clock, from.x);
+        let found = clock.rate(from.moves, limits, R::ZERO, rate)?;
+        self.course.set_end(from.moves, limits.len());
+        Ok(found)
+    }
+}
+
+/// Copies the moves of the first section.
+fn copy<R: Real>(to: &mut [Move<R>], from: &[Move<R>]) {
+    for (axis, from) in to.iter_mut().zip(from) {
+        *axis = *from;
+    }
+}
+
+/// Whether the moves of each section have one duration, and begin where those before them end.
+fn is_path<R: Real>(moves: &[Move<R>], n: usize) -> bool {
+    let next = moves.get(n..).unwrap_or_default();
+    let joins = moves.iter().zip(next).all(|(before, of)| before.end() == of.start());
+    joins
+        && moves
+            .chunks(n.max(1))
+            .all(|section| section.iter().all(|of| section.first().is_some_and(|first| of.t == first.t)))
+}
+
+impl<R: Real> Course<'_, R> {
+    /// Follows the moves of its place, as planned.
+    fn follow_moves(&mut self, moves: &[Move<R>]) {
+        self.path = &[];
+        self.clock.begin_at(R::ZERO, R::ONE, time_of_rest(moves, moves.len()));
+        self.set_end(moves, moves.len());
+    }
+
+    /// When the time of the path stands, or passes the end.
+    fn set_end(&mut self, moves: &[Move<R>], n: usize) {
+        let State { position, velocity, .. } = self.clock.time.end();
+        self.end = if velocity == R::ZERO {
+            self.clock.time.t
+        } else if velocity > R::ZERO {
+            self.clock.time.t + ((duration(moves, n) - position) / velocity).at_least(R::ZERO)
+        } else {
+            R::INFINITY
+        };
+    }
+}
