@@ -1,5 +1,5 @@
 /*
- Two threads share an axis: one plans at random, and one ticks and watches every setpoint, as fast as they can.
+ Two threads share an axis, or with GROUP a group of two: one plans at random, and one ticks and watches every setpoint, as fast as they can.
  Prints what they counted, and fails if a setpoint jumps, or if the axis does not come to its last target.
 */
 #include "watch.h"
@@ -11,7 +11,7 @@ enum { PLANS = 200000, LEAD = 200 };
 
 static int is_over; /* both threads use it */
 
-static void *tick(void *unused) {
+static void *tick_on(void *unused) {
     unsigned left = SETTLED + 2 * LEAD;
     for (; left; left -= (unsigned)__atomic_load_n(&is_over, __ATOMIC_ACQUIRE)) { interrupt(); }
     return unused;
@@ -19,13 +19,13 @@ static void *tick(void *unused) {
 
 int main(void) {
     pthread_t ticker;
-    if (atraj_axis_init(&axis, PERIOD, &start) != 0 || pthread_create(&ticker, A_NULL, tick, A_NULL) != 0) { return 2; }
+    if (init() != 0 || pthread_create(&ticker, A_NULL, tick_on, A_NULL) != 0) { return 2; }
     for (unsigned planned = 0; planned != PLANS; planned = answers.accepted) {
         unsigned const late = answers.late;
         plan(LEAD);
         if (answers.late != late) { sched_yield(); }
     }
-    while (atraj_axis_go(&axis, &limits, &last_target, LEAD) < 0) {}
+    while (go(last_target, LEAD) < 0) {}
     __atomic_store_n(&is_over, 1, __ATOMIC_RELEASE);
     pthread_join(ticker, A_NULL);
     printf("%u ticks, %u plans in time, %u late, %u refused, %u jumps\n", watch.ticks, answers.accepted, answers.late, answers.refused,

@@ -1,4 +1,4 @@
-//! Do two threads share an axis of the C ABI, one that plans and one that ticks, without a jump and without a data race?
+//! Do two threads share an axis or a group of the C ABI, one that plans and one that ticks, without a jump and without a data race?
 //!
 //! A plan that is published before it is whole is the planted fault. ThreadSanitizer needs the run-time library that rustup's compiler
 //! brings along; it does not know fences, so it wants each order from a store and a load.
@@ -10,6 +10,7 @@ use support::tools::{lines, run};
 use support::variant::{DOUBLE, FLOAT, Variant};
 
 const EARLY: &str = "-DPUBLISHED_EARLY";
+const GROUP: &str = "-DGROUP";
 
 /// The compiler of C with the program `c_tests/threads.c` for a variant.
 fn compiler(variant: &Variant, flags: &[&str]) -> Command {
@@ -35,9 +36,11 @@ fn text(output: &Output) -> String {
 #[test]
 fn without_a_jump() {
     for variant in [&DOUBLE, &FLOAT] {
-        let output = program(variant, &[]);
-        println!("{}", text(&output));
-        assert!(output.status.success(), "{}", text(&output));
+        for flags in [&[][..], &[GROUP]] {
+            let output = program(variant, flags);
+            println!("{flags:?} {}", text(&output));
+            assert!(output.status.success(), "{flags:?} {}", text(&output));
+        }
     }
     assert!(!program(&DOUBLE, &[EARLY]).status.success());
 }
@@ -82,9 +85,11 @@ fn without_a_data_race() {
         return;
     }
     let archive = watched_archive();
-    let output = watched_program(&archive, &library, &[]);
-    println!("watched: {}", text(&output));
-    assert!(output.status.success(), "{}", text(&output));
+    for flags in [&[][..], &[GROUP]] {
+        let output = watched_program(&archive, &library, flags);
+        println!("watched: {flags:?} {}", text(&output));
+        assert!(output.status.success(), "{flags:?} {}", text(&output));
+    }
     let early = text(&watched_program(&archive, &library, &[EARLY]));
     assert!(early.contains("data race"), "{early}");
 }

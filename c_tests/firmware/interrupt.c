@@ -58,11 +58,11 @@ static void print(unsigned number, const char *what) {
 int main(void) {
     unsigned volatile *const ticks = &watch.ticks;
     unsigned settled;
-    if (atraj_axis_init(&axis, PERIOD, &start) != 0) { semihost_exit(1); }
+    if (init() != 0) { semihost_exit(1); }
     interrupt_in(SPAN);
     start_timer();
     while (*ticks < INTERRUPTS) { plan(LEAD); }
-    while (atraj_axis_go(&axis, &limits, &last_target, 2 * LEAD) < 0) {}
+    while (go(last_target, 2 * LEAD) < 0) {}
     settled = *ticks + SETTLED + 2 * LEAD;
     while (*ticks < settled) {}
     stop_timer();
