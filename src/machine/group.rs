@@ -104,6 +104,16 @@ impl<'a, R: Real> Group<'a, R> {
     /// three moves for each axis. [`Error::Axes`] if there is no axis or the room is another; [`Error::Duration`] if the period is not above 0 or
     /// not finite; [`Error::NotFinite`] if a state is not made of numbers.
     pub fn new(period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>]) -> Result<Self, Error> {
+        let (states, moves) = Self::prepare(period, states, moves)?;
+        let course = || UnsafeCell::new(Course { path: &[], end: R::ZERO, clock: Clock::new() });
+        Ok(Self { handover: Handover::new(), period, states, moves, courses: [course(), course(), course()] })
+    }
+
+    /// Makes the axes stand where they are.
+    #[expect(clippy::type_complexity, reason = "two slices")]
+    pub(crate) fn prepare(
+        period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>],
+    ) -> Result<(&'a [Cell<State<R>>], &'a [Cell<Move<R>>]), Error> {
         if states.is_empty() || moves.len() / 3 != states.len() || moves.len() != 3 * states.len() {
             return Err(Error::Axes);
         }
@@ -118,14 +128,15 @@ impl<'a, R: Real> Group<'a, R> {
             *axis = Move::default();
             axis.stay(*state);
         }
-        let course = || UnsafeCell::new(Course { path: &[], end: R::ZERO, clock: Clock::new() });
-        Ok(Self {
-            handover: Handover::new(),
-            period,
-            states: Cell::from_mut(states).as_slice_of_cells(),
-            moves: Cell::from_mut(moves).as_slice_of_cells(),
-            courses: [course(), course(), course()],
-        })
+        Ok((Cell::from_mut(states).as_slice_of_cells(), Cell::from_mut(moves).as_slice_of_cells()))
+    }
+
+    /// The axes stand, and get a tick every `period`, s. All numbers of the group are 0.
+    #[cfg(feature = "capi")]
+    pub(crate) fn begin(&mut self, period: R) {
+        self.handover = Handover::new();
+        self.period = period;
+        self.courses[0].get_mut().clock.time.stay(State { velocity: R::ONE, ..State::at(R::ZERO) });
     }
 
     /// The halves. Each may go to a thread or to an interrupt of its own. Nobody locks or waits, and nobody sees half a plan.

@@ -2,7 +2,7 @@
 
 use super::clock::atraj_clock;
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
-use super::{answer, list, list_mut, put};
+use super::{answer, list, list_mut};
 use crate::capi::{Number, a_float, assert_same_layout, of};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -59,13 +59,27 @@ assert_same_layout!(atraj_group, Group<'static, Number>, words = handover period
 pub unsafe extern "C" fn atraj_group_init(
     ctx: *mut atraj_group, period: a_float, states: *mut atraj_state, moves: *mut atraj_move, n: usize,
 ) -> c_int {
-    // SAFETY: the pointers are NULL or valid by the contract of this module, and nobody else uses them now.
-    unsafe {
-        put(ctx, || {
-            let (states, moves) = (list_mut(states, n), list_mut(moves, n.wrapping_mul(3)));
-            Group::new(period.into(), states.ok_or(Error::Axes)?, moves.ok_or(Error::Axes)?)
-        })
-    }
+    answer(|| {
+        // SAFETY: the pointers are NULL or valid by the contract of this module, and nobody else uses them now.
+        let (states, moves) = unsafe { (list_mut(states, n)?, list_mut(moves, n.wrapping_mul(3))?) };
+        let group = (!ctx.is_null()).then(|| ctx.cast::<Group<'static, Number>>())?;
+        let period = period.into();
+        Some(Group::prepare(period, states, moves).map(|(states, moves)| {
+            // In place: as a value it would take more stack than any plan.
+            // SAFETY: the group is writable. Zeros are numbers, words and moves; the references are written next.
+            unsafe {
+                group.write_bytes(0, 1);
+                (&raw mut (*group).states).write(states);
+                (&raw mut (*group).moves).write(moves);
+                for place in 0..3 {
+                    let course = (&raw mut (*group).courses).cast::<Course<'static, Number>>().add(place);
+                    (&raw mut (*course).path).write(&[]);
+                }
+                (*group).begin(period);
+            }
+            Findings::default()
+        }))
+    })
 }
 
 /// @brief The next setpoints. For the timer interrupt, once in each tick.
