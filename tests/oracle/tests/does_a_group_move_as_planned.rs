@@ -14,6 +14,8 @@ const PLANNED: f64 = 0.8;
 struct Paths<R> {
     there: Vec<Move<R>>,
     there_and_back: Vec<Move<R>>,
+    /// A path that jumps.
+    torn: Vec<Move<R>>,
 }
 
 impl<R: Real> Paths<R> {
@@ -29,7 +31,8 @@ impl<R: Real> Paths<R> {
         let mut back = vec![Move::default(); n];
         synchronise(&mut back, limits, &states[n * sections..], &states[..n], zero, zero).expect("a way back");
         let there_and_back = [&there[..], &back].concat();
-        Self { there, there_and_back }
+        let torn = [&there[..], &there].concat();
+        Self { there, there_and_back, torn }
     }
 
     fn start(&self, n: usize) -> Vec<State<R>> {
@@ -210,6 +213,7 @@ fn program<R: Real>(random: &mut Random, refused: &mut [usize; 4]) {
             Ok(next) => {
                 trial.line = trial.line.take().filter(|_| call == 6);
                 trial.take_over(lead);
+                assert!(!is_at_rest || trial.stands(), "a motion from rest does not begin at rest");
                 if call == 5 && motion != Motion::Line {
                     trial.stops_in_time();
                 }
@@ -243,6 +247,7 @@ fn along_the_path<'a, R: Real>(
 ) {
     let (n, limits, zero) = (planned.len(), trial.limits, R::of(0.0));
     let size = limits.iter().zip(&trial.now).map(|(_, now)| 10.0 + now.position.widen().abs()).fold(0.0, f64::max);
+    assert_eq!(trial.planner.path(limits, &paths.torn, zero, 1), Err(Error::Target));
     trial.planner.path(limits, &paths.there, zero, 1).expect("the path");
     trial.take_over(1);
     let mut ticks = 0;
