@@ -220,7 +220,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         self.plan(limits, lead, |moves, from, period| synchronise(moves, limits, from, to, R::ZERO, period))
     }
 
-    /// The axes move on the straight line to their states, by [`line`] with the period as its cycle. It returns the findings and errors of both.
+    /// The axes move on the straight line to their states, by [`line`](crate::axes::line) with the period as its cycle. It returns the findings and errors of both.
     pub fn line(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
         self.plan(limits, lead, |moves, from, period| line(moves, limits, from, to, R::ZERO, period))
     }

@@ -14,6 +14,8 @@ mod do_random_moves_agree;
 mod do_special_values_agree;
 #[path = "tests/do_units_change_a_move.rs"]
 mod do_units_change_a_move;
+#[path = "tests/does_a_group_move_as_planned.rs"]
+mod does_a_group_move_as_planned;
 #[path = "tests/does_a_move_stay_inside.rs"]
 mod does_a_move_stay_inside;
 #[path = "tests/does_a_path_move_as_planned.rs"]

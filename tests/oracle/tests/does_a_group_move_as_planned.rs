@@ -5,7 +5,7 @@ use atraj::machine::{Group, GroupPlanner, GroupTicker, Tick};
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online, test_both_reals};
 
-const PROGRAMS: usize = if support::BRIEF { 200 } else { 8_000 };
+const PROGRAMS: usize = if support::BRIEF { 200 } else { 4_000 };
 const CALLS: usize = 16;
 /// The limits of a plan that leaves the clock a reserve.
 const PLANNED: f64 = 0.8;
@@ -59,7 +59,7 @@ struct Trial<'g, 'a, R> {
     period: R,
     now: Vec<State<R>>,
     /// Where the motion was planned to begin, if it is to be a line.
-    line: Option<(Vec<State<R>>, Vec<State<R>>)>,
+    line: Option<[Vec<State<R>>; 2]>,
     has_ended: bool,
     /// For how many ticks the motion is in force.
     age: u32,
@@ -78,7 +78,7 @@ impl<R: Real> Trial<'_, '_, R> {
             assert_eq!(before, self.now, "a group that stands moves on");
         }
         self.has_ended = tick.ends || self.has_ended && !tick.begins;
-        if let Some((from, to)) = &self.line {
+        if let Some([from, to]) = &self.line {
             let way = |axis: usize| to[axis].position.widen() - from[axis].position.widen();
             let lead = (0..from.len()).max_by(|a, b| way(*a).abs().total_cmp(&way(*b).abs())).expect("an axis");
             let size = |axis: usize| to[axis].position.widen().abs() + from[axis].position.widen().abs();
@@ -219,7 +219,7 @@ fn program<R: Real>(random: &mut Random, refused: &mut [usize; 4]) {
                 }
                 motion = next;
                 if next == Motion::Line && call == 2 && is_at_rest {
-                    trial.line = Some((from, to));
+                    trial.line = Some([from, to]);
                 }
             }
             // The axes move on, each for itself or another way.
