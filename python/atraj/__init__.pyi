@@ -95,11 +95,13 @@ class Profile:
         limits: _Limits | None = None,
         unit: str | None = None,
         label: str | None = None,
+        offset: float = 0.0,
     ) -> Figure:
         """Draws position, velocity, acceleration and jerk over time, and returns the figure. Needs matplotlib.
 
         `limits` are drawn as dashed lines. The labels have the `unit` of the position, "m" or "deg" for example, and the others that follow
-        from it. `label` names the motion. `axes`, the axes of a figure, draws over what is there, so motions lie over each other:
+        from it. `label` names the motion, which begins at the time `offset`, s. `axes`, the axes of a figure, draws over what is there, so
+        motions lie over each other:
 
         >>> import atraj
         >>> figure = atraj.Bell(30, 10, 5, 0, 10).plot(label="double-S", unit="m") # doctest: +SKIP
@@ -375,12 +377,13 @@ class Axes:
         unit: str | None = None,
         labels: Sequence[str] | None = None,
         plane: tuple[int, int] | None = None,
+        offset: float = 0.0,
     ) -> Figure:
         """Draws position, velocity, acceleration and jerk of all axes over time, in a colour each, and returns the figure. Needs matplotlib.
 
         With `plane=(0, 1)` it draws the axes 0 and 1 in their plane, on equal scales, in the place of the motion over time. `limits`, an item
         for each axis, are drawn as dashed lines in the colours of the axes. The labels have the `unit` of the positions, and `labels` names
-        the axes. `axes`, the axes of a figure, draws over what is there."""
+        the axes. `axes`, the axes of a figure, draws over what is there. The motion begins at the time `offset`, s."""
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> Self: ...

@@ -18,10 +18,16 @@ SAMPLES = 1001
 
 
 def plot(
-    profile: Profile, axes: Sequence[Plot] | None, limits: Limits | None, unit: str | None, label: str | None
+    profile: Profile,
+    axes: Sequence[Plot] | None,
+    limits: Limits | None,
+    unit: str | None,
+    label: str | None,
+    offset: float,
 ) -> Figure:
     """Position, velocity, acceleration and jerk over time, under each other. A trapezoid has no jerk to show."""
     t, *curves = profile.sample(n=SAMPLES)
+    t = t + offset
     shown = [k for k, y in enumerate(curves) if not np.isnan(y).all()]
     plots = plots_over_time(len(shown), axes, unit)
     for k, place in zip(shown, plots):
@@ -39,11 +45,13 @@ def plot_axes(
     unit: str | None,
     labels: Sequence[str] | None,
     plane: tuple[int, int] | None,
+    offset: float,
 ) -> Figure:
     """The same for several axes, in a colour each, with a dot at each waypoint."""
     t, *curves = motion.sample(n=SAMPLES)
     times = getattr(motion, "times", t[[0, -1]])
     points = motion.position(times)
+    t, times = t + offset, times + offset
     names = [f"axis {k}" for k in range(points.shape[1])] if labels is None else list(labels)
     if plane is not None:
         return plot_plane(curves[0], points, axes, unit, names, plane)

@@ -35,8 +35,8 @@ class Limits(_Limits):
     The highest values are above 0, the lowest ones below 0. An infinite limit is no limit.
     A jerk, or both accelerations, are finite.
 
-    `jerk`, `acceleration` and `velocity` are limits in both directions, and their signs are ignored. `vmax`, `vmin`, `amax`, `amin`, `jmax` and
-    `jmin` are limits in one direction. TypeError if a direction has no limit.
+    `jerk`, `acceleration` and `velocity`, in this order, are limits in both directions, and their signs are ignored. `vmax`, `vmin`, `amax`,
+    `amin`, `jmax` and `jmin` are limits in one direction. TypeError if a direction has no limit.
 
     >>> import atraj
     >>> atraj.Limits(jerk=30, acceleration=10, velocity=5)
@@ -49,21 +49,25 @@ class Limits(_Limits):
 
     def __new__(
         cls,
+        jerk: float | None = None,
+        acceleration: float | None = None,
+        velocity: float | None = None,
+        *,
         vmax: float | None = None,
         vmin: float | None = None,
         amax: float | None = None,
         amin: float | None = None,
         jmax: float | None = None,
         jmin: float | None = None,
-        *,
-        jerk: float | None = None,
-        acceleration: float | None = None,
-        velocity: float | None = None,
     ) -> Limits:
         v = _directions(vmax, vmin, velocity, "velocity, or vmax and vmin")
         a = _directions(amax, amin, acceleration, "acceleration, or amax and amin")
         j = _directions(jmax, jmin, jerk, "jerk, or jmax and jmin")
         return super().__new__(cls, *v, *a, *j)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, float]]:
+        """What a copy is made of: the six numbers, each by its name."""
+        return (), self._asdict()
 
     @classmethod
     def symmetric(cls, jerk: float, acceleration: float, velocity: float) -> Limits:

@@ -23,7 +23,7 @@ use crate::values::{error, named, to_state};
 /// <Warnings: 0>
 /// >>> axis.setpoint(now=3.5).position
 /// 6.0
-#[pyclass]
+#[pyclass(module = "atraj.claraty")]
 pub struct Trajectory(atraj::claraty::Trajectory<'static>);
 
 #[pymethods]

@@ -7,6 +7,7 @@ use numpy::{
     PyUntypedArrayMethods,
 };
 use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -197,6 +198,9 @@ pub fn in_rows<'py, R: Number>(numbers: &Bound<'py, PyAny>) -> PyResult<PyReadon
         }
     }
     let py = numbers.py();
+    if py.import("numpy")?.getattr("iscomplexobj")?.call1((numbers,))?.extract()? {
+        return Err(PyTypeError::new_err("the numbers are complex"));
+    }
     let require = py.import("numpy")?.getattr("require")?;
     let array = require.call1((numbers, R::get_dtype(py), ALIGNED_IN_C_ORDER))?;
     array.extract()

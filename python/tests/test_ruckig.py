@@ -17,7 +17,7 @@ def problem(chance):
     high_v, low_v, high_a, low_a, jerk = (10 ** chance.uniform(-1, 1.5) for _ in range(5))
     if chance.random() < 0.5:
         low_v, low_a = high_v, high_a
-    limits = atraj.Limits(high_v, -low_v, high_a, -low_a, jerk, -jerk)
+    limits = atraj.Limits(vmax=high_v, vmin=-low_v, amax=high_a, amin=-low_a, jerk=jerk)
 
     def state():
         v, a = chance.uniform(-low_v, high_v), chance.uniform(-low_a, high_a) * chance.choice([0, 0.5])

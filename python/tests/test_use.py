@@ -91,6 +91,18 @@ def test_numbers_of_records_have_any_type(real):
 
 
 @reals
+def test_complex_numbers_are_refused(real):
+    for times in [np.array([0.5j]), [0.5, 1j]]:
+        with pytest.raises(TypeError, match="complex"):
+            real.module.Bell(30, 10, 5, 0, 10).position(times)
+
+
+def test_errors_name_the_class():
+    with pytest.raises(TypeError, match="'atraj.Move'"):
+        atraj.Move()
+
+
+@reals
 def test_no_times_give_no_values(real):
     records = np.zeros((0, 2), [("id", "u1"), ("t", real.dtype)])
     for times in [records["t"], records["t"][::-1], records["t"].T]:
@@ -357,7 +369,7 @@ def test_an_array_of_times_has_the_values_of_single_times(real):
 
 @reals
 def test_a_path_keeps_its_limits_and_does_not_jump(real):
-    limits = [LIMITS, atraj.Limits(4, -5, 20, -15, 60, -50), LIMITS]
+    limits = [LIMITS, atraj.Limits(vmax=4, vmin=-5, amax=20, amin=-15, jmax=60, jmin=-50), LIMITS]
     t, p, v, a, j = real.module.path(limits, POINTS).sample(0.001)
     dt, rounding = np.diff(t)[:, None], 1e-2 if real.dtype == np.float32 else 1e-9
     for axis, limit in enumerate(limits):
@@ -579,8 +591,10 @@ def test_what_comes_back_from_its_text():
 
 def test_limits():
     assert LIMITS == (5, -5, 10, -10, 30, -30) == atraj.Limits(jerk=-30, acceleration=10, velocity=5)
-    assert atraj.Limits(5, -5, 10, -10, 30, -30) == LIMITS == atraj.Limits(vmin=-5, vmax=5, amax=10, amin=-10, jmax=30, jmin=-30)
+    assert atraj.Limits(30, 10, 5) == LIMITS == atraj.Limits(vmin=-5, vmax=5, amax=10, amin=-10, jmax=30, jmin=-30)
     assert atraj.Limits(jerk=30, acceleration=10, velocity=5, amin=-12) == LIMITS._replace(amin=-12)
+    with pytest.raises(TypeError, match="positional"):
+        atraj.Limits(5, -5, 10, -10, 30, -30)
     with pytest.raises(TypeError, match="Limits needs jerk, or jmax and jmin"):
         atraj.Limits(acceleration=10, velocity=5, jmax=3)
 
@@ -656,6 +670,8 @@ def test_pictures_have_limits_units_and_labels():
     assert trap.plot(axes=figure.axes, label="trapezoid") is figure
     assert len([line for line in figure.axes[1].lines if line.get_linestyle() == "-"]) == 2
     assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()] == ["double-S", "trapezoid"]
+    later = atraj.Move.plan(LIMITS, atraj.State(3, 2), -2).plot(axes=figure.axes, offset=1.5).axes[0].lines[-1].get_xdata()
+    assert later[0] == 1.5 and later[-1] == 1.5 + atraj.Move.plan(LIMITS, atraj.State(3, 2), -2).t
     with pytest.raises(ValueError, match="axes has 1 places"):
         bell.plot(axes=figure.axes[:1])
 

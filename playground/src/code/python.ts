@@ -5,6 +5,7 @@ import {
 } from "./writer";
 
 const script = (...lines: (string | string[])[]) => `import atraj\n\n${lines.flat().join("\n")}\n`;
+const LIMITS = ["vmax", "vmin", "amax", "amin", "jmax", "jmin"];
 const state = (...numbers: number[]) => `atraj.State(${numbers.join(", ")})`;
 const symmetric = (limits: number[]) => `atraj.Limits.symmetric(${limits.join(", ")})`;
 
@@ -27,7 +28,7 @@ export function pythonWriter(unit: string): Writer {
             const last = commands.at(-1);
             return script(
                 `# ${MOVE_ORDER}`,
-                `limits = atraj.Limits(${plannedLimits(values).join(", ")})`,
+                `limits = atraj.Limits(${plannedLimits(values).map((limit, i) => `${LIMITS[i]}=${limit}`).join(", ")})`,
                 `# ${STATE_ORDER}`,
                 `axis = atraj.Move.plan(limits, ${state(p0, v0, a0)}, ${state(p1, v1, a1)})`,
                 commands.flatMap(({ time, kind, target }, i) => {

@@ -35,7 +35,7 @@ const BLOCK: usize = 512;
 /// Times are in seconds since the start of the motion. A result has one number for each axis, and an array of times gives one such row for
 /// each time. Before the start the axes are at the start. After the end each of them moves on with the acceleration of the end: an axis that
 /// ends at rest stays.
-#[pyclass(frozen, subclass)]
+#[pyclass(module = "atraj", frozen, subclass)]
 pub struct Axes {
     /// The motions of each section, one for each axis.
     pub sections: Vec<Vec<Motion<Real>>>,
@@ -214,14 +214,14 @@ impl Axes {
     ///
     /// With `plane=(0, 1)` it draws the axes 0 and 1 in their plane, on equal scales, in the place of the motion over time. `limits`, an item
     /// for each axis, are drawn as dashed lines in the colours of the axes. The labels have the `unit` of the positions, and `labels` names
-    /// the axes. `axes`, the axes of a figure, draws over what is there.
-    #[pyo3(signature = (*, axes=None, limits=None, unit=None, labels=None, plane=None))]
+    /// the axes. `axes`, the axes of a figure, draws over what is there. The motion begins at the time `offset`, s.
+    #[pyo3(signature = (*, axes=None, limits=None, unit=None, labels=None, plane=None, offset=0.0))]
     fn plot<'py>(
         slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>, limits: Option<Bound<'py, PyAny>>, unit: Option<&str>,
-        labels: Option<Bound<'py, PyAny>>, plane: Option<(usize, usize)>,
+        labels: Option<Bound<'py, PyAny>>, plane: Option<(usize, usize)>, offset: f64,
     ) -> PyResult<Bound<'py, PyAny>> {
         let plot = slf.py().import("atraj._plot")?.getattr("plot_axes")?;
-        plot.call1((slf, axes, limits, unit, labels, plane))
+        plot.call1((slf, axes, limits, unit, labels, plane, offset))
     }
 
     /// Equal are motions of one class with the same numbers.
@@ -248,7 +248,7 @@ impl Axes {
 
 /// Moves of several axes that arrive together: what `synchronise`, `synchronise_within`, `line` and `line_stop` plan. It is a sequence of a
 /// `Move` for each axis.
-#[pyclass(frozen, extends = Axes, sequence)]
+#[pyclass(module = "atraj", frozen, extends = Axes, sequence)]
 pub struct Moves;
 
 impl Moves {

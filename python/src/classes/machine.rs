@@ -43,7 +43,7 @@ type Frequency = (u8, Real, Real);
 /// >>> shaped = shaper.shape(move)
 /// >>> shaped.t == move.t + shaper.duration, shaped.position(shaped.t)
 /// (True, 0.5)
-#[pyclass(frozen)]
+#[pyclass(module = "atraj", frozen)]
 #[derive(Clone)]
 pub struct Shaper {
     inner: machine::Shaper<Real>,
@@ -174,7 +174,7 @@ impl Shaper {
 
 /// A shaped move: what `Shaper.shape` gives. Its jerk is NaN, because a shaper gives none, in C and Rust too. It keeps the limits of the
 /// move's jerk.
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Shaped;
 
 #[pymethods]
@@ -250,7 +250,7 @@ impl Motion<Real> for ShapedMotion {
 /// >>> pulses = list(steps)
 /// >>> pulses[0].direction, len(pulses), steps.count
 /// (1, 800, 799)
-#[pyclass]
+#[pyclass(module = "atraj")]
 pub struct Steps {
     inner: machine::Steps<Real>,
     of: atraj::online::Move<Real>,
@@ -329,7 +329,7 @@ impl Steps {
 /// >>> found = clock.rate(held + 2, 1) # and released
 /// >>> clock.position(10)
 /// array([ 0.8, -0.4])
-#[pyclass]
+#[pyclass(module = "atraj")]
 pub struct Clock {
     inner: machine::Clock<Real>,
     limits: Vec<Limits<Real>>,

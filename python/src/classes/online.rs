@@ -30,7 +30,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// >>> other = atraj.Move.plan(limits, move.state_at(0.7), -2) # in mid-motion, another target
 /// >>> other.position(other.t), other.findings
 /// (-2.0, <Findings.OVERSHOOTS: 16>)
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Move(pub Arc<Planned<Real>>);
 
 impl Move {

@@ -26,7 +26,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 
 /// A motion of several axes through waypoints, without stops between them unless an axis must turn there: what `path` plans.
 /// It is a sequence of the `Moves` of its sections.
-#[pyclass(frozen, extends = Axes, sequence)]
+#[pyclass(module = "atraj", frozen, extends = Axes, sequence)]
 pub struct Path {
     /// The states of all axes, point by point.
     states: Vec<State<Real>>,

@@ -27,7 +27,7 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// follow from it: m, m/s, m/s², m/s³.
 ///
 /// An array of times has any strides, alignment, byte order and type of real number. The mask of a masked array is not looked at.
-#[pyclass(frozen, subclass)]
+#[pyclass(module = "atraj", frozen, subclass)]
 pub struct Profile {
     motion: Arc<dyn Motion<Real>>,
     /// Duration, s.
@@ -113,18 +113,19 @@ impl Profile {
     /// Draws position, velocity, acceleration and jerk over time, and returns the figure. Needs matplotlib.
     ///
     /// `limits` are drawn as dashed lines. The labels have the `unit` of the position, "m" or "deg" for example, and the others that follow
-    /// from it. `label` names the motion. `axes`, the axes of a figure, draws over what is there, so motions lie over each other:
+    /// from it. `label` names the motion, which begins at the time `offset`, s. `axes`, the axes of a figure, draws over what is there, so
+    /// motions lie over each other:
     ///
     /// >>> import atraj
     /// >>> figure = atraj.Bell(30, 10, 5, 0, 10).plot(label="double-S", unit="m") # doctest: +SKIP
     /// >>> atraj.Trap(5, 10, -10, 0, 10).plot(axes=figure.axes, label="trapezoid") # doctest: +SKIP
-    #[pyo3(signature = (*, axes=None, limits=None, unit=None, label=None))]
+    #[pyo3(signature = (*, axes=None, limits=None, unit=None, label=None, offset=0.0))]
     fn plot<'py>(
         slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>, limits: Option<Bound<'py, PyAny>>, unit: Option<&str>,
-        label: Option<&str>,
+        label: Option<&str>, offset: f64,
     ) -> PyResult<Bound<'py, PyAny>> {
         let plot = slf.py().import("atraj._plot")?.getattr("plot")?;
-        plot.call1((slf, axes, limits, unit, label))
+        plot.call1((slf, axes, limits, unit, label, offset))
     }
 
     /// Equal are motions of one class with the same numbers.
@@ -193,7 +194,7 @@ pub fn rebuilding<'py>(
 /// >>> move = atraj.Bell(jerk=30, acceleration=10, velocity=5, p0=0, p1=10)
 /// >>> move.t, move.position(1.0)
 /// (2.833333333333333, 2.916666666666667)
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Bell(pub atraj::Bell<Real>);
 
 impl Bell {
@@ -280,7 +281,7 @@ impl Bell {
 /// >>> move = atraj.Trap(velocity=5, ac=4, de=-2, p0=0, p1=50)
 /// >>> move.t, move.velocity(5)
 /// (11.875, 5.0)
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Trap(atraj::Trap<Real>);
 
 impl Trap {
@@ -354,21 +355,21 @@ impl Trap {
 /// >>> cubic = atraj.Poly3(8, p0=0, p1=10)
 /// >>> cubic.position(4), cubic.velocity(8)
 /// (5.0, 0.0)
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Poly3(atraj::Poly3<Real>);
 
 /// Quintic: position, velocity and acceleration are given at both ends.
 ///
 /// `Poly5(t, p0, p1, v0=0, v1=0, a0=0, a1=0)` takes `t`, s, with the bits of liba's `a_trajpoly5_gen`. ValueError if a coefficient
 /// is not finite.
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Poly5(atraj::Poly5<Real>);
 
 /// Septic: position, velocity, acceleration and jerk are given at both ends.
 ///
 /// `Poly7(t, p0, p1, v0=0, v1=0, a0=0, a1=0, j0=0, j1=0)` takes `t`, s, with the bits of liba's `a_trajpoly7_gen`. ValueError if a
 /// coefficient is not finite.
-#[pyclass(frozen, extends = Profile)]
+#[pyclass(module = "atraj", frozen, extends = Profile)]
 pub struct Poly7(atraj::Poly7<Real>);
 
 impl Poly3 {
