@@ -100,8 +100,8 @@ struct Next<'g, 'a, R> {
 }
 
 impl<'a, R: Real> Group<'a, R> {
-    /// Axes that stand or move in these states, which get a tick every `period`, s. They stay there until a plan takes over. `moves` is room for
-    /// three moves for each axis. [`Error::Axes`] if there is no axis or the room is another; [`Error::Duration`] if the period is not above 0 or
+    /// Axes in these states, which get a tick every `period`, s. An axis in motion goes on so until a plan takes over. `moves` is room for three
+    /// moves for each axis. [`Error::Axes`] if there is no axis or the room is another; [`Error::Duration`] if the period is not above 0 or
     /// not finite; [`Error::NotFinite`] if a state is not made of numbers.
     pub fn new(period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>]) -> Result<Self, Error> {
         let (states, moves) = Self::prepare(period, states, moves)?;
@@ -109,7 +109,7 @@ impl<'a, R: Real> Group<'a, R> {
         Ok(Self { handover: Handover::new(), period, states, moves, courses: [course(), course(), course()] })
     }
 
-    /// Makes the axes stand where they are.
+    /// Checks the arguments, and makes the axes go on as they are.
     #[expect(clippy::type_complexity, reason = "two slices")]
     pub(crate) fn prepare(
         period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>],
