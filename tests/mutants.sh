@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # mutants.sh COUNT SEED: judges about COUNT mutants, every n-th of all, and prints the mutation score and those that survived, as rows of
-# docs/data/mutants.csv. MUTANT_BASE=<commit> draws from the lines that have changed since then. .cargo/mutants.toml says what judges them.
+# docs/data/mutants.csv. MUTANT_BASE=<commit> draws from the lines that have changed since then, MUTANT_PART=src/path from a folder.
+# .cargo/mutants.toml says what judges them.
 set -euo pipefail
 count=$1 seed=$2
 out=$PWD/target/mutants
@@ -17,6 +18,7 @@ if test -n "${MUTANT_BASE:-}"; then
     git diff "$MUTANT_BASE" -- src | sed "$safe" > "$out/changes.diff"
     drawn=(--in-diff "$out/changes.diff")
 fi
+test -z "${MUTANT_PART:-}" || drawn+=(--file "$MUTANT_PART/**")
 mutants() { cargo mutants --dir "$tree" --colors never "$@"; }
 of=$((($(mutants "${drawn[@]}" --list 2> /dev/null | wc -l) + count - 1) / count))
 test "$of" -gt 0 || { echo 'no mutant stands in a line that has changed'; exit; }
