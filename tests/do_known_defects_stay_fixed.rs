@@ -632,6 +632,20 @@ fn infinite_limits_of_every_kind_leave_a_common_duration() {
     assert!(asked > 16_000, "{asked}");
 }
 
+/// The second axis is 288 m from its origin and goes 13 m, in roundings of 31 mm: it may arrive at a tick which its motion misses by some of them.
+/// Then the first axis jumped by 26 mm of 180 mm.
+#[test]
+fn a_coarse_axis_spares_a_fine_one() {
+    let fine = [0.20008592, -0.17349124, 0.017228568, -0.007796549, 21.364763, -10.818321];
+    let coarse = [3.0924788, -3.0924788, 0.2493661, -0.2493661, 171.0788, -171.0788];
+    let limits = [fine, coarse].map(limits::<f32>);
+    let from = [[0.0, 0.009428811, 0.0033892028], [-288087.88, -0.6937401, -0.2493661]].map(state);
+    let to = [[0.17796072, 0.03598201, 0.0], [-288100.97, -2.6474347, 0.0]].map(state);
+    let mut axes = [Move::default(); 2];
+    line(&mut axes, &limits, &from, &to, 0.0, 0.53716314).expect("a line");
+    assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
+}
+
 /// A move that begins on a line begins a rounding next to it, and one in ten such moves stepped down and up again in float.
 fn a_move_from_a_line<R: Real>() {
     let [jerk, acceleration, velocity, one] = [24.0, 8.0, 4.0, 1.0].map(R::of);

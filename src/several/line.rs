@@ -24,7 +24,7 @@ pub fn line<R: Real>(
     let limits = line.tightest(ends.clone())?;
     limits.check(line.from, line.to)?;
     line.check(ends.clone())?;
-    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.positions);
+    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.finest(ends.clone()));
     let mut lead = Move::default();
     problem.write(&mut lead, &problem.fastest())?;
     let slowest = duration.at_least(lead.t);
@@ -136,6 +136,14 @@ impl<'a, R: Real + 'a> Line<R> {
         } else {
             Share { times: R::ZERO, rounding: R::ZERO }
         }
+    }
+
+    /// The sum of the magnitudes of the lead's positions, but at most 16 times that of the axis which rounds least, as the lead sees it. What is
+    /// a rounding of a coarse axis would be a jump of a fine one.
+    fn finest(&self, ends: impl Iterator<Item = Axis<'a, R>>) -> R {
+        let seen =
+            ends.map(|(_, (from, to))| (from.position.abs() + to.position.abs()) / self.share(from, to).times.abs());
+        seen.fold(self.positions, |finest, positions| (R::from(16) * positions).at_most(finest))
     }
 
     /// The limits of the lead that keep the limits of all axes.

@@ -40,6 +40,8 @@ mod is_a_signal_followed_as_near;
 mod is_a_step_lost;
 #[path = "tests/is_a_wrong_motion_seen.rs"]
 mod is_a_wrong_motion_seen;
+#[path = "tests/is_each_phase_exact.rs"]
+mod is_each_phase_exact;
 #[path = "tests/is_the_fastest_motion_right.rs"]
 mod is_the_fastest_motion_right;
 #[path = "tests/is_the_original_golden.rs"]

@@ -21,6 +21,7 @@ macro_rules! listed {
 }
 
 pub mod axes;
+pub mod exact;
 pub mod faults;
 pub mod inside;
 pub mod path;

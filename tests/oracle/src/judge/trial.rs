@@ -1,6 +1,7 @@
 //! What is wrong with a motion: longer, shorter or other than the reference solver's, a jump, a limit that it leaves, an end that it misses,
 //! other durations if it is mirrored or in other units.
 
+use super::exact::Misses;
 use super::planner::{Plan, Planner};
 use super::problem::{Problem, Request};
 use super::problems::Kind;
@@ -297,7 +298,14 @@ impl<R: Original> Trial<R> {
             self.jumps(planned, &walk, &scale)
                 .or_else(|| self.leaves_limits(planned, &walk, &scale))
                 .or_else(|| wrong_evaluation(plan, &walk, &scale, random))
+                .or_else(|| self.misses(plan, more, random))
         })
+    }
+
+    /// Whether the exact motion jumps or misses its end. Exact arithmetic takes long, so one motion in 16 is asked.
+    fn misses(&self, plan: &Plan<R>, more: &Scale, random: &mut Random) -> Option<&'static str> {
+        let jumps = || Misses::of(&self.problem, plan, more).jump() > 64.0;
+        (random.one_in(16) && jumps()).then_some("the exact motion jumps or misses its end")
     }
 
     /// The integrated motion and its scale, with `more`.
