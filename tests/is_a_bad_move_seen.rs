@@ -227,9 +227,49 @@ fn one_ramp_has_a_jerk<R: Real>() {
     }
 }
 
+/// A move of these phases: start, duration, position, velocity, acceleration and jerk. The last one is the end.
+fn of_phases<R: Real>(rows: &[[f64; 6]]) -> Move<R> {
+    let mut planned = Move { count: rows.len() as u32 - 1, ..Move::default() };
+    for (phase, row) in planned.phase.iter_mut().zip(rows) {
+        let [start, duration, position, velocity, acceleration, jerk] = row.map(R::of);
+        *phase = Phase { start, duration, position, velocity, acceleration, jerk };
+        planned.t = start;
+    }
+    planned
+}
+
+/// The second phase ends 128 ulps above the limit, and the third one begins only 64 above it.
+fn a_phase_may_end_too_fast<R: Real>() {
+    let few = 384.0 * R::MACHINE_EPSILON.widen();
+    let planned = of_phases::<R>(&[
+        [0.0, 0.0, 0.0, 2.0 * few, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 2.0 * few, 0.0, 1.0],
+        [1.0, 1.0, 1.0 / 6.0, 0.5 + 2.0 * few, 1.0, -1.0],
+        [2.0, 1.0, 1.0, 1.0 + few, 0.0, -1.0],
+        [3.0, 1.0, 11.0 / 6.0, 0.5, -1.0, 1.0],
+        [4.0, 0.0, 2.0, 0.0, 0.0, 0.0],
+    ]);
+    let found = planned.check(&Limits::symmetric(R::ONE, R::ONE, R::ONE));
+    assert!(found.is_ok_and(|found| found.contains(Findings::EXCEEDS_VELOCITY)), "{found:?}");
+}
+
+/// A start that does not last would accelerate until the next phase begins, 64 ulps of the duration later.
+fn a_phase_of_no_duration_has_no_gap<R: Real>() {
+    let gap = 64e3 * R::MACHINE_EPSILON.widen();
+    let planned = of_phases::<R>(&[
+        [0.0, 0.0, 0.0, 1.0, 10.0, 0.0],
+        [gap, 0.1, 0.0, 1.0, -10.0, 0.0],
+        [gap + 0.1, 999.9 - gap, 0.05, 0.0, 0.0, 0.0],
+        [1000.0, 0.0, 0.05, 0.0, 0.0, 0.0],
+    ]);
+    let endless = R::of(f64::INFINITY);
+    let found = planned.check(&Limits::symmetric(endless, R::of(10.0), R::ONE));
+    assert!(found.is_ok_and(|found| found.contains(Findings::JUMPS)), "{found:?}");
+}
+
 test_both_reals!(
     every_fault_is_seen, what_is_no_number_is_refused, spoiled_profiles_are_seen, a_cruise_needs_no_acceleration,
-    one_ramp_has_a_jerk
+    one_ramp_has_a_jerk, a_phase_may_end_too_fast, a_phase_of_no_duration_has_no_gap
 );
 
 /// A set is written as a sentence for each finding, and for the programmer as their names.

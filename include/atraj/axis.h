@@ -22,8 +22,8 @@ extern "C" {
 #endif /* __cplusplus */
 
 /**
- * @brief Put an axis in the state `now`. It stays there until a plan takes over. Neither main loop nor interrupt may
- * use the axis meanwhile.
+ * @brief Put an axis in the state `now`. An axis in motion goes on until a plan takes over. Neither main loop nor
+ * interrupt may use the axis meanwhile.
  * @param period from one tick to the next, s
  * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_DURATION` if the period is not above 0 or not finite,
  * or `ATRAJ_ERR_NOT_FINITE`

@@ -38,8 +38,8 @@ extern "C" {
 #endif /* __cplusplus */
 
 /**
- * @brief Put `n` axes in their states. They stay there until a plan takes over. Neither main loop nor interrupt may use
- * the group meanwhile.
+ * @brief Put `n` axes in their states. Those in motion go on until a plan takes over. Neither main loop nor
+ * interrupt may use the group meanwhile.
  * @param period from one tick to the next, s
  * @param states points to the states of the `n` axes. They are the group's from now on.
  * @param moves points to room for `3 * n` moves, which need not be initialised. It is the group's from now on.

@@ -52,12 +52,7 @@ impl<R: Real> Axis<R> {
 
     /// Does what [`Axis::new`] does, in place. On an error the axis stays as it is.
     pub(crate) fn init(&mut self, period: R, state: State<R>) -> Result<(), Error> {
-        if !(period > R::ZERO && period.is_finite()) {
-            return Err(Error::Duration);
-        }
-        if !state.is_finite() {
-            return Err(Error::NotFinite);
-        }
+        are_ticked(period, &[state])?;
         self.handover = Handover::new();
         self.period = period;
         self.moves[0].get_mut().stay(state);
@@ -134,6 +129,17 @@ impl<'a, R: Real> Planner<'a, R> {
         let from = in_force.state_at(elapsed(period, takeover.from));
         let findings = plan(next, from, ahead(period, &takeover))?;
         if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
+    }
+}
+
+/// Whether axes in these states can get a tick every `period`, s.
+pub(super) fn are_ticked<R: Real>(period: R, states: &[State<R>]) -> Result<(), Error> {
+    if !(period > R::ZERO && period.is_finite()) {
+        Err(Error::Duration)
+    } else if !states.iter().all(|state| state.is_finite()) {
+        Err(Error::NotFinite)
+    } else {
+        Ok(())
     }
 }
 

@@ -1,6 +1,6 @@
 //! Axes that move together while the next motion is planned: on one line, on a path, or each for itself.
 
-use super::axis::elapsed;
+use super::axis::{are_ticked, elapsed};
 use super::change::Change;
 use super::clock::{Clock, state_on_path};
 use super::handover::{Handover, Moment, at};
@@ -50,6 +50,9 @@ pub struct Group<'a, R> {
     /// The motions at their places. The handover says who may use which one.
     pub(crate) courses: [UnsafeCell<Course<'a, R>>; 3],
 }
+
+/// The memory of the caller: the states of the axes, and room for their moves at each place.
+type Memory<'a, R> = (&'a [Cell<State<R>>], &'a [Cell<Move<R>>]);
 
 /// What the axes follow at a place: its moves or a path, by a clock.
 #[derive(Debug)]
@@ -110,19 +113,13 @@ impl<'a, R: Real> Group<'a, R> {
     }
 
     /// Checks the arguments, and makes the axes go on as they are.
-    #[expect(clippy::type_complexity, reason = "two slices")]
     pub(crate) fn prepare(
         period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>],
-    ) -> Result<(&'a [Cell<State<R>>], &'a [Cell<Move<R>>]), Error> {
-        if states.is_empty() || moves.len() / 3 != states.len() || moves.len() != 3 * states.len() {
+    ) -> Result<Memory<'a, R>, Error> {
+        if states.is_empty() || moves.len() != 3 * states.len() {
             return Err(Error::Axes);
         }
-        if !(period > R::ZERO && period.is_finite()) {
-            return Err(Error::Duration);
-        }
-        if !states.iter().all(|state| state.is_finite()) {
-            return Err(Error::NotFinite);
-        }
+        are_ticked(period, states)?;
         // All three places, because moves are copied whole.
         for (axis, state) in moves.iter_mut().zip(states.iter().cycle()) {
             *axis = Move::default();
@@ -279,6 +276,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
                     return Ok(found);
                 }
             }
+            // The moves in force stand in the place of the stops.
             next.stop_each(from, limits)
         })
     }

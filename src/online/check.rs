@@ -21,9 +21,9 @@ impl<R: Real> Move<R> {
     /// A move that starts outside the limits has the finding of what it exceeds, and [`Findings::STARTS_OUTSIDE`]. [`Error::NotFinite`] if
     /// a number of the move is not finite or a limit is NaN, [`Error::Limits`] if the limits are not around 0.
     ///
-    /// Up to 64 ulps are allowed: of |p| + |v| T for positions; for velocities of |v|, what the accelerations add and what the limits
-    /// allow in the time T of the move; of |a| + |j| T for accelerations, where a step counts the limit of the jerk; of the limits for
-    /// jerks; 128 where the move turns outside of its ends.
+    /// Up to 64 ulps are allowed: of |p| + |v| T for positions; for velocities of |v|, what the accelerations add, the velocities in which the
+    /// jerk ends those at the start and at the end, and what the limits allow in the time T of the move; of |a| + |j| T for accelerations, where
+    /// a step counts the limit of the jerk; of the limits for jerks; 128 where the move turns outside of its ends.
     ///
     /// ```
     /// use atraj::Findings;
@@ -49,7 +49,9 @@ impl<R: Real> Move<R> {
         let exceeds = |x: R, y: R, low: R, high: R, rounding: R| x < low - few * rounding || y > high + few * rounding;
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (a0, a1) = (lowest.acceleration, highest.acceleration);
-        let (v0, v1) = (lowest.velocity, highest.velocity);
+        // A phase may end faster than the next one begins.
+        let ends = self.phases().iter().map(|phase| phase.velocity(phase.duration));
+        let (v0, v1) = ends.fold((lowest.velocity, highest.velocity), |(v0, v1), v| (v.at_most(v0), v.at_least(v1)));
         Ok(Findings::EXCEEDS_JERK.when(self.exceeds_jerk(limits, &scale))
             | Findings::EXCEEDS_ACCELERATION.when(exceeds(a0, a1, amin, amax, scale.acceleration))
             | Findings::EXCEEDS_VELOCITY.when(exceeds(v0, v1, vmin, vmax, scale.velocity))
@@ -100,10 +102,11 @@ impl<R: Real> Move<R> {
 
     /// Whether the phases do not follow each other in time, from 0 to `t`.
     fn is_no_sequence(&self) -> bool {
-        let late = R::DOUBT * self.t;
         let (start, end) = (&self.phase[0], self.phase.get(self.phase_count()));
         let follow = self.neighbours().all(|(before, after)| {
             let gap = after.start - (before.start + before.duration);
+            // A phase of no duration would go on in a gap.
+            let late = if before.duration > R::ZERO { R::DOUBT * self.t } else { R::ZERO };
             before.duration >= R::ZERO && before.start <= after.start && gap.abs() <= late
         });
         let ends = end.is_some_and(|end| end.start == self.t && end.duration == R::ZERO && end.jerk == R::ZERO);

@@ -229,7 +229,9 @@ pub unsafe extern "C" fn atraj_move_extremes(
 ///
 /// A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and has nothing in
 /// common with the planners. Up to 64 ulps are allowed: of `|p| + |v| t` for positions; for velocities of `|v|`, what the accelerations
-/// add and what the limits allow in the time of the move; of `|a| + |j| t` for accelerations; of the limits for jerks.
+/// add, the velocities in which the jerk ends those at the start and at the end, and what the limits allow in the time of the move; of
+/// `|a| + |j| t` for accelerations, where a step counts the limit of the jerk; of the limits for jerks; 128 where the move turns outside of
+/// its ends. What a 0 proves is in `proofs/README.md`.
 /// @return 0 or a sum of `atraj_finding`, also the ones of a plan; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_NOT_FINITE` if a
 /// number of the move is not finite or a limit is not a number
 #[unsafe(no_mangle)]
