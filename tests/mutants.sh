@@ -40,7 +40,7 @@ RUSTFLAGS="$RUSTFLAGS --cfg unit_lacks_binary64" again soft src/real/soft.rs
 
 # Wilson's interval. A survivor is known if the table has a row for it: file and change, without the line.
 cd "$out"
-sort -u {all,compact,soft}/mutants.out/{caught,timeout}.txt 2> /dev/null > found.txt || true
+{ cat {all,compact,soft}/mutants.out/{caught,timeout}.txt 2> /dev/null || true; } | sort -u > found.txt
 sort all/mutants.out/missed.txt | comm -23 - found.txt > missed.txt
 awk -v unviable="$(wc -l < all/mutants.out/unviable.txt)" -v found="$(wc -l < found.txt)" -v missed="$(wc -l < missed.txt)" 'BEGIN {
     n = found + missed; if (!n) exit; p = found / n; z = 1.959964

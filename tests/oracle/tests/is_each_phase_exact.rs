@@ -1,5 +1,5 @@
 //! In exact arithmetic: does each motion begin at its start, end at its target, keep the limits and go as far as its time allows? Two thousand
-//! of every function that plans, in each real type; `cargo run -p measure --bin referee` asks a million.
+//! of every function that plans, in each real type; `cargo run -p measure --bin exact` asks a million.
 
 use oracle::judge::exact::Row;
 use oracle::judge::faults::Fault;

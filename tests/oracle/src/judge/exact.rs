@@ -1,4 +1,4 @@
-//! The referee: it follows the phases of a plan without rounding. Every number of a plan is a whole number times a power of two, so the states
+//! The exact judge: it follows the phases of a plan without rounding. Every number of a plan is a whole number times a power of two, so the states
 //! at the borders of the phases are exact. Only where the axis turns, or is fastest, within a phase, a root or a quotient is taken, to 500 bits.
 
 use super::axes::problems::Sets;

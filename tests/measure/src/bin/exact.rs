@@ -1,5 +1,5 @@
-//! `referee <motions>`: by how many roundings the worst of so many motions of each kind misses what it promises, in exact arithmetic, and how
-//! many of them are extremal. It prints the rows of docs/data/referee.csv.
+//! `exact <motions>`: by how many roundings the worst of so many motions of each kind misses what it promises, in exact arithmetic, and how
+//! many of them are extremal. It prints the rows of docs/data/exact.csv.
 
 use oracle::judge::exact::Row;
 use std::thread;
