@@ -113,6 +113,7 @@ void move() {
     limits.init(30, 10, 5);
     atraj_limits_init(&plain, 30, 10, 5);
     PROMISE(same(limits, plain));
+    PROMISE(same(atraj::limits::symmetric(30, 10, 5), plain));
 
     const atraj::state from = {1, 2, 3}, to = {10, -1, 2}, part = {2, 1, 0};
     atraj::move method;

@@ -15,9 +15,8 @@ int main()
 {
     const atraj::state ahead = {10, 0, 0}, behind = {-2, 0, 0}; // m, m/s, m/s^2
     atraj::state now = {0, 0, 0};
-    atraj::limits limits;
     atraj::move move;
-    limits.init(30, 10, 5);
+    const atraj::limits limits = atraj::limits::symmetric(30, 10, 5);
     int found = move.plan(limits, now, ahead); // below 0: an error
     std::puts("Retargeted and stopped: to 10 m, at 0.7 s to -2 m, at 1.8 s to a stop");
     std::puts("within 5 m/s, 10 m/s^2, 30 m/s^3");

@@ -34,10 +34,9 @@ static atraj::state sensor(double t)
 int main()
 {
     atraj::state now = {0, 0, 0};
-    atraj::limits limits;
     atraj::move move;
     int found = 0; // below 0: an error
-    limits.init(200, 10, 1);
+    const atraj::limits limits = atraj::limits::symmetric(200, 10, 1);
     std::puts("Following a sensor: noise of 1 mm and 1 cm/s, a jump at 1.5 s, a plan every millisecond");
     std::puts("within 1 m/s, 10 m/s^2, 200 m/s^3");
     for (int tick = 0; found >= 0 && tick <= 3000; ++tick)

@@ -15,11 +15,10 @@ int main()
 {
     const atraj::state home = {0, 0, 0};
     atraj::state now = home, part = {0.5, 0.4, 0}; // m, m/s; the belt does not accelerate
-    atraj::limits limits;
     atraj::move move;
     int start = 0;
     bool goes_home = false;
-    limits.init(50, 5, 2);
+    const atraj::limits limits = atraj::limits::symmetric(50, 5, 2);
     int found = move.meet(limits, now, part); // below 0: an error
     std::puts("Meeting a part on a conveyor: the belt gets faster, the axis rides beside the part and goes home");
     std::puts("within 2 m/s, 5 m/s^2, 50 m/s^3");

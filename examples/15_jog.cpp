@@ -17,10 +17,9 @@ int main()
 {
     const atraj::state start = {0, 0, 0}, lowest = {-0.2, 0, 0}, highest = {1, 0, 0}; // m, m/s, m/s^2
     atraj::state now = start;
-    atraj::limits limits;
     atraj::axis axis;
     int found = axis.init(PERIOD, start); // below 0: an error
-    limits.init(30, 3, 0.5);
+    const atraj::limits limits = atraj::limits::symmetric(30, 3, 0.5);
     std::puts("Jogging between soft stops: up and let go, up to the stop, down to the other one");
     std::puts("within -0.2 m, +1 m, 0.5 m/s, 3 m/s^2, 30 m/s^3");
     for (int tick = 0; found >= 0 && tick <= 7000; ++tick)

@@ -21,10 +21,9 @@ int main()
 {
     enum { FAST, BACK, SLOW, BESIDE } step = FAST;
     atraj::state now = {0, 0, 0}, beside = {0, 0, 0}; // m, m/s, m/s^2
-    atraj::limits limits;
     atraj::axis axis;
     int found = axis.init(PERIOD, now); // below 0: an error
-    limits.init(50, 2, 0.2);
+    const atraj::limits limits = atraj::limits::symmetric(50, 2, 0.2);
     std::puts("Homing on a switch: fast onto it, back, slowly onto it, and 0.1 m beside it");
     std::puts("within 0.2 m/s, 2 m/s^2, 50 m/s^3");
     if (found >= 0) { found = axis.reach(limits, -0.2, 0, LEAD); }

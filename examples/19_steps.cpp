@@ -33,10 +33,9 @@ int main()
     const int there = 100, back = 50; // steps
     const atraj::state home = {0, 0, 0}, half = {100 * STEP, 0, 0}, quarter = {50 * STEP, 0, 0}; // deg
     const double wait = 0.05; // s
-    atraj::limits limits;
     atraj::move move;
     int found; // below 0: an error
-    limits.init(200000, 10000, 1000);
+    const atraj::limits limits = atraj::limits::symmetric(200000, 10000, 1000);
     std::puts("Pulses for a stepper motor: half a revolution, and a quarter back");
     std::puts("within 1000 deg/s");
     found = move.plan(limits, home, half);

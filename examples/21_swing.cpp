@@ -29,12 +29,11 @@ struct load
 int main()
 {
     const atraj::state from = {0, 0, 0}, to = {0.5, 0, 0}; // m
-    atraj::limits limits;
     atraj::move move;
     atraj::shaper shaper;
     load shaped = {0, 0}, plain = {0, 0};
     double most_shaped = 0, most_plain = 0; // m
-    limits.init(40, 4, 1); // jerk, acceleration, velocity
+    const atraj::limits limits = atraj::limits::symmetric(40, 4, 1); // jerk, acceleration, velocity
     if (move.plan(limits, from, to) < 0) { return 1; }
     if (shaper.init(ATRAJ_SHAPER_ZV, 1.2, 0.01) < 0) { return 1; }
     std::puts("A load that swings: with a shaper, and without one");

@@ -312,6 +312,12 @@ struct atraj_limits {
     a_float jmin;
 #if defined(__cplusplus)
     void init(a_float jm, a_float am, a_float vm) { atraj_limits_init(this, jm, am, vm); }
+    static atraj_limits symmetric(a_float jm, a_float am, a_float vm)
+    {
+        atraj_limits limits;
+        limits.init(jm, am, vm);
+        return limits;
+    }
 #endif /* __cplusplus */
 };
 
