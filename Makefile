@@ -283,6 +283,7 @@ APART := $(filter-out $(shell sed -n 's/^mod \(.*\);/\1/p' tests/oracle/whole.rs
 check:
 	$(CARGO) test --locked -p atraj -p house
 	$(CARGO) test $(ORACLE) --lib $(addprefix --test ,whole $(APART)) -- --nocapture
+	$(CARGO) run --quiet --locked --profile oracle -p measure --bin every_float 1009
 	$(CARGO) test --locked --profile oracle -p handover -p pointers -- --nocapture
 	for features in float poly-compact float,poly-compact; do \
 	    $(CARGO) test $(ORACLE) --features $$features --test does_the_c_abi_agree -- --nocapture || exit 1; done

@@ -6,11 +6,12 @@ cd "$(dirname "$0")/../.."
 book=$1
 source=$book/src
 rm -rf "$book"
-mkdir -p "$source/examples" "$source/tests"
+mkdir -p "$source/examples" "$source/tests" "$source/proofs"
 cp docs/site/book.toml docs/site/style.css docs/site/access.js "$book"
 cp README.md CONTRIBUTING.md CHANGELOG.md "$source"
 cp -R docs "$source"
 cp examples/README.md "$source/examples"
+cp proofs/README.md "$source/proofs"
 { cat tests/README.md && tests/map.sh; } > "$source/tests/README.md"
 for page in docs/*.md; do awk -v from=docs -f docs/site/tables.awk "$page" > "$source/$page"; done
 

@@ -236,7 +236,7 @@ impl<R: Real> Impulses<R> {
             ShaperKind::Ei => (3, quarter * (R::ONE + left), half * (R::ONE - left), half),
             ShaperKind::Ei2 => {
                 let square = left * left;
-                let x = cube_root(square * (R::ONE + (R::ONE - square).sqrt()));
+                let x = (square * (R::ONE + (R::ONE - square).sqrt())).cube_root();
                 let three = R::from(3);
                 let outer = (three * x * x + (x + x) + three * square) / (R::from(16) * x);
                 (4, outer, half - outer, half)
@@ -270,14 +270,4 @@ impl<R: Real> Impulses<R> {
         let step = self.period * self.spacing;
         (0..self.count).map(move |k| (weight(k) / sum, step * R::from(k as u8)))
     }
-}
-
-/// The cube root of a number above 0. Each step of Newton's method doubles the digits, and the first four are right.
-fn cube_root<R: Real>(x: R) -> R {
-    let mut root = x.cube_root_above();
-    for _ in 0..2 {
-        let square = root * root;
-        root = root - (root * square - x) / (square + square + square);
-    }
-    root
 }
