@@ -264,7 +264,7 @@ cargo_package() {
     test "$(wc -c < "target/package/atraj-$version.crate")" -lt 500000
     tar tzf "target/package/atraj-$version.crate" | sed "s|^atraj-$version/||" > files
     for file in src/lib.rs LICENSE-MIT LICENSE-APACHE; do grep -x $file files; done
-    test -z "$(grep -vE '^(src|include|examples|docs)/|^(tests/README\.md|build\.rs|[A-Z]+\.md|LICENSE-[A-Z]+.*|Cargo\..*|\.cargo_vcs_info\.json)$' files)"
+    test -z "$(grep -vE '^(src|include|examples|docs)/|^((tests|proofs)/README\.md|build\.rs|[A-Z]+\.md|LICENSE-[A-Z]+.*|Cargo\..*|\.cargo_vcs_info\.json)$' files)"
 }
 
 # --- the matrix
