@@ -1,6 +1,6 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::axes::{improve_path, line, path_size, plan_path, synchronise, synchronise_within};
+use atraj::axes::{improve_path, line, path_moves, path_size, plan_path, synchronise, synchronise_within};
 use atraj::machine::{Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
@@ -536,6 +536,23 @@ fn a_planned_path_is_improved() {
     plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work).expect("a plan");
     improve_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
     assert!(durations.iter().all(|duration| duration.is_finite()));
+}
+
+/// The last two points are one, and at the end the axis will unavoidably exceed its highest velocity. Such paths were refused.
+#[test]
+#[rustfmt::skip]
+fn a_path_ends_in_motion_where_points_repeat() {
+    let limits = [limits([0.5753891452295397, -0.4693706914595231, 5.219830201836766, -2.904096037263661, 3.4864495457851166, -1.3484579961587138])];
+    let at = |position: f64| State::at(position);
+    let end = state([-5.5, 0.21625878294708914, 1.7481673456066475]);
+    let mut states = [at(-2.7), at(-3.8), at(-5.5), end];
+    let (mut durations, mut work) = ([0.0; 3], vec![0.0; path_size(1, 3).expect("a size")]);
+    let found = plan_path(&mut states, &mut durations, &limits, 1, 0, &mut work).expect("a plan");
+    assert_eq!(found, Findings::ENDS_LEAVING);
+    let mut moves = [Move::default(); 3];
+    path_moves(&mut moves, &limits, &states, &durations, 1).expect("moves");
+    assert_eq!(moves[2].state_at(moves[2].t), end);
+    assert!(durations.iter().sum::<f64>() < 8.7);
 }
 
 /// The target is within 63 ulps of the start, and both velocities are equal or differ by some ulps. A double-S between equal velocities whose

@@ -45,9 +45,8 @@ A_EXTERN size_t atraj_path_size(size_t axes, size_t sections);
  * @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48
  * @param work points to `atraj_path_size(axes, sections)` numbers, which need not be initialised
  * @return 0, or a sum of `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis as
- * `atraj_moves_sync` returns it, `ATRAJ_ERR_TARGET` also if points repeat at an end at which an axis will unavoidably exceed
- * its limits, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `atraj_path_size` is 0. On an error nothing but `work` is
- * written.
+ * `atraj_moves_sync` returns it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `atraj_path_size` is 0. On an error nothing
+ * but `work` is written.
  */
 A_EXTERN
 int atraj_path_plan(atraj_state *states,

@@ -70,17 +70,7 @@ impl<'a, R: Real> Request<'a, R> {
         limits.try_for_each(Limits::are_limits)?;
         for axis in 0..self.axes {
             let end = self.state(self.sections, axis);
-            // The end lasts while nothing moves any more.
-            let mut section = self.sections - 1;
-            self.limits(section, axis)?.check(self.state(0, axis), end)?;
-            while section > 0 && !self.moves(section) {
-                // An axis that will unavoidably exceed its limits cannot stay.
-                if self.limits(section, axis)?.are_left_after(end) {
-                    return Err(Error::Target);
-                }
-                section -= 1;
-                self.limits(section, axis)?.check(end, end)?;
-            }
+            self.limits(self.sections - 1, axis)?.check(self.state(0, axis), end)?;
         }
         let mut ways = self.states.iter().zip(self.states.iter().skip(self.axes));
         let is_finite = ways.all(|(from, to)| (to.position - from.position).is_finite());
@@ -93,23 +83,32 @@ impl<'a, R: Real> Request<'a, R> {
         (0..self.axes).any(|axis| way(axis) != R::ZERO)
     }
 
-    /// Whether all axes can stay in the state of the start.
-    fn can_stay(&self, section: usize) -> bool {
+    /// Whether all axes can stay in their states at a point while a section lasts.
+    fn can_stay(&self, point: usize, section: usize) -> bool {
         let mut axes = 0..self.axes;
         axes.all(|axis| {
-            let start = self.state(0, axis);
+            let state = self.state(point, axis);
             let limits = self.limits(section, axis);
-            limits.is_ok_and(|limits| limits.check(start, start).is_ok() && !limits.are_left_after(start))
+            limits.is_ok_and(|limits| limits.check(state, state).is_ok() && !limits.are_left_after(state))
         })
     }
 
-    /// Which sections last: each section in which an axis moves, and one in which the start returns within its limits. If none does, the last one.
+    /// Whether all axes can have the state of the end since the last section in which one moves.
+    fn can_end_early(&self) -> bool {
+        let last = self.sections - 1;
+        let moving = (0..last).rfind(|&section| self.moves(section)).unwrap_or(0);
+        (moving..=last).all(|section| self.can_stay(self.sections, section))
+    }
+
+    /// Which sections last: each section in which an axis moves, one in which the start returns within its limits, and the last one if the end
+    /// is not possible before. If none does, the last one.
     fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
         let mut has_begun = false;
         let last = self.sections - 1;
+        let ends = !self.can_end_early();
         (0..self.sections).filter(move |&section| {
-            let begins = !has_begun && (section == last || !self.can_stay(section));
-            let lasts = begins || self.moves(section) || section == 0 && self.is_begun;
+            let begins = !has_begun && (section == last || !self.can_stay(0, section));
+            let lasts = begins || self.moves(section) || section == 0 && self.is_begun || section == last && ends;
             has_begun = has_begun || lasts;
             lasts
         })

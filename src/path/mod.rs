@@ -51,8 +51,8 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// [`path_moves`] makes the motions of the sections. A point whose state is given splits a path into two.
 ///
 /// Returns [`Findings::STARTS_OUTSIDE`] if an axis starts outside its limits, and [`Findings::ENDS_LEAVING`] if an axis will unavoidably exceed
-/// them after the end. [`Error::Axes`] if the lengths do not fit together; [`Error::Target`] also if points repeat at an end at which an axis will
-/// unavoidably exceed its limits; the others as for [`synchronise`](crate::axes::synchronise). On an error nothing but `work` is written.
+/// them after the end. [`Error::Axes`] if the lengths do not fit together; the others as for [`synchronise`](crate::axes::synchronise). On an error
+/// nothing but `work` is written.
 ///
 /// ```
 /// use atraj::axes::{path_moves, path_size, plan_path};
