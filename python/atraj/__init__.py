@@ -48,6 +48,7 @@ line_stop = f64.line_stop
 Path = f64.Path
 path = f64.path
 Clock = f64.Clock
+Group = f64.Group
 Shaper = f64.Shaper
 Shaped = f64.Shaped
 Steps = f64.Steps
@@ -61,6 +62,7 @@ __all__ = [
     "Clock",
     "Extremes",
     "Findings",
+    "Group",
     "Limits",
     "Move",
     "Moves",

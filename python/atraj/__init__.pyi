@@ -592,6 +592,53 @@ class Clock:
         """`Samples` as of `Moves`, with the time `start + k*dt`, s. A clock that holds never ends, so `n` is needed."""
 
 @final
+class Group:
+    """Several axes that follow one plan after another, as a machine does: in each cycle of a control loop `tick` gives the next setpoints, and
+    between two ticks another motion may be planned.
+
+    `Group(period, states)` has an axis for each of the `states`, and a tick every `period`, s. A plan starts from the states that the axes will
+    have after `lead` ticks, and all axes take it over together, in this tick. No axis exceeds its limits, and nothing jumps. Each plan returns
+    `Findings`, or ValueError says why it is refused, and the motion goes on. A group keeps the moves of its paths as long as it lives.
+
+    >>> import atraj
+    >>> limits = [atraj.Limits(jerk=20, acceleration=4, velocity=1)] * 2
+    >>> planned = [atraj.Limits(jerk=17, acceleration=3.4, velocity=0.85)] * 2 # with a reserve for holds
+    >>> cell = atraj.Group(0.002, [0, 0])
+    >>> found = cell.line(planned, [0.8, 0.4])
+    >>> for _ in range(300):
+    ...     states = cell.tick()
+    >>> found = cell.rate(limits, 0) # feed hold
+    >>> while not cell.done:
+    ...     states = cell.tick()
+    >>> [state.velocity for state in states]
+    [0.0, 0.0]
+    >>> found = cell.rate(limits, 1) # and on
+    >>> while not cell.done:
+    ...     states = cell.tick()
+    >>> [state.position for state in states]
+    [0.8, 0.4]"""
+    def __new__(cls, period: float, states: _States) -> Self: ...
+    def __len__(self) -> int: ...
+    def tick(self) -> list[State]:
+        """The next setpoints: a `State` for each axis. Call it once in each cycle."""
+    @property
+    def done(self) -> bool:
+        """Whether the motion is at its end, at the targets or in a hold, and no plan waits for its tick."""
+    def go(self, limits: _LimitsOfAxes, targets: _States, *, lead: int = 1) -> Findings:
+        """Each axis goes to its state by its fastest move. `limits` and `targets` have an item for each axis."""
+    def synchronise(self, limits: _LimitsOfAxes, targets: _States, *, lead: int = 1) -> Findings:
+        """As `go`, but all axes arrive in the same tick."""
+    def line(self, limits: _LimitsOfAxes, targets: _States, *, lead: int = 1) -> Findings:
+        """As `go`, but on the straight line to the targets."""
+    def path(self, limits: _LimitsOfAxes, path: Axes, *, begun: float = 0.0, lead: int = 1) -> Findings:
+        """Follows a `Path` or `Moves` from their time `begun` on, s. The axes must be there: another path may take over while the axes move, if it
+        has their states at this time."""
+    def rate(self, limits: _LimitsOfAxes, rate: float, *, lead: int = 1) -> Findings:
+        """Goes to another rate on the line or path: 1 as planned, 0 hold, 0.5 half as fast, -1 back. `limits` are those of the plan and a reserve."""
+    def stop(self, limits: _LimitsOfAxes, *, lead: int = 1) -> Findings:
+        """Stops on the line or path where that is not much slower, else each axis at once."""
+
+@final
 class Shaper:
     """An input shaper: a mean of a move at several times, which leaves little vibration at its frequencies.
 
@@ -663,6 +710,7 @@ __all__ = [
     "Clock",
     "Extremes",
     "Findings",
+    "Group",
     "Limits",
     "Move",
     "Moves",

@@ -25,6 +25,7 @@ line_stop = f32.line_stop
 Path = f32.Path
 path = f32.path
 Clock = f32.Clock
+Group = f32.Group
 Shaper = f32.Shaper
 Shaped = f32.Shaped
 Steps = f32.Steps
@@ -34,6 +35,7 @@ __all__ = [
     "Axes",
     "Bell",
     "Clock",
+    "Group",
     "Move",
     "Moves",
     "Path",

@@ -15,6 +15,7 @@ use pyo3::types::PyString;
 mod binary64 {
     type Real = f64;
     pub mod axes;
+    pub mod group;
     pub mod machine;
     pub mod online;
     pub mod path;
@@ -24,6 +25,7 @@ mod binary64 {
 mod binary32 {
     type Real = f32;
     pub mod axes;
+    pub mod group;
     pub mod machine;
     pub mod online;
     pub mod path;
@@ -37,14 +39,16 @@ fn _atraj(module: &Bound<'_, PyModule>) -> PyResult<()> {
         binary64::online::add(part)?;
         binary64::axes::add(part)?;
         binary64::path::add(part)?;
-        binary64::machine::add(part)
+        binary64::machine::add(part)?;
+        binary64::group::add(part)
     })?;
     add_part(module, "f32", "atraj.f32", |part| {
         binary32::profiles::add(part)?;
         binary32::online::add(part)?;
         binary32::axes::add(part)?;
         binary32::path::add(part)?;
-        binary32::machine::add(part)
+        binary32::machine::add(part)?;
+        binary32::group::add(part)
     })?;
     add_part(module, "claraty", "atraj.claraty", |part| part.add_class::<claraty::Trajectory>())
 }

@@ -2,6 +2,7 @@
 
 import copy
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -44,9 +45,14 @@ def test_a_clock_holds_and_goes_on(real):
 @reals
 def test_a_copied_clock_goes_its_own_way(real):
     clock = real.module.Clock(LIMITS, real.module.synchronise(PLANNED, [0, 0], [0.8, -0.4]))
-    for copied in [copy.copy(clock), copy.deepcopy(clock)]:
+    for copied in [copy.copy(clock), copy.deepcopy(clock), pickle.loads(pickle.dumps(clock))]:
         copied.rate(0.5, 0)
         assert copied.time(9) < 1 and clock.time(9) == 9
+        copied.rebase(copied.until)
+        copied.rate(1, 0.5)
+        again = pickle.loads(pickle.dumps(copied))
+        assert type(again) is real.module.Clock and again.until == copied.until
+        assert real.bits(again.sample(0.01, n=200).p) == real.bits(copied.sample(0.01, n=200).p)
 
 
 @reals
@@ -126,6 +132,10 @@ def test_no_step_is_lost(real):
     steps = real.module.Steps(move, 0.005, 0.01)
     first = steps.count
     ahead = copy.copy(steps)
+    next(ahead)
+    again = pickle.loads(pickle.dumps(ahead))
+    assert again.count == ahead.count and next(copy.copy(ahead)) == next(copy.copy(again))
+    ahead = copy.copy(steps)
     taken = list(steps)
     assert [step.direction for step in ahead] == [step.direction for step in taken]
     assert {step.direction for step in taken} == {1, -1}
@@ -140,3 +150,69 @@ def test_no_step_is_lost(real):
     for offset, step, message in [(0, 0, "^step = 0 is not a number above 0"), (math.nan, 1, "^offset = NaN"), (0, 1e-12, "too small")]:
         with pytest.raises(ValueError, match=message):
             real.module.Steps(move, offset, step)
+
+
+def run(cell, ticks=10_000):
+    """Ticks until the motion is at its end: an array of states, tick by tick."""
+    states = []
+    while not cell.done and len(states) < ticks:
+        states.append(cell.tick())
+    assert cell.done
+    return np.array(states)
+
+
+@reals
+def test_a_group_works_in_a_cell(real):
+    rounding, period = (1e-4 if real.dtype == np.float32 else 1e-9), 0.002
+    cell = real.module.Group(period, [0, (0.1, 0, 0)])
+    assert len(cell) == 2 and cell.done and cell.tick() == [atraj.State(0), pytest.approx(atraj.State(0.1))]
+    cell.line(PLANNED, [0.8, -0.3], lead=3)
+    assert not cell.done
+    states = [cell.tick() for _ in range(250)]
+    cell.rate(LIMITS, 0)
+    states += run(cell).tolist()
+    assert 0 < states[-1][0][0] < 0.8 and states[-1][0][1:] == [0, 0]
+    cell.rate(LIMITS, 1)
+    states += run(cell).tolist()
+    states = np.array(states)
+    np.testing.assert_allclose(states[-1][:, 0], [0.8, -0.3], atol=rounding)
+    np.testing.assert_allclose(states[:, 1, 0], 0.1 - states[:, 0, 0] / 2, atol=rounding)  # on the line
+    cell.synchronise(PLANNED, [(0.2, 0, 0), 0.5])
+    for _ in range(100):
+        cell.tick()
+    cell.stop(LIMITS)
+    assert run(cell)[-1][:, 1].tolist() == [0, 0]
+    cell.go(PLANNED, [0, 0])
+    assert run(cell)[-1].tolist() == [[0, 0, 0]] * 2
+    path = real.module.path(PLANNED, POINTS)
+    cell.path(LIMITS, path)
+    states = run(cell)
+    np.testing.assert_allclose(states[:, :, 0], path.position(period * np.arange(len(states))), atol=rounding)
+    assert abs(np.diff(states[:, :, 1], axis=0)).max() <= 5 * period * (1 + rounding)
+
+
+def test_a_group_says_why_not():
+    cell = atraj.Group(0.002, [0, 0])
+    path = atraj.path(PLANNED, POINTS)
+    cell.line(LIMITS, [1, 1])
+    for _ in range(200):
+        before = cell.tick()
+    for message, call in {
+        "^there is no axis": lambda: atraj.Group(0.002, []),
+        "^period = 0 is not a time above 0": lambda: atraj.Group(0, [0]),
+        "^states: ": lambda: atraj.Group(0.002, [math.nan]),
+        "^limits has 1 items, and the group 2 axes": lambda: cell.stop(LIMITS[:1]),
+        "^targets has 1 items, and the group 2 axes": lambda: cell.go(LIMITS, [1]),
+        "^axis 1: limits.jmax = -1 has the wrong sign": lambda: cell.stop([LIMITS[0], LIMITS[0]._replace(jmax=-1)]),
+        "^axis 1: end.velocity = 7 is outside": lambda: cell.go(LIMITS, [1, (1, 7)]),
+        "^lead = 0 is not a number of ticks": lambda: cell.stop(LIMITS, lead=0),
+        "^the axes are not on the path": lambda: cell.path(LIMITS, path, begun=0.3),
+        "^the path has 1 axes, and the group 2": lambda: cell.path(LIMITS, atraj.line(LIMITS[:1], [0], [1])),
+        "a reserve beyond those of the plan": lambda: cell.rate([LIMITS[0]._replace(vmax=0.1)] * 2, 1.5),
+        "do not lie on the straight line": lambda: cell.line(LIMITS, [0, 3]),
+    }.items():
+        with pytest.raises(ValueError, match=message):
+            call()
+    after = cell.tick()
+    assert after[0].position > before[0].position and after[0].velocity == pytest.approx(before[0].velocity, abs=0.02)
+    np.testing.assert_allclose(run(cell)[-1][:, 0], [1, 1], atol=1e-9)

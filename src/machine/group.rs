@@ -80,6 +80,8 @@ pub struct GroupPlanner<'g, 'a, R>(&'g Group<'a, R>);
 /// The half of a group for the interrupt.
 pub struct GroupTicker<'g, 'a, R>(&'g Group<'a, R>);
 
+// SAFETY: as long as there are no halves, the group alone uses its memory, and nobody writes to a path.
+unsafe impl<R: Send + Sync> Send for Group<'_, R> {}
 // SAFETY: as for the halves of an axis. The states of the group are the planner's alone, and nobody writes to a path.
 unsafe impl<R: Send + Sync> Send for GroupPlanner<'_, '_, R> {}
 // SAFETY: as above.

@@ -12,7 +12,7 @@ use super::axes::Axes;
 use super::online::Move;
 use super::profiles::{Bell, Profile, rebuilding};
 use crate::motion::{Motion, Parts, Request, Rows};
-use crate::values::{GivenLimits, error, named, to_findings, to_state};
+use crate::values::{GivenLimits, error, limits_numbers, named, to_findings, to_state};
 use crate::why::{NUMBER, no_part};
 
 /// Adds the classes to a module.
@@ -253,22 +253,28 @@ impl Motion<Real> for ShapedMotion {
 #[pyclass(module = "atraj")]
 pub struct Steps {
     inner: machine::Steps<Real>,
-    of: atraj::online::Move<Real>,
+    of: Py<Move>,
+    offset: Real,
+    step: Real,
+    /// The line at the start of the move, and how many steps of the move are taken.
+    first: i32,
+    taken: usize,
 }
+
+const TOO_FAR: &str = "a position is too many steps away from the offset";
 
 #[pymethods]
 impl Steps {
     #[new]
     fn new(r#move: &Bound<'_, Move>, offset: Real, step: Real) -> PyResult<Self> {
-        let of = r#move.get().0.motion;
         let numbers = [
             ("offset", offset, offset.is_finite(), NUMBER),
             ("step", step, step > 0.0 && step.is_finite(), "is not a number above 0"),
             ("step", step, false, "is too small: a position is too many steps away from the offset"),
         ];
-        let inner = machine::Steps::new(&of, offset, step);
+        let inner = machine::Steps::new(&r#move.get().0.motion, offset, step);
         let inner = inner.map_err(|why| no_part(why, &numbers))?;
-        Ok(Self { inner, of })
+        Ok(Self { inner, of: r#move.clone().unbind(), offset, step, first: inner.count(), taken: 0 })
     }
 
     /// The line of the motor.
@@ -279,10 +285,8 @@ impl Steps {
 
     /// Goes on with another move from its start, and keeps the motor where it is. So no step is lost where the moves meet.
     fn follow(&mut self, r#move: &Bound<'_, Move>) -> PyResult<()> {
-        let of = r#move.get().0.motion;
-        let too_far = "a position is too many steps away from the offset";
-        self.inner.follow(&of).map_err(|_| error(too_far))?;
-        self.of = of;
+        self.inner.follow(&r#move.get().0.motion).map_err(|_| error(TOO_FAR))?;
+        (self.of, self.first, self.taken) = (r#move.clone().unbind(), self.count(), 0);
         Ok(())
     }
 
@@ -291,20 +295,45 @@ impl Steps {
     }
 
     fn __next__<'py>(&mut self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let Some(machine::Step { time, direction }) = self.inner.next(&self.of) else {
+        let Some(machine::Step { time, direction }) = self.inner.next(&self.of.get().0.motion) else {
             return Ok(None);
         };
+        self.taken += 1;
         named(py, "Step", (time, direction)).map(Some)
     }
 
     /// To look ahead.
-    fn __copy__(&self) -> Self {
-        let Self { inner, of } = *self;
-        Self { inner, of }
+    fn __copy__(&self, py: Python<'_>) -> Self {
+        Self { of: self.of.clone_ref(py), ..*self }
     }
 
-    fn __deepcopy__(&self, _memo: Bound<'_, PyAny>) -> Self {
-        self.__copy__()
+    fn __deepcopy__(&self, py: Python<'_>, _memo: Bound<'_, PyAny>) -> Self {
+        self.__copy__(py)
+    }
+
+    /// What a copy is made of. The motor stands at the line `first`, follows the move, and takes so many steps again.
+    #[staticmethod]
+    fn _from_taken(
+        r#move: &Bound<'_, Move>, offset: Real, step: Real, first: i32, taken: usize,
+    ) -> PyResult<Self> {
+        let position = State::at(offset + (first as Real + 0.5) * step);
+        let mut stands = atraj::online::Move::default();
+        let stood = stands.plan(&Limits::symmetric(1.0, 1.0, 1.0), position, position);
+        let made = stood.and_then(|_| machine::Steps::new(&stands, offset, step));
+        let of = r#move.clone().unbind();
+        let mut steps = Self { inner: made.map_err(|why| error(&why.to_string()))?, of, offset, step, first, taken };
+        steps.follow(r#move)?;
+        for _ in 0..taken {
+            steps.inner.next(&r#move.get().0.motion).ok_or_else(|| error("the move has fewer steps"))?;
+        }
+        steps.taken = taken;
+        Ok(steps)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let steps = slf.borrow();
+        let arguments = (steps.of.clone_ref(slf.py()), steps.offset, steps.step, steps.first, steps.taken);
+        rebuilding(slf.as_any(), "_from_taken", arguments.into_pyobject(slf.py())?)
     }
 
     fn __repr__(&self) -> String {
@@ -337,7 +366,12 @@ pub struct Clock {
     moves: Vec<atraj::online::Move<Real>>,
     /// Duration of the path, s.
     t: Real,
+    of: Py<Axes>,
+    /// Each change of the rate: when, s, and the new rate; or none for a new start of the times.
+    changes: Vec<Change>,
 }
+
+type Change = (Real, Option<Real>);
 
 impl Clock {
     /// Position, velocity, acceleration and jerk of an axis at the time `x`, s.
@@ -365,6 +399,8 @@ impl Clock {
             limits: moves.get().limits(&limits)?,
             moves: moves.get().sections.concat(),
             t: moves.get().lasts(),
+            of: moves.clone().unbind(),
+            changes: Vec::new(),
         })
     }
 
@@ -386,12 +422,14 @@ impl Clock {
             Error::Late => error(&format!("x = {x} is before the last change")),
             _ => error(&why.to_string()),
         })?;
+        self.changes.push((x, Some(rate)));
         to_findings(py, found)
     }
 
     /// The time `x`, s, is 0 from now on. Times of many hours are rounded coarsely.
     fn rebase(&mut self, x: Real) {
         self.inner.rebase(x);
+        self.changes.push((x, None));
     }
 
     /// When the last rate is reached, s; the end of the path if it is not reached.
@@ -442,12 +480,37 @@ impl Clock {
     }
 
     /// To try a change.
-    fn __copy__(&self) -> Self {
-        Self { inner: self.inner, limits: self.limits.clone(), moves: self.moves.clone(), t: self.t }
+    fn __copy__(&self, py: Python<'_>) -> Self {
+        let Self { inner, ref limits, ref moves, t, ref of, ref changes } = *self;
+        let (limits, moves, changes) = (limits.clone(), moves.clone(), changes.clone());
+        Self { inner, limits, moves, t, of: of.clone_ref(py), changes }
     }
 
-    fn __deepcopy__(&self, _memo: Bound<'_, PyAny>) -> Self {
-        self.__copy__()
+    fn __deepcopy__(&self, py: Python<'_>, _memo: Bound<'_, PyAny>) -> Self {
+        self.__copy__(py)
+    }
+
+    /// What a copy is made of: the changes, made again.
+    #[staticmethod]
+    fn _from_changes(
+        py: Python<'_>, limits: Vec<GivenLimits<Real>>, moves: &Bound<'_, Axes>, changes: Vec<Change>,
+    ) -> PyResult<Self> {
+        let mut clock = Self::new(limits, moves)?;
+        for (x, rate) in changes {
+            match rate {
+                Some(rate) => drop(clock.rate(py, x, rate)?),
+                None => clock.rebase(x),
+            }
+        }
+        Ok(clock)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (py, clock) = (slf.py(), slf.borrow());
+        let limits = clock.limits.iter().map(|&limits| PyTuple::new(py, limits_numbers(limits)));
+        let limits = limits.collect::<PyResult<Vec<_>>>()?;
+        let arguments = (PyTuple::new(py, limits)?, clock.of.clone_ref(py), clock.changes.clone());
+        rebuilding(slf.as_any(), "_from_changes", arguments.into_pyobject(py)?)
     }
 
     fn __repr__(&self) -> String {
