@@ -3,7 +3,7 @@
 use atraj::online::{Move, Phase};
 use atraj::{Bell, Extremes, Findings, Poly, Real, State, Trap};
 use numpy::{
-    Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyReadwriteArrayDyn, PyUntypedArray,
+    Element, PyArray1, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArray1, PyReadwriteArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use pyo3::IntoPyObjectExt;
@@ -177,15 +177,19 @@ pub fn move_from_parts<R: Number>(t: R, phases: &[[R; 6]]) -> PyResult<Move<R>> 
 /// The values at a time, or at each of an array of times, s.
 pub fn at<'py, R: Number>(times: &Bound<'py, PyAny>, value: impl Fn(R) -> R) -> PyResult<Bound<'py, PyAny>> {
     let py = times.py();
-    if !times.is_instance_of::<PyUntypedArray>() {
-        if let Ok(x) = times.extract::<R>() {
-            let y: f64 = value(x).into();
-            return y.into_bound_py_any(py);
-        }
+    if let Some(x) = one_time(times) {
+        let y: f64 = value(x).into();
+        return y.into_bound_py_any(py);
     }
     let times = in_rows(times)?;
     let values = times.as_array().mapv(value);
     Ok(PyArrayDyn::from_owned_array(py, values).into_any())
+}
+
+/// The time, s, if it is a number and no array.
+fn one_time<R: Number>(times: &Bound<'_, PyAny>) -> Option<R> {
+    let is_array = times.is_instance_of::<PyUntypedArray>();
+    (!is_array).then(|| times.extract().ok()).flatten()
 }
 
 /// The numbers as an aligned array of `R` in C order, which NumPy copies if it must. The crate `numpy` divides strides by the size of
@@ -308,6 +312,11 @@ pub trait Rows<R> {
     where
         R: Number,
     {
+        if let Some(x) = one_time(times) {
+            let mut row = vec![R::ZERO; self.axes()];
+            self.write(&[x], Some(quantity), &mut [&mut row]);
+            return Ok(PyArray1::from_vec(times.py(), row).into_any());
+        }
         let [rows] = self.some_rows(times, Some(quantity))?;
         Ok(rows)
     }

@@ -10,7 +10,7 @@ import atraj
 import atraj.claraty
 import atraj.f32
 
-PAGES = {Path(__file__).parents[2] / "docs" / name: programs for name, programs in [("for-python.md", 4), ("path.md", 1)]}
+PAGES = {Path(__file__).parents[2] / "docs" / name: programs for name, programs in [("for-python.md", 5), ("path.md", 1)]}
 MODULES = [atraj, atraj.f32, atraj.claraty]
 
 

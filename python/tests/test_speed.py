@@ -112,7 +112,7 @@ def test_plans_beside_ruckig(axes):
             otg.calculate(problem, trajectory)
 
     mine, other = (taken / PROBLEMS for taken in fastest(ours, theirs))
-    print(f"plan of {axes}: {1e6 * mine:.2f} us, Ruckig {ruckig.__version__} {1e6 * other:.2f} us, {mine / other:.2f} times as long")
+    print(f"plan of {axes}: {1e6 * mine:.2f} µs, Ruckig {ruckig.__version__} {1e6 * other:.2f} µs, {mine / other:.2f} times as long")
     assert mine <= MOST_OF_RUCKIG * other
 
 
@@ -134,3 +134,15 @@ def test_a_state():
     mine, other = (taken / len(calls) for taken in fastest(ours, theirs))
     print(f"state_at: {1e9 * mine:.0f} ns, Ruckig {ruckig.__version__} {1e9 * other:.0f} ns")
     assert mine <= MOST_OF_RUCKIG * other
+
+
+def test_positions_of_several_axes():
+    limits, calls = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 3, range(1000)
+    path = atraj.path(limits, [[0, 0, 0], [3, 1, 2], [4, 5, 6]])
+    position, state_at = path.position, path.state_at
+    row, states = (
+        taken / len(calls)
+        for taken in fastest(lambda: [position(0.7) for _ in calls], lambda: [state_at(0.7) for _ in calls])
+    )
+    print(f"positions of three axes: {1e6 * row:.2f} µs, their states {1e6 * states:.2f} µs")
+    assert row <= states

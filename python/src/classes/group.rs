@@ -210,9 +210,7 @@ impl Group {
 
     /// Stops on the line or path where that is not much slower, else each axis at once.
     #[pyo3(signature = (limits, *, lead=1))]
-    fn stop<'py>(
-        &mut self, py: Python<'py>, limits: Vec<GivenLimits<Real>>, lead: u32,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn stop<'py>(&mut self, py: Python<'py>, limits: Vec<GivenLimits<Real>>, lead: u32) -> PyResult<Bound<'py, PyAny>> {
         let stop = |borrowed: &mut Borrowed<'_>, limits: &[_]| borrowed.group.split().0.stop(limits, lead);
         self.plan(py, &limits, lead, stop, "the axes cannot stop")
     }

@@ -313,9 +313,7 @@ impl Steps {
 
     /// What a copy is made of. The motor stands at the line `first`, follows the move, and takes so many steps again.
     #[staticmethod]
-    fn _from_taken(
-        r#move: &Bound<'_, Move>, offset: Real, step: Real, first: i32, taken: usize,
-    ) -> PyResult<Self> {
+    fn _from_taken(r#move: &Bound<'_, Move>, offset: Real, step: Real, first: i32, taken: usize) -> PyResult<Self> {
         let position = State::at(offset + (first as Real + 0.5) * step);
         let mut stands = atraj::online::Move::default();
         let stood = stands.plan(&Limits::symmetric(1.0, 1.0, 1.0), position, position);
