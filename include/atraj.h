@@ -6,8 +6,8 @@
  is. `atraj_*_check` examines a filled struct, whoever planned it, and `atraj_*_extremes` tells what it reaches. Samples
  and states have the bits that the single functions give. A NULL array gets nothing. The other arrays must overlap
  neither each other nor the trajectory. The functions that all profiles have take a planned instance `ctx`.
- `atraj_*_state` writes the state at the time `x`, s since the start. `atraj_*_sample` writes `n` samples to each array,
- sample `k` at the time `x0 + k*dt`; `dt` may be 0 or negative. It returns how many it wrote: `n` or 2147483647,
+ `atraj_*_state` writes the state at `time`, s since the start. `atraj_*_sample` writes `n` samples to each array,
+ sample `k` at the time `start + k*dt`; `dt` may be 0 or negative. It returns how many it wrote: `n` or 2147483647,
  whichever is less, and 0 for a NULL `ctx`. `atraj_*_extremes` writes the lowest and the highest position, velocity and
  acceleration to arrays of 3. Of a polynomial, derivatives above the struct's level are computed from the coefficients
  of position. Positions are in unit, velocities in unit/s, and so on. For a NULL `ctx` a state is NaN, and extremes are
@@ -82,7 +82,7 @@ A_EXTERN void atraj_bell_extremes(const a_trajbell *ctx, a_float *lowest, a_floa
  */
 A_EXTERN
 size_t atraj_bell_sample(const a_trajbell *ctx,
-                         a_float x0,
+                         a_float start,
                          a_float dt,
                          size_t n,
                          a_float *pos,
@@ -95,7 +95,7 @@ size_t atraj_bell_sample(const a_trajbell *ctx,
  */
 A_EXTERN
 void atraj_bell_state(const a_trajbell *ctx,
-                      a_float x,
+                      a_float time,
                       a_float *pos,
                       a_float *vel,
                       a_float *acc,
@@ -146,7 +146,7 @@ A_EXTERN void atraj_trap_extremes(const a_trajtrap *ctx, a_float *lowest, a_floa
  */
 A_EXTERN
 size_t atraj_trap_sample(const a_trajtrap *ctx,
-                         a_float x0,
+                         a_float start,
                          a_float dt,
                          size_t n,
                          a_float *pos,
@@ -156,7 +156,7 @@ size_t atraj_trap_sample(const a_trajtrap *ctx,
 /**
  * @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time.
  */
-A_EXTERN void atraj_trap_state(const a_trajtrap *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+A_EXTERN void atraj_trap_state(const a_trajtrap *ctx, a_float time, a_float *pos, a_float *vel, a_float *acc);
 
 /**
  * @brief The lowest and the highest position, velocity and acceleration of a cubic polynomial trajectory.
@@ -169,7 +169,7 @@ A_EXTERN void atraj_poly3_extremes(const a_trajpoly3 *ctx, a_float ts, a_float *
  */
 A_EXTERN
 size_t atraj_poly3_sample(const a_trajpoly3 *ctx,
-                          a_float x0,
+                          a_float start,
                           a_float dt,
                           size_t n,
                           a_float *pos,
@@ -179,7 +179,7 @@ size_t atraj_poly3_sample(const a_trajpoly3 *ctx,
 /**
  * @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time.
  */
-A_EXTERN void atraj_poly3_state(const a_trajpoly3 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+A_EXTERN void atraj_poly3_state(const a_trajpoly3 *ctx, a_float time, a_float *pos, a_float *vel, a_float *acc);
 
 /**
  * @brief The lowest and the highest position, velocity and acceleration of a quintic polynomial trajectory.
@@ -192,7 +192,7 @@ A_EXTERN void atraj_poly5_extremes(const a_trajpoly5 *ctx, a_float ts, a_float *
  */
 A_EXTERN
 size_t atraj_poly5_sample(const a_trajpoly5 *ctx,
-                          a_float x0,
+                          a_float start,
                           a_float dt,
                           size_t n,
                           a_float *pos,
@@ -202,7 +202,7 @@ size_t atraj_poly5_sample(const a_trajpoly5 *ctx,
 /**
  * @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time.
  */
-A_EXTERN void atraj_poly5_state(const a_trajpoly5 *ctx, a_float x, a_float *pos, a_float *vel, a_float *acc);
+A_EXTERN void atraj_poly5_state(const a_trajpoly5 *ctx, a_float time, a_float *pos, a_float *vel, a_float *acc);
 
 /**
  * @brief The lowest and the highest position, velocity and acceleration of a septic polynomial trajectory.
@@ -215,7 +215,7 @@ A_EXTERN void atraj_poly7_extremes(const a_trajpoly7 *ctx, a_float ts, a_float *
  */
 A_EXTERN
 size_t atraj_poly7_sample(const a_trajpoly7 *ctx,
-                          a_float x0,
+                          a_float start,
                           a_float dt,
                           size_t n,
                           a_float *pos,
@@ -228,7 +228,7 @@ size_t atraj_poly7_sample(const a_trajpoly7 *ctx,
  */
 A_EXTERN
 void atraj_poly7_state(const a_trajpoly7 *ctx,
-                       a_float x,
+                       a_float time,
                        a_float *pos,
                        a_float *vel,
                        a_float *acc,
@@ -254,16 +254,16 @@ inline void a_trajbell::extremes(atraj_state &lowest, atraj_state &highest) cons
     lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
     highest.p = high[0], highest.v = high[1], highest.a = high[2];
 }
-inline atraj_state a_trajbell::state(a_float x) const
+inline atraj_state a_trajbell::state(a_float time) const
 {
     atraj_state now;
-    atraj_bell_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+    atraj_bell_state(this, time, &now.p, &now.v, &now.a, A_NULL);
     return now;
 }
-inline size_t a_trajbell::sample(a_float x0, a_float dt, size_t n,
+inline size_t a_trajbell::sample(a_float start, a_float dt, size_t n,
                                  a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
 {
-    return atraj_bell_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+    return atraj_bell_sample(this, start, dt, n, pos_, vel_, acc_, jer_);
 }
 #endif
 #if defined(ATRAJ_TRAJTRAP_H)
@@ -280,15 +280,15 @@ inline void a_trajtrap::extremes(atraj_state &lowest, atraj_state &highest) cons
     lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
     highest.p = high[0], highest.v = high[1], highest.a = high[2];
 }
-inline atraj_state a_trajtrap::state(a_float x) const
+inline atraj_state a_trajtrap::state(a_float time) const
 {
     atraj_state now;
-    atraj_trap_state(this, x, &now.p, &now.v, &now.a);
+    atraj_trap_state(this, time, &now.p, &now.v, &now.a);
     return now;
 }
-inline size_t a_trajtrap::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+inline size_t a_trajtrap::sample(a_float start, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
 {
-    return atraj_trap_sample(this, x0, dt, n, pos_, vel_, acc_);
+    return atraj_trap_sample(this, start, dt, n, pos_, vel_, acc_);
 }
 #endif
 #if defined(ATRAJ_TRAJPOLY3_H)
@@ -299,15 +299,15 @@ inline void a_trajpoly3::extremes(a_float ts, atraj_state &lowest, atraj_state &
     lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
     highest.p = high[0], highest.v = high[1], highest.a = high[2];
 }
-inline atraj_state a_trajpoly3::state(a_float x) const
+inline atraj_state a_trajpoly3::state(a_float time) const
 {
     atraj_state now;
-    atraj_poly3_state(this, x, &now.p, &now.v, &now.a);
+    atraj_poly3_state(this, time, &now.p, &now.v, &now.a);
     return now;
 }
-inline size_t a_trajpoly3::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+inline size_t a_trajpoly3::sample(a_float start, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
 {
-    return atraj_poly3_sample(this, x0, dt, n, pos_, vel_, acc_);
+    return atraj_poly3_sample(this, start, dt, n, pos_, vel_, acc_);
 }
 #endif
 #if defined(ATRAJ_TRAJPOLY5_H)
@@ -318,15 +318,15 @@ inline void a_trajpoly5::extremes(a_float ts, atraj_state &lowest, atraj_state &
     lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
     highest.p = high[0], highest.v = high[1], highest.a = high[2];
 }
-inline atraj_state a_trajpoly5::state(a_float x) const
+inline atraj_state a_trajpoly5::state(a_float time) const
 {
     atraj_state now;
-    atraj_poly5_state(this, x, &now.p, &now.v, &now.a);
+    atraj_poly5_state(this, time, &now.p, &now.v, &now.a);
     return now;
 }
-inline size_t a_trajpoly5::sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
+inline size_t a_trajpoly5::sample(a_float start, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_) const
 {
-    return atraj_poly5_sample(this, x0, dt, n, pos_, vel_, acc_);
+    return atraj_poly5_sample(this, start, dt, n, pos_, vel_, acc_);
 }
 #endif
 #if defined(ATRAJ_TRAJPOLY7_H)
@@ -337,16 +337,16 @@ inline void a_trajpoly7::extremes(a_float ts, atraj_state &lowest, atraj_state &
     lowest.p = low[0], lowest.v = low[1], lowest.a = low[2];
     highest.p = high[0], highest.v = high[1], highest.a = high[2];
 }
-inline atraj_state a_trajpoly7::state(a_float x) const
+inline atraj_state a_trajpoly7::state(a_float time) const
 {
     atraj_state now;
-    atraj_poly7_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+    atraj_poly7_state(this, time, &now.p, &now.v, &now.a, A_NULL);
     return now;
 }
-inline size_t a_trajpoly7::sample(a_float x0, a_float dt, size_t n,
+inline size_t a_trajpoly7::sample(a_float start, a_float dt, size_t n,
                                   a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
 {
-    return atraj_poly7_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+    return atraj_poly7_sample(this, start, dt, n, pos_, vel_, acc_, jer_);
 }
 #endif
 #endif /* __cplusplus */

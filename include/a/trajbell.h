@@ -150,8 +150,8 @@ struct a_trajbell {
     a_float fastest(a_float jm_, a_float am_, a_float vm_, a_float p0_, a_float p1_, a_float v0_ = 0, a_float v1_ = 0);
     int check(a_float jm_, a_float am_, a_float vm_) const;
     void extremes(atraj_state &lowest, atraj_state &highest) const;
-    atraj_state state(a_float x) const;
-    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
+    atraj_state state(a_float time) const;
+    size_t sample(a_float start, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
 #endif /* __cplusplus */
 };
 

@@ -221,8 +221,8 @@ struct a_trajpoly7 {
 #endif
     /* atraj.h defines these. */
     void extremes(a_float ts, atraj_state &lowest, atraj_state &highest) const;
-    atraj_state state(a_float x) const;
-    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
+    atraj_state state(a_float time) const;
+    size_t sample(a_float start, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const;
 #endif /* __cplusplus */
 };
 

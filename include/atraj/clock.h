@@ -4,7 +4,7 @@
  @brief the clock of a path: hold, override and reverse a planned set of moves, on their path and within the limits
  @details The time of the path is a move itself. Its rate is 1 as planned, 0 hold, 1/2 override, -1 back along the path.
  Axes that move on a straight line need no clock to stop on it: `atraj_moves_line_stop`. `ctx` points to the clock,
- which is untouched on an error. `x` is the time since the start of the clock, s. A NULL output gets nothing; without a
+ which is untouched on an error. `time` is since the start of the clock, s. A NULL output gets nothing; without a
  clock a result is NaN.
 */
 
@@ -36,11 +36,11 @@ A_EXTERN void atraj_clock_start(struct atraj_clock *ctx);
  * duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
  * @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
  * @param sections number of sections; 1 for a single set of moves
- * @param x time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
+ * @param time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
  * begin before the next one is planned
  * @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
  * `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of acceleration and jerk
- * are infinite, `ATRAJ_ERR_LATE` if `x` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
+ * are infinite, `ATRAJ_ERR_LATE` if `time` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
  * found, or if the rate is negative and the path begins in motion
  */
 A_EXTERN
@@ -49,7 +49,7 @@ int atraj_clock_rate(struct atraj_clock *ctx,
                      const atraj_limits *limits,
                      size_t n,
                      size_t sections,
-                     a_float x,
+                     a_float time,
                      a_float rate);
 
 /**
@@ -59,17 +59,17 @@ A_EXTERN
 a_float atraj_clock_until(const struct atraj_clock *ctx);
 
 /**
- * @brief Let the time `x` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
+ * @brief Let `time` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
  */
-A_EXTERN void atraj_clock_rebase(struct atraj_clock *ctx, a_float x);
+A_EXTERN void atraj_clock_rebase(struct atraj_clock *ctx, a_float time);
 
 /**
- * @brief The time of the path, s since its start, at the time `x` of the clock. Until the first change it is `x`.
+ * @brief The time of the path, s since its start, at `time` of the clock. Until the first change it is `time`.
  */
-A_EXTERN a_float atraj_clock_time(const struct atraj_clock *ctx, a_float x);
+A_EXTERN a_float atraj_clock_time(const struct atraj_clock *ctx, a_float time);
 
 /**
- * @brief State of an axis of the path at the time `x` of the clock: position, velocity, acceleration and jerk.
+ * @brief State of an axis of the path at `time` of the clock: position, velocity, acceleration and jerk.
  * @param moves points to the move of the axis in the first section, `moves + axis` of `atraj_clock_rate`
  * @param n number of axes: the next move of the axis is `n` moves later
  * @param sections number of sections. All results are NaN if `n` or `sections` is 0, or `ctx` or `moves` is NULL
@@ -79,7 +79,7 @@ void atraj_clock_state(const struct atraj_clock *ctx,
                        const atraj_move *moves,
                        size_t n,
                        size_t sections,
-                       a_float x,
+                       a_float time,
                        a_float *pos,
                        a_float *vel,
                        a_float *acc,
@@ -131,16 +131,16 @@ struct atraj_clock {
     atraj_move lead;
 #if defined(__cplusplus)
     void start() { atraj_clock_start(this); }
-    int rate(const atraj_move *moves, const atraj_limits *limits, size_t n, size_t sections, a_float x, a_float rate_)
+    int rate(const atraj_move *moves, const atraj_limits *limits, size_t n, size_t sections, a_float time_, a_float rate_)
     {
-        return atraj_clock_rate(this, moves, limits, n, sections, x, rate_);
+        return atraj_clock_rate(this, moves, limits, n, sections, time_, rate_);
     }
-    void rebase(a_float x) { atraj_clock_rebase(this, x); }
+    void rebase(a_float time_) { atraj_clock_rebase(this, time_); }
     a_float until() const { return atraj_clock_until(this); }
-    atraj_state state(const atraj_move *moves, size_t n, size_t sections, a_float x) const
+    atraj_state state(const atraj_move *moves, size_t n, size_t sections, a_float time_) const
     {
         atraj_state now;
-        atraj_clock_state(this, moves, n, sections, x, &now.p, &now.v, &now.a, A_NULL);
+        atraj_clock_state(this, moves, n, sections, time_, &now.p, &now.v, &now.a, A_NULL);
         return now;
     }
 #endif /* __cplusplus */

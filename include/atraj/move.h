@@ -7,8 +7,8 @@
  allocated, and no plan takes an unbounded time. Use any consistent unit of length or angle. Times are in seconds from
  the start of the move. Of all functions, `ctx` points to a move: a plan takes an uninitialised one, writes it, and
  leaves it untouched on an error. `limits`, `from` and `to` point to the limits and to the states at the start and at
- the end. `x` is the time since the start, s. `atraj_move_sample` writes `n` samples to each array, sample `k` at the
- time `x0 + k*dt`; `dt` may be 0 or negative. It returns how many it wrote: `n` or 2147483647, whichever is less, and 0
+ the end. `time` is since the start, s. `atraj_move_sample` writes `n` samples to each array, sample `k` at the
+ time `start + k*dt`; `dt` may be 0 or negative. It returns how many it wrote: `n` or 2147483647, whichever is less, and 0
  for a NULL `ctx`. Samples and states have the bits of the single functions, and a NULL output gets nothing. Positions
  are in unit, velocities in unit/s, and so on. For a NULL `ctx` a value and a state are NaN, and extremes are not
  written.
@@ -124,33 +124,33 @@ int atraj_move_track(struct atraj_move *ctx,
                      a_float horizon);
 
 /**
- * @brief Position, unit: the first one before the start, the last one for a NaN or infinite `x`, and after the end
+ * @brief Position, unit: the first one before the start, the last one for a NaN or infinite `time`, and after the end
  * that of an axis that moves on.
  */
-A_EXTERN a_float atraj_move_pos(const struct atraj_move *ctx, a_float x);
+A_EXTERN a_float atraj_move_pos(const struct atraj_move *ctx, a_float time);
 
 /**
- * @brief Velocity, unit/s: the first one before the start, the last one for a NaN or infinite `x`, and after the end
+ * @brief Velocity, unit/s: the first one before the start, the last one for a NaN or infinite `time`, and after the end
  * that of an axis that moves on.
  */
-A_EXTERN a_float atraj_move_vel(const struct atraj_move *ctx, a_float x);
+A_EXTERN a_float atraj_move_vel(const struct atraj_move *ctx, a_float time);
 
 /**
- * @brief Acceleration, unit/s^2: the first one before the start, the last one after the end and for a NaN `x`.
+ * @brief Acceleration, unit/s^2: the first one before the start, the last one after the end and for a NaN `time`.
  */
-A_EXTERN a_float atraj_move_acc(const struct atraj_move *ctx, a_float x);
+A_EXTERN a_float atraj_move_acc(const struct atraj_move *ctx, a_float time);
 
 /**
- * @brief Jerk, unit/s^3: 0 before the start, after the end and for a NaN `x`.
+ * @brief Jerk, unit/s^3: 0 before the start, after the end and for a NaN `time`.
  */
-A_EXTERN a_float atraj_move_jer(const struct atraj_move *ctx, a_float x);
+A_EXTERN a_float atraj_move_jer(const struct atraj_move *ctx, a_float time);
 
 /**
  * @brief State of a move at one time: position, velocity, acceleration and jerk. It is the start of another plan.
  */
 A_EXTERN
 void atraj_move_state(const struct atraj_move *ctx,
-                      a_float x,
+                      a_float time,
                       a_float *pos,
                       a_float *vel,
                       a_float *acc,
@@ -161,7 +161,7 @@ void atraj_move_state(const struct atraj_move *ctx,
  */
 A_EXTERN
 size_t atraj_move_sample(const struct atraj_move *ctx,
-                         a_float x0,
+                         a_float start,
                          a_float dt,
                          size_t n,
                          a_float *pos,
@@ -265,11 +265,11 @@ int atraj_moves_sync_within(atraj_move *axes,
  * is needed.
  * @param axes points to `n` planned moves on a straight line; all are untouched on an error
  * @param limits points to the limits of the `n` axes
- * @param x time since the start of the moves, s
+ * @param time since the start of the moves, s
  * @return as `atraj_move_stop`; `ATRAJ_ERR_LINE` if the moves are not on one straight line, `ATRAJ_ERR_NULL` also if
  * `n` is 0
  */
-A_EXTERN int atraj_moves_line_stop(atraj_move *axes, const atraj_limits *limits, size_t n, a_float x);
+A_EXTERN int atraj_moves_line_stop(atraj_move *axes, const atraj_limits *limits, size_t n, a_float time);
 
 #if defined(__cplusplus)
 } /* extern "C" */
@@ -410,19 +410,19 @@ struct atraj_move {
     {
         return atraj_move_track(this, &limits, &from, &signal, jerk, horizon);
     }
-    a_float pos(a_float x) const { return atraj_move_pos(this, x); }
-    a_float vel(a_float x) const { return atraj_move_vel(this, x); }
-    a_float acc(a_float x) const { return atraj_move_acc(this, x); }
-    a_float jer(a_float x) const { return atraj_move_jer(this, x); }
-    atraj_state state(a_float x) const
+    a_float pos(a_float time) const { return atraj_move_pos(this, time); }
+    a_float vel(a_float time) const { return atraj_move_vel(this, time); }
+    a_float acc(a_float time) const { return atraj_move_acc(this, time); }
+    a_float jer(a_float time) const { return atraj_move_jer(this, time); }
+    atraj_state state(a_float time) const
     {
         atraj_state now;
-        atraj_move_state(this, x, &now.p, &now.v, &now.a, A_NULL);
+        atraj_move_state(this, time, &now.p, &now.v, &now.a, A_NULL);
         return now;
     }
-    size_t sample(a_float x0, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
+    size_t sample(a_float start, a_float dt, size_t n, a_float *pos_, a_float *vel_, a_float *acc_, a_float *jer_) const
     {
-        return atraj_move_sample(this, x0, dt, n, pos_, vel_, acc_, jer_);
+        return atraj_move_sample(this, start, dt, n, pos_, vel_, acc_, jer_);
     }
     void extremes(atraj_state &lowest, atraj_state &highest) const { atraj_move_extremes(this, &lowest, &highest); }
     int check(const atraj_limits &limits) const { return atraj_move_check(this, &limits); }
@@ -448,7 +448,7 @@ inline int line(move *axes, const limits *within, const state *from, const state
 {
     return atraj_moves_line(axes, within, from, to, n, duration, cycle);
 }
-inline int line_stop(move *axes, const limits *within, size_t n, a_float x) { return atraj_moves_line_stop(axes, within, n, x); }
+inline int line_stop(move *axes, const limits *within, size_t n, a_float time) { return atraj_moves_line_stop(axes, within, n, time); }
 } /* namespace atraj */
 #endif /* __cplusplus */
 

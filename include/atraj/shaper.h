@@ -4,8 +4,8 @@
  @brief input shapers: a move that leaves a load at rest, within every limit of the move
  @details A shaped motion is a mean of the move at several times. A mean of motions that keep the limits keeps the
  limits. Two loads, or a load with two frequencies, take a second frequency in the same shaper. docs/machine.md names
- the papers. `ctx` points to the shaper: it is made from an uninitialised one too, and is untouched on an error. `x` is
- the time since the start of the motion, s; a NaN is the end. `now` is NULL or the place for the state, which is NaN if
+ the papers. `ctx` points to the shaper: it is made from an uninitialised one too, and is untouched on an error. `time` is
+ since the start of the motion, s; a NaN is the end. `now` is NULL or the place for the state, which is NaN if
  another pointer is NULL. An `atraj_shaper` shapes one move from rest to rest; an `atraj_shaper_stream` shapes whatever
  has a state every tick.
 */
@@ -76,13 +76,17 @@ int atraj_shaper_smooth(struct atraj_shaper *ctx,
                         a_float time);
 
 /**
- * @brief The shaped motion of a move at the time `x`.
+ * @brief The shaped motion of a move at `time`.
  *
  * From rest to rest it keeps every limit of the move, starts and ends where the move does, and takes `t` of the shaper
  * longer. Before its start a move is taken to go on with the velocity that it has there. So an axis that is retargeted
  * in mid-motion would jump: `atraj_shaper_stream_tick` shapes it.
  */
-A_EXTERN void atraj_shaper_state(const struct atraj_shaper *ctx, const atraj_move *move, a_float x, atraj_state *now);
+A_EXTERN
+void atraj_shaper_state(const struct atraj_shaper *ctx,
+                        const atraj_move *move,
+                        a_float time,
+                        atraj_state *now);
 
 /**
  * @brief The shaped motion of a bell-shaped velocity trajectory, as of a move. After its end, too, it is taken to go
@@ -91,7 +95,7 @@ A_EXTERN void atraj_shaper_state(const struct atraj_shaper *ctx, const atraj_mov
 A_EXTERN
 void atraj_shaper_bell_state(const struct atraj_shaper *ctx,
                              const a_trajbell *bell,
-                             a_float x,
+                             a_float time,
                              atraj_state *now);
 
 /**
@@ -201,16 +205,16 @@ struct atraj_shaper {
     int init(int kind, a_float frequency, a_float damping) { return atraj_shaper_init(this, kind, frequency, damping); }
     int add(int kind, a_float frequency, a_float damping) { return atraj_shaper_add(this, kind, frequency, damping); }
     int smooth(a_float time) { return atraj_shaper_smooth(this, time); }
-    atraj_state state(const atraj_move &move, a_float x) const
+    atraj_state state(const atraj_move &move, a_float time) const
     {
         atraj_state now;
-        atraj_shaper_state(this, &move, x, &now);
+        atraj_shaper_state(this, &move, time, &now);
         return now;
     }
-    atraj_state bell_state(const a_trajbell &bell, a_float x) const
+    atraj_state bell_state(const a_trajbell &bell, a_float time) const
     {
         atraj_state now;
-        atraj_shaper_bell_state(this, &bell, x, &now);
+        atraj_shaper_bell_state(this, &bell, time, &now);
         return now;
     }
     size_t size(a_float period) const { return atraj_shaper_size(this, period); }

@@ -45,29 +45,29 @@ class Profile:
     def t(self) -> float:
         """Duration, s."""
     @overload
-    def position(self, x: float) -> float:
-        """Position at the time `x`, s: a float, or an array for an array of times. Before the start it is the initial one, after the
+    def position(self, time: float) -> float:
+        """Position at `time`, s: a float, or an array for an array of times. Before the start it is the initial one, after the
         end the final one, but a polynomial goes on."""
     @overload
-    def position(self, x: _Times) -> _Array: ...
+    def position(self, time: _Times) -> _Array: ...
     @overload
-    def velocity(self, x: float) -> float:
-        """Velocity at the time `x`, s: a float, or an array for an array of times."""
+    def velocity(self, time: float) -> float:
+        """Velocity at `time`, s: a float, or an array for an array of times."""
     @overload
-    def velocity(self, x: _Times) -> _Array: ...
+    def velocity(self, time: _Times) -> _Array: ...
     @overload
-    def acceleration(self, x: float) -> float:
-        """Acceleration at the time `x`, s: a float, or an array for an array of times."""
+    def acceleration(self, time: float) -> float:
+        """Acceleration at `time`, s: a float, or an array for an array of times."""
     @overload
-    def acceleration(self, x: _Times) -> _Array: ...
+    def acceleration(self, time: _Times) -> _Array: ...
     @overload
-    def jerk(self, x: float) -> float:
-        """Jerk at the time `x`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
+    def jerk(self, time: float) -> float:
+        """Jerk at `time`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
         jumps, and the jerk of a shaped move too, for a shaper gives none."""
     @overload
-    def jerk(self, x: _Times) -> _Array: ...
-    def state_at(self, x: float) -> State:
-        """The `State` at the time `x`, s: where another plan starts."""
+    def jerk(self, time: _Times) -> _Array: ...
+    def state_at(self, time: float) -> State:
+        """The `State` at `time`, s: where another plan starts."""
     def extremes(self) -> Extremes:
         """The `Extremes`: the lowest and the highest position, velocity and acceleration between 0 and `t`. ValueError for a shaped move, whose
         extremes only `sample` can tell."""
@@ -349,16 +349,16 @@ class Axes:
     @property
     def findings(self) -> Findings:
         """The `Findings` of the plan: what any axis does."""
-    def position(self, x: float | _Times) -> _Array:
-        """Positions at the time `x`, s."""
-    def velocity(self, x: float | _Times) -> _Array:
-        """Velocities at the time `x`, s."""
-    def acceleration(self, x: float | _Times) -> _Array:
-        """Accelerations at the time `x`, s."""
-    def jerk(self, x: float | _Times) -> _Array:
-        """Jerks at the time `x`, s."""
-    def state_at(self, x: float) -> list[State]:
-        """The `State` of each axis at the time `x`, s: where another plan starts."""
+    def position(self, time: float | _Times) -> _Array:
+        """Positions at `time`, s."""
+    def velocity(self, time: float | _Times) -> _Array:
+        """Velocities at `time`, s."""
+    def acceleration(self, time: float | _Times) -> _Array:
+        """Accelerations at `time`, s."""
+    def jerk(self, time: float | _Times) -> _Array:
+        """Jerks at `time`, s."""
+    def state_at(self, time: float) -> list[State]:
+        """The `State` of each axis at `time`, s: where another plan starts."""
     def sample(self, dt: float | None = None, *, n: int | None = None, start: float = 0.0) -> Samples[_Real]:
         """`Samples`: times, and a row of positions, velocities, accelerations and jerks for each time.
 
@@ -457,8 +457,8 @@ def line(
     >>> x, y = atraj.line(limits, [0, 0], [0.8, 0.4], cycle=0.001)
     >>> abs(x.position(0.5) - 2 * y.position(0.5)) < 1e-15
     True"""
-def line_stop(limits: _LimitsOfAxes, moves: Moves, x: float) -> Moves:
-    """Moves that stop on the straight line of `moves`, from their time `x` on, s: a feed hold. The stop begins at its time 0.
+def line_stop(limits: _LimitsOfAxes, moves: Moves, time: float) -> Moves:
+    """Moves that stop on the straight line of `moves`, from their `time` on, s: a feed hold. The stop begins at its time 0.
 
     It is the fastest stop on the line within `limits`, an item for each axis, so no reserve is needed. `moves` are those of `line`, or others
     on one straight line: ValueError if they are not.
@@ -566,28 +566,28 @@ class Clock:
     def __new__(cls, limits: _LimitsOfAxes, moves: Axes) -> Self: ...
     def __copy__(self) -> Self: ...
     def __deepcopy__(self, _memo: Any) -> Self: ...
-    def rate(self, x: float, rate: float) -> Findings:
-        """Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
-        the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. `x` may be ahead: until then the
-        clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `x` is before
+    def rate(self, time: float, rate: float) -> Findings:
+        """Goes to another rate from `time` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
+        the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. `time` may be ahead: until then the
+        clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `time` is before
         the last change, or a number is not finite; then the clock goes on as it did."""
-    def rebase(self, x: float) -> None:
-        """The time `x`, s, is 0 from now on. Times of many hours are rounded coarsely."""
+    def rebase(self, time: float) -> None:
+        """`time`, s, is 0 from now on. Times of many hours are rounded coarsely."""
     @property
     def until(self) -> float:
         """When the last rate is reached, s; the end of the path if it is not reached."""
-    def time(self, x: float) -> float:
-        """The time of the path at the time `x`, s. Until the first change it is `x`."""
-    def position(self, x: float | _Times) -> _Array:
-        """Positions at the time `x`, s, or a row of them for each of an array of times."""
-    def velocity(self, x: float | _Times) -> _Array:
-        """Velocities at the time `x`, s."""
-    def acceleration(self, x: float | _Times) -> _Array:
-        """Accelerations at the time `x`, s."""
-    def jerk(self, x: float | _Times) -> _Array:
-        """Jerks at the time `x`, s."""
-    def state_at(self, x: float) -> list[State]:
-        """The `State` of each axis at the time `x`, s."""
+    def time(self, time: float) -> float:
+        """The time of the path at `time`, s. Until the first change it is `time`."""
+    def position(self, time: float | _Times) -> _Array:
+        """Positions at `time`, s, or a row of them for each of an array of times."""
+    def velocity(self, time: float | _Times) -> _Array:
+        """Velocities at `time`, s."""
+    def acceleration(self, time: float | _Times) -> _Array:
+        """Accelerations at `time`, s."""
+    def jerk(self, time: float | _Times) -> _Array:
+        """Jerks at `time`, s."""
+    def state_at(self, time: float) -> list[State]:
+        """The `State` of each axis at `time`, s."""
     def sample(self, dt: float, *, n: int, start: float = 0.0) -> Samples[_Real]:
         """`Samples` as of `Moves`, with the time `start + k*dt`, s. A clock that holds never ends, so `n` is needed."""
 

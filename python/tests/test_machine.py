@@ -72,9 +72,9 @@ def test_a_clock_says_why_not():
     clock = atraj.Clock(PLANNED, moves)
     for message, call in {
         "needs? a reserve|need a reserve": lambda: atraj.Clock([PLANNED[0]._replace(vmax=0.1)] * 2, moves).rate(0.5, 0),
-        "^x = -1 is before the last change": lambda: clock.rate(-1.0, 0),
+        "^time = -1 is before the last change": lambda: clock.rate(-1.0, 0),
         "^rate = NaN is infinite": lambda: clock.rate(0.1, math.nan),
-        "^x = inf is infinite": lambda: clock.rate(math.inf, 0),
+        "^time = inf is infinite": lambda: clock.rate(math.inf, 0),
         "limits has 1 items, and moves 2 axes": lambda: atraj.Clock(PLANNED[:1], moves),
         "^axis 1: limits.jmax = -1 has the wrong sign": lambda: atraj.Clock([LIMITS[0], LIMITS[0]._replace(jmax=-1)], moves),
         "^the rate cannot change: no axis moves": lambda: atraj.Clock(LIMITS, atraj.synchronise(PLANNED, [0, 0], [0, 0])).rate(0.1, 0),

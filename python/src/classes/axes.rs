@@ -165,30 +165,30 @@ impl Axes {
         to_findings(py, self.findings)
     }
 
-    /// Positions at the time `x`, s.
-    fn position<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 0)
+    /// Positions at `time`, s.
+    fn position<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 0)
     }
 
-    /// Velocities at the time `x`, s.
-    fn velocity<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 1)
+    /// Velocities at `time`, s.
+    fn velocity<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 1)
     }
 
-    /// Accelerations at the time `x`, s.
-    fn acceleration<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 2)
+    /// Accelerations at `time`, s.
+    fn acceleration<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 2)
     }
 
-    /// Jerks at the time `x`, s.
-    fn jerk<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 3)
+    /// Jerks at `time`, s.
+    fn jerk<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 3)
     }
 
-    /// The `State` of each axis at the time `x`, s: where another plan starts.
-    fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyList>> {
-        let section = self.section(x);
-        let since = self.since(section, x);
+    /// The `State` of each axis at `time`, s: where another plan starts.
+    fn state_at<'py>(&self, py: Python<'py>, time: Real) -> PyResult<Bound<'py, PyList>> {
+        let section = self.section(time);
+        let since = self.since(section, time);
         let states = self.sections[section].iter().map(|motion| to_state(py, motion.state_at(since)));
         PyList::new(py, states.collect::<PyResult<Vec<_>>>()?)
     }
@@ -413,7 +413,7 @@ fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
     Err(error(&format!("the lists have different lengths: {lengths}")))
 }
 
-/// Moves that stop on the straight line of `moves`, from their time `x` on, s: a feed hold. The stop begins at its time 0.
+/// Moves that stop on the straight line of `moves`, from their `time` on, s: a feed hold. The stop begins at its time 0.
 ///
 /// It is the fastest stop on the line within `limits`, an item for each axis, so no reserve is needed. `moves` are those of `line`, or others
 /// on one straight line: ValueError if they are not.
@@ -428,12 +428,12 @@ fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
 /// True
 #[pyfunction]
 pub fn line_stop(
-    py: Python<'_>, limits: Vec<GivenLimits<Real>>, moves: &Bound<'_, Moves>, x: Real,
+    py: Python<'_>, limits: Vec<GivenLimits<Real>>, moves: &Bound<'_, Moves>, time: Real,
 ) -> PyResult<Py<Moves>> {
     let planned = moves.as_super().get();
     let limits = planned.limits(&limits)?;
     let mut moves = planned.sections[0].clone();
-    let stopped = axes::line_stop(&mut moves, &limits, x);
+    let stopped = axes::line_stop(&mut moves, &limits, time);
     let findings = stopped.map_err(|why| match why {
         Error::Line => error("the moves are not on one straight line"),
         _ => error(&why.to_string()),

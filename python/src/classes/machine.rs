@@ -402,32 +402,32 @@ impl Clock {
         })
     }
 
-    /// Goes to another rate from the time `x` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
-    /// the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. `x` may be ahead: until then the
-    /// clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `x` is before
+    /// Goes to another rate from `time` on, s, which is not before the last change: 1 as planned, 0 hold, 0.5 half as fast, -1 back along
+    /// the path. Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. `time` may be ahead: until then the
+    /// clock goes on as it did. Returns `Findings`: RATE_NOT_REACHED if the path ends before. ValueError if no such change is found, `time` is before
     /// the last change, or a number is not finite; then the clock goes on as it did.
-    fn rate<'py>(&mut self, py: Python<'py>, x: Real, rate: Real) -> PyResult<Bound<'py, PyAny>> {
-        let changed = self.inner.rate(&self.moves, &self.limits, x, rate);
+    fn rate<'py>(&mut self, py: Python<'py>, time: Real, rate: Real) -> PyResult<Bound<'py, PyAny>> {
+        let changed = self.inner.rate(&self.moves, &self.limits, time, rate);
         let found = changed.map_err(|why| match why {
             Error::Target => error(&format!(
-                "no change to the rate {rate} at {x} s keeps the limits: they need a reserve beyond those of the plan"
+                "no change to the rate {rate} at {time} s keeps the limits: they need a reserve beyond those of the plan"
             )),
             Error::NotFinite => no_part(why, &[
-                ("x", x, x.is_finite(), NUMBER),
+                ("time", time, time.is_finite(), NUMBER),
                 ("rate", rate, rate.is_finite(), NUMBER),
             ]),
             Error::Limits => error("the rate cannot change: no axis moves, or the axes that move have no finite jerk and no finite acceleration"),
-            Error::Late => error(&format!("x = {x} is before the last change")),
+            Error::Late => error(&format!("time = {time} is before the last change")),
             _ => error(&why.to_string()),
         })?;
-        self.changes.push((x, Some(rate)));
+        self.changes.push((time, Some(rate)));
         to_findings(py, found)
     }
 
-    /// The time `x`, s, is 0 from now on. Times of many hours are rounded coarsely.
-    fn rebase(&mut self, x: Real) {
-        self.inner.rebase(x);
-        self.changes.push((x, None));
+    /// `time`, s, is 0 from now on. Times of many hours are rounded coarsely.
+    fn rebase(&mut self, time: Real) {
+        self.inner.rebase(time);
+        self.changes.push((time, None));
     }
 
     /// When the last rate is reached, s; the end of the path if it is not reached.
@@ -436,35 +436,35 @@ impl Clock {
         self.inner.until()
     }
 
-    /// The time of the path at the time `x`, s. Until the first change it is `x`.
-    fn time(&self, x: Real) -> Real {
-        self.inner.time(x)
+    /// The time of the path at `time`, s. Until the first change it is `time`.
+    fn time(&self, time: Real) -> Real {
+        self.inner.time(time)
     }
 
-    /// Positions at the time `x`, s, or a row of them for each of an array of times.
-    fn position<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 0)
+    /// Positions at `time`, s, or a row of them for each of an array of times.
+    fn position<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 0)
     }
 
-    /// Velocities at the time `x`, s.
-    fn velocity<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 1)
+    /// Velocities at `time`, s.
+    fn velocity<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 1)
     }
 
-    /// Accelerations at the time `x`, s.
-    fn acceleration<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 2)
+    /// Accelerations at `time`, s.
+    fn acceleration<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 2)
     }
 
-    /// Jerks at the time `x`, s.
-    fn jerk<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(x, 3)
+    /// Jerks at `time`, s.
+    fn jerk<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(time, 3)
     }
 
-    /// The `State` of each axis at the time `x`, s.
-    fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyList>> {
+    /// The `State` of each axis at `time`, s.
+    fn state_at<'py>(&self, py: Python<'py>, time: Real) -> PyResult<Bound<'py, PyList>> {
         let states = (0..self.axes()).map(|axis| {
-            let [position, velocity, acceleration, _] = self.state(x, axis);
+            let [position, velocity, acceleration, _] = self.state(time, axis);
             to_state(py, State { position, velocity, acceleration })
         });
         PyList::new(py, states.collect::<PyResult<Vec<_>>>()?)

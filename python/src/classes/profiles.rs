@@ -54,31 +54,31 @@ impl Profile {
 
 #[pymethods]
 impl Profile {
-    /// Position at the time `x`, s: a float, or an array for an array of times. Before the start it is the initial one, after the
+    /// Position at `time`, s: a float, or an array for an array of times. Before the start it is the initial one, after the
     /// end the final one, but a polynomial goes on.
-    fn position<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        at(x, |x| self.motion.position(x))
+    fn position<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(time, |x| self.motion.position(x))
     }
 
-    /// Velocity at the time `x`, s: a float, or an array for an array of times.
-    fn velocity<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        at(x, |x| self.motion.velocity(x))
+    /// Velocity at `time`, s: a float, or an array for an array of times.
+    fn velocity<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(time, |x| self.motion.velocity(x))
     }
 
-    /// Acceleration at the time `x`, s: a float, or an array for an array of times.
-    fn acceleration<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        at(x, |x| self.motion.acceleration(x))
+    /// Acceleration at `time`, s: a float, or an array for an array of times.
+    fn acceleration<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(time, |x| self.motion.acceleration(x))
     }
 
-    /// Jerk at the time `x`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
+    /// Jerk at `time`, s: a float, or an array for an array of times. The jerk of a trapezoid is NaN, for its acceleration
     /// jumps, and the jerk of a shaped move too, for a shaper gives none.
-    fn jerk<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        at(x, |x| self.motion.jerk(x))
+    fn jerk<'py>(&self, time: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        at(time, |x| self.motion.jerk(x))
     }
 
-    /// The `State` at the time `x`, s: where another plan starts.
-    fn state_at<'py>(&self, py: Python<'py>, x: Real) -> PyResult<Bound<'py, PyAny>> {
-        to_state(py, self.motion.state_at(x))
+    /// The `State` at `time`, s: where another plan starts.
+    fn state_at<'py>(&self, py: Python<'py>, time: Real) -> PyResult<Bound<'py, PyAny>> {
+        to_state(py, self.motion.state_at(time))
     }
 
     /// The `Extremes`: the lowest and the highest position, velocity and acceleration between 0 and `t`. ValueError for a shaped move, whose

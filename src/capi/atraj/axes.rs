@@ -75,15 +75,15 @@ pub unsafe extern "C" fn atraj_moves_sync_within(
 /// is needed.
 /// @param axes points to `n` planned moves on a straight line; all are untouched on an error
 /// @param limits points to the limits of the `n` axes
-/// @param x time since the start of the moves, s
+/// @param time since the start of the moves, s
 /// @return as `atraj_move_stop`; `ATRAJ_ERR_LINE` if the moves are not on one straight line, `ATRAJ_ERR_NULL` also if
 /// `n` is 0
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_moves_line_stop(
-    axes: *mut atraj_move, limits: *const atraj_limits, n: usize, x: a_float,
+    axes: *mut atraj_move, limits: *const atraj_limits, n: usize, time: a_float,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    answer(|| unsafe { Some(several::line_stop(list_mut(axes, n)?, list(limits, n)?, x.into())) })
+    answer(|| unsafe { Some(several::line_stop(list_mut(axes, n)?, list(limits, n)?, time.into())) })
 }
 
 /// Moves, limits, and states at start and end.

@@ -54,18 +54,18 @@ pub unsafe extern "C" fn atraj_bell_extremes(ctx: *const a_trajbell, lowest: *mu
 /// @brief Sample a bell-shaped velocity trajectory: positions, velocities, accelerations and jerks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_bell_sample(
-    ctx: *const a_trajbell, x0: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
+    ctx: *const a_trajbell, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |bell, outputs| bell.sample_into(x0.into(), dt.into(), outputs)) }
+    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |bell, outputs| bell.sample_into(start.into(), dt.into(), outputs)) }
 }
 
 /// @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_bell_state(
-    ctx: *const a_trajbell, x: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
+    ctx: *const a_trajbell, time: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write([pos, vel, acc, jer], of(ctx).map(|bell| bell.state(x.into()))) };
+    unsafe { write([pos, vel, acc, jer], of(ctx).map(|bell| bell.state(time.into()))) };
 }

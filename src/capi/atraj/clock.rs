@@ -48,21 +48,21 @@ pub unsafe extern "C" fn atraj_clock_start(ctx: *mut atraj_clock) {
 /// duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
 /// @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
 /// @param sections number of sections; 1 for a single set of moves
-/// @param x time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
+/// @param time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
 /// begin before the next one is planned
 /// @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
 /// `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of acceleration and jerk
-/// are infinite, `ATRAJ_ERR_LATE` if `x` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
+/// are infinite, `ATRAJ_ERR_LATE` if `time` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
 /// found, or if the rate is negative and the path begins in motion
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_rate(
     ctx: *mut atraj_clock, moves: *const atraj_move, limits: *const atraj_limits, n: usize, sections: usize,
-    x: a_float, rate: a_float,
+    time: a_float, rate: a_float,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
         let moves = list(moves, n.wrapping_mul(sections));
-        Some(of_mut(ctx)?.rate(moves?, list(limits, n)?, x.into(), rate.into()))
+        Some(of_mut(ctx)?.rate(moves?, list(limits, n)?, time.into(), rate.into()))
     })
 }
 
@@ -73,29 +73,29 @@ pub unsafe extern "C" fn atraj_clock_until(ctx: *const atraj_clock) -> a_float {
     value(unsafe { of(ctx) }, Clock::until)
 }
 
-/// @brief Let the time `x` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
+/// @brief Let `time` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_clock_rebase(ctx: *mut atraj_clock, x: a_float) {
+pub unsafe extern "C" fn atraj_clock_rebase(ctx: *mut atraj_clock, time: a_float) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     if let Some(clock) = unsafe { of_mut(ctx) } {
-        clock.rebase(x.into());
+        clock.rebase(time.into());
     }
 }
 
-/// @brief The time of the path, s since its start, at the time `x` of the clock. Until the first change it is `x`.
+/// @brief The time of the path, s since its start, at `time` of the clock. Until the first change it is `time`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_clock_time(ctx: *const atraj_clock, x: a_float) -> a_float {
+pub unsafe extern "C" fn atraj_clock_time(ctx: *const atraj_clock, time: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    value(unsafe { of(ctx) }, |clock| clock.time(x.into()))
+    value(unsafe { of(ctx) }, |clock| clock.time(time.into()))
 }
 
-/// @brief State of an axis of the path at the time `x` of the clock: position, velocity, acceleration and jerk.
+/// @brief State of an axis of the path at `time` of the clock: position, velocity, acceleration and jerk.
 /// @param moves points to the move of the axis in the first section, `moves + axis` of `atraj_clock_rate`
 /// @param n number of axes: the next move of the axis is `n` moves later
 /// @param sections number of sections. All results are NaN if `n` or `sections` is 0, or `ctx` or `moves` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_state(
-    ctx: *const atraj_clock, moves: *const atraj_move, n: usize, sections: usize, x: a_float, pos: *mut a_float,
+    ctx: *const atraj_clock, moves: *const atraj_move, n: usize, sections: usize, time: a_float, pos: *mut a_float,
     vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
 ) {
     let has_moves = n > 0 && sections > 0;
@@ -103,6 +103,6 @@ pub unsafe extern "C" fn atraj_clock_state(
     // SAFETY: the pointers are NULL or valid, and the axis has a move in each section, by the contract of this module.
     unsafe {
         let given = of(ctx).filter(|_| has_moves).and_then(|clock| Some((clock, list(moves, count)?)));
-        write([pos, vel, acc, jer], given.map(|(clock, moves)| clock.state(moves, n, x.into())));
+        write([pos, vel, acc, jer], given.map(|(clock, moves)| clock.state(moves, n, time.into())));
     }
 }

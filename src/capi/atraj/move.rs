@@ -167,53 +167,53 @@ pub unsafe extern "C" fn atraj_move_track(
     answer(|| unsafe { Some(of_mut(ctx)?.track(of(limits)?, *of(from)?, *of(signal)?, jerk.into(), horizon.into())) })
 }
 
-/// @brief Position, unit: the first one before the start, the last one for a NaN or infinite `x`, and after the end
+/// @brief Position, unit: the first one before the start, the last one for a NaN or infinite `time`, and after the end
 /// that of an axis that moves on.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_move_pos(ctx: *const atraj_move, x: a_float) -> a_float {
+pub unsafe extern "C" fn atraj_move_pos(ctx: *const atraj_move, time: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    value(unsafe { of(ctx) }, |ctx| ctx.position(x.into()))
+    value(unsafe { of(ctx) }, |ctx| ctx.position(time.into()))
 }
 
-/// @brief Velocity, unit/s: the first one before the start, the last one for a NaN or infinite `x`, and after the end
+/// @brief Velocity, unit/s: the first one before the start, the last one for a NaN or infinite `time`, and after the end
 /// that of an axis that moves on.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_move_vel(ctx: *const atraj_move, x: a_float) -> a_float {
+pub unsafe extern "C" fn atraj_move_vel(ctx: *const atraj_move, time: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    value(unsafe { of(ctx) }, |ctx| ctx.velocity(x.into()))
+    value(unsafe { of(ctx) }, |ctx| ctx.velocity(time.into()))
 }
 
-/// @brief Acceleration, unit/s^2: the first one before the start, the last one after the end and for a NaN `x`.
+/// @brief Acceleration, unit/s^2: the first one before the start, the last one after the end and for a NaN `time`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_move_acc(ctx: *const atraj_move, x: a_float) -> a_float {
+pub unsafe extern "C" fn atraj_move_acc(ctx: *const atraj_move, time: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    value(unsafe { of(ctx) }, |ctx| ctx.acceleration(x.into()))
+    value(unsafe { of(ctx) }, |ctx| ctx.acceleration(time.into()))
 }
 
-/// @brief Jerk, unit/s^3: 0 before the start, after the end and for a NaN `x`.
+/// @brief Jerk, unit/s^3: 0 before the start, after the end and for a NaN `time`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn atraj_move_jer(ctx: *const atraj_move, x: a_float) -> a_float {
+pub unsafe extern "C" fn atraj_move_jer(ctx: *const atraj_move, time: a_float) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    value(unsafe { of(ctx) }, |ctx| ctx.jerk(x.into()))
+    value(unsafe { of(ctx) }, |ctx| ctx.jerk(time.into()))
 }
 
 /// @brief State of a move at one time: position, velocity, acceleration and jerk. It is the start of another plan.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_state(
-    ctx: *const atraj_move, x: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
+    ctx: *const atraj_move, time: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write([pos, vel, acc, jer], of(ctx).map(|ctx| ctx.state(x.into()))) };
+    unsafe { write([pos, vel, acc, jer], of(ctx).map(|ctx| ctx.state(time.into()))) };
 }
 
 /// @brief Sample a move: positions, velocities, accelerations and jerks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_move_sample(
-    ctx: *const atraj_move, x0: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
+    ctx: *const atraj_move, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |ctx, outputs| ctx.sample_into(x0.into(), dt.into(), outputs)) }
+    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |ctx, outputs| ctx.sample_into(start.into(), dt.into(), outputs)) }
 }
 
 /// @brief The lowest and the highest position, velocity and acceleration from start to end, each at its own time.

@@ -18,20 +18,20 @@ pub unsafe extern "C" fn atraj_poly3_extremes(
 /// @brief Sample a cubic polynomial trajectory: positions, velocities and accelerations.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly3_sample(
-    ctx: *const a_trajpoly3, x0: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
+    ctx: *const a_trajpoly3, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
     acc: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, outputs| sweep(x0, dt).fill(outputs, poly.state())) }
+    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state())) }
 }
 
 /// @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly3_state(
-    ctx: *const a_trajpoly3, x: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float,
+    ctx: *const a_trajpoly3, time: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write([pos, vel, acc], ctx.as_ref().map(|poly| poly.state()(x.into()))) };
+    unsafe { write([pos, vel, acc], ctx.as_ref().map(|poly| poly.state()(time.into()))) };
 }
 
 /// @brief The lowest and the highest position, velocity and acceleration of a quintic polynomial trajectory.
@@ -47,20 +47,20 @@ pub unsafe extern "C" fn atraj_poly5_extremes(
 /// @brief Sample a quintic polynomial trajectory: positions, velocities and accelerations.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly5_sample(
-    ctx: *const a_trajpoly5, x0: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
+    ctx: *const a_trajpoly5, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
     acc: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, outputs| sweep(x0, dt).fill(outputs, poly.state())) }
+    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state())) }
 }
 
 /// @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly5_state(
-    ctx: *const a_trajpoly5, x: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float,
+    ctx: *const a_trajpoly5, time: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write([pos, vel, acc], ctx.as_ref().map(|poly| poly.state()(x.into()))) };
+    unsafe { write([pos, vel, acc], ctx.as_ref().map(|poly| poly.state()(time.into()))) };
 }
 
 /// @brief The lowest and the highest position, velocity and acceleration of a septic polynomial trajectory.
@@ -76,22 +76,22 @@ pub unsafe extern "C" fn atraj_poly7_extremes(
 /// @brief Sample a septic polynomial trajectory: positions, velocities, accelerations and jerks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly7_sample(
-    ctx: *const a_trajpoly7, x0: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
+    ctx: *const a_trajpoly7, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(ctx.as_ref(), [pos, vel, acc, jer], n, |poly, outputs| sweep(x0, dt).fill(outputs, poly.state())) }
+    unsafe { sample(ctx.as_ref(), [pos, vel, acc, jer], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state())) }
 }
 
 /// @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_poly7_state(
-    ctx: *const a_trajpoly7, x: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
+    ctx: *const a_trajpoly7, time: a_float, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float, jer: *mut a_float,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write([pos, vel, acc, jer], ctx.as_ref().map(|poly| poly.state()(x.into()))) };
+    unsafe { write([pos, vel, acc, jer], ctx.as_ref().map(|poly| poly.state()(time.into()))) };
 }
 
-fn sweep(x0: a_float, dt: a_float) -> Sweep<Number> {
-    Sweep { x0: x0.into(), dt: dt.into() }
+fn sweep(start: a_float, dt: a_float) -> Sweep<Number> {
+    Sweep { x0: start.into(), dt: dt.into() }
 }

@@ -78,27 +78,27 @@ pub unsafe extern "C" fn atraj_shaper_smooth(ctx: *mut atraj_shaper, time: a_flo
     unsafe { put(ctx, || Shaper::smooth(time.into())) }
 }
 
-/// @brief The shaped motion of a move at the time `x`.
+/// @brief The shaped motion of a move at `time`.
 ///
 /// From rest to rest it keeps every limit of the move, starts and ends where the move does, and takes `t` of the shaper
 /// longer. Before its start a move is taken to go on with the velocity that it has there. So an axis that is retargeted
 /// in mid-motion would jump: `atraj_shaper_stream_tick` shapes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_state(
-    ctx: *const atraj_shaper, r#move: *const atraj_move, x: a_float, now: *mut atraj_state,
+    ctx: *const atraj_shaper, r#move: *const atraj_move, time: a_float, now: *mut atraj_state,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write_state(now, of(ctx).zip(of(r#move)).map(|(shaper, of)| shaper.state(of, x.into()))) };
+    unsafe { write_state(now, of(ctx).zip(of(r#move)).map(|(shaper, of)| shaper.state(of, time.into()))) };
 }
 
 /// @brief The shaped motion of a bell-shaped velocity trajectory, as of a move. After its end, too, it is taken to go
 /// on with the velocity that it has there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_bell_state(
-    ctx: *const atraj_shaper, bell: *const a_trajbell, x: a_float, now: *mut atraj_state,
+    ctx: *const atraj_shaper, bell: *const a_trajbell, time: a_float, now: *mut atraj_state,
 ) {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { write_state(now, of(ctx).zip(of(bell)).map(|(shaper, of)| shaper.bell_state(of, x.into()))) };
+    unsafe { write_state(now, of(ctx).zip(of(bell)).map(|(shaper, of)| shaper.bell_state(of, time.into()))) };
 }
 
 /// @brief A shaper of a stream of states, one a tick, whatever makes them. Its members are the library's own.
