@@ -85,12 +85,12 @@ $(OUT)/$(SOURCE).tar.gz:
 	cd $(WORK)/$(SOURCE) && cargo vendor --offline vendor > .cargo/config.toml 2> ../vendor.log || { cat ../vendor.log >&2; exit 1; }
 	$(call pack,$(SOURCE))
 
-# The tool describes the sources where they lie and writes its file beside them.
+# The tool describes the sources where they lie, as the address of the package too, and writes its file beside them.
 BILL_TOOL ?= target/cargo-cyclonedx-0.5.9/bin/cargo-cyclonedx
 $(BILL): $(OUT)/$(SOURCE).tar.gz $(BILL_TOOL)
 	cd $(WORK)/$(SOURCE) && $(abspath $(BILL_TOOL)) cyclonedx --quiet --format json --spec-version 1.5 --target all --no-build-deps \
 	    --override-filename bill
-	sed 's|path+file://$(CURDIR)/$(WORK)/$(SOURCE)|path+file:///$(SOURCE)|' $(WORK)/$(SOURCE)/bill.json > $@
+	sed -e 's|path+file://$(CURDIR)/$(WORK)/$(SOURCE)|path+file:///$(SOURCE)|' -e 's|?download_url=file://\.||' $(WORK)/$(SOURCE)/bill.json > $@
 
 # Compiled without optimisation, because compiling takes longer than running.
 target/cargo-cyclonedx-%/bin/cargo-cyclonedx:

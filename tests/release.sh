@@ -301,7 +301,7 @@ sources() {
 
 bill() {
     grep '"name": "libc"' "$release/atraj-$version.cdx.json"
-    grep "\"purl\": \"pkg:cargo/atraj@$version" "$release/atraj-$version.cdx.json"
+    grep "\"purl\": \"pkg:cargo/atraj@$version\"" "$release/atraj-$version.cdx.json"
     test -z "$(grep -F -e "$root" -e serialNumber "$release/atraj-$version.cdx.json")"
 }
 
