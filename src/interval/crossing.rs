@@ -7,7 +7,7 @@ use super::border::Border;
 use super::piece::{Easing, Piece};
 use super::profile::Profile;
 use super::ramp::{Fitted, Passed, Ramp};
-use super::rounding::of_formula;
+use super::rounding::{of_formula, of_state};
 use crate::real::Real;
 use crate::roots::larger_root;
 
@@ -147,13 +147,15 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
 pub(crate) fn next_duration<R: Real>(
     border: &Border<R>, mut t: R, Displacement { h, positions }: Displacement<R>,
 ) -> R {
-    // A displacement may become impossible once, and a gap may follow, on each side.
-    for _ in 0..4 {
+    let after_gap = || border.passed(&border.after_gap()).duration;
+    // At its end a gap may seem to be still ahead. A little later it does not.
+    let later = |t: R, than: R| if t > than { t } else { than + of_state(than) };
+    // A displacement may become impossible once, and a gap may follow, on each side. A gap may seem to end later.
+    for _ in 0..5 {
         let mirrored = border.mirrored();
         let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
             // The fastest motion is below the shortest ramp, if its velocities are equal up to rounding.
-            let after = border.passed(&border.after_gap()).duration;
-            t = after.at_least(border.shortest());
+            t = later(after_gap().at_least(border.shortest()), t);
             continue;
         };
         let tie = border.rounding_of_displacement(t, positions);
@@ -178,7 +180,7 @@ pub(crate) fn next_duration<R: Real>(
         t = match first {
             Some(first) if !is_before(first) => first,
             // With an infinite jerk this time is inaccurate, and can fake a gap that has ended.
-            _ => border.passed(&border.after_gap()).duration.at_least(t),
+            _ => later(after_gap(), t),
         };
     }
     t

@@ -58,7 +58,9 @@ pub unsafe extern "C" fn atraj_bell_sample(
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |bell, outputs| bell.sample_into(start.into(), dt.into(), outputs)) }
+    unsafe {
+        sample(of(ctx), [pos, vel, acc, jer], n, |bell, outputs| bell.sample_into(start.into(), dt.into(), outputs))
+    }
 }
 
 /// @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.

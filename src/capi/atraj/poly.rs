@@ -80,7 +80,9 @@ pub unsafe extern "C" fn atraj_poly7_sample(
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(ctx.as_ref(), [pos, vel, acc, jer], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state())) }
+    unsafe {
+        sample(ctx.as_ref(), [pos, vel, acc, jer], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state()))
+    }
 }
 
 /// @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time.

@@ -54,7 +54,8 @@ pub unsafe extern "C" fn atraj_trap_extremes(ctx: *const a_trajtrap, lowest: *mu
 /// @brief Sample a trapezoidal velocity trajectory: positions, velocities and accelerations.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_trap_sample(
-    ctx: *const a_trajtrap, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float, acc: *mut a_float,
+    ctx: *const a_trajtrap, start: a_float, dt: a_float, n: usize, pos: *mut a_float, vel: *mut a_float,
+    acc: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     unsafe { sample(of(ctx), [pos, vel, acc], n, |trap, outputs| trap.sample_into(start.into(), dt.into(), outputs)) }
