@@ -151,7 +151,8 @@ WEAK(atraj_move_acc) WEAK(atraj_move_jer) WEAK(atraj_limits_init) WEAK(atraj_mov
 WEAK(atraj_moves_sync_within) WEAK(atraj_axis_init) WEAK(atraj_axis_tick) WEAK(atraj_axis_go) WEAK(atraj_axis_track)
 WEAK(atraj_steps_init) WEAK(atraj_steps_next) WEAK(atraj_clock_start) WEAK(atraj_clock_rate) WEAK(atraj_clock_state)
 WEAK(atraj_shaper_init) WEAK(atraj_shaper_smooth) WEAK(atraj_shaper_add) WEAK(atraj_shaper_state)
-WEAK(atraj_path_plan) WEAK(atraj_path_improve) WEAK(atraj_path_size)
+WEAK(atraj_group_init) WEAK(atraj_group_tick) WEAK(atraj_group_sync) WEAK(atraj_group_line) WEAK(atraj_group_rate)
+WEAK(atraj_group_stop) WEAK(atraj_path_plan) WEAK(atraj_path_improve) WEAK(atraj_path_size)
 
 static void fastest(void) {
     if (atraj_bell_gen) {
@@ -272,6 +273,44 @@ static void axis(void) {
     print_costs("atraj_axis_tick", ticks);
     print_costs("atraj_axis_go", plans);
     print_costs("atraj_axis_track", tracks);
+}
+
+enum { GROUPED = 2 };
+static atraj_limits group_limits[GROUPED], group_reserve[GROUPED];
+static atraj_state group_states[GROUPED], group_to[GROUPED], group_now[GROUPED];
+
+POSE(pose_group_to, (atraj_group *, const atraj_limits *, const atraj_state *, unsigned), group_limits, group_to, LEAD)
+POSE(pose_group_rate, (atraj_group *, const atraj_limits *, a_float, unsigned), group_reserve, 0, LEAD)
+POSE(pose_group_stop, (atraj_group *, const atraj_limits *, unsigned), group_reserve, LEAD)
+POSE(pose_group_tick, (atraj_group *, atraj_state *), group_now)
+
+/* Two axes from rest on a line to each target of the table, where they come to rest. After 25 ticks a feed hold is planned, and a stop in its
+ * place. */
+static void group(void) {
+    static atraj_group ctx;
+    static atraj_move room[3 * GROUPED];
+    costs syncs = {0}, lines = {0}, rates = {0}, stops = {0}, ticks = {0};
+    for (size_t i = 0; i != ROWS(fastest_move); ++i) {
+        problem const q = problem_of(fastest_move[i]);
+        if (q.function != PLAN || i % 8) { continue; }
+        for (int k = 0; k != GROUPED; ++k) {
+            group_limits[k] = q.limits;
+            group_reserve[k] = wider(&q.limits);
+            group_states[k] = (atraj_state){0, 0, 0};
+            group_to[k] = (atraj_state){q.to.p / (a_float)(1 + k), 0, 0};
+        }
+        if (atraj_group_init(&ctx, (a_float)0.01, group_states, room, GROUPED) != 0) { continue; }
+        add(&syncs, measure_planner(pose_group_to, (void (*)(void))atraj_group_sync, &ctx));
+        add(&lines, measure_planner(pose_group_to, (void (*)(void))atraj_group_line, &ctx)); /* it replaces the plan that waits */
+        for (int n = 0; n != 25; ++n) { add(&ticks, measure_planner(pose_group_tick, (void (*)(void))atraj_group_tick, &ctx)); }
+        add(&rates, measure_planner(pose_group_rate, (void (*)(void))atraj_group_rate, &ctx));
+        add(&stops, measure_planner(pose_group_stop, (void (*)(void))atraj_group_stop, &ctx));
+    }
+    print_costs("atraj_group_tick", ticks);
+    print_costs("atraj_group_sync", syncs);
+    print_costs("atraj_group_line", lines);
+    print_costs("atraj_group_rate", rates);
+    print_costs("atraj_group_stop", stops);
 }
 
 static atraj_steps posed_steps;
@@ -431,6 +470,7 @@ int main(void) {
     if (atraj_move_plan) { moves(); }
     if (atraj_moves_sync) { axes(); }
     if (atraj_axis_tick) { axis(); }
+    if (atraj_group_tick) { group(); }
     if (atraj_steps_next) { machine(); }
     if (atraj_path_plan) { paths(); }
     if (atraj_path_plan && HAS_UNIT) { long_paths(); }

@@ -100,18 +100,19 @@ impl<'a, R: Real> Request<'a, R> {
         (moving..=last).all(|section| self.can_stay(self.sections, section))
     }
 
-    /// Which sections last: each section in which an axis moves, one in which the start returns within its limits, and the last one if the end
-    /// is not possible before. If none does, the last one.
-    fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
+    /// The sections that last: each section in which an axis moves, one in which the start returns within its limits, and the last one if the
+    /// end is not possible before. If none does, the last one.
+    fn each_lasting(&self, mut act: impl FnMut(usize)) {
         let mut has_begun = false;
         let last = self.sections - 1;
         let ends = !self.can_end_early();
-        (0..self.sections).filter(move |&section| {
+        for section in 0..self.sections {
             let begins = !has_begun && (section == last || !self.can_stay(0, section));
-            let lasts = begins || self.moves(section) || section == 0 && self.is_begun || section == last && ends;
-            has_begun = has_begun || lasts;
-            lasts
-        })
+            if begins || self.moves(section) || section == 0 && self.is_begun || section == last && ends {
+                has_begun = true;
+                act(section);
+            }
+        }
     }
 }
 
@@ -130,11 +131,14 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     /// The sections that last, with no plan yet.
     pub fn of(request: Request<'a, R>, work: &'w mut [R]) -> Result<Self, Error> {
         let axes = request.axes;
-        let sections = request.lasting().count();
+        let mut sections = 0;
+        request.each_lasting(|_| sections += 1);
         let mut memory = Memory::of(work, axes, sections).ok_or(Error::Axes)?;
-        for (section, place) in request.lasting().enumerate() {
+        let mut section = 0;
+        request.each_lasting(|place| {
             memory.places.put(section, R::from_index(place as i32));
-        }
+            section += 1;
+        });
         let mut chain = Self { request, axes, sections, memory, findings: Findings::default() };
         chain.memory.states.clear();
         chain.memory.offsets.clear();
