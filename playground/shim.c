@@ -20,7 +20,8 @@ static atraj_clock clocks[CLOCKS];
 static atraj_limits limits[AXES];
 static atraj_state from[AXES], to[AXES], states[POINTS * PATH_AXES];
 static a_float durations[POINTS - 1];
-static a_float work[(POINTS - 1) * (PATH_AXES * (2 * PATH_AXES + 34) + 14) + 2 * PATH_AXES * (PATH_AXES - 1) + 6]; /* atraj_path_size */
+static a_float tolerances[(POINTS - 2) * PATH_AXES];
+static a_float work[(POINTS - 1) * (PATH_AXES * (9 * PATH_AXES + 113) / 2 + 20) + 9 * PATH_AXES * (PATH_AXES - 1) / 2 + 12 - PATH_AXES]; /* atraj_path_size_near */
 static a_float samples[QUANTITIES][SAMPLES];
 
 int axis_count(void) { return AXES; }
@@ -60,6 +61,12 @@ atraj_state *to_at(int i) { return &to[i]; }
 /* The state of an axis at a waypoint, the durations of the sections between them, and the memory to plan them. */
 atraj_state *state_at(int point, int axis) { return &states[point * PATH_AXES + axis]; }
 a_float *durations_at(void) { return durations; }
+/* The zones of all axes and waypoints become `size`. */
+a_float *zones_at(a_float size)
+{
+    for (size_t i = 0; i < A_LEN(tolerances); ++i) { tolerances[i] = size; }
+    return tolerances;
+}
 a_float *work_at(void) { return work; }
 a_float duration_of(int section) { return durations[section]; }
 a_float *samples_at(int quantity) { return samples[quantity]; }

@@ -64,6 +64,11 @@ const plane = new Plane(document.querySelector<SVGSVGElement>("#plane")!, {
         redraw();
     },
     remove,
+    resize(zone) {
+        state.values.zone = round(zone);
+        showControls();
+        redraw();
+    },
 });
 
 const player = new Player(the("run"), {
@@ -93,7 +98,7 @@ function draw(): void {
     }
     plots.show(motions, lead(), state.moment, state.unit);
     if (profile().points) {
-        plane.show(state.points, plots.samples.map(([position]) => position), state.unit);
+        plane.show(state.points, state.values.zone, plots.samples.map(([position]) => position), state.unit);
     }
     markRefused();
     const chosen = motions.find(({ beside }) => !beside);

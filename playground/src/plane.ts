@@ -6,6 +6,8 @@ export interface Moves {
     /** A waypoint is to be there. */
     move(index: number, to: Point): void;
     remove(index: number): void;
+    /** The zones are to be so large. */
+    resize(zone: number): void;
 }
 
 /** Room around the path, and the most height, in pixels. */
@@ -23,10 +25,12 @@ export class Plane {
     private readonly straight = drawn("polyline", { class: "straight" });
     private readonly path = drawn("polyline", { class: "path" });
     private readonly marker = drawn("circle", { class: "marker", r: 5 });
+    private readonly zones = drawn("g", {});
     private handles: SVGCircleElement[] = [];
     private points: Point[] = [];
     private unit = "m";
-    private dragged: number | undefined;
+    /** The waypoint, or a zone. */
+    private dragged: number | "zone" | undefined;
     /** Width and height, in pixels. */
     private size: Point = [0, 0];
     /** Pixels for one unit of position in both directions, and the position in the middle. */
@@ -39,18 +43,21 @@ export class Plane {
         private readonly host: SVGSVGElement,
         private readonly events: Moves,
     ) {
-        host.append(this.grid, this.straight, this.path, this.marker);
+        host.append(this.grid, this.zones, this.straight, this.path, this.marker);
     }
 
-    /** Shows the waypoints, and the path of two curves, if there is one. */
-    show(points: Point[], [xs, ys]: Float64Array[], unit: string): void {
+    /** Shows the waypoints with their zones, and the path of two curves, if there is one. */
+    show(points: Point[], zone: number, [xs, ys]: Float64Array[], unit: string): void {
         [this.points, this.unit] = [points, unit];
         const path = Array.from(xs ?? [], (x, k): Point => [x, ys[k]]);
+        const inner = zone > 0 ? points.slice(1, -1) : [];
         this.marker.toggleAttribute("hidden", path.length === 0);
         if (this.dragged === undefined) {
-            this.fit([...points, ...path]);
+            const corners = [-zone, zone].flatMap((off) => inner.map((point) => point.map((value) => value + off) as Point));
+            this.fit([...points, ...path, ...corners]);
             this.drawGrid();
         }
+        this.zones.replaceChildren(...inner.map((point) => this.zone(point, zone)));
         this.line(this.straight, points);
         this.line(this.path, path);
         while (this.handles.length > points.length) {
@@ -112,6 +119,25 @@ export class Plane {
 
     private line(line: SVGPolylineElement, points: Point[]): void {
         line.setAttribute("points", points.map(([x, y]) => `${this.across(0, x).toFixed(1)},${this.across(1, y).toFixed(1)}`).join(" "));
+    }
+
+    /** The zone around a point, whose edge is dragged. */
+    private zone(point: Point, size: number): SVGRectElement {
+        const [x, y, side] = [this.across(0, point[0] - size), this.across(1, point[1] + size), 2 * size * this.scale];
+        const zone = drawn("rect", { class: "zone", x, y, width: side, height: side });
+        zone.addEventListener("pointerdown", () => {
+            const drag = (event: PointerEvent) =>
+                this.events.resize(Math.max(...this.at(event).map((value, axis) => Math.abs(value - point[axis]))));
+            const drop = (event: PointerEvent) => {
+                this.host.removeEventListener("pointermove", drag);
+                this.dragged = undefined;
+                drag(event);
+            };
+            this.dragged = "zone";
+            this.host.addEventListener("pointermove", drag);
+            addEventListener("pointerup", drop, { once: true });
+        });
+        return zone;
     }
 
     private center(circle: SVGCircleElement, [x, y]: Point): void {

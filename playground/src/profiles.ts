@@ -72,6 +72,8 @@ const ends = (...labels: [key: string, label: string, unit: string][]): Group[] 
 const V: [string, string, string] = ["v", "Velocity", "m/s"];
 const A: [string, string, string] = ["a", "Acceleration", "m/s²"];
 const J: [string, string, string] = ["j", "Jerk", "m/s³"];
+/** How far each axis may pass a waypoint. */
+export const ZONE = field("zone", "Around each waypoint", "m", 0, 2, 0);
 const DURATION: Group = { title: "Move", fields: [field("ts", "Duration", "s", 0, 10, 3)] };
 
 /** Limits of velocity, acceleration and jerk that are the same in both directions. */
@@ -285,7 +287,9 @@ function planPath(values: Values, points: Point[]): Outcome {
     PLANE.forEach((_, axis) => c.atraj_limits_init(c.limits_at(axis), ...plannedAxisLimits(values, axis)));
     points.forEach((point, k) => point.forEach((position, axis) => c.set_state(c.state_at(k, axis), position, 0, 0)));
     const sections = points.length - 1;
-    const code = c.atraj_path_plan(c.state_at(0, 0), c.durations_at(), c.limits_at(0), PLANE.length, sections, 0, c.work_at());
+    const [into, after] = [[c.state_at(0, 0), c.durations_at(), c.limits_at(0)], [PLANE.length, sections, 0, c.work_at()]];
+    const near = values.zone !== 0;
+    const code = near ? c.atraj_path_plan_near(...into, c.zones_at(values.zone), ...after) : c.atraj_path_plan(...into, ...after);
     if (code < 0) {
         return { motions: [], remarks: findings("atraj", code, "") };
     }
@@ -296,7 +300,7 @@ function planPath(values: Values, points: Point[]): Outcome {
         motions.forEach(({ pieces }, axis) => pieces.push({ start, plan: move(place(axis)) }));
         start += c.move_duration(place(0));
     }
-    return { motions, remarks: findings("atraj", code, "passes every point and keeps every limit") };
+    return { motions, remarks: findings("atraj", code, `passes every ${near ? "zone" : "point"} and keeps every limit`) };
 }
 
 const bellGroups = [{ title: "Limits", fields: [VELOCITY, ACCELERATION, JERK] }, ...ends(V)];
@@ -442,8 +446,8 @@ export const PROFILES: Profile[] = [
     {
         id: "path",
         name: "Waypoints without stops",
-        note: "Two axes pass every point, as fast as the limits of both allow. Drag a point, or move it by the arrow keys.",
-        groups: [...limitGroups.slice(0, PLANE.length), ...RUN],
+        note: "Two axes pass every point, as fast as the limits of both allow. Drag a point or its zone, or move it by the arrow keys.",
+        groups: [...limitGroups.slice(0, PLANE.length), { title: "Zones to fly by", fields: [ZONE] }, ...RUN],
         axes: PLANE,
         points: true,
         runs: true,

@@ -36,9 +36,10 @@ const HASHES = {
     line: "profile=line&least=4&cycle=0.004",
     reserved: "profile=sync&run=1&reserve=30",
     path: "profile=path&unit=mm&points=0~0_3~4_3~-1_6~2",
+    zones: "profile=path&zone=0.25&points=0~0_3~4_3~-1_6~2",
 };
 /** The program for the path prints six setpoints of each section, and each waypoint once. In Python it prints eleven. */
-const SETPOINTS = { path: 16 };
+const SETPOINTS = { path: 16, zones: 16 };
 
 let browser, close;
 const shown = {};

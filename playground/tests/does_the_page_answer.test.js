@@ -264,6 +264,24 @@ onPage("a waypoint is dragged by the mouse", "#profile=path", async (page) => {
     assert.ok(box.x < x && box.y > y - 40);
 });
 
+onPage("a zone is dragged around its waypoint, and the path gets shorter", "#profile=path&zone=0.5", async (page) => {
+    const before = Number.parseFloat(await duration(page));
+    const zone = await page.locator("#plane .zone").first().boundingBox();
+    await page.mouse.move(zone.x + 2, zone.y + 2);
+    await page.mouse.down();
+    await page.mouse.move(zone.x - 20, zone.y - 10, { steps: 4 });
+    await page.mouse.up();
+    await settled(page);
+    const size = Number(page.url().match(/zone=([.\d]+)/)[1]);
+    assert.ok(size > 0.5, `${size}`);
+    assert.ok(Number.parseFloat(await duration(page)) < before);
+    const [xs, ys] = await positions(page);
+    for (const point of [[4, 5], [8, 5]]) {
+        const isInside = (value, k) => Math.abs(value - point[0]) < size + 0.05 && Math.abs(ys[k] - point[1]) < size + 0.05;
+        assert.ok(xs.some(isInside), `${point}`);
+    }
+});
+
 onPage("the keyboard alone moves, adds and removes a waypoint", "#profile=path", async (page) => {
     const point = page.getByRole("slider", { name: "Waypoint 3" });
     await point.focus();

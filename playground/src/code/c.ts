@@ -2,7 +2,7 @@
 import { AXIS_NAMES, plannedAxisLimits, plannedLimits } from "../profiles";
 import type { Command } from "../state";
 import {
-    bellArguments, body, eachAxis, MOVE_ORDER, BELL_ORDER, ofAxis, PATH_ORDER, POLY_ORDER, polyArguments, STATE_ORDER, TRAP_ORDER, trapArguments,
+    bellArguments, body, eachAxis, hasZones, MOVE_ORDER, BELL_ORDER, ofAxis, PATH_ORDER, POLY_ORDER, polyArguments, STATE_ORDER, TRAP_ORDER, trapArguments,
     workSize, wrapped, type Writer,
 } from "./writer";
 
@@ -139,16 +139,18 @@ export function cWriter({ head, print, types, type, generate, position, call, st
         },
         path(values, points) {
             const n = points.length - 1;
+            const zones = hasZones(values, points);
             const states = points.map(([x, y]) => `{${braces(x, 0, 0)}, ${braces(y, 0, 0)}}`);
             const format = `"%.4f s: %.4f %.4f ${unit}\\n"`;
             return main(
                 `${types}limits limits[2];`,
                 `/* ${STATE_ORDER} ${PATH_ORDER} */`,
                 ...wrapped(`${types}state states[${n + 1}][2] = {`, states, "};"),
-                `double durations[${n}], work[${workSize(n)}], start = 0;`,
+                `double durations[${n}], work[${workSize(n, zones)}], start = 0;`,
+                ...(zones ? wrapped(`double const tolerances[${2 * n - 2}] = {`, Array(2 * n - 2).fill(values.zone), "};") : []),
                 "/* jerk, acceleration, velocity */",
                 ...[0, 1].map((axis) => `atraj_limits_init(&limits[${axis}], ${plannedAxisLimits(values, axis).join(", ")});`),
-                unless(`atraj_path_plan(states[0], durations, limits, 2, ${n}, 0, work)`),
+                unless(`atraj_path_plan${zones ? "_near" : ""}(states[0], durations, limits,${zones ? " tolerances," : ""} 2, ${n}, 0, work)`),
                 `for (int k = 0; k < ${n}; ++k) {`,
                 `    ${types}move axes[2];`,
                 `    ${unless("atraj_moves_sync(axes, limits, states[k], states[k + 1], 2, durations[k], 0)")}`,

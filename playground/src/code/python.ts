@@ -1,7 +1,7 @@
 // The programs in Python.
 import { plannedAxisLimits, plannedLimits } from "../profiles";
 import {
-    BELL_ORDER, bellArguments, eachAxis, MOVE_ORDER, ofAxis, POLY_ORDER, polyArguments, STATE_ORDER, TRAP_ORDER, trapArguments, wrapped, type Writer,
+    BELL_ORDER, bellArguments, eachAxis, hasZones, MOVE_ORDER, ofAxis, POLY_ORDER, polyArguments, STATE_ORDER, TRAP_ORDER, trapArguments, wrapped, type Writer,
 } from "./writer";
 
 const script = (...lines: (string | string[])[]) => `import atraj\n\n${lines.flat().join("\n")}\n`;
@@ -60,7 +60,7 @@ export function pythonWriter(unit: string): Writer {
                 "# jerk, acceleration, velocity",
                 ofAxes("limits", [0, 1].map((axis) => symmetric(plannedAxisLimits(values, axis)))),
                 ofAxes("points", points.map(([x, y]) => `[${x}, ${y}]`)),
-                "path = atraj.path(points=points, limits=limits)",
+                `path = atraj.path(points=points, limits=limits${hasZones(values, points) ? `, tolerances=[${values.zone}, ${values.zone}]` : ""})`,
                 "for k in range(11):",
                 "    t = path.t * k / 10",
                 "    x, y = path.position(t)",

@@ -1,7 +1,7 @@
 // The programs in Rust.
 import { AXIS_NAMES, axisKey, plannedAxisLimits, plannedLimits, slopes } from "../profiles";
 import type { Values } from "../state";
-import { body, eachAxis, ofAxis, PATH_ORDER, STATE_ORDER, wrapped, type Writer } from "./writer";
+import { body, eachAxis, hasZones, ofAxis, PATH_ORDER, STATE_ORDER, wrapped, type Writer } from "./writer";
 
 /** A number that no compiler takes for an integer. */
 const real = (value: number) => (Number.isInteger(value) && !String(value).includes("e") ? `${value}.0` : String(value));
@@ -102,17 +102,19 @@ export function rustWriter(unit: string): Writer {
         },
         path: (values, points) => {
             const n = points.length - 1;
+            const [near, tolerances] = hasZones(values, points) ? ["_near", " &tolerances,"] : ["", ""];
             const limits = [0, 1].map((axis) => `Limits::symmetric(${reals(...plannedAxisLimits(values, axis))})`);
             const states = points.map(([x, y]) => `${rustState(x, 0, 0)}, ${rustState(y, 0, 0)}`);
             return rustMain(
-                ["axes::{path_size, plan_path, synchronise}", "State", "online::{Limits, Move}"],
+                [`axes::{path_size${near}, plan_path${near}, synchronise}`, "State", "online::{Limits, Move}"],
                 "// jerk, acceleration, velocity",
                 wrapped("let limits = [", limits, "];", ","),
                 `// ${STATE_ORDER} ${PATH_ORDER}`,
                 wrapped("let mut states = [", states, "];", ","),
                 `let mut durations = [0.0; ${n}];`,
-                `let mut work = vec![0.0; path_size(2, ${n}).expect("a short path")];`,
-                'plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work).expect("a path");',
+                near ? [`let tolerances = [${real(values.zone)}; ${2 * n - 2}];`] : [],
+                `let mut work = vec![0.0; path_size${near}(2, ${n}).expect("a short path")];`,
+                `plan_path${near}(&mut states, &mut durations, &limits,${tolerances} 2, 0, &mut work).expect("a path");`,
                 "let mut start = 0.0;",
                 "for (k, duration) in durations.into_iter().enumerate() {",
                 "    let mut axes = [Move::default(); 2];",

@@ -45,5 +45,8 @@ export function wrapped(before: string, entries: string[], after: string, comma 
 
 export const body = (...lines: (string | string[])[]) => lines.flat().map((line) => line && `    ${line}`).join("\n");
 
-/** How many numbers of working memory the path of two axes needs: that of `atraj_path_size`. */
-export const workSize = (sections: number) => 90 * sections + 10;
+/** Whether a path has zones around its waypoints. */
+export const hasZones = ({ zone }: Values, points: Point[]) => zone !== 0 && points.length > 2;
+
+/** How many numbers of working memory the path of two axes needs: that of `atraj_path_size`, or with zones of `atraj_path_size_near`. */
+export const workSize = (sections: number, zones: boolean) => (zones ? 151 * sections + 19 : 90 * sections + 10);
