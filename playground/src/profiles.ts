@@ -73,7 +73,7 @@ const V: [string, string, string] = ["v", "Velocity", "m/s"];
 const A: [string, string, string] = ["a", "Acceleration", "m/s²"];
 const J: [string, string, string] = ["j", "Jerk", "m/s³"];
 /** How far each axis may pass a waypoint. */
-export const ZONE = field("zone", "Around each waypoint", "m", 0, 2, 0);
+const ZONE = field("zone", "Around each waypoint", "m", 0, 2, 0);
 const DURATION: Group = { title: "Move", fields: [field("ts", "Duration", "s", 0, 10, 3)] };
 
 /** Limits of velocity, acceleration and jerk that are the same in both directions. */

@@ -82,8 +82,9 @@ impl Group {
         owned.with_dependent_mut(|_, borrowed| act(borrowed))
     }
 
+    /// `targets` are those of the axes, if they have some, else 0 at rest: with them each axis is asked alone why nothing is planned.
     fn plan<'py>(
-        &mut self, py: Python<'py>, limits: &[GivenLimits<Real>], lead: u32,
+        &mut self, py: Python<'py>, limits: &[GivenLimits<Real>], targets: &[State<Real>], lead: u32,
         plan: impl for<'a> FnOnce(&mut Borrowed<'a>, &[Limits<Real>]) -> Result<Findings, Error>, why_not: &str,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (count, axes) = (limits.len(), self.now.len());
@@ -92,8 +93,8 @@ impl Group {
         }
         let limits: Vec<_> = limits.iter().map(|limits| limits.0).collect();
         let found = self.act(|borrowed| plan(borrowed, &limits)).map_err(|why| {
-            let rest = [State::at(0.0); 2];
-            let alone = each_alone(limits.iter().map(|&limits| (limits, rest, ANYWHERE)));
+            let asked = limits.iter().zip(targets);
+            let alone = each_alone(asked.map(|(&limits, &target)| (limits, [State::at(0.0), target], ANYWHERE)));
             alone.err().unwrap_or_else(|| match why {
                 Error::Late => error(&format!("lead = {lead} is not a number of ticks from 1 to 134,217,727")),
                 Error::Target => error(why_not),
@@ -102,6 +103,10 @@ impl Group {
         })?;
         self.waits = true;
         to_findings(py, found)
+    }
+
+    fn at_0(&self) -> Vec<State<Real>> {
+        vec![State::at(0.0); self.now.len()]
     }
 
     fn go_to<'py>(
@@ -113,10 +118,8 @@ impl Group {
             return Err(error(&format!("targets has {count} items, and the group {axes} axes")));
         }
         let targets: Vec<_> = targets.iter().map(|target| target.0).collect();
-        let asked = limits.iter().zip(&targets).map(|(limits, &target)| (limits.0, [State::at(0.0), target], ANYWHERE));
-        each_alone(asked)?;
         let planned = |borrowed: &mut Borrowed<'_>, limits: &[_]| plan(&mut borrowed.group.split().0, limits, &targets);
-        self.plan(py, limits, lead, planned, "the axes cannot move to the targets")
+        self.plan(py, limits, &targets, lead, planned, "the axes cannot move to the targets")
     }
 }
 
@@ -195,7 +198,7 @@ impl Group {
             let moves = borrowed.paths.push_get(moves);
             borrowed.group.split().0.path(limits, moves, begun, lead)
         };
-        self.plan(py, &limits, lead, follow, "the axes are not on the path at this time")
+        self.plan(py, &limits, &self.at_0(), lead, follow, "the axes are not on the path at this time")
     }
 
     /// Goes to another rate on the line or path: 1 as planned, 0 hold, 0.5 half as fast, -1 back. `limits` are those of the plan and a reserve.
@@ -205,14 +208,14 @@ impl Group {
     ) -> PyResult<Bound<'py, PyAny>> {
         let why_not = "no change to this rate keeps the limits, which need a reserve beyond those of the plan; or the axes move each for itself";
         let change = |borrowed: &mut Borrowed<'_>, limits: &[_]| borrowed.group.split().0.rate(limits, rate, lead);
-        self.plan(py, &limits, lead, change, why_not)
+        self.plan(py, &limits, &self.at_0(), lead, change, why_not)
     }
 
     /// Stops on the line or path where that is not much slower, else each axis at once.
     #[pyo3(signature = (limits, *, lead=1))]
     fn stop<'py>(&mut self, py: Python<'py>, limits: Vec<GivenLimits<Real>>, lead: u32) -> PyResult<Bound<'py, PyAny>> {
         let stop = |borrowed: &mut Borrowed<'_>, limits: &[_]| borrowed.group.split().0.stop(limits, lead);
-        self.plan(py, &limits, lead, stop, "the axes cannot stop")
+        self.plan(py, &limits, &self.at_0(), lead, stop, "the axes cannot stop")
     }
 
     fn __len__(&self) -> usize {
