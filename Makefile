@@ -288,11 +288,11 @@ check:
 	for features in float poly-compact float,poly-compact; do \
 	    $(CARGO) test $(ORACLE) --features $$features --test does_the_c_abi_agree -- --nocapture || exit 1; done
 
-SOAK ?= calls plans moves axes paths
+SOAK ?= calls plans moves axes paths programs
 
 # Each kind goes on where its last row ends, and adds a row, also when it is stopped. SOAK=<kinds> runs some of them, SOAK_SEED=n starts at seed n,
-# SOAK_SEEDS=n ends after n seeds. A seed stands for a million calls, a million plans, a quarter of a million moves, a thousand replanned moves, ten thousand sets of axes
-# and a thousand paths per real type.
+# SOAK_SEEDS=n ends after n seeds. A seed stands for a million calls, a million plans, a quarter of a million moves, ten thousand sets of axes,
+# a thousand paths and a thousand programs of calls to a group per real type.
 soak:
 	$(CARGO) fetch --quiet --locked
 	SOAK="$(CARGO) run --quiet --locked --profile oracle -p measure --bin soak --" SOAK_SEED=$(SOAK_SEED) SOAK_SEEDS=$(SOAK_SEEDS) tests/soak.sh $(SOAK)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# soak.sh calls|plans|moves|axes|paths…: goes on with each kind of random cases where its last row in docs/data/soak.csv ends, and appends
+# soak.sh calls|plans|moves|axes|paths|programs…: goes on with each kind of random cases where its last row in docs/data/soak.csv ends, and appends
 # a row when it ends or is stopped. SOAK is the program. SOAK_SEED starts elsewhere, SOAK_SEEDS ends sooner or later.
 set -eu
 table=docs/data/soak.csv

@@ -1,11 +1,13 @@
 //! `soak <what> <first seed> <seeds> <file>`: a portion of random cases per seed and real type. `calls`: a million calls against the
 //! original. `plans`: a million motions without acceleration at their ends against the reference solver. `moves`: a quarter of a million moves from
-//! any state to any state. `axes`: ten thousand sets of axes that move together. `paths`: a thousand paths through waypoints.
+//! any state to any state. `axes`: ten thousand sets of axes that move together. `paths`: a thousand paths through waypoints. `programs`: a
+//! thousand programs of calls to a group.
 //!
 //! After each seed the file holds what was done: `what,seeds,count,faults,an hour`. So a run may be stopped at any time.
 
 use oracle::judge::axes::several::Together;
 use oracle::judge::axes::{self, SETS_PER_SEED};
+use oracle::judge::group;
 use oracle::judge::path::problems::Chains;
 use oracle::judge::path::{self, Paths};
 use oracle::judge::planner::Fastest;
@@ -17,6 +19,7 @@ use oracle::liba::volume::run_seed;
 use std::fmt::{Display, Formatter, Result as Written};
 use std::fs;
 use std::marker::PhantomData;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::time::Instant;
 use support::{Ours, Random};
@@ -66,8 +69,9 @@ fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
         "plans" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)),
         "moves" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED)),
         "axes" => judged(|seed| axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)),
-        "paths" => Box::new(Chained::<R> { paths: 0, bad: Vec::new(), real: PhantomData }),
-        _ => panic!("{what} does not exist: it is calls, plans, moves, axes or paths"),
+        "paths" => Box::new(Cases { cases: 0, bad: Vec::new(), of_seed: paths_of_seed::<R> }),
+        "programs" => Box::new(Cases { cases: 0, bad: Vec::new(), of_seed: programs_of_seed::<R> }),
+        _ => panic!("{what} does not exist: it is calls, plans, moves, axes, paths or programs"),
     }
 }
 
@@ -125,29 +129,23 @@ impl Display for Judged {
     }
 }
 
-/// Paths through waypoints.
-struct Chained<R> {
-    paths: u64,
+/// Cases that are right or bad.
+struct Cases {
+    cases: u64,
     bad: Vec<String>,
-    real: PhantomData<R>,
+    of_seed: fn(u64) -> Vec<String>,
 }
 
-const PATHS_PER_SEED: u64 = 1000;
+const CASES_PER_SEED: u64 = 1000;
 
-impl<R: Original> Soak for Chained<R> {
+impl Soak for Cases {
     fn run(&mut self, seed: u64) {
-        let (mut chains, mut random) = (Chains::new(seed), Random::seeded(seed));
-        for k in 0..PATHS_PER_SEED {
-            let chain = chains.draw::<R>();
-            if let Err(what) = path::judge(&Paths, &chain, &mut random) {
-                self.bad.push(format!("seed {seed}, path {k}, {:?}: {what}", chain.family));
-            }
-        }
-        self.paths += PATHS_PER_SEED;
+        self.bad.extend((self.of_seed)(seed));
+        self.cases += CASES_PER_SEED;
     }
 
     fn count(&self) -> u64 {
-        self.paths
+        self.cases
     }
 
     fn faults(&self) -> u64 {
@@ -155,9 +153,30 @@ impl<R: Original> Soak for Chained<R> {
     }
 }
 
-impl<R> Display for Chained<R> {
+impl Display for Cases {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        writeln!(f, "{} of {} are bad", self.bad.len(), self.paths)?;
+        writeln!(f, "{} of {} are bad", self.bad.len(), self.cases)?;
         self.bad.iter().try_for_each(|bad| writeln!(f, "{bad}"))
     }
+}
+
+/// What is wrong with the paths through waypoints of a seed.
+fn paths_of_seed<R: Original>(seed: u64) -> Vec<String> {
+    let (mut chains, mut random) = (Chains::new(seed), Random::seeded(seed));
+    let judged = (0..CASES_PER_SEED).filter_map(|k| {
+        let chain = chains.draw::<R>();
+        let what = path::judge(&Paths, &chain, &mut random).err()?;
+        Some(format!("seed {seed}, path {k}, {:?}: {what}", chain.family))
+    });
+    judged.collect()
+}
+
+/// What is wrong with the programs of a seed. Standard error has the message of each.
+fn programs_of_seed<R: Original>(seed: u64) -> Vec<String> {
+    let mut random = Random::seeded(seed);
+    let judged = (0..CASES_PER_SEED).filter_map(|k| {
+        let run = AssertUnwindSafe(|| group::program::<R>(&mut random, &mut [0; 4]));
+        catch_unwind(run).err().map(|_| format!("seed {seed}, program {k}"))
+    });
+    judged.collect()
 }

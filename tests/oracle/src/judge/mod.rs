@@ -23,6 +23,7 @@ macro_rules! listed {
 pub mod axes;
 pub mod exact;
 pub mod faults;
+pub mod group;
 pub mod inside;
 pub mod path;
 pub mod planner;

@@ -1,0 +1,283 @@
+//! A random program of calls to a group, and what is wrong with its ticks and its answers.
+
+use atraj::axes::{path_moves, path_size, plan_path, synchronise};
+use atraj::machine::{Group, GroupPlanner, GroupTicker, Tick};
+use atraj::online::{Error, Limits, Move, State};
+use support::{Random, Real, online};
+
+/// Calls of a program, before its path.
+pub const CALLS: usize = 16;
+/// The limits of a plan that leaves the clock a reserve.
+const PLANNED: f64 = 0.8;
+
+/// A path from rest to rest, and the same path with a way back to its start.
+struct Paths<R> {
+    there: Vec<Move<R>>,
+    there_and_back: Vec<Move<R>>,
+    /// A path that jumps.
+    torn: Vec<Move<R>>,
+}
+
+impl<R: Real> Paths<R> {
+    fn random(random: &mut Random, limits: &[Limits<R>]) -> Self {
+        let (n, sections, zero) = (limits.len(), 1 + random.below(4), R::of(0.0));
+        let position = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
+        let mut states: Vec<State<R>> = (0..n * (sections + 1)).map(position).collect();
+        let mut durations = vec![zero; sections];
+        let mut work = vec![zero; path_size(n, sections).expect("a size")];
+        plan_path(&mut states, &mut durations, limits, n, 6, &mut work).expect("a path");
+        let mut there = vec![Move::default(); n * sections];
+        path_moves(&mut there, limits, &states, &durations, n).expect("its moves");
+        let mut back = vec![Move::default(); n];
+        synchronise(&mut back, limits, &states[n * sections..], &states[..n], zero, zero).expect("a way back");
+        let there_and_back = [&there[..], &back].concat();
+        let torn = [&there[..], &there].concat();
+        Self { there, there_and_back, torn }
+    }
+
+    fn start(&self, n: usize) -> Vec<State<R>> {
+        self.there[..n].iter().map(|of| of.state_at(R::of(0.0))).collect()
+    }
+}
+
+/// What the group is asked to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Motion {
+    Rest,
+    Each,
+    Together,
+    Line,
+    Path,
+    Stop,
+}
+
+/// A group whose ticks are judged.
+struct Trial<'g, 'a, R> {
+    planner: GroupPlanner<'g, 'a, R>,
+    ticker: GroupTicker<'g, 'a, R>,
+    limits: &'g [Limits<R>],
+    period: R,
+    now: Vec<State<R>>,
+    /// Where the motion was planned to begin, if it is to be a line.
+    line: Option<[Vec<State<R>>; 2]>,
+    has_ended: bool,
+    /// For how many ticks the motion is in force.
+    age: u32,
+}
+
+impl<R: Real> Trial<'_, '_, R> {
+    fn tick(&mut self) -> Tick {
+        let before = self.now.clone();
+        let tick = self.ticker.tick(&mut self.now);
+        self.age = if tick.begins { self.age.max(1) } else { self.age + 1 };
+        for ((before, now), limits) in before.iter().zip(&self.now).zip(self.limits) {
+            assert!(follows(*before, *now, limits, self.period.widen(), self.age), "{before:?} {now:?} {limits:?}");
+        }
+        assert!(!(tick.ends && self.has_ended && !tick.begins));
+        if self.has_ended && !tick.begins && self.stands() {
+            assert_eq!(before, self.now, "a group that stands moves on");
+        }
+        self.has_ended = tick.ends || self.has_ended && !tick.begins;
+        if let Some([from, to]) = &self.line {
+            let way = |axis: usize| to[axis].position.widen() - from[axis].position.widen();
+            let lead = (0..from.len()).max_by(|a, b| way(*a).abs().total_cmp(&way(*b).abs())).expect("an axis");
+            let size = |axis: usize| to[axis].position.widen().abs() + from[axis].position.widen().abs();
+            let share = (self.now[lead].position.widen() - from[lead].position.widen()) / way(lead);
+            for (axis, now) in self.now.iter().enumerate() {
+                let off = now.position.widen() - (from[axis].position.widen() + share * way(axis));
+                assert!(
+                    off.abs() <= 256.0 * R::MACHINE_EPSILON.widen() * (size(axis) + size(lead)),
+                    "off the line by {off:e}"
+                );
+            }
+        }
+        tick
+    }
+
+    fn stands(&self) -> bool {
+        self.now.iter().all(|now| now.velocity.widen() == 0.0 && now.acceleration.widen() == 0.0)
+    }
+
+    /// Ticks until the plan takes over, which it does in its own tick.
+    fn take_over(&mut self, lead: u32) {
+        for tick in 1..=lead {
+            assert_eq!(self.tick().begins, tick == lead);
+        }
+    }
+
+    /// Ticks until the axes stand, which takes at most twice as long as the stop of the slowest axis.
+    fn stops_in_time(&mut self) {
+        let stop = |(now, limits): (&State<R>, &Limits<R>)| {
+            let mut stop = Move::default();
+            stop.stop(limits, *now).expect("a stop");
+            stop.t.widen()
+        };
+        let slowest = self.now.iter().zip(self.limits).map(stop).fold(0.0, f64::max);
+        let most = 2.0 * slowest / self.period.widen();
+        let ticks = (0..).take_while(|_| !self.has_ended && !self.tick().ends).count();
+        assert!(ticks as f64 <= most * (1.0 + 1e-4) + 2.0 && self.stands(), "{ticks} ticks instead of {most}");
+    }
+
+    /// Ticks until the motion ends; whether it does in time.
+    fn ends(&mut self) -> bool {
+        (0..200_000).any(|_| self.has_ended || self.tick().ends)
+    }
+}
+
+/// Whether an axis can be in one state a period after the other: within its limits, and by no more than its jerk. The time since a
+/// takeover, `age` periods, is rounded.
+fn follows<R: Real>(before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32) -> bool {
+    let numbers = |state: State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
+    let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(numbers);
+    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
+    let [vmax, vmin, amax, amin, jmax, jmin] = [vmax, vmin, amax, amin, jmax, jmin].map(R::widen);
+    let (jerk, speed) = (jmax.max(-jmin), vmax.max(-vmin));
+    let ulp = 256.0 * R::MACHINE_EPSILON.widen();
+    let is_within = |x: f64, low: f64, high: f64| x >= low - ulp * (high - low) && x <= high + ulp * (high - low);
+    let time = ulp * period * f64::from(age);
+    let acceleration = jerk * period + ulp * (amax - amin) + jerk * time;
+    let velocity = jerk * period * period / 4.0 + ulp * speed + (amax - amin) * time;
+    let position = jerk * period.powi(3) / 12.0 + ulp * (p0.abs() + p1.abs()) + speed * time;
+    let moved = p1 - p0 - period / 2.0 * (v0 + v1) + period * period / 12.0 * (a1 - a0);
+    is_within(v1, vmin, vmax)
+        && is_within(a1, amin, amax)
+        && (a1 - a0).abs() <= acceleration
+        && (v1 - v0 - period / 2.0 * (a0 + a1)).abs() <= velocity
+        && moved.abs() <= position
+}
+
+/// How far the axes are from a path, which is asked at ever more times.
+fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
+    let n = now.len();
+    let away = |section: &[Move<R>], x: f64| {
+        let axes = section.iter().zip(now);
+        axes.map(|(of, now)| (of.position(R::of(x)).widen() - now.position.widen()).abs()).fold(0.0, f64::max)
+    };
+    let sections = path.chunks(n).map(|section| {
+        let t = section[0].t.widen();
+        let (mut best, mut step) = (0.0, t / 500.0);
+        for round in 0..40 {
+            let near = if round == 0 { (0, 500) } else { (-4, 4) };
+            let at = |k: i32| (best + f64::from(k) * step).clamp(0.0, t);
+            let least = (near.0..=near.1).map(at).min_by(|x, y| away(section, *x).total_cmp(&away(section, *y)));
+            best = least.expect("a time");
+            step /= if round == 0 { 2.0 } else { 3.0 };
+        }
+        away(section, best)
+    });
+    sections.fold(f64::INFINITY, f64::min)
+}
+
+fn limits_times<R: Real>(limits: &[Limits<R>], by: f64) -> Vec<Limits<R>> {
+    let times = |limit: R| R::of(limit.widen() * by);
+    let each = limits.iter().map(|&Limits { vmax, vmin, amax, amin, jmax, jmin }| {
+        let [vmax, vmin, amax, amin, jmax, jmin] = [vmax, vmin, amax, amin, jmax, jmin].map(times);
+        Limits { vmax, vmin, amax, amin, jmax, jmin }
+    });
+    each.collect()
+}
+
+/// Runs a program, and counts what is refused: lines in motion, paths from elsewhere, rates, and rates at rest.
+///
+/// # Panics
+///
+/// If a tick or an answer is wrong.
+pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 4]) {
+    let n = 1 + random.below(6);
+    let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(random)).collect();
+    let planned = limits_times(&limits, PLANNED);
+    let paths = Paths::random(random, &planned);
+    let duration: f64 = paths.there.iter().step_by(n).map(|of| of.t.widen()).sum();
+    let period = R::of(duration / random.between(50.0, 500.0));
+    let start = paths.start(n);
+    let (mut states, mut moves) = (start.clone(), vec![Move::default(); 3 * n]);
+    let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
+    let (planner, ticker) = group.split();
+    let mut trial =
+        Trial { planner, ticker, limits: &limits, period, now: start.clone(), line: None, has_ended: false, age: 0 };
+    let mut motion = Motion::Rest;
+    for _ in 0..CALLS {
+        let lead = 1 + random.below(6) as u32;
+        let is_at_rest = trial.has_ended && trial.stands();
+        let within = if is_at_rest { &planned } else { &limits };
+        let anywhere = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
+        let to: Vec<State<R>> = (0..n).map(anywhere).collect();
+        assert_eq!(trial.planner.sync(within, &to, 0), Err(Error::Late));
+        let call = random.below(7);
+        let next = match call {
+            0 => trial.planner.go(within, &to, lead).map(|_| Motion::Each),
+            1 => trial.planner.sync(within, &to, lead).map(|_| Motion::Together),
+            2 => trial.planner.line(within, &to, lead).map(|_| Motion::Line),
+            3 => trial.planner.go(within, &start, lead).map(|_| Motion::Each),
+            4 => trial.planner.path(&limits, &paths.there, R::of(0.0), lead).map(|_| Motion::Path),
+            5 => trial.planner.stop(&limits, lead).map(|_| Motion::Stop),
+            _ => trial.planner.rate(&limits, R::of(random.pick(&[0.0, 0.5, 1.0, -1.0])), lead).map(|_| motion),
+        };
+        let from = trial.now.clone();
+        match next {
+            Ok(next) => {
+                trial.line = trial.line.take().filter(|_| call == 6);
+                trial.take_over(lead);
+                assert!(!is_at_rest || trial.stands(), "a motion from rest does not begin at rest");
+                if call == 5 && motion != Motion::Line {
+                    trial.stops_in_time();
+                }
+                motion = next;
+                if next == Motion::Line && call == 2 && is_at_rest {
+                    trial.line = Some([from, to]);
+                }
+            }
+            // The axes move on, each for itself or another way.
+            Err(Error::Line) => refused[0] += usize::from(call == 2 && !is_at_rest),
+            Err(Error::Target) if call == 4 => refused[1] += 1,
+            Err(Error::Target) if call == 6 => refused[2] += 1,
+            // Nothing moves.
+            Err(Error::Limits) if call == 6 => refused[3] += 1,
+            Err(error) => panic!("{call}: {error}"),
+        }
+        for _ in 0..random.below(300) {
+            trial.tick();
+        }
+    }
+    trial.line = None;
+    trial.planner.go(&limits, &start, 1).expect("a plan");
+    trial.take_over(1);
+    assert!(trial.ends() && trial.now == start);
+    along_the_path(random, &mut trial, &paths, &planned);
+}
+
+/// The group holds on a path, goes on in the longer one, and arrives.
+fn along_the_path<'a, R: Real>(
+    random: &mut Random, trial: &mut Trial<'_, 'a, R>, paths: &'a Paths<R>, planned: &[Limits<R>],
+) {
+    let (n, limits, zero) = (planned.len(), trial.limits, R::of(0.0));
+    let size = limits.iter().zip(&trial.now).map(|(_, now)| 10.0 + now.position.widen().abs()).fold(0.0, f64::max);
+    assert_eq!(trial.planner.path(limits, &paths.torn, zero, 1), Err(Error::Target));
+    trial.planner.path(limits, &paths.there, zero, 1).expect("the path");
+    trial.take_over(1);
+    let mut ticks = 0;
+    for _ in 0..random.below(100) {
+        ticks += 1;
+        if trial.tick().ends {
+            break;
+        }
+    }
+    if !trial.has_ended {
+        // The same path as it goes on, from the time at which it takes over.
+        let s = R::of(trial.period.widen() * f64::from(ticks + 2));
+        let is_on = trial.planner.path(limits, &paths.there_and_back, s, 2);
+        if is_on.is_ok() {
+            trial.take_over(2);
+        }
+        let ends_before = s.widen() > paths.there.iter().step_by(n).map(|of| of.t.widen()).sum::<f64>();
+        assert!(is_on.is_ok() || ends_before, "{is_on:?}");
+        trial.planner.rate(limits, zero, 3).expect("a hold");
+        trial.take_over(3);
+        assert!(trial.ends() && trial.stands());
+        let off = distance(&trial.now, &paths.there_and_back);
+        assert!(off <= 1e4 * R::MACHINE_EPSILON.widen() * size, "off the path by {off:e}");
+        trial.planner.rate(limits, R::of(1.0), 1).expect("to go on after a hold");
+        trial.take_over(1);
+        assert!(trial.ends());
+    }
+}
