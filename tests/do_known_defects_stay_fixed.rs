@@ -584,6 +584,24 @@ fn a_path_ends_in_motion_where_points_repeat() {
     assert!(durations.iter().sum::<f64>() < 8.7);
 }
 
+/// The axis moves in the first section alone, whose velocity it would exceed after its end. The others allow that velocity, so they take
+/// no time. The last one lasted.
+#[test]
+fn repeated_points_with_higher_limits_take_no_time() {
+    let limits = [1.0, 2.0, 2.0].map(|speed| Limits::symmetric(20.0, 4.0, speed));
+    let end = state([3.0, 0.9, 2.1]);
+    let plan = |sections: usize| {
+        let mut states = vec![State::at(0.0); 2 * sections];
+        states[1..].fill(end);
+        states.truncate(sections + 1);
+        let (mut durations, mut work) = (vec![0.0; sections], vec![0.0; path_size(1, sections).expect("a size")]);
+        plan_path(&mut states, &mut durations, &limits[..sections], 1, 0, &mut work).expect("a plan");
+        durations
+    };
+    let (alone, repeated) = (plan(1), plan(3));
+    assert_eq!(repeated, [alone[0], 0.0, 0.0]);
+}
+
 /// The target is within 63 ulps of the start, and both velocities are equal or differ by some ulps. A double-S between equal velocities whose
 /// target lay up to 3 ulps behind was NaN.
 fn a_target_at_the_start<R: Real>() {

@@ -83,21 +83,27 @@ impl<'a, R: Real> Request<'a, R> {
         (0..self.axes).any(|axis| way(axis) != R::ZERO)
     }
 
-    /// Whether all axes can stay in their states at a point while a section lasts.
-    fn can_stay(&self, point: usize, section: usize) -> bool {
+    /// Whether the limits of a section admit the states of all axes at a point.
+    fn admits(&self, point: usize, section: usize) -> bool {
         let mut axes = 0..self.axes;
         axes.all(|axis| {
             let state = self.state(point, axis);
-            let limits = self.limits(section, axis);
-            limits.is_ok_and(|limits| limits.check(state, state).is_ok() && !limits.are_left_after(state))
+            self.limits(section, axis).is_ok_and(|limits| limits.check(state, state).is_ok())
         })
     }
 
-    /// Whether all axes can have the state of the end since the last section in which one moves.
+    /// Whether all axes can stay in their states at a point while a section lasts.
+    fn can_stay(&self, point: usize, section: usize) -> bool {
+        let mut limits = self.zone(section).iter().enumerate();
+        let is_left = limits.any(|(axis, limits)| limits.are_left_after(self.state(point, axis)));
+        !is_left && self.admits(point, section)
+    }
+
+    /// Whether the path can end with the last section in which an axis moves.
     fn can_end_early(&self) -> bool {
-        let last = self.sections - 1;
+        let (last, end) = (self.sections - 1, self.sections);
         let moving = (0..last).rfind(|&section| self.moves(section)).unwrap_or(0);
-        (moving..=last).all(|section| self.can_stay(self.sections, section))
+        self.admits(end, moving) && (moving + 1..=last).all(|section| self.can_stay(end, section))
     }
 
     /// The sections that last: each section in which an axis moves, one in which the start returns within its limits, and the last one if the
