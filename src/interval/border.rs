@@ -125,6 +125,11 @@ impl<R: Real> Border<R> {
         of_state(self.speeds())
     }
 
+    /// The rounding error of a velocity that a plan gave shortly before, when it was higher.
+    pub fn rounding_before(&self) -> R {
+        self.rounding_of_velocity() + of_check(self.eased)
+    }
+
     /// The rounding error of the difference of both velocities and of the area of a fall.
     pub fn rounding_of_area(&self) -> R {
         of_formula(self.speeds())

@@ -64,7 +64,7 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     }
     let excess = border.beyond_straight();
     // What is left of a move may be a straight change of the acceleration, up to rounding.
-    if excess.velocity != R::ZERO && !excess.is_real {
+    if excess.velocity != R::ZERO && excess.velocity.abs() <= border.rounding_before() {
         let straight = Ramp::straight(border.a0, border.a1);
         let shortfall = shortfall(border, &straight, wanted);
         if shortfall.is_rounding() && shortfall.tie.is_finite() {

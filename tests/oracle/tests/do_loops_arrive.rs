@@ -55,3 +55,28 @@ fn the_slowest_axis_takes_the_duration_of_another_one() {
     synchronise(&mut axes, &limits.map(limits_of), &from.map(state), &to.map(state), 0.0, 4e-3).expect("a plan");
     assert!(axes[0].t < 0.188 + 1e-9, "{}", axes[0].t);
 }
+
+/// In this state of a loop 0.3 ms were left, which is 0.16 of a tick, and 0.922 s were planned. The velocity of the second axis has the
+/// rounding error of the tick before, when it was 50 times as high.
+#[test]
+fn the_last_part_of_a_tick_is_short() {
+    let limits = [
+        [
+            0.5999259097975925, -0.5999259097975925, 9.759447590637537, -9.759447590637537, 11.705506964496628,
+            -11.705506964496628,
+        ],
+        [
+            0.7489348620160077, -0.7489348620160077, 7.7867856680128895, -7.7867856680128895, 10.640216858487081,
+            -10.640216858487081,
+        ],
+    ];
+    let state = |[position, velocity, acceleration]: [f64; 3]| State { position, velocity, acceleration };
+    let from = [
+        [0.013440171730717305, -0.3115526904031246, 0.0024858976019611276],
+        [0.2400544331791675, 5.207314339034029e-7, -0.0033288722960675976],
+    ];
+    let to = [[0.013342700226573134, -0.31155214708633727, 0.0], [0.24005443323347242, 0.0, 0.0]];
+    let mut axes = [Move::default(); 2];
+    synchronise(&mut axes, &limits.map(limits_of), &from.map(state), &to.map(state), 0.0, 0.0).expect("a plan");
+    assert!(axes[0].t < 0.0004, "{}", axes[0].t);
+}
