@@ -102,7 +102,15 @@ mod tests {
             let duration = 1.0 - ulps * f64::exp2(-23.0);
             cycle.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
         };
-        assert!(is_asked(0.75) && !is_asked(1.5));
+        assert!(is_asked(0.75) && !is_asked(1.2));
+    }
+
+    /// Four ulps.
+    #[test]
+    fn a_tick_is_early_by_the_rounding_error_of_a_formula() {
+        let cycle = Cycle::new(0.0, 1.0).expect("a cycle");
+        let tick = |ulps: f64| cycle.until_possible(1, 1024.0 * (1.0 + ulps * f64::EPSILON), |t| t);
+        assert_eq!([3.0, 6.0].map(tick), [Ok(1024.0), Ok(1025.0)]);
     }
 
     #[test]
