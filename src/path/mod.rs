@@ -242,7 +242,9 @@ impl<R: Real> Chain<'_, '_, R> {
         if passes {
             self.stop_everywhere()?;
         }
-        self.roll()?;
+        if !self.roll()? && self.brake_along().is_some() {
+            return Ok(true);
+        }
         Ok(self.come_inside())
     }
 }

@@ -3,7 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "The first plan".
 
 use super::chain::Chain;
-use crate::findings::Error;
+use crate::findings::{Error, Findings};
 use crate::interval::ramp::{PerJerk, Ramp};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -11,25 +11,34 @@ use crate::real::Real;
 use crate::roots::root_between;
 use crate::state::State;
 
-/// How much slower the first plan becomes, so that it is off all limits: a part of its durations.
+/// How much slower the first plan becomes before its steps: a part of its durations.
 fn slower<R: Real>() -> R {
     R::ONE + R::HALF * R::SIXTEENTH
 }
 
+/// Which part of the limits the first plan uses at most, so that it is off all of them.
+fn most<R: Real>() -> R {
+    R::ONE - R::SIXTEENTH * R::SIXTEENTH
+}
+
 /// A row is straight if so many times its highest speed would not use a quarter of the limits across it.
 const STRAIGHT: u8 = 60;
+/// How often the speed along a path is halved until its bends allow it.
+const MOST_HALVINGS: u32 = 32;
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Replaces the plan with stops by a shorter one, if the path begins and ends at rest. Whether there is one.
     pub fn pass_rows(&mut self) -> Result<bool, Error> {
-        let ends = [0, self.sections];
-        let is_moving = |axis| ends.iter().any(|&point| self.at(point, axis) != [R::ZERO; 2]);
-        if (0..self.axes).any(is_moving) {
+        if !self.rests_at(0) || !self.rests_at(self.sections) {
             return Ok(false);
         }
         let is_row = self.merge_row().is_some();
         let passes = self.axes == 1 && self.pass_twice()?;
         Ok(is_row || passes)
+    }
+
+    fn rests_at(&self, point: usize) -> bool {
+        (0..self.axes).all(|axis| self.at(point, axis) == [R::ZERO; 2])
     }
 
     /// Makes the plan slower, so that it is strictly inside. Whether it is.
@@ -49,19 +58,57 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Plans the path as one move, if it is a straight row of points. `None` if it is not, or if the move is not possible.
     fn merge_row(&mut self) -> Option<()> {
-        for axis in 0..self.axes {
-            let way = (0..self.sections).fold(R::ZERO, |way, section| way + self.displacement(section, axis).abs());
-            self.memory.product.set(axis, [way, R::ZERO]);
-        }
-        let length = (0..self.sections).fold(R::ZERO, |sum, section| sum + self.chord(section));
+        self.measure_axes();
+        let limits = self.limits_along(most())?;
         let mut run = Move::default();
-        run.plan(&self.limits_along()?, State::at(R::ZERO), State::at(length)).ok()?;
-        let is_worth = run.t < self.duration() && self.is_straight(run.extremes().highest.velocity);
-        is_worth.then_some(())?;
-        self.memory.tried_states.clear();
+        run.plan(&limits, State::at(R::ZERO), State::at(self.length())).ok()?;
+        self.is_straight(R::from(STRAIGHT) * run.extremes().highest.velocity).then_some(())?;
+        self.pass_along(&run)
+    }
+
+    /// Makes a path that begins in motion, and ends at rest, brake to a speed at which its bends use a quarter of the limits at most. `None` if
+    /// this is not possible, or not shorter.
+    pub fn brake_along(&mut self) -> Option<()> {
+        self.measure_axes();
+        let start = self.start_along().filter(|_| self.rests_at(self.sections))?;
+        let mut parts = [4u8, 8, 12, 14].into_iter().map(|part| R::from(part) * R::SIXTEENTH);
+        parts.find_map(|part| {
+            let mut limits = self.limits_along(part)?;
+            let speed = self.speed_in_bends(limits.vmax)?;
+            (limits.vmax, limits.vmin) = (speed, -speed);
+            let mut run = Move::default();
+            let found = run.plan(&limits, start, State::at(self.length())).ok()?;
+            (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
+            self.pass_along(&run)
+        })
+    }
+
+    /// The speed, at most the given one, at which the bends of the path use a quarter of the limits at most.
+    fn speed_in_bends(&self, most: R) -> Option<R> {
+        let mut speeds = (0..MOST_HALVINGS).map(|k| (0..k).fold(most, |speed, _| R::HALF * speed));
+        speeds.find(|&speed| self.is_straight(speed))
+    }
+
+    /// The motion of the start in its own direction, if this is ahead.
+    fn start_along(&self) -> Option<State<R>> {
+        let [mut square, mut power, mut ahead] = [R::ZERO; 3];
+        for axis in 0..self.axes {
+            let [v, a] = self.at(0, axis).map(|of| self.part(axis, of));
+            square = square + v * v;
+            power = power + v * a;
+            ahead = ahead + v * self.part(axis, self.displacement(0, axis));
+        }
+        let velocity = square.sqrt();
+        (ahead > R::ZERO).then(|| State { position: R::ZERO, velocity, acceleration: power / velocity })
+    }
+
+    /// Passes the waypoints as the motion along the path does. `None` if this is not possible, or not shorter.
+    fn pass_along(&mut self, run: &Move<R>) -> Option<()> {
+        (run.t < self.duration()).then_some(())?;
+        self.memory.tried_states.copy(&self.memory.states);
         let (mut passed, mut time) = (R::ZERO, R::ZERO);
         for section in 0..self.sections {
-            passed = passed + self.chord(section);
+            passed = passed + self.arc(section);
             let is_last = section + 1 == self.sections;
             let at = if is_last { run.t } else { run.time_at(passed)? };
             self.memory.tried.put(section, at - time);
@@ -73,24 +120,62 @@ impl<R: Real> Chain<'_, '_, R> {
         (0..self.sections).all(|section| self.is_tried_possible(section)).then(|| self.take_tried())
     }
 
-    /// The length of the chord of a section. Each axis counts in parts of its whole displacement, so that units do not matter.
+    /// Each axis counts in parts of its whole displacement, so that units do not matter.
+    fn measure_axes(&mut self) {
+        for axis in 0..self.axes {
+            let whole = (0..self.sections).fold(R::ZERO, |sum, section| sum + self.displacement(section, axis).abs());
+            self.memory.product.set(axis, [whole, R::ZERO]);
+        }
+    }
+
+    /// A quantity of an axis, by its whole displacement.
+    fn part(&self, axis: usize, of: R) -> R {
+        let [whole, _] = self.memory.product.row(axis);
+        if whole > R::ZERO { of / whole } else { R::ZERO }
+    }
+
+    /// The length of what all axes have in parts of their whole displacements.
+    fn norm(&self, of: impl Fn(usize) -> R) -> R {
+        let parts = (0..self.axes).map(|axis| self.part(axis, of(axis)));
+        parts.fold(R::ZERO, |sum, part| sum + part * part).sqrt()
+    }
+
+    /// The length of the path.
+    fn length(&self) -> R {
+        (0..self.sections).fold(R::ZERO, |sum, section| sum + self.arc(section))
+    }
+
+    /// The length of a section. Its arc is longer than its chord by a third of what the chords next to the waypoint turn.
+    fn arc(&self, section: usize) -> R {
+        let point = section + 1;
+        let turn = if point < self.sections { R::ONE - self.steepness(point) } else { R::ZERO };
+        self.chord(section) * (R::ONE + turn / R::from(3))
+    }
+
+    /// The length of the slopes of all axes at a waypoint: 1 on a straight line.
+    fn steepness(&self, point: usize) -> R {
+        self.norm(|axis| self.slope_and_bend(point, axis)[0])
+    }
+
+    /// The slope and half of the bend of the parabola through a point and the points next to it.
+    fn slope_and_bend(&self, point: usize, axis: usize) -> [R; 2] {
+        let [before, after] = [point - 1, point].map(|section| self.chord(section));
+        let per = R::ONE / (before + after);
+        let [m0, m1] = [self.displacement(point - 1, axis) / before, self.displacement(point, axis) / after];
+        [(m0 * after + m1 * before) * per, (m1 - m0) * per]
+    }
+
+    /// The length of the chord of a section.
     fn chord(&self, section: usize) -> R {
-        let squares = (0..self.axes).map(|axis| {
-            let [way, _] = self.memory.product.row(axis);
-            let part = if way > R::ZERO { self.displacement(section, axis) / way } else { R::ZERO };
-            part * part
-        });
-        squares.fold(R::ZERO, |sum, square| sum + square).sqrt()
+        self.norm(|axis| self.displacement(section, axis))
     }
 
     /// The motion along the parabola through a point and the points next to it.
     fn try_point_of_row(&mut self, point: usize, along: State<R>) {
-        let [before, after] = [point - 1, point].map(|section| self.chord(section));
-        let (speed, per) = (along.velocity, R::ONE / (before + after));
+        let (speed, steepness) = (along.velocity, self.steepness(point));
         for axis in 0..self.axes {
-            let [m0, m1] = [self.displacement(point - 1, axis) / before, self.displacement(point, axis) / after];
-            let slope = (m0 * after + m1 * before) * per;
-            let bend = (m1 - m0) * per;
+            let [slope, bend] = self.slope_and_bend(point, axis);
+            let slope = slope / steepness;
             let acceleration = (bend + bend) * speed * speed + slope * along.acceleration;
             self.memory.tried_states.set(point * self.axes + axis, [slope * speed, acceleration]);
         }
@@ -106,8 +191,8 @@ impl<R: Real> Chain<'_, '_, R> {
         })
     }
 
-    /// The limits of the motion along the chords, less a 256th: a row that bends a little needs some of them across.
-    fn limits_along(&self) -> Option<Limits<R>> {
+    /// The limits of the motion along the chords: of acceleration and jerk a part, because a row that bends needs some of them across.
+    fn limits_along(&self, part: R) -> Option<Limits<R>> {
         let [mut velocity, mut acceleration, mut jerk] = [R::INFINITY; 3];
         for section in 0..self.sections {
             let chord = self.chord(section);
@@ -121,13 +206,11 @@ impl<R: Real> Chain<'_, '_, R> {
                 }
             }
         }
-        let part = R::ONE - R::SIXTEENTH * R::SIXTEENTH;
-        Some(Limits::symmetric(part * jerk, part * acceleration, part * velocity))
+        Some(Limits::symmetric(part * jerk, part * acceleration, most::<R>() * velocity))
     }
 
-    /// Whether the line bends so little that the motion across it hardly counts.
+    /// Whether the bends of the path use a quarter of the limits at most, at this speed.
     fn is_straight(&self, speed: R) -> bool {
-        let speed = R::from(STRAIGHT) * speed;
         let quarter = R::HALF * R::HALF;
         (0..self.axes).all(|axis| {
             let mut last = None;

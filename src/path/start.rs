@@ -89,12 +89,12 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Makes axes that cannot stop before the next waypoint pass it, as long as this takes less time than to turn and return.
     ///
-    /// To pass and to turn are separated by impossible durations, so the steps would keep the turn.
-    pub fn roll(&mut self) -> Result<(), Error> {
+    /// To pass and to turn are separated by impossible durations, so the steps would keep the turn. Whether no axis turns.
+    pub fn roll(&mut self) -> Result<bool, Error> {
         for point in 1..self.sections {
             let section = point - 1;
             let Some((earliest, latest)) = self.passing(section) else {
-                break;
+                return Ok(self.can_stop_in(section));
             };
             let turning = self.memory.durations.at(section);
             let stopping = self.memory.durations.at(point);
@@ -113,11 +113,16 @@ impl<R: Real> Chain<'_, '_, R> {
             self.memory.durations.put(point, best.1);
             if best.0 == turning {
                 self.stop_at(point);
-                break;
+                return Ok(false);
             }
             self.pass(point, best.0);
         }
-        Ok(())
+        Ok(true)
+    }
+
+    /// Whether all axes can stop before the end of a section.
+    fn can_stop_in(&self, section: usize) -> bool {
+        (0..self.axes).all(|axis| self.overshoot(section, axis).is_none_or(|(_, time)| time == R::INFINITY))
     }
 
     /// Between which durations all axes are at the end of the section, if one cannot stop before, s.
