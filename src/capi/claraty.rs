@@ -1,7 +1,7 @@
 //! `claraty/trapezoid.h`: CLARAty's trapezoid as a handle.
 
 use crate::capi::assert_named;
-use crate::claraty::{EPS, Kind, LARGEST, Mode, OutOfRange, Route, Target, Trajectory, Warnings, Waypoints};
+use crate::claraty::{EPS, Kind, LARGEST, Mode, OutOfRange, Profile, Route, Target, Trajectory, Warnings, Waypoints};
 use crate::state::State;
 use core::ffi::{c_int, c_void};
 use core::slice;
@@ -372,9 +372,7 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint(
     h: *mut claraty_trapezoid, position: *mut f64, velocity: *mut f64, accel: *mut f64,
 ) -> c_int {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(Handle::setpoint);
-    // SAFETY: each pointer is NULL or valid to write.
-    code(setpoint.map(|setpoint| unsafe { write_setpoint(setpoint, position, velocity, accel) }))
+    unsafe { write_setpoint(Handle::of(h).and_then(Handle::setpoint), position, velocity, accel) }
 }
 
 /// Reads the setpoint at a time after the start, s, as `claraty_trapezoid_get_setpoint` does. In a corrected motion a
@@ -386,20 +384,22 @@ pub unsafe extern "C" fn claraty_trapezoid_get_setpoint_at(
     h: *mut claraty_trapezoid, time: f64, position: *mut f64, velocity: *mut f64, accel: *mut f64,
 ) -> c_int {
     // SAFETY: by the contract of this module.
-    let setpoint = unsafe { Handle::of(h) }.and_then(|handle| handle.setpoint_at(time));
-    // SAFETY: each pointer is NULL or valid to write.
-    code(setpoint.map(|setpoint| unsafe { write_setpoint(setpoint, position, velocity, accel) }))
+    unsafe { write_setpoint(Handle::of(h).and_then(|handle| handle.setpoint_at(time)), position, velocity, accel) }
 }
 
 /// # Safety
 /// Each pointer is NULL or valid to write.
-unsafe fn write_setpoint(setpoint: State<f64>, position: *mut f64, velocity: *mut f64, accel: *mut f64) {
-    for (to, value) in [(position, setpoint.position), (velocity, setpoint.velocity), (accel, setpoint.acceleration)] {
-        if !to.is_null() {
-            // SAFETY: not NULL, so valid to write.
-            unsafe { to.write(value) };
+unsafe fn write_setpoint(
+    setpoint: Result<State<f64>, claraty_result>, position: *mut f64, velocity: *mut f64, accel: *mut f64,
+) -> c_int {
+    code(setpoint.map(|now| {
+        for (to, value) in [(position, now.position), (velocity, now.velocity), (accel, now.acceleration)] {
+            if !to.is_null() {
+                // SAFETY: not NULL, so valid to write.
+                unsafe { to.write(value) };
+            }
         }
-    }
+    }))
 }
 
 /// The position of `claraty_trapezoid_get_setpoint`, unit; NaN where that fails.
@@ -454,22 +454,13 @@ pub unsafe extern "C" fn claraty_trapezoid_get_profile(
     // SAFETY: by the contract of this module.
     let Some(handle) = (unsafe { Handle::of_const(h) }) else { return CLARATY_ERR_NULL as c_int };
     if !out.is_null() {
-        let profile = handle.trajectory.profile();
+        let &Profile {
+            t1, t2, tf, p_at_t1, p_at_t2, final_position, velocity, acceleration, deceleration, kind, ..
+        } = handle.trajectory.profile();
+        let (accel, decel, r#type) = (acceleration, deceleration, kind as c_int);
+        let profile = claraty_profile { t1, t2, tf, p_at_t1, p_at_t2, final_position, velocity, accel, decel, r#type };
         // SAFETY: not NULL, so valid to write.
-        unsafe {
-            out.write(claraty_profile {
-                t1: profile.t1,
-                t2: profile.t2,
-                tf: profile.tf,
-                p_at_t1: profile.p_at_t1,
-                p_at_t2: profile.p_at_t2,
-                final_position: profile.final_position,
-                velocity: profile.velocity,
-                accel: profile.acceleration,
-                decel: profile.deceleration,
-                r#type: profile.kind as c_int,
-            });
-        }
+        unsafe { out.write(profile) };
     }
     CLARATY_OK as c_int
 }
