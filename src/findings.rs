@@ -5,19 +5,19 @@ use crate::state::{Boundary, State};
 use core::ffi::CStr;
 use core::fmt;
 
-/// A set of at most eight findings. Each has a bit, a name and a sentence.
+/// A set of at most eight findings. Each has a bit, a name and a sentence, which is its documentation, perhaps with more.
 macro_rules! set {
-    ($(#[$about:meta])* $Set:ident { $($(#[$doc:meta])* $NAME:ident = $bit:literal: $sentence:literal,)+ }) => {
+    ($(#[$about:meta])* $Set:ident { $($(#[$more:meta])* $NAME:ident = $bit:literal: $sentence:literal,)+ }) => {
         $(#[$about])*
         #[derive(Clone, Copy, Default, PartialEq, Eq)]
         pub struct $Set(u8);
 
         impl $Set {
-            $($(#[$doc])* pub const $NAME: Self = Self($bit);)+
+            $(#[doc = concat!($sentence, "\n")] $(#[$more])* pub const $NAME: Self = Self($bit);)+
 
             /// Every member with its name and its sentence. The sentence ends with a NUL, for C.
             pub(crate) const MEMBERS: &'static [(Self, &'static str, &'static core::ffi::CStr)] =
-                &[$((Self::$NAME, stringify!($NAME), $sentence)),+];
+                &[$((Self::$NAME, stringify!($NAME), $crate::findings::for_c(concat!($sentence, "\0")))),+];
 
             /// The members whose bits are in `bits`; the other bits are ignored.
             pub const fn from_bits(bits: u8) -> Self {
@@ -78,6 +78,14 @@ macro_rules! set {
 }
 pub(crate) use set;
 
+/// A sentence as C wants it. It ends with a NUL.
+pub(crate) const fn for_c(sentence: &'static str) -> &'static CStr {
+    match CStr::from_bytes_with_nul(sentence.as_bytes()) {
+        Ok(sentence) => sentence,
+        Err(_) => panic!("a NUL within"),
+    }
+}
+
 set! {
     /// What a check found, as a set.
     ///
@@ -91,23 +99,17 @@ set! {
     /// # Ok::<(), atraj::Error>(())
     /// ```
     Findings {
-        /// The jerk is above its limit.
-        EXCEEDS_JERK = 1: c"the jerk is above its limit",
-        /// The acceleration is above its limit.
-        EXCEEDS_ACCELERATION = 2: c"the acceleration is above its limit",
-        /// The velocity is above its limit.
-        EXCEEDS_VELOCITY = 4: c"the velocity is above its limit",
-        /// Position or velocity is not continuous, or not where the struct says.
-        JUMPS = 8: c"position or velocity is not continuous, or not where the struct says",
-        /// The move leaves the positions between its ends by more than rounding. A rounding is `ε (|p0| + |p1| + v t)`, with the highest speed
-        /// `v`. A plan between any states tolerates 128 of them where it turns, the check of a profile 64.
-        OVERSHOOTS = 16: c"the move leaves the positions between its ends",
-        /// The move starts outside its limits, or will unavoidably exceed them.
-        STARTS_OUTSIDE = 32: c"the move starts outside its limits, or will unavoidably exceed them",
-        /// The axis will unavoidably exceed the limits after the move: the acceleration at the end does not vanish at once.
-        ENDS_LEAVING = 64: c"the axis will unavoidably exceed its limits after the move",
-        /// The path ends before its clock has the rate.
-        RATE_NOT_REACHED = 128: c"the path ends before its clock has the rate",
+        EXCEEDS_JERK = 1: "the jerk is above its limit",
+        EXCEEDS_ACCELERATION = 2: "the acceleration is above its limit",
+        EXCEEDS_VELOCITY = 4: "the velocity is above its limit",
+        JUMPS = 8: "position or velocity is not continuous, or not where the struct says",
+        /// By more than rounding: an ulp is that of `|p0| + |p1| + v t`, with the highest speed `v`. A plan between any states tolerates 128 of them
+        /// where it turns, the check of a profile 64.
+        OVERSHOOTS = 16: "the move leaves the positions between its ends",
+        STARTS_OUTSIDE = 32: "the move starts outside its limits, or will unavoidably exceed them",
+        /// The acceleration at the end does not vanish at once.
+        ENDS_LEAVING = 64: "the axis will unavoidably exceed its limits after the move",
+        RATE_NOT_REACHED = 128: "the path ends before its clock has the rate",
     }
 }
 
@@ -136,20 +138,20 @@ pub(crate) fn join<'a>(
     Ok(())
 }
 
-/// A table of errors. Each has the code of the C functions and a sentence, which ends with a NUL for C.
+/// A table of errors. Each has the code of the C functions and a sentence, which is its documentation, perhaps with more.
 macro_rules! errors {
-    ($(#[$about:meta])* $Error:ident { $($(#[$doc:meta])* $Name:ident = $code:literal: $sentence:literal,)+ }) => {
+    ($(#[$about:meta])* $Error:ident { $($(#[$more:meta])* $Name:ident = $code:literal: $sentence:literal,)+ }) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
         #[repr(i8)]
         pub enum $Error {
-            $($(#[$doc])* $Name = $code,)+
+            $(#[doc = concat!($sentence, "\n")] $(#[$more])* $Name = $code,)+
         }
 
         impl $Error {
             /// Every error with its sentence.
-            pub(crate) const ALL: &'static [(Self, &'static CStr)] = &[$((Self::$Name, $sentence)),+];
+            pub(crate) const ALL: &'static [(Self, &'static CStr)] = &[$((Self::$Name, for_c(concat!($sentence, "\0")))),+];
         }
     };
 }
@@ -164,29 +166,19 @@ errors! {
     /// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time");
     /// ```
     Error {
-        /// There is no axis, or the slices have different lengths.
-        Axes = -1: c"there is no axis, a pointer is NULL, or the lists have different lengths",
-        /// A number is infinite or not a number, or the motion is beyond the range of the real type.
-        NotFinite = -2: c"a number is infinite or not a number, or the motion is beyond the range of the real type",
-        /// A limit is 0 or has the wrong sign, or a lowest position is not below the highest. Or neither a jerk nor both accelerations are
-        /// finite.
-        Limits = -3: c"a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
-        /// The target is outside the limits, or the axis must have left them before.
-        Target = -4: c"the target is outside the limits, or the axis must have left them before",
-        /// The duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time. Or a horizon is not
-        /// above 0.
-        Duration = -5: c"the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time",
-        /// The states of several axes do not lie on the straight line from their start to their end.
-        Line = -6: c"the states do not lie on the straight line from their start to their end",
-        /// The axis leaves the positions between which it has to stay.
-        Position = -7: c"the axis leaves the positions between which it has to stay",
-        /// The tick at which a plan was to take over has begun. Or the plan was for no later tick, or for one that is too far ahead. Or a
-        /// change of a clock was to begin before the last one.
-        Late = -8: c"the tick at which the plan was to take over has begun, or is too far ahead",
-        /// liba finds no such move within the limits, or the move takes no time.
-        Unreachable = -9: c"liba finds no such move within the limits, or the move takes no time",
-        /// The axis must stand for this.
-        Moving = -10: c"the axis must stand for this",
+        Axes = -1: "there is no axis, a pointer is NULL, or the lists have different lengths",
+        NotFinite = -2: "a number is infinite or not a number, or the motion is beyond the range of the real type",
+        /// Or a lowest position is not below the highest.
+        Limits = -3: "a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
+        Target = -4: "the target is outside the limits, or the axis must have left them before",
+        /// Or a horizon is not above 0.
+        Duration = -5: "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time",
+        Line = -6: "the states do not lie on the straight line from their start to their end",
+        Position = -7: "the axis leaves the positions between which it has to stay",
+        /// Or the plan was for no later tick, or a change of a clock was to begin before the last one.
+        Late = -8: "the tick at which the plan was to take over has begun, or is too far ahead",
+        Unreachable = -9: "liba finds no such move within the limits, or the move takes no time",
+        Moving = -10: "the axis must stand for this",
     }
 }
 

@@ -29,14 +29,10 @@ pub enum Kind {
 set! {
     /// What a plan had to change or could not do, as a set.
     Warnings {
-        /// The acceleration was below [`EPS`] and was raised to it.
-        ACCELERATION = 1: c"the acceleration was below 1e-10 and was raised to it",
-        /// The deceleration was below [`EPS`] and was raised to it.
-        DECELERATION = 2: c"the deceleration was below 1e-10 and was raised to it",
-        /// The maximum velocity was below [`EPS`] and was raised to it.
-        VELOCITY = 4: c"the maximum velocity was below 1e-10 and was raised to it",
-        /// The listing found no instant to switch from acceleration to deceleration. Its motion is wrong.
-        SWITCH = 8: c"the listing found no instant to switch from acceleration to deceleration, and its motion is wrong",
+        ACCELERATION = 1: "the acceleration was below 1e-10 and was raised to it",
+        DECELERATION = 2: "the deceleration was below 1e-10 and was raised to it",
+        VELOCITY = 4: "the maximum velocity was below 1e-10 and was raised to it",
+        SWITCH = 8: "the listing found no instant to switch from acceleration to deceleration, and its motion is wrong",
     }
 }
 

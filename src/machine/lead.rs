@@ -2,9 +2,11 @@
 
 use super::change::Law;
 use crate::findings::Error;
+use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
+use crate::several::line_stop::goes_along;
 use crate::state::State;
 
 /// Writes the lead's fastest stop to `stop`, if the path is one section on a straight line, from rest to rest. `time` is the time of the path and
@@ -22,7 +24,9 @@ pub(super) fn stop<R: Real>(
     let mut tightest = Limits::symmetric(endless, endless, endless);
     for (of, limits) in moves.iter().zip(limits) {
         let share = displacement(of) / displacement(lead);
-        if !(of.start().is_at_rest() && of.end().is_at_rest() && goes_along(of, lead, share)) {
+        // Phase 1 begins at the start too.
+        let is_along = of.t == lead.t && goes_along(share, of, lead, 2);
+        if !(of.start().is_at_rest() && of.end().is_at_rest() && is_along) {
             return Ok(None);
         }
         tightest.tighten(limits, share);
@@ -31,7 +35,9 @@ pub(super) fn stop<R: Real>(
     let State { position, velocity, acceleration } = lead.state_at(s);
     let from =
         State { position, velocity: velocity * rate, acceleration: acceleration * rate * rate + velocity * slowing };
-    let is_within = stop.stop(&tightest, from)?.is_empty() && !stop.leaves_the_way_of(lead);
+    let is_plain = stop.stop(&tightest, from)?.is_empty();
+    let [start, end] = [lead.start(), lead.end()].map(|state| state.position);
+    let is_within = is_plain && !stop.extremes().overshoots(start, end, of_check(start.abs() + end.abs()));
     // A low velocity of the lead, compared with its highest, has a large rounding error where the rate is divided by it.
     let least = R::EPSILON.sqrt() * lead.extremes().speed();
     let [stands, ..] = along(lead, stop.state(stop.t));
@@ -39,28 +45,6 @@ pub(super) fn stop<R: Real>(
     let is_reached = stands < lead.t;
     let law = Law { until: stop.t, is_reached, lead: Some(index) };
     Ok(Some(law).filter(|_| is_within && is_exact))
-}
-
-/// Whether every phase is that of the lead times `share`.
-fn goes_along<R: Real>(of: &Move<R>, lead: &Move<R>, share: R) -> bool {
-    let agree = |x: R, y: R| (x - share * y).abs() <= R::DOUBT * (x.abs() + (share * y).abs());
-    let mut phases = of.phases().iter().zip(lead.phases()).skip(2);
-    of.count == lead.count
-        && of.t == lead.t
-        && phases.all(|(phase, other)| {
-            phase.start == other.start
-                && agree(phase.velocity, other.velocity)
-                && agree(phase.acceleration, other.acceleration)
-        })
-}
-
-impl<R: Real> Move<R> {
-    fn leaves_the_way_of(&self, lead: &Self) -> bool {
-        let (one, other, reached) = (lead.start().position, lead.end().position, self.extremes());
-        let rounding = R::DOUBT * (one.abs() + other.abs());
-        reached.lowest.position < one.at_most(other) - rounding
-            || reached.highest.position > one.at_least(other) + rounding
-    }
 }
 
 /// The time of the path and its derivatives where the lead has these position, velocity, acceleration and jerk.

@@ -18,7 +18,7 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     if axes.len() != limits.len() {
         return Err(Error::Axes);
     }
-    let Highest { lead, place, order } = Highest::of(axes);
+    let (lead, place, order) = highest(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
     let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| order.of(phase));
     let share = |axis: &Move<R>| {
@@ -27,9 +27,11 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     let now = lead.state_at(x);
     let endless = R::INFINITY;
     let mut tightest = Limits::symmetric(endless, endless, endless);
+    // The states at both ends are the caller's, with rounding errors of their own, so they count only where there are no others.
+    let first = usize::from(lead.phases().len() > 1);
     for (axis, limits) in axes.iter().zip(limits) {
         limits.are_limits()?;
-        if !goes_along(share(axis), axis, &lead) {
+        if !goes_along(share(axis), axis, &lead, first) {
             return Err(Error::Line);
         }
         tightest.tighten(limits, share(axis));
@@ -65,52 +67,34 @@ impl Order {
     }
 }
 
-/// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
-/// gives the shares of the axes. Their displacements may be so short that rounding hides them.
-struct Highest {
-    /// Whose number it is.
-    lead: usize,
-    /// The phase.
-    place: usize,
-    order: Order,
-}
-
-impl Highest {
-    fn of<R: Real>(axes: &[Move<R>]) -> Self {
-        let mut size = R::ZERO;
-        let (lead, place) = (0, 0);
-        let order = Order::Velocity;
-        let mut highest = Self { lead, place, order };
-        for order in [Order::Jerk, Order::Acceleration, Order::Velocity] {
-            for (lead, axis) in axes.iter().enumerate() {
-                for (place, phase) in axis.phases().iter().enumerate() {
-                    let number = order.of(phase).abs();
-                    if number > size {
-                        size = number;
-                        highest = Self { lead, place, order };
-                    }
+/// The axis, the phase and the quantity of the highest number in the phases of all axes: of the jerks, else of the accelerations, else of the
+/// velocities. Each has one rounding, so it gives the shares of the axes. Their displacements may be so short that rounding hides them.
+fn highest<R: Real>(axes: &[Move<R>]) -> (usize, usize, Order) {
+    let (mut size, mut highest) = (R::ZERO, (0, 0, Order::Velocity));
+    for order in [Order::Jerk, Order::Acceleration, Order::Velocity] {
+        for (lead, axis) in axes.iter().enumerate() {
+            for (place, phase) in axis.phases().iter().enumerate() {
+                let number = order.of(phase).abs();
+                if number > size {
+                    (size, highest) = (number, (lead, place, order));
                 }
             }
-            if size > R::ZERO {
-                break;
-            }
         }
-        highest
+        if size > R::ZERO {
+            break;
+        }
     }
+    highest
 }
 
-/// Whether every phase of the move is that of the lead times `share`. The states at both ends are the caller's, with rounding errors of their own, so
-/// they count only where there are no others.
-fn goes_along<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>) -> bool {
-    let ends = usize::from(lead.phases().len() > 1);
-    let mut phases = axis.phases().iter().zip(lead.phases()).skip(ends);
-    let all_lie_on =
-        phases.all(|(phase, other)| phase.start == other.start && lies_on(share, &phase.state(), &other.state()));
-    all_lie_on && axis.count == lead.count
-}
-
-/// Whether velocity and acceleration are the lead's, times `share`.
-fn lies_on<R: Real>(share: R, state: &State<R>, lead: &State<R>) -> bool {
+/// Whether every phase of the move, from number `first` on, is that of the lead times `share`.
+pub(crate) fn goes_along<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>, first: usize) -> bool {
     let agree = |x: R, y: R| (x - share * y).abs() <= of_check(x.abs() + (share * y).abs());
-    agree(state.velocity, lead.velocity) && agree(state.acceleration, lead.acceleration)
+    let mut phases = axis.phases().iter().zip(lead.phases()).skip(first);
+    axis.count == lead.count
+        && phases.all(|(phase, other)| {
+            phase.start == other.start
+                && agree(phase.velocity, other.velocity)
+                && agree(phase.acceleration, other.acceleration)
+        })
 }

@@ -8,7 +8,7 @@ mod blend;
 mod cruise;
 pub(crate) mod cycle;
 mod line;
-mod line_stop;
+pub(crate) mod line_stop;
 mod sync;
 mod within;
 
