@@ -42,6 +42,23 @@ macro_rules! in_phase {
 }
 pub(crate) use in_phase;
 
+/// What a profile with so many quantities makes of its `state`.
+macro_rules! states {
+    ($QUANTITIES:literal) => {
+        /// Position, velocity and acceleration at time `x`, s: the start of another plan.
+        pub fn state_at(&self, x: R) -> $crate::state::State<R> {
+            let [position, velocity, acceleration, ..] = self.state(x);
+            $crate::state::State { position, velocity, acceleration }
+        }
+
+        /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
+        pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; $QUANTITIES]> {
+            $crate::sampling::Sweep { x0, dt }.states(|x| self.state(x))
+        }
+    };
+}
+pub(crate) use states;
+
 /// Samples are numbered in 32 bits, which processors convert to reals fastest.
 pub(crate) const MOST_SAMPLES: usize = i32::MAX as usize;
 

@@ -3,7 +3,7 @@
 use super::phase::Phase;
 use crate::findings::{Extremes, Findings};
 use crate::real::Real;
-use crate::sampling::{Edge, Run, Sampled, Sweep};
+use crate::sampling::{Edge, Run, Sampled, Sweep, states};
 use crate::state::State;
 
 /// The most phases of a move.
@@ -72,21 +72,9 @@ impl<R: Real> Move<R> {
         Sampled::state(self, x)
     }
 
-    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
-    pub fn state_at(&self, x: R) -> State<R> {
-        let [position, velocity, acceleration, _] = self.state(x);
-        State { position, velocity, acceleration }
-    }
+    states! { 4 }
 
-    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
-    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
-        Sweep { x0, dt }.states(|x| self.state(x))
-    }
-
-    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
-    /// bits of the single calls. Each output is filled to its own end and may be empty.
-    ///
-    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+    /// Writes positions, velocities, accelerations and jerks, as [`Bell::sample_into`](crate::Bell::sample_into).
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         Sweep { x0, dt }.sample(self, outputs)
     }

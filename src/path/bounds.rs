@@ -4,56 +4,25 @@ use crate::interval::ramp::PerJerk;
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// The tightest limits of the sections at a waypoint.
-struct Tightest<R> {
-    vmax: R,
-    vmin: R,
-    amax: R,
-    amin: R,
-    /// In which the acceleration rises by 1, s³ per unit.
-    gu: R,
-    /// In which the acceleration falls by 1, s³ per unit.
-    gd: R,
-}
-
-impl<R: Real> Tightest<R> {
-    fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
-    where
-        R: 'a,
-    {
-        let mut tightest = Self {
-            vmax: R::INFINITY,
-            vmin: -R::INFINITY,
-            amax: R::INFINITY,
-            amin: -R::INFINITY,
-            gu: R::ZERO,
-            gd: R::ZERO,
-        };
-        for limits in all {
-            let PerJerk { gu, gd } = PerJerk::of(limits);
-            tightest = Self {
-                vmax: tightest.vmax.at_most(limits.vmax),
-                vmin: tightest.vmin.at_least(limits.vmin),
-                amax: tightest.amax.at_most(limits.amax),
-                amin: tightest.amin.at_least(limits.amin),
-                gu: tightest.gu.at_least(gu),
-                gd: tightest.gd.at_least(gd),
-            };
-        }
-        tightest
-    }
-}
-
 /// The limits of a waypoint as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite
 /// limit is 0.
 pub(super) struct Bounds<R>(pub [R; 6]);
 
 impl<R: Real> Bounds<R> {
+    /// The tightest limits of the sections at a waypoint.
     pub fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
     where
         R: 'a,
     {
-        let Tightest { vmax, vmin, amax, amin, gu, gd } = Tightest::of(all);
+        let [mut vmax, mut amax] = [R::INFINITY; 2];
+        let [mut vmin, mut amin] = [-R::INFINITY; 2];
+        let [mut gu, mut gd] = [R::ZERO; 2];
+        for limits in all {
+            (vmax, vmin) = (vmax.at_most(limits.vmax), vmin.at_least(limits.vmin));
+            (amax, amin) = (amax.at_most(limits.amax), amin.at_least(limits.amin));
+            let per_jerk = PerJerk::of(limits);
+            (gu, gd) = (gu.at_least(per_jerk.gu), gd.at_least(per_jerk.gd));
+        }
         let [amax, amin, vmax, vmin] = [amax, amin, vmax, vmin].map(|limit| R::ONE / limit);
         Self([amax, amin, vmax, vmin, R::HALF * gd * vmax, -R::HALF * gu * vmin])
     }

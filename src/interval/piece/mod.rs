@@ -23,6 +23,16 @@ pub(super) enum Piece<R> {
     Held(Held<R>),
 }
 
+/// A value that both kinds of pieces have, each by its own formula.
+macro_rules! in_piece {
+    ($piece:expr, $own:ident => $value:expr) => {
+        match $piece {
+            Self::Free($own) => $value,
+            Self::Held($own) => $value,
+        }
+    };
+}
+
 impl<R: Real> Piece<R> {
     /// The piece that begins with the motion `first`. `holds`: the highest acceleration holds in it, else none.
     pub fn of(border: &Border<R>, first: &Profile<R>, holds: bool) -> Self {
@@ -32,18 +42,12 @@ impl<R: Real> Piece<R> {
     /// The displacement where the acceleration falls by `x` more, and its derivative with respect to `x`.
     #[inline(never)] // for its size: it is asked in five places
     pub fn displacement(&self, x: R) -> (R, R) {
-        match self {
-            Self::Free(free) => free.displacement(x),
-            Self::Held(held) => held.displacement(x),
-        }
+        in_piece!(self, piece => piece.displacement(x))
     }
 
     /// The motion in which the acceleration falls by `x` more.
     pub fn profile(&self, x: R) -> Profile<R> {
-        match self {
-            Self::Free(free) => free.profile(x),
-            Self::Held(held) => held.profile(x),
-        }
+        in_piece!(self, piece => piece.profile(x))
     }
 
     /// How the easing ends, and where. `a0` is the acceleration at the start of the motion.
@@ -87,18 +91,12 @@ impl<R: Real> Piece<R> {
 
     /// The derivative of the displacement with respect to the duration, in the first motion.
     fn slope(&self) -> R {
-        match self {
-            Self::Free(free) => free.s,
-            Self::Held(held) => held.s,
-        }
+        in_piece!(self, piece => piece.s)
     }
 
     /// Where the displacement first stops rising, or falling.
     fn turning_point(&self) -> Option<R> {
-        match self {
-            Self::Free(free) => free.turning_point(),
-            Self::Held(held) => held.turning_point(),
-        }
+        in_piece!(self, piece => piece.turning_point())
     }
 
     /// The piece from the turning point `x` on, where the slope is 0.
@@ -112,9 +110,6 @@ impl<R: Real> Piece<R> {
     /// Not below the `x` of a displacement, on a piece on which the displacement rises and is convex: each of its terms alone would have to
     /// reach farther.
     fn bound(&self, displacement: R) -> R {
-        match self {
-            Self::Free(free) => free.bound(displacement),
-            Self::Held(held) => held.bound(displacement),
-        }
+        in_piece!(self, piece => piece.bound(displacement))
     }
 }

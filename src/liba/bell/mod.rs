@@ -13,8 +13,8 @@ mod search;
 
 use crate::findings::Error;
 use crate::real::Real;
-use crate::sampling::Sweep;
-use crate::state::{Boundary, Saturation, State};
+use crate::sampling::{Sweep, states};
+use crate::state::{Boundary, Saturation};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
 ///
@@ -86,16 +86,7 @@ impl<R: Real> Bell<R> {
         }
     }
 
-    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
-    pub fn state_at(&self, x: R) -> State<R> {
-        let [position, velocity, acceleration, _] = self.state(x);
-        State { position, velocity, acceleration }
-    }
-
-    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
-    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
-        Sweep { x0, dt }.states(|x| self.state(x))
-    }
+    states! { 4 }
 
     /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
     /// bits of the single calls. Each output is filled to its own end and may be empty.

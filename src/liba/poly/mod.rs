@@ -9,7 +9,7 @@ pub(crate) mod target;
 
 use crate::findings::{Error, Extremes};
 use crate::real::Real;
-use crate::sampling::Sweep;
+use crate::sampling::{Sweep, states};
 use crate::state::{Boundary, State};
 
 /// Polynomial of time with `N` coefficients.
@@ -173,16 +173,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
         [self.position(x), self.velocity(x), self.acceleration(x), self.jerk(x)]
     }
 
-    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
-    pub fn state_at(&self, x: R) -> State<R> {
-        let [position, velocity, acceleration, _] = self.state(x);
-        State { position, velocity, acceleration }
-    }
-
-    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
-    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 4]> {
-        Sweep { x0, dt }.states(|x| self.state(x))
-    }
+    states! { 4 }
 
     /// Writes positions, velocities, accelerations and jerks, as [`Bell::sample_into`](crate::Bell::sample_into).
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {

@@ -2,8 +2,7 @@
 
 use super::Trap;
 use crate::real::Real;
-use crate::sampling::{Edge, Run, Sampled, Sweep, in_phase};
-use crate::state::State;
+use crate::sampling::{Edge, Run, Sampled, Sweep, in_phase, states};
 
 /// The three phases in order of time, each with its interval, and the standstill around them.
 #[derive(Clone, Copy)]
@@ -47,16 +46,7 @@ impl<R: Real> Trap<R> {
         Sampled::state(self, x)
     }
 
-    /// Position, velocity and acceleration at time `x`, s: the start of another plan.
-    pub fn state_at(&self, x: R) -> State<R> {
-        let [position, velocity, acceleration] = self.state(x);
-        State { position, velocity, acceleration }
-    }
-
-    /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
-    pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; 3]> {
-        Sweep { x0, dt }.states(|x| self.state(x))
-    }
+    states! { 3 }
 
     /// Writes positions, velocities and accelerations, as [`Bell::sample_into`](crate::Bell::sample_into).
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
