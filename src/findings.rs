@@ -214,7 +214,6 @@ pub struct Extremes<R> {
 }
 
 impl<R: Real> Extremes<R> {
-    /// The extremes of one state.
     pub(crate) fn of(state: State<R>) -> Self {
         Self { lowest: state, highest: state }
     }

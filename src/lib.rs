@@ -62,17 +62,7 @@
 
 pub mod axes {
     //! Several axes that move together: in the same time, on a straight line, or through waypoints.
-    //!
-    //! ```
-    //! use atraj::axes::synchronise;
-    //! use atraj::online::{Limits, Move, State};
-    //! let limits = [Limits::symmetric(30.0, 10.0, 5.0), Limits::symmetric(60.0, 20.0, 5.0)];
-    //! let (from, to) = ([State::at(0.0), State::at(0.0)], [State::at(10.0), State::at(-1.0)]);
-    //! let mut axes = [Move::default(); 2];
-    //! synchronise(&mut axes, &limits, &from, &to, 0.0, 0.001)?;
-    //! assert_eq!(axes[0].t, axes[1].t);
-    //! # Ok::<(), atraj::Error>(())
-    //! ```
+    //! The programs of `docs/moves.md` and `docs/path.md` plan a line and a path.
     pub use crate::path::{
         Contour, improve_path, limit_feed, path_deviation, path_moves, path_size, path_size_near, plan_contour,
         plan_path, plan_path_near,

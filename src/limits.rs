@@ -30,7 +30,6 @@ impl<R: Real> Limits<R> {
         Self { vmax: v, vmin: -v, amax: a, amin: -a, jmax: j, jmin: -j }
     }
 
-    /// The limits of the mirrored axis.
     pub(crate) fn mirrored(self) -> Self {
         let Self { vmax, vmin, amax, amin, jmax, jmin } = self;
         Self { vmax: -vmin, vmin: -vmax, amax: -amin, amin: -amax, jmax: -jmin, jmin: -jmax }

@@ -62,7 +62,6 @@ pub(crate) use states;
 /// Samples are numbered in 32 bits, which processors convert to reals fastest.
 pub(crate) const MOST_SAMPLES: usize = i32::MAX as usize;
 
-/// Evenly spaced times.
 #[derive(Clone, Copy)]
 pub(crate) struct Sweep<R> {
     /// Time of sample 0, s.

@@ -30,7 +30,6 @@ impl<R: Real> State<R> {
         }
     }
 
-    /// The state of the mirrored axis.
     pub(crate) fn mirrored(self) -> Self {
         let Self { position, velocity, acceleration } = self;
         Self { position: -position, velocity: -velocity, acceleration: -acceleration }

@@ -105,7 +105,6 @@ impl<R: Real> Border<R> {
         })
     }
 
-    /// Mean of the velocities at both ends.
     fn mean(&self) -> R {
         self.v0 + R::HALF * self.dv
     }
@@ -158,7 +157,6 @@ impl<R: Real> Border<R> {
 
 /// One ramp holds the limit, the other reaches less. Reversed in time, the second ramp is the first.
 struct Hold<R> {
-    /// The limit of the acceleration.
     limit: R,
     /// Change of velocity from the end of the ramp that holds to the end of the other.
     dv: R,

@@ -69,7 +69,6 @@ impl<R: Real> Border<R> {
         per_jerk.straight(a0, R::ZERO).abs() + per_jerk.straight(R::ZERO, a1).abs()
     }
 
-    /// The mirrored axis.
     #[inline(never)]
     pub fn mirrored(self) -> Self {
         Self {
@@ -212,7 +211,6 @@ impl<R: Real> Border<R> {
         Some(Fitted { ramp, faster: faster.negate_if(mirrored) })
     }
 
-    /// What a ramp passes.
     pub fn passed(&self, ramp: &Ramp<R>) -> Passed<R> {
         let mirrored = ramp.mirrored;
         let [v0, a0, a1] = seen([self.v0, self.a0, self.a1], mirrored);
@@ -372,7 +370,6 @@ impl<R: Real> Border<R> {
         })
     }
 
-    /// Displacement of a motion.
     pub fn displacement(&self, profile: &Profile<R>) -> R {
         let change = self.change(profile);
         self.v0 * change.duration + change.displacement

@@ -11,7 +11,6 @@ use super::rounding::{of_formula, of_state};
 use crate::real::Real;
 use crate::roots::larger_root;
 
-/// A displacement between two positions.
 #[derive(Clone, Copy)]
 pub(crate) struct Displacement<R> {
     pub h: R,
@@ -35,7 +34,6 @@ impl<R: Real> Shortfall<R> {
 
 /// Where the border first gets as far as wanted, before a gap: durations in which the end cannot be reached.
 enum Crossing<R> {
-    /// The motion.
     At(Profile<R>),
     /// A gap comes first: the last motion before it.
     GapAfter(Profile<R>),

@@ -7,7 +7,6 @@ use super::profile::Profile;
 use super::ramp::PerJerk;
 use crate::real::Real;
 
-/// The derivatives of a displacement.
 pub(crate) struct Derivatives<R> {
     /// By `v0`, `a0`, `v1`, `a1`, `t`.
     pub first: [R; 5],

@@ -98,5 +98,4 @@ impl<R: Real> Segment<R> {
     }
 }
 
-/// The most segments of a motion on the border.
 pub(crate) const MOST_SEGMENTS: usize = 7;

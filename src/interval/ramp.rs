@@ -89,7 +89,6 @@ impl<R: Real> Change<R> {
     }
 }
 
-/// What a ramp passes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Passed<R> {
     /// s

@@ -39,7 +39,6 @@ pub(super) struct Law<R> {
     pub lead: Option<usize>,
 }
 
-/// A change of the rate.
 pub(super) struct Change<'a, R> {
     moves: &'a [Move<R>],
     limits: &'a [Limits<R>],

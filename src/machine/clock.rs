@@ -90,9 +90,9 @@ impl<R: Real> Clock<R> {
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
     /// sampled. There the time of the path stands. Only at an end in motion the axes go on.
     ///
-    /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found, or if the rate is negative and the path begins in motion;
-    /// [`Error::Late`] if `x` is before the last change; [`Error::Axes`] if there is no
-    /// axis or no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing
+    /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found, or if
+    /// the rate is negative and the path begins in motion; [`Error::Late`] if `x` is before the last change; [`Error::Axes`] if there is no axis or
+    /// no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing
     /// moves, or if no axis that moves has a finite jerk or acceleration. On an error the clock goes on as it did.
     pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<Findings, Error> {
         if !are_whole(moves, limits.len()) {

@@ -43,7 +43,6 @@ const TICKS: u32 = 2 * HALF - 1;
 /// In `now`, above the tick and the place.
 const DECIDES: u32 = 1 << 31;
 
-/// The words.
 #[derive(Debug)]
 #[repr(C)]
 pub(crate) struct Handover {

@@ -20,7 +20,8 @@
 //! # Ok::<(), atraj::Error>(())
 //! ```
 //!
-//! The halves of the axis are safe on both sides. Here one loop has both; in firmware the ticker is the interrupt's.
+//! The halves of the axis are safe on both sides. Here one loop has both; in firmware the ticker is the interrupt's. `docs/machine.md` has
+//! programs with a group, steps, shapers, and streams of both.
 
 #[allow(unsafe_code)] // the moves of an axis, which `handover` proves to be used by one side at a time
 pub(crate) mod axis;

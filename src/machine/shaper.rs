@@ -45,17 +45,6 @@ pub enum ShaperKind {
 /// velocity, acceleration and jerk. It starts and ends where the move does, and takes `duration` longer. Where an axis is retargeted in
 /// mid-motion, a [`ShaperStream`](super::ShaperStream) shapes it; here it would jump. Before its start and after its end a move is taken to
 /// go on with the velocity that it has there; a [`Move`] goes on after its end with its acceleration, too.
-///
-/// ```
-/// use atraj::machine::{Shaper, ShaperKind};
-/// use atraj::online::{Limits, Move, State};
-/// let mut axis = Move::default();
-/// axis.plan(&Limits::symmetric(300.0, 10.0, 1.0), State::at(0.0), State::at(0.5))?;
-/// let shaper = Shaper::new(ShaperKind::Zv, 5.0, 0.0)?; // 5 Hz
-/// assert_eq!(shaper.duration(), 0.1);
-/// assert_eq!(shaper.state(&axis, axis.t + 0.1), State::at(0.5));
-/// # Ok::<(), atraj::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Shaper<R> {
@@ -254,7 +243,6 @@ impl<R: Real> Impulses<R> {
         }
     }
 
-    /// The number of the last impulse.
     fn last(&self) -> R {
         R::from(self.count as u8 - 1)
     }

@@ -20,28 +20,6 @@ const MOST_TICKS: u32 = 1 << 20;
 /// 50 Hz and 1 kHz. The smoothing of the shaper is the mean of all ticks in it, and lasts a multiple of the period.
 ///
 /// The past is in a delay line of the caller, with [`Shaper::size`] numbers. Each call takes the same one.
-///
-/// ```
-/// use atraj::machine::{Shaper, ShaperKind, ShaperStream};
-/// use atraj::online::{Limits, Move, State};
-/// let limits = Limits::symmetric(300.0, 10.0, 1.0);
-/// let shaper = Shaper::new(ShaperKind::Zv, 5.0, 0.0)?; // 5 Hz
-/// let mut line = vec![0.0; shaper.size(0.001).expect("a short delay")];
-/// let mut stream = ShaperStream::new(&shaper, 0.001, State::at(0.0), &mut line)?;
-/// let mut axis = Move::default();
-/// axis.plan(&limits, State::at(0.0), State::at(0.5))?;
-/// let now = axis.state_at(0.3);
-/// for tick in 0..300 {
-///     stream.tick(axis.state_at(0.001 * f64::from(tick)), &mut line)?;
-/// }
-/// axis.plan(&limits, now, State::at(-0.5))?; // in mid-motion
-/// let mut shaped = State::default();
-/// for tick in 0..3000 {
-///     shaped = stream.tick(axis.state_at(0.001 * f64::from(tick)), &mut line)?;
-/// }
-/// assert_eq!(shaped, State::at(-0.5));
-/// # Ok::<(), atraj::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct ShaperStream<R> {

@@ -11,22 +11,6 @@ use crate::state::State;
 /// The stream has one state a period: of a move, of a clock, of a group, of a shaper, of a jog. From one tick to the next the axis moves on the
 /// cubic through both positions and velocities. The motor is at the line `count`, which is `count` steps from 0, and within half a step of
 /// the axis. No step is lost: at each tick the count is compared with the position.
-///
-/// ```
-/// use atraj::machine::StepStream;
-/// use atraj::online::{Limits, Move, State};
-/// let mut axis = Move::default();
-/// axis.plan(&Limits::symmetric(3000.0, 200.0, 50.0), State::at(0.0), State::at(10.0))?; // mm
-/// let mut motor = StepStream::new(0.0125, 0.001, State::at(0.0))?; // 80 steps per mm, 1 kHz
-/// for tick in 1..=1500 {
-///     motor.tick(axis.state_at(0.001 * f64::from(tick)))?;
-///     while let Some(step) = motor.next() {
-///         assert!(step.direction == 1 && step.time <= 0.001); // set a timer to `time` after this tick
-///     }
-/// }
-/// assert_eq!(motor.count(), 800);
-/// # Ok::<(), atraj::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct StepStream<R> {

@@ -11,21 +11,6 @@ use crate::state::State;
 /// Line `k` is the position `offset + k * step`. The motor stands at the line `count` while the axis is between this line and the next
 /// one. So it steps up when the axis passes the next line, and down when the axis passes the line of the motor on its way back.
 /// With an offset of half a step the motor is never farther than half a step from the axis.
-///
-/// ```
-/// use atraj::machine::{Step, Steps};
-/// use atraj::online::{Limits, Move, State};
-/// let mut axis = Move::default();
-/// axis.plan(&Limits::symmetric(30.0, 10.0, 5.0), State::at(0.0), State::at(10.0))?;
-/// let mut steps = Steps::new(&axis, 0.0, 0.5)?;
-/// let (mut last, mut sum) = (0.0, 0);
-/// while let Some(Step { time, direction }) = steps.next(&axis) {
-///     assert!(time >= last && (axis.position(time) - 0.5 * f64::from(steps.count())).abs() < 1e-12);
-///     (last, sum) = (time, sum + direction);
-/// }
-/// assert_eq!((sum, steps.count()), (20, 20));
-/// # Ok::<(), atraj::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Steps<R> {

@@ -1,19 +1,8 @@
 //! One axis from any state to any state, planned in motion.
 //!
 //! [`Move::plan`] finds the fastest motion within limits of velocity, acceleration and jerk. It fails for no state that is made of
-//! finite: a start outside the limits returns within them in minimum time, a target behind the axis is reached by turning back.
-//!
-//! ```
-//! use atraj::online::{Limits, Move, State};
-//! let limits = Limits::symmetric(30.0, 10.0, 5.0);
-//! let mut axis = Move::default();
-//! axis.plan(&limits, State::at(0.0), State::at(10.0))?;
-//! // In mid-motion, another target.
-//! let now = axis.state_at(0.7);
-//! axis.plan(&limits, now, State::at(-2.0))?;
-//! assert_eq!(axis.position(axis.t), -2.0);
-//! # Ok::<(), atraj::Error>(())
-//! ```
+//! finite numbers: a start outside the limits returns within them in minimum time, a target behind the axis is reached by turning back. The
+//! programs of `docs/moves.md` plan, and plan again in mid-motion.
 
 mod check;
 mod inside;

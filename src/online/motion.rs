@@ -6,7 +6,6 @@ use crate::real::Real;
 use crate::sampling::{Edge, Run, Sampled, Sweep, states};
 use crate::state::State;
 
-/// The most phases of a move.
 pub(crate) const MOST_PHASES: usize = 15;
 
 /// A move: phases of constant jerk from one state to another.
@@ -200,12 +199,10 @@ impl<R: Real> Move<R> {
         (self.t + first.position.abs() + first.velocity.abs()).is_finite()
     }
 
-    /// The state at the start.
     pub(crate) fn start(&self) -> State<R> {
         self.phase[0].state()
     }
 
-    /// The state at the end.
     pub(crate) fn end(&self) -> State<R> {
         let [start, ..] = &self.phase;
         self.phase.get(self.phase_count()).unwrap_or(start).state()

@@ -37,7 +37,6 @@ impl<R: Real> Phase<R> {
         }
     }
 
-    /// The state at its start.
     pub(crate) fn state(&self) -> State<R> {
         State { position: self.position, velocity: self.velocity, acceleration: self.acceleration }
     }

@@ -49,7 +49,6 @@ impl<R: Real> Problem<R> {
         border.profile(&direct)
     }
 
-    /// Displacement on the recovery.
     fn displacement_of_recovery(&self) -> R {
         let change = &self.inside.change;
         self.from.velocity * change.duration + change.displacement
@@ -119,7 +118,6 @@ impl<R: Real> Problem<R> {
         self.inside.change.duration + duration
     }
 
-    /// The fastest motion.
     pub fn fastest(&self) -> Profile<R> {
         crossing::fastest(&self.border, self.displacement())
     }
@@ -188,12 +186,10 @@ impl<R: Real> Problem<R> {
         writer
     }
 
-    /// Where the move begins.
     pub fn from(&self) -> State<R> {
         self.from
     }
 
-    /// Where the move ends.
     pub fn to(&self) -> State<R> {
         self.to
     }

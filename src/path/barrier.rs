@@ -115,7 +115,6 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    /// The weight of a waypoint.
     fn weight_of_point(&self, point: usize) -> R {
         let weights = &self.memory.weights;
         weights.at(point - 1).at_most(weights.at(point))

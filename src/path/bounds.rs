@@ -75,44 +75,16 @@ mod tests {
     use super::Bounds;
     use crate::limits::Limits;
 
-    /// The bounds of limits that all differ.
-    fn unequal() -> Bounds<f64> {
-        let limits = Limits { vmin: -3.0, amin: -5.0, jmin: -20.0, ..Limits::symmetric(10.0, 4.0, 2.0) };
-        Bounds::of([limits].iter())
-    }
-
     /// A state just inside each limit, and one just outside.
     #[test]
     fn a_state_beyond_one_limit_is_outside() {
-        let bounds = unequal();
+        let limits = Limits { vmin: -3.0, amin: -5.0, jmin: -20.0, ..Limits::symmetric(10.0, 4.0, 2.0) };
+        let bounds = Bounds::of([limits].iter());
         let held = |v, a| (bounds.product([v, a]).is_some(), bounds.hold([v, a]));
         // While an acceleration of 2 falls at a jerk of 20, the velocity rises by 0.1; while one of -2 rises at 10, it falls by 0.2.
         for [v, a] in [[0.0, 4.0], [0.0, -5.0], [2.0, 0.0], [-3.0, 0.0], [1.9, 2.0], [-2.8, -2.0]] {
             assert_eq!(held(0.999 * v, 0.999 * a), (true, true), "{v} {a}");
             assert_eq!(held(1.001 * v, 1.001 * a), (false, false), "{v} {a}");
-        }
-    }
-
-    /// The gradient and the Hessian are those of the logarithm of the product, by differences.
-    #[test]
-    fn the_barrier_has_its_derivatives() {
-        let bounds = unequal();
-        let (mu, little) = (0.5, 1e-5);
-        let value = |v, a| -mu * bounds.product([v, a]).expect("a state inside").ln();
-        let gradient = |v, a| bounds.barrier([v, a], mu).0;
-        for [v, a] in [[0.0, 0.0], [1.2, 1.0], [-2.0, -3.0], [1.2, -4.5], [-2.0, 3.5]] {
-            let (by_v, by_a) =
-                (value(v + little, a) - value(v - little, a), value(v, a + little) - value(v, a - little));
-            let [by_v, by_a] = [by_v, by_a].map(|change| change / (2.0 * little));
-            let [g_v, g_a] = gradient(v, a);
-            assert!((g_v - by_v).abs() + (g_a - by_a).abs() < 1e-6, "{v} {a}");
-            let ([v1, _], [v0, _]) = (gradient(v + little, a), gradient(v - little, a));
-            let ([v3, a3], [v2, a2]) = (gradient(v, a + little), gradient(v, a - little));
-            let expected = [v1 - v0, v3 - v2, a3 - a2].map(|change| change / (2.0 * little));
-            let hessian = bounds.barrier([v, a], mu).1;
-            for (number, expected) in hessian.into_iter().zip(expected) {
-                assert!((number - expected).abs() < 1e-6 * (1.0 + number.abs()), "{v} {a}");
-            }
         }
     }
 }

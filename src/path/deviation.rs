@@ -20,18 +20,6 @@ const MOST_HALVES: u32 = 32;
 /// `moves` are those of [`path_moves`](crate::axes::path_moves): of all `axes` for the first section, then of all axes for the second one.
 /// A line ends at its points, so an axis that overshoots leaves it. NaN if there is no axis or no section, if the moves are no whole
 /// sections, or if a number of theirs is not finite or has no square within the range of the real type.
-///
-/// ```
-/// use atraj::axes::{path_deviation, synchronise};
-/// use atraj::online::{Limits, Move, State};
-/// let limits = [Limits::symmetric(30.0, 10.0, 5.0); 2];
-/// let mut moves = [Move::default(); 2];
-/// let from = [State { velocity: 1.0, ..State::at(0.0) }, State::at(0.0)];
-/// synchronise(&mut moves, &limits, &from, &[3.0, 1.0].map(State::at), 0.0, 0.0)?;
-/// let deviation = path_deviation(&moves, 2);
-/// assert!(deviation > 0.0 && deviation < 0.2);
-/// # Ok::<(), atraj::Error>(())
-/// ```
 pub fn path_deviation<R: Real>(moves: &[Move<R>], axes: usize) -> R {
     let mut reached = Deviation { seen: R::ZERO, most: R::ZERO };
     let (mut rest, mut sections) = (moves, 0);

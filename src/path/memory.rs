@@ -48,7 +48,6 @@ impl<R: Real, const W: usize> Table<'_, R, W> {
     }
 }
 
-/// A column of numbers.
 pub(super) type Column<'a, R> = Table<'a, R, 1>;
 
 impl<R: Real> Column<'_, R> {
@@ -104,7 +103,6 @@ pub(super) fn tile<R: Real, const K: usize>(rows: [[R; 3]; 3]) -> Tile<R, K> {
     tile
 }
 
-/// A table of tiles.
 pub(super) struct Tiles<'a, R, const K: usize>(Table<'a, R, K>);
 
 impl<R: Real, const K: usize> Tiles<'_, R, K> {
@@ -292,27 +290,5 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             front: Triangle(Tiles(Table(table(triangle)?))),
             product: Table(table(K * groups)?),
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Memory, size};
-
-    /// The tables stand one after the other, so the last one ends where the memory does.
-    #[test]
-    fn the_tables_take_all_of_the_memory() {
-        ends_with_the_memory::<2>();
-        ends_with_the_memory::<3>();
-    }
-
-    fn ends_with_the_memory<const K: usize>() {
-        for (axes, sections) in [(1, 1), (1, 2), (3, 5), (4, 9)] {
-            let mut work = [0.0_f64; 4000];
-            let work = &mut work[..size::<K>(axes, sections).expect("a size")];
-            let end = work.as_ptr_range().end;
-            let memory = Memory::<_, K>::of(work, axes, sections).expect("room");
-            assert_eq!((memory.product.0.len(), memory.product.0.as_ptr_range().end), (K * (axes + 1), end));
-        }
     }
 }

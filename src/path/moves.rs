@@ -21,19 +21,6 @@ use crate::state::State;
 /// [`synchronise`](crate::axes::synchronise). Then no move is written. Two errors are found while the moves are written, section by section,
 /// and leave those up to this section: [`Error::Duration`] if a section takes longer than its duration, by more than `sqrt(ε)` times the
 /// duration of the path, and [`Error::NotFinite`] if a motion is beyond the range of the real type.
-///
-/// ```
-/// use atraj::axes::path_moves;
-/// use atraj::online::{Error, Limits, Move, State};
-/// let limits = [Limits::symmetric(30.0, 10.0, 5.0)];
-/// let states = [0.0, 3.0, 4.0].map(State::at);
-/// let mut moves = [Move::default(); 2];
-/// assert!(path_moves(&mut moves, &limits, &states, &[2.0, 1.5], 1)?.is_empty());
-/// assert_eq!((moves[0].t, moves[1].position(1.5)), (2.0, 4.0));
-/// // No axis moves by 1 in 0.1 s.
-/// assert_eq!(path_moves(&mut moves, &limits, &states, &[2.0, 0.1], 1), Err(Error::Duration));
-/// # Ok::<(), Error>(())
-/// ```
 pub fn path_moves<R: Real>(
     moves: &mut [Move<R>], limits: &[Limits<R>], states: &[State<R>], durations: &[R], axes: usize,
 ) -> Result<Findings, Error> {

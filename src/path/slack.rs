@@ -25,7 +25,6 @@ pub(super) struct Farthest<R> {
 }
 
 impl<R: Real> Side<R> {
-    /// The upper side.
     pub fn upper(limits: &Limits<R>, ends: [[R; 2]; 2], t: R, h: R) -> Self {
         Self { border: Border::between(ends, limits), t, h, sign: R::ONE }
     }
@@ -48,7 +47,6 @@ impl<R: Real> Side<R> {
         Some([self.farthest()?.slack, self.lower().farthest()?.slack])
     }
 
-    /// The derivatives of the slack.
     pub fn derivatives(&self, farthest: &Farthest<R>) -> Derivatives<R> {
         self.border.derivatives(&farthest.profile, self.sign)
     }

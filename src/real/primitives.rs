@@ -38,7 +38,6 @@ pub trait Primitives:
     /// The processor divides, and takes a root, in one instruction.
     const HAS_UNIT: bool;
 
-    /// The absolute value.
     fn abs(self) -> Self;
 
     /// The absolute value of `self` with the sign of `sign`.

@@ -41,17 +41,17 @@ fn answer(plan: impl FnOnce() -> Option<Result<Findings, Error>>) -> c_int {
     }
 }
 
-/// Writes what is made; `ATRAJ_ERR_NULL` for NULL.
+/// Writes what is made; `ATRAJ_ERR_NULL` if `ctx` is NULL, or nothing is made because another pointer is.
 ///
 /// # Safety
 /// `ctx` is NULL or writable.
-unsafe fn put<C: Face>(ctx: *mut C, make: impl FnOnce() -> Result<C::Core, Error>) -> c_int {
+unsafe fn put<C: Face>(ctx: *mut C, make: impl FnOnce() -> Option<Result<C::Core, Error>>) -> c_int {
     let put = |made| {
         // SAFETY: not NULL, so writable by the contract of this function.
         unsafe { ctx.cast::<C::Core>().write(made) };
         Findings::default()
     };
-    answer(|| (!ctx.is_null()).then(|| make().map(put)))
+    answer(|| if ctx.is_null() { None } else { Some(make()?.map(put)) })
 }
 
 /// The `n` values at `list`; `None` for NULL.

@@ -108,9 +108,8 @@ pub unsafe extern "C" fn atraj_path_moves_zones(
     moves: *mut atraj_move, limits: *const atraj_limits, states: *const atraj_state, durations: *const a_float,
     axes: usize, sections: usize,
 ) -> c_int {
-    let count = axes.wrapping_mul(sections);
     // SAFETY: both functions have the same contract.
-    unsafe { write_moves(moves, limits, count, states, durations, axes, sections) }
+    unsafe { write_moves(moves, limits, axes.wrapping_mul(sections), states, durations, axes, sections) }
 }
 
 /// @brief How far the motions of a path leave the straight lines between its points: the greatest distance, in the

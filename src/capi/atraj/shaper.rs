@@ -1,7 +1,7 @@
 //! `atraj/shaper.h`: input shapers.
 
 use super::r#move::{atraj_move, atraj_state};
-use super::{ATRAJ_ERR_NULL, answer, list_mut, put, write_state};
+use super::{answer, list_mut, put, write_state};
 use crate::capi::a::trajbell::a_trajbell;
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::{Error, Findings};
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn atraj_shaper_init(
     ctx: *mut atraj_shaper, kind: c_int, frequency: a_float, damping: a_float,
 ) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { put(ctx, || Shaper::new(kind_of(kind)?, frequency.into(), damping.into())) }
+    unsafe { put(ctx, || Some(kind_of(kind).and_then(|kind| Shaper::new(kind, frequency.into(), damping.into())))) }
 }
 
 /// @brief Shape the shaped motion once more: for another frequency of the load. The impulses of both are multiplied.
@@ -75,7 +75,7 @@ pub unsafe extern "C" fn atraj_shaper_add(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_smooth(ctx: *mut atraj_shaper, time: a_float) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { put(ctx, || Shaper::smooth(time.into())) }
+    unsafe { put(ctx, || Some(Shaper::smooth(time.into()))) }
 }
 
 /// @brief The shaped motion of a move at `time`.
@@ -156,12 +156,7 @@ pub unsafe extern "C" fn atraj_shaper_stream_init(
     line: *mut a_float, size: usize,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe {
-        match (of(shaper), of(now), list_mut(line, size)) {
-            (Some(shaper), Some(now), Some(line)) => put(ctx, || ShaperStream::new(shaper, period.into(), *now, line)),
-            _ => ATRAJ_ERR_NULL as c_int,
-        }
-    }
+    unsafe { put(ctx, || Some(ShaperStream::new(of(shaper)?, period.into(), *of(now)?, list_mut(line, size)?))) }
 }
 
 /// @brief Add `advance` times the velocity to the position before it is shaped: the pressure advance of an extruder.

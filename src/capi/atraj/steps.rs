@@ -1,7 +1,7 @@
 //! `atraj/steps.h`: the times at which a stepper motor steps.
 
 use super::r#move::{atraj_move, atraj_phase, atraj_state};
-use super::{ATRAJ_ERR_NULL, answer, put};
+use super::{answer, put};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::Findings;
 use crate::machine::step_stream::StepStream;
@@ -38,12 +38,7 @@ pub unsafe extern "C" fn atraj_steps_init(
     ctx: *mut atraj_steps, r#move: *const atraj_move, offset: a_float, step: a_float,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe {
-        match of(r#move) {
-            Some(of) => put(ctx, || Steps::new(of, offset.into(), step.into())),
-            None => ATRAJ_ERR_NULL as c_int,
-        }
-    }
+    unsafe { put(ctx, || Some(Steps::new(of(r#move)?, offset.into(), step.into()))) }
 }
 
 /// @brief Go on with another move from its start, and keep the motor where it is. So no step is lost where the moves meet: a line between
@@ -108,12 +103,7 @@ pub unsafe extern "C" fn atraj_step_stream_init(
     ctx: *mut atraj_step_stream, step: a_float, period: a_float, now: *const atraj_state,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe {
-        match of(now) {
-            Some(now) => put(ctx, || StepStream::new(step.into(), period.into(), *now)),
-            None => ATRAJ_ERR_NULL as c_int,
-        }
-    }
+    unsafe { put(ctx, || Some(StepStream::new(step.into(), period.into(), *of(now)?))) }
 }
 
 /// @brief Keep a least time between two steps, and before a step in the other direction: what the driver of the motor

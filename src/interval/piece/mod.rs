@@ -15,7 +15,6 @@ pub(super) use easing::Easing;
 use free::Free;
 use held::Held;
 
-/// A piece of the border.
 pub(super) enum Piece<R> {
     /// No acceleration holds.
     Free(Free<R>),

@@ -28,7 +28,6 @@ pub(crate) enum Phase {
 }
 
 impl Phase {
-    /// In order of time.
     pub(crate) const ALL: [Self; 9] = [
         Self::Before,
         Self::AccelerationRises,
