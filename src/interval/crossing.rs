@@ -72,7 +72,7 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     let direct = border.direct(excess);
     let of_direct = shortfall(border, &direct, wanted);
     let last_before_gap = match first_from(border, &direct, wanted.h, of_direct) {
-        Crossing::At(first) => return without_detour(border, first, &direct, of_direct.lacks, wanted),
+        Crossing::At(first) => return without_overshoot(border, first, &direct, of_direct.lacks, wanted),
         Crossing::GapAfter(last) => last.as_ramp(),
     };
     if shortfall(border, &last_before_gap, wanted).is_rounding() {
@@ -85,7 +85,7 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     };
     // The fastest ramp is the last one that is tried.
     let ramps = [&after, &last_before_gap, &direct];
-    let shorter = |first, ramp| without_detour(border, first, ramp, shortfall(border, ramp, wanted).lacks, wanted);
+    let shorter = |first, ramp| without_overshoot(border, first, ramp, shortfall(border, ramp, wanted).lacks, wanted);
     ramps.into_iter().fold(first, shorter)
 }
 
@@ -105,7 +105,7 @@ fn first_from<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shor
 
 /// The motion, or the ramp, if the motion overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
 /// by its rounding error, the ramp, whose displacement lacks `lacks` of `h`, is the motion.
-fn without_detour<R: Real>(
+fn without_overshoot<R: Real>(
     border: &Border<R>, motion: Profile<R>, ramp: &Ramp<R>, lacks: R, wanted: Displacement<R>,
 ) -> Profile<R> {
     let fitted = |ramp: &Ramp<R>| {
@@ -132,12 +132,12 @@ fn without_detour<R: Real>(
 /// The fastest motion over `h` between equal velocities without acceleration: the direct ramp has no duration.
 fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
     let mirrored = h < R::ZERO;
-    let way = h.abs();
+    let distance = h.abs();
     let stay = border.profile(&Ramp::straight(border.a0, border.a1));
-    if way <= tie {
+    if distance <= tie {
         return stay;
     }
-    let motion = turning(&border.mirrored_if(mirrored), stay, way, way);
+    let motion = turning(&border.mirrored_if(mirrored), stay, distance, distance);
     Profile { mirrored, ..motion }
 }
 

@@ -93,8 +93,8 @@ impl<R: Real> Segment<R> {
         let to = from + jerk * t;
         let sum = from + to;
         // In the other order of time, accelerations have the other sign.
-        let way = t * (velocity - R::SIXTH * (t * (to + sum)));
-        (position - way, velocity - R::HALF * t * sum)
+        let displacement = t * (velocity - R::SIXTH * (t * (to + sum)));
+        (position - displacement, velocity - R::HALF * t * sum)
     }
 }
 

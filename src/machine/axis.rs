@@ -15,7 +15,7 @@ use core::cell::UnsafeCell;
 /// be a jump. So a plan that comes too late does not take over at all, and the main loop gets [`Error::Late`].
 ///
 /// A plan that was accepted and still waits for its tick is replaced by the next one, which starts from the move in force. It takes over
-/// in the tick of the plan that waited, or earlier. So an axis that is planned again in a hurry still follows.
+/// in the tick of the plan that waited, or earlier. So an axis that is planned again at short intervals still follows.
 #[derive(Debug)]
 #[repr(C)]
 pub struct Axis<R> {

@@ -30,7 +30,7 @@ const RAISES: [u8; 5] = [64, 32, 24, 20, 20];
 /// The most parts in which a phase of the clock is examined: a power of 2. More parts find no shorter hold.
 const PARTS: i32 = 32;
 
-/// What there is to know of the time of a path on its way to a rate.
+/// How the time of a path comes to a rate.
 pub(super) struct Law<R> {
     /// When the rate is reached, s, or else the end of the path.
     pub until: R,
@@ -112,7 +112,7 @@ impl<'a, R: Real> Change<'a, R> {
     #[inline(never)] // for its stack
     fn slow(&self, from: State<R>, time: &mut Move<R>) -> Result<Law<R>, Error> {
         let limits = self.first_slow(from, time)?;
-        self.hurry(from, time, limits)?;
+        self.raise(from, time, limits)?;
         if self.is_on_path(time) {
             let until = time.t;
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
@@ -206,7 +206,7 @@ impl<'a, R: Real> Change<'a, R> {
                 }
             }
         }
-        best.map(|limits| self.hurry(from, change, limits)).transpose().map(|done| done.is_some())
+        best.map(|limits| self.raise(from, change, limits)).transpose().map(|done| done.is_some())
     }
 
     /// How fast the rate may change at this time of the path: the least `A/|v|` and `J/|v|` of the axes.
@@ -220,7 +220,7 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// Raises each limit of a change alone, as long as the limits of the axes are kept.
     #[inline(never)] // for its stack
-    fn hurry(&self, from: State<R>, time: &mut Move<R>, mut limits: [R; 3]) -> Result<(), Error> {
+    fn raise(&self, from: State<R>, time: &mut Move<R>, mut limits: [R; 3]) -> Result<(), Error> {
         let mut faster = Move::default();
         for raise in RAISES {
             for index in 0..limits.len() {
@@ -369,8 +369,8 @@ impl<R: Real> Trial<'_, R> {
     /// The new rate as a phase of the clock.
     fn after(&self) -> Phase<R> {
         let State { position: s, velocity: rate, .. } = self.time.end();
-        let way = if rate > R::ZERO { self.axis.duration() - s } else { s };
-        let duration = if rate != R::ZERO && way > R::ZERO { way / rate.abs() } else { R::ZERO };
+        let left = if rate > R::ZERO { self.axis.duration() - s } else { s };
+        let duration = if rate != R::ZERO && left > R::ZERO { left / rate.abs() } else { R::ZERO };
         Phase { duration, position: s, velocity: rate, ..Phase::default() }
     }
 

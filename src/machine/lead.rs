@@ -1,4 +1,4 @@
-//! The stop of axes on one straight line: that of the axis with the longest way, which needs no reserve.
+//! The stop of axes on one straight line: that of the axis with the largest displacement, which needs no reserve.
 
 use super::change::Law;
 use crate::findings::Error;

@@ -41,7 +41,7 @@ impl<R: Real> Parabola<R> {
     pub fn when_between(self, low: R, high: R) -> [R; 2] {
         let middle = self.middle + R::HALF * self.bend;
         let width = self.rest + R::HALF * self.bend.abs();
-        let mut ends = [low - middle - width, high - middle + width].map(|way| way / self.slope);
+        let mut ends = [low - middle - width, high - middle + width].map(|offset| offset / self.slope);
         if self.slope < R::ZERO {
             ends.reverse();
         }

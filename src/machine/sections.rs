@@ -62,7 +62,6 @@ impl<'a, R: Real> Axis<'a, R> {
         found
     }
 
-    /// The duration.
     pub fn duration(self) -> R {
         self.sections().last().map_or(R::ZERO, |(of, start, _)| start + of.t)
     }

@@ -32,7 +32,7 @@ pub struct StepStream<R> {
 }
 
 impl<R: Real> StepStream<R> {
-    /// A motor at the step that is nearest to the axis, which is in the state `now`. It gets a state every `period`, s. `step` is the way of one
+    /// A motor at the step that is nearest to the axis, which is in the state `now`. It gets a state every `period`, s. `step` is the distance of one
     /// step.
     ///
     /// [`Error::Limits`] if `step` is not above 0; [`Error::Duration`] if the period is not above 0 or not finite; [`Error::NotFinite`] if another

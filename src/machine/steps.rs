@@ -157,7 +157,7 @@ impl<R: Real> Steps<R> {
         if self.count == self.far && beyond(self.to).0 <= R::ZERO {
             return self.to;
         }
-        // The quadratic part of the way from here on.
+        // The quadratic part of the motion from here on.
         let (s, v) = beyond(self.from);
         let a = direction * phase.acceleration(self.from);
         let root = (v * v - (s + s) * a).at_least(R::ZERO).sqrt();

@@ -1,4 +1,4 @@
-//! The fastest way to a state from which the limits can be kept.
+//! The recovery: the fastest motion to a state from which the limits can be kept.
 
 use crate::interval::border::Border;
 use crate::interval::profile::Segment;
@@ -8,10 +8,10 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
 
-/// The way inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
+/// The recovery back inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
 #[derive(Clone, Copy)]
 pub(crate) struct Inside<R> {
-    /// The acceleration at the end of the way.
+    /// The acceleration at the end of the recovery.
     acceleration: R,
     /// Whether the acceleration rises. A slow jerk may change it by less than a rounding.
     rises: bool,
@@ -19,14 +19,14 @@ pub(crate) struct Inside<R> {
     ramp: R,
     /// How long the acceleration holds, s.
     hold: R,
-    /// What the way changes.
+    /// What the recovery changes.
     pub change: Change<R>,
     /// Whether the start is outside the limits, or will unavoidably exceed them.
     pub starts_outside: bool,
 }
 
 impl<R: Real> Inside<R> {
-    /// The way from the state `from`. It has no duration if `from` is inside.
+    /// The recovery from the state `from`. It has no duration if `from` is inside.
     pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
         let State { velocity: v, acceleration: a, .. } = from;
         // The velocity once the acceleration is 0.
@@ -45,19 +45,19 @@ impl<R: Real> Inside<R> {
                 starts_outside: false,
             }
         } else {
-            Self::way(limits, per_jerk, (v, a), v_at_a_zero)
+            Self::recovery(limits, per_jerk, (v, a), v_at_a_zero)
         }
     }
 
-    /// The way from a velocity and an acceleration that may be outside.
-    fn way(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), v_at_a_zero: R) -> Self {
+    /// The recovery from a velocity and an acceleration that may be outside.
+    fn recovery(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), v_at_a_zero: R) -> Self {
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
-        // A start beyond a velocity by rounding stays there. A recovery would be a detour for a target next to it.
+        // A start beyond a velocity by rounding stays there. A recovery would overshoot a target next to it.
         let rounding = of_state(v.abs() + (v_at_a_zero - v).abs());
         let (highest, lowest) = (vmax + rounding, vmin - rounding);
         // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
-        let (to, way, rises, hold) = if v_at_a_zero > highest {
+        let (to, far, rises, hold) = if v_at_a_zero > highest {
             let ramp = Ramp::over(v_at_a_zero - vmax, (-a).at_most(-amin), R::ZERO, -amin, per_jerk);
             (-ramp.peak, ramp.rise + below, below > R::ZERO, ramp.hold)
         } else if v_at_a_zero < lowest {
@@ -67,7 +67,7 @@ impl<R: Real> Inside<R> {
             let limited = a.at_most(amax).at_least(amin);
             (limited, above + below, below > R::ZERO, R::ZERO)
         };
-        let ramp = way * if rises { per_jerk.gu } else { per_jerk.gd };
+        let ramp = far * if rises { per_jerk.gu } else { per_jerk.gd };
         let change = Change::of(a, to, ramp).hold(to, hold);
         let starts_outside = v_at_a_zero.at_least(v) > highest
             || v_at_a_zero.at_most(v) < lowest
@@ -76,7 +76,7 @@ impl<R: Real> Inside<R> {
         Self { acceleration: to, rises, ramp, hold, change, starts_outside }
     }
 
-    /// The motions from the end of the way on.
+    /// The motions from the end of the recovery on.
     pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>, to: State<R>) -> Border<R> {
         let change = self.change.velocity;
         let eased = Border::eased(per_jerk, self.acceleration, to.acceleration);
@@ -94,7 +94,7 @@ impl<R: Real> Inside<R> {
         }
     }
 
-    /// The segments of the way from the acceleration `from`, in order of time.
+    /// The segments of the recovery from the acceleration `from`, in order of time.
     pub fn segments(&self, limits: &Limits<R>, from: R) -> [Segment<R>; 2] {
         let to = self.acceleration;
         let jerk = if self.rises { limits.jmax } else { limits.jmin };

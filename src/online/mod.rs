@@ -118,8 +118,8 @@ impl<R: Real> Move<R> {
         let seen_from = State { position: from.position - target.position, velocity: from.velocity - v, ..from };
         let problem = Problem::new(&seen, seen_from, State::at(R::ZERO));
         let profile = problem.fastest();
-        let way = v.abs() * problem.duration(&profile);
-        problem.check(&profile, target.position.abs() + v.abs() + way)?;
+        let travelled = v.abs() * problem.duration(&profile);
+        problem.check(&profile, target.position.abs() + v.abs() + travelled)?;
         problem.write(self, &profile)?;
         self.shift(from, target);
         Ok(problem.findings(self))

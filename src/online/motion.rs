@@ -31,7 +31,7 @@ pub struct Move<R> {
     pub t: R,
     /// Number of phases.
     pub count: u32,
-    /// The phases in order of time. Behind the last one is a phase without duration, the end.
+    /// The phases in order of time. After the last one is a phase without duration, the end.
     pub phase: [Phase<R>; 16],
 }
 
@@ -125,7 +125,7 @@ impl<R: Real> Move<R> {
         (self.end().position == position).then_some(self.t)
     }
 
-    /// What there is to know of the turns of a plan. From rest to rest a planned axis does not turn.
+    /// The finding that a plan overshoots, if it does. From rest to rest a planned axis does not turn.
     pub(crate) fn turn_findings(&self) -> Findings {
         let may_turn = !(self.start().is_at_rest() && self.end().is_at_rest());
         Findings::OVERSHOOTS.when(may_turn && self.overshoots())
@@ -193,7 +193,7 @@ impl<R: Real> Move<R> {
         (first, later.get(..count).unwrap_or_default())
     }
 
-    /// Whether a written move is within the range of the real type. Its states are sums from the end, in which no infinity gets lost.
+    /// Whether a written move is within the range of the real type. Its states are sums from the end, and an infinity in any term makes the sum infinite.
     pub(crate) fn is_finite(&self) -> bool {
         let first = &self.phase[1];
         (self.t + first.position.abs() + first.velocity.abs()).is_finite()
@@ -230,7 +230,7 @@ impl<R: Real> Move<R> {
         later.find(|start| *start > x)
     }
 
-    /// The phase at the time `x`. Phase 0 is the start. Behind the last phase is one without duration, the end.
+    /// The phase at the time `x`. Phase 0 is the start. After the last phase is one without duration, the end.
     pub(crate) fn phase_at(&self, x: R) -> &Phase<R> {
         let [start, later @ ..] = &self.phase;
         let mut found = start;
@@ -255,7 +255,7 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
             *border = Edge::Below(phase.start);
         }
         borders[0] = Edge::UpTo(R::ZERO);
-        // A NaN is at the end, and this border tells it from a time before the start.
+        // A NaN is at the end, and this border separates it from a time before the start.
         borders[16] = Edge::UpTo(R::INFINITY);
         borders
     }

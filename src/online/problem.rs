@@ -1,6 +1,6 @@
 //! What is to be planned for one axis: the recovery, and the motions after it.
 //!
-//! A problem has two clocks. The clock of the move begins at the start. The clock of the border begins where the way inside ends.
+//! A problem has two clocks. The clock of the move begins at the start. The clock of the border begins where the recovery ends.
 
 use super::inside::Inside;
 use super::motion::Move;
@@ -56,8 +56,8 @@ impl<R: Real> Problem<R> {
 
     /// The displacement after the recovery.
     pub fn displacement(&self) -> Displacement<R> {
-        let way = self.to.position - self.from.position;
-        Displacement { h: way - self.displacement_of_recovery(), positions: self.positions }
+        let h = (self.to.position - self.from.position) - self.displacement_of_recovery();
+        Displacement { h, positions: self.positions }
     }
 
     /// Whether the start may be shifted in time along the first phase of the fastest motion, so that the rest lasts `t`: position, velocity
@@ -128,7 +128,7 @@ impl<R: Real> Problem<R> {
         self.with_inside(profile.duration(per_jerk))
     }
 
-    fn way_inside(&self) -> [Segment<R>; 2] {
+    fn recovery(&self) -> [Segment<R>; 2] {
         self.inside.segments(&self.border.limits, self.from.acceleration)
     }
 
@@ -149,14 +149,14 @@ impl<R: Real> Problem<R> {
         if is_small || (t + self.sum(profile) + added).is_finite() { Ok(()) } else { Err(Error::NotFinite) }
     }
 
-    /// The sum of the magnitudes of all positions and velocities that [`Problem::write`] writes. No infinity gets lost in it.
+    /// The sum of the magnitudes of all positions and velocities that [`Problem::write`] writes. An infinity in any term makes it infinite.
     #[cold]
     fn sum(&self, profile: &Profile<R>) -> R {
-        let way = self.way_inside();
+        let recovery = self.recovery();
         let motion = self.border.segments(profile);
         let State { mut position, mut velocity, .. } = self.to;
         let mut sum = position.abs() + velocity.abs();
-        let segments = way.iter().chain(&motion).rev();
+        let segments = recovery.iter().chain(&motion).rev();
         for segment in segments.filter(|segment| segment.duration > R::ZERO) {
             (position, velocity) = segment.start(position, velocity);
             sum = sum + position.abs() + velocity.abs();
@@ -179,7 +179,7 @@ impl<R: Real> Problem<R> {
     pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
         let mut writer = Writer::new(ctx, self.from);
         if self.inside.change.duration > R::ZERO {
-            for segment in &self.way_inside() {
+            for segment in &self.recovery() {
                 writer.write(segment);
             }
         }
@@ -200,7 +200,7 @@ impl<R: Real> Problem<R> {
         Findings::STARTS_OUTSIDE.when(self.inside.starts_outside) | Findings::ENDS_LEAVING.when(is_leaving)
     }
 
-    /// What there is to know of a written move.
+    /// The findings of a written move.
     pub fn findings(&self, ctx: &Move<R>) -> Findings {
         ctx.turn_findings() | self.outside()
     }

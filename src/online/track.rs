@@ -56,8 +56,8 @@ impl<R: Real> Move<R> {
         let State { position, velocity, acceleration } = signal;
         for (acceleration, jerk) in [(acceleration, jerk), (acceleration, R::ZERO), (R::ZERO, R::ZERO)] {
             let signal = Phase { position, velocity, acceleration, jerk, ..Phase::default() };
-            for way in [Way::near, Way::chase] {
-                let found = way(&Way { limits, from, signal, horizon });
+            for plan in [Approach::near, Approach::chase] {
+                let found = plan(&Approach { limits, from, signal, horizon });
                 if let Some(planned) = found.filter(|planned| planned.keeps(limits)) {
                     *self = planned;
                     return Ok(self.turn_findings());
@@ -84,8 +84,8 @@ impl<R: Real> Move<R> {
     }
 }
 
-/// The way of an axis to a signal that goes on with its jerk.
-struct Way<'a, R> {
+/// The approach of an axis to a signal that goes on with its jerk.
+struct Approach<'a, R> {
     limits: &'a Limits<R>,
     from: State<R>,
     signal: Phase<R>,
@@ -93,7 +93,7 @@ struct Way<'a, R> {
     horizon: R,
 }
 
-impl<R: Real> Way<'_, R> {
+impl<R: Real> Approach<'_, R> {
     /// The distance at the start, with its derivatives.
     fn distance(&self) -> State<R> {
         let (from, signal) = (self.from, self.signal.state());

@@ -1,4 +1,4 @@
-//! Steps along a curve, where a straight one would leave the narrow way of close points.
+//! Steps along a curve, where a straight one would leave the narrow passage between close points.
 //!
 //! `docs/path-theory.md` has the theory, in "Close points".
 
@@ -81,7 +81,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if is_bent { self.parabola(point, axis, &self.memory.durations).slopes } else { [[R::ZERO; 2]; 2] }
     }
 
-    /// Whether the possible displacements of a section next to a waypoint spread less than half of the way.
+    /// Whether the possible displacements of a section next to a waypoint spread less than half of its displacement.
     pub fn is_narrow(&self, point: usize, axis: usize) -> bool {
         let is_narrow = |section| {
             let [above, below] = self.memory.slacks.row(section * self.axes + axis);

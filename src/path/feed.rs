@@ -50,13 +50,12 @@ pub fn limit_feed<R: Real>(
     Ok(())
 }
 
-/// Lowers the limits of a section.
 fn lower<R: Real>(zone: &mut [Limits<R>], from: &[State<R>], to: &[State<R>], feed: R) {
     let count = zone.len();
     let line = || from.iter().zip(to).take(count).map(|(from, to)| (to.position - from.position).abs());
     let longest = line().fold(R::ZERO, R::at_least);
     // In parts of the longest one no square leaves the range.
-    let parts = || line().map(|way| if longest > R::ZERO { way / longest } else { R::ONE });
+    let parts = || line().map(|distance| if longest > R::ZERO { distance / longest } else { R::ONE });
     let square = parts().fold(R::ZERO, |sum, part| sum + part * part);
     let across = R::SIXTEENTH / R::from_index(count as i32);
     for (limits, part) in zone.iter_mut().zip(parts()) {

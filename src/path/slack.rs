@@ -37,8 +37,8 @@ impl<R: Real> Side<R> {
     /// The farthest motion, if there is one, and if its displacement is larger than the section.
     pub fn farthest(&self) -> Option<Farthest<R>> {
         let profile = self.border.farthest_inside(self.t)?;
-        let way = self.border.change(&profile);
-        let slack = (self.border.v0 * self.t - self.h) + way.displacement;
+        let change = self.border.change(&profile);
+        let slack = (self.border.v0 * self.t - self.h) + change.displacement;
         (slack > R::ZERO).then_some(Farthest { profile, slack })
     }
 

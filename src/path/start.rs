@@ -138,8 +138,9 @@ impl<R: Real> Chain<'_, '_, R> {
         for axis in 0..self.axes {
             let (from, to) = self.ends(section, axis);
             let (stopping, time) = self.overshoot(section, axis)?;
-            let way = to.position - from.position;
-            let (side, moves) = if time < R::INFINITY { (stopping, true) } else { (way, way != R::ZERO) };
+            let displacement = to.position - from.position;
+            let overshoots = time < R::INFINITY;
+            let (side, moves) = if overshoots { (stopping, true) } else { (displacement, displacement != R::ZERO) };
             if moves {
                 let [upper, lower] = self.farthest(section, axis, far)?;
                 let farthest = if side > R::ZERO { upper } else { lower };
@@ -149,14 +150,14 @@ impl<R: Real> Chain<'_, '_, R> {
         (earliest < latest).then_some((earliest, latest))
     }
 
-    /// The way to stop, and when an axis that brakes has passed the end of the section, s; infinite if it can stop before.
+    /// The displacement of the stop, and when an axis that brakes has passed the end of the section, s; infinite if it can stop before.
     fn overshoot(&self, section: usize, axis: usize) -> Option<(R, R)> {
         let (from, to) = self.ends(section, axis);
-        let way = to.position - from.position;
+        let displacement = to.position - from.position;
         let mut stop = Move::default();
         stop.stop(self.limits(section, axis).ok()?, from).ok()?;
         let stopping = stop.state_at(stop.t).position - from.position;
-        let overshoots = stopping * way >= R::ZERO && stopping.abs() > way.abs();
+        let overshoots = stopping * displacement >= R::ZERO && stopping.abs() > displacement.abs();
         let time = if overshoots { time_at(&stop, to.position) } else { R::INFINITY };
         Some((stopping, time))
     }

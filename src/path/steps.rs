@@ -36,7 +36,7 @@ const MANY_SECTIONS: usize = 10;
 /// A path of this many sections gets more, because its points may be so close that its stops take 100 times as long as the path.
 const VERY_MANY_SECTIONS: usize = 2_000;
 const MOST_OF_VERY_MANY: u32 = 96;
-/// The plan of a shorter path is done after so many falls of the weight. Behind each a step is not halved.
+/// The plan of a shorter path is done after so many falls of the weight. After each a step is not halved.
 const FEW_FALLS: u32 = 11;
 /// Parts of a step that are tried: the first, its half, its quarter, …
 const MOST_HALVINGS: u32 = 10;
@@ -108,7 +108,7 @@ fn fallen<R: Real>(base: R, octaves: R) -> R {
 }
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
-    /// Makes the plan shorter, which is strictly inside and stays inside. `octaves` tells how near the plan is to the best one.
+    /// Makes the plan shorter, which is strictly inside and stays inside. `octaves` says how near the plan is to the best one.
     pub fn shorten(&mut self, Steps { most, mut falls }: Steps, octaves: u8) {
         let per_logarithm = R::from(11) * R::SIXTEENTH / R::from_index(self.logarithms() as i32);
         let mut octaves = R::from(octaves);
@@ -120,7 +120,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         self.memory.tried_states.copy(&self.memory.states);
         for step in 0..most {
             let left = most - step;
-            // Behind a short step the weight waits, but not in the last two fifths of the steps.
+            // After a short step the weight waits, but not in the last two fifths of the steps.
             let may_wait = 5 * left > 2 * most;
             if step > 0 && falls == 0 && is_done {
                 break;

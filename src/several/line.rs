@@ -38,7 +38,7 @@ pub fn line<R: Real>(
     Ok(problem.findings(&lead))
 }
 
-/// A straight line in the space of all axes. The axis with the longest way leads; of ways that are as long, the one whose
+/// A straight line in the space of all axes. The axis with the largest displacement leads; of displacements that are as large, the one whose
 /// positions round least. Its positions are counted from its end, so they have the rounding error of the displacement alone.
 struct Line<R> {
     /// The lead at the start.
@@ -62,7 +62,7 @@ struct Share<R> {
 }
 
 impl<'a, R: Real + 'a> Line<R> {
-    /// The line along which the axis with the longest way leads.
+    /// The line along which the axis with the largest displacement leads.
     fn through(ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Self, Error> {
         let braking = ends.clone().map(braking).fold(R::ZERO, R::at_least);
         let leads = ends.map(|(limits, (from, to))| {
@@ -91,7 +91,7 @@ impl<'a, R: Real + 'a> Line<R> {
         if line.reach().is_finite() { Ok(line) } else { Err(Error::NotFinite) }
     }
 
-    /// The way, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
+    /// The distance, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
     fn reach(&self) -> R {
         self.from.position.abs() + self.braking * self.speeds()
     }
@@ -108,7 +108,7 @@ impl<'a, R: Real + 'a> Line<R> {
         self.from.velocity.abs() + self.to.velocity.abs()
     }
 
-    /// The slope of the five numbers of the axis (its way, and velocity and acceleration at both ends) on those of the lead, by least squares.
+    /// The slope of the five numbers of the axis (its displacement, and velocity and acceleration at both ends) on those of the lead, by least squares.
     /// Each number counts in units of its rounding error. The share is 0 if nothing moves.
     fn share(&self, from: &State<R>, to: &State<R>) -> Share<R> {
         let own_positions = from.position.abs() + to.position.abs();
@@ -173,20 +173,20 @@ impl<'a, R: Real + 'a> Line<R> {
                 agree(own.velocity, lead.velocity, own.velocity.abs() + share.abs() * v)
                     && agree(own.acceleration, lead.acceleration, own.acceleration.abs() + share.abs() * a)
             };
-            let way = from.position - to.position;
-            agree(way, self.from.position, positions) && lies(from, &self.from) && lies(to, &self.to)
+            let displacement = from.position - to.position;
+            agree(displacement, self.from.position, positions) && lies(from, &self.from) && lies(to, &self.to)
         });
         if is_straight { Ok(()) } else { Err(Error::Line) }
     }
 }
 
-/// The highest velocity and the highest acceleration that an axis comes to on a way.
-fn highest<R: Real>(limits: &Limits<R>, way: R) -> (R, R) {
+/// The highest velocity and the highest acceleration that an axis comes to over a distance.
+fn highest<R: Real>(limits: &Limits<R>, distance: R) -> (R, R) {
     let jerk = limits.jmax.at_least(-limits.jmin);
     let v = limits.vmax.at_least(-limits.vmin);
     let a = limits.amax.at_least(-limits.amin).at_most(((v + v) * jerk).sqrt());
-    let a = if jerk.is_finite() { a.at_most((jerk * jerk * way).cube_root_above()) } else { a };
-    (v.at_most((a * way).sqrt()), a)
+    let a = if jerk.is_finite() { a.at_most((jerk * jerk * distance).cube_root_above()) } else { a };
+    (v.at_most((a * distance).sqrt()), a)
 }
 
 /// How long an axis takes to brake from the higher velocity of both ends, s.
