@@ -55,16 +55,6 @@ impl<R: Real> Move<R> {
     /// Where the fastest stop from the start would leave a position, the axis brakes harder, and turns at this position, then at the other one if it
     /// must. [`Error::Position`] if no motion stays between the positions: the hardest brake leaves them, or the target cannot be reached from
     /// within them.
-    ///
-    /// ```
-    /// use atraj::online::{Error, Limits, Move, State};
-    /// let limits = Limits::symmetric(30.0, 10.0, 5.0);
-    /// let mut axis = Move::default();
-    /// assert!(axis.within(&limits, State::at(0.0), State::at(8.0), -1.0, 8.0).is_ok());
-    /// let late = State { position: 7.9, velocity: 3.0, acceleration: 0.0 }; // 0.1 before the wall, at full speed
-    /// assert_eq!(axis.within(&limits, late, State::at(8.0), -1.0, 8.0), Err(Error::Position));
-    /// # Ok::<(), atraj::Error>(())
-    /// ```
     pub fn within(
         &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, lowest: R, highest: R,
     ) -> Result<Findings, Error> {

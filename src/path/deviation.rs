@@ -88,7 +88,6 @@ impl<R: Real> Deviation<R> {
     }
 }
 
-/// The moves of all axes in a section.
 struct Section<'a, R> {
     axes: &'a [Move<R>],
     /// How large its positions are, unit.

@@ -292,3 +292,25 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Memory, size};
+
+    /// The tables stand one after the other, so the last one ends where the memory does.
+    #[test]
+    fn the_tables_take_all_of_the_memory() {
+        ends_with_the_memory::<2>();
+        ends_with_the_memory::<3>();
+    }
+
+    fn ends_with_the_memory<const K: usize>() {
+        for (axes, sections) in [(1, 1), (1, 2), (3, 5), (4, 9)] {
+            let mut work = [0.0_f64; 4000];
+            let work = &mut work[..size::<K>(axes, sections).expect("a size")];
+            let end = work.as_ptr_range().end;
+            let memory = Memory::<_, K>::of(work, axes, sections).expect("room");
+            assert_eq!((memory.product.0.len(), memory.product.0.as_ptr_range().end), (K * (axes + 1), end));
+        }
+    }
+}

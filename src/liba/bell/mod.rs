@@ -92,14 +92,6 @@ impl<R: Real> Bell<R> {
     /// bits of the single calls. Each output is filled to its own end and may be empty.
     ///
     /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
-    ///
-    /// ```
-    /// use atraj::{Bell, Boundary};
-    /// let bell = Bell::new(30.0, 10.0, 5.0, Boundary::rest_to_rest(0.0, 10.0)).expect("the limits allow this move");
-    /// let (mut p, mut v) = ([0.0; 100], [0.0; 100]);
-    /// assert_eq!(bell.sample_into(0.5, 0.001, [&mut p, &mut v, &mut [], &mut []]), 100);
-    /// assert_eq!((p[7], v[7]), (bell.position(0.5 + 7.0 * 0.001), bell.velocity(0.5 + 7.0 * 0.001)));
-    /// ```
     pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
         Sweep { x0, dt }.sample(self, outputs)
     }

@@ -4,7 +4,6 @@ use super::Trap;
 use crate::real::Real;
 use crate::state::{Boundary, Saturation};
 
-/// How the velocity runs.
 enum Shape {
     /// Up to the highest velocity, and down.
     Cruise,
