@@ -6,7 +6,7 @@
 
 #define NAN __builtin_nan("")
 
-enum { PLANS = 2, AXES = 3, MOVES = 16, CLOCKS = 256, PATH_AXES = 2, POINTS = MOVES / PATH_AXES + 1, SAMPLES = 2000, QUANTITIES = 4 };
+enum { PLANS = 2, AXES = 3, MOVES = 16, PATH_AXES = 2, POINTS = MOVES / PATH_AXES + 1, SAMPLES = 2000, QUANTITIES = 4 };
 
 static union {
     a_trajbell bell;
@@ -16,9 +16,10 @@ static union {
     a_trajpoly7 poly7;
 } plans[PLANS];
 static atraj_move moves[MOVES];
-static atraj_clock clocks[CLOCKS];
+static atraj_group groups[2];
 static atraj_limits limits[AXES];
-static atraj_state from[AXES], to[AXES], states[POINTS * PATH_AXES];
+static atraj_move room[3 * AXES];
+static atraj_state from[AXES], to[AXES], own[AXES], now[AXES], states[POINTS * PATH_AXES];
 static a_float durations[POINTS - 1];
 static a_float tolerances[(POINTS - 2) * PATH_AXES];
 static a_float work[(POINTS - 1) * (PATH_AXES * (9 * PATH_AXES + 113) / 2 + 20) + 9 * PATH_AXES * (PATH_AXES - 1) / 2 + 12 - PATH_AXES]; /* atraj_path_size_near */
@@ -27,7 +28,6 @@ static a_float samples[QUANTITIES][SAMPLES];
 int axis_count(void) { return AXES; }
 int move_count(void) { return MOVES; }
 int point_count(void) { return POINTS; }
-int clock_count(void) { return CLOCKS; }
 int sample_count(void) { return SAMPLES; }
 
 /* Whether a finding is a fault of the move; the others are properties of it. A finding that is not named here fails the build. */
@@ -50,14 +50,19 @@ int is_fault(enum atraj_finding finding)
 int starts_outside(void) { return ATRAJ_STARTS_OUTSIDE; }
 int limits_refused(void) { return ATRAJ_ERR_LIMITS; }
 int unreachable(void) { return ATRAJ_ERR_UNREACHABLE; }
+int tick_ends(void) { return ATRAJ_TICK_ENDS; }
 
 /* Places. The page asks for no index beyond the counts above. */
 void *plan_at(int i) { return &plans[i]; }
 atraj_move *move_at(int i) { return &moves[i]; }
-atraj_clock *clock_at(int i) { return &clocks[i]; }
 atraj_limits *limits_at(int i) { return &limits[i]; }
 atraj_state *from_at(int i) { return &from[i]; }
 atraj_state *to_at(int i) { return &to[i]; }
+/* The group that runs and its copy, the memory of both, and the states of its axes in a tick. */
+atraj_group *group_at(int i) { return &groups[i]; }
+atraj_move *room_at(void) { return room; }
+atraj_state *own_at(int i) { return &own[i]; }
+atraj_state *now_at(void) { return now; }
 /* The state of an axis at a waypoint, the durations of the sections between them, and the memory to plan them. */
 atraj_state *state_at(int point, int axis) { return &states[point * PATH_AXES + axis]; }
 a_float *durations_at(void) { return durations; }
@@ -83,16 +88,7 @@ void set_state(atraj_state *ctx, a_float p, a_float v, a_float a)
     *ctx = given;
 }
 
-void copy_clock(atraj_clock *ctx, atraj_clock const *other) { *ctx = *other; }
-
-/* As `atraj_move_sample`, for the moves of an axis that a clock runs: one of `axes` axes, in each of some sections. */
-void clock_sample(atraj_clock const *ctx, atraj_move const *move, unsigned int axes, unsigned int sections, a_float x0, a_float dt, unsigned int n,
-    a_float *pos, a_float *vel, a_float *acc, a_float *jer)
-{
-    for (unsigned int k = 0; k < n; ++k) {
-        atraj_clock_state(ctx, move, axes, sections, x0 + k * dt, &pos[k], &vel[k], &acc[k], &jer[k]);
-    }
-}
+void copy_group(atraj_group *ctx, atraj_group const *other) { *ctx = *other; }
 
 a_float move_duration(atraj_move const *ctx) { return ctx->t; }
 

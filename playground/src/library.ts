@@ -13,8 +13,6 @@ export const AXES = c.axis_count();
 export const MOVES = c.move_count();
 /** How many waypoints there are places for. */
 export const POINTS = c.point_count();
-/** How many clocks there are places for. */
-export const CLOCKS = c.clock_count();
 /** How many samples there is room for. */
 export const SAMPLES = c.sample_count();
 
@@ -32,6 +30,11 @@ const QUANTITIES: Record<Family, number> = { bell: 4, trap: 3, poly3: 3, poly5: 
 export function message(code: number): string {
     const text = new Uint8Array((memory as WebAssembly.Memory).buffer, c.atraj_message(code));
     return new TextDecoder().decode(text.subarray(0, text.indexOf(0)));
+}
+
+/** The numbers at a place. */
+export function numbers(place: number, n: number): Float64Array {
+    return new Float64Array((memory as WebAssembly.Memory).buffer, place, n);
 }
 
 /** A planned struct at a place of the module's memory. The next plan at this place overwrites it. */
@@ -52,38 +55,32 @@ export class Plan {
     /** Samples at the times `x0 + k * dt`. */
     sample(x0: number, dt: number, n: number): Quantities<Float64Array> {
         const places = Array.from({ length: this.quantities }, (_, quantity) => c.samples_at(quantity));
-        this.write(x0, dt, n, places);
-        const { buffer } = memory as WebAssembly.Memory;
-        return places.map((place) => new Float64Array(buffer, place, n).slice());
-    }
-
-    protected write(x0: number, dt: number, n: number, places: number[]): void {
         c[`atraj_${this.family}_sample`](this.place, x0, dt, n, ...places);
+        return places.map((place) => numbers(place, n).slice());
     }
 }
 
-/** How the moves of a path are at their places: those of all axes for the first section, then those for the next one. */
-export interface Layout {
-    axes: number;
-    sections: number;
-}
-
-/** The moves of an axis that a clock runs, from the time `begin` of the clock on. The first of them is at the place `move`. */
-export class Clocked extends Plan {
+/** What an axis did or will do in each tick, from the tick `first` on. Between two ticks its quantities change evenly. */
+export class Ticked extends Plan {
     constructor(
-        move: number,
-        private readonly layout: Layout,
-        private readonly clock: number,
-        private readonly begin: number,
+        private readonly curves: Quantities<number[]>,
+        private readonly period: number,
+        private readonly first: number,
         duration: number,
     ) {
-        super("move", move, duration);
+        super("move", 0, duration);
     }
 
-    protected override write(x0: number, dt: number, n: number, places: number[]): void {
-        const { axes, sections } = this.layout;
-        c.clock_sample(this.clock, this.place, axes, sections, this.begin + x0, dt, n, ...places);
+    override sample(x0: number, dt: number, n: number): Quantities<Float64Array> {
+        const tick = (k: number) => this.first + (x0 + k * dt) / this.period;
+        return this.curves.map((curve) => Float64Array.from({ length: n }, (_, k) => between(curve, tick(k))));
     }
+}
+
+function between(curve: number[], tick: number): number {
+    const at = Math.max(0, Math.min(tick, curve.length - 1));
+    const [before, after] = [curve[Math.floor(at)], curve[Math.ceil(at)]];
+    return before + (at % 1) * (after - before);
 }
 
 /** What an axis does: one plan, or plans that follow each other when it is retargeted in motion. */

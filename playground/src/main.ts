@@ -7,7 +7,7 @@ import { AXES, c, type Motion, POINTS } from "./library";
 import { Plane } from "./plane";
 import { Player } from "./player";
 import { number, Plots, QUANTITIES } from "./plots";
-import { AXIS_NAMES, COMMANDS, fields, initial, type Outcome, PROFILES } from "./profiles";
+import { AXIS_NAMES, COMMANDS, fields, initial, type Outcome, PROFILES, startOf } from "./profiles";
 import { type Command, type Point, read, type State, write } from "./state";
 import { table } from "./table";
 import { converted, inUnit, isLength, UNITS } from "./units";
@@ -45,14 +45,16 @@ const profile = () => PROFILES.find(({ id }) => id === state.profile)!;
 const address = () => write(state, fields(profile(), state.values).map(({ key }) => key));
 const duration = () => Math.max(0, ...motions.map((motion) => motion.duration));
 const lead = () => Math.min(state.axis, (profile().axes?.length ?? 1) - 1);
-/** The plans in motion. A clock runs the first plan alone. */
-const commands = () => (profile().live && !state.values.run ? state.commands : []);
+/** Whether a run is drawn, not a plan. */
+let showsRun = false;
+/** The plans in motion. A run has the first plan alone. */
+const commands = () => (profile().live && !showsRun ? state.commands : []);
 
 const plots = new Plots(the("plots"), {
     hover: (time) => tell(time ?? state.moment, false),
     click(time, quantity, value) {
         pin(time);
-        if (profile().live && !state.values.run && quantity < 2) {
+        if (profile().live && !player.isRunning && quantity < 2) {
             command(quantity === 0 ? "to" : "jog", value);
         }
     },
@@ -73,12 +75,8 @@ const plane = new Plane(document.querySelector<SVGSVGElement>("#plane")!, {
 
 const player = new Player(the("run"), {
     plan() {
-        if (!state.values.run) {
-            state.values.run = 1;
-            showControls();
-        }
-        draw();
-        return outcome.motions;
+        draw(true);
+        return [outcome.motions, startOf(state.profile, state.values)];
     },
     draw(run, time) {
         motions = run;
@@ -86,10 +84,15 @@ const player = new Player(the("run"), {
         mark(time);
     },
     mark,
+    tell() {
+        the("replan").hidden = !profile().live || player.isRunning;
+        settle();
+    },
 });
 
 /** Plans and draws. Nothing else runs while a slider is dragged. */
-function draw(): void {
+function draw(isRun = false): void {
+    showsRun = isRun;
     player.stop();
     outcome = profile().plan({ ...state, commands: commands() });
     motions = outcome.motions;
@@ -101,6 +104,10 @@ function draw(): void {
         plane.show(state.points, state.values.zone, plots.samples.map(([position]) => position), state.unit);
     }
     markRefused();
+    showLegend();
+    the("replan").hidden = !profile().live;
+    the<HTMLButtonElement>("add").disabled = state.points.length === POINTS;
+    the<HTMLButtonElement>("remove").disabled = state.points.length === 2;
     const chosen = motions.find(({ beside }) => !beside);
     the("duration").textContent = chosen ? `${chosen.duration.toFixed(4)} s` : "No motion";
     the("remarks").replaceChildren(
@@ -243,7 +250,7 @@ function convert(unit: string): void {
 
 /** Shows the controls of the profile. */
 function showControls(): void {
-    const { id, note, groups, axes, rival, live, runs, points } = profile();
+    const { id, note, groups, axes, rival, runs, points } = profile();
     the<HTMLSelectElement>("profile").value = id;
     the("note").textContent = note;
     the<HTMLSelectElement>("unit").value = state.unit;
@@ -268,9 +275,7 @@ function showControls(): void {
     the("compare-name").textContent = `Compare with ${rival}`;
     the<HTMLInputElement>("compare").checked = state.compare;
     the("run").hidden = !runs;
-    the("replan").hidden = !live || state.values.run === 1;
     the("path").hidden = !points;
-    showLegend();
     showChoice(the("languages"), LANGUAGES, state.language, (name) => {
         state.language = name;
         settle();
@@ -280,7 +285,7 @@ function showControls(): void {
 
 /** Says what lines and shading mean, and of which axis they are. */
 function showLegend(): void {
-    const { axes, runs, marks } = profile();
+    const { axes, marks } = profile();
     const legend = document.querySelector<HTMLElement>(".legend")!;
     const say = (name: string, text: string) => (legend.querySelector(`.${name}`)!.textContent = text);
     const axis = axes && AXIS_NAMES[lead()];
@@ -289,7 +294,7 @@ function showLegend(): void {
     say("slower", axis ? `${axis} slows down` : "slows down");
     say("border", axis ? `end of a phase of ${axis}` : "end of a phase");
     say("limit", axis ? `limit of ${axis}` : "limit");
-    const mark = runs && state.values.run ? "new rate" : marks;
+    const mark = showsRun ? "new rate" : marks;
     say("plan", mark ?? "");
     legend.querySelector<HTMLElement>(".plan")!.hidden = !mark;
 }
@@ -308,7 +313,7 @@ function listen(): void {
     });
     the("moment").addEventListener("input", (event) => pin((event.target as HTMLInputElement).valueAsNumber));
     the("unit").addEventListener("change", (event) => convert((event.target as HTMLSelectElement).value));
-    onClick("add", () => state.points.length < POINTS && add());
+    onClick("add", add);
     onClick("remove", () => remove(state.points.length - 1));
     onClick("retarget", () => command("to", target("retarget-value")));
     onClick("jog", () => command("jog", target("jog-value")));
@@ -350,6 +355,9 @@ function save(): void {
 
 the("unit").append(...UNITS.map((unit) => element("option", { value: unit, textContent: unit })));
 the("profile").append(...PROFILES.map(({ id, name }) => element("option", { value: id, textContent: name })));
+if (location.pathname.endsWith("/playground.html")) {
+    the<HTMLAnchorElement>("guide").href = "index.html"; // of the site
+}
 showControls();
 listen();
 draw();

@@ -1,27 +1,33 @@
-// The buttons that run a motion in real time, hold it and override it.
+// The buttons that run a motion in real time, hold, override and stop it.
 import { message, type Motion } from "./library";
-import { Run } from "./run";
+import { type Change, Run, type Start } from "./run";
 
 /** What the page does while a motion runs. */
 export interface Screen {
-    /** The moves that are planned, with a reserve for the clock. */
-    plan(): Motion[];
-    /** Draws what is run so far, and what follows if the rate stays. */
+    /** The moves to run, and how they start. */
+    plan(): [Motion[], Start];
+    /** Draws what is run so far, and what follows if nothing is changed. */
     draw(motions: Motion[], time: number): void;
     /** Moves the marker. */
     mark(time: number): void;
+    /** A run has begun, was changed or is over. */
+    tell(): void;
 }
 
 const percent = (rate: number) => `${Math.round(100 * rate)} %`;
+/** A frame takes no longer, s: a page that was out of sight does not leap. */
+const LONGEST = 0.25;
 
 export class Player {
     private run: Run | undefined;
-    /** What `requestAnimationFrame` says at the time 0 of the run, ms. */
-    private begun = 0;
     private frame = 0;
+    /** When the last frame was, ms, and how far the run is to be, s. */
+    private last = 0;
+    private due = 0;
     /** How far the motion is drawn, s. */
     private drawn = 0;
     private readonly button: HTMLButtonElement;
+    private readonly brake: HTMLButtonElement;
     private readonly override: HTMLInputElement;
     private readonly shown: HTMLElement;
     private readonly words: HTMLElement;
@@ -30,25 +36,29 @@ export class Player {
         host: HTMLElement,
         private readonly screen: Screen,
     ) {
-        [this.button, this.override, this.shown, this.words] = ["button", "input", "output", "p"].map(
+        [this.button, this.brake, this.override, this.shown, this.words] = ["button", "button + button", "input", "output", "p"].map(
             (name) => host.querySelector(name)!,
-        ) as [HTMLButtonElement, HTMLInputElement, HTMLElement, HTMLElement];
+        ) as [HTMLButtonElement, HTMLButtonElement, HTMLInputElement, HTMLElement, HTMLElement];
         this.button.addEventListener("click", () => this.press());
-        this.override.addEventListener("input", () => this.turn());
-        this.override.addEventListener("change", () => this.settle());
+        this.brake.addEventListener("click", () => this.change());
+        this.override.addEventListener("input", () => (this.shown.textContent = percent(this.wanted)));
+        this.override.addEventListener("change", () => this.turn());
     }
 
-    /** Ends the run: the plan is another one. */
+    get isRunning(): boolean {
+        return this.run !== undefined && !this.run.isOver;
+    }
+
+    /** What the group was asked for; none without a run of the present plan. */
+    get changes(): Change[] | undefined {
+        return this.run?.changes;
+    }
+
+    /** Forgets the run: the plan is another one. */
     stop(): void {
         cancelAnimationFrame(this.frame);
         this.run = undefined;
-        this.button.textContent = "Run";
-        this.words.textContent = "";
-        this.settle();
-    }
-
-    private get time(): number {
-        return (performance.now() - this.begun) / 1000;
+        this.say("");
     }
 
     private get wanted(): number {
@@ -56,86 +66,98 @@ export class Player {
     }
 
     private press(): void {
-        if (!this.run) {
-            this.start();
+        if (this.isRunning) {
+            this.change(this.run!.rate === 0 ? this.wanted : 0);
         } else {
-            this.change(this.run.rate === 0 ? this.wanted : 0);
+            this.start();
         }
     }
 
     private start(): void {
-        const planned = this.screen.plan();
+        const [planned, start] = this.screen.plan();
         if (planned.length === 0) {
             return;
         }
-        this.run = new Run(planned);
-        this.begun = performance.now();
+        const run = new Run(planned, start);
+        if (run.code < 0) {
+            this.say(`The run is refused: ${message(run.code)}.`, true);
+            return;
+        }
+        [this.run, this.last, this.due] = [run, performance.now(), 0];
         this.say(`Runs at ${percent(1)}.`);
+        this.draw();
+        this.screen.tell();
         if (this.wanted !== 1) {
             this.change(this.wanted);
         }
-        this.draw();
         this.step();
     }
 
-    /** The knob is turned. A motion that is held stays held. */
+    /** The knob was turned. A motion that is held stays held. */
     private turn(): void {
-        this.shown.textContent = percent(this.wanted);
-        if (this.run && this.run.rate > 0) {
+        if (this.isRunning && this.run!.rate > 0) {
             this.change(this.wanted);
-        }
-    }
-
-    /** The knob is let go: it shows the rate. */
-    private settle(): void {
-        if (this.run && this.run.rate > 0) {
-            this.override.value = String(Math.round(100 * this.run.rate));
+            this.override.value = String(Math.round(100 * (this.run!.rate || this.wanted)));
         }
         this.shown.textContent = percent(this.wanted);
     }
 
-    /** Asks for a rate. One above 100 % becomes the highest that the reserve allows. */
-    private change(asked: number): void {
+    /** Asks for a rate, or else for a stop. One above 100 % becomes the highest that the limits allow. */
+    private change(asked?: number): void {
+        this.advance();
         const run = this.run!;
-        if (run.isFull) {
-            this.say("The page remembers no more changes: run it again.");
+        if (run.isOver) {
             return;
         }
-        const { time } = this;
-        const rate = asked > Math.max(1, run.rate) ? run.highest(time, asked) : asked;
-        const code = run.change(time, rate);
+        const before = run.rate;
+        const rate = asked !== undefined && asked > Math.max(1, before) ? run.highest(asked) : asked;
+        const code = rate === before ? 0 : run.change(rate);
+        this.draw();
         if (code < 0) {
-            this.say(`${asked === 0 ? "The hold" : percent(asked)} is refused: ${message(code)}. It goes on at ${percent(run.rate)}.`, true);
-        } else if (rate < asked) {
-            this.say(`${percent(asked)} is refused: the reserve allows ${percent(rate)} until the end.`, true);
+            const rest = before === 0 ? "The axes stop and stand as before." : `It goes on at ${percent(before)}.`;
+            this.say(`${asked === undefined ? "The stop" : asked === 0 ? "The hold" : percent(asked)} is refused: ${message(code)}. ${rest}`, true);
+        } else if (rate === undefined || (rate === 0 && code === 0)) {
+            this.say(`${rate === 0 ? "Holds" : "Stops"}: stands in ${run.rest.toFixed(3)} s.`);
         } else if (code > 0) {
             this.say(`The path ends before ${rate === 0 ? "it stands" : `${percent(rate)} is reached`}.`);
+        } else if (rate < asked!) {
+            this.say(`${percent(asked!)} is refused: the limits allow ${percent(rate)} until the end.`, true);
         } else {
-            this.say(rate === 0 ? `Holds: stands in ${(run.until - time).toFixed(3)} s.` : `Runs at ${percent(rate)}.`);
+            this.say(`Runs at ${percent(rate)}.`);
         }
-        this.draw();
+        this.screen.tell();
     }
 
     private draw(): void {
-        const { time } = this;
-        const { end, until } = this.run!;
-        this.drawn = end < Infinity ? end : Math.max(time, until);
-        this.screen.draw(this.run!.motions(this.drawn), Math.min(time, this.drawn));
+        const motions = this.run!.motions();
+        this.drawn = motions[0].duration;
+        this.screen.draw(motions, this.run!.time);
+    }
+
+    /** Lets the group tick as often as it is time. */
+    private advance(): void {
+        const now = performance.now();
+        this.due += Math.min((now - this.last) / 1000, LONGEST);
+        this.last = now;
+        const stood = this.run!.stands;
+        this.run!.advance(this.due);
+        if (this.run!.stands && !stood) {
+            this.say("Holds: the axes stand.");
+        }
     }
 
     private step(): void {
-        const { time } = this;
-        if (time >= this.run!.end) {
-            this.screen.mark(this.drawn);
-            this.run = undefined;
-            this.button.textContent = "Run again";
-            this.say("The path is at its end.");
-            return;
-        }
-        if (time > this.drawn) {
+        const run = this.run!;
+        this.advance();
+        if (run.isOver || run.time > this.drawn) {
             this.draw();
         } else {
-            this.screen.mark(time);
+            this.screen.mark(run.time);
+        }
+        if (run.isOver) {
+            this.say(run.changes.at(-1)?.rate === undefined && run.rate === 0 ? "The axes stand." : "The path is at its end.");
+            this.screen.tell();
+            return;
         }
         this.frame = requestAnimationFrame(() => this.step());
     }
@@ -143,8 +165,7 @@ export class Player {
     private say(words: string, isRefused = false): void {
         this.words.textContent = words;
         this.words.classList.toggle("bad", isRefused);
-        if (this.run) {
-            this.button.textContent = this.run.rate === 0 ? "Go on" : "Hold";
-        }
+        this.brake.hidden = !this.isRunning;
+        this.button.textContent = !this.run ? "Run" : !this.isRunning ? "Run again" : this.run.rate === 0 ? "Go on" : "Hold";
     }
 }

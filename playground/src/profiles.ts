@@ -1,5 +1,6 @@
 // The profiles of the page: their fields, and how the library plans them.
 import { AXES, bell, c, message, MOVES, Motion, move, Plan, type Quantities, type Range, trap } from "./library";
+import { PERIOD, type Start } from "./run";
 import type { Command, Point, State, Values } from "./state";
 
 export interface Field {
@@ -45,7 +46,7 @@ export interface Profile {
     axes?: string[];
     /** The axis can be retargeted in motion. */
     live?: boolean;
-    /** A clock can run the moves. */
+    /** A group can run the moves. */
     runs?: boolean;
     /** What the dashed lines on the plots mark. */
     marks?: string;
@@ -200,9 +201,9 @@ function planPoly(family: "poly3" | "poly5" | "poly7", { ts, p0, p1, v0, v1, a0,
     return { motions: [motion], remarks: [{ kind: "note", text: "A polynomial keeps its duration, and no limits." }] };
 }
 
-/** The limits of a plan, which leave the reserve to the clock that runs it. */
-function planned({ run, reserve }: Values, limits: number[]): number[] {
-    return run ? limits.map((limit) => Number((limit * (1 - reserve / 100)).toPrecision(12))) : limits;
+/** The limits of a plan, which leave the reserve to hold and override. */
+function planned({ reserve }: Values, limits: number[]): number[] {
+    return limits.map((limit) => (reserve ? Number((limit * (1 - reserve / 100)).toPrecision(12)) : limit));
 }
 
 /** The limits of the axis: highest and lowest velocity, acceleration, jerk. */
@@ -280,6 +281,12 @@ function planAxes(values: Values, plan: "sync" | "line"): Outcome {
     return { motions, remarks: findings("atraj", code, "keeps every limit of every axis") };
 }
 
+/** How a group starts what is planned. A least duration and another clock are those of moves, which it follows as a path. */
+export function startOf(profile: string, { least, cycle }: Values): Start {
+    const isPlain = (profile === "sync" || profile === "line") && least === 0 && cycle === PERIOD;
+    return profile === "move" ? "go" : isPlain ? profile : "path";
+}
+
 /** The axes of a path. */
 const PLANE = AXIS_NAMES.slice(0, 2);
 
@@ -315,10 +322,7 @@ const trapGroups = [
     },
     ...ends(V),
 ];
-const RUN: Group[] = [
-    { title: "Run", fields: [field("run", "Reserve for hold and override", "", 0, 1, 0)] },
-    { title: "Reserve", when: "run", fields: [field("reserve", "Of each limit", "%", 0, 75, 20)] },
-];
+const RESERVE: Group = { title: "Reserve for hold and override", fields: [field("reserve", "Of each limit", "%", 0, 75, 0)] };
 const moveGroups: Group[] = [
     {
         title: "Limits",
@@ -334,7 +338,7 @@ const moveGroups: Group[] = [
         ],
     },
     ...ends(V, A),
-    ...RUN,
+    RESERVE,
 ];
 const own = (axis: number, shared: Field, initial: number): Field => ({ ...shared, key: axisKey(axis, shared.key), initial });
 const limitGroups = AXIS_NAMES.map((name, axis): Group => {
@@ -358,7 +362,7 @@ const axisGroups: Group[] = [
         title: "All axes",
         fields: [field("least", "Least duration", "s", 0, 10, 0), field("cycle", "Clock", "s", 0, 0.1, 0.001)],
     },
-    ...RUN,
+    RESERVE,
 ];
 
 export const PROFILES: Profile[] = [
@@ -447,7 +451,7 @@ export const PROFILES: Profile[] = [
         id: "path",
         name: "Waypoints without stops",
         note: "Two axes pass every point, as fast as the limits of both allow. Drag a point or its zone, or move it by the arrow keys.",
-        groups: [...limitGroups.slice(0, PLANE.length), { title: "Zones to fly by", fields: [ZONE] }, ...RUN],
+        groups: [...limitGroups.slice(0, PLANE.length), { title: "Zones to fly by", fields: [ZONE] }, RESERVE],
         axes: PLANE,
         points: true,
         runs: true,

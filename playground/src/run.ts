@@ -1,86 +1,116 @@
-// Moves that a clock runs: whatever the rate was, is and will be, they stay on their path.
-import { c, Clocked, CLOCKS, type Layout, Motion } from "./library";
+// A group of axes, which the library moves tick by tick, and holds, overrides and stops.
+import { c, Motion, numbers, Ticked } from "./library";
 
-/** The one call of the library that changes the rate. The limits are at the places of the limits, axis by axis. */
-function changeRate(clock: number, { axes, sections }: Layout, x: number, rate: number): number {
-    return c.atraj_clock_rate(clock, c.move_at(0), c.limits_at(0), axes, sections, x, rate);
+/** From one tick to the next, s. */
+export const PERIOD = 0.001;
+/** How many ticks are looked ahead at most. */
+const FAR = 60_000;
+const [GROUP, COPY, NOW, LIMITS, ENDS] = [c.group_at(0), c.group_at(1), c.now_at(), c.limits_at(0), c.tick_ends()];
+
+/** The call of the group that starts a motion. */
+export type Start = "go" | "sync" | "line" | "path";
+
+/** What the group was asked for before a tick: another rate of the motion, or else a stop. */
+export interface Change {
+    tick: number;
+    rate?: number;
 }
 
-/** The library's places hold the moves until the next plan. */
+/** The library's places hold the moves and the group until the next plan. */
 export class Run {
-    /** When the rate changed, s. Each change has a clock of its own, so what has been run stays. */
-    private readonly changes = [0];
-    private readonly layout: Layout;
+    readonly changes: Change[] = [];
+    /** Less than 0: the library refuses the start. */
+    readonly code: number;
     /** 1: as planned. */
     rate = 1;
+    /** In a hold. */
+    stands = false;
+    isOver = false;
+    /** In each tick: position, velocity and acceleration of each axis. */
+    private readonly past: number[][] = [];
+    private ahead: number[][] = [];
+    private holds = false;
 
-    /** The moves of the axes, which end together. Their limits are those of the machine. */
-    constructor(private readonly moves: Motion[]) {
-        this.layout = { axes: moves.length, sections: moves[0].pieces.length };
-        c.atraj_clock_start(c.clock_at(0));
-    }
-
-    get isFull(): boolean {
-        return this.changes.length === CLOCKS;
-    }
-
-    /** Goes to another rate from the time `x` on. Negative: the library refuses, and the run goes on as before. */
-    change(x: number, rate: number): number {
-        const [now, next] = [this.clock, c.clock_at(this.changes.length)];
-        this.moves.forEach(({ limits }, axis) => {
+    /** The moves, as they are planned now. Their limits are those of the machine, without the reserve of the plan. */
+    constructor(private readonly moves: Motion[], start: Start) {
+        moves.forEach((motion, axis) => c.set_state(c.own_at(axis), ...motion.state(0).slice(0, 3)));
+        c.atraj_group_init(GROUP, PERIOD, c.own_at(0), c.room_at(), moves.length);
+        const target = start === "path" ? [c.move_at(0), moves[0].pieces.length, 0] : [c.to_at(0)];
+        this.code = c[`atraj_group_${start}`](GROUP, LIMITS, ...target, 1);
+        moves.forEach(({ limits }, axis) => {
             c.set_limits(c.limits_at(axis), ...limits.slice(1).flatMap((range) => [range![1], range![0]]));
         });
-        c.copy_clock(next, now);
-        const code = changeRate(next, this.layout, x, rate);
+        this.advance(0);
+    }
+
+    get time(): number {
+        return (this.past.length - 1) * PERIOD;
+    }
+
+    /** How long until the motion is at its end or stands, s. */
+    get rest(): number {
+        return this.ahead.length * PERIOD;
+    }
+
+    /** Ticks until the time `to`, or until the motion is over. */
+    advance(to: number): void {
+        while (!this.isOver && this.time < to) {
+            if (this.tick(GROUP, this.past)) {
+                [this.stands, this.isOver] = [this.holds, !this.holds];
+            }
+        }
+    }
+
+    /** Goes to another rate from the next tick on, or stops. Less than 0: the library refuses, and the motion goes on as before. */
+    change(rate?: number): number {
+        const code = rate === undefined ? c.atraj_group_stop(GROUP, LIMITS, 1) : c.atraj_group_rate(GROUP, LIMITS, rate, 1);
         if (code >= 0) {
-            this.changes.push(x);
-            this.rate = rate;
+            this.changes.push({ tick: this.past.length, rate });
+            [this.rate, this.stands, this.holds] = [rate ?? 0, false, rate === 0 && code === 0];
         }
         return code;
     }
 
-    /** The highest rate up to `rate`, in hundredths, that is reached before the path ends; the present one if there is none. */
-    highest(x: number, rate: number): number {
-        const present = this.rate;
-        let [possible, above] = [Math.round(100 * present), Math.round(100 * rate) + 1];
+    /** The highest rate up to `asked`, in hundredths, that is reached before the end; the present one if there is none. */
+    highest(asked: number): number {
+        let [possible, above] = [Math.round(100 * this.rate), Math.round(100 * asked) + 1];
         while (possible + 1 < above) {
             const middle = Math.floor((possible + above) / 2);
-            const code = this.change(x, middle / 100);
-            if (code >= 0) {
-                [possible, above] = code === 0 ? [middle, above] : [possible, middle];
-                this.changes.pop();
-                this.rate = present;
-            } else {
-                above = middle;
-            }
+            c.copy_group(COPY, GROUP);
+            const isReached = c.atraj_group_rate(COPY, LIMITS, middle / 100, 1) === 0;
+            [possible, above] = isReached ? [middle, above] : [possible, middle];
         }
         return possible / 100;
     }
 
-    /** When the rate is reached, s. */
-    get until(): number {
-        return c.atraj_clock_until(this.clock);
-    }
-
-    /** When the path ends, s; infinite while it is held. */
-    get end(): number {
-        const { clock, until, rate } = this;
-        const rest = this.moves[0].duration - c.atraj_clock_time(clock, until);
-        return rest > 0 ? (rate > 0 ? until + rest / rate : Infinity) : until;
-    }
-
-    /** What the axes do until the time `to`, if the rate stays. */
-    motions(to: number): Motion[] {
-        return this.moves.map(({ name, limits, pieces: [{ plan }] }) => {
-            const pieces = this.changes.map((start, i) => {
-                const end = this.changes[i + 1] ?? to;
-                return { start, plan: new Clocked(plan.place, this.layout, c.clock_at(i), start, end - start) };
+    /** What the axes did, and what follows if nothing is changed. */
+    motions(): Motion[] {
+        this.lookAhead();
+        const ticks = [...this.past, ...this.ahead];
+        const end = (ticks.length - 1) * PERIOD;
+        const starts = [0, ...this.changes.map(({ tick }) => tick)];
+        return this.moves.map(({ name, limits }, axis) => {
+            const curves = [0, 1, 2].map((quantity) => ticks.map((states) => states[3 * axis + quantity]));
+            const jerk = curves[2].map((a, k) => ((curves[2][k + 1] ?? a) - a) / PERIOD);
+            const pieces = starts.map((tick) => {
+                const start = tick * PERIOD;
+                return { start, plan: new Ticked([...curves, jerk], PERIOD, tick, end - start) };
             });
             return new Motion(name, pieces, limits);
         });
     }
 
-    private get clock(): number {
-        return c.clock_at(this.changes.length - 1);
+    /** Ticks a copy of the group to the end of the motion. */
+    private lookAhead(): void {
+        this.ahead = [];
+        c.copy_group(COPY, GROUP);
+        while (!this.isOver && !this.stands && this.ahead.length < FAR && !this.tick(COPY, this.ahead)) {}
+    }
+
+    /** Whether the motion is at its end, or stands. */
+    private tick(group: number, record: number[][]): boolean {
+        const news = c.atraj_group_tick(group, NOW);
+        record.push([...numbers(NOW, 3 * this.moves.length)]);
+        return (news & ENDS) !== 0;
     }
 }

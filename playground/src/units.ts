@@ -16,7 +16,13 @@ export const inUnit = (text: string, unit: string) => text.replace(METRE, unit);
 /** How many of the unit a length of metres has on the sliders. */
 export const scale = (unit: string) => SCALES[unit];
 
-/** A length in another unit, to six digits. */
+/** What a length was before it was converted, and in which unit. */
+const origins = new Map<string, [value: number, unit: string]>();
+
+/** A length in another unit, to six digits; the number that it was, if it comes back. */
 export function converted(value: number, from: string, to: string): number {
-    return Number(((value * SCALES[to]) / SCALES[from]).toPrecision(6));
+    const [original, unit] = origins.get(`${value} ${from}`) ?? [value, from];
+    const result = unit === to ? original : Number(((original * SCALES[to]) / SCALES[unit]).toPrecision(6));
+    origins.set(`${result} ${to}`, [original, unit]);
+    return result;
 }

@@ -12,7 +12,7 @@ const button = (page, name) => page.locator("#run").getByRole("button", { name, 
 const words = (page) => page.textContent("#run p");
 /** The time of the marker, s. */
 const marker = async (page) => Number(await page.locator("#moment").inputValue());
-/** Positions where the curves of the page end. */
+/** Positions where the curves of the page end, as the plots have them. */
 const ends = (page) => page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => position.at(-1)));
 
 /** Sets the knob as a drag does: while it moves, and when it is let go. */
@@ -35,26 +35,38 @@ function used(page, limits) {
 const MACHINES = {
     "#profile=move": { limits: [[5, 10, 30]], ends: [10] },
     "#profile=sync": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3] },
-    "#profile=path&points=0~0_4~5_8~5_12~2": { limits: [[5, 10, 30], [3, 8, 40]], ends: [12, 2] },
-    "#profile=line&reserve=40": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3] },
+    "#profile=path&reserve=20&points=0~0_4~5_8~5_12~2": { limits: [[5, 10, 30], [3, 8, 40]], ends: [12, 2] },
+    "#profile=line&reserve=40": { limits: [[5, 10, 30], [3, 8, 40], [4, 12, 60]], ends: [10, 6, -3], isLine: true },
 };
 
 for (const [hash, machine] of Object.entries(MACHINES)) {
     test(`hold, go on, override at ${hash}`, async () => {
         const { page, complaints } = await open(browser, hash);
+        const [duration, address] = [await page.textContent("#duration"), page.url()];
+        const typed = await used(page, machine.limits);
         await button(page, "Run").click();
-        assert.match(page.url(), /#/);
+        const run = (await used(page, machine.limits)).flat();
+        typed.flat().forEach((part, i) => assert.ok(Math.abs(run[i] - part) < 0.01, `${run[i]} of a limit, planned with ${part}`));
         const early = await marker(page);
         await page.waitForTimeout(300);
         const late = await marker(page);
         assert.ok(late - early > 0.15 && late - early < 2, `the marker went from ${early} to ${late} s`);
-        await button(page, "Hold").click();
-        const [, needed] = (await words(page)).match(/^Holds: stands in (\d\.\d+) s\.$/);
-        await button(page, "Go on").waitFor();
-        await page.waitForTimeout(1000 * needed + 100);
+        const [said, begun] = await button(page, "Hold").evaluate((hold) => {
+            hold.click();
+            return [document.querySelector("#run p").textContent, document.querySelector("#moment").valueAsNumber];
+        });
+        const stands = begun + Number(said.match(/^Holds: stands in (\d\.\d+) s\.$/)[1]);
+        await page.locator("#run", { hasText: "Holds: the axes stand." }).waitFor();
+        assert.ok((await marker(page)) >= stands - 0.003, "it says too early that the axes stand");
         const held = await ends(page);
+        const moved = await page.evaluate(() => {
+            const { times, samples } = globalThis.atraj.plots;
+            return times[samples[0][1].findLastIndex((velocity) => velocity !== 0)];
+        });
+        assert.ok(Math.abs(moved - stands) < 0.005, `they stand at ${moved} s, not at ${stands} s`);
         await page.waitForTimeout(300);
         assert.deepEqual(await ends(page), held, "an axis moves while it is held");
+        assert.deepEqual([await page.textContent("#duration"), page.url()], [duration, address], "the run has another plan");
         assert.ok(Math.abs(held[0]) > 0.01 && Math.abs(held[0] - machine.ends[0]) > 0.01, `${held}`);
         await turn(page, 60);
         assert.deepEqual(await ends(page), held, "the knob moves an axis that is held");
@@ -68,13 +80,17 @@ for (const [hash, machine] of Object.entries(MACHINES)) {
         for (const part of (await used(page, machine.limits)).flat()) {
             assert.ok(part > 0.05 && part <= 1 + 1e-9, `${part} of a limit`);
         }
+        if (machine.isLine) {
+            const [x, y] = await page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => [...position]));
+            x.forEach((value, k) => assert.ok(Math.abs(0.6 * value - y[k]) < 1e-9, "the axes leave their line"));
+        }
         assert.deepEqual(complaints, []);
         await page.context().close();
     });
 }
 
 test("without a reserve the path ends before it stands, and this is said", async () => {
-    const { page } = await open(browser, "#profile=move&run=1&reserve=0&jm=2&am=1&v0=4&p1=9"); // it brakes at once
+    const { page } = await open(browser, "#profile=move&jm=2&am=1&v0=4&p1=9"); // it brakes at once
     const duration = await page.textContent("#duration");
     await button(page, "Run").click();
     await page.waitForTimeout(700);
@@ -84,13 +100,21 @@ test("without a reserve the path ends before it stands, and this is said", async
     await page.context().close();
 });
 
-test("an override is as high as the reserve allows, and this is said", async () => {
-    const { page } = await open(browser, "#profile=move&run=1&reserve=20&jm=2&am=1&p1=20");
+test("an override is as high as the limits allow, this is said, and the motion goes on until it is stopped", async () => {
+    const { page } = await open(browser, "#profile=move&reserve=20&jm=2&am=1&p1=20");
     await button(page, "Run").click();
     await turn(page, 150);
-    const [, given] = (await words(page)).match(/^150 % is refused: the reserve allows (\d+) % until the end\.$/);
+    const [, given] = (await words(page)).match(/^150 % is refused: the limits allow (\d+) % until the end\.$/);
     assert.ok(given >= 102 && given <= 107, `${given} %`);
     assert.equal(await page.locator("#run input").inputValue(), given);
+    await page.evaluate(() => Object.assign(globalThis.atraj.c, { atraj_group_rate: () => globalThis.atraj.c.unreachable() }));
+    await button(page, "Hold").click();
+    assert.match(await words(page), /^The hold is refused: .+\. It goes on at \d+ %\.$/);
+    await button(page, "Stop").click();
+    assert.match(await words(page), /^Stops: stands in \d\.\d+ s\.$/);
+    await button(page, "Run again").waitFor();
+    assert.equal(await words(page), "The axes stand.");
+    assert.ok((await ends(page))[0] < 10);
     await page.context().close();
 });
 

@@ -34,7 +34,7 @@ const HASHES = {
     retargeted: "profile=move&then=0.7~to~-2.5_1.1~jog~1.5_1.8~stop~0",
     sync: "profile=sync&y.v0=-1",
     line: "profile=line&least=4&cycle=0.004",
-    reserved: "profile=sync&run=1&reserve=30",
+    reserved: "profile=sync&reserve=30",
     path: "profile=path&unit=mm&points=0~0_3~4_3~-1_6~2",
     zones: "profile=path&zone=0.25&points=0~0_3~4_3~-1_6~2",
 };

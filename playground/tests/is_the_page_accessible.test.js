@@ -20,7 +20,7 @@ async function faults(page) {
         .flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} at ${target}`));
 }
 
-for (const hash of ["#profile=move&backward=1&run=1", "#profile=move&then=0.5~stop~0_0.7~jog~9", "#profile=bell", "#profile=line&axis=1", "#profile=path"]) {
+for (const hash of ["#profile=move&backward=1", "#profile=move&then=0.5~stop~0_0.7~jog~9", "#profile=bell", "#profile=line&axis=1", "#profile=path"]) {
     for (const [name, options] of [["wide", {}], ["narrow and dark", { viewport: { width: 390, height: 844 }, colorScheme: "dark" }]]) {
         test(`${hash}, ${name}`, async () => {
             const { page } = await open(browser, hash, options);
