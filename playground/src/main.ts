@@ -127,7 +127,8 @@ function settle(): void {
         if (location.hash !== address()) {
             location.replace(address());
         }
-        the("code").textContent = code(state.language as Language, { ...state, commands: commands().slice(0, outcome.refused) });
+        const planned = { ...state, commands: commands().slice(0, outcome.refused) };
+        the("code").textContent = code(state.language as Language, planned, player.changes);
         plots.describe();
         the("spoken").textContent = [the("duration").textContent, ...outcome.remarks.map(({ text }) => text)].join(", ");
     }, 150);

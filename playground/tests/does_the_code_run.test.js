@@ -1,4 +1,4 @@
-// Do the programs of the page compile, and print the duration that the page shows?
+// Do the programs of the page compile, print the duration that the page shows, and end where its run ends?
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { mkdir, writeFile } from "node:fs/promises";
@@ -38,6 +38,8 @@ const HASHES = {
     path: "profile=path&unit=mm&points=0~0_3~4_3~-1_6~2",
     zones: "profile=path&zone=0.25&points=0~0_3~4_3~-1_6~2",
 };
+/** These run, are held, go on at 60 % and, if so, are stopped. */
+const RUNS = { run_move: "profile=move&v0=1&reserve=20", run_sync: "profile=sync&x.v0=1", run_least: "profile=line&least=3&reserve=10", run_path: "profile=path&zone=0.25&reserve=20", run_stop: "profile=line" };
 /** The program for the path prints six setpoints of each section, and each waypoint once. In Python it prints eleven. */
 const SETPOINTS = { path: 16, zones: 16 };
 
@@ -48,9 +50,9 @@ before(async () => {
     ({ browser, close } = await start());
     await mkdir(`${CODE}src/bin`, { recursive: true });
     await writeFile(`${CODE}Cargo.toml`, MANIFEST);
-    for (const [name, hash] of Object.entries(HASHES)) {
+    for (const [name, hash] of Object.entries({ ...HASHES, ...RUNS })) {
         const { page } = await open(browser, `#${hash}`);
-        shown[name] = await page.textContent("#duration");
+        shown[name] = name in RUNS ? await ran(page, name === "run_stop") : await page.textContent("#duration");
         for (const [language, file] of [["C", `${name}.c`], ["C++", `${name}.cpp`], ["Rust", `src/bin/${name}.rs`], ["Python", `${name}.py`]]) {
             await page.getByRole("radio", { name: language, exact: true }).check();
             await settled(page);
@@ -61,8 +63,31 @@ before(async () => {
 });
 after(() => close());
 
+/** The last line that a program of this run prints. */
+async function ran(page, stops) {
+    const press = (name) => page.locator("#run").getByRole("button", { name, exact: true }).click();
+    await press("Run");
+    await page.waitForTimeout(400);
+    await press("Hold");
+    await page.locator("#run", { hasText: "the axes stand" }).waitFor();
+    await page.locator("#run input").evaluate((knob) => (knob.value = "60"));
+    await press("Go on");
+    await page.waitForTimeout(300);
+    await (stops && press("Stop"));
+    await page.getByRole("button", { name: "Run again" }).waitFor({ timeout: 20000 });
+    const [time, ...ends] = await page.evaluate(() => {
+        const { times, samples } = globalThis.atraj.plots;
+        return [times.at(-1), ...samples.map(([position]) => position.at(-1))].map((value) => value.toFixed(4));
+    });
+    return `${time} s: ${ends.join(" ")} m`;
+}
+
 function told(name, printed, setpoints = SETPOINTS[name] ?? 11) {
     const lines = printed.trim().split("\n");
+    if (name in RUNS) {
+        assert.equal(lines.at(-1), shown[name]);
+        return;
+    }
     assert.equal(lines.length, setpoints);
     assert.match(shown[name], /^\d+\.\d{4} s$/);
     const times = lines.map((line) => Number.parseFloat(line));
@@ -71,7 +96,7 @@ function told(name, printed, setpoints = SETPOINTS[name] ?? 11) {
 }
 
 for (const [compiler, standard, ending] of [["cc", "c99", "c"], ["c++", "c++98", "cpp"]]) {
-    for (const name of Object.keys(HASHES)) {
+    for (const name of Object.keys({ ...HASHES, ...RUNS })) {
         test(`${name}.${ending}`, async () => {
             const program = `${CODE}${name}-${ending}`;
             const source = `${CODE}${name}.${ending}`;
@@ -84,13 +109,13 @@ for (const [compiler, standard, ending] of [["cc", "c99", "c"], ["c++", "c++98",
 test("all in Rust", async () => {
     const flags = { ...process.env, CARGO_TARGET_DIR: `${CODE}target`, RUSTFLAGS: "-D warnings" };
     await run("cargo", ["build", "--quiet", "--manifest-path", `${CODE}Cargo.toml`], { env: flags });
-    for (const name of Object.keys(HASHES)) {
+    for (const name of Object.keys(shown)) {
         told(name, (await run(`${CODE}target/debug/${name}`)).stdout);
     }
 });
 
 test("all in Python", async () => {
-    for (const name of Object.keys(HASHES)) {
+    for (const name of Object.keys(shown)) {
         told(name, (await run(PYTHON, [`${CODE}${name}.py`])).stdout, 11);
     }
 });

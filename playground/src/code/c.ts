@@ -1,8 +1,9 @@
 // The programs in C and C++.
-import { AXIS_NAMES, plannedAxisLimits, plannedLimits } from "../profiles";
-import type { Command } from "../state";
+import { AXIS_NAMES, plannedAxisLimits, plannedLimits, startOf } from "../profiles";
+import { type Change, PERIOD } from "../run";
+import type { Command, Values } from "../state";
 import {
-    bellArguments, body, eachAxis, hasZones, MOVE_ORDER, BELL_ORDER, ofAxis, PATH_ORDER, POLY_ORDER, polyArguments, STATE_ORDER, TRAP_ORDER, trapArguments,
+    bellArguments, body, changeName, eachAxis, hasZones, lastChange, MACHINE, MOVE_ORDER, BELL_ORDER, ofAxis, ofMachine, PATH_ORDER, POLY_ORDER, polyArguments, STATE_ORDER, TRAP_ORDER, trapArguments,
     workSize, wrapped, type Writer,
 } from "./writer";
 
@@ -19,6 +20,8 @@ interface Dialect {
     /** A call of a move's function. */
     call(name: string, operands: string[]): string;
     state(time: string): string;
+    /** A call of a group's function. */
+    ask(name: string, ...operands: (string | number)[]): string;
 }
 
 /** A number is passed as it is, a struct by its address. */
@@ -33,6 +36,7 @@ export const C: Dialect = {
     position: (struct) => (struct === "move" ? "atraj_move_pos(&axis, t)" : `a_${struct}_pos(&axis, t)`),
     call: (name, operands) => `atraj_move_${name}(&axis, ${operands.map(byAddress).join(", ")})`,
     state: (time) => `atraj_move_state(&axis, ${time}, &now.p, &now.v, &now.a, NULL);`,
+    ask: (name, ...operands) => `atraj_group_${name}(${["&group", ...operands].join(", ")})`,
 };
 
 export const CPP: Dialect = {
@@ -44,12 +48,13 @@ export const CPP: Dialect = {
     position: () => "axis.pos(t)",
     call: (name, operands) => `axis.${name}(${operands.join(", ")})`,
     state: (time) => `now = axis.state(${time});`,
+    ask: (name, ...operands) => `group.${name}(${operands.join(", ")})`,
 };
 
 const cReal = (value: number) => (Number.isInteger(value) && !String(value).includes("e") ? `${value}.0` : String(value));
 const braces = (...numbers: number[]) => `{${numbers.join(", ")}}`;
 
-export function cWriter({ head, print, types, type, generate, position, call, state }: Dialect, unit: string): Writer {
+export function cWriter({ head, print, types, type, generate, position, call, state, ask }: Dialect, unit: string): Writer {
     const main = (...lines: string[]) => `${head}\n{\n${body(...lines, "return 0;")}\n}\n`;
     const unless = (planned: string) => `if (${planned} < 0) { return 1; }`;
 
@@ -86,6 +91,48 @@ export function cWriter({ head, print, types, type, generate, position, call, st
         ),
     ];
 
+    const axisLimits = (n: number, name: string, values: Values) => [
+        "/* jerk, acceleration, velocity */",
+        ...eachAxis((axis) => `atraj_limits_init(&${name}[${axis}], ${plannedAxisLimits(values, axis).join(", ")});`).slice(0, n),
+    ];
+
+    /** Runs in a group what `start` starts, with the changes, until it is at its end. `machine` has the limits without the reserve. */
+    const runs = (n: number, states: string, start: string, machine: string[], values: Values, changes: Change[]) => [
+        `${types}state now[${n}];`,
+        `${types}move room[${3 * n}];`,
+        `${types}group group;`,
+        ...(values.reserve ? [`/* ${MACHINE} */`, ...machine] : []),
+        unless(ask("init", PERIOD, states, "room", n)),
+        unless(start),
+        `for (int tick = 0, event = 0; tick <= ${lastChange(changes)} || !(event & ATRAJ_TICK_ENDS); ++tick) {`,
+        ...changes.map((change) => {
+            const limits = ofMachine(values);
+            const asked = change.rate === undefined ? ask("stop", limits, 1) : ask("rate", limits, change.rate, 1);
+            return `    if (tick == ${change.tick} && ${asked} < 0) { return 1; } /* ${changeName(change)} */`;
+        }),
+        `    event = ${ask("tick", "now")};`,
+        "    if (tick % 100 == 0 || (event & ATRAJ_TICK_ENDS)) {",
+        `        ${print}("%.4f s:${" %.4f".repeat(n)} ${unit}\\n", tick * ${PERIOD}, ${Array.from({ length: n }, (_, axis) => `now[${axis}].p`).join(", ")});`,
+        "    }",
+        "}",
+    ];
+
+    /** The move of one axis, in a group. */
+    const moveInGroup = (values: Values, changes: Change[]) => {
+        const { p0, v0, a0, p1, v1, a1 } = values;
+        const limits = (name: string, given: Values) => `${types}limits const ${name}[1] = {${braces(...plannedLimits(given))}};`;
+        return main(
+            `/* ${MOVE_ORDER} */`,
+            limits("limits", values),
+            `/* ${STATE_ORDER} */`,
+            `${types}state states[1] = {${braces(p0, v0, a0)}};`,
+            `${types}state const target[1] = {${braces(p1, v1, a1)}};`,
+            ...runs(1, "states", ask("go", "limits", "target", 1), [limits("machine", { ...values, reserve: 0 })], values, changes),
+        );
+    };
+
+    const machine = (n: number, values: Values) => [`${types}limits machine[${n}];`, ...axisLimits(n, "machine", { ...values, reserve: 0 })];
+
     return {
         bell(fastest, values) {
             const operands = bellArguments(values).join(", ");
@@ -104,7 +151,10 @@ export function cWriter({ head, print, types, type, generate, position, call, st
                 ...setpoints(cReal(values.ts), "", position(struct)),
             );
         },
-        move(values, commands) {
+        move(values, commands, changes) {
+            if (changes) {
+                return moveInGroup(values, changes);
+            }
             const { p0, v0, a0, p1, v1, a1 } = values;
             return main(
                 `/* ${MOVE_ORDER} */`,
@@ -119,38 +169,35 @@ export function cWriter({ head, print, types, type, generate, position, call, st
                 ...setpoints("axis.t", commands.length ? `${commands.at(-1)!.time} + ` : "", position("move")),
             );
         },
-        axes(plan, values) {
+        axes(plan, values, changes) {
             const n = AXIS_NAMES.length;
             const from = eachAxis((axis) => braces(...ofAxis(values, axis, "p0", "v0"), 0));
             const to = eachAxis((axis) => braces(...ofAxis(values, axis, "p1"), 0, 0));
-            const limits = eachAxis((axis) => plannedAxisLimits(values, axis).join(", "));
+            const isPlain = startOf(plan, values) === plan;
+            const moves = [
+                `${types}move axes[${n}];`,
+                "/* the least duration, and the clock */",
+                unless(`atraj_moves_${plan}(axes, limits, from, to, ${n}, ${values.least}, ${values.cycle})`),
+            ];
+            const start = isPlain ? ask(plan, "limits", "to", 1) : ask("path", "limits", "axes", 1, 0, 1);
             return main(
                 `${types}limits limits[${n}];`,
                 `/* ${STATE_ORDER} */`,
-                `${types}state const from[${n}] = {${from.join(", ")}};`,
+                `${types}state ${changes ? "" : "const "}from[${n}] = {${from.join(", ")}};`,
                 `${types}state const to[${n}] = {${to.join(", ")}};`,
-                `${types}move axes[${n}];`,
-                "/* jerk, acceleration, velocity */",
-                ...limits.map((operands, axis) => `atraj_limits_init(&limits[${axis}], ${operands});`),
-                "/* the least duration, and the clock */",
-                unless(`atraj_moves_${plan}(axes, limits, from, to, ${n}, ${values.least}, ${values.cycle})`),
-                ...setpoints("axes[0].t", "", ...eachAxis((axis) => `atraj_move_pos(&axes[${axis}], t)`)),
+                ...axisLimits(n, "limits", values),
+                ...(changes && isPlain ? [] : moves),
+                ...(changes
+                    ? runs(n, "from", start, machine(n, values), values, changes)
+                    : setpoints("axes[0].t", "", ...eachAxis((axis) => `atraj_move_pos(&axes[${axis}], t)`))),
             );
         },
-        path(values, points) {
+        path(values, points, changes) {
             const n = points.length - 1;
             const zones = hasZones(values, points);
             const states = points.map(([x, y]) => `{${braces(x, 0, 0)}, ${braces(y, 0, 0)}}`);
             const format = `"%.4f s: %.4f %.4f ${unit}\\n"`;
-            return main(
-                `${types}limits limits[2];`,
-                `/* ${STATE_ORDER} ${PATH_ORDER} */`,
-                ...wrapped(`${types}state states[${n + 1}][2] = {`, states, "};"),
-                `double durations[${n}], work[${workSize(n, zones)}], start = 0;`,
-                ...(zones ? wrapped(`double const tolerances[${2 * n - 2}] = {`, Array(2 * n - 2).fill(values.zone), "};") : []),
-                "/* jerk, acceleration, velocity */",
-                ...[0, 1].map((axis) => `atraj_limits_init(&limits[${axis}], ${plannedAxisLimits(values, axis).join(", ")});`),
-                unless(`atraj_path_plan${zones ? "_near" : ""}(states[0], durations, limits,${zones ? " tolerances," : ""} 2, ${n}, 0, work)`),
+            const each = [
                 `for (int k = 0; k < ${n}; ++k) {`,
                 `    ${types}move axes[2];`,
                 `    ${unless("atraj_moves_sync(axes, limits, states[k], states[k + 1], 2, durations[k], 0)")}`,
@@ -160,8 +207,23 @@ export function cWriter({ head, print, types, type, generate, position, call, st
                 "    }",
                 "    start += axes[0].t;",
                 "}",
+            ];
+            return main(
+                `${types}limits limits[2];`,
+                `/* ${STATE_ORDER} ${PATH_ORDER} */`,
+                ...wrapped(`${types}state states[${n + 1}][2] = {`, states, "};"),
+                `double durations[${n}], work[${workSize(n, zones)}]${changes ? "" : ", start = 0"};`,
+                ...(zones ? wrapped(`double const tolerances[${2 * n - 2}] = {`, Array(2 * n - 2).fill(values.zone), "};") : []),
+                ...(changes ? [`${types}move axes[${2 * n}];`] : []),
+                ...axisLimits(2, "limits", values),
+                unless(`atraj_path_plan${zones ? "_near" : ""}(states[0], durations, limits,${zones ? " tolerances," : ""} 2, ${n}, 0, work)`),
+                ...(changes
+                    ? [
+                        unless(`atraj_path_moves(axes, limits, states[0], durations, 2, ${n})`),
+                        ...runs(2, "states[0]", ask("path", "limits", "axes", n, 0, 1), machine(2, values), values, changes),
+                    ]
+                    : each),
             );
         },
     };
 }
-

@@ -1,7 +1,8 @@
 // The programs in Rust.
-import { AXIS_NAMES, axisKey, plannedAxisLimits, plannedLimits, slopes } from "../profiles";
+import { AXIS_NAMES, axisKey, plannedAxisLimits, plannedLimits, slopes, startOf } from "../profiles";
+import { type Change, PERIOD } from "../run";
 import type { Values } from "../state";
-import { body, eachAxis, hasZones, ofAxis, PATH_ORDER, STATE_ORDER, wrapped, type Writer } from "./writer";
+import { body, changeName, eachAxis, hasZones, lastChange, MACHINE, ofAxis, ofMachine, PATH_ORDER, STATE_ORDER, wrapped, type Writer } from "./writer";
 
 /** A number that no compiler takes for an integer. */
 const real = (value: number) => (Number.isInteger(value) && !String(value).includes("e") ? `${value}.0` : String(value));
@@ -27,6 +28,38 @@ export function rustWriter(unit: string): Writer {
     }
 
     const rustPosition = (duration: string, since = "") => rustSetpoints(duration, since, "axis.position(t)");
+
+    /** Runs in a group what `start` starts, with the changes, until it is at its end. `machine` has the limits without the reserve. */
+    const runs = (n: number, states: string[], start: string, machine: string[], values: Values, changes: Change[]) => [
+        ...wrapped("let mut states = [", states, "];", ","),
+        `let (mut room, mut now) = ([Move::default(); ${3 * n}], states);`,
+        ...(values.reserve ? [`// ${MACHINE}`, ...machine] : []),
+        `let mut group = Group::new(${PERIOD}, &mut states, &mut room).expect("a group");`,
+        "let (mut planner, mut ticker) = group.split();",
+        `planner.${start}.expect("a motion");`,
+        "let (mut tick, mut ends) = (0, false);",
+        `while tick <= ${lastChange(changes)} || !ends {`,
+        ...changes.flatMap((change) => [
+            `    if tick == ${change.tick} {`,
+            `        planner.${change.rate === undefined ? `stop(&${ofMachine(values)}, 1)` : `rate(&${ofMachine(values)}, ${real(change.rate)}, 1)`}.expect("${changeName(change)}");`,
+            "    }",
+        ]),
+        "    ends = ticker.tick(&mut now).ends;",
+        "    if tick % 100 == 0 || ends {",
+        ...wrapped("        println!(", [
+            `"{:.4} s:${" {:.4}".repeat(n)} ${unit}"`, `f64::from(tick) * ${PERIOD}`, ...Array.from({ length: n }, (_, axis) => `now[${axis}].position`),
+        ], ");"),
+        "    }",
+        "    tick += 1;",
+        "}",
+    ];
+    const moveLimits = (values: Values) => {
+        const [vmax, vmin, amax, amin, jmax, jmin] = plannedLimits(values).map(real);
+        return `Limits { vmax: ${vmax}, vmin: ${vmin}, amax: ${amax}, amin: ${amin}, jmax: ${jmax}, jmin: ${jmin} }`;
+    };
+    const axisLimits = (n: number, name: string, values: Values) =>
+        wrapped(`let ${name} = [`, eachAxis((axis) => `Limits::symmetric(${reals(...plannedAxisLimits(values, axis))})`).slice(0, n), "];", ",");
+    const machine = (n: number, values: Values) => axisLimits(n, "machine", { ...values, reserve: 0 });
 
     return {
         bell: (fastest, values) =>
@@ -56,12 +89,19 @@ export function rustWriter(unit: string): Writer {
                 rustPosition(real(ts)),
             );
         },
-        move: (values, commands) => {
+        move: (values, commands, changes) => {
             const { p0, v0, a0, p1, v1, a1 } = values;
-            const [vmax, vmin, amax, amin, jmax, jmin] = plannedLimits(values).map(real);
+            if (changes) {
+                return rustMain(
+                    ["machine::Group", "State", "online::{Limits, Move}"],
+                    `let limits = [${moveLimits(values)}];`,
+                    `let target = [${rustState(p1, v1, a1)}];`,
+                    runs(1, [rustState(p0, v0, a0)], "go(&limits, &target, 1)", [`let machine = [${moveLimits({ ...values, reserve: 0 })}];`], values, changes),
+                );
+            }
             return rustMain(
                 ["State", "online::{Limits, Move}"],
-                `let limits = Limits { vmax: ${vmax}, vmin: ${vmin}, amax: ${amax}, amin: ${amin}, jmax: ${jmax}, jmin: ${jmin} };`,
+                `let limits = ${moveLimits(values)};`,
                 `let (now, target) = (${rustState(p0, v0, a0)}, ${rustState(p1, v1, a1)});`,
                 "let mut axis = Move::default();",
                 'axis.plan(&limits, now, target).expect("a move");',
@@ -79,42 +119,38 @@ export function rustWriter(unit: string): Writer {
                 rustPosition("axis.t", commands.length ? `${real(commands.at(-1)!.time)} + ` : ""),
             );
         },
-        axes: (plan, values) => {
+        axes: (plan, values, changes) => {
             const n = AXIS_NAMES.length;
-            const limits = eachAxis((axis) => `Limits::symmetric(${reals(...plannedAxisLimits(values, axis))})`);
             const from = eachAxis((axis) => {
                 const [p0, v0] = ofAxis(values, axis, "p0", "v0");
                 return rustState(p0, v0, 0);
             });
             const to = eachAxis((axis) => rustState(values[axisKey(axis, "p1")], 0, 0));
-            return rustMain(
-                ["axes", "State", "online::{Limits, Move}"],
-                "// jerk, acceleration, velocity",
-                wrapped("let limits = [", limits, "];"),
-                wrapped("let from = [", from, "];"),
-                wrapped("let to = [", to, "];"),
+            const isPlain = startOf(plan, values) === plan;
+            const start = isPlain ? `${plan}(&limits, &to, 1)` : "path(&limits, &moves, 0.0, 1)";
+            const moves = [
+                ...wrapped("let from = [", from, "];"),
                 `let mut moves = [Move::default(); ${n}];`,
                 "// the least duration, and the clock",
                 `axes::${plan === "sync" ? "synchronise" : "line"}(&mut moves, &limits, &from, &to, ${reals(values.least, values.cycle)})`,
                 '    .expect("moves");',
-                rustSetpoints("moves[0].t", "", ...eachAxis((axis) => `moves[${axis}].position(t)`)),
+            ];
+            return rustMain(
+                [...(changes ? ["machine::Group"] : []), ...(changes && isPlain ? [] : ["axes"]), "State", "online::{Limits, Move}"],
+                "// jerk, acceleration, velocity",
+                axisLimits(n, "limits", values),
+                wrapped("let to = [", to, "];"),
+                changes && isPlain ? [] : moves,
+                changes
+                    ? runs(n, from, start, machine(n, values), values, changes)
+                    : rustSetpoints("moves[0].t", "", ...eachAxis((axis) => `moves[${axis}].position(t)`)),
             );
         },
-        path: (values, points) => {
+        path: (values, points, changes) => {
             const n = points.length - 1;
             const [near, tolerances] = hasZones(values, points) ? ["_near", " &tolerances,"] : ["", ""];
-            const limits = [0, 1].map((axis) => `Limits::symmetric(${reals(...plannedAxisLimits(values, axis))})`);
             const states = points.map(([x, y]) => `${rustState(x, 0, 0)}, ${rustState(y, 0, 0)}`);
-            return rustMain(
-                [`axes::{path_size${near}, plan_path${near}, synchronise}`, "State", "online::{Limits, Move}"],
-                "// jerk, acceleration, velocity",
-                wrapped("let limits = [", limits, "];", ","),
-                `// ${STATE_ORDER} ${PATH_ORDER}`,
-                wrapped("let mut states = [", states, "];", ","),
-                `let mut durations = [0.0; ${n}];`,
-                near ? [`let tolerances = [${real(values.zone)}; ${2 * n - 2}];`] : [],
-                `let mut work = vec![0.0; path_size${near}(2, ${n}).expect("a short path")];`,
-                `plan_path${near}(&mut states, &mut durations, &limits,${tolerances} 2, 0, &mut work).expect("a path");`,
+            const each = [
                 "let mut start = 0.0;",
                 "for (k, duration) in durations.into_iter().enumerate() {",
                 "    let mut axes = [Move::default(); 2];",
@@ -127,6 +163,27 @@ export function rustWriter(unit: string): Writer {
                 "    }",
                 "    start += axes[0].t;",
                 "}",
+            ];
+            return rustMain(
+                [
+                    `axes::{${changes ? "path_moves, " : ""}path_size${near}, plan_path${near}${changes ? "" : ", synchronise"}}`,
+                    ...(changes ? ["machine::Group"] : []), "State", "online::{Limits, Move}",
+                ],
+                "// jerk, acceleration, velocity",
+                axisLimits(2, "limits", values),
+                `// ${STATE_ORDER} ${PATH_ORDER}`,
+                wrapped(`let mut ${changes ? "points" : "states"} = [`, states, "];", ","),
+                `let mut durations = [0.0; ${n}];`,
+                near ? [`let tolerances = [${real(values.zone)}; ${2 * n - 2}];`] : [],
+                `let mut work = vec![0.0; path_size${near}(2, ${n}).expect("a short path")];`,
+                `plan_path${near}(&mut ${changes ? "points" : "states"}, &mut durations, &limits,${tolerances} 2, 0, &mut work).expect("a path");`,
+                changes
+                    ? [
+                        `let mut moves = [Move::default(); ${2 * n}];`,
+                        'path_moves(&mut moves, &limits, &points, &durations, 2).expect("moves");',
+                        ...runs(2, ["points[0]", "points[1]"], "path(&limits, &moves, 0.0, 1)", machine(2, values), values, changes),
+                    ]
+                    : each,
             );
         },
     };

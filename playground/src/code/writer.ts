@@ -1,15 +1,16 @@
 // What the writers of programs share.
 import { AXIS_NAMES, axisKey, slopes } from "../profiles";
+import type { Change } from "../run";
 import type { Command, Point, Values } from "../state";
 
-/** Writes the program of a profile. Its last line tells the duration and where the axis is then. */
+/** Writes the program of a profile. Its last line tells the duration and where the axis is then. With changes, a group runs it. */
 export interface Writer {
     bell(fastest: boolean, values: Values): string;
     trap(fastest: boolean, values: Values): string;
     poly(degree: number, values: Values): string;
-    move(values: Values, commands: Command[]): string;
-    axes(plan: "sync" | "line", values: Values): string;
-    path(values: Values, points: Point[]): string;
+    move(values: Values, commands: Command[], changes?: Change[]): string;
+    axes(plan: "sync" | "line", values: Values, changes?: Change[]): string;
+    path(values: Values, points: Point[], changes?: Change[]): string;
 }
 
 export const bellArguments = ({ jm, am, vm, p0, p1, v0, v1 }: Values) => [jm, am, vm, p0, p1, v0, v1];
@@ -50,3 +51,13 @@ export const hasZones = ({ zone }: Values, points: Point[]) => zone !== 0 && poi
 
 /** How many numbers of working memory the path of two axes needs: that of `atraj_path_size`, or with zones of `atraj_path_size_near`. */
 export const workSize = (sections: number, zones: boolean) => (zones ? 151 * sections + 19 : 90 * sections + 10);
+
+/** What is said beside a change of a run. */
+export const changeName = ({ rate }: Change) => (rate === undefined ? "stop" : rate === 0 ? "hold" : `${Math.round(100 * rate)} %`);
+
+/** From this tick on a run is over when its motion is. */
+export const lastChange = (changes: Change[]) => changes.at(-1)?.tick ?? 0;
+
+/** The limits of the machine, if the plans leave a reserve of them; else those of the plans. */
+export const ofMachine = ({ reserve }: Values) => (reserve ? "machine" : "limits");
+export const MACHINE = "the limits without the reserve, for hold and override";
