@@ -96,6 +96,9 @@ function draw(isRun = false): void {
     player.stop();
     outcome = profile().plan({ ...state, commands: commands() });
     motions = outcome.motions;
+    if (profile().runs && state.values.reserve) {
+        outcome.remarks.push({ kind: "note", text: `Planned with ${100 - state.values.reserve} % of each limit.` });
+    }
     if (motions.length > 0) {
         state.moment = Math.min(state.moment, duration());
     }

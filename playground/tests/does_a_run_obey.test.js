@@ -44,6 +44,8 @@ for (const [hash, machine] of Object.entries(MACHINES)) {
         const { page, complaints } = await open(browser, hash);
         const [duration, address] = [await page.textContent("#duration"), page.url()];
         const typed = await used(page, machine.limits);
+        const reserve = Number(hash.match(/reserve=(\d+)/)?.[1] ?? 0) / 100;
+        assert.ok(Math.abs(Math.max(...typed.flat()) - (1 - reserve)) < 1e-3, `planned with ${typed} of the limits`);
         await button(page, "Run").click();
         const run = (await used(page, machine.limits)).flat();
         typed.flat().forEach((part, i) => assert.ok(Math.abs(run[i] - part) < 0.01, `${run[i]} of a limit, planned with ${part}`));
