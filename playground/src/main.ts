@@ -99,6 +99,9 @@ function draw(isRun = false): void {
     if (profile().runs && state.values.reserve) {
         outcome.remarks.push({ kind: "note", text: `Planned with ${100 - state.values.reserve} % of each limit.` });
     }
+    if (isRun && profile().live && state.commands.length > 0) {
+        outcome.remarks.push({ kind: "note", text: "The first plan runs alone." });
+    }
     if (motions.length > 0) {
         state.moment = Math.min(state.moment, duration());
     }

@@ -3,8 +3,8 @@ import { c, Motion, numbers, Ticked } from "./library";
 
 /** From one tick to the next, s. */
 export const PERIOD = 0.001;
-/** How many ticks are looked ahead at most. */
-const FAR = 60_000;
+/** How many ticks are looked ahead at most: in motion, and while the axes stand. */
+const [FAR, NEAR] = [60_000, 500];
 const [GROUP, COPY, NOW, LIMITS, ENDS] = [c.group_at(0), c.group_at(1), c.now_at(), c.limits_at(0), c.tick_ends()];
 
 /** The call of the group that starts a motion. */
@@ -100,11 +100,12 @@ export class Run {
         });
     }
 
-    /** Ticks a copy of the group to the end of the motion. */
+    /** Ticks a copy of the group to the end of the motion, or on while the axes stand. */
     private lookAhead(): void {
         this.ahead = [];
         c.copy_group(COPY, GROUP);
-        while (!this.isOver && !this.stands && this.ahead.length < FAR && !this.tick(COPY, this.ahead)) {}
+        const far = this.isOver ? 0 : this.stands ? NEAR : FAR;
+        while (this.ahead.length < far && !this.tick(COPY, this.ahead)) {}
     }
 
     /** Whether the motion is at its end, or stands. */
