@@ -14,7 +14,7 @@
 #include <stdio.h>
 
 #ifndef EVERY
-#define EVERY 250 /* of 1000 setpoints, one in so many is printed */
+#define EVERY 250 /* print every EVERY-th of 1000 setpoints */
 #endif
 
 int main(void)

@@ -1,6 +1,6 @@
 /*
  Plans a move and follows it: 10 m, within a jerk of 30 m/s^3, an acceleration of 10 m/s^2 and a velocity of 5 m/s. The axis
- moves at 1 m/s at the start and rests at the end. A controller tells its drive every setpoint; this program prints one in 250.
+ moves at 1 m/s at the start and rests at the end. A controller sends every setpoint to its drive; this program prints one in 250.
 
      make dist
      cc -Itarget/dist/include examples/02_follow.c target/dist/lib/libatraj.a -lm -o follow
@@ -10,7 +10,7 @@
 
 #define PERIOD 0.001 /* s */
 #ifndef EVERY
-#define EVERY 250 /* one setpoint in so many is printed */
+#define EVERY 250 /* print every EVERY-th setpoint */
 #endif
 
 int main(void)

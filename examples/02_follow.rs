@@ -1,5 +1,5 @@
 //! Plans a move and follows it: 10 m, within a jerk of 30 m/s³, an acceleration of 10 m/s² and a velocity of 5 m/s. The axis
-//! moves at 1 m/s at the start and rests at the end. A controller tells its drive every setpoint; this program prints one in 250.
+//! moves at 1 m/s at the start and rests at the end. A controller sends every setpoint to its drive; this program prints one in 250.
 //!
 //! ```sh
 //! cargo run --example 02_follow

@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 #ifndef EVERY
-#define EVERY 100 /* one sample in so many is printed */
+#define EVERY 100 /* print every EVERY-th sample */
 #endif
 enum { SAMPLES = 1001 };
 

@@ -1,6 +1,6 @@
 /*
  Moves in a given time: a septic polynomial goes 10 m in 8 s, at rest without acceleration and jerk at both ends. Nothing limits the
- motion between the ends, so the program asks for what the motion reaches. It prints one setpoint in 500.
+ motion between the ends, so the program computes the extremes of the motion. It prints one setpoint in 500.
 
      make dist
      cc -Itarget/dist/include examples/04_polynomial.c target/dist/lib/libatraj.a -lm -o polynomial
@@ -10,7 +10,7 @@
 
 #define PERIOD 0.001 /* s */
 #ifndef EVERY
-#define EVERY 500 /* one setpoint in so many is printed */
+#define EVERY 500 /* print every EVERY-th setpoint */
 #endif
 
 int main(void)

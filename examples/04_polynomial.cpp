@@ -1,6 +1,6 @@
 /*
  Moves in a given time: a septic polynomial goes 10 m in 8 s, at rest without acceleration and jerk at both ends. Nothing limits the
- motion between the ends, so the program asks for what the motion reaches. It prints one setpoint in 500.
+ motion between the ends, so the program computes the extremes of the motion. It prints one setpoint in 500.
 
      make dist
      c++ -Itarget/dist/include examples/04_polynomial.cpp target/dist/lib/libatraj.a -lm -o polynomial

@@ -1,5 +1,5 @@
 //! Moves in a given time: a septic polynomial goes 10 m in 8 s, at rest without acceleration and jerk at both ends. Nothing limits the
-//! motion between the ends, so the program asks for what the motion reaches. It prints one setpoint in 500.
+//! motion between the ends, so the program computes the extremes of the motion. It prints one setpoint in 500.
 //!
 //! ```sh
 //! cargo run --example 04_polynomial

@@ -11,7 +11,7 @@
 
 #define PERIOD 0.001 /* s */
 #ifndef EVERY
-#define EVERY 1000 /* one setpoint in so many is printed */
+#define EVERY 1000 /* print every EVERY-th setpoint */
 #endif
 
 static void print(char const *name, a_trajbell const *move, a_float x)

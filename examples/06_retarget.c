@@ -1,7 +1,7 @@
 /*
- Plans while the axis moves: at 0.7 s the axis gets a target behind it, at 1.8 s it is told to stop. Each plan starts from the
+ Plans while the axis moves: at 0.7 s the axis gets a target behind it, at 1.8 s it must stop. Each plan starts from the
  state of the plan before, so neither velocity nor acceleration jumps. The axis keeps a jerk of 30 m/s^3, an acceleration of
- 10 m/s^2 and a velocity of 5 m/s. A controller tells its drive every setpoint; this program prints one in 200.
+ 10 m/s^2 and a velocity of 5 m/s. A controller sends every setpoint to its drive; this program prints one in 200.
 
      make dist
      cc -Itarget/dist/include examples/06_retarget.c target/dist/lib/libatraj.a -lm -o retarget
@@ -11,7 +11,7 @@
 
 #define PERIOD 0.001 /* s */
 #ifndef EVERY
-#define EVERY 200 /* one setpoint in so many is printed */
+#define EVERY 200 /* print every EVERY-th setpoint */
 #endif
 
 int main(void)

@@ -1,6 +1,6 @@
-//! Plans while the axis moves: at 0.7 s the axis gets a target behind it, at 1.8 s it is told to stop. Each plan starts from the
+//! Plans while the axis moves: at 0.7 s the axis gets a target behind it, at 1.8 s it must stop. Each plan starts from the
 //! state of the plan before, so neither velocity nor acceleration jumps. The axis keeps a jerk of 30 m/s³, an acceleration of
-//! 10 m/s² and a velocity of 5 m/s. A controller tells its drive every setpoint; this program prints one in 200.
+//! 10 m/s² and a velocity of 5 m/s. A controller sends every setpoint to its drive; this program prints one in 200.
 //!
 //! ```sh
 //! cargo run --example 06_retarget

@@ -1,7 +1,7 @@
 /*
  Follows a sensor: a hand moves a knob back and forth and once jerks it. The sensor adds up to 1 mm of noise to the position and up to 1 cm/s
- to the velocity. Every millisecond the axis plans so as to be beside the knob 0.1 s later, within a jerk of 200 m/s^3, an acceleration
- of 10 m/s^2 and a velocity of 1 m/s. The horizon of 0.1 s smooths the noise: the jerk of the motion stays far below its limit. Behind
+ to the velocity. Every millisecond the axis plans so as to be at the knob 0.1 s later, within a jerk of 200 m/s^3, an acceleration
+ of 10 m/s^2 and a velocity of 1 m/s. The horizon of 0.1 s smooths the noise: the jerk of the motion stays far below its limit. After
  the jump the axis meets the knob as fast as it can. This program prints one setpoint in 250.
 
      make dist
@@ -22,7 +22,7 @@ static double noise()
     return 2 * (seed / 4294967296.0) - 1;
 }
 
-// What the sensor tells at the time t: a position, m, and a velocity, m/s.
+// What the sensor measures at the time t: a position, m, and a velocity, m/s.
 static atraj::state sensor(double t)
 {
     atraj::state knob = {0, 0, 0};

@@ -1,6 +1,6 @@
 /*
- Meets a part on a conveyor, rides beside the part, and goes home at 1.6 s. At 0.4 s the belt gets faster, so the axis plans
- again. The axis keeps a jerk of 50 m/s^3, an acceleration of 5 m/s^2 and a velocity of 2 m/s. A controller tells its drive
+ Meets a part on a conveyor, tracks the part, and goes home at 1.6 s. At 0.4 s the belt gets faster, so the axis plans
+ again. The axis keeps a jerk of 50 m/s^3, an acceleration of 5 m/s^2 and a velocity of 2 m/s. A controller sends its drive
  every setpoint; this program prints one in 200.
 
      make dist
@@ -11,7 +11,7 @@
 
 #define PERIOD 0.001 /* s */
 #ifndef EVERY
-#define EVERY 200 /* one setpoint in so many is printed */
+#define EVERY 200 /* print every EVERY-th setpoint */
 #endif
 
 int main(void)
@@ -23,12 +23,12 @@ int main(void)
     int start = 0, goes_home = 0;
     atraj_limits_init(&limits, 50, 5, 2);
     int found = atraj_move_meet(&move, &limits, &now, &part); /* below 0: an error */
-    puts("Meeting a part on a conveyor: the belt gets faster, the axis rides beside the part and goes home");
+    puts("Meeting a part on a conveyor: the belt gets faster, the axis tracks the part and goes home");
     puts("within 2 m/s, 5 m/s^2, 50 m/s^3");
     for (int tick = 0; found >= 0 && tick <= 3000; ++tick, part.p += part.v * PERIOD) {
         double const x = (tick - start) * PERIOD;
         if (goes_home || x < move.t) { atraj_move_state(&move, x, &now.p, &now.v, &now.a, NULL); }
-        else { now = part; } /* the move has ended beside the part, and the part moves on */
+        else { now = part; } /* the move has ended at the part, and the part moves on */
         if (tick % EVERY == 0) {
             printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, part %.4f m, %.4f m/s\n", tick * PERIOD, now.p, now.v, now.a, part.p, part.v);
         }

@@ -1,6 +1,6 @@
 /*
- Meets a part on a conveyor, rides beside the part, and goes home at 1.6 s. At 0.4 s the belt gets faster, so the axis plans
- again. The axis keeps a jerk of 50 m/s^3, an acceleration of 5 m/s^2 and a velocity of 2 m/s. A controller tells its drive
+ Meets a part on a conveyor, tracks the part, and goes home at 1.6 s. At 0.4 s the belt gets faster, so the axis plans
+ again. The axis keeps a jerk of 50 m/s^3, an acceleration of 5 m/s^2 and a velocity of 2 m/s. A controller sends its drive
  every setpoint; this program prints one in 200.
 
      make dist
@@ -20,12 +20,12 @@ int main()
     bool goes_home = false;
     const atraj::limits limits = atraj::limits::symmetric(50, 5, 2);
     int found = move.meet(limits, now, part); // below 0: an error
-    std::puts("Meeting a part on a conveyor: the belt gets faster, the axis rides beside the part and goes home");
+    std::puts("Meeting a part on a conveyor: the belt gets faster, the axis tracks the part and goes home");
     std::puts("within 2 m/s, 5 m/s^2, 50 m/s^3");
     for (int tick = 0; found >= 0 && tick <= 3000; ++tick, part.p += part.v * PERIOD)
     {
         const double x = (tick - start) * PERIOD;
-        now = goes_home || x < move.t ? move.state(x) : part; // the move ends beside the part, and the part moves on
+        now = goes_home || x < move.t ? move.state(x) : part; // the move ends at the part, and the part moves on
         if (tick % 200 == 0)
         {
             std::printf("%.3f s: %.4f m, %.4f m/s, %.4f m/s^2, ", tick * PERIOD, now.p, now.v, now.a);

@@ -1,5 +1,5 @@
-//! Meets a part on a conveyor, rides beside the part, and goes home at 1.6 s. At 0.4 s the belt gets faster, so the axis plans
-//! again. The axis keeps a jerk of 50 m/s³, an acceleration of 5 m/s² and a velocity of 2 m/s. A controller tells its drive
+//! Meets a part on a conveyor, tracks the part, and goes home at 1.6 s. At 0.4 s the belt gets faster, so the axis plans
+//! again. The axis keeps a jerk of 50 m/s³, an acceleration of 5 m/s² and a velocity of 2 m/s. A controller sends its drive
 //! every setpoint; this program prints one in 200.
 //!
 //! ```sh
@@ -18,14 +18,14 @@ fn main() -> Result<(), Error> {
     let mut part = State { velocity: 0.4, ..State::at(0.5) };
     let (mut axis, mut start, mut goes_home) = (Move::default(), 0, false);
     axis.meet(&limits, home, part)?;
-    println!("Meeting a part on a conveyor: the belt gets faster, the axis rides beside the part and goes home");
+    println!("Meeting a part on a conveyor: the belt gets faster, the axis tracks the part and goes home");
     println!("within 2 m/s, 5 m/s^2, 50 m/s^3");
     for tick in 0..=3000 {
         let (time, x) = (f64::from(tick) * PERIOD, f64::from(tick - start) * PERIOD);
         let now = if goes_home || x < axis.t {
             axis.state_at(x)
         } else {
-            part // the move has ended beside the part, and the part moves on
+            part // the move has ended at the part, and the part moves on
         };
         if tick % 200 == 0 {
             let (p, v, a) = (now.position, now.velocity, now.acceleration);

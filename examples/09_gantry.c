@@ -11,7 +11,7 @@
 
 #define CYCLE 0.001 /* s */
 #ifndef EVERY
-#define EVERY 200 /* one setpoint in so many is printed */
+#define EVERY 200 /* print every EVERY-th setpoint */
 #endif
 enum { X, Y, AXES };
 
@@ -51,8 +51,8 @@ int main(void)
     puts("Gantry in the plane: two axes arrive together, and stay on a straight line");
     puts("x within 1 m/s, 4 m/s^2\ny within 0.6 m/s, 1 m/s^2");
     if (atraj_moves_sync(axes, limits, from, to, AXES, 0, CYCLE) < 0) { return 1; }
-    double const beside = follow("synchronised:", axes);
+    double const synchronised = follow("synchronised:", axes);
     if (atraj_moves_line(axes, limits, from, to, AXES, 0, CYCLE) < 0) { return 1; }
     double const on_line = follow("on a straight line:", axes);
-    return !(beside < 1 && on_line < 1e-15); /* a rounding */
+    return !(synchronised < 1 && on_line < 1e-15); /* a rounding */
 }

@@ -52,8 +52,8 @@ int main()
     std::puts("Gantry in the plane: two axes arrive together, and stay on a straight line");
     std::puts("x within 1 m/s, 4 m/s^2\ny within 0.6 m/s, 1 m/s^2");
     if (atraj_moves_sync(axes, limits, from, to, AXES, 0, CYCLE) < 0) { return 1; }
-    const double beside = follow("synchronised:", axes);
+    const double synchronised = follow("synchronised:", axes);
     if (atraj_moves_line(axes, limits, from, to, AXES, 0, CYCLE) < 0) { return 1; }
     const double on_line = follow("on a straight line:", axes);
-    return !(beside < 1 && on_line < 1e-15); // a rounding
+    return !(synchronised < 1 && on_line < 1e-15); // a rounding
 }

@@ -47,9 +47,9 @@ fn main() -> Result<(), Error> {
     println!("Gantry in the plane: two axes arrive together, and stay on a straight line");
     println!("x within 1 m/s, 4 m/s^2\ny within 0.6 m/s, 1 m/s^2");
     synchronise(&mut axes, &limits, &from, &to, 0.0, CYCLE)?;
-    let beside = follow("synchronised:", &axes);
+    let synchronised = follow("synchronised:", &axes);
     line(&mut axes, &limits, &from, &to, 0.0, CYCLE)?;
     let on_line = follow("on a straight line:", &axes);
-    assert!(beside < 1.0 && on_line < 1e-15); // a rounding
+    assert!(synchronised < 1.0 && on_line < 1e-15); // a rounding
     Ok(())
 }

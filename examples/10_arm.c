@@ -11,7 +11,7 @@
 
 #define CYCLE 0.004 /* s */
 #ifndef EVERY
-#define EVERY 50 /* one setpoint in so many is printed */
+#define EVERY 50 /* print every EVERY-th setpoint */
 #endif
 enum { AXES = 6, MOVES = 4 };
 

@@ -1,5 +1,5 @@
 /*
- CLARAty's trapezoid: a controller moves an axis, gives it a target behind it, holds it, and lets it go on. The axis brakes and turns
+ CLARAty's trapezoid: a controller moves an axis, gives it a target behind it, holds it, and resumes. The axis brakes and turns
  round; its velocity never jumps. The controller asks for a setpoint every millisecond; this program prints one in 200.
 
      make dist
@@ -11,7 +11,7 @@
 
 #define PERIOD 0.001 /* s */
 #ifndef EVERY
-#define EVERY 200 /* one setpoint in so many is printed */
+#define EVERY 200 /* print every EVERY-th setpoint */
 #endif
 
 /* At 0.5 m/s, speeding up at 1 m/s^2, braking at 0.8 m/s^2. The position counts from the place where the axis rested. */

@@ -1,5 +1,5 @@
 /*
- CLARAty's trapezoid: a controller moves an axis, gives it a target behind it, holds it, and lets it go on. The axis brakes and turns
+ CLARAty's trapezoid: a controller moves an axis, gives it a target behind it, holds it, and resumes. The axis brakes and turns
  round; its velocity never jumps. The controller asks for a setpoint every millisecond; this program prints one in 200.
 
      make dist

@@ -1,4 +1,4 @@
-//! CLARAty's trapezoid: a controller moves an axis, gives it a target behind it, holds it, and lets it go on. The axis brakes and turns
+//! CLARAty's trapezoid: a controller moves an axis, gives it a target behind it, holds it, and resumes. The axis brakes and turns
 //! round; its velocity never jumps. The controller asks for a setpoint every millisecond; this program prints one in 200.
 //!
 //! ```sh
@@ -20,7 +20,7 @@ fn go_to(axis: &mut Trajectory, position: f64, now: f64) -> Result<(), OutOfRang
 
 fn main() -> Result<(), OutOfRange> {
     let (mut axis, mut origin, mut point) = (Trajectory::default(), 0.0, State::default());
-    let mut now = 0.0; // the caller reads the clock, and tells every method the time
+    let mut now = 0.0; // the caller reads the clock, and passes the time to every method
     println!("Retarget and feed hold: to 0.6 m, at 0.8 s back to 0.1 m, held at 1.6 s, on at 2.4 s");
     println!("within 0.5 m/s, 1 m/s^2, 0.8 m/s^2");
     go_to(&mut axis, 0.6, now)?;

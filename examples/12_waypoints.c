@@ -11,7 +11,7 @@
 
 #define CYCLE 0.004 /* s */
 #ifndef EVERY
-#define EVERY 50 /* one setpoint in so many is printed */
+#define EVERY 50 /* print every EVERY-th setpoint */
 #endif
 enum { AXES = 6, SECTIONS = 4, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
@@ -23,7 +23,7 @@ static atraj_state const points[SECTIONS + 1][AXES] = {
     {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, /* home */
 };
 
-/* Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick behind the section. */
+/* Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick after the section. */
 static int follow(atraj_move const axes[], double start, int tick)
 {
     for (; tick * CYCLE < start + axes[0].t; ++tick) {

@@ -10,7 +10,7 @@
 #include <cstdio>
 
 static const double CYCLE = 0.004; // s
-enum { EVERY = 50 }; // one setpoint in so many is printed
+enum { EVERY = 50 }; // print every EVERY-th setpoint
 enum { AXES = 6, SECTIONS = 4, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
 static const atraj::state points[SECTIONS + 1][AXES] = {
@@ -21,7 +21,7 @@ static const atraj::state points[SECTIONS + 1][AXES] = {
     {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, // home
 };
 
-// Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick behind the section.
+// Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick after the section.
 static int follow(const atraj::move axes[], double start, int tick)
 {
     for (; tick * CYCLE < start + axes[0].t; ++tick)

@@ -19,7 +19,7 @@ const POINTS: [[f64; 6]; 5] = [
     [0.0, -90.0, 90.0, 0.0, 0.0, 0.0], // home
 ];
 
-/// Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick behind the section.
+/// Prints the setpoints of a section that begins at `start`, from this tick on. The result is the first tick after the section.
 fn follow(axes: &[Move<f64>; 6], start: f64, first: u32) -> u32 {
     let mut tick = first;
     while f64::from(tick) * CYCLE < start + axes[0].t {

@@ -1,5 +1,5 @@
 /*
- Moves the two axes of a gantry round an obstacle, by way of two points beside it: without stops, and with a stop at each point. Each
+ Moves the two axes of a gantry round an obstacle, by way of two points next to it: without stops, and with a stop at each point. Each
  axis has limits of its own. This program prints one setpoint in 100 of a clock of 1 ms, and which part of its limits an axis uses.
 
      make dist
@@ -11,7 +11,7 @@
 
 #define CYCLE 0.001 /* s */
 #ifndef EVERY
-#define EVERY 100 /* one setpoint in so many is printed */
+#define EVERY 100 /* print every EVERY-th setpoint */
 #endif
 enum { X, Y, AXES };
 enum { SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
@@ -69,7 +69,7 @@ int main(void)
     double durations[SECTIONS], work[SIZE];
     atraj_limits_init(&limits[X], 40, 4, 1); /* jerk, acceleration, velocity */
     atraj_limits_init(&limits[Y], 20, 2, 0.8);
-    puts("Round an obstacle: a gantry passes two points beside it without stops");
+    puts("Round an obstacle: a gantry passes two points next to it without stops");
     puts("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     printf("obstacle:\n0 s: x %g m, y 0 m\n0 s: x %g m, y %g m\n0 s: x %g m, y %g m\n0 s: x %g m, y 0 m\n", left, left, top, right, top, right);
     for (int k = 0; k < SECTIONS; ++k) {

@@ -1,4 +1,4 @@
-//! Moves the two axes of a gantry round an obstacle, by way of two points beside it: without stops, and with a stop at each point. Each
+//! Moves the two axes of a gantry round an obstacle, by way of two points next to it: without stops, and with a stop at each point. Each
 //! axis has limits of its own. This program prints one setpoint in 100 of a clock of 1 ms, and which part of its limits an axis uses.
 //!
 //! ```sh
@@ -62,7 +62,7 @@ fn main() -> Result<(), Error> {
     let positions = POINTS.iter().flatten();
     let mut states: Vec<_> = positions.map(|&position| State::at(position)).collect();
     let mut durations = [0.0; 3];
-    println!("Round an obstacle: a gantry passes two points beside it without stops");
+    println!("Round an obstacle: a gantry passes two points next to it without stops");
     println!("x within 1 m/s, 4 m/s^2\ny within 0.8 m/s, 2 m/s^2");
     println!("obstacle:\n0 s: x {LEFT} m, y 0 m\n0 s: x {LEFT} m, y {TOP} m");
     println!("0 s: x {RIGHT} m, y {TOP} m\n0 s: x {RIGHT} m, y 0 m");

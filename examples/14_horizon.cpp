@@ -1,7 +1,7 @@
 /*
  Two axes follow points that arrive while they move, 20 each second; the drives take a setpoint every millisecond. The axes pass the
  points without stops, and 6 points are known at the start. The plan ends at rest at the newest point, so the axes can stop if no point
- follows. A new point is appended, and 8 steps improve the plan behind the section under way. This program prints one setpoint in 50:
+ follows. A new point is appended, and 8 steps improve the plan after the current section. This program prints one setpoint in 50:
  the positions, then the velocities and accelerations.
 
      make dist
@@ -14,7 +14,7 @@
 #include <cstring>
 
 static const double CYCLE = 0.001; // s
-enum { EVERY = 50 }; // one setpoint in so many is printed
+enum { EVERY = 50 }; // print every EVERY-th setpoint
 enum { AXES = 2, POINTS = 60, AHEAD = 6, PERIOD = 50, STEPS = 8 };
 enum { MOST = 12, SIZE = MOST * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
 
@@ -48,7 +48,7 @@ static void drop_section(void)
     std::memmove(durations, durations + 1, sections * sizeof(durations[0]));
 }
 
-// Appends a point, and improves all sections behind the one under way.
+// Appends a point, and improves all sections after the current one.
 static int append(const atraj::state point[])
 {
     static double work[SIZE];
@@ -65,7 +65,7 @@ int main()
     size_t longest = 0;
     int fed = 0;
     limits[0].init(100, 8, 0.42); // jerk, acceleration, velocity
-    limits[1].init(100, 8, 0.42);
+    limits[1].init(20, 8, 0.42); // y has time to spare: a lower jerk keeps its acceleration smooth
     std::puts("Receding horizon: two axes pass points that arrive while they move");
     std::puts("within 0.42 m/s, 8 m/s^2");
     for (; fed <= AHEAD; ++fed) { slalom(fed, states[fed]); }

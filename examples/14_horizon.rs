@@ -1,6 +1,6 @@
 //! Two axes follow points that arrive while they move, 20 each second; the drives take a setpoint every millisecond. The axes pass the
 //! points without stops, and 6 points are known at the start. The plan ends at rest at the newest point, so the axes can stop if no point
-//! follows. A new point is appended, and 8 steps improve the plan behind the section under way. This program prints one setpoint in 50:
+//! follows. A new point is appended, and 8 steps improve the plan after the current section. This program prints one setpoint in 50:
 //! the positions, then the velocities and accelerations.
 //!
 //! ```sh
@@ -32,7 +32,8 @@ fn begin(limits: &[Limits<f64>], states: &[State<f64>], durations: &[f64]) -> Re
 }
 
 fn main() -> Result<(), Error> {
-    let limits = [Limits::symmetric(100.0, 8.0, 0.42); 2];
+    // y has time to spare: a lower jerk keeps its acceleration smooth.
+    let limits = [100.0, 20.0].map(|jerk| Limits::symmetric(jerk, 8.0, 0.42));
     println!("Receding horizon: two axes pass points that arrive while they move");
     println!("within 0.42 m/s, 8 m/s^2");
     // The plan. Its first section is under way.

@@ -13,7 +13,7 @@
 #define PERIOD 0.001 /* s */
 #define LEAD 4 /* ticks that a plan takes, and one more */
 #ifndef EVERY
-#define EVERY 250 /* one setpoint in so many is printed */
+#define EVERY 250 /* print every EVERY-th setpoint */
 #endif
 
 int main(void)

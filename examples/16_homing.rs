@@ -1,5 +1,5 @@
 //! Finds home on a switch. The axis runs fast until the switch closes, runs back until it opens, and runs slowly onto it again. Where it
-//! closes now is known to a hundredth of a millimetre, because the axis was slow. Then the axis goes to 0.1 m beside the switch. Each
+//! closes now is known to a hundredth of a millimetre, because the axis was slow. Then the axis goes to its home, 0.1 m from the switch. Each
 //! change of direction is one plan from the present motion. The main loop reads the switch and plans; a timer interrupt asks for a
 //! setpoint every millisecond. The axis keeps a jerk of 50 m/s³, an acceleration of 2 m/s² and a velocity of 0.2 m/s. This program
 //! prints one setpoint in 250.
@@ -19,7 +19,7 @@ enum Step {
     Fast,
     Back,
     Slow,
-    Beside,
+    Home,
 }
 
 /// The switch of the machine.
@@ -32,7 +32,7 @@ fn main() -> Result<(), Error> {
     let (mut now, mut step) = (State::at(0.0), Step::Fast);
     let mut axis = Axis::new(PERIOD, now)?;
     let (mut planner, mut ticker) = axis.split();
-    println!("Homing on a switch: fast onto it, back, slowly onto it, and 0.1 m beside it");
+    println!("Homing on a switch: fast onto it, back, slowly onto it, and home, 0.1 m away");
     println!("within 0.2 m/s, 2 m/s^2, 50 m/s^3");
     planner.reach(&limits, -0.2, 0.0, LEAD)?;
     for tick in 0..=3200 {
@@ -50,10 +50,10 @@ fn main() -> Result<(), Error> {
                 step = Step::Slow;
             }
             (Step::Slow, true) => {
-                println!("{time:.3} s -> beside");
+                println!("{time:.3} s -> home");
                 println!("the switch is at {:.5} m", now.position);
                 planner.go(&limits, State::at(now.position + 0.1), LEAD)?;
-                step = Step::Beside;
+                step = Step::Home;
             }
             _ => {}
         }

@@ -13,7 +13,7 @@
 #define PERIOD 0.001 /* s */
 #define LEAD 4 /* ticks that a plan takes, and one more */
 #ifndef EVERY
-#define EVERY 250 /* one setpoint in so many is printed */
+#define EVERY 250 /* print every EVERY-th setpoint */
 #endif
 
 int main(void)
@@ -40,7 +40,7 @@ int main(void)
             has_passed = 1;
         }
         if (tick == 2000) {
-            printf("2.000 s -> back\n%.4f m behind the switch\n", now.p - at_switch);
+            printf("2.000 s -> back\n%.4f m past the switch\n", now.p - at_switch);
             found = atraj_axis_go(&axis, &work, &back, LEAD);
         }
         /* The interrupt. */

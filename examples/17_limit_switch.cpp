@@ -40,7 +40,7 @@ int main()
         }
         if (tick == 2000)
         {
-            std::printf("2.000 s -> back\n%.4f m behind the switch\n", now.p - at_switch);
+            std::printf("2.000 s -> back\n%.4f m past the switch\n", now.p - at_switch);
             found = axis.go(work, back, LEAD);
         }
         // The interrupt.

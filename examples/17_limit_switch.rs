@@ -37,7 +37,7 @@ fn main() -> Result<(), Error> {
         }
         if tick == 2000 {
             println!("2.000 s -> back");
-            println!("{:.4} m behind the switch", now.position - at_switch);
+            println!("{:.4} m past the switch", now.position - at_switch);
             planner.go(&work, State::at(0.7), LEAD)?;
         }
         // The interrupt.

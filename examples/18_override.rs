@@ -1,4 +1,4 @@
-//! Overrides the feed. A knob tells what share of 0.5 m/s the axis may use: each turn of the knob is a plan to the same target within a
+//! Overrides the feed. A knob sets what share of 0.5 m/s the axis may use: each turn of the knob is a plan to the same target within a
 //! new limit of the velocity. An axis that is too fast for the new limit returns within it in minimum time. A share of 0 is a hold: the
 //! axis stops. The main loop reads the knob and plans; a timer interrupt asks for a setpoint every millisecond. The axis keeps a jerk of
 //! 30 m/s³ and an acceleration of 3 m/s². This program prints one setpoint in 250.

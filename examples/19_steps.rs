@@ -1,4 +1,4 @@
-//! Drives a stepper motor. A step is 1.8 degrees, and the driver wants a pulse for each step: `atraj_move_time_at` tells when the move is at
+//! Drives a stepper motor. A step is 1.8 degrees, and the driver wants a pulse for each step: `atraj_move_time_at` returns when the move is at
 //! the position of a step. The motor turns by half a revolution and a quarter back, so the direction changes once. It keeps a jerk of
 //! 200,000 deg/s³, an acceleration of 10,000 deg/s² and a velocity of 1,000 deg/s. This program prints one pulse in 10, with the velocity
 //! since the pulse before.

@@ -12,7 +12,7 @@
 
 #define CYCLE 0.002 /* s */
 #ifndef EVERY
-#define EVERY 125 /* one setpoint in so many is printed */
+#define EVERY 125 /* print every EVERY-th setpoint */
 #endif
 enum { AXES = 2, SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6, EVENTS = 3 };
 

@@ -11,7 +11,7 @@
 
 #define CYCLE 0.0001 /* s */
 #ifndef EVERY
-#define EVERY 2500 /* one setpoint in so many is printed */
+#define EVERY 2500 /* print every EVERY-th setpoint */
 #endif
 
 /* How far the load is ahead of the axis, m, and how fast it gets farther, m/s. */

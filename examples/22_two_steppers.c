@@ -1,5 +1,5 @@
 /*
- Drives two stepper motors together. Both have 80 steps for a millimetre. `atraj_steps_next` tells the time of the next step of each motor, and the earlier
+ Drives two stepper motors together. Both have 80 steps for a millimetre. `atraj_steps_next` returns the time of the next step of each motor, and the earlier
  one is next: a timer would be set to it. The motors move by 40 mm and by 12.5 mm in the same time. This program prints one pulse in 400, and where
  both motors are then.
 
@@ -11,7 +11,7 @@
 
 #define STEP 0.0125 /* mm */
 #ifndef EVERY
-#define EVERY 400 /* one pulse in so many is printed */
+#define EVERY 400 /* print every EVERY-th pulse */
 #endif
 enum { X, Y, MOTORS };
 

@@ -1,5 +1,5 @@
 /*
- Drives two stepper motors together. Both have 80 steps for a millimetre. `atraj::steps::next` tells the time of the next step of each motor, and the earlier
+ Drives two stepper motors together. Both have 80 steps for a millimetre. `atraj::steps::next` returns the time of the next step of each motor, and the earlier
  one is next: a timer would be set to it. The motors move by 40 mm and by 12.5 mm in the same time. This program prints one pulse in 400, and where
  both motors are then.
 

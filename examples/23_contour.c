@@ -1,6 +1,6 @@
 /*
  Follows the contour of a part, whose corners are the rows of a CSV file, and leaves the lines between them by 0.02 mm at most. The planner
- adds points where the path would leave a line farther. This program prints one setpoint in 10 of a clock of 1 ms: the positions and the
+ adds points where the path would leave a line too far. This program prints one setpoint in 10 of a clock of 1 ms: the positions and the
  speed; and how far the path leaves the lines.
 
      make dist
@@ -13,7 +13,7 @@
 
 #define CYCLE 0.001 /* s */
 #ifndef EVERY
-#define EVERY 10 /* one setpoint in so many is printed */
+#define EVERY 10 /* print every EVERY-th setpoint */
 #endif
 enum { X, Y, AXES };
 enum { ROOM = 200, SIZE = ROOM * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };

@@ -1,5 +1,5 @@
 //! Follows the contour of a part, whose corners are the rows of a CSV file, and leaves the lines between them by 0.02 mm at most. The planner
-//! adds points where the path would leave a line farther. This program prints one setpoint in 10 of a clock of 1 ms: the positions and the
+//! adds points where the path would leave a line too far. This program prints one setpoint in 10 of a clock of 1 ms: the positions and the
 //! speed; and how far the path leaves the lines.
 //!
 //! ```sh

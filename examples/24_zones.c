@@ -1,5 +1,5 @@
 /*
- The arm of example 12 flies by its waypoints: each joint may be 5 degrees beside its point above the part, and 15
+ The arm of example 12 flies by its waypoints: each joint may be 5 degrees off its point above the part, and 15
  degrees on the way home; at the part it is exact. This program prints one setpoint in 50 of a clock of 4 ms: the positions, then the
  velocities. Then it prints where each point is passed, and how much time the zones save.
 
@@ -12,7 +12,7 @@
 
 #define CYCLE 0.004 /* s */
 #ifndef EVERY
-#define EVERY 50 /* one setpoint in so many is printed */
+#define EVERY 50 /* print every EVERY-th setpoint */
 #endif
 enum { AXES = 6, SECTIONS = 4, SIZE = SECTIONS * (AXES * (9 * AXES + 113) / 2 + 20) + 9 * AXES * (AXES - 1) / 2 - AXES + 12 };
 
@@ -67,10 +67,10 @@ int main(void)
             printf(" deg/s\n");
         }
         start += durations[k];
-        double beside = 0;
-        for (int i = 0; i < AXES; ++i) { beside = fmax(beside, fabs(states[k + 1][i].p - points[k + 1][i])); }
-        printf("%.3f s -> point %d, %.2f deg beside\n", start, k + 1, beside);
-        if (beside > (k + 1 < SECTIONS ? tolerances[k][0] : 0)) { return 1; }
+        double off = 0;
+        for (int i = 0; i < AXES; ++i) { off = fmax(off, fabs(states[k + 1][i].p - points[k + 1][i])); }
+        printf("%.3f s -> point %d, %.2f deg off\n", start, k + 1, off);
+        if (off > (k + 1 < SECTIONS ? tolerances[k][0] : 0)) { return 1; }
     }
     printf("%.3f s through the points, %.3f s through the zones: %.0f %% saved\n", exact, start, 100 * (1 - start / exact));
     return !(start < exact);

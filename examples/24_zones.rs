@@ -1,4 +1,4 @@
-//! The arm of example 12 flies by its waypoints: each joint may be 5 degrees beside its point above the part, and 15
+//! The arm of example 12 flies by its waypoints: each joint may be 5 degrees off its point above the part, and 15
 //! degrees on the way home; at the part it is exact. This program prints one setpoint in 50 of a clock of 4 ms: the positions, then the
 //! velocities. Then it prints where each point is passed, and how much time the zones save.
 //!
@@ -51,9 +51,9 @@ fn main() -> Result<(), Error> {
         }
         start += durations[k - 1];
         let passed = states[6 * k..].iter().zip(POINTS[k]);
-        let beside = passed.map(|(state, point)| (state.position - point).abs()).fold(0.0, f64::max);
-        println!("{start:.3} s -> point {k}, {beside:.2} deg beside");
-        assert!(beside <= TOLERANCES.get(k - 1).copied().unwrap_or(0.0));
+        let off = passed.map(|(state, point)| (state.position - point).abs()).fold(0.0, f64::max);
+        println!("{start:.3} s -> point {k}, {off:.2} deg off");
+        assert!(off <= TOLERANCES.get(k - 1).copied().unwrap_or(0.0));
     }
     let saved = 100.0 * (1.0 - start / exact);
     println!("{exact:.3} s through the points, {start:.3} s through the zones: {saved:.0} % saved");

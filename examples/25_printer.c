@@ -16,7 +16,7 @@
 
 #define TICK 0.001 /* s */
 #ifndef EVERY
-#define EVERY 100 /* one tick in so many is printed */
+#define EVERY 100 /* print every EVERY-th tick */
 #endif
 enum { X, Y, E, AXES, SECTIONS = 8, ROOM = 128, SIZE = ROOM * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6, LINE = 200 };
 

@@ -11,7 +11,7 @@
 
 #define CYCLE 0.002 /* s */
 #ifndef EVERY
-#define EVERY 125 /* one setpoint in so many is printed */
+#define EVERY 125 /* print every EVERY-th setpoint */
 #endif
 enum { AXES = 2, LEAD = 4 };
 

@@ -68,7 +68,7 @@ fn replay(servo: &Path, family: Family, comparison: &mut Comparison) -> Vec<Pari
     parities
 }
 
-/// Where golden numbers behind an answer of the servo stand, the numbers, and whether they are a plan or the quantities at a time.
+/// Where golden numbers after an answer of the servo stand, the numbers, and whether they are a plan or the quantities at a time.
 type Row = (String, Vec<f64>, bool);
 
 /// What the servo reads, and what it must answer.

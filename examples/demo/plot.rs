@@ -243,11 +243,11 @@ fn draw(text: &str, panels: &[Panel]) -> String {
     let mut entries: Vec<_> = curves.chain(has_limits.then_some(("limit", LIMIT))).collect();
     let mut named = HashSet::new();
     entries.retain(|(name, _)| !name.is_empty() && named.insert(*name));
-    let step = (SIDES.end - SIDES.start) / entries.len().max(5) as f64;
-    for (i, (name, color)) in entries.into_iter().enumerate() {
-        let (x, y) = (SIDES.start + i as f64 * step, top + 20.0);
+    let (mut x, y) = (SIDES.start, top + 20.0);
+    for (name, color) in entries {
         svg.line(&[(x, y), (x + 16.0, y)], "2.5", color);
         svg.text((x + 22.0, y + 4.0), "start", INK, name);
+        x += 50.0 + width(name);
     }
     let colors = COLORS.into_iter().chain([LIMIT, INK, GREY]).zip(DARK);
     let dark = colors.map(|(c, dark)| format!("[stroke=\"{c}\"]{{stroke:{dark}}}[fill=\"{c}\"]{{fill:{dark}}}\n"));
@@ -287,7 +287,9 @@ impl Panel<'_> {
         for &(name, color, value) in &self.levels {
             let style = if color == LIMIT { "1\" opacity=\".7" } else { "1\" stroke-dasharray=\"6 4" };
             svg.line(&[(SIDES.start, up(value)), (SIDES.end, up(value))], style, color);
-            svg.text((SIDES.end, up(value) - 4.0), "end", color, name);
+            // The name of a limit stands outside the range that the limits allow.
+            let place = if color == LIMIT && value < 0.0 { up(value) + 12.0 } else { up(value) - 4.0 };
+            svg.text((SIDES.end, place), "end", color, name);
         }
         for (i, &(time, what)) in self.marks.iter().enumerate() {
             svg.line(&[(across(time), top), (across(time), bottom)], "1\" opacity=\".5", INK);
@@ -296,6 +298,8 @@ impl Panel<'_> {
             let anchor = match [i + 1, i.wrapping_sub(1)].map(is_near) {
                 [true, _] => "end",
                 [_, true] => "start",
+                // It would be cut off at the edge of the picture.
+                _ if across(time) + width(what) / 2.0 > SIDES.end + 15.0 => "end",
                 _ => "middle",
             };
             svg.text((across(time), top - 5.0), anchor, INK, if has_texts { what } else { "" });
@@ -334,6 +338,11 @@ impl Svg {
             self.2 += &format!("\n<text x=\"{x}\" y=\"{y}\" fill=\"{color}\" text-anchor=\"{anchor}\">{text}</text>");
         }
     }
+}
+
+/// About the width of a text, in pixels.
+fn width(text: &str) -> f64 {
+    text.len() as f64 * 7.0
 }
 
 /// A zero has no sign.

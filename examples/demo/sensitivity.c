@@ -1,6 +1,6 @@
 /*
- What each kind of shaper leaves of a vibration, if the load has another frequency than the shaper: the swing of a simulated load behind a shaped move, as
- a part of its swing behind the same move without a shaper. The shapers are for 1 Hz, and the load has no damping. `make demo` draws it.
+ What each kind of shaper leaves of a vibration, if the load has another frequency than the shaper: the swing of a simulated load after a shaped move, as
+ a part of its swing after the same move without a shaper. The shapers are for 1 Hz, and the load has no damping. `make demo` draws it.
 */
 #include "atraj/shaper.h"
 #include <math.h>
@@ -12,7 +12,7 @@ enum { KINDS = 5 };
 static char const *const names[KINDS] = {"ZV", "MZV", "ZVD", "EI", "EI2"};
 static int const kinds[KINDS] = {ATRAJ_SHAPER_ZV, ATRAJ_SHAPER_MZV, ATRAJ_SHAPER_ZVD, ATRAJ_SHAPER_EI, ATRAJ_SHAPER_EI2};
 
-/* How much a load of this frequency, Hz, swings behind the shaped move. Its position and its velocity, divided by `w`, turn by `w` times the time. */
+/* How much a load of this frequency, Hz, swings after the shaped move. Its position and its velocity, divided by `w`, turn by `w` times the time. */
 static double swing(atraj_shaper const *shaper, atraj_move const *move, double frequency)
 {
     double const w = 2 * 3.141592653589793 * frequency, c = cos(w * CYCLE), s = sin(w * CYCLE);

@@ -1,4 +1,4 @@
-/* Sends one axis to a target, then in mid-motion to another one, then tells it to stop. The main loop plans while a timer interrupt gives a
+/* Sends one axis to a target, then in mid-motion to another one, then stops it. The main loop plans while a timer interrupt gives a
  * setpoint every millisecond. */
 
 #include "atraj/axis.h"
