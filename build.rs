@@ -25,7 +25,7 @@ fn main() {
         "\
 /*!
  @file atraj_config.h
- @brief how the atraj archive beside these headers was built
+ @brief how the atraj archive of these headers was built
  @details Its build writes this file. The other headers include it and refuse a program that differs.
 */
 

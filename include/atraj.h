@@ -3,7 +3,7 @@
  @file atraj.h
  @brief plans that never fail, a judge of plans, whole moves and whole states in one call
  @details These functions take liba's structs; liba has no such functions. `atraj_*_gen` plans the fastest move there
- is. `atraj_*_check` examines a filled struct, whoever planned it, and `atraj_*_extremes` tells what it reaches. Samples
+ is. `atraj_*_check` examines a filled struct, whoever planned it, and `atraj_*_extremes` returns its extremes. Samples
  and states have the bits that the single functions give. A NULL array gets nothing. The other arrays must overlap
  neither each other nor the trajectory. The functions that all profiles have take a planned instance `ctx`.
  `atraj_*_state` writes the state at `time`, s since the start. `atraj_*_sample` writes `n` samples to each array,

@@ -1,7 +1,7 @@
 /*!
  @file atraj_check.h
- @brief refuses a program that differs from the archive beside these headers
- @details Every trajectory header includes this file behind `a.h`. Where liba's own `a.h` came first, ours is left out, so the
+ @brief refuses a program that differs from the archive of these headers
+ @details Every trajectory header includes this file after `a.h`. Where liba's own `a.h` came first, ours is left out, so the
  choices are made and checked here: the real type, the generation of the polynomial structs and their levels.
 */
 
@@ -18,9 +18,9 @@ typedef a_real a_float;
 #endif
 
 #if (A_FLOAT_TYPE + 0 == 4) && (ATRAJ_SIZE_FLOAT != 4)
-#error "The archive beside this header computes in double: define A_SIZE_FLOAT (A_SIZE_REAL) as 8, or use the archive of make dist REAL=float."
+#error "The archive of this header computes in double: define A_SIZE_FLOAT (A_SIZE_REAL) as 8, or use the archive of make dist REAL=float."
 #elif (A_FLOAT_TYPE + 0 != 4) && (ATRAJ_SIZE_FLOAT == 4)
-#error "The archive beside this header computes in float: define A_SIZE_FLOAT (A_SIZE_REAL) as 4, or use the archive of make dist."
+#error "The archive of this header computes in float: define A_SIZE_FLOAT (A_SIZE_REAL) as 4, or use the archive of make dist."
 #endif
 /*! @cond
  fails if #a_float is another type than the archive's, however it was chosen */
@@ -31,7 +31,7 @@ typedef char atraj_a_float_is_not_the_archives[sizeof(a_float) == ATRAJ_SIZE_FLO
 #if ATRAJ_TRAJPOLY_COMPACT && !defined(A_TRAJPOLY_COMPACT)
 #define A_TRAJPOLY_COMPACT
 #elif !ATRAJ_TRAJPOLY_COMPACT && defined(A_TRAJPOLY_COMPACT)
-#error "The archive beside this header has no compact polynomials: leave A_TRAJPOLY_COMPACT undefined, or use the archive of make dist POLY=compact."
+#error "The archive of this header has no compact polynomials: leave A_TRAJPOLY_COMPACT undefined, or use the archive of make dist POLY=compact."
 #endif
 
 /*! @name levels of the older polynomial structs
@@ -41,19 +41,19 @@ typedef char atraj_a_float_is_not_the_archives[sizeof(a_float) == ATRAJ_SIZE_FLO
 #if !defined(A_TRAJPOLY3)
 #define A_TRAJPOLY3 ATRAJ_TRAJPOLY3
 #elif A_TRAJPOLY3 + 0 != ATRAJ_TRAJPOLY3
-#error "A_TRAJPOLY3 differs from the archive beside this header: leave it undefined, or use the archive of make dist A_TRAJPOLY3=1..3."
+#error "A_TRAJPOLY3 differs from the archive of this header: leave it undefined, or use the archive of make dist A_TRAJPOLY3=1..3."
 #endif
 /*! level of #a_trajpoly5; the archive's unless it is defined */
 #if !defined(A_TRAJPOLY5)
 #define A_TRAJPOLY5 ATRAJ_TRAJPOLY5
 #elif A_TRAJPOLY5 + 0 != ATRAJ_TRAJPOLY5
-#error "A_TRAJPOLY5 differs from the archive beside this header: leave it undefined, or use the archive of make dist A_TRAJPOLY5=1..3."
+#error "A_TRAJPOLY5 differs from the archive of this header: leave it undefined, or use the archive of make dist A_TRAJPOLY5=1..3."
 #endif
 /*! level of #a_trajpoly7; the archive's unless it is defined */
 #if !defined(A_TRAJPOLY7)
 #define A_TRAJPOLY7 ATRAJ_TRAJPOLY7
 #elif A_TRAJPOLY7 + 0 != ATRAJ_TRAJPOLY7
-#error "A_TRAJPOLY7 differs from the archive beside this header: leave it undefined, or use the archive of make dist A_TRAJPOLY7=1..4."
+#error "A_TRAJPOLY7 differs from the archive of this header: leave it undefined, or use the archive of make dist A_TRAJPOLY7=1..4."
 #endif
 /*! @} */
 

@@ -41,7 +41,7 @@ A_EXTERN void atraj_limits_init(struct atraj_limits *limits, a_float jm, a_float
  * @brief Plan the fastest move from any state to a state within the limits.
  *
  * If the start violates the limits, the axis returns within them in minimum time and then stays within them. The target may be anywhere: behind,
- * or nearer than the way to stop.
+ * or nearer than the stopping distance.
  * @return 0, or a sum of `ATRAJ_OVERSHOOTS`, `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else an `atraj_error`: `ATRAJ_ERR_NULL`,
  * `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or `ATRAJ_ERR_TARGET` if `to` is outside the limits or the axis must have left them before
  */

@@ -305,7 +305,7 @@ class Move(Profile):
     def plan(limits: _Limits, start: _State, end: _State) -> Move:
         """The fastest motion from the state `start` to the state `end`.
 
-        A start outside the limits returns within them in minimum time. The end may be behind, or nearer than the way to stop."""
+        A start outside the limits returns within them in minimum time. The end may be behind, or nearer than the stopping distance."""
     @staticmethod
     def within(limits: _Limits, start: _State, end: _State, lowest: float, highest: float) -> Move:
         """The fastest motion from the state `start` to the state `end`, if it stays between two positions until its end; `-inf` and `inf` are no
@@ -319,7 +319,7 @@ class Move(Profile):
         """The fastest stop from the state `start`; the position is free."""
     @staticmethod
     def meet(limits: _Limits, start: _State, target: _State) -> Move:
-        """The fastest motion from the state `start` to a target that moves on at its velocity. The move ends beside the target, at
+        """The fastest motion from the state `start` to a target that moves on at its velocity. The move ends at the target, at
         `target.position + t * target.velocity`. The target must not accelerate."""
     @staticmethod
     def track(limits: _Limits, start: _State, signal: _State, jerk: float, horizon: float) -> Move:

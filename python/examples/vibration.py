@@ -9,7 +9,7 @@ An axis carries a load on a spring: a gripper on a long finger, a glass on a tra
 
 with the acceleration a of the axis. After the move the load swings on at its own frequency, and the residual vibration is the
 amplitude of this swing. A lower jerk limit makes the acceleration rise and fall in longer ramps. A ramp that lasts one period of
-the load leaves nothing behind.
+the load leaves no vibration.
 
 Who does not know the frequency well needs more. The second part compares shapers with lower jerks that leave as little where the frequency
 may be wrong by 20 %.
@@ -120,7 +120,7 @@ Compared = list[tuple[str, atraj.Profile, atraj.Move]]
 
 
 def compare() -> Compared:
-    """A shaper of each kind beside a lower jerk."""
+    """A shaper of each kind and a lower jerk."""
     shaped = [atraj.Shaper(kind, FREQUENCY, DAMPING).shape(plan(math.inf)) for kind in atraj.ShaperKind]
     # What is left does not fall evenly with the jerk, so every jerk is tried, down to one that suits the gentlest shaper.
     leaves = [worst(motion) for motion in shaped]

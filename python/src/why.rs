@@ -1,4 +1,4 @@
-//! Why there is no motion: which number is wrong. The core tells the kind of the error, and the arguments tell the number.
+//! Why there is no motion: which number is wrong. The core returns the kind of the error, and the arguments show the number.
 
 use atraj::online::{Limits, Move};
 use atraj::{Boundary, Error, State};

@@ -58,7 +58,7 @@ def test_times_have_any_shape_and_type(real):
 
 
 def layouts(dtype):
-    """The times 0.5, 1, 1.5 and 2 in the layouts that NumPy knows, and a stride of 0 beside them."""
+    """The times 0.5, 1, 1.5 and 2 in the layouts that NumPy knows, and a stride of 0 too."""
     times = np.array([0.5, 1, 1.5, 2], dtype)
     size = times.itemsize
     records = np.zeros(4, [("id", "u1"), ("t", dtype)])

@@ -65,7 +65,7 @@ impl Move {
 impl Move {
     /// The fastest motion from the state `start` to the state `end`.
     ///
-    /// A start outside the limits returns within them in minimum time. The end may be behind, or nearer than the way to stop.
+    /// A start outside the limits returns within them in minimum time. The end may be behind, or nearer than the stopping distance.
     #[staticmethod]
     fn plan(
         py: Python<'_>, limits: GivenLimits<Real>, start: GivenState<Real>, end: GivenState<Real>,
@@ -105,7 +105,7 @@ impl Move {
         Self::planned(py, &limits, &states, &[], |axis| axis.stop(&limits.0, start.0))
     }
 
-    /// The fastest motion from the state `start` to a target that moves on at its velocity. The move ends beside the target, at
+    /// The fastest motion from the state `start` to a target that moves on at its velocity. The move ends at the target, at
     /// `target.position + t * target.velocity`. The target must not accelerate.
     #[staticmethod]
     fn meet(
