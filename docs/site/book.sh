@@ -8,11 +8,16 @@ source=$book/src
 rm -rf "$book"
 mkdir -p "$source/examples" "$source/tests" "$source/proofs"
 cp docs/site/book.toml docs/site/style.css docs/site/access.js "$book"
-cp README.md CONTRIBUTING.md CHANGELOG.md "$source"
+cp CONTRIBUTING.md CHANGELOG.md "$source"
+# Without the badge, which needs a network.
+sed '/^\[!\[tests\]/d' README.md > "$source/README.md"
 cp -R docs "$source"
 cp examples/README.md "$source/examples"
 cp proofs/README.md "$source/proofs"
 { cat tests/README.md && tests/map.sh; } > "$source/tests/README.md"
+# The playground is a page of its own: the one in the contents leads to it.
+printf '# Playground\n<meta http-equiv="refresh" content="0; url=../../playground.html">\n\n[Open the playground](../../playground.html)\n' \
+    > "$source/docs/site/playground.md"
 for page in docs/*.md; do awk -v from=docs -f docs/site/tables.awk "$page" > "$source/$page"; done
 
 # program LANGUAGE FILE: a heading and the program
@@ -22,9 +27,14 @@ program() {
     printf '```\n'
 }
 
+# title NAME: the title of an example, which it prints first
+title() {
+    sed 's/:.*//; q' "examples/expected/$1.txt"
+}
+
 # page NAME IDEA PICTURE
 page() {
-    printf '# %s\n%s.\n\n%s\n' "$(echo "$1" | tr _ ' ')" "$(echo "$2" | awk '{ print toupper(substr($0, 1, 1)) substr($0, 2) }')" "!$3"
+    printf '# %s\n`%s`: %s.\n\n%s\n' "$(title "$1")" "$1" "$(echo "$2" | awk '{ print toupper(substr($0, 1, 1)) substr($0, 2) }')" "!$3"
     program C "examples/$1.c"
     program C++ "examples/$1.cpp"
     program Rust "examples/$1.rs"
@@ -41,5 +51,6 @@ while IFS= read -r line; do
     file=$(echo "$line" | sed -n 's/.*](\(.*\))$/\1/p')
     test -z "$file" || test -e "$source/$file" || continue
     echo "$line"
-    test "$file" != examples/README.md || sed 's/|.*//; s/.*/    - [&](examples\/&.md)/' "$book/examples"
+    test "$file" = examples/README.md || continue
+    while IFS='|' read -r name rest; do echo "    - [$(title "$name")](examples/$name.md)"; done < "$book/examples"
 done < docs/site/SUMMARY.md > "$source/SUMMARY.md"
