@@ -230,6 +230,8 @@ doc: dist playground $(MDBOOK)
 	$(CARGO) doc --quiet --no-deps --features capi --target-dir target/reference
 	$(MAKE) -s -C python reference OUT=$(CURDIR)/$(SITE)/python
 	doxygen
+	sed -i -e 's/<html xmlns/<html lang="en" xmlns/' -e 's/id="MSearchField"/& aria-label="Search"/' target/reference/c/html/*.html target/reference/c/html/menu.js
+	echo 'addEventListener("load", () => document.querySelectorAll("tbody, .fragment").forEach((table) => (table.tabIndex = 0)));' >> target/reference/c/html/menu.js
 	cp -R target/reference/doc $(SITE)/rust
 	cp -R target/reference/c/html $(SITE)/c
 	cp target/playground/index.html $(SITE)/playground.html
