@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use support::repository::root;
 
 /// What is not written, and what is written instead.
-const WORDS: [(&str, &str); 15] = [
+const WORDS: [(&str, &str); 19] = [
     ("anew", "again"),
     ("to and fro", "back and forth"),
     ("nasty", "adversarial"),
@@ -22,6 +22,10 @@ const WORDS: [(&str, &str); 15] = [
     ("way points", "waypoints"),
     ("gets farthest", "covers the largest displacement"),
     ("mend", "fix"),
+    ("mends", "fixes"),
+    ("rides beside", "tracks"),
+    ("stands beside", "is next to"),
+    ("so many is printed", "print every EVERY-th"),
 ];
 
 /// Not written where a user reads: the tests have variables of this name.
