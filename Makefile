@@ -280,7 +280,7 @@ examples: dist
 
 ORACLE := --locked --profile oracle -p oracle
 # The tests of the oracle that are not part of its program `whole`.
-APART := $(filter-out $(shell sed -n 's/^mod \(.*\);/\1/p' tests/oracle/whole.rs),$(basename $(notdir $(wildcard tests/oracle/tests/*.rs))))
+APART := $(filter-out $(shell sed -n 's/^ *mod \(.*\);/\1/p' tests/oracle/whole.rs),$(basename $(notdir $(wildcard tests/oracle/tests/*.rs))))
 # The default build runs every test of the oracle, each other build the tests of its C functions.
 check:
 	$(CARGO) test --locked -p atraj -p house

@@ -38,15 +38,22 @@ bool same(const atraj_steps &x, const atraj_steps &y) {
 }
 #endif
 
+// Two structs of zeros: one for the methods of C++, and one for the functions of C.
+template <class T>
+struct both {
+    T method, function;
+    both() {
+        std::memset(&method, 0, sizeof(T));
+        std::memset(&function, 0, sizeof(T));
+    }
+    bool agree() const { return same(method, function); }
+};
+
 void bell() {
-    a::trajbell method;
-    a_trajbell function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
-    PROMISE(method.gen(30, 10, 5, 0, 10) == a_trajbell_gen(&function, 30, 10, 5, 0, 10, 0, 0));
-    PROMISE(same(method, function));
-    PROMISE(method.gen(30, 10, 5, 0, 10, 1, 0) == a_trajbell_gen(&function, 30, 10, 5, 0, 10, 1, 0));
-    PROMISE(same(method, function));
+    both<a::trajbell> b;
+    a::trajbell &method = b.method, &function = b.function;
+    PROMISE(method.gen(30, 10, 5, 0, 10) == a_trajbell_gen(&function, 30, 10, 5, 0, 10, 0, 0) && b.agree());
+    PROMISE(method.gen(30, 10, 5, 0, 10, 1, 0) == a_trajbell_gen(&function, 30, 10, 5, 0, 10, 1, 0) && b.agree());
     const a::trajbell &planned = method;
     const a_float x = planned.t / 4;
     PROMISE(planned.pos(x) == a_trajbell_pos(&function, x) && planned.pos(x) > 0);
@@ -56,13 +63,9 @@ void bell() {
 }
 
 void trap() {
-    a::trajtrap method;
-    a_trajtrap function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
-    PROMISE(method.gen(5, 4, -2, 0, 50) == a_trajtrap_gen(&function, 5, 4, -2, 0, 50, 0, 0));
-    PROMISE(same(method, function));
-    const a::trajtrap &planned = method;
+    both<a::trajtrap> b;
+    PROMISE(b.method.gen(5, 4, -2, 0, 50) == a_trajtrap_gen(&b.function, 5, 4, -2, 0, 50, 0, 0) && b.agree());
+    const a::trajtrap &planned = b.method;
     PROMISE(planned.t == 11.875f && planned.pos(planned.t) == 50);
     PROMISE(planned.vel(5) == 5 && planned.acc(1) == 4 && planned.acc(10) == -2);
 }
@@ -106,36 +109,33 @@ void polynomials() {
 }
 
 #if !defined(LIBA_HEADERS)
+const atraj::limits limits = atraj::limits::symmetric(30, 10, 5);
+
 // Each member does what its function does.
 void move() {
-    atraj::limits limits;
-    atraj_limits plain;
-    limits.init(30, 10, 5);
-    atraj_limits_init(&plain, 30, 10, 5);
-    PROMISE(same(limits, plain));
-    PROMISE(same(atraj::limits::symmetric(30, 10, 5), plain));
+    both<atraj::limits> l;
+    l.method.init(30, 10, 5);
+    atraj_limits_init(&l.function, 30, 10, 5);
+    PROMISE(l.agree() && same(limits, l.function));
 
     const atraj::state from = {1, 2, 3}, to = {10, -1, 2}, part = {2, 1, 0};
-    atraj::move method;
-    atraj_move function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
-    PROMISE(method.plan(limits, from, to) == atraj_move_plan(&function, &plain, &from, &to));
-    PROMISE(same(method, function) && method.t > 0);
-    PROMISE(method.reach(limits, from, -3, 2) == atraj_move_reach(&function, &plain, &from, -3, 2));
-    PROMISE(same(method, function) && method.vel(method.t) == -3 && method.acc(method.t) == 2);
-    PROMISE(method.reach(limits, from, -3) == atraj_move_reach(&function, &plain, &from, -3, 0));
-    PROMISE(same(method, function) && method.acc(method.t) == 0);
-    PROMISE(method.stop(limits, from) == atraj_move_stop(&function, &plain, &from));
-    PROMISE(same(method, function) && method.vel(method.t) == 0);
-    PROMISE(method.within(limits, from, to, -9, 9) == atraj_move_within(&function, &plain, &from, &to, -9, 9));
-    PROMISE(method.within(limits, from, to, -99, 99) == atraj_move_within(&function, &plain, &from, &to, -99, 99) && same(method, function));
-    PROMISE(method.check(limits) == atraj_move_check(&function, &plain) && method.check(limits) >= 0);
-    PROMISE(method.track(limits, from, part, 1, a_float(0.5)) == atraj_move_track(&function, &plain, &from, &part, 1, a_float(0.5)));
-    PROMISE(same(method, function));
-    PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &plain, &from, &part));
-    PROMISE(same(method, function) && method.vel(method.t) == 1);
-    PROMISE(method.meet(limits, from, to) == ATRAJ_ERR_TARGET && same(method, function));
+    both<atraj::move> b;
+    atraj::move &method = b.method, &function = b.function;
+    PROMISE(method.plan(limits, from, to) == atraj_move_plan(&function, &limits, &from, &to) && b.agree());
+    PROMISE(method.t > 0);
+    PROMISE(method.reach(limits, from, -3, 2) == atraj_move_reach(&function, &limits, &from, -3, 2) && b.agree());
+    PROMISE(method.vel(method.t) == -3 && method.acc(method.t) == 2);
+    PROMISE(method.reach(limits, from, -3) == atraj_move_reach(&function, &limits, &from, -3, 0) && b.agree());
+    PROMISE(method.acc(method.t) == 0);
+    PROMISE(method.stop(limits, from) == atraj_move_stop(&function, &limits, &from) && b.agree());
+    PROMISE(method.vel(method.t) == 0);
+    PROMISE(method.within(limits, from, to, -9, 9) == atraj_move_within(&function, &limits, &from, &to, -9, 9));
+    PROMISE(method.within(limits, from, to, -99, 99) == atraj_move_within(&function, &limits, &from, &to, -99, 99) && b.agree());
+    PROMISE(method.check(limits) == atraj_move_check(&function, &limits) && method.check(limits) >= 0);
+    PROMISE(method.track(limits, from, part, 1, a_float(0.5)) == atraj_move_track(&function, &limits, &from, &part, 1, a_float(0.5)) && b.agree());
+    PROMISE(method.meet(limits, from, part) == atraj_move_meet(&function, &limits, &from, &part) && b.agree());
+    PROMISE(method.vel(method.t) == 1);
+    PROMISE(method.meet(limits, from, to) == ATRAJ_ERR_TARGET && b.agree());
 
     const atraj::move &planned = method;
     const a_float x = planned.t / 4;
@@ -158,15 +158,24 @@ void move() {
 
 // Members that liba does not have: one plan, one judge, one look each.
 template <class Profile>
-void is_seen_whole(const Profile &profile, const a_float ends[2], const atraj::state &lowest, const atraj::state &highest) {
-    PROMISE(lowest.p == ends[0] && highest.p == ends[1] && lowest.v == 0 && highest.v > 0 && highest.a > 0 && lowest.a < 0);
+void is_seen_whole(const Profile &profile, const atraj::state &lowest, const atraj::state &highest) {
+    PROMISE(lowest.p == 0 && highest.p == 10 && lowest.v == 0 && highest.v > 0 && highest.a > 0 && lowest.a < 0);
     const atraj::state now = profile.state(0.25f);
-    PROMISE(now.p == profile.pos(0.25f) && now.p > ends[0] && now.p < ends[1]);
+    PROMISE(now.p == profile.pos(0.25f) && now.p > 0 && now.p < 10);
     PROMISE(now.v > lowest.v && now.v <= highest.v && now.a >= lowest.a && now.a <= highest.a);
 }
 
+template <class Polynomial>
+Polynomial polynomial() {
+    Polynomial planned;
+    atraj::state lowest, highest;
+    planned.gen(2, 0, 10);
+    planned.extremes(2, lowest, highest);
+    is_seen_whole(planned, lowest, highest);
+    return planned;
+}
+
 void profiles() {
-    const a_float ends[2] = {0, 10};
     a_float p[2], v[2], a[2], j[2];
     atraj::state lowest, highest;
 
@@ -174,37 +183,26 @@ void profiles() {
     PROMISE(bell.fastest(30, 10, 5, 0, 10) == bell.t && bell.t > 0 && bell.check(30, 10, 5) == 0);
     PROMISE(bell.check(30, 9, 4) == ATRAJ_EXCEEDS_ACCELERATION + ATRAJ_EXCEEDS_VELOCITY);
     bell.extremes(lowest, highest);
-    is_seen_whole(bell, ends, lowest, highest);
+    is_seen_whole(bell, lowest, highest);
     PROMISE(bell.sample(0, 0.5f, 2, p, v, a, j) == 2 && p[1] == bell.pos(0.5f) && j[1] == bell.jer(0.5f));
     PROMISE(bell.fastest(30, 10, 5, 0, 0.1f, 2) > 0 && bell.check(30, 10, 5) == ATRAJ_OVERSHOOTS);
 
     a::trajtrap trap;
     PROMISE(trap.fastest(5, 4, -2, 0, 10) == trap.t && trap.t > 0 && trap.check(5, 4, -2) == 0);
     trap.extremes(lowest, highest);
-    is_seen_whole(trap, ends, lowest, highest);
+    is_seen_whole(trap, lowest, highest);
     PROMISE(trap.sample(0, 0.5f, 2, p, v, a) == 2 && p[1] == trap.pos(0.5f) && a[1] == trap.acc(0.5f));
 
-    a::trajpoly3 cubic;
-    a::trajpoly5 quintic;
-    a::trajpoly7 septic;
-    cubic.gen(2, 0, 10);
-    quintic.gen(2, 0, 10);
-    septic.gen(2, 0, 10);
-    cubic.extremes(2, lowest, highest);
-    is_seen_whole(cubic, ends, lowest, highest);
-    quintic.extremes(2, lowest, highest);
-    is_seen_whole(quintic, ends, lowest, highest);
-    septic.extremes(2, lowest, highest);
-    is_seen_whole(septic, ends, lowest, highest);
+    const a::trajpoly3 cubic = polynomial<a::trajpoly3>();
+    const a::trajpoly5 quintic = polynomial<a::trajpoly5>();
+    const a::trajpoly7 septic = polynomial<a::trajpoly7>();
     PROMISE(cubic.sample(0, 0.5f, 2, p, v, a) == 2 && p[1] == cubic.pos(0.5f));
     PROMISE(quintic.sample(0, 0.5f, 2, p, v, a) == 2 && p[1] == quintic.pos(0.5f));
     PROMISE(septic.sample(0, 0.5f, 2, p, v, a, j) == 2 && p[1] == septic.pos(0.5f));
 }
 
 void axes() {
-    atraj::limits limits[2];
-    limits[0].init(30, 10, 5);
-    limits[1].init(60, 20, 5);
+    const atraj::limits limits[2] = {atraj::limits::symmetric(30, 10, 5), atraj::limits::symmetric(60, 20, 5)};
     const atraj::state from[2] = {{0, 0, 0}, {0, 0, 0}}, to[2] = {{10, 0, 0}, {-5, 0, 0}};
     atraj::move axes[2];
     PROMISE(atraj::sync(axes, limits, from, to, 2) == 0 && axes[0].t == axes[1].t);
@@ -216,62 +214,50 @@ void axes() {
 }
 
 void axis() {
-    atraj::limits limits;
-    limits.init(30, 10, 5);
     const atraj::state from = {1, 0, 0}, to = {10, 0, 0};
-    atraj::axis method;
-    atraj_axis function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
-    PROMISE(method.init(0.001f, from) == 0 && atraj_axis_init(&function, 0.001f, &from) == 0 && same(method, function));
+    both<atraj::axis> b;
+    atraj::axis &method = b.method, &function = b.function;
+    PROMISE(method.init(0.001f, from) == 0 && atraj_axis_init(&function, 0.001f, &from) == 0 && b.agree());
     PROMISE(method.init(0, from) == ATRAJ_ERR_DURATION);
-    PROMISE(method.go(limits, to, 2) == 0 && atraj_axis_go(&function, &limits, &to, 2) == 0 && same(method, function));
+    PROMISE(method.go(limits, to, 2) == 0 && atraj_axis_go(&function, &limits, &to, 2) == 0 && b.agree());
     atraj::state now;
     for (int i = 0; i < 100; ++i) { atraj_axis_tick(&function, &now); }
     for (int i = 1; i < 100; ++i) { method.tick(); }
-    PROMISE(same(method.tick(), now) && now.p > 1 && same(method, function));
-    PROMISE(method.reach(limits, -3, 2, 1) == atraj_axis_reach(&function, &limits, -3, 2, 1) && same(method, function));
-    PROMISE(method.stop(limits, 1) == atraj_axis_stop(&function, &limits, 1) && same(method, function));
-    PROMISE(method.track(limits, to, 2, 0.5f, 1) == atraj_axis_track(&function, &limits, &to, 2, 0.5f, 1) && same(method, function));
+    PROMISE(same(method.tick(), now) && now.p > 1 && b.agree());
+    PROMISE(method.reach(limits, -3, 2, 1) == atraj_axis_reach(&function, &limits, -3, 2, 1) && b.agree());
+    PROMISE(method.stop(limits, 1) == atraj_axis_stop(&function, &limits, 1) && b.agree());
+    PROMISE(method.track(limits, to, 2, 0.5f, 1) == atraj_axis_track(&function, &limits, &to, 2, 0.5f, 1) && b.agree());
     PROMISE(method.stop(limits, 0) == ATRAJ_ERR_LATE);
 }
 
 void steps() {
-    atraj::limits limits;
-    limits.init(30, 10, 5);
     const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
     atraj::move move;
     PROMISE(move.plan(limits, from, to) == 0);
-    atraj::steps method;
-    atraj_steps function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
-    PROMISE(method.init(move, 0, 0.5f) == 0 && atraj_steps_init(&function, &move, 0, 0.5f) == 0 && same(method, function));
+    both<atraj::steps> b;
+    atraj::steps &method = b.method, &function = b.function;
+    PROMISE(method.init(move, 0, 0.5f) == 0 && atraj_steps_init(&function, &move, 0, 0.5f) == 0 && b.agree());
     a_float time = 0, other = 0;
-    PROMISE(method.next(move, time) == 1 && atraj_steps_next(&function, &move, &other) == 1 && time == other && same(method, function));
-    PROMISE(method.follow(move) == 0 && atraj_steps_follow(&function, &move) == 0 && same(method, function));
+    PROMISE(method.next(move, time) == 1 && atraj_steps_next(&function, &move, &other) == 1 && time == other && b.agree());
+    PROMISE(method.follow(move) == 0 && atraj_steps_follow(&function, &move) == 0 && b.agree());
     PROMISE(method.init(move, 0, 0) == ATRAJ_ERR_LIMITS);
 }
 
 void shaper() {
-    atraj::limits limits;
-    limits.init(30, 10, 5);
     const atraj::state from = {0, 0, 0}, to = {1, 0, 0};
     atraj::move move;
     a::trajbell bell;
     PROMISE(move.plan(limits, from, to) == 0 && bell.gen(30, 10, 5, 0, 1) > 0);
-    atraj::shaper method;
-    atraj_shaper function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
-    PROMISE(method.smooth(0.1f) == 0 && atraj_shaper_smooth(&function, 0.1f) == 0 && same(method, function));
-    PROMISE(method.add(ATRAJ_SHAPER_EI, 5, 0) == 0 && atraj_shaper_add(&function, ATRAJ_SHAPER_EI, 5, 0) == 0 && same(method, function));
+    both<atraj::shaper> b;
+    atraj::shaper &method = b.method, &function = b.function;
+    PROMISE(method.smooth(0.1f) == 0 && atraj_shaper_smooth(&function, 0.1f) == 0 && b.agree());
+    PROMISE(method.add(ATRAJ_SHAPER_EI, 5, 0) == 0 && atraj_shaper_add(&function, ATRAJ_SHAPER_EI, 5, 0) == 0 && b.agree());
     atraj::state now;
     atraj_shaper_state(&function, &move, 0.3f, &now);
     PROMISE(same(method.state(move, 0.3f), now) && now.p > 0);
     atraj_shaper_bell_state(&function, &bell, 0.3f, &now);
     PROMISE(same(method.bell_state(bell, 0.3f), now) && now.p > 0);
-    PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && same(method, function));
+    PROMISE(method.init(ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_init(&function, ATRAJ_SHAPER_ZV, 5, 0) == 0 && b.agree());
 }
 
 void streams() {
@@ -292,19 +278,14 @@ void streams() {
 }
 
 void clock_of_a_path() {
-    atraj::limits limits, reserve;
-    limits.init(24, 8, 4);
-    reserve.init(30, 10, 5);
     const atraj::state from = {0, 0, 0}, to = {10, 0, 0};
     atraj::move move;
-    PROMISE(move.plan(limits, from, to) == 0);
-    atraj::clock method;
-    atraj_clock function;
-    std::memset(&method, 0, sizeof(method));
-    std::memset(&function, 0, sizeof(function));
+    PROMISE(move.plan(atraj::limits::symmetric(24, 8, 4), from, to) == 0);
+    both<atraj::clock> b;
+    atraj::clock &method = b.method, &function = b.function;
     method.start();
     atraj_clock_start(&function);
-    PROMISE(method.rate(&move, &reserve, 1, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &reserve, 1, 1, 1, 0) == 0);
+    PROMISE(method.rate(&move, &limits, 1, 1, 1, 0) == 0 && atraj_clock_rate(&function, &move, &limits, 1, 1, 1, 0) == 0);
     PROMISE(method.until() == atraj_clock_until(&function) && method.until() > 1);
     method.rebase(0.5f);
     atraj_clock_rebase(&function, 0.5f);
@@ -312,13 +293,11 @@ void clock_of_a_path() {
     atraj::state now;
     atraj_clock_state(&function, &move, 1, 1, 1.5f, &now.p, &now.v, &now.a, A_NULL);
     PROMISE(same(method.state(&move, 1, 1, 1.5f), now));
-    PROMISE(atraj::line_stop(&move, &reserve, 1, 1) == 0 && move.vel(move.t) == 0);
+    PROMISE(atraj::line_stop(&move, &limits, 1, 1) == 0 && move.vel(move.t) == 0);
 }
 
 void group() {
-    atraj::limits limits[2];
-    limits[0].init(30, 10, 5);
-    limits[1].init(30, 10, 5);
+    const atraj::limits limits[2] = {atraj::limits::symmetric(30, 10, 5), atraj::limits::symmetric(30, 10, 5)};
     const atraj::state to[2] = {{10, 0, 0}, {-5, 0, 0}};
     atraj::state states[2][2] = {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}, one[2], other[2];
     atraj::move room[2][6], path[2];
@@ -345,7 +324,6 @@ void messages() {
         }
     }
     PROMISE(std::strcmp(atraj_message(256), "this code is unknown") == 0 && std::strcmp(atraj_message(-11), "this code is unknown") == 0);
-    PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LINE), "the states do not lie on the straight line from their start to their end") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_ERR_LATE), "the tick at which the plan was to take over has begun, or is too far ahead") == 0);
     PROMISE(std::strcmp(atraj_message(ATRAJ_JUMPS + ATRAJ_OVERSHOOTS), atraj_message(ATRAJ_JUMPS)) == 0);
 }

@@ -1,5 +1,4 @@
-//! Are the examples of Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 3.4, met
-//! to the digits printed there?
+//! Are the examples of Biagotti & Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, section 3.4, met to the digits printed there?
 
 use approx::assert_abs_diff_eq;
 use atraj::{Bell, Boundary};

@@ -1,5 +1,4 @@
-//! Does the library define the documented symbols and no other, and need nothing but the square root, the clock, `memcpy` and
-//! `memset`?
+//! Does the library define the documented symbols and no other, and need nothing but the square root, the clock, `memcpy` and `memset`?
 
 use std::path::Path;
 use std::process::Command;

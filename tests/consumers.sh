@@ -171,8 +171,7 @@ firmware() {
     for program in axis jog; do arm-none-eabi-readelf -A $program.elf | grep 'Tag_ABI_VFP_args: VFP registers'; done
 }
 
-# chip NAME: sets the linker's flags and the emulator for the chip, whose archive has this name. The result of `main` is the
-# emulator's exit code.
+# chip NAME: sets the linker's flags and the emulator for the chip, whose archive has this name. The result of `main` is the emulator's exit code.
 chip() {
     make -s -C "$root/c_tests/firmware" commands NAME="$1" > commands
     { read -r _ && read -r map && read -r emulator; } < commands

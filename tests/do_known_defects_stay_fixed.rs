@@ -11,13 +11,11 @@ use support::{Random, Real, online, test_both_reals};
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);
 
-#[rustfmt::skip]
 fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
     let [vmax, vmin, amax, amin, jmax, jmin] = limits.map(R::of);
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
-#[rustfmt::skip]
 fn state<R: Real>(state: [f64; 3]) -> State<R> {
     let [position, velocity, acceleration] = state.map(R::of);
     State { position, velocity, acceleration }

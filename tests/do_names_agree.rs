@@ -1,11 +1,9 @@
-//! Has the same thing the same name in C, C++, Rust and Python, as `names.csv` says? And is the rule for infinite limits said in the
-//! same words?
+//! Has the same thing the same name in C, C++, Rust and Python, as `names.csv` says? And is the rule for infinite limits said in the same words?
 //!
-//! C and C++ have liba's short names: `gen`, `pos`, `vel`, `acc`, `jer`. Rust and Python have whole words, and the same ones. The
-//! crate's name is left out of Rust's paths, and the package's out of Python's. Four names differ for a reason: `gen` is liba's own plan,
-//! so the plan that never fails is `fastest` in C++ too; Rust's `sample_into` fills arrays of the caller; Rust's `state_at` gives a whole
-//! `State`, and its `state` plain numbers with the jerk; Python's `path` also makes the motions of a path, and its `Shaper.shape` gives
-//! the shaped move as a motion.
+//! C and C++ have liba's short names: `gen`, `pos`, `vel`, `acc`, `jer`. Rust and Python have whole words, and the same ones. The crate's name is
+//! left out of Rust's paths, and the package's out of Python's. Four names differ for a reason: `gen` is liba's own plan, so the plan that never
+//! fails is `fastest` in C++ too; Rust's `sample_into` fills arrays of the caller; Rust's `state_at` gives a whole `State`, and its `state` plain
+//! numbers with the jerk; Python's `path` also makes the motions of a path, and its `Shaper.shape` gives the shaped move as a motion.
 
 use atraj::machine::{
     Axis, Clock, Group, GroupPlanner, GroupTicker, Planner, Shaper, ShaperKind, ShaperStream, Step, StepStream, Steps,

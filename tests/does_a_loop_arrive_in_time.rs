@@ -8,18 +8,14 @@ use atraj::{Error, Findings, State};
 use support::online::limits_of;
 use support::{Random, Real, test_both_reals};
 
-/// Loops of each kind of ends, each planner and each number of axes.
-const LOOPS: usize = 600;
+const LOOPS: usize = 600; // loops of each kind of ends, each planner and each number of axes
 /// The longest first plan, s. Longer loops take longer to run, and do not come nearer to their end.
 const LONGEST: f64 = 1.5;
-/// s
-const CYCLE: f64 = 1e-3;
-/// How many ticks later than the first plan a loop may arrive.
-const SPARE: usize = 2;
+const CYCLE: f64 = 1e-3; // s
+const SPARE: usize = 2; // how many ticks later than the first plan a loop may arrive
 /// One of so many loops may be late, by the roundings of its numbers: see "Known limits" in `docs/rounding.md`. On a line one of 2,091 loops is, and
 /// two of 2,090 in binary32.
 const ONE_LATE_OF: usize = 1000;
-/// How a loop plans.
 type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Result<Findings, Error>;
 
 #[derive(Debug)]
@@ -61,12 +57,9 @@ fn straight<R: Real>(
 /// What the ends of a problem are like.
 #[derive(Clone, Copy)]
 enum Ends {
-    /// The target has a velocity.
-    Moving,
-    /// The same, at the position 0, where positions have the finest roundings.
-    AtZero,
-    /// The target has a velocity and an acceleration.
-    Accelerated,
+    Moving,      // the target has a velocity
+    AtZero,      // the same, at the position 0, where positions have the finest roundings
+    Accelerated, // the target has a velocity and an acceleration
 }
 
 impl Ends {

@@ -1,5 +1,4 @@
-# Compares instruction counts, `function, case: count`: the first file has the allowed counts, the second the counts of this
-# build.
+# Compares instruction counts, `function, case: count`: the first file has the allowed counts, the second the counts of this build.
 NR == FNR { allowed[$1] = $2; next }
 {
     if (!($1 in allowed)) { print "new: " $0; failed = 1 }

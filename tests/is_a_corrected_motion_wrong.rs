@@ -1,7 +1,6 @@
 //! Is any motion of a million random scripts wrong in corrected mode?
 //!
-//! The definition of a wrong motion knows nothing of how a profile is planned. The listing plans the same moves, for
-//! comparison.
+//! The definition of a wrong motion knows nothing of how a profile is planned. The listing plans the same moves, for comparison.
 //!
 //! `cargo test --test is_a_corrected_motion_wrong -- --nocapture` prints the shares of wrong motions.
 
@@ -17,8 +16,7 @@ const SCRIPTS: usize = if support::BRIEF { 100_000 } else { 1_000_000 };
 
 /// The highest ratio of acceleration and deceleration. Far higher ratios show the cancellation in the listing's formulas.
 const RATIO: f64 = 1e6;
-/// Above `EPS`, so that no rate is raised.
-const LOWEST_RATE: f64 = 1e-9;
+const LOWEST_RATE: f64 = 1e-9; // above `EPS`, so that no rate is raised
 
 /// What a script asks of the axis: the first move, then any of the others. The outcomes of each request are counted apart.
 const REQUESTS: [&str; 11] = [
@@ -165,8 +163,7 @@ struct Tally {
     shares: BTreeMap<&'static str, [usize; 3]>,
     faults: Vec<String>,
     same_bits: usize,
-    /// Ties in which the corrected motion arrives before the listing's.
-    braked: usize,
+    braked: usize, // ties in which the corrected motion arrives before the listing's
     ties: usize,
     differing: Vec<String>,
 }
@@ -338,11 +335,9 @@ fn a_million_scripts_without_a_wrong_motion() {
     assert!(tally.same_bits > SCRIPTS && few_ties, "hardly anything was compared");
 }
 
-/// The listing's root cancels when the axis has hardly to accelerate. The ratios are higher than in the scripts, so that the
-/// cancellation shows.
+/// The listing's root cancels when the axis has hardly to accelerate. The ratios are higher than in the scripts, so that the cancellation shows.
 #[test]
 fn no_seam_where_the_switching_time_cancels() {
-    #[rustfmt::skip]
     let moves = [
         ([-0.013582, 0.3878976], [-0.013068, 1.5664192, 1e-6, 146.35174]),
         ([43.839, 9.1787998], [45.523747, 35.450939, 1e-6, 25.003955]),

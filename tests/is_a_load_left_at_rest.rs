@@ -9,8 +9,7 @@ use support::{Random, Real, online, test_both_reals};
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
 
-/// A complex number.
-type Swing = [f64; 2];
+type Swing = [f64; 2]; // a complex number
 
 fn product(a: Swing, b: Swing) -> Swing {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]

@@ -40,10 +40,8 @@ impl Signal {
 /// What an axis does behind a signal.
 #[derive(Debug)]
 struct Followed {
-    /// The largest distance from the signal without its noise, after the first two seconds.
-    error: f64,
-    /// The root of the mean square of the jerk in this time.
-    jerk: f64,
+    error: f64, // the largest distance from the signal without its noise, after the first two seconds
+    jerk: f64,  // the root of the mean square of the jerk in this time
 }
 
 /// Follows for 8 s within the limits 3, 15 and 150.

@@ -17,8 +17,7 @@ struct Move<R> {
     each: Box<dyn Fn(R) -> [f64; 3]>,
     /// The sums of what is added up to evaluate them.
     scales: [f64; 3],
-    /// Times at which something short may happen.
-    borders: Vec<R>,
+    borders: Vec<R>, // times at which something short may happen
 }
 
 impl<R: Real> Move<R> {

@@ -11,8 +11,7 @@ const MOVES: u32 = 300_000;
 trait Range: Real {
     /// Powers of two that bring an argument to an end of the range, or to a bound of the short cut.
     const EXTREMES: [i32; 6];
-    /// The highest power of two that a unit of time and length changes by.
-    const UNITS: i32;
+    const UNITS: i32; // the highest power of two that a unit of time and length changes by
 }
 impl Range for f32 {
     const EXTREMES: [i32; 6] = [-140, -110, -22, 23, 46, 100];

@@ -10,8 +10,7 @@ passed=0 failed=0 skipped=0
 unset MAKEFLAGS MAKELEVEL REAL POLY A_TRAJPOLY3 A_TRAJPOLY5 A_TRAJPOLY7 TARGET CPU HWCAPS DESTDIR PREFIX LIBDIR INCLUDEDIR \
     LD_LIBRARY_PATH RUSTFLAGS
 
-# row TITLE COMMAND: runs the command in an empty folder. In the background, because under `if` a shell lets failing steps
-# pass.
+# row TITLE COMMAND: runs the command in an empty folder. In the background, because under `if` a shell lets failing steps pass.
 row() {
     title=$1
     shift

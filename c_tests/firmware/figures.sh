@@ -1,8 +1,7 @@
 #!/bin/sh
-# figures.sh LIBRARY: prints "family size bytes" for each family of functions, "function size bytes" for each function, and
-# "image size bytes" for the whole library linked with the C toolchain's libraries. It prints
-# "function fastest-flash bytes" for each planner: the planner alone, linked in the same way, and for an evaluation of a move, and
-# "moves fastest-flash bytes" for planners and evaluations of moves together. CC is the compiler.
+# figures.sh LIBRARY: prints "family size bytes" for each family of functions, "function size bytes" for each function, and "image size bytes" for the
+# whole library linked with the C toolchain's libraries. It prints "function fastest-flash bytes" for each planner: the planner alone, linked in the
+# same way, and for an evaluation of a move, and "moves fastest-flash bytes" for planners and evaluations of moves together. CC is the compiler.
 set -eu
 library=$1
 api=$(grep ^a_ ../../tests/symbols.txt) # the original has only these

@@ -1,5 +1,4 @@
-// Does every page of the site fit a wide and a narrow screen, light and dark, without a serious fault of accessibility? `make doc` writes
-// the site.
+// Does every page of the site fit a wide and a narrow screen, light and dark, without a serious fault of accessibility? `make doc` writes the site.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -1,9 +1,7 @@
-//! Compiles the original's C sources out of the `liba` crate: as `c8_…` in binary64 and as `c4_…` in binary32. For
-//! measurements it compiles them again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`. The reference solver of the
-//! fastest motions is compiled too.
+//! Compiles the original's C sources out of the `liba` crate: as `c8_…` in binary64 and as `c4_…` in binary32. For measurements it compiles them
+//! again, as `o2c8_…` at `-O2` up to `o3c4_…` at `-O3`. The reference solver of the fastest motions is compiled too.
 //!
-//! The new names keep the libraries apart. Under the same names the linker would resolve both sides of every comparison to
-//! ours.
+//! The new names keep the libraries apart. Under the same names the linker would resolve both sides of every comparison to ours.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -8,13 +8,10 @@ use rand::{RngExt, SeedableRng};
 
 /// Paths of one kind.
 pub struct Case {
-    /// What they are.
-    pub name: &'static str,
-    /// One, or several, of which the table has the mean.
-    pub chains: Vec<Chain<f64>>,
+    pub name: &'static str, // what they are
+    pub chains: Vec<Chain<f64>>, // one, or several, of which the table has the mean
 }
 
-/// All kinds.
 pub fn cases() -> [Case; 5] {
     [
         Case { name: "Ruckig's example 3", chains: vec![example_of_ruckig()] },

@@ -10,8 +10,7 @@ use copp::solver::topp3_socp::{ClarabelOptionsBuilder, Topp3ProblemBuilder, s_to
 use nalgebra::DMatrix;
 use oracle::judge::path::problems::Chain;
 
-/// Points of the spline at which the limits hold.
-const STATIONS: usize = 1001;
+const STATIONS: usize = 1001; // points of the spline at which the limits hold
 
 /// What is limited, beside the velocity.
 #[derive(PartialEq)]

@@ -13,8 +13,7 @@ use oracle::judge::path::{Paths, Planner};
 use oracle::judge::rivals::ruckig_path;
 use std::time::Instant;
 
-/// s
-type Duration = f64;
+type Duration = f64; // s
 
 fn main() {
     println!("points,planner,jerk,s,ms");

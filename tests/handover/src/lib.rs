@@ -4,8 +4,7 @@
 pub trait Handover {
     type Takeover;
     fn new() -> Self;
-    /// The place of the move in force, and its age.
-    fn tick(&self) -> (usize, u64);
+    fn tick(&self) -> (usize, u64); // the place of the move in force, and its age
     fn prepare(&self, lead: u32) -> Option<Self::Takeover>;
     fn publish(&self, takeover: &Self::Takeover) -> bool;
     /// The place and the age of the move in force at the takeover, and the place of the new move.

@@ -17,8 +17,7 @@ struct Plan {
 struct Axis<H> {
     words: H,
     plans: [Cell<Plan>; 3],
-    /// The move that the interrupt follows, and its age.
-    now: Cell<(usize, u64)>,
+    now: Cell<(usize, u64)>, // the move that the interrupt follows, and its age
     taken: RefCell<Vec<usize>>,
 }
 

@@ -20,8 +20,7 @@ fn layer(module: &[String]) -> Option<(usize, usize)> {
     heights.find_map(|(height, layers)| Some((height, layers.split('|').position(has_top)?)))
 }
 
-/// The names that lead to a module. The crate itself has none.
-type Module = Vec<String>;
+type Module = Vec<String>; // The names that lead to a module. The crate itself has none.
 
 fn module_of(path: &str) -> Module {
     // Two files with one face are one module.
@@ -33,8 +32,7 @@ fn module_of(path: &str) -> Module {
 /// A path in a file: of a `use`, or of a body.
 struct Import {
     names: Vec<String>,
-    /// The name that a `use` gives it; `None` in a body.
-    known_as: Option<String>,
+    known_as: Option<String>, // the name that a `use` gives it; `None` in a body
     is_public: bool,
 }
 

@@ -13,19 +13,15 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::thread;
+use support::Random;
 
 /// What a caller promises of an argument.
 enum Promise {
-    /// Any value.
-    Any,
-    /// This number of elements, which are given; as an integer the number itself.
-    Given(usize),
-    /// This number of elements, each of which is this number where arguments are ordinary.
-    Numbers(usize, f64),
-    /// Room for this number of elements, all of which are written.
-    Written(usize),
-    /// Room for this number of elements, which need not be initialised.
-    Room(usize),
+    Any,                 // any value
+    Given(usize),        // this number of elements, which are given; as an integer the number itself
+    Numbers(usize, f64), // this number of elements, each of which is this number where arguments are ordinary
+    Written(usize),      // room for this number of elements, all of which are written
+    Room(usize),         // room for this number of elements, which need not be initialised
 }
 
 macro_rules! promise {
@@ -49,163 +45,112 @@ macro_rules! promise {
 /// A call of a function with arguments for `n` axes, samples or waypoints.
 type Call = fn(&mut Caller, n: usize) -> Answer;
 
-/// `name(arguments);` where `3` are three elements to read, `[3]` three to write, `{3}` room for three, and `_` is any value.
+/// `names: (arguments);` where `3` are three elements to read, `[3]` three to write, `{3}` room for three, and `_` is any value.
 macro_rules! table {
-    (|$n:ident| $($name:ident($($argument:tt)*);)*) => {
-        const FUNCTIONS: &[(&str, Call)] = &[$((stringify!($name), |caller, $n| {
+    (|$n:ident| $($($name:ident)+: $arguments:tt;)*) => {
+        const FUNCTIONS: &[(&str, Call)] = &[$($((stringify!($name), |caller, $n| {
             let _ = $n;
-            // SAFETY: each argument keeps what the table promises.
-            #[allow(unused_unsafe, reason = "two functions are safe")]
-            unsafe { $name($(caller.argument(promise!($argument))),*) }.into()
-        })),*];
+            call!(caller $name $arguments)
+        })),+),*];
+    };
+}
+
+macro_rules! call {
+    ($caller:ident $name:ident ($($argument:tt)*)) => {
+        // SAFETY: each argument keeps what the table promises.
+        #[allow(unused_unsafe, reason = "two functions are safe")]
+        unsafe { $name($($caller.argument(promise!($argument))),*) }.into()
     };
 }
 
 table! { |n|
-    a_trajbell_gen({1} _ _ _ _ _ _ _);
-    a_trajbell_pos(1 _);
-    a_trajbell_vel(1 _);
-    a_trajbell_acc(1 _);
-    a_trajbell_jer(1 _);
-    a_trajpoly3_gen([1] _ _ _ _ _);
-    a_trajpoly3_gen0({1} _ _ _ _ _);
-    a_trajpoly3_gen1(1);
-    a_trajpoly3_gen2(1);
-    a_trajpoly3_pos(1 _);
-    a_trajpoly3_vel(1 _);
-    a_trajpoly3_acc(1 _);
-    a_trajpoly5_gen([1] _ _ _ _ _ _ _);
-    a_trajpoly5_gen0({1} _ _ _ _ _ _ _);
-    a_trajpoly5_gen1(1);
-    a_trajpoly5_gen2(1);
-    a_trajpoly5_pos(1 _);
-    a_trajpoly5_vel(1 _);
-    a_trajpoly5_acc(1 _);
-    a_trajpoly7_gen([1] _ _ _ _ _ _ _ _ _);
-    a_trajpoly7_gen0({1} _ _ _ _ _ _ _ _ _);
-    a_trajpoly7_gen1(1);
-    a_trajpoly7_gen2(1);
-    a_trajpoly7_gen3(1);
-    a_trajpoly7_pos(1 _);
-    a_trajpoly7_vel(1 _);
-    a_trajpoly7_acc(1 _);
-    a_trajpoly7_jer(1 _);
-    a_trajtrap_gen({1} _ (1 of 10.0) (1 of -10.0) _ _ _ _);
-    a_trajtrap_pos(1 _);
-    a_trajtrap_vel(1 _);
-    a_trajtrap_acc(1 _);
-    atraj_axis_go(1 1 1 (1 of 2.0));
-    atraj_axis_init({1} _ 1);
-    atraj_axis_reach(1 1 _ _ (1 of 2.0));
-    atraj_axis_stop(1 1 (1 of 2.0));
-    atraj_axis_tick(1 [1]);
-    atraj_axis_track(1 1 1 _ _ (1 of 2.0));
-    atraj_bell_check(1 _ _ _);
-    atraj_bell_extremes(1 [3] [3]);
-    atraj_bell_gen({1} _ _ _ _ _ _ _);
-    atraj_bell_sample(1 _ _ n [n] [n] [n] [n]);
-    atraj_bell_state(1 _ [1] [1] [1] [1]);
-    atraj_clock_rate(1 (n * n) n n n _ _);
-    atraj_clock_rebase(1 _);
-    atraj_clock_start({1});
-    atraj_clock_state(1 (n * n) n n _ [1] [1] [1] [1]);
-    atraj_clock_time(1 _);
-    atraj_clock_until(1);
-    atraj_group_go(1 1 1 (1 of 2.0));
-    atraj_group_init({1} _ n {3 * n} n);
-    atraj_group_line(1 1 1 (1 of 2.0));
-    atraj_group_path(1 1 n n _ (1 of 2.0));
-    atraj_group_rate(1 1 _ (1 of 2.0));
-    atraj_group_stop(1 1 (1 of 2.0));
-    atraj_group_sync(1 1 1 (1 of 2.0));
-    atraj_group_tick(1 [1]);
-    atraj_limits_init([1] _ _ _);
-    atraj_message(_);
-    atraj_move_acc(1 _);
-    atraj_move_check(1 1);
-    atraj_move_extremes(1 [1] [1]);
-    atraj_move_jer(1 _);
-    atraj_move_meet({1} 1 1 1);
-    atraj_move_plan({1} 1 1 1);
-    atraj_move_pos(1 _);
-    atraj_move_reach({1} 1 1 _ _);
-    atraj_move_sample(1 _ _ n [n] [n] [n] [n]);
-    atraj_move_state(1 _ [1] [1] [1] [1]);
-    atraj_move_stop({1} 1 1);
-    atraj_move_time_at(1 (1 of 1.0));
-    atraj_move_track({1} 1 1 1 _ _);
-    atraj_move_vel(1 _);
-    atraj_move_within({1} 1 1 1 (1 of -9.0) (1 of 9.0));
-    atraj_moves_line({n} n n n n _ _);
-    atraj_moves_line_stop(n n n _);
-    atraj_moves_sync({n} n n n n _ _);
-    atraj_moves_sync_within({n} n n n (n of -9.0) (n of 9.0) n _ _);
-    atraj_path_contour({n * n} (n * n + n) {n} {n + 1} n (1 of 1000.0) n n n (1 of 1.0) {atraj_path_size(n, n)});
-    atraj_path_contour_zones({n * n} (n * n + n) {n} {n + 1} (n * n) (1 of 1000.0) n n n (1 of 1.0) {atraj_path_size(n, n)});
-    atraj_path_deviation((n * n) n n);
-    atraj_path_feed((n * n) (n * n + n) (n of 9.0) n n);
-    atraj_path_improve((n * n + n) n n n n (1 of 1.0) {atraj_path_size(n, n)});
-    atraj_path_moves({n * n} n (n * n + n) (n of 9.0) n n);
-    atraj_path_moves_zones({n * n} (n * n) (n * n + n) (n of 9.0) n n);
-    atraj_path_plan((n * n + n) {n} n n n (1 of 1.0) {atraj_path_size(n, n)});
-    atraj_path_plan_near((n * n + n) {n} n ((n * n - n) of 0.5) n n (1 of 1.0) {atraj_path_size_near(n, n)});
-    atraj_path_plan_zones((n * n + n) {n} (n * n) n n (1 of 1.0) {atraj_path_size(n, n)});
-    atraj_path_size(n n);
-    atraj_path_size_near(n n);
-    atraj_poly3_extremes(1 _ [3] [3]);
-    atraj_poly3_sample(1 _ _ n [n] [n] [n]);
-    atraj_poly3_state(1 _ [1] [1] [1]);
-    atraj_poly5_extremes(1 _ [3] [3]);
-    atraj_poly5_sample(1 _ _ n [n] [n] [n]);
-    atraj_poly5_state(1 _ [1] [1] [1]);
-    atraj_poly7_extremes(1 _ [3] [3]);
-    atraj_poly7_sample(1 _ _ n [n] [n] [n] [n]);
-    atraj_poly7_state(1 _ [1] [1] [1] [1]);
-    atraj_shaper_add(1 _ _ (1 of 0.1));
-    atraj_shaper_bell_state(1 1 _ [1]);
-    atraj_shaper_init({1} _ _ (1 of 0.1));
-    atraj_shaper_size(1 (1 of 0.01));
-    atraj_shaper_smooth({1} _);
-    atraj_shaper_state(1 1 _ [1]);
-    atraj_shaper_stream_advance(1 _);
-    atraj_shaper_stream_change(1 1 {LINE} LINE);
-    atraj_shaper_stream_init({1} 1 (1 of 0.01) 1 {LINE} LINE);
-    atraj_shaper_stream_tick(1 1 LINE LINE [1]);
-    atraj_step_stream_count(1);
-    atraj_step_stream_init({1} _ _ 1);
-    atraj_step_stream_next(1 {1});
-    atraj_step_stream_tick(1 1);
-    atraj_step_stream_wait(1 _ _);
-    atraj_steps_follow(1 1);
-    atraj_steps_init({1} 1 _ _);
-    atraj_steps_next(1 1 {1});
-    atraj_trap_check(1 _ (1 of 10.0) (1 of -10.0));
-    atraj_trap_extremes(1 [3] [3]);
-    atraj_trap_gen({1} _ (1 of 10.0) (1 of -10.0) _ _ _ _);
-    atraj_trap_sample(1 _ _ n [n] [n] [n]);
-    atraj_trap_state(1 _ [1] [1] [1]);
-    claraty_trapezoid_advance_timer_by(1 _);
-    claraty_trapezoid_duration(1);
-    claraty_trapezoid_elapsed(1);
-    claraty_trapezoid_get_acceleration(1);
-    claraty_trapezoid_get_acceleration_at(1 _);
-    claraty_trapezoid_get_position(1);
-    claraty_trapezoid_get_position_at(1 _);
-    claraty_trapezoid_get_profile(1 [1]);
-    claraty_trapezoid_get_setpoint(1 {1} {1} {1});
-    claraty_trapezoid_get_setpoint_at(1 _ {1} {1} {1});
-    claraty_trapezoid_get_velocity(1);
-    claraty_trapezoid_get_velocity_at(1 _);
-    claraty_trapezoid_init({1});
-    claraty_trapezoid_is_started(1);
-    claraty_trapezoid_reset(1);
-    claraty_trapezoid_set(1 _ _ _ _);
-    claraty_trapezoid_set_clock(1 _ 1);
-    claraty_trapezoid_set_mode(1 _);
-    claraty_trapezoid_set_uniform_waypoints(1 n n _ _);
-    claraty_trapezoid_set_waypoints(1 n n n n);
-    claraty_trapezoid_start(1);
-    claraty_trapezoid_stop(1);
+    a_trajbell_gen a_trajpoly5_gen0: ({1} _ _ _ _ _ _ _);
+    a_trajbell_pos a_trajbell_vel a_trajbell_acc a_trajbell_jer a_trajpoly3_pos a_trajpoly3_vel a_trajpoly3_acc
+        a_trajpoly5_pos a_trajpoly5_vel a_trajpoly5_acc a_trajpoly7_pos a_trajpoly7_vel a_trajpoly7_acc
+        a_trajpoly7_jer a_trajtrap_pos a_trajtrap_vel a_trajtrap_acc: (1 _);
+    a_trajpoly3_gen: ([1] _ _ _ _ _);
+    a_trajpoly3_gen0: ({1} _ _ _ _ _);
+    a_trajpoly3_gen1 a_trajpoly3_gen2 a_trajpoly5_gen1 a_trajpoly5_gen2 a_trajpoly7_gen1 a_trajpoly7_gen2
+        a_trajpoly7_gen3: (1);
+    a_trajpoly5_gen: ([1] _ _ _ _ _ _ _);
+    a_trajpoly7_gen: ([1] _ _ _ _ _ _ _ _ _);
+    a_trajpoly7_gen0: ({1} _ _ _ _ _ _ _ _ _);
+    a_trajtrap_gen: ({1} _ (1 of 10.0) (1 of -10.0) _ _ _ _);
+    atraj_axis_go atraj_group_go atraj_group_line atraj_group_sync: (1 1 1 (1 of 2.0));
+    atraj_axis_init: ({1} _ 1);
+    atraj_axis_reach: (1 1 _ _ (1 of 2.0));
+    atraj_axis_stop atraj_group_stop: (1 1 (1 of 2.0));
+    atraj_axis_tick atraj_group_tick: (1 [1]);
+    atraj_axis_track: (1 1 1 _ _ (1 of 2.0));
+    atraj_bell_check: (1 _ _ _);
+    atraj_bell_extremes atraj_trap_extremes: (1 [3] [3]);
+    atraj_bell_gen: ({1} _ _ _ _ _ _ _);
+    atraj_bell_sample atraj_move_sample atraj_poly7_sample: (1 _ _ n [n] [n] [n] [n]);
+    atraj_bell_state atraj_move_state atraj_poly7_state: (1 _ [1] [1] [1] [1]);
+    atraj_clock_rate: (1 (n * n) n n n _ _);
+    atraj_clock_rebase atraj_clock_time atraj_move_acc atraj_move_jer atraj_move_pos atraj_move_vel
+        atraj_shaper_stream_advance: (1 _);
+    atraj_clock_start: ({1});
+    atraj_clock_state: (1 (n * n) n n _ [1] [1] [1] [1]);
+    atraj_clock_until atraj_step_stream_count: (1);
+    atraj_group_init: ({1} _ n {3 * n} n);
+    atraj_group_path: (1 1 n n _ (1 of 2.0));
+    atraj_group_rate: (1 1 _ (1 of 2.0));
+    atraj_limits_init: ([1] _ _ _);
+    atraj_message: (_);
+    atraj_move_check atraj_step_stream_tick atraj_steps_follow: (1 1);
+    atraj_move_extremes: (1 [1] [1]);
+    atraj_move_meet atraj_move_plan: ({1} 1 1 1);
+    atraj_move_reach: ({1} 1 1 _ _);
+    atraj_move_stop: ({1} 1 1);
+    atraj_move_time_at: (1 (1 of 1.0));
+    atraj_move_track: ({1} 1 1 1 _ _);
+    atraj_move_within: ({1} 1 1 1 (1 of -9.0) (1 of 9.0));
+    atraj_moves_line atraj_moves_sync: ({n} n n n n _ _);
+    atraj_moves_line_stop: (n n n _);
+    atraj_moves_sync_within: ({n} n n n (n of -9.0) (n of 9.0) n _ _);
+    atraj_path_contour: ({n * n} (n * n + n) {n} {n + 1} n (1 of 1000.0) n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_contour_zones: ({n * n} (n * n + n) {n} {n + 1} (n * n) (1 of 1000.0) n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_deviation: ((n * n) n n);
+    atraj_path_feed: ((n * n) (n * n + n) (n of 9.0) n n);
+    atraj_path_improve: ((n * n + n) n n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_moves: ({n * n} n (n * n + n) (n of 9.0) n n);
+    atraj_path_moves_zones: ({n * n} (n * n) (n * n + n) (n of 9.0) n n);
+    atraj_path_plan: ((n * n + n) {n} n n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_plan_near: ((n * n + n) {n} n ((n * n - n) of 0.5) n n (1 of 1.0) {atraj_path_size_near(n, n)});
+    atraj_path_plan_zones: ((n * n + n) {n} (n * n) n n (1 of 1.0) {atraj_path_size(n, n)});
+    atraj_path_size atraj_path_size_near: (n n);
+    atraj_poly3_extremes atraj_poly5_extremes atraj_poly7_extremes: (1 _ [3] [3]);
+    atraj_poly3_sample atraj_poly5_sample atraj_trap_sample: (1 _ _ n [n] [n] [n]);
+    atraj_poly3_state atraj_poly5_state atraj_trap_state: (1 _ [1] [1] [1]);
+    atraj_shaper_add: (1 _ _ (1 of 0.1));
+    atraj_shaper_bell_state atraj_shaper_state: (1 1 _ [1]);
+    atraj_shaper_init: ({1} _ _ (1 of 0.1));
+    atraj_shaper_size: (1 (1 of 0.01));
+    atraj_shaper_smooth: ({1} _);
+    atraj_shaper_stream_change: (1 1 {LINE} LINE);
+    atraj_shaper_stream_init: ({1} 1 (1 of 0.01) 1 {LINE} LINE);
+    atraj_shaper_stream_tick: (1 1 LINE LINE [1]);
+    atraj_step_stream_init: ({1} _ _ 1);
+    atraj_step_stream_next: (1 {1});
+    atraj_step_stream_wait: (1 _ _);
+    atraj_steps_init: ({1} 1 _ _);
+    atraj_steps_next: (1 1 {1});
+    atraj_trap_check: (1 _ (1 of 10.0) (1 of -10.0));
+    atraj_trap_gen: ({1} _ (1 of 10.0) (1 of -10.0) _ _ _ _);
+    claraty_trapezoid_advance_timer_by claraty_trapezoid_get_acceleration_at claraty_trapezoid_get_position_at
+        claraty_trapezoid_get_velocity_at claraty_trapezoid_set_mode: (1 _);
+    claraty_trapezoid_duration claraty_trapezoid_elapsed claraty_trapezoid_get_acceleration
+        claraty_trapezoid_get_position claraty_trapezoid_get_velocity claraty_trapezoid_is_started
+        claraty_trapezoid_reset claraty_trapezoid_start claraty_trapezoid_stop: (1);
+    claraty_trapezoid_get_profile: (1 [1]);
+    claraty_trapezoid_get_setpoint: (1 {1} {1} {1});
+    claraty_trapezoid_get_setpoint_at: (1 _ {1} {1} {1});
+    claraty_trapezoid_init: ({1});
+    claraty_trapezoid_set: (1 _ _ _ _);
+    claraty_trapezoid_set_clock: (1 _ 1);
+    claraty_trapezoid_set_uniform_waypoints: (1 n n _ _);
+    claraty_trapezoid_set_waypoints: (1 n n n n);
 }
 
 /// What a function returns.
@@ -238,8 +183,7 @@ impl From<()> for Answer {
 const COUNTS: [&str; 3] = ["atraj_steps_next", "atraj_step_stream_next", "atraj_step_stream_count"];
 const SIZES: [&str; 2] = ["atraj_path_size", "atraj_shaper_size"];
 
-/// How many numbers a delay line has: enough for each ordinary shaper.
-const LINE: usize = 4096;
+const LINE: usize = 4096; // how many numbers a delay line has: enough for each ordinary shaper
 
 impl Answer {
     /// Whether this is the documented answer of a function to NULL for each pointer.
@@ -280,8 +224,7 @@ impl Answer {
 enum Contents {
     Ordinary,
     Arbitrary,
-    /// Each argument is one or the other.
-    Mixed,
+    Mixed, // each argument is one or the other
 }
 
 /// Which pointers are NULL.
@@ -290,35 +233,28 @@ enum Null {
     None,
     Some,
     All,
-    /// The pointer of this number alone.
-    One(usize),
+    One(usize), // the pointer of this number alone
 }
 
 /// Where arguments come from. It owns the memory that pointers point to.
 struct Caller {
     contents: Contents,
     null: Null,
-    random: u64,
+    random: Random,
     is_at_rest: bool,
-    /// Whether all memory is initialised before the call and compared after it.
-    keeps: bool,
-    /// The number that is NaN, if one is.
-    bad: Option<usize>,
-    /// How many pointers and numbers there were.
-    pointers: usize,
+    keeps: bool,        // whether all memory is initialised before the call and compared after it
+    bad: Option<usize>, // the number that is NaN, if one is
+    pointers: usize,    // how many pointers and numbers there were
     numbers: usize,
-    /// What was promised of the pointer that is NULL alone.
-    lacks: Option<Promise>,
+    lacks: Option<Promise>, // what was promised of the pointer that is NULL alone
     arrays: Vec<Array>,
 }
 
 /// An allocation, and what it must hold after the call.
 struct Array {
     words: *mut [Word],
-    /// What a function may not change.
-    before: Vec<u64>,
-    /// Reads what a function has to write.
-    read: Option<fn(*const Word, usize)>,
+    before: Vec<u64>,                     // what a function may not change
+    read: Option<fn(*const Word, usize)>, // reads what a function has to write
     count: usize,
 }
 type Word = MaybeUninit<u64>;
@@ -335,7 +271,7 @@ impl Caller {
         Self {
             contents,
             null,
-            random: seed,
+            random: Random(seed),
             is_at_rest: seed.is_multiple_of(2),
             keeps: false,
             bad: None,
@@ -356,16 +292,8 @@ impl Caller {
         argument
     }
 
-    /// SplitMix64.
-    fn bits(&mut self) -> u64 {
-        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.random ^ (self.random >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     fn below(&mut self, end: usize) -> usize {
-        (self.bits() >> 33) as usize % end
+        (self.random.bits() >> 33) as usize % end
     }
 
     /// From 0.1 to 2.
@@ -380,7 +308,7 @@ impl Caller {
             0 => self.ordinary().to_bits(),
             1 => extreme[self.below(extreme.len())].to_bits(),
             2 => (self.below(20) as u64) << 32 | self.below(20) as u64,
-            _ => self.bits(),
+            _ => self.random.bits(),
         }
     }
 
@@ -425,31 +353,23 @@ impl Caller {
         let words = Box::into_raw(Box::<[u64]>::new_uninit_slice(count * T::WORDS));
         let first = words.cast::<Word>();
         for k in 0..count {
-            // SAFETY: the element is inside.
-            let element = unsafe { first.add(k * T::WORDS) };
-            match *promise {
-                Promise::Numbers(_, value) if self.contents == Contents::Ordinary => {
-                    // SAFETY: there is a word.
-                    unsafe { element.cast::<f64>().write(value) };
+            // SAFETY: the element is inside, and there are as many words as it has.
+            unsafe {
+                let element = first.add(k * T::WORDS);
+                match *promise {
+                    Promise::Numbers(_, value) if self.contents == Contents::Ordinary => {
+                        element.cast::<f64>().write(value);
+                    }
+                    Promise::Given(_) | Promise::Numbers(..) => T::fill(self, element),
+                    _ => {}
                 }
-                Promise::Given(_) | Promise::Numbers(..) => {
-                    // SAFETY: there are as many words as the element has.
-                    unsafe { T::fill(self, element) };
+                for word in 0..T::WORDS {
+                    if is_output && self.keeps {
+                        (*element.add(word)).write(self.arbitrary());
+                    } else if !is_output && T::ARE_NUMBERS && self.is_bad() {
+                        (*element.add(word)).write(f64::NAN.to_bits());
+                    }
                 }
-                _ => {}
-            }
-            for word in 0..T::WORDS {
-                // SAFETY: as above.
-                let word = unsafe { element.add(word) };
-                let bits = if is_output && self.keeps {
-                    self.arbitrary()
-                } else if !is_output && T::ARE_NUMBERS && self.is_bad() {
-                    f64::NAN.to_bits()
-                } else {
-                    continue;
-                };
-                // SAFETY: as above.
-                unsafe { (*word).write(bits) };
             }
         }
         let mut before = Vec::new();
@@ -568,10 +488,8 @@ impl<T: Element> Argument for *const T {
 /// What a pointer of the C ABI points to. Its alignment is that of a word or less.
 trait Element: Sized {
     const WORDS: usize = size_of::<Self>() / size_of::<Word>();
-    /// Some bytes of a struct that the library makes are not initialised.
-    const IS_MADE: bool = false;
-    /// A function that plans refuses NaN in each of its words.
-    const ARE_NUMBERS: bool = false;
+    const IS_MADE: bool = false; // some bytes of a struct that the library makes are not initialised
+    const ARE_NUMBERS: bool = false; // a function that plans refuses NaN in each of its words
 
     /// An ordinary value, where numbers alone are none.
     ///
@@ -849,47 +767,34 @@ fn any_bytes_stay_in_their_arrays() {
 
 #[test]
 fn lengths_that_no_array_has_are_refused() {
+    const NULL: c_int = atraj_error::ATRAJ_ERR_NULL as c_int;
     let mut caller = Caller::new(Contents::Ordinary, Null::None, 1);
     for [axes, sections] in [[0, 1], [1, 0], [129, 1], [1, 65_537], [usize::MAX; 2]] {
+        let states: *mut atraj_state = caller.argument(Promise::Given(1));
+        let limits: *const atraj_limits = caller.argument(Promise::Given(1));
+        let [durations, work] = [(); 2].map(|()| caller.argument::<*mut f64>(Promise::Given(1)));
         for plan in [atraj_path_plan, atraj_path_improve, atraj_path_plan_zones] {
-            let (states, durations, limits, work): (_, _, *const atraj_limits, _) = (
-                caller.argument(Promise::Given(1)),
-                caller.argument(Promise::Given(1)),
-                caller.argument(Promise::Given(1)),
-                caller.argument(Promise::Given(1)),
-            );
             // SAFETY: such arrays are refused before they are read.
             let code = unsafe { plan(states, durations, limits, axes, sections, 0, work) };
-            assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+            assert_eq!(code, NULL);
         }
+        let moves: *mut atraj_move = caller.argument(Promise::Room(1));
+        let [durations, work] = [(); 2].map(|()| caller.argument::<*mut f64>(Promise::Room(1)));
+        let places = caller.argument(Promise::Room(1));
         for plan in [atraj_path_contour, atraj_path_contour_zones] {
             for [sections, room] in [[sections, 1], [1, sections]] {
-                let moves = caller.argument(Promise::Room(1));
-                let (states, durations, places, limits, work): (_, _, _, *const atraj_limits, _) = (
-                    caller.argument(Promise::Given(1)),
-                    caller.argument(Promise::Room(1)),
-                    caller.argument(Promise::Room(1)),
-                    caller.argument(Promise::Given(1)),
-                    caller.argument(Promise::Room(1)),
-                );
                 // SAFETY: as above.
                 let code =
                     unsafe { plan(moves, states, durations, places, limits, 1.0, axes, sections, room, 0, work) };
-                assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+                assert_eq!(code, NULL);
             }
         }
         for make in [atraj_path_moves, atraj_path_moves_zones] {
-            let moves = caller.argument(Promise::Room(1));
-            let (limits, states, durations): (*const atraj_limits, *const atraj_state, _) = (
-                caller.argument(Promise::Given(1)),
-                caller.argument(Promise::Given(1)),
-                caller.argument(Promise::Given(1)),
-            );
             // SAFETY: as above.
             let (code, deviation) = unsafe {
                 (make(moves, limits, states, durations, axes, sections), atraj_path_deviation(moves, axes, sections))
             };
-            assert!(code == atraj_error::ATRAJ_ERR_NULL as c_int && deviation.is_nan());
+            assert!(code == NULL && deviation.is_nan());
         }
     }
     for n in [0, usize::MAX / 8, usize::MAX] {

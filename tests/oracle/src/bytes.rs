@@ -1,9 +1,8 @@
 //! Cases as strings of bytes, which is what a fuzzer changes.
 //!
-//! The first byte is the real type: odd for `f32`. The arguments of the family's `gen` follow in little endian, and then a
-//! byte and a number for each time. Missing bytes are 0. A problem for the planners of the fastest moves has no times. In a problem
-//! for `Move`, the first byte names the planner too, and the numbers are the limits, the start and the target, and two more: the
-//! positions between which it stays, or the horizon.
+//! The first byte is the real type: odd for `f32`. The arguments of the family's `gen` follow in little endian, and then a byte and a number for each
+//! time. Missing bytes are 0. A problem for the planners of the fastest moves has no times. In a problem for `Move`, the first byte names the planner
+//! too, and the numbers are the limits, the start and the target, and two more: the positions between which it stays, or the horizon.
 
 use crate::judge::planner::{Fastest, Planner};
 use crate::judge::problem::{Problem, Request};
@@ -90,7 +89,6 @@ fn plan_as<R: Original>(_: u8, mut bytes: &[u8]) {
     }
 }
 
-/// How many planners of one axis there are.
 pub const PLANNERS: u8 = 6;
 
 fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
@@ -166,7 +164,6 @@ fn are_ordinary<R: Real>(limits: &[Limits<R>], states: &[State<R>]) -> bool {
     })
 }
 
-/// How many planners of several axes there are.
 pub const PLANNERS_OF_AXES: u8 = 3;
 
 /// The kind names the planner and the number of axes. The duration, the cycle, and the limits, start, end and positions of each axis follow.
@@ -219,17 +216,14 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
 }
 
-/// How many requests an axis gets: four plans, other limits, and ticks.
-pub const REQUESTS: u8 = 6;
+pub const REQUESTS: u8 = 6; // how many requests an axis gets: four plans, other limits, and ticks
 
 /// What an axis does, told without words between two contexts.
 struct Model<R> {
     period: R,
     in_force: Move<R>,
-    /// For how many ticks the move is in force.
-    age: u16,
-    /// The move that waits, and for how many ticks.
-    next: Option<(Move<R>, u16)>,
+    age: u16,                     // for how many ticks the move is in force
+    next: Option<(Move<R>, u16)>, // the move that waits, and for how many ticks
 }
 
 impl<R: Real> Model<R> {
@@ -342,8 +336,7 @@ fn state<R: Real>(bytes: &mut &[u8]) -> State<R> {
     State { position: number(bytes), velocity: number(bytes), acceleration: number(bytes) }
 }
 
-/// More steps than this are not asked for.
-const STEPS: usize = 1_000;
+const STEPS: usize = 1_000; // more steps than this are not asked for
 
 /// The kind names the kind of the shaper. Offset and step, frequency, damping and smoothing, and the move follow.
 fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
@@ -399,8 +392,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
 }
 
-/// The kind names the number of axes and of sections. The limits of each axis follow, the start and the end of each axis, and the positions
-/// between.
+/// The kind names the number of axes and of sections. The limits of each axis follow, the start and the end of each axis, and the positions between.
 fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let (axes, sections) = (1 + usize::from(kind % 2), 1 + usize::from(kind / 2 % 4));
     let mut limits = Vec::new();

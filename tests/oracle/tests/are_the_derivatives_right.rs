@@ -38,7 +38,6 @@ use support::Random;
 /// The slack of the upper or the lower border with its derivatives, if a motion has this duration.
 fn derivatives(limits: [f64; 6], [v0, a0, v1, a1]: [f64; 4], t: f64, lower: bool) -> Option<([f64; 5], [f64; 15])> {
     let [vmax, vmin, amax, amin, jmax, jmin] = limits;
-    #[rustfmt::skip]
     let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
     let upper = Border::between([[v0, a0], [v1, a1]], &limits);
     let (border, sign) = if lower { (upper.mirrored(), -1.0) } else { (upper, 1.0) };
@@ -48,8 +47,7 @@ fn derivatives(limits: [f64; 6], [v0, a0, v1, a1]: [f64; 4], t: f64, lower: bool
 
 /// No hold, the top holds, the bottom holds, both hold; then cruises: no ramp holds, the second one, the first one, both.
 const SHAPES: usize = 8;
-/// Borders of each shape.
-const COUNT: usize = 2_000;
+const COUNT: usize = 2_000; // borders of each shape
 
 /// The largest errors in each shape, as parts of the largest derivative, with so many borders.
 fn errors(

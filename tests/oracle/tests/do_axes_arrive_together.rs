@@ -68,8 +68,7 @@ fn phases_follow_each_other<R: Real>() {
     assert!(widest > 0.0);
 }
 
-/// An axis: its limits, its start and its end.
-type Row = [f64; 12];
+type Row = [f64; 12]; // an axis: its limits, its start and its end
 
 /// These axes, which are to arrive on a tick.
 fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {

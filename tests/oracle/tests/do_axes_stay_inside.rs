@@ -21,8 +21,7 @@ struct Walled<R> {
     walls: [R; 2],
     /// What the axis cannot avoid, if it has time to stop.
     hull: [f64; 2],
-    /// Roundings of its positions.
-    slack: f64,
+    slack: f64, // roundings of its positions
 }
 
 impl<R: Original> Walled<R> {
@@ -93,12 +92,9 @@ impl<R: Real> fmt::Display for Walled<R> {
 #[derive(Debug, Default)]
 struct Counts {
     inside: u32,
-    /// Without walls an axis would leave them. The axes arrive as early all the same.
-    kept: u32,
-    /// The axes arrive later than without walls.
-    later: u32,
-    /// The largest factor of a duration.
-    factor: f64,
+    kept: u32,   // Without walls an axis would leave them. The axes arrive as early all the same.
+    later: u32,  // the axes arrive later than without walls
+    factor: f64, // the largest factor of a duration
     refused: u32,
 }
 

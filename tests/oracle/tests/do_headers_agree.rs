@@ -46,9 +46,8 @@ fn prototypes_are_the_same() {
     assert_ne!(prototypes(&include(), double), prototypes(&include(), float));
 }
 
-/// A C program that includes both sets of headers, the first set with all names changed. In it the compiler compares size,
-/// offset and type of every field. The second set uses the prelude of the first. `tv` replaces the field `tv` of the first
-/// set.
+/// A C program that includes both sets of headers, the first set with all names changed. In it the compiler compares size, offset and type of every
+/// field. The second set uses the prelude of the first. `tv` replaces the field `tv` of the first set.
 fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> String {
     let headers = Family::ALL.map(Family::c_name);
     let names: Vec<_> =

@@ -6,11 +6,9 @@ use oracle::judge::axes::loops::{Family, Loops};
 use support::Real;
 use support::online::limits_of;
 
-/// Loops of each family.
-const LOOPS: u64 = 300;
+const LOOPS: u64 = 300; // loops of each family
 
-/// One loop in so many may be late by more than two ticks: of 2,000, up to 2 are.
-const ONE_LATE_OF: u64 = 1000;
+const ONE_LATE_OF: u64 = 1000; // one loop in so many may be late by more than two ticks: of 2,000, up to 2 are
 
 fn loops_arrive<R: Real>() {
     let loops = std::env::var("LOOPS").map_or(LOOPS, |loops| loops.parse().expect("a number of loops"));

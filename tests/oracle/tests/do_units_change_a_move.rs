@@ -11,8 +11,7 @@ use support::online::{limits_of, numbers_of};
 use support::profiles::{bell, bell_fields, trap, trap_fields};
 use support::{Random, online};
 
-/// Relative to the largest number that a value is computed from.
-const TOLERANCE: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-9; // relative to the largest number that a value is computed from
 
 /// The largest magnitude.
 fn size(numbers: &[f64]) -> f64 {
@@ -241,14 +240,9 @@ enum Field {
     Time,
 }
 
-#[rustfmt::skip]
-const FIELDS_OF_BELL: [Field; 14] = [
-    Time, Time, Time, Time, Time, Time, Of(0), Of(0), Of(1), Of(1), Of(1), Of(3), Of(2), Of(2),
-];
-#[rustfmt::skip]
-const FIELDS_OF_TRAP: [Field; 12] = [
-    Time, Of(0), Of(0), Of(1), Of(1), Of(1), Time, Time, Of(0), Of(0), Of(2), Of(2),
-];
+const FIELDS_OF_BELL: [Field; 14] =
+    [Time, Time, Time, Time, Time, Time, Of(0), Of(0), Of(1), Of(1), Of(1), Of(3), Of(2), Of(2)];
+const FIELDS_OF_TRAP: [Field; 12] = [Time, Of(0), Of(0), Of(1), Of(1), Of(1), Time, Time, Of(0), Of(0), Of(2), Of(2)];
 
 /// Changes a field by some ulps. Whether the check finds a jump; it finds the same in other units.
 fn spoiled_alike<const N: usize>(

@@ -13,8 +13,7 @@ const RESERVES: [f64; 3] = [0.1, 0.2, 0.5];
 
 /// Axes that arrive together, from rest to rest, in one section or in several ones between waypoints.
 struct Path<R> {
-    /// Section by section.
-    moves: Vec<Move<R>>,
+    moves: Vec<Move<R>>, // section by section
     limits: Vec<Limits<R>>,
     to: Vec<State<R>>,
 }

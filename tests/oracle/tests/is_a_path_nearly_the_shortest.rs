@@ -35,8 +35,7 @@ fn beside_the_example_of_ruckig() {
     assert!(theirs.is_some_and(|theirs| theirs > 8.0));
 }
 
-/// How many paths rsruckig is asked: it takes about 10 ms for one.
-const ASKED: usize = 200;
+const ASKED: usize = 200; // how many paths rsruckig is asked: it takes about 10 ms for one
 
 #[test]
 fn beside_rsruckig() {
@@ -373,7 +372,6 @@ fn ten_sections_get_all_steps() {
 }
 
 /// How long the default plan of one axis through these positions takes, s. It is in motion at both ends.
-#[rustfmt::skip]
 fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64; 2]) -> f64 {
     let mut states: Vec<_> = positions.iter().map(|&position| State::at(R::of(position))).collect();
     states[0].velocity = R::of(v0);
@@ -399,7 +397,6 @@ fn improvements_begin_far_inside() {
 
 /// The axis comes back to its waypoints from far away. A state at the second one that is no mean of two motions leads to 3,737 s.
 #[test]
-#[rustfmt::skip]
 fn improvements_begin_at_a_mean() {
     let limits = [3252.5698, -3252.5698, 386.61682, -386.61682, 0.00868558, -0.00868558];
     let positions = [0.0, 12.55309, 13.135509, 18.040173, 0.0, 0.0, -9.8475275];

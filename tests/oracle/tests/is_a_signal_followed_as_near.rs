@@ -6,10 +6,8 @@ use rsruckig::prelude::*;
 
 const TICK: f64 = 1e-3; // s
 const TICKS: u32 = 8_000;
-/// The first two seconds, in which an axis comes to the signal.
-const FIRST: u32 = 2_000;
-/// Jerk, acceleration and velocity.
-const LIMITS: [f64; 3] = [150.0, 15.0, 3.0];
+const FIRST: u32 = 2_000; // the first two seconds, in which an axis comes to the signal
+const LIMITS: [f64; 3] = [150.0, 15.0, 3.0]; // jerk, acceleration and velocity
 
 /// Position, velocity and acceleration of `sin 2t`.
 fn signal(tick: u32) -> [f64; 3] {
@@ -17,8 +15,7 @@ fn signal(tick: u32) -> [f64; 3] {
     [sin, 2.0 * cos, -4.0 * sin]
 }
 
-/// The largest distance from the signal, and the root of the mean square of the jerk. `next` takes the signal and gives the state one tick
-/// later.
+/// The largest distance from the signal, and the root of the mean square of the jerk. `next` takes the signal and gives the state one tick later.
 fn follow(mut next: impl FnMut([f64; 3]) -> [f64; 3]) -> [f64; 2] {
     let (mut error, mut squares, mut before) = (0.0_f64, 0.0, [0.0; 3]);
     for tick in 0..TICKS {

@@ -17,7 +17,6 @@ const PROBLEMS: usize = 200_000;
 fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     let [vmax, vmin, amax, amin] = [1.0, -1.0, 1.0, -1.0].map(|x| x * random.magnitude(-1.0, 1.0));
     let [jmax, jmin] = [1.0, -1.0].map(|x| x * random.magnitude(-0.5, 0.5));
-    #[rustfmt::skip]
     let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
     let within = random.between(amin, amax);
     let from = State {

@@ -6,10 +6,8 @@ use std::fmt::Display;
 /// Counts compared values and keeps the differing ones.
 #[derive(Default)]
 pub struct Comparison {
-    /// How many values were compared.
-    pub compared: usize,
-    /// Each differing value in words.
-    pub differences: Vec<String>,
+    pub compared: usize,          // how many values were compared
+    pub differences: Vec<String>, // each differing value in words
 }
 
 impl Comparison {

@@ -4,7 +4,6 @@ use crate::profiles::{BELL_FIELDS, TRAP_FIELDS, bell, trap};
 use crate::real::Real;
 use atraj::{Bell, Trap};
 
-/// A profile family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Family {
@@ -15,19 +14,14 @@ pub enum Family {
     Poly7,
 }
 
-/// The most arguments a family's `gen` has.
-pub const MOST_ARGUMENTS: usize = POLY7.arguments.len();
-/// The most reals a family's struct holds.
-pub const MOST_FIELDS: usize = POLY7.fields.len();
-/// The most borders a family has, which are the borders of the bell.
-pub const MOST_BORDERS: usize = 9;
+pub const MOST_ARGUMENTS: usize = POLY7.arguments.len(); // the most arguments a family's `gen` has
+pub const MOST_FIELDS: usize = POLY7.fields.len(); // the most reals a family's struct holds
+pub const MOST_BORDERS: usize = 9; // the most borders a family has, which are the borders of the bell
 
 /// Something that a profile is evaluated for.
 pub struct Quantity {
-    /// Its name.
-    pub name: &'static str,
-    /// How the name of its C function ends.
-    pub c: &'static str,
+    pub name: &'static str, // its name
+    pub c: &'static str,    // how the name of its C function ends
 }
 
 /// The quantities, in the order in which every implementation gives them.
@@ -80,7 +74,6 @@ const POLY7: Description = described(["poly7", "trajpoly7"], &["ts", "p0", "p1",
 ], 4);
 
 impl Family {
-    /// Every family.
     pub const ALL: [Self; 5] = [Self::Bell, Self::Trap, Self::Poly3, Self::Poly5, Self::Poly7];
 
     const fn description(self) -> &'static Description {
@@ -103,7 +96,6 @@ impl Family {
         self.description().c_name
     }
 
-    /// Arguments of `gen`, in order.
     pub const fn arguments(self) -> &'static [&'static str] {
         self.description().arguments
     }
@@ -138,14 +130,8 @@ impl Family {
         let start = R::of(0.0);
         match self {
             Self::Bell => {
-                #[rustfmt::skip]
                 let Bell { t, tv, ta, td, taj, tdj, .. } = bell(fields);
-                #[rustfmt::skip]
-                let borders: [R; MOST_BORDERS] = [
-                    start, taj, ta - taj, ta,
-                    ta + tv,
-                    t - td, t - td + tdj, t - tdj, t,
-                ];
+                let borders: [R; MOST_BORDERS] = [start, taj, ta - taj, ta, ta + tv, t - td, t - td + tdj, t - tdj, t];
                 borders.to_vec()
             }
             Self::Trap => {

@@ -7,28 +7,18 @@ use crate::real::Real;
 use crate::repository::root;
 use std::path::PathBuf;
 
-/// A planned move.
 pub struct Move<R> {
-    /// File and line.
-    pub place: String,
-    /// Arguments of `gen`.
-    pub arguments: Vec<R>,
-    /// What `gen` returned, if it returns anything.
-    pub duration: Option<R>,
-    /// What `gen` wrote.
-    pub fields: Vec<R>,
+    pub place: String,       // file and line
+    pub arguments: Vec<R>,   // arguments of `gen`
+    pub duration: Option<R>, // what `gen` returned, if it returns anything
+    pub fields: Vec<R>,      // what `gen` wrote
 }
 
-/// A move at a time.
 pub struct Evaluation<R> {
-    /// File and line.
-    pub place: String,
-    /// The number of the move.
-    pub case: usize,
-    /// The time.
-    pub x: R,
-    /// The family's quantities.
-    pub values: Vec<R>,
+    pub place: String,  // file and line
+    pub case: usize,    // the number of the move
+    pub x: R,           // the time
+    pub values: Vec<R>, // the family's quantities
 }
 
 /// All golden moves of a family, each at the index that is its number.
@@ -59,7 +49,6 @@ fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
     rows.into_iter().enumerate().map(to_move).collect()
 }
 
-/// All golden evaluations of a family.
 pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
     let table = format!("{}_eval", family.name());
     let to_evaluation = |row: Row<R>| Evaluation {
@@ -108,14 +97,10 @@ fn compare_plan<R: Real>(
     fields
 }
 
-/// A row of a golden table.
 pub struct Row<R> {
-    /// File and line.
-    pub place: String,
-    /// The number of the move.
-    pub case: usize,
-    /// The numbers.
-    pub values: Vec<R>,
+    pub place: String,  // file and line
+    pub case: usize,    // the number of the move
+    pub values: Vec<R>, // the numbers
 }
 
 /// All rows of `tests/golden/{table}_{f32|f64}.csv`. The first `words` columns are a case number and words, the other
@@ -131,8 +116,7 @@ pub fn rows<R: Real>(table: &str, words: usize, numbers: usize) -> Vec<Row<R>> {
     cells.into_iter().map(to_row).collect()
 }
 
-/// File and line of each row of a golden file, and its `columns` cells. Panics if the file is missing, has no rows or a
-/// row of another length.
+/// File and line of each row of a golden file, and its `columns` cells. Panics if the file is missing, has no rows or a row of another length.
 pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
     let path = directory().join(name);
     let csv = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
@@ -151,7 +135,6 @@ pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
     rows
 }
 
-/// Where the golden files are.
 pub fn directory() -> PathBuf {
     root().join("tests/golden")
 }

@@ -17,7 +17,6 @@ macro_rules! named_fields {
             $profile { $($field),* }
         }
 
-        /// The fields of the struct.
         pub fn $to<R: Copy>(profile: &$profile<R>) -> [R; $count] {
             [$(profile.$field),*]
         }
@@ -56,12 +55,9 @@ fn head<R: Copy, const N: usize>(fields: &[R]) -> [R; N] {
 
 /// A profile with `N` quantities: each by its own function, and all together.
 pub trait Profile<R, const N: usize> {
-    /// The quantities at a time, a call each.
-    fn each(&self, x: R) -> [R; N];
-    /// The quantities at a time, in one call.
-    fn state(&self, x: R) -> [R; N];
-    /// The quantities at `n` times from an iterator.
-    fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; N]>;
+    fn each(&self, x: R) -> [R; N]; // the quantities at a time, a call each
+    fn state(&self, x: R) -> [R; N]; // the quantities at a time, in one call
+    fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; N]>; // the quantities at `n` times from an iterator
     /// Fills each output with a quantity. The result is the number of samples.
     fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; N]) -> usize;
 }

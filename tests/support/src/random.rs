@@ -11,7 +11,6 @@ impl Random {
         Self(seeding.bits() ^ seed.rotate_left(32))
     }
 
-    /// Any 64 bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -19,7 +18,6 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// `0..n`
     pub fn below(&mut self, n: usize) -> usize {
         ((u128::from(self.bits()) * n as u128) >> 64) as usize
     }
@@ -60,7 +58,6 @@ impl Random {
         if self.bits() & 1 == 0 { -1.0 } else { 1.0 }
     }
 
-    /// One of `choices`.
     pub fn pick<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[(self.bits() % choices.len() as u64) as usize]
     }

@@ -3,7 +3,6 @@
 use std::fmt::{Debug, LowerExp};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `f32` or `f64`.
 pub trait Real:
     atraj::Real
     + Copy
@@ -19,31 +18,20 @@ pub trait Real:
     + Send
     + 'static
 {
-    /// How the type is called. The names of golden files end with it.
-    const NAME: &'static str;
-    /// Exponents of the smallest normal and of the largest power of two.
-    const EXPONENTS: (i32, i32);
-    /// Bits of the significand that are stored.
-    const SIGNIFICAND_BITS: u32;
-    /// Distance from 1 to the next larger number.
-    const MACHINE_EPSILON: Self;
+    const NAME: &'static str; // How the type is called. The names of golden files end with it.
+    const EXPONENTS: (i32, i32); // exponents of the smallest normal and of the largest power of two
+    const SIGNIFICAND_BITS: u32; // bits of the significand that are stored
+    const MACHINE_EPSILON: Self; // distance from 1 to the next larger number
     /// The most rounds that the search without cruise can take. The step halves from the largest number down to epsilon.
     const MOST_ROUNDS: u32;
-    /// Values at which arithmetic is peculiar.
-    const SPECIAL: [Self; 24];
+    const SPECIAL: [Self; 24]; // values at which arithmetic is peculiar
 
-    /// The number, rounded to this type.
-    fn of(number: f64) -> Self;
-    /// The exact value.
+    fn of(number: f64) -> Self; // the number, rounded to this type
     fn widen(self) -> f64;
-    /// The value with these low bits.
-    fn from_low_bits(bits: u64) -> Self;
-    /// The bits.
+    fn from_low_bits(bits: u64) -> Self; // the value with these low bits
     fn low_bits(self) -> u64;
-    /// The root, correctly rounded.
-    fn square_root(self) -> Self;
-    /// `self*factor + term`, rounded once.
-    fn fused(self, factor: Self, term: Self) -> Self;
+    fn square_root(self) -> Self; // the root, correctly rounded
+    fn fused(self, factor: Self, term: Self) -> Self; // `self*factor + term`, rounded once
     /// The number `steps` representable numbers further away from zero, or nearer to it if `steps` is negative. It stops
     /// at zero and at the largest NaN.
     fn neighbour(self, steps: i8) -> Self;

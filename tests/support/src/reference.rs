@@ -8,12 +8,9 @@ use atraj::Bell;
 /// What a plan comes to.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<R> {
-    /// The duration; 0 where the plan fails.
-    pub duration: R,
-    /// Rounds of the search; 0 with a cruise phase or if [`Plan::endless`].
-    pub rounds: u32,
-    /// The original would never return: `am` is infinite and there is no cruise phase.
-    pub endless: bool,
+    pub duration: R,   // the duration; 0 where the plan fails
+    pub rounds: u32,   // rounds of the search; 0 with a cruise phase or if [`Plan::endless`]
+    pub endless: bool, // the original would never return: `am` is infinite and there is no cruise phase
 }
 
 /// Plans as `gen` does: finds what `fields` held before and writes them.

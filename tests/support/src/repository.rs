@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-/// The repository's root.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .ancestors()

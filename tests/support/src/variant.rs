@@ -7,22 +7,18 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::sync::Mutex;
 
-/// A build of the archive.
 pub struct Variant {
     /// The variables that `make dist` takes. The builds beyond the real types have no libraries for levels of x86-64, which take two thirds of
     /// the time.
     pub choices: &'static [&'static str],
-    /// Where `make dist` puts it, in `target`.
-    pub directory: &'static str,
+    pub directory: &'static str, // where `make dist` puts it, in `target`
 }
 
-/// The default build.
 pub const DOUBLE: Variant = Variant { choices: &[], directory: "dist" };
 /// `a_float` is `float`.
 pub const FLOAT: Variant = Variant { choices: &["REAL=float"], directory: "dist-float" };
 /// The polynomial structs of liba since 2025-03.
 pub const COMPACT: Variant = Variant { choices: &["POLY=compact", "HWCAPS="], directory: "dist-compact" };
-/// Both choices.
 pub const FLOAT_COMPACT: Variant =
     Variant { choices: &["REAL=float", "POLY=compact", "HWCAPS="], directory: "dist-float-compact" };
 /// Polynomial structs that hold few coefficient arrays.

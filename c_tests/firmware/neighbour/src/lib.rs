@@ -1,5 +1,4 @@
-//! Stands for any other Rust library in a firmware. It brings its own panic handler and compiler-builtins, which must not
-//! clash with ours.
+//! Stands for any other Rust library in a firmware. It brings its own panic handler and compiler-builtins, which must not clash with ours.
 #![no_std]
 
 /// How many of `count` values lie below their mean.

@@ -11,16 +11,14 @@ use atraj::online::{Error, Limits, Move};
 use std::f64::consts::PI;
 use std::time::Instant;
 
-/// A point, mm.
-type Point = [f64; 2];
+type Point = [f64; 2]; // a point, mm
 
 /// mm/s³, mm/s², mm/s
 const LIMITS: [Limits<f64>; 2] =
     [Limits { vmax: 100.0, vmin: -100.0, amax: 3e3, amin: -3e3, jmax: 6e4, jmin: -6e4 }; 2];
 
 const TEETH: u32 = 20;
-/// The circles on which the flanks of a tooth begin and end, mm.
-const RADII: [f64; 2] = [18.0, 22.0];
+const RADII: [f64; 2] = [18.0, 22.0]; // the circles on which the flanks of a tooth begin and end, mm
 
 fn main() -> Result<(), Error> {
     println!("part,points given,within mm,points,s,largest deviation mm,highest speed mm/s,ms");

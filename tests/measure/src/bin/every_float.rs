@@ -15,14 +15,10 @@ const EPSILON: f64 = f32::EPSILON as f64;
 struct Function {
     name: &'static str,
     ours: fn(f32) -> f32,
-    /// In binary64, whose own error is far below an ulp of binary32.
-    exact: fn(f64) -> f64,
-    /// The arguments that its description allows.
-    takes: fn(f32) -> bool,
-    /// By how much it may be off at an argument, by its value there.
-    allowed: fn(f64, f64) -> f64,
-    /// Whether it may be too small.
-    may_be_below: bool,
+    exact: fn(f64) -> f64,        // in binary64, whose own error is far below an ulp of binary32
+    takes: fn(f32) -> bool,       // the arguments that its description allows
+    allowed: fn(f64, f64) -> f64, // by how much it may be off at an argument, by its value there
+    may_be_below: bool,           // whether it may be too small
 }
 
 const FUNCTIONS: [Function; 5] = [

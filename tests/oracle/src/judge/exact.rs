@@ -14,7 +14,6 @@ use dashu_float::FBig;
 use std::fmt::{Display, Formatter, Result as Written};
 use support::Real;
 
-/// A number with as many bits as it needs.
 type Exact = FBig;
 
 const BITS_OF_A_ROOT: usize = 500;
@@ -31,20 +30,14 @@ fn rounded(x: &Exact) -> f64 {
 /// of the motion, or of a limit of the jerk.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Misses {
-    /// The first phase begins elsewhere than the start.
-    pub start: f64,
-    /// A phase begins elsewhere than the one before it leads.
-    pub border: f64,
-    /// The motion from the start, phase by phase, does not lead to the target.
-    pub end: f64,
-    /// A velocity, an acceleration or a jerk is beyond its limit.
-    pub limits: f64,
-    /// The axis turns outside of its ends, and the findings say that it does not.
-    pub turns: f64,
+    pub start: f64,  // the first phase begins elsewhere than the start
+    pub border: f64, // a phase begins elsewhere than the one before it leads
+    pub end: f64,    // the motion from the start, phase by phase, does not lead to the target
+    pub limits: f64, // a velocity, an acceleration or a jerk is beyond its limit
+    pub turns: f64,  // the axis turns outside of its ends, and the findings say that it does not
 }
 
 impl Misses {
-    /// The most in each of them.
     pub fn most(self, other: Self) -> Self {
         let Self { start, border, end, limits, turns } = self;
         Self {
@@ -97,8 +90,7 @@ impl Misses {
 /// The state where a phase begins, its jerk and its duration.
 #[derive(Clone)]
 struct Point {
-    /// Six times the position: so its polynomial has no fraction.
-    six_p: Exact,
+    six_p: Exact, // six times the position: so its polynomial has no fraction
     v: Exact,
     a: Exact,
     jerk: Exact,
@@ -322,21 +314,15 @@ impl Part {
 /// The worst of many motions of one kind.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Which function plans them.
-    pub kind: String,
+    pub kind: String, // which function plans them
     real: &'static str,
-    /// Motions.
     pub motions: u64,
-    /// Their worst misses.
-    pub most: Misses,
-    /// Motions that have to be extremal: a `Move` or a trapezoid alone, from within the limits.
-    pub asked: u64,
-    /// Those of them that are.
-    pub extremal: u64,
+    pub most: Misses,  // their worst misses
+    pub asked: u64,    // motions that have to be extremal: a `Move` or a trapezoid alone, from within the limits
+    pub extremal: u64, // those of them that are
 }
 
 impl Row {
-    /// The names of the columns.
     pub const HEADER: &'static str = "function,real type,motions,start,border,end,limits,turns,have to be extremal,are";
 
     /// A row of every function that plans, of so many motions.

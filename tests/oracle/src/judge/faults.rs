@@ -8,44 +8,25 @@ use atraj::online::{Error, Limits, Move, Phase};
 use support::{Family, Real};
 
 listed! {
-    /// The planner with one fault.
     pub enum Fault {
-        /// It refuses a start outside the limits, or a profile without displacement.
-        Refuses,
-        /// A correct motion within limits that are a little too low.
-        Lengthened,
-        /// A correct motion that stops first.
-        Detour,
-        /// The move turns to the wrong side.
-        WrongSide,
-        /// The times are a little too short.
-        Shortened,
-        /// The velocity is a little above its limit.
-        VelocityAboveTheLimit,
-        /// The acceleration is a little above its limit.
-        AccelerationAboveTheLimit,
-        /// The jerk is a little above its limit.
-        JerkAboveTheLimit,
-        /// The move ends a representable number beside the target.
-        EndOff,
-        /// The final velocity is a representable number off.
-        EndVelocityOff,
-        /// The position jumps 100 ulps.
-        Jump,
-        /// The velocity jumps 100 ulps.
-        VelocityJump,
-        /// The shortest phase is missing.
-        DroppedPhase,
-        /// A move towards smaller positions takes a rounding longer.
-        Direction,
-        /// The move takes a little time more, whatever the units are.
-        AbsoluteTime,
-        /// It does not say that the move leaves the positions between its ends.
-        SilentOvershoot,
-        /// It does not say that the start is outside.
-        SilentStart,
-        /// It does not say that the axis will unavoidably exceed its limits afterwards.
-        SilentEnd,
+        Refuses, // it refuses a start outside the limits, or a profile without displacement
+        Lengthened, // a correct motion within limits that are a little too low
+        Detour, // a correct motion that stops first
+        WrongSide, // the move turns to the wrong side
+        Shortened, // the times are a little too short
+        VelocityAboveTheLimit, // the velocity is a little above its limit
+        AccelerationAboveTheLimit, // the acceleration is a little above its limit
+        JerkAboveTheLimit, // the jerk is a little above its limit
+        EndOff, // the move ends a representable number beside the target
+        EndVelocityOff, // the final velocity is a representable number off
+        Jump, // the position jumps 100 ulps
+        VelocityJump, // the velocity jumps 100 ulps
+        DroppedPhase, // the shortest phase is missing
+        Direction, // a move towards smaller positions takes a rounding longer
+        AbsoluteTime, // the move takes a little time more, whatever the units are
+        SilentOvershoot, // it does not say that the move leaves the positions between its ends
+        SilentStart, // it does not say that the start is outside
+        SilentEnd, // it does not say that the axis will unavoidably exceed its limits afterwards
     }
 }
 
@@ -55,7 +36,6 @@ impl Fault {
         let wide = size_of::<R>() == 8;
         let less = R::of(1.0 - if wide { 4e-8 } else { 4e-4 });
         let more = R::of(1.0 + if wide { 1e-9 } else { 1e-4 });
-        #[rustfmt::skip]
         let Limits { vmax, vmin, amax, amin, jmax, jmin } = limits;
         let (changed, factor) = match self {
             Self::Lengthened => (vec![vmax, vmin, amax, amin, jmax, jmin], less),

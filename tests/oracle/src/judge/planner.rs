@@ -6,10 +6,8 @@ use atraj::{Bell, Boundary, Findings, Trap};
 use support::profiles::{bell, bell_fields, trap, trap_fields};
 use support::{Family, Implementation, Ours, Real};
 
-/// Something that plans motions.
 pub trait Planner<R> {
-    /// The planned motion.
-    fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error>;
+    fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error>; // the planned motion
 
     /// Whether bad problems are made simple before they are shown, which takes long.
     fn is_worth_simple_examples(&self) -> bool {
@@ -17,22 +15,16 @@ pub trait Planner<R> {
     }
 }
 
-/// A planned motion.
 #[derive(Clone, Copy)]
 pub struct Plan<R> {
-    /// Its phases.
-    pub planned: Move<R>,
-    /// The struct of liba that holds them, if it is not a `Move`.
-    pub profile: Option<Profile<R>>,
-    /// What the planner found, or what `check` finds in a profile.
-    pub findings: Findings,
+    pub planned: Move<R>,            // its phases
+    pub profile: Option<Profile<R>>, // the struct of liba that holds them, if it is not a `Move`
+    pub findings: Findings,          // what the planner found, or what `check` finds in a profile
 }
 
-/// A planned struct of liba.
 #[derive(Clone, Copy)]
 pub struct Profile<R> {
-    /// The double-S or the trapezoid.
-    pub family: Family,
+    pub family: Family, // the double-S or the trapezoid
     fields: [R; 14],
 }
 
@@ -44,7 +36,6 @@ impl<R: Real> Profile<R> {
         Self { family, fields }
     }
 
-    /// The fields of the struct.
     pub fn fields(&mut self) -> &mut [R] {
         &mut self.fields[..self.family.fields().len()]
     }
@@ -69,7 +60,6 @@ impl<R: Real> Profile<R> {
     fn phases(&self) -> Vec<[R; 4]> {
         let zero = R::of(0.0);
         if self.family == Family::Trap {
-            #[rustfmt::skip]
             let Trap { t, ta, cruise_end: td, a0: ac, a1: de, .. } = trap(&self.fields[..12]);
             return vec![
                 [zero, ta, ac, zero],
@@ -78,7 +68,6 @@ impl<R: Real> Profile<R> {
                 [t, zero, zero, zero],
             ];
         }
-        #[rustfmt::skip]
         let Bell { t, tv, ta, td, taj, tdj, p0, p1, jm, .. } = bell(&self.fields);
         let jerk = if p0 > p1 { -jm } else { jm };
         let (peak, trough) = (jerk * taj, -(jerk * tdj));
@@ -96,7 +85,6 @@ impl<R: Real> Profile<R> {
 }
 
 impl<R: Real> Plan<R> {
-    /// The plan of a `Move`.
     pub fn of_move(planned: Move<R>, findings: Findings) -> Self {
         Self { planned, profile: None, findings }
     }
@@ -131,7 +119,6 @@ impl<R: Real> Plan<R> {
     }
 }
 
-/// The planners under test.
 pub struct Fastest;
 
 impl<R: Real> Planner<R> for Fastest {
@@ -156,7 +143,6 @@ impl<R: Real> Planner<R> for Fastest {
     }
 }
 
-/// The fastest profile.
 fn fastest<R: Real>(problem: &Problem<R>) -> Option<Profile<R>> {
     let [x, y, z, p0, p1, v0, v1] = problem.arguments();
     let boundary = Boundary { p0, p1, v0, v1 };

@@ -8,18 +8,12 @@ use support::{Family, Real};
 /// What is asked for, and of which planner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Request {
-    /// The fastest motion to a state.
-    Plan,
-    /// The fastest motion to a velocity and an acceleration.
-    Reach,
-    /// The fastest stop.
-    Stop,
-    /// The fastest motion to a target that moves on.
-    Meet,
-    /// The fastest double-S.
-    Bell,
-    /// The fastest trapezoid.
-    Trap,
+    Plan,  // the fastest motion to a state
+    Reach, // the fastest motion to a velocity and an acceleration
+    Stop,  // the fastest stop
+    Meet,  // the fastest motion to a target that moves on
+    Bell,  // the fastest double-S
+    Trap,  // the fastest trapezoid
 }
 
 impl Request {
@@ -33,19 +27,13 @@ impl Request {
     }
 }
 
-/// A motion to plan.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<R> {
-    /// What is adversarial about it.
-    pub kind: Kind,
-    /// What is asked for.
-    pub request: Request,
-    /// What the axis can do.
-    pub limits: Limits<R>,
-    /// The start.
-    pub from: State<R>,
-    /// The target. Its position does not count if a velocity is asked for.
-    pub to: State<R>,
+    pub kind: Kind,        // what is adversarial about it
+    pub request: Request,  // what is asked for
+    pub limits: Limits<R>, // what the axis can do
+    pub from: State<R>,    // the start
+    pub to: State<R>,      // The target. Its position does not count if a velocity is asked for.
 }
 
 /// How often the numbers of a problem are divided by a time.
@@ -53,7 +41,6 @@ pub const POWERS_OF_TIME: [i8; 12] = [1, 1, 2, 2, 3, 3, 0, 1, 2, 0, 1, 2];
 
 /// Highest and lowest velocity, acceleration and jerk.
 pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
-    #[rustfmt::skip]
     let &Limits { vmax, vmin, amax, amin, jmax, jmin } = limits;
     [vmax, vmin, amax, amin, jmax, jmin].map(R::widen)
 }
@@ -70,9 +57,8 @@ pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
 }
 
 impl<R: Real> Problem<R> {
-    /// The problem of these numbers: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
-    /// ends. The limits of a double-S are the highest ones in both directions, a trapezoid has no limit of the jerk, and both have no
-    /// acceleration at their ends.
+    /// The problem of these numbers: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both ends. The limits
+    /// of a double-S are the highest ones in both directions, a trapezoid has no limit of the jerk, and both have no acceleration at their ends.
     pub fn of(kind: Kind, request: Request, numbers: [R; 12]) -> Self {
         let [vmax, mut vmin, amax, mut amin, mut jmax, mut jmin, ends @ ..] = numbers;
         let [p0, v0, mut a0, p1, v1, mut a1] = ends;
@@ -86,7 +72,6 @@ impl<R: Real> Problem<R> {
             }
         }
         let state = |position, velocity, acceleration| State { position, velocity, acceleration };
-        #[rustfmt::skip]
         let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
         Self { kind, request, limits, from: state(p0, v0, a0), to: state(p1, v1, a1) }
     }
@@ -117,7 +102,6 @@ impl<R: Real> Problem<R> {
 
     /// The numbers that [`Problem::of`] takes.
     pub fn numbers(&self) -> [R; 12] {
-        #[rustfmt::skip]
         let Limits { vmax, vmin, amax, amin, jmax, jmin } = self.limits;
         let [[p0, v0, a0], [p1, v1, a1]] = [self.from, self.to].map(parts);
         [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
@@ -157,8 +141,7 @@ impl<R: Real> Problem<R> {
 
     /// The problem with the roundest numbers at which it is still bad.
     pub fn simplified(&self, is_bad: impl Fn(&Self) -> bool) -> Self {
-        /// Ends first, positions before the others.
-        const ORDER: [usize; 12] = [6, 9, 11, 8, 10, 7, 0, 1, 2, 3, 4, 5];
+        const ORDER: [usize; 12] = [6, 9, 11, 8, 10, 7, 0, 1, 2, 3, 4, 5]; // ends first, positions before the others
         const ROUNDS: usize = 4;
         let mut numbers = self.numbers();
         if !is_bad(self) {

@@ -21,99 +21,55 @@ impl Kind {
 listed! {
     /// What is adversarial about a problem.
     pub enum Kind {
-        /// At rest at both ends.
-        Rest,
-        /// Velocities at both ends, in any direction.
-        Moving,
-        /// The start is accelerated.
-        AcceleratedStart,
-        /// The target is accelerated.
-        AcceleratedTarget,
-        /// Both ends are accelerated.
-        Accelerated,
-        /// The limits of velocity, acceleration and jerk depend on the direction.
-        Asymmetric,
-        /// The velocity is outside at the start.
-        OutsideVelocity,
-        /// The acceleration is outside at the start.
-        OutsideAcceleration,
-        /// The velocity is inside at the start, but the acceleration will bring it outside.
-        BoundToLeave,
-        /// The start is far outside.
-        FarOutside,
-        /// The start is outside, and its acceleration brings it inside.
-        ComingInside,
-        /// The velocity has no limit.
-        InfiniteVelocity,
-        /// The acceleration has no limit.
-        InfiniteAcceleration,
-        /// The jerk has no limit in one direction.
-        OneInfiniteJerk,
-        /// The jerk has no limit.
-        InfiniteJerk,
-        /// The jerk is huge.
-        HugeJerk,
-        /// Lengths and times of any size.
-        ExtremeScale,
-        /// The target is the start.
-        NoDisplacement,
-        /// The target is the end of the direct ramp, or a few representable numbers beside it.
-        DirectTie,
-        /// The displacement just lets the axis cruise, or just does not.
-        BorderOfCruise,
-        /// The displacement is where the motion gets another shape.
-        BorderOfShape,
-        /// The change of velocity just needs a hold, or just does not.
-        BorderOfHold,
-        /// The displacement is where the durations begin or end in which the target can not be reached.
-        BorderOfGap,
-        /// Both accelerations point the same way, and the velocities let the axis ease in between.
-        Lens,
-        /// The acceleration goes straight from one end to the other.
-        Straight,
-        /// A part of the border rises, falls and rises again.
-        RiseAndFall,
-        /// The velocities are at their limits.
-        FullVelocity,
-        /// The velocities are opposite.
-        OppositeVelocities,
-        /// The velocities are equal, or nearly so.
-        EqualVelocities,
-        /// The accelerations are equal, or nearly so.
-        EqualAccelerations,
-        /// The accelerations are at their limits.
-        FullAcceleration,
-        /// The accelerations are tiny.
-        TinyAcceleration,
+        Rest, // at rest at both ends
+        Moving, // velocities at both ends, in any direction
+        AcceleratedStart, // the start is accelerated
+        AcceleratedTarget, // the target is accelerated
+        Accelerated, // both ends are accelerated
+        Asymmetric, // the limits of velocity, acceleration and jerk depend on the direction
+        OutsideVelocity, // the velocity is outside at the start
+        OutsideAcceleration, // the acceleration is outside at the start
+        BoundToLeave, // the velocity is inside at the start, but the acceleration will bring it outside
+        FarOutside, // the start is far outside
+        ComingInside, // the start is outside, and its acceleration brings it inside
+        InfiniteVelocity, // the velocity has no limit
+        InfiniteAcceleration, // the acceleration has no limit
+        OneInfiniteJerk, // the jerk has no limit in one direction
+        InfiniteJerk, // the jerk has no limit
+        HugeJerk, // the jerk is huge
+        ExtremeScale, // lengths and times of any size
+        NoDisplacement, // the target is the start
+        DirectTie, // the target is the end of the direct ramp, or a few representable numbers beside it
+        BorderOfCruise, // the displacement just lets the axis cruise, or just does not
+        BorderOfShape, // the displacement is where the motion gets another shape
+        BorderOfHold, // the change of velocity just needs a hold, or just does not
+        BorderOfGap, // the displacement is where the durations begin or end in which the target can not be reached
+        Lens, // both accelerations point the same way, and the velocities let the axis ease in between
+        Straight, // the acceleration goes straight from one end to the other
+        RiseAndFall, // a part of the border rises, falls and rises again
+        FullVelocity, // the velocities are at their limits
+        OppositeVelocities, // the velocities are opposite
+        EqualVelocities, // the velocities are equal, or nearly so
+        EqualAccelerations, // the accelerations are equal, or nearly so
+        FullAcceleration, // the accelerations are at their limits
+        TinyAcceleration, // the accelerations are tiny
         /// The target is just what an axis can have reached. Its acceleration may carry the axis beyond a limit afterwards.
         TargetOnTheBoundary,
-        /// A tiny displacement between low velocities.
-        Tiny,
-        /// A position far from 0.
-        Offset,
-        /// Every number has a magnitude of its own.
-        TinyAgainstHuge,
-        /// The limits are never reached.
-        NeverReached,
-        /// Equal high velocities, a short way, weak limits.
-        WeakLimits,
-        /// The rest of a planned move, from one of its states.
-        Remainder,
-        /// The rest of a planned remainder, a short time later.
-        NextCycle,
-        /// A velocity and an acceleration are wanted, a position is not.
-        Reach,
-        /// A stop is wanted.
-        Stop,
-        /// The target moves on.
-        Meet,
-        /// The limit of the acceleration is never reached, without acceleration at the ends.
-        NoHold,
+        Tiny, // a tiny displacement between low velocities
+        Offset, // a position far from 0
+        TinyAgainstHuge, // every number has a magnitude of its own
+        NeverReached, // the limits are never reached
+        WeakLimits, // equal high velocities, a short way, weak limits
+        Remainder, // the rest of a planned move, from one of its states
+        NextCycle, // the rest of a planned remainder, a short time later
+        Reach, // a velocity and an acceleration are wanted, a position is not
+        Stop, // a stop is wanted
+        Meet, // the target moves on
+        NoHold, // the limit of the acceleration is never reached, without acceleration at the ends
     }
 }
 
-/// A problem before it is rounded: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both
-/// ends.
+/// A problem before it is rounded: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both ends.
 #[derive(Clone, Copy, Debug)]
 struct Draft {
     vmax: f64,
@@ -593,7 +549,6 @@ impl Draft {
     }
 
     fn all(&mut self) -> [&mut f64; 12] {
-        #[rustfmt::skip]
         let Self { vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1 } = self;
         [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
     }

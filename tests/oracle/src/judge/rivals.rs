@@ -8,8 +8,7 @@ use rsruckig::prelude::*;
 use std::fmt::{Display, Formatter, Result as Written};
 use support::Real;
 
-/// How far beside its target a motion of rsruckig may end.
-const ACCURACY: f64 = 1e-8;
+const ACCURACY: f64 = 1e-8; // how far beside its target a motion of rsruckig may end
 
 /// Whether rsruckig takes these axes. It has one limit of the jerk, and needs finite numbers of moderate size.
 pub fn fits_ruckig<R: Real>(axes: &[Problem<R>]) -> bool {
@@ -93,14 +92,10 @@ pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
 /// What rsruckig makes of the same problems.
 #[derive(Clone, Debug, Default)]
 pub struct Theirs {
-    /// Problems that it was asked.
-    pub asked: u64,
-    /// Plans that are missing.
-    pub refused: u64,
-    /// Durations that are longer than the least one.
-    pub longer: u64,
-    /// Durations that are shorter than the least one, though the start is inside.
-    pub shorter: u64,
+    pub asked: u64,   // problems that it was asked
+    pub refused: u64, // plans that are missing
+    pub longer: u64,  // durations that are longer than the least one
+    pub shorter: u64, // durations that are shorter than the least one, though the start is inside
 }
 
 impl Theirs {
@@ -130,7 +125,6 @@ impl Theirs {
 
 impl Display for Theirs {
     fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        #[rustfmt::skip]
         let Self { asked, refused, longer, shorter } = self;
         write!(f, "{asked:>16} {refused:>7} {longer:>7} {shorter:>7}")
     }

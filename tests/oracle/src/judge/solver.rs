@@ -14,42 +14,28 @@ pub struct Motion {
     pub start: [f64; 3],
     /// Position, velocity and acceleration at the end.
     pub target: [f64; 3],
-    /// Velocity of the frame in which the target has to be reached at the end's velocity.
-    pub frame: f64,
+    pub frame: f64, // velocity of the frame in which the target has to be reached at the end's velocity
 }
 
 /// What the reference solver finds.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
 pub struct Best {
-    /// The least duration.
-    pub duration: f64,
-    /// The highest speed of the fastest motion.
-    pub speed: f64,
-    /// The sum of the magnitudes of all changes of its velocity.
-    pub variation: f64,
+    pub duration: f64,  // the least duration
+    pub speed: f64,     // the highest speed of the fastest motion
+    pub variation: f64, // the sum of the magnitudes of all changes of its velocity
     /// Its highest acceleration times how long the acceleration changes. A rounding of the acceleration changes the velocity by so many.
     pub changing: f64,
-    /// How long the recovery lasts.
-    pub inside: f64,
-    /// The duration with the direct ramp. From here on the end can be reached.
-    pub direct: f64,
-    /// From here on the end can not be reached; infinite if there is no such gap.
-    pub gap_begins: f64,
-    /// From here on the end can be reached again.
-    pub gap_ends: f64,
-    /// How much further than the end of the direct ramp the target is.
-    pub beside_direct: f64,
-    /// How much further than the displacement where the gap begins.
-    pub beside_begin: f64,
-    /// How much further than the displacement where the gap ends.
-    pub beside_end: f64,
-    /// The duration in which the acceleration goes straight from one end to the other.
-    pub straight: f64,
-    /// How much further than the end of the straight change the target is.
-    pub beside_straight: f64,
-    /// How much faster than the end of the straight change the target is.
-    pub faster: f64,
+    pub inside: f64,          // how long the recovery lasts
+    pub direct: f64,          // the duration with the direct ramp. From here on the end can be reached.
+    pub gap_begins: f64,      // from here on the end can not be reached; infinite if there is no such gap
+    pub gap_ends: f64,        // from here on the end can be reached again
+    pub beside_direct: f64,   // how much further than the end of the direct ramp the target is
+    pub beside_begin: f64,    // how much further than the displacement where the gap begins
+    pub beside_end: f64,      // how much further than the displacement where the gap ends
+    pub straight: f64,        // the duration in which the acceleration goes straight from one end to the other
+    pub beside_straight: f64, // how much further than the end of the straight change the target is
+    pub faster: f64,          // how much faster than the end of the straight change the target is
     /// The largest relative error of the motion that was found: of its end, of its limits, of its phases.
     pub wrong: f64,
 }
@@ -75,15 +61,13 @@ impl Grid {
 /// Position, velocity and acceleration where the phases of a move meet, and at its end.
 pub type Borders = [[f64; 3]; 17];
 
-/// Time, position, velocity and acceleration.
-pub type Knot = [f64; 4];
+pub type Knot = [f64; 4]; // time, position, velocity and acceleration
 
 /// What the integrated phases of a move reach.
 pub struct Walk {
     /// The states at the start of each phase, before the acceleration of the phase, and at the end.
     pub borders: Borders,
-    /// In order of time: these states, once more with the acceleration of the phase, the highest and the lowest velocities, and where
-    /// the axis turns.
+    /// In order of time: these states, once more with the acceleration of the phase, the highest and the lowest velocities, and where the axis turns.
     pub knots: Vec<Knot>,
 }
 
@@ -111,7 +95,6 @@ unsafe extern "C" {
 }
 
 impl Motion {
-    /// The motion that is asked for.
     pub fn of<R: Real>(problem: &Problem<R>) -> Self {
         let [start, mut target] = problem.ends().map(|end| parts(end).map(R::widen));
         let mut frame = 0.0;
@@ -123,7 +106,6 @@ impl Motion {
         Self { limits: widened(&problem.limits), start, target, frame }
     }
 
-    /// The fastest motion.
     pub fn best(&self) -> Best {
         self.best_beside([0.0; 3], Grid::COARSE)
     }
@@ -162,9 +144,8 @@ impl Motion {
         (possible != 0).then_some(interval)
     }
 
-    /// The shape of the upper or the lower border at this duration, with the derivatives of its distance from the start: by velocity and
-    /// acceleration at the start, at the end, and by the duration; then by two of them, row by row up to the diagonal. `None` near a change
-    /// of shape.
+    /// The shape of the upper or the lower border at this duration, with the derivatives of its distance from the start: by velocity and acceleration
+    /// at the start, at the end, and by the duration; then by two of them, row by row up to the diagonal. `None` near a change of shape.
     pub fn derivatives(&self, duration: f64, lower: bool) -> Option<(usize, [f64; 5], [f64; 15])> {
         let (mut first, mut second) = ([0.0; 5], [0.0; 15]);
         let Self { limits, start, target, .. } = self;

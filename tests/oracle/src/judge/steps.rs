@@ -11,13 +11,11 @@ unsafe extern "C" {
     ) -> i32;
 }
 
-/// How often the judge looks at each phase, besides the ends and the turns.
-const SAMPLES: i32 = 8;
+const SAMPLES: i32 = 8; // how often the judge looks at each phase, besides the ends and the turns
 
 /// A rounding of a time is one of the whole duration. A position has those of its phases, of the line and of the way in the phase.
 const ROUNDINGS: f64 = 8.0;
 
-/// All steps of a move.
 pub fn all<R: Real>(of: &Move<R>, mut steps: Steps<R>) -> Vec<Step<R>> {
     std::iter::from_fn(|| steps.next(of)).collect()
 }

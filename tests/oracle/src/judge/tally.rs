@@ -12,26 +12,17 @@ use support::{Family, Random};
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     name: String,
-    /// Problems.
-    pub problems: u64,
-    /// Plans that are missing.
-    pub refused: u64,
-    /// Motions that are wrong.
-    pub wrong: u64,
-    /// Durations that are longer than the least one.
-    pub longer: u64,
-    /// Durations that are too short, or in which a target cannot be reached.
-    pub impossible: u64,
-    /// Good motions that turn and come again, though a ramp ends within 4 ulps of the target.
-    pub detours: u64,
-    /// The worst relative error of a duration.
-    pub worst: f64,
-    /// The first bad problems in words.
-    pub examples: Vec<String>,
+    pub problems: u64,         // problems
+    pub refused: u64,          // plans that are missing
+    pub wrong: u64,            // motions that are wrong
+    pub longer: u64,           // durations that are longer than the least one
+    pub impossible: u64,       // durations that are too short, or in which a target cannot be reached
+    pub detours: u64,          // good motions that turn and come again, though a ramp ends within 4 ulps of the target
+    pub worst: f64,            // the worst relative error of a duration
+    pub examples: Vec<String>, // the first bad problems in words
 }
 
-/// The bad problems of a kind that are shown.
-const EXAMPLES: usize = 3;
+const EXAMPLES: usize = 3; // the bad problems of a kind that are shown
 
 impl Tally {
     /// Problems that are not solved well.
@@ -146,7 +137,6 @@ impl Display for Tallies {
             "kind", "problems", "refused", "wrong", "longer", "impossible", "detours", "worst"
         )?;
         for tally in self.of.values().chain([&self.total()]) {
-            #[rustfmt::skip]
             let Tally { name, problems, refused, wrong, longer, impossible, detours, worst, .. } = tally;
             writeln!(
                 f,

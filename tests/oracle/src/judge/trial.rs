@@ -28,21 +28,14 @@ pub const LEAVES: &str = "it leaves the limits afterwards";
 pub enum Verdict {
     /// The least duration.
     Good {
-        /// Its relative error.
-        error: f64,
-        /// Whether the axis turns and comes again, though a ramp ends within 4 ulps of the target.
-        detour: bool,
+        error: f64,   // its relative error
+        detour: bool, // whether the axis turns and comes again, though a ramp ends within 4 ulps of the target
     },
-    /// There is no plan.
-    Refused(Error),
-    /// The motion is wrong.
-    Wrong(&'static str),
-    /// The duration is this factor longer than the least one.
-    Longer(f64),
-    /// The duration is this factor shorter than the least one.
-    Shorter(f64),
-    /// An axis that moves together with others cannot reach its target in this duration.
-    Impossible,
+    Refused(Error),      // there is no plan
+    Wrong(&'static str), // the motion is wrong
+    Longer(f64),         // the duration is this factor longer than the least one
+    Shorter(f64),        // the duration is this factor shorter than the least one
+    Impossible,          // an axis that moves together with others cannot reach its target in this duration
 }
 
 impl Verdict {
@@ -71,12 +64,9 @@ pub fn doubt<R: Real>() -> f64 {
 /// How large the numbers of a motion are. Its errors are measured in ulps of them.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Scale {
-    /// Of its positions.
-    pub position: f64,
-    /// Of its velocities.
-    pub velocity: f64,
-    /// Of its accelerations.
-    pub acceleration: f64,
+    pub position: f64,     // of its positions
+    pub velocity: f64,     // of its velocities
+    pub acceleration: f64, // of its accelerations
 }
 
 impl Scale {
@@ -149,12 +139,10 @@ impl<R: Original> Trial<R> {
         Self { problem, motion, best }
     }
 
-    /// What the reference solver knows.
     pub fn best(&self) -> Best {
         self.best
     }
 
-    /// The problem.
     pub fn problem(&self) -> &Problem<R> {
         &self.problem
     }
@@ -453,8 +441,7 @@ impl<R: Original> Trial<R> {
         None
     }
 
-    /// Whether the mirrored motion, the motion in other units, or the trapezoid with its accelerations in the other order takes another
-    /// time.
+    /// Whether the mirrored motion, the motion in other units, or the trapezoid with its accelerations in the other order takes another time.
     fn wrong_relative(&self, planner: &impl Planner<R>, t: R, random: &mut Random) -> Option<&'static str> {
         let problem = &self.problem;
         let takes = |problem: &Problem<R>| planner.plan(problem).ok().map(|plan| plan.planned.t);
@@ -530,8 +517,7 @@ struct Side {
     sign: f64,
     velocity: f64,
     acceleration: f64,
-    /// The velocity that the start makes unavoidable.
-    unavoidable: f64,
+    unavoidable: f64, // the velocity that the start makes unavoidable
 }
 
 impl Side {

@@ -186,12 +186,9 @@ macro_rules! within {
 
 /// A real type in which the original is linked.
 pub trait Original: Real {
-    /// The original's functions.
     const ORIGINAL: Abi<Self>;
-    /// The original with every polynomial planned array by array.
-    const ORIGINAL_STEPWISE: Abi<Self>;
-    /// The original compiled with `-O2` and with `-O3`.
-    const OPTIMISED: [Abi<Self>; 2];
+    const ORIGINAL_STEPWISE: Abi<Self>; // the original with every polynomial planned array by array
+    const OPTIMISED: [Abi<Self>; 2]; // the original compiled with `-O2` and with `-O3`
 }
 
 impl Original for f64 {

@@ -4,20 +4,17 @@ use std::fmt;
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Implementation, Real, reference};
 
-/// The number of times at which each move is evaluated.
 pub const MOMENTS: usize = 4;
 
 /// A move to plan and the times at which to evaluate it.
 #[derive(Clone, Copy)]
 pub struct Case<R> {
-    /// The functions that are called.
-    pub family: Family,
+    pub family: Family, // the functions that are called
     /// Arguments of `gen`, as many as the family has.
     pub arguments: [R; MOST_ARGUMENTS],
     /// What the struct holds before `gen`.
     pub before: [R; MOST_FIELDS],
-    /// Whether `gen` is called. If not, the struct is evaluated as it is.
-    pub planned: bool,
+    pub planned: bool, // whether `gen` is called. If not, the struct is evaluated as it is.
     /// The times at which it is evaluated.
     pub moments: [Moment<R>; MOMENTS],
 }
@@ -25,16 +22,12 @@ pub struct Case<R> {
 /// A time, given by itself or by a place in the planned move.
 #[derive(Clone, Copy, Debug)]
 pub enum Moment<R> {
-    /// The time itself.
-    At(R),
-    /// A part of the duration.
-    Fraction(R),
+    At(R),       // the time itself
+    Fraction(R), // a part of the duration
     /// A few representable numbers beside a border.
     Border {
-        /// Which border, modulo the number of borders.
-        index: usize,
-        /// How many representable numbers further from zero.
-        steps: i8,
+        index: usize, // which border, modulo the number of borders
+        steps: i8,    // how many representable numbers further from zero
     },
 }
 
@@ -48,27 +41,17 @@ impl<R: Real> Moment<R> {
     }
 }
 
-/// What a run has compared and found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Moves.
     pub moves: u64,
-    /// Calls of each implementation.
-    pub calls: u64,
-    /// Compared values, returned or stored.
-    pub values: u64,
-    /// Values whose bits differ.
-    pub differing: u64,
-    /// The first differing values in words.
-    pub examples: Vec<String>,
-    /// Moves on which the original would never return. They are compared with the reference instead.
-    pub endless: u64,
-    /// Bells without cruise.
-    pub searches: u64,
-    /// Rounds of all searches.
-    pub rounds: u64,
-    /// Rounds of the longest search.
-    pub most_rounds: u32,
+    pub calls: u64,            // calls of each implementation
+    pub values: u64,           // compared values, returned or stored
+    pub differing: u64,        // values whose bits differ
+    pub examples: Vec<String>, // the first differing values in words
+    pub endless: u64, // Moves on which the original would never return. They are compared with the reference instead.
+    pub searches: u64, // bells without cruise
+    pub rounds: u64,  // rounds of all searches
+    pub most_rounds: u32, // rounds of the longest search
 }
 
 impl Report {
@@ -145,7 +128,6 @@ impl Report {
         }
     }
 
-    /// Adds the report of another run.
     pub fn add(&mut self, other: Self) {
         self.moves += other.moves;
         self.calls += other.calls;

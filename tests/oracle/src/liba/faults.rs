@@ -3,21 +3,15 @@
 use support::profiles::{bell, bell_fields, trap};
 use support::{Family, Implementation, Ours, Real};
 
-/// Ours with one fault.
 #[derive(Clone, Copy, Debug)]
 pub enum Fault {
-    /// The bell's duration adds its operands in another order: `ta + (tv + td)`.
-    OperandOrder,
-    /// The bell's position multiplies by 1/6 instead of dividing by 6, in the first phase alone.
-    ProductWithSixth,
-    /// A cubic's position multiplies and adds in one rounding.
-    FusedMultiplyAdd,
-    /// The trapezoid's acceleration phase ends with `x <= ta` instead of `x < ta`.
-    LessOrEqual,
+    OperandOrder,     // the bell's duration adds its operands in another order: `ta + (tv + td)`
+    ProductWithSixth, // the bell's position multiplies by 1/6 instead of dividing by 6, in the first phase alone
+    FusedMultiplyAdd, // a cubic's position multiplies and adds in one rounding
+    LessOrEqual,      // the trapezoid's acceleration phase ends with `x <= ta` instead of `x < ta`
 }
 
 impl Fault {
-    /// Every fault.
     pub const ALL: [Self; 4] = [Self::OperandOrder, Self::ProductWithSixth, Self::FusedMultiplyAdd, Self::LessOrEqual];
 }
 

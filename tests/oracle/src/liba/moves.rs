@@ -8,26 +8,18 @@ use support::{Family, Random, Real};
 /// What the numbers of a move are like.
 #[derive(Clone, Copy)]
 enum Distribution {
-    /// 2^-7 to 2^7.
-    Ordinary,
+    Ordinary, // 2^-7 to 2^7
     /// Ordinary, with a distance at which a few ulps decide the branch of the plan, or whether it has a solution.
     NearlyInfeasible,
-    /// Near the smallest normal number.
-    Tiny,
-    /// Near the largest number.
-    Huge,
-    /// Below the smallest normal number.
-    Denormal,
-    /// The magnitude of every argument is different.
-    Wide,
+    Tiny,     // near the smallest normal number
+    Huge,     // near the largest number
+    Denormal, // below the smallest normal number
+    Wide,     // the magnitude of every argument is different
     /// Small multiples of powers of two, on which much arithmetic is exact and many comparisons are ties.
     BinaryFractions,
-    /// All arguments ordinary except one.
-    OneSpecial,
-    /// Every second argument special.
-    Special,
-    /// Any bit pattern.
-    Bits,
+    OneSpecial, // all arguments ordinary except one
+    Special,    // every second argument special
+    Bits,       // any bit pattern
 }
 
 const DISTRIBUTIONS: [Distribution; 12] = [
@@ -55,7 +47,6 @@ pub struct Moves<R> {
 }
 
 impl<R: Real> Moves<R> {
-    /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self { random: Random::seeded(seed), real: PhantomData }
     }

@@ -6,10 +6,8 @@ use std::process::Command;
 use support::tools::run;
 use support::variant::{DOUBLE, FLOAT, Variant};
 
-/// The `liba` crate.
 pub const LIBA: &str = env!("LIBA");
 
-/// The headers.
 pub fn include() -> PathBuf {
     Path::new(LIBA).join("include")
 }

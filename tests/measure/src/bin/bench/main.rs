@@ -39,18 +39,15 @@ const REAL: &str = if size_of::<a_float>() == 4 { "float" } else { "double" };
 const WARM: usize = 4096;
 const COLD: usize = 262_144;
 const ROUNDS: usize = 99;
-/// The fewest calls in one turn.
-const CALLS: usize = 4096;
+const CALLS: usize = 4096; // the fewest calls in one turn
 
 /// Calls that can go to three libraries: ours, the original at `-O2`, and the original at `-O3`. For a plan that never fails the
 /// third one is rsruckig. A move from any state to any state is planned by ours, Ruckig's C++ and rsruckig, and evaluated by two.
 struct Row {
     function: String,
     case: String,
-    /// The number of calls that share the measured time.
-    calls: usize,
-    /// Makes the calls to the library of this number.
-    run: Box<dyn FnMut(usize)>,
+    calls: usize,               // the number of calls that share the measured time
+    run: Box<dyn FnMut(usize)>, // makes the calls to the library of this number
 }
 
 impl Row {
@@ -304,8 +301,7 @@ fn fit_all<const LIBRARY: usize>(family: Family, plans: &[Plan], fields: &mut [a
     }
 }
 
-/// The duration of a move, of which these are the fields.
-type Duration = fn(&[a_float]) -> a_float;
+type Duration = fn(&[a_float]) -> a_float; // the duration of a move, of which these are the fields
 
 /// Each evaluation function at random times of the moves of these plans, and in a sweep over the first move.
 fn evaluations(
@@ -350,7 +346,6 @@ fn samples(n: usize) -> Row {
     at_once("atraj_bell_sample", n, ours, four_calls::<2>)
 }
 
-/// Calls `sample` once.
 fn sampled(sample: Sample) -> impl Fn(&[a_float], a_float, Samples) {
     // These are the fields of a bell.
     move |fields, dt, out| sample_all(sample, fields.as_ptr().cast(), dt, out)

@@ -24,8 +24,7 @@ fn first() -> usize {
     crate::rows(WARM).len() + crate::fastest::rows().len()
 }
 
-/// The libraries of a race.
-const OURS: usize = 0;
+const OURS: usize = 0; // the libraries of a race
 const RUCKIG: usize = 1;
 const RSRUCKIG: usize = 2;
 
@@ -217,7 +216,6 @@ fn array<T, const N: usize>(all: Vec<T>) -> [T; N] {
     all.try_into().ok().expect("so many")
 }
 
-/// One axis.
 fn races() -> Vec<Race> {
     type Plan = unsafe extern "C" fn(Ctx, Limits, State, State) -> i32;
     let mut random = Random::seeded(1);
@@ -342,8 +340,7 @@ impl<const N: usize> Problem<N> {
     }
 }
 
-/// Few enough that all moves stay in the cache.
-const EVALUATED: usize = 512;
+const EVALUATED: usize = 512; // few enough that all moves stay in the cache
 
 /// The same motion as a move and as a double-S.
 struct Both {
@@ -371,8 +368,7 @@ impl Both {
     }
 }
 
-/// A move by its number, and a time.
-type Moment = (usize, a_float);
+type Moment = (usize, a_float); // a move by its number, and a time
 type Evaluate<C> = unsafe extern "C" fn(*const C, a_float) -> a_float;
 
 const QUANTITIES: [(&str, Evaluate<atraj_move>, Evaluate<a_trajbell>); 4] = [

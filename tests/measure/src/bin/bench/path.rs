@@ -10,12 +10,9 @@ use std::hint::black_box;
 use std::time::Instant;
 use support::Real;
 
-/// Paths of a row.
 const PATHS: usize = 8;
-/// rsruckig takes milliseconds for a path.
-const ROUNDS: usize = 9;
-/// Plans of ours in a turn.
-const REPEATS: usize = 20;
+const ROUNDS: usize = 9; // rsruckig takes milliseconds for a path
+const REPEATS: usize = 20; // plans of ours in a turn
 
 pub fn print_table() {
     println!("real,function,case,ours µs,rsruckig µs,ours/rsruckig,rsruckig duration/ours");

@@ -17,14 +17,12 @@ const REPEATS: usize = 41;
 /// A row, and its plans one by one.
 pub struct Race {
     pub row: Row,
-    /// Makes the library of this number write the plan of this number.
-    one: Box<dyn Fn(usize, usize)>,
+    one: Box<dyn Fn(usize, usize)>, // makes the library of this number write the plan of this number
     /// Plans with ours and with rsruckig. It takes too long for every run under callgrind.
     pub compare: Box<dyn Fn() -> Tally>,
 }
 
-/// Plans all these problems.
-pub type Pass<P> = Box<dyn Fn(&[P])>;
+pub type Pass<P> = Box<dyn Fn(&[P])>; // plans all these problems
 
 impl Race {
     /// Like a control loop, each library overwrites its last plan. The passes of C libraries come first, then rsruckig, which `ask`
@@ -60,8 +58,7 @@ impl Race {
         }
     }
 
-    /// Nanoseconds of the longest of the plans. Passes over all plans time each one alone, so the processor cannot learn its
-    /// branches.
+    /// Nanoseconds of the longest of the plans. Passes over all plans time each one alone, so the processor cannot learn its branches.
     pub fn worst(&self, library: usize) -> f64 {
         let mut shortest = vec![f64::INFINITY; self.row.calls];
         for _ in 0..REPEATS {

@@ -3,8 +3,7 @@
 use libloading::Library;
 use std::sync::OnceLock;
 
-/// What Ruckig plans for one axis: the fields of `Axis` in tests/oracle/c/ruckig.cpp.
-pub type Axis = [f64; 11];
+pub type Axis = [f64; 11]; // what Ruckig plans for one axis: the fields of `Axis` in tests/oracle/c/ruckig.cpp
 
 /// Plans so many axes, and returns the duration, s; negative on an error.
 pub type Plan = unsafe extern "C" fn(*const Axis) -> f64;

@@ -8,32 +8,20 @@ use atraj::online::{Error, Move, State};
 use support::Real;
 
 listed! {
-    /// The planner with one fault.
     pub enum Fault {
-        /// It refuses sets of many axes.
-        Refuses,
-        /// The last axis makes its fastest move.
-        Alone,
-        /// The duration is twice the least one.
-        Late,
-        /// The duration is a little longer than demanded, and no tick.
-        OffTheClock,
-        /// It plans for a little less than the demanded duration.
-        TooShort,
+        Refuses, // it refuses sets of many axes
+        Alone, // the last axis makes its fastest move
+        Late, // the duration is twice the least one
+        OffTheClock, // the duration is a little longer than demanded, and no tick
+        TooShort, // it plans for a little less than the demanded duration
         /// The first axis moves for as long, but the end of its last axis is a representable number beside the target.
         EndOff,
-        /// A stretched axis stands still and then makes its fastest move.
-        Waits,
-        /// The limits of the last axis are a little wider.
-        WideLimits,
-        /// The last axis ends a representable number later.
-        OneLate,
-        /// It finds nothing.
-        Silent,
-        /// On the line, the last axis is a little beside.
-        BesideTheLine,
-        /// It arrives a tick too early: an axis that misses the tick slips by more than its roundings.
-        SlipsTooFar,
+        Waits, // a stretched axis stands still and then makes its fastest move
+        WideLimits, // the limits of the last axis are a little wider
+        OneLate, // the last axis ends a representable number later
+        Silent, // it finds nothing
+        BesideTheLine, // on the line, the last axis is a little beside
+        SlipsTooFar, // it arrives a tick too early: an axis that misses the tick slips by more than its roundings
     }
 }
 

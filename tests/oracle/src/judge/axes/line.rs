@@ -58,7 +58,6 @@ fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
     tightest.try_into().expect("six limits")
 }
 
-/// Judges axes on a straight line.
 pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Option<Bad> {
     let mut axes = vec![Move::default(); set.axes.len()];
     let found = match planner.line(set, &mut axes) {

@@ -10,30 +10,21 @@ use std::fmt::{Display, Formatter, Result as Written};
 use support::online::limits_of;
 use support::{Random, Real};
 
-/// How a loop plans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// One axis, without a cycle.
-    Alone,
-    /// Axes that arrive together.
-    Together,
-    /// Axes on a line.
-    Straight,
+    Alone,    // one axis, without a cycle
+    Together, // axes that arrive together
+    Straight, // axes on a line
 }
 
-/// A kind of loops.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// How they plan.
-    pub way: Way,
-    /// Whether they arrive on ticks.
-    pub on_ticks: bool,
-    /// Whether limits may differ in both directions.
-    pub is_general: bool,
+    pub way: Way,         // how they plan
+    pub on_ticks: bool,   // whether they arrive on ticks
+    pub is_general: bool, // whether limits may differ in both directions
 }
 
 impl Family {
-    /// All kinds.
     pub fn all() -> Vec<Self> {
         let ways = [
             (Way::Alone, false),
@@ -47,29 +38,21 @@ impl Family {
     }
 }
 
-/// The axes of a loop.
 #[derive(Clone, Debug)]
 pub struct Set<R> {
-    /// Their limits.
-    pub limits: Vec<Limits<R>>,
-    /// Where they are.
-    pub from: Vec<State<R>>,
-    /// Where they go.
-    pub to: Vec<State<R>>,
-    /// The period of the loop, s.
-    pub tick: f64,
+    pub limits: Vec<Limits<R>>, // their limits
+    pub from: Vec<State<R>>,    // where they are
+    pub to: Vec<State<R>>,      // where they go
+    pub tick: f64,              // the period of the loop, s
 }
 
-/// How many ticks later than the first plan said a loop may arrive.
-const SPARE: f64 = 2.0;
+const SPARE: f64 = 2.0; // how many ticks later than the first plan said a loop may arrive
 /// A loop goes on with its last plan when less than these ticks are left. A state has the rounding errors of the tick before it. For a plan
 /// that lasts a small part of a tick, they are too large.
 const LAST: f64 = 1.125;
-/// By how many times what the jerk changes in a tick an acceleration may change from tick to tick. An arrival on a tick is half a tick away at
-/// most.
+/// By how many times what the jerk changes in a tick an acceleration may change from tick to tick. An arrival on a tick is half a tick away at most.
 const MOST_STEP: f64 = 1.5;
-/// The longest first plan, in ticks. A longer loop comes no nearer to its end.
-const MOST_TICKS: f64 = 1500.0;
+const MOST_TICKS: f64 = 1500.0; // The longest first plan, in ticks. A longer loop comes no nearer to its end.
 
 impl Family {
     fn plan<R: Real>(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
@@ -157,18 +140,13 @@ fn ends(random: &mut Random, &[vmax, vmin, amax, amin, jmax, jmin]: &[f64; 6]) -
     [state(), state()]
 }
 
-/// How a loop ended.
 #[derive(Clone, Copy, Debug)]
 pub enum Outcome {
-    /// It arrived when its first plan said.
-    InTime,
-    /// In this tick it had more ticks left than its first plan said, and it did not make up for them.
-    Late(usize),
-    /// A tick had no plan.
-    Refused(usize, Error),
+    InTime,                // it arrived when its first plan said
+    Late(usize), // in this tick it had more ticks left than its first plan said, and it did not make up for them
+    Refused(usize, Error), // a tick had no plan
 }
 
-/// Runs a loop.
 pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> Outcome {
     let promised = (axes[0].t.widen() / set.tick).ceil();
     let mut since = None;
@@ -202,20 +180,14 @@ pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> 
 /// What became of the loops of a family.
 #[derive(Debug, Default)]
 pub struct Loops {
-    /// Loops.
-    pub loops: u64,
-    /// Loops that were late by more than two ticks.
-    pub late: u64,
-    /// Loops with a tick that has no plan.
-    pub refused: u64,
-    /// Of these, loops whose states were not on their line.
-    pub off_line: u64,
-    /// The last state of the first bad loops.
-    pub examples: Vec<String>,
+    pub loops: u64,            // loops
+    pub late: u64,             // loops that were late by more than two ticks
+    pub refused: u64,          // loops with a tick that has no plan
+    pub off_line: u64,         // of these, loops whose states were not on their line
+    pub examples: Vec<String>, // the last state of the first bad loops
 }
 
 impl Loops {
-    /// So many loops of a seed.
     pub fn of_seed<R: Real>(family: &Family, seed: u64, loops: u64) -> Self {
         let mut random = Random::seeded(seed);
         let mut all = Self { loops, ..Self::default() };

@@ -13,8 +13,7 @@ use problems::Sets;
 use several::Planner;
 use support::Random;
 
-/// Sets that a seed stands for in long runs.
-pub const SETS_PER_SEED: usize = 10_000;
+pub const SETS_PER_SEED: usize = 10_000; // sets that a seed stands for in long runs
 
 /// Judges the planner by so many sets of a seed. Every fourth one lies on a line.
 pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, sets: usize) -> Tallies {

@@ -7,14 +7,12 @@ use support::{Random, Real};
 
 macro_rules! families {
     ($($(#[$doc:meta])* $family:ident: $kinds:expr,)*) => {
-        /// What the axes of a set have in common.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Family {
             $($(#[$doc])* $family,)*
         }
 
         impl Family {
-            /// Every family.
             pub const ALL: [Self; [$(stringify!($family)),*].len()] = [$(Self::$family),*];
 
             /// The kinds of its axes.
@@ -29,50 +27,36 @@ macro_rules! families {
 }
 
 families! {
-    /// At rest at both ends.
-    AtRest: [Rest],
-    /// Velocities at both ends.
-    Moves: [Moving, Rest, EqualVelocities, OppositeVelocities, FullVelocity],
+    AtRest: [Rest], // at rest at both ends
+    Moves: [Moving, Rest, EqualVelocities, OppositeVelocities, FullVelocity], // velocities at both ends
     /// Accelerations at both ends.
     AcceleratedEnds: [AcceleratedStart, Accelerated, FullAcceleration, Straight, TinyAcceleration],
     /// Accelerated targets: some durations are impossible.
     AcceleratedTargets: [AcceleratedTarget, Lens, Lens, BorderOfGap, RiseAndFall],
-    /// The limits depend on the direction.
-    Limited: [Asymmetric],
+    Limited: [Asymmetric], // the limits depend on the direction
     /// The starts are outside the limits.
     Outside: [OutsideVelocity, OutsideAcceleration, BoundToLeave, FarOutside, ComingInside],
-    /// Some limits are infinite.
-    Unlimited: [InfiniteVelocity, InfiniteAcceleration, OneInfiniteJerk, InfiniteJerk],
-    /// One axis is at its target.
-    OneAtTarget: [Rest, Moving, Accelerated],
-    /// The rests of planned moves.
-    UnderWay: [Remainder, NextCycle],
+    Unlimited: [InfiniteVelocity, InfiniteAcceleration, OneInfiniteJerk, InfiniteJerk], // some limits are infinite
+    OneAtTarget: [Rest, Moving, Accelerated], // one axis is at its target
+    UnderWay: [Remainder, NextCycle], // the rests of planned moves
     /// Whatever is adversarial for one axis.
     Adversarial: [NoDisplacement, DirectTie, BorderOfCruise, BorderOfShape, BorderOfHold, TargetOnTheBoundary, Tiny, Offset, NeverReached,
             WeakLimits, HugeJerk, Lens, Rest, Moving],
 }
 
-/// Axes to move together.
 #[derive(Clone, Debug)]
 pub struct Set<R> {
-    /// What the axes have in common.
-    pub family: Family,
-    /// The axes.
+    pub family: Family, // what the axes have in common
     pub axes: Vec<Problem<R>>,
-    /// The least duration, s.
-    pub duration: R,
-    /// The period of the clock, s; 0: none.
-    pub cycle: R,
+    pub duration: R, // the least duration, s
+    pub cycle: R,    // the period of the clock, s; 0: none
 }
 
-/// The limits of all axes, their starts and their ends.
 pub type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
 
-/// The most axes of a set.
 pub const MOST_AXES: usize = 12;
 
 impl<R: Real> Set<R> {
-    /// The limits of the axes, their starts and their ends.
     pub fn columns(&self) -> Columns<R> {
         let axes = || self.axes.iter();
         (
@@ -82,7 +66,6 @@ impl<R: Real> Set<R> {
         )
     }
 
-    /// The set in words.
     pub fn show(&self) -> String {
         let axes: Vec<_> = self.axes.iter().map(Problem::to_string).collect();
         let axes = axes.join("\n    ");
@@ -100,7 +83,6 @@ pub struct Sets<R> {
 }
 
 impl<R: Real> Sets<R> {
-    /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self { axes: Problems::new(seed), random: Random::seeded(seed ^ 0x5e75), turn: 0, straight: false }
     }
@@ -195,9 +177,7 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
     let [vmax, vmin] = pair(limits.vmax, limits.vmin);
     let [amax, amin] = pair(limits.amax, limits.amin);
     let [jmax, jmin] = pair(limits.jmax, limits.jmin);
-    #[rustfmt::skip]
-    let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
-    limits
+    Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
 /// How long the axis takes alone, s; 0 if it is not planned.

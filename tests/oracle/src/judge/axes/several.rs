@@ -11,7 +11,6 @@ use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Move};
 use support::{Random, Real};
 
-/// Something that plans several axes.
 pub trait Planner<R: Real> {
     /// Axes that arrive together.
     fn synchronise(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
@@ -26,7 +25,6 @@ pub trait Planner<R: Real> {
     }
 }
 
-/// The planner under test.
 pub struct Together;
 
 impl<R: Real> Planner<R> for Together {}
@@ -105,22 +103,15 @@ fn keeps_way<R: Real>(problem: &Problem<R>, axis: &Move<R>, fastest: &Move<R>) -
         })
 }
 
-/// The durations of a set.
 pub struct Timing<'a, R> {
-    /// The axes that share the duration.
-    pub axes: &'a [Trial<R>],
-    /// By how much each axis slips, s.
-    pub slips: &'a [f64],
-    /// Their motions, whose states have been judged.
-    pub planned: &'a [Move<R>],
-    /// The least duration, s.
-    pub duration: f64,
-    /// The period of the clock, s; 0: none.
-    pub cycle: f64,
+    pub axes: &'a [Trial<R>],   // the axes that share the duration
+    pub slips: &'a [f64],       // by how much each axis slips, s
+    pub planned: &'a [Move<R>], // their motions, whose states have been judged
+    pub duration: f64,          // the least duration, s
+    pub cycle: f64,             // the period of the clock, s; 0: none
 }
 
-/// Durations that the judge tries between the least one and that of the plan.
-const TRIED: u32 = 128;
+const TRIED: u32 = 128; // durations that the judge tries between the least one and that of the plan
 
 impl<R: Original> Timing<'_, R> {
     /// What is wrong with the duration, if something is. `other` gives a duration that another library finds.
@@ -184,7 +175,6 @@ impl<R: Original> Timing<'_, R> {
     }
 }
 
-/// Judges axes that arrive together.
 pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Option<Bad> {
     let mut axes = vec![Move::default(); set.axes.len()];
     let found = match planner.synchronise(set, &mut axes) {
@@ -206,7 +196,6 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
         })
 }
 
-/// The plan of one axis.
 pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
     Plan::of_move(*axis, Findings::default())
 }
