@@ -44,7 +44,6 @@ fn links(document: &Path) -> Vec<Link> {
         .collect()
 }
 
-/// The path without `..`.
 fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {

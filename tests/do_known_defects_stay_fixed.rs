@@ -156,8 +156,7 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
         let mut from = State { position, velocity, acceleration: begun };
         let mut to = State::at(R::of(0.0));
         if random.one_in(2) {
-            // The same motion in the other order of time.
-            (from, to) = (to, from);
+            (from, to) = (to, from); // the same motion in the other order of time
             (from.velocity, to.velocity) = (-from.velocity, -to.velocity);
         }
         let mut planned = Move::default();
@@ -220,7 +219,6 @@ fn from_a_state_to_itself<R: Real>() {
     }
 }
 
-/// Whether all numbers of a move are finite.
 fn is_finite<R: Real>(planned: &Move<R>) -> bool {
     planned.phase.iter().all(|phase| {
         let Phase { start, duration, position, velocity, acceleration, jerk } = *phase;
@@ -240,15 +238,13 @@ fn finite_or_untouched<R: Real>(plan: impl Fn(&mut Move<R>) -> Result<Findings, 
     result
 }
 
-/// The largest finite number.
 fn largest<R: Real>() -> f64 {
     f64::from(R::EXPONENTS.1).exp2() * (2.0 - R::MACHINE_EPSILON.widen())
 }
 
 /// The largest positions, velocities and durations overflowed, and the move was accepted.
 fn beyond_the_range<R: Real>() {
-    // 1e160 in binary64, 1e20 in binary32.
-    let far = R::of(f64::from(R::EXPONENTS.1 * 17 / 32).exp2());
+    let far = R::of(f64::from(R::EXPONENTS.1 * 17 / 32).exp2()); // 1e160 in binary64, 1e20 in binary32
     let (one, zero) = (R::of(1.0), R::of(0.0));
     let limits = Limits::symmetric(one, one, far * far * far);
     let moving = State { velocity: far, ..State::at(zero) };

@@ -34,13 +34,11 @@ fn rows() -> Vec<Row> {
     rows
 }
 
-/// The names in one column.
 fn column(k: usize) -> BTreeSet<String> {
     let names = rows().into_iter().map(|Row(cells)| cells[k].clone());
     names.filter(|name| !name.is_empty()).collect()
 }
 
-/// The text of the headers in a directory and below.
 fn headers(directory: &Path) -> String {
     let entries = fs::read_dir(directory).unwrap();
     let paths = entries.map(|entry| entry.unwrap().path());
@@ -237,8 +235,7 @@ fn names_agree() {
         if !cpp.is_empty() && last(&cpp) != "fastest" {
             assert!(c.ends_with(last(&cpp)), "{what}: {c}, {cpp}");
         }
-        // The constructor has the name of the class.
-        let rust = rust.strip_suffix("::new").unwrap_or(&rust);
+        let rust = rust.strip_suffix("::new").unwrap_or(&rust); // the constructor has the name of the class
         if !python.is_empty() && last(&python) != "sample" {
             assert_eq!(last(rust), last(&python), "{what}");
         }

@@ -6,7 +6,6 @@ use std::array;
 use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
 use support::{Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family};
 
-/// A sweep of `n` samples.
 #[derive(Clone, Copy)]
 struct Sweep<R> {
     x0: R,
@@ -99,7 +98,6 @@ fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
     special.clone().flat_map(from).collect()
 }
 
-/// Every golden move through sweeps.
 fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(family: Family, profile: fn(&[R]) -> P) {
     let mut comparison = Comparison::default();
     for golden in golden::moves::<R>(family) {
@@ -122,7 +120,6 @@ fn golden_moves<R: Real>(family: Family) {
 
 test_each_family!(golden_moves);
 
-/// Moves from any state to any state.
 fn moves<R: Real>() {
     let mut random = Random::seeded(1);
     let mut comparison = Comparison::default();

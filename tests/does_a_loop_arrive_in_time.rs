@@ -66,7 +66,6 @@ impl Ends {
     const ALL: [Self; 3] = [Self::Moving, Self::AtZero, Self::Accelerated];
 }
 
-/// One axis of a problem.
 fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State<R>) {
     let mut pair = |low: f64, high: f64| {
         let most = random.between(low, high);
@@ -91,7 +90,6 @@ fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State
     (limits_of(limits.map(R::of)), real(from), real(to))
 }
 
-/// Axes of their own.
 fn free<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
     let axes: Vec<_> = (0..count).map(|_| axis(random, ends)).collect();
     Problem {
@@ -101,7 +99,6 @@ fn free<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
     }
 }
 
-/// Axes on a line, each with limits of its own.
 fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
     let (limits, from, to) = axis::<R>(random, ends);
     let shares: Vec<f64> = (0..count).map(|index| if index == 0 { 1.0 } else { random.between(-1.0, 1.0) }).collect();

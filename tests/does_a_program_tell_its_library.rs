@@ -7,7 +7,6 @@ use support::repository::root;
 use support::tools::{has_tool, lines, run};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, Variant};
 
-/// What `make identify` answers.
 fn identify(file: &Path) -> Output {
     let mut make = Command::new("make");
     make.current_dir(root()).args(["-s", "identify"]);
@@ -24,7 +23,6 @@ fn identity(file: &Path) -> String {
     text.trim().to_owned()
 }
 
-/// What a build must tell.
 fn expected(variant: &Variant) -> String {
     let (real, polynomials) = match variant.directory {
         name if name == DOUBLE.directory => ("double", "polynomial levels 3 3 4"),
@@ -70,7 +68,6 @@ fn readelf_finds_the_note() {
     assert!(notes.iter().any(|l| l.trim().starts_with("atraj ")), "{notes:?}");
 }
 
-/// Size of code, data and zeroed data.
 fn sizes(program: &Path) -> String {
     let table = lines(Command::new("size").arg(program));
     let numbers = table[1].split_whitespace().take(3);

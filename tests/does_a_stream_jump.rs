@@ -132,8 +132,7 @@ fn a_shaped_state_is_the_mean_of_the_past<R: Real>() {
             let slack = 1.0 + 1024.0 * epsilon;
             assert!(shaped[1].abs() <= slack * v && shaped[2].abs() <= slack * a, "{number}, {tick}: {shaped:?}");
             let jump = (shaped[2] - before[2]).abs();
-            // The times of two ticks have roundings.
-            let late = 2.0 * epsilon * period * f64::from(source.ticks);
+            let late = 2.0 * epsilon * period * f64::from(source.ticks); // the times of two ticks have roundings
             assert!(jump <= slack * j * (period + late) + 64.0 * epsilon * a, "{number}, {tick}: {jump:e}");
             let moved = shaped[0] - before[0] - 0.5 * period * (shaped[1] + before[1]);
             assert!(

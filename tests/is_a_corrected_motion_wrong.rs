@@ -26,7 +26,6 @@ const REQUESTS: [&str; 11] = [
 ];
 const STOP: &str = "stop";
 
-/// The distance in which an axis at this velocity stops.
 fn stopping_distance(velocity: f64, rate: f64) -> f64 {
     0.5 * velocity * velocity / rate
 }
@@ -66,7 +65,6 @@ impl Order {
         self.side() * self.distance()
     }
 
-    /// The stopping distances at the acceleration and at the deceleration.
     fn stopping_distances(&self) -> [f64; 2] {
         let rates = [self.target.acceleration, self.target.deceleration];
         rates.map(|rate| stopping_distance(self.start.velocity, rate))

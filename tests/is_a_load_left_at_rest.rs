@@ -15,7 +15,6 @@ fn product(a: Swing, b: Swing) -> Swing {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
-/// `e` to a complex power.
 fn power(exponent: Swing) -> Swing {
     let size = exponent[0].exp();
     [size * exponent[1].cos(), size * exponent[1].sin()]
@@ -94,7 +93,6 @@ fn corners(borders: &[f64], delays: &[f64]) -> Vec<f64> {
     corners
 }
 
-/// The times of the impulses.
 fn delays(kind: ShaperKind, [frequency, damping]: [f64; 2]) -> Vec<f64> {
     let period = 1.0 / (frequency * (1.0 - damping * damping).sqrt());
     let (weights, spacing) = impulses(kind);

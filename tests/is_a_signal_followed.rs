@@ -68,7 +68,6 @@ fn follow(
     Followed { error, jerk }
 }
 
-/// Follows with a part of the signal's jerk.
 fn track(signal: Signal, known: f64, horizon: f64) -> Followed {
     follow(signal, |axis, limits, now, signal, jerk| {
         axis.track(limits, now, signal, known * jerk, horizon).expect("a plan");
@@ -211,7 +210,6 @@ impl Sine {
         Self { amplitude: need * (v / w).min(a / w.powi(2)).min(j / w.powi(3)), w, phase }
     }
 
-    /// The state, and the jerk.
     fn at(&self, t: f64) -> (State<f64>, f64) {
         let Self { amplitude, w, phase } = *self;
         let (sin, cos) = (w * t + phase).sin_cos();

@@ -13,7 +13,6 @@ const ROUNDINGS: f64 = 8.0;
 struct Move<R> {
     duration: R,
     reached: Extremes<R>,
-    /// Position, velocity and acceleration.
     each: Box<dyn Fn(R) -> [f64; 3]>,
     /// The sums of what is added up to evaluate them.
     scales: [f64; 3],
@@ -103,8 +102,7 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     // A phase starts where the phases before it, or behind it, add up to.
     let added = |all: [f64; 3], sums: [f64; 3]| std::array::from_fn(|i| all[i] + sums[i]);
     let [p, v, a] = phases.iter().map(of_phase).fold([0.0; 3], added);
-    // The rounding of a velocity lasts until the end.
-    let scales = [p + v * planned.t.widen(), v, a];
+    let scales = [p + v * planned.t.widen(), v, a]; // the rounding of a velocity lasts until the end
     // Beside a long phase the others are short.
     let parts = 0..=40;
     let inside = |part: i32| {
@@ -115,7 +113,6 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     Move::new(planned, planned.t, planned.extremes(), scales, borders)
 }
 
-/// Position, velocity and acceleration.
 fn values<R: Real>(state: &State<R>) -> [f64; 3] {
     [state.position, state.velocity, state.acceleration].map(R::widen)
 }

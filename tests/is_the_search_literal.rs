@@ -7,7 +7,6 @@ use support::{Family, Implementation, Ours, Random, Real, reference, test_both_r
 
 const MOVES: u32 = 300_000;
 
-/// How far the moves reach into the range of a type.
 trait Range: Real {
     /// Powers of two that bring an argument to an end of the range, or to a bound of the short cut.
     const EXTREMES: [i32; 6];
@@ -79,7 +78,6 @@ fn arguments<R: Range>(random: &mut Random) -> [R; 7] {
     arguments
 }
 
-/// Powers of two for the arguments of a move.
 fn exponents<R: Range>(random: &mut Random) -> [i32; 7] {
     let extreme = random.pick(&R::EXTREMES) + random.below(12) as i32;
     let unit = random.below(2 * R::UNITS as usize) as i32 - R::UNITS;

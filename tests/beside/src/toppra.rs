@@ -18,8 +18,7 @@ pub fn print(case: &Case) {
     let mut python = python.expect("python3");
     let mut input = python.stdin.take().expect("a pipe");
     for chain in &case.chains {
-        // The program ends early where toppra is missing.
-        let _ = writeln!(input, "{}", json(chain));
+        let _ = writeln!(input, "{}", json(chain)); // the program ends early where toppra is missing
     }
     drop(input);
     let output = python.wait_with_output().expect("an end of python3");

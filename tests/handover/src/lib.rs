@@ -1,6 +1,5 @@
 //! The handover of `src/machine/handover.rs`, compiled with other atomics, and faulty variants of it.
 
-/// What the models call.
 pub trait Handover {
     type Takeover;
     fn new() -> Self;

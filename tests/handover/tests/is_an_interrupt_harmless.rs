@@ -87,8 +87,7 @@ fn run<H: Handover + 'static>(ticks_before: u64, leads: &[u32], interrupted: &[u
     let mut accepted = 0;
     for (call, answer) in answers.iter().enumerate() {
         let is_taken = taken.contains(&(call + 1));
-        // A later call may replace a plan.
-        let is_last = answers[call + 1..].iter().all(Option::is_none);
+        let is_last = answers[call + 1..].iter().all(Option::is_none); // a later call may replace a plan
         match answer {
             Some((_, true)) => assert!(is_taken || !is_last, "an accepted plan is lost"),
             Some((_, false)) => assert!(!is_taken, "a late plan takes over"),

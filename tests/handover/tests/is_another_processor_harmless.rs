@@ -40,7 +40,6 @@ impl<H: Handover> Axis<H> {
         (plan.id, next)
     }
 
-    /// Whether the plan was accepted.
     fn go(&self, id: usize, lead: u32) -> bool {
         let Some(takeover) = self.words.prepare(lead) else {
             return false;

@@ -130,7 +130,6 @@ fn forward(space: &str, structs: &[&str]) -> String {
     declared.collect::<Vec<_>>().join("\n")
 }
 
-/// The functions, and what C++ has behind them.
 fn extern_c(functions: &str, behind: &str) -> String {
     format!(
         "#if defined(__cplusplus)

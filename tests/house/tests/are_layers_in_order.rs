@@ -66,7 +66,6 @@ fn flat(stream: TokenStream, words: &mut Vec<String>) {
     }
 }
 
-/// Every import of a file.
 fn imports(text: &str) -> Vec<Import> {
     let mut words = Vec::new();
     flat(text.parse().expect("Rust"), &mut words);
@@ -131,7 +130,6 @@ fn read_use<'a>(
     }
 }
 
-/// Files, each by its module: its path and its imports.
 struct Files<'a>(BTreeMap<Module, (&'a str, Vec<Import>)>);
 
 impl<'a> Files<'a> {
@@ -203,7 +201,6 @@ impl<'a> Files<'a> {
         imported.collect()
     }
 
-    /// What is wrong with the imports, a sentence each.
     fn faults(&self) -> BTreeSet<String> {
         let imported = self.imported();
         let path = |module: &Module| self.0[module].0;

@@ -153,7 +153,6 @@ table! { |n|
     claraty_trapezoid_set_waypoints: (1 n n n n);
 }
 
-/// What a function returns.
 enum Answer {
     Nothing,
     Number(f64),
@@ -219,7 +218,6 @@ impl Answer {
     }
 }
 
-/// What pointers point to.
 #[derive(Clone, Copy, PartialEq)]
 enum Contents {
     Ordinary,
@@ -227,7 +225,6 @@ enum Contents {
     Mixed, // each argument is one or the other
 }
 
-/// Which pointers are NULL.
 #[derive(Clone, Copy, PartialEq)]
 enum Null {
     None,
@@ -342,7 +339,6 @@ impl Caller {
         }
     }
 
-    /// An array of its own, with what is promised.
     fn array<T: Element>(&mut self, promise: &Promise, is_const: bool) -> *mut T {
         let (Promise::Given(count) | Promise::Numbers(count, _) | Promise::Written(count) | Promise::Room(count)) =
             *promise
@@ -409,7 +405,6 @@ fn read<T: Element>(first: *const Word, count: usize) {
     }
 }
 
-/// An argument of a C function.
 trait Argument {
     fn of(caller: &mut Caller, promise: Promise) -> Self;
 }
@@ -588,7 +583,6 @@ made! {
 }
 
 impl Caller {
-    /// Limits, a start and an end.
     fn problem(&mut self) -> (atraj_limits, atraj_state, atraj_state) {
         let mut problem = MaybeUninit::uninit();
         let to: *mut (atraj_limits, atraj_state, atraj_state) = problem.as_mut_ptr();
@@ -709,8 +703,7 @@ fn each_number_alone_is_refused() {
                 let answer = call(&mut caller, n);
                 (caller, answer)
             };
-            // A path of two sections plans the velocity between them.
-            let is_path = name.starts_with("atraj_path");
+            let is_path = name.starts_with("atraj_path"); // a path of two sections plans the velocity between them
             let n = if !is_path && with(None, 2).1.is_success() { 2 } else { 1 };
             let (mut caller, answer) = with(Some(k), n);
             if k >= caller.numbers {

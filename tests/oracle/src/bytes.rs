@@ -65,16 +65,14 @@ of_bytes! {
 fn plan_as<R: Original>(_: u8, mut bytes: &[u8]) {
     let arguments: [R; 7] = std::array::from_fn(|_| number(&mut bytes));
     let mut random = Random::seeded(0);
-    // A power of time may overflow beyond this range.
-    let most = f64::from(R::EXPONENTS.1 / 8).exp2();
+    let most = f64::from(R::EXPONENTS.1 / 8).exp2(); // a power of time may overflow beyond this range
     let fits = arguments.iter().enumerate().all(|(index, x)| {
         let (x, is_limit) = (x.widen().abs(), index < 3);
         (1.0 / most..=most).contains(&x) || x == 0.0 && !is_limit
     });
     for request in [Request::Bell, Request::Trap] {
         let problem = Problem::of_arguments(request, arguments);
-        // Any bits must not panic.
-        let plan = Fastest.plan(&problem);
+        let plan = Fastest.plan(&problem); // any bits must not panic
         let zero = R::of(0.0);
         if !fits || problem.limits.amax <= zero || problem.limits.amin >= zero {
             continue;
@@ -135,8 +133,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     let [p0, p1] = [from, end].map(|state| state.position.widen());
     let rounding = 1e3 * R::MACHINE_EPSILON.widen() * (p0.abs() + p1.abs());
     let jumps = (p1 - p0).abs() > 1.01 * speed * planned.t.widen() + rounding;
-    // Else a power of the time need not be a number.
-    let is_ordinary = are_ordinary(&[limits], &[from, to]);
+    let is_ordinary = are_ordinary(&[limits], &[from, to]); // else a power of the time need not be a number
     assert!(!(jumps && is_ordinary), "{problem}: too far for {planned:?}");
     let _ = planned.time_at(reached.highest.position);
     let _ = planned.time_at(to.position);
@@ -211,8 +208,7 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         assert!(end == *to, "{problem}: ends at {end:?}");
         let start = axis.state_at(R::of(-1.0));
         assert!(start == *from || t == zero, "{problem}: starts at {start:?}");
-        // Nothing here may panic.
-        let _ = axis.time_at(axis.extremes().highest.position);
+        let _ = axis.time_at(axis.extremes().highest.position); // nothing here may panic
     }
 }
 
@@ -383,8 +379,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         assert!(changed.is_ok() || clock == before, "{problem}");
         clock = before;
     }
-    // Nothing here may panic.
-    let _ = [0, 1, 2].map(|axes| clock.state(&path, axes, smoothing));
+    let _ = [0, 1, 2].map(|axes| clock.state(&path, axes, smoothing)); // nothing here may panic
     let _ = shaper.state(&planned, frequency);
     if to.velocity == R::of(0.0) && to.acceleration == R::of(0.0) {
         let end = shaper.state(&planned, R::of(f64::INFINITY));
@@ -474,7 +469,6 @@ fn number<R: Real>(bytes: &mut &[u8]) -> R {
     R::from_low_bits(take(bytes, size_of::<R>()))
 }
 
-/// The next `count` bytes.
 fn take(bytes: &mut &[u8], count: usize) -> u64 {
     let (taken, rest) = bytes.split_at(count.min(bytes.len()));
     *bytes = rest;

@@ -23,8 +23,7 @@ fn illegal<R: Real>(problem: &Problem<R>, random: &mut Random) -> Option<State<R
         0 => (vmax * more, 0.0),
         1 => (vmin * more, 0.0),
         2 => (0.0, random.pick(&[amax, amin]) * more),
-        // The acceleration cannot have been built up.
-        _ if a > 0.0 => ((vmin + 0.5 * a * a / jmax) * more, a),
+        _ if a > 0.0 => ((vmin + 0.5 * a * a / jmax) * more, a), // the acceleration cannot have been built up
         _ => ((vmax + 0.5 * a * a / jmin) * more, a),
     };
     let to = State { position: problem.to.position, velocity: R::of(v), acceleration: R::of(a) };
@@ -136,8 +135,7 @@ fn beside_plans<R: Real>() {
             (infinite, -infinite, Error::Limits),
             (none, p, Error::NotFinite),
             (p, none, Error::NotFinite),
-            // The target is outside.
-            (p + R::of(1.0 + p.widen().abs()), infinite, Error::Position),
+            (p + R::of(1.0 + p.widen().abs()), infinite, Error::Position), // the target is outside
             (-infinite, p - R::of(1.0 + p.widen().abs()), Error::Position),
         ] {
             let within = planned.within(&limits, from, to, lowest, highest).err();
@@ -248,8 +246,7 @@ fn beside_the_line<R: Real>() {
         let has_other = (0..set.axes.len()).any(|axis| axis != k && moves(axis));
         let (limits, from, to) = set.columns();
         let mut axes = vec![Move::default(); from.len()];
-        // The fastest motion has the largest numbers.
-        let any = R::of(0.0);
+        let any = R::of(0.0); // the fastest motion has the largest numbers
         let planned = line(&mut axes, &limits, &from, &to, any, any);
         if !has_other || planned.is_err() {
             continue;
@@ -597,8 +594,7 @@ fn bad_clocks<R: Real>() {
         assert_eq!(clock.rate(&[planned], &[limits], bad, zero), Err(Error::NotFinite));
         assert_eq!(clock.rate(&[planned], &[limits], zero, bad), Err(Error::NotFinite));
     }
-    // The axis is already too fast.
-    let slow = Limits { vmax: R::of(0.1), ..limits };
+    let slow = Limits { vmax: R::of(0.1), ..limits }; // the axis is already too fast
     assert_eq!(clock.rate(&[planned], &[slow], one, zero), Err(Error::Target));
     assert_eq!(clock, Clock::new());
     assert_eq!(clock.rate(&[planned], &[limits], -one, zero), Err(Error::Late));

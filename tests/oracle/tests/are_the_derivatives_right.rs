@@ -97,7 +97,6 @@ fn derivatives_are_those_of_differences() {
     }
 }
 
-/// A fault in one derivative is seen.
 #[test]
 fn a_wrong_derivative_is_seen() {
     let faulty = |limits, ends, t, lower| {

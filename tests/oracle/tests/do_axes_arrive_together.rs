@@ -34,8 +34,7 @@ fn every_fault_is_seen<R: Original>() {
         let tally = of_seed::<R>(&fault, 0, 1_000).total();
         let (bad, sets) = (tally.bad(), tally.problems);
         println!("{} {fault:?}: {bad} of {sets} sets seen", R::NAME);
-        // Few sets have an axis that waits.
-        let few = if matches!(fault, Fault::Waits) { 50 } else { 20 };
+        let few = if matches!(fault, Fault::Waits) { 50 } else { 20 }; // few sets have an axis that waits
         assert!(bad * few >= sets, "{fault:?} in {}", R::NAME);
     }
 }

@@ -15,7 +15,6 @@ use support::{Random, Real, test_both_reals};
 
 const SETS: usize = 20_000;
 
-/// An axis and its walls.
 struct Walled<R> {
     problem: Problem<R>,
     walls: [R; 2],
@@ -71,7 +70,6 @@ impl<R: Original> Walled<R> {
         2.0 * doubt::<R>() * speeds[0].max(speeds[1]) * axis.t.widen() + self.slack
     }
 
-    /// How long the axis takes if it stops on its way, s.
     fn with_a_stop(&self) -> f64 {
         let Problem { limits, from, to, .. } = self.problem;
         let [mut before, mut behind] = [Move::default(); 2];
@@ -88,7 +86,6 @@ impl<R: Real> fmt::Display for Walled<R> {
     }
 }
 
-/// What became of the sets.
 #[derive(Debug, Default)]
 struct Counts {
     inside: u32,
@@ -100,8 +97,7 @@ struct Counts {
 
 fn axes_stay_inside<R: Original>() {
     let mut random = Random::seeded(26);
-    // What the judge looks at follows the plans. The walls do not.
-    let mut glances = Random::seeded(27);
+    let mut glances = Random::seeded(27); // What the judge looks at follows the plans. The walls do not.
     let mut counts = Counts::default();
     for set in Sets::<R>::new(26).take(SETS) {
         let axes: Option<Vec<_>> = set.axes.iter().map(|axis| Walled::new(*axis, &mut random)).collect();

@@ -13,7 +13,6 @@ use support::{Random, online};
 
 const TOLERANCE: f64 = 1e-9; // relative to the largest number that a value is computed from
 
-/// The largest magnitude.
 fn size(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |most, x| x.abs().max(most))
 }
@@ -54,7 +53,6 @@ impl Units {
     }
 }
 
-/// Limits, starts and ends of several axes.
 #[derive(Clone, Debug)]
 struct Set {
     limits: Vec<Limits<f64>>,

@@ -16,12 +16,10 @@ fn moves_of<R: Real>(chain: &Chain<R>, path: &Path<R>) -> (Result<atraj::Finding
     (made, moves)
 }
 
-/// The states of all axes at a point.
 fn at<R: Real>(chain: &Chain<R>, path: &Path<R>, point: usize) -> Vec<State<R>> {
     path.states[point * chain.axes..][..chain.axes].to_vec()
 }
 
-/// Every number of the moves, as bits.
 fn bits<R: Real>(moves: &[Move<R>]) -> Vec<u64> {
     let of_phase = |phase: &Phase<R>| {
         [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk].map(R::low_bits)
@@ -78,8 +76,7 @@ fn wrong_durations_are_refused<R: Real>() {
         let lasts = moves[section * chain.axes].t.widen();
         let part = (lasts - path.durations[section].widen()) / path.duration() / R::MACHINE_EPSILON.widen().sqrt();
         if made.is_ok() {
-            // Its axes can be faster, or nobody could tell.
-            assert!(part < 1.01, "{k} {:?}: {part}", chain.family);
+            assert!(part < 1.01, "{k} {:?}: {part}", chain.family); // its axes can be faster, or nobody could tell
             continue;
         }
         let written = moves.iter().take_while(|axis| **axis != Move::default()).count();

@@ -81,7 +81,6 @@ fn long_paths_are_planned<R: Original>() {
     }
 }
 
-/// Every number of a plan, as bits.
 fn bits<R: Real>(path: &Path<R>) -> Vec<u64> {
     let states = path.states.iter().flat_map(|s| [s.position, s.velocity, s.acceleration]);
     let numbers = states.chain(path.durations.iter().copied());

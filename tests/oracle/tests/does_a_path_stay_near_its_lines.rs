@@ -10,7 +10,6 @@ use support::{Random, Real, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 
-/// What `plan_contour` writes.
 struct Planned<R: Real> {
     answer: Result<atraj::Findings, Error>,
     chain: Chain<R>,
@@ -19,7 +18,6 @@ struct Planned<R: Real> {
     places: Vec<usize>,
 }
 
-/// The limits of each section.
 fn zones<R: Real>(chain: &Chain<R>) -> Vec<Limits<R>> {
     (0..chain.sections()).flat_map(|section| chain.limits(section).to_vec()).collect()
 }
@@ -56,7 +54,6 @@ fn distance(point: &[f64], [from, to]: [&[f64]; 2]) -> f64 {
     dot(&off, &off).sqrt()
 }
 
-/// The positions of a point.
 fn positions<R: Real>(states: &[State<R>], axes: usize, point: usize) -> Vec<f64> {
     states[point * axes..][..axes].iter().map(|state| state.position.widen()).collect()
 }

@@ -68,7 +68,6 @@ impl<R: Real> Path<R> {
         found.expect("a section")
     }
 
-    /// The limits with a reserve.
     fn wider(&self, reserve: f64) -> Vec<Limits<R>> {
         let wider = |limit: R| R::of(limit.widen() * (1.0 + reserve));
         let each = self.limits.iter().map(|limits| Limits {

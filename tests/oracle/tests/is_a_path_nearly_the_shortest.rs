@@ -208,7 +208,6 @@ fn under_way<R: Original>(limits: &[Limits<R>], path: &Path<R>, left: R) -> Path
     rest
 }
 
-/// The path after its first section.
 fn after_first<R: Original>(chain: &Chain<R>, path: &Path<R>) -> (Chain<R>, Path<R>) {
     let path = Path { states: path.states[chain.axes..].to_vec(), durations: path.durations[1..].to_vec() };
     (Chain { states: path.states.clone(), ..chain.clone() }, path)

@@ -124,7 +124,6 @@ fn its_motions_are_possible() {
     println!("{PROBLEMS} problems: the largest error is {worst:e}");
 }
 
-/// rsruckig is no faster.
 #[test]
 fn rsruckig_is_no_faster() {
     let mut theirs = Theirs::default();
@@ -170,7 +169,6 @@ impl ByBisection {
         axis
     }
 
-    /// Duration of the fastest change of velocity.
     fn ramp(&self, change: f64, a: f64) -> f64 {
         if change * self.jerk < a * a { 2.0 * (change / self.jerk).sqrt() } else { a / self.jerk + change / a }
     }
@@ -206,7 +204,6 @@ impl ByBisection {
     }
 }
 
-/// A bisection of the peak velocity finds the same durations.
 #[test]
 fn a_bisection_finds_the_same() {
     let mut same = 0;

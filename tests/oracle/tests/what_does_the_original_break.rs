@@ -7,7 +7,6 @@ use support::{Family, Implementation, Random, Real, test_both_reals};
 
 const MOVES: u64 = 1_000_000;
 
-/// Counts of moves.
 #[derive(Debug, Default)]
 struct Counts {
     refused: u64,

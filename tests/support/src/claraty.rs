@@ -8,7 +8,6 @@ pub fn target([position, velocity, acceleration, deceleration]: [f64; 4]) -> Tar
     Target { position, velocity, acceleration, deceleration }
 }
 
-/// An axis at `position` that moves at `velocity`.
 pub fn moving(position: f64, velocity: f64) -> State<f64> {
     State { velocity, ..State::at(position) }
 }

@@ -18,7 +18,6 @@ pub const MOST_ARGUMENTS: usize = POLY7.arguments.len(); // the most arguments a
 pub const MOST_FIELDS: usize = POLY7.fields.len(); // the most reals a family's struct holds
 pub const MOST_BORDERS: usize = 9; // the most borders a family has, which are the borders of the bell
 
-/// Something that a profile is evaluated for.
 pub struct Quantity {
     pub name: &'static str, // its name
     pub c: &'static str,    // how the name of its C function ends
@@ -105,12 +104,10 @@ impl Family {
         self.description().fields
     }
 
-    /// What the C library evaluates.
     pub fn quantities(self) -> &'static [Quantity] {
         &QUANTITIES[..self.description().quantities]
     }
 
-    /// Whether `gen` returns the duration.
     pub const fn returns_duration(self) -> bool {
         matches!(self, Self::Bell | Self::Trap)
     }

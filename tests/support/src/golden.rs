@@ -82,7 +82,6 @@ pub fn compare_plans<R: Real>(
     }
 }
 
-/// The fields that the implementation writes.
 fn compare_plan<R: Real>(
     comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family, golden: &Move<R>,
 ) -> Vec<R> {

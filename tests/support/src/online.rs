@@ -5,7 +5,6 @@ use crate::real::Real;
 use atraj::State;
 use atraj::online::{Limits, Move};
 
-/// Limits from `[vmax, vmin, amax, amin, jmax, jmin]`.
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }

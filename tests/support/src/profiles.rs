@@ -34,12 +34,10 @@ named_fields!(
     [t = t, p0 = p0, p1 = p1, v0 = v0, v1 = v1, vc = vc, ta = ta, cruise_end = td, pa = pa, pd = pd, a0 = ac, a1 = de]
 );
 
-/// The cubic whose coefficients of position these fields begin with.
 pub fn poly3<R: Copy>(fields: &[R]) -> Poly3<R> {
     Poly3 { c: head(fields) }
 }
 
-/// The quintic whose coefficients of position these fields begin with.
 pub fn poly5<R: Copy>(fields: &[R]) -> Poly5<R> {
     Poly5 { c: head(fields) }
 }

@@ -22,7 +22,6 @@ impl Random {
         ((u128::from(self.bits()) * n as u128) >> 64) as usize
     }
 
-    /// True once in `n` times.
     pub fn one_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }
@@ -32,12 +31,10 @@ impl Random {
         self.below(2 * most as usize + 1) as i8 - most
     }
 
-    /// Evenly spread over `0..1`.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (0.5 * f64::EPSILON)
     }
 
-    /// Evenly spread over `lo..hi`.
     pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
         lo + (hi - lo) * self.unit()
     }
@@ -53,7 +50,6 @@ impl Random {
         f64::from_bits(((exponent + 1023) as u64) << 52 | self.bits() >> 12)
     }
 
-    /// -1 or +1.
     pub fn sign(&mut self) -> f64 {
         if self.bits() & 1 == 0 { -1.0 } else { 1.0 }
     }

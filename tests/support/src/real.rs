@@ -36,12 +36,10 @@ pub trait Real:
     /// at zero and at the largest NaN.
     fn neighbour(self, steps: i8) -> Self;
 
-    /// Whether this is not a number.
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()
     }
 
-    /// Same bits, or both NaN.
     fn same(self, other: Self) -> bool {
         self.low_bits() == other.low_bits() || (self.is_nan() && other.is_nan())
     }

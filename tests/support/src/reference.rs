@@ -5,7 +5,6 @@ use crate::profiles::{bell, bell_fields};
 use crate::real::Real;
 use atraj::Bell;
 
-/// What a plan comes to.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<R> {
     pub duration: R,   // the duration; 0 where the plan fails

@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// A language that the headers are for.
 #[derive(Clone, Copy)]
 #[allow(missing_docs)]
 pub enum Language {

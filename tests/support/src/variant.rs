@@ -52,12 +52,10 @@ impl Variant {
         self.directory.replacen("dist", "atraj", 1)
     }
 
-    /// Its archive. Builds it if need be.
     pub fn archive(&self) -> PathBuf {
         self.dist().join(format!("lib/lib{}.a", self.name()))
     }
 
-    /// Its shared library. Builds it if need be.
     pub fn shared_library(&self) -> PathBuf {
         self.dist().join(format!("lib/lib{}.so", self.name()))
     }

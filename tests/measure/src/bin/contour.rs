@@ -49,7 +49,6 @@ fn star() -> Vec<Point> {
     [0.0, 2.0, 4.0, 1.0, 3.0, 0.0].map(corner).to_vec()
 }
 
-/// A circle of 64 chords.
 fn circle() -> Vec<Point> {
     let point = |k| {
         let (sin, cos) = (f64::from(k) * PI / 32.0).sin_cos();
@@ -96,7 +95,6 @@ fn stopping(points: &[Point]) -> Result<f64, Error> {
     Ok(t)
 }
 
-/// Prints the path through the points.
 fn through(part: &str, points: &[Point]) -> Result<(), Error> {
     let (sections, start) = (points.len() - 1, Instant::now());
     let (mut states, mut durations) = (states(points), vec![0.0; sections]);

@@ -21,49 +21,20 @@ struct Function {
     may_be_below: bool,           // whether it may be too small
 }
 
+#[rustfmt::skip]
 const FUNCTIONS: [Function; 5] = [
-    Function {
-        name: "square root",
-        ours: Operations::sqrt,
-        exact: f64::sqrt,
-        takes: |_| true,
-        // Half an ulp, at most, of the power of two below.
-        allowed: |_, exact| 0.5 * EPSILON * exact.max(f64::from(f32::MIN_POSITIVE)),
-        may_be_below: true,
-    },
-    Function {
-        name: "cube root from above",
-        ours: Operations::cube_root_above,
-        exact: f64::cbrt,
-        takes: |x| x == 0.0 || has_root(x),
-        allowed: |_, exact| 1e-4 * exact,
-        may_be_below: false,
-    },
-    Function {
-        name: "cube root",
-        ours: Operations::cube_root,
-        exact: f64::cbrt,
-        takes: has_root,
-        allowed: |_, exact| EPSILON * exact,
-        may_be_below: true,
-    },
-    Function {
-        name: "logarithm",
-        ours: Operations::ln,
-        exact: f64::ln,
-        takes: |x| x > 0.0 && x.is_normal(),
-        allowed: |_, exact| 1e-8 + 6.0 * EPSILON * exact.abs(),
-        may_be_below: true,
-    },
-    Function {
-        name: "exponential of a negative number",
-        ours: Operations::exp_of_negative,
-        exact: |x| (-x).exp(),
-        takes: |x| x >= 0.0,
-        // A tiny result has the roundings of the smallest normal number.
-        allowed: |x, exact| (12.0 + x.min(200.0)) * EPSILON * exact.max(f64::from(f32::MIN_POSITIVE)),
-        may_be_below: true,
-    },
+    // Half an ulp, at most, of the power of two below.
+    Function { name: "square root", ours: Operations::sqrt, exact: f64::sqrt, takes: |_| true, may_be_below: true,
+        allowed: |_, exact| 0.5 * EPSILON * exact.max(f64::from(f32::MIN_POSITIVE)) },
+    Function { name: "cube root from above", ours: Operations::cube_root_above, exact: f64::cbrt, takes: |x| x == 0.0 || has_root(x),
+        may_be_below: false, allowed: |_, exact| 1e-4 * exact },
+    Function { name: "cube root", ours: Operations::cube_root, exact: f64::cbrt, takes: has_root, may_be_below: true,
+        allowed: |_, exact| EPSILON * exact },
+    Function { name: "logarithm", ours: Operations::ln, exact: f64::ln, takes: |x| x > 0.0 && x.is_normal(), may_be_below: true,
+        allowed: |_, exact| 1e-8 + 6.0 * EPSILON * exact.abs() },
+    // A tiny result has the roundings of the smallest normal number.
+    Function { name: "exponential of a negative number", ours: Operations::exp_of_negative, exact: |x| (-x).exp(), takes: |x| x >= 0.0,
+        may_be_below: true, allowed: |x, exact| (12.0 + x.min(200.0)) * EPSILON * exact.max(f64::from(f32::MIN_POSITIVE)) },
 ];
 
 fn has_root(x: f32) -> bool {

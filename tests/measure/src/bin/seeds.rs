@@ -33,7 +33,6 @@ fn write_all<R: Original>(directory: &Path) -> Result<()> {
     write("machine", &mut (0..48).map(|case| of_machine::<R>(case, &mut machines)))
 }
 
-/// A file for each case.
 fn write_corpus<R: Real>(directory: &Path, name: &str, cases: impl Iterator<Item = Vec<u8>>) -> Result<()> {
     std::fs::create_dir_all(directory)?;
     for (case, bytes) in cases.enumerate() {

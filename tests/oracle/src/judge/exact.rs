@@ -49,7 +49,6 @@ impl Misses {
         }
     }
 
-    /// In the order of their names.
     pub fn each(&self) -> [f64; 5] {
         [self.start, self.border, self.end, self.limits, self.turns]
     }
@@ -104,7 +103,6 @@ impl Point {
         Self { six_p: p * exact(6.0), v, a, jerk, duration }
     }
 
-    /// The state after the time `z`.
     fn at(&self, z: &Exact) -> Self {
         let Self { six_p, v, a, jerk, duration } = self;
         Self {
@@ -188,8 +186,7 @@ fn missed<R: Real>(problem: &Problem<R>, reached: &Point, t: f64) -> [f64; 3] {
     let target = Point { six_p: p * exact(6.0), v, a, jerk: zero.clone(), duration: zero };
     let [p, v, a] = reached.gap(&target);
     let is_free = matches!(problem.request, Request::Reach | Request::Stop);
-    // A trapezoid ends with its acceleration.
-    let steps = problem.request == Request::Trap;
+    let steps = problem.request == Request::Trap; // a trapezoid ends with its acceleration
     [if is_free { 0.0 } else { p }, v, if steps { 0.0 } else { a }]
 }
 
@@ -215,7 +212,6 @@ impl Size {
         Self([position + more.position, velocity + more.velocity, acceleration + more.acceleration])
     }
 
-    /// The largest of three differences, each over its size.
     fn relative(&self, differences: [f64; 3]) -> f64 {
         let over = |(difference, size): (f64, f64)| if difference == 0.0 { 0.0 } else { difference / size };
         differences.into_iter().zip(self.0).map(over).fold(0.0, f64::max)
@@ -253,7 +249,6 @@ fn turned<R: Real>(problem: &Problem<R>, plan: &Plan<R>, ends: [&Point; 2], pass
     passed.iter().map(outside).fold(0.0, f64::max)
 }
 
-/// What an axis does in a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Part {
     JerkUp,
@@ -311,7 +306,6 @@ impl Part {
     }
 }
 
-/// The worst of many motions of one kind.
 #[derive(Clone, Debug)]
 pub struct Row {
     pub kind: String, // which function plans them

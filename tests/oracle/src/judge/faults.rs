@@ -49,7 +49,6 @@ impl Fault {
         }
     }
 
-    /// Whether a plan of this request can have the fault.
     pub fn is_possible_in(self, request: Request) -> bool {
         match self {
             Self::Detour | Self::DroppedPhase | Self::SilentOvershoot | Self::SilentStart | Self::SilentEnd => {
@@ -60,7 +59,6 @@ impl Fault {
         }
     }
 
-    /// What becomes of a correct plan.
     fn change_plan<R: Real>(self, problem: &Problem<R>, plan: &mut Plan<R>) {
         let scale = Scale::of(problem, plan);
         if let Some(mut profile) = plan.profile {
@@ -96,7 +94,6 @@ impl Fault {
         }
     }
 
-    /// What becomes of a correct struct of liba.
     fn change_profile<R: Real>(self, problem: &Problem<R>, profile: &mut Profile<R>, scale: &Scale) {
         // `first` is where a part of the move begins that is not measured from its end.
         let (p1, v1, highest, directed, first) = match profile.family {
@@ -116,7 +113,6 @@ impl Fault {
         }
     }
 
-    /// A later end.
     fn late<R: Real>(self, problem: &Problem<R>, t: R) -> R {
         match self {
             Self::Direction if problem.to.position < problem.from.position => t.neighbour(1),
@@ -126,23 +122,19 @@ impl Fault {
     }
 }
 
-/// 100 ulps.
 fn off<R: Real>(scale: f64) -> R {
     R::of(100.0 * R::MACHINE_EPSILON.widen() * scale)
 }
 
-/// A little less time.
 fn shortened<R: Real>(t: R) -> R {
     R::of(t.widen() * (1.0 - if size_of::<R>() == 8 { 1e-8 } else { 1e-4 }))
 }
 
-/// The findings but for one.
 fn without(findings: Findings, one: Findings) -> Findings {
     let kept = OF_A_MOVE.into_iter().filter(|other| *other != one && findings.bits() & other.bits() != 0);
     kept.fold(Findings::default(), |all, other| all | other)
 }
 
-/// Changes all times.
 fn stretch<R: Real>(planned: &mut Move<R>, by: impl Fn(R) -> R) {
     for phase in &mut planned.phase {
         (phase.start, phase.duration) = (by(phase.start), by(phase.duration));

@@ -12,7 +12,6 @@ pub fn span<R: Real>(from: State<R>, planned: &Move<R>) -> [f64; 2] {
     [positions().fold(f64::INFINITY, f64::min), positions().fold(f64::NEG_INFINITY, f64::max)]
 }
 
-/// The positions of the fastest stop from the start.
 pub fn stop<R: Real>(limits: &Limits<R>, from: State<R>) -> Option<[f64; 2]> {
     let mut planned = Move::default();
     planned.stop(limits, from).ok()?;
@@ -81,7 +80,6 @@ pub struct Viable {
 impl Viable {
     const CELLS: usize = 30;
 
-    /// With these limits.
     pub fn new(limits: Limits<f64>) -> Self {
         let mut found = Self { limits, spans: vec![[0.0, 1.0]; (Self::CELLS + 1) * (Self::CELLS + 1)] };
         // An acceleration passes a cell in one step, and its range in a sixth of all steps.

@@ -29,7 +29,6 @@ pub struct Profile<R> {
 }
 
 impl<R: Real> Profile<R> {
-    /// A struct with these fields.
     pub fn new(family: Family, own: &[R]) -> Self {
         let mut fields = [R::of(0.0); 14];
         fields[..own.len()].copy_from_slice(own);
@@ -40,7 +39,6 @@ impl<R: Real> Profile<R> {
         &mut self.fields[..self.family.fields().len()]
     }
 
-    /// The quantities at the time `x` by this implementation.
     pub fn evaluate(&self, implementation: &impl Implementation<R>, x: R) -> [R; 4] {
         let own = &self.fields[..self.family.fields().len()];
         implementation.evaluate(self.family, own, x)
@@ -89,7 +87,6 @@ impl<R: Real> Plan<R> {
         Self { planned, profile: None, findings }
     }
 
-    /// The plan in a struct of liba.
     pub fn of_profile(problem: &Problem<R>, profile: Profile<R>) -> Self {
         let phases = profile.phases();
         let mut planned = Move { t: profile.fields[0], count: phases.len() as u32 - 1, ..Move::default() };
@@ -110,7 +107,6 @@ impl<R: Real> Plan<R> {
         Self { planned, profile: Some(profile), findings: profile.check(problem) }
     }
 
-    /// The quantities at the time `x`.
     pub fn state(&self, x: R) -> [R; 4] {
         match &self.profile {
             Some(profile) => profile.evaluate(&Ours, x),

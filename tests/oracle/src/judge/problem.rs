@@ -5,7 +5,6 @@ use atraj::online::{Limits, State};
 use std::fmt::{Display, Formatter, Result as Written};
 use support::{Family, Real};
 
-/// What is asked for, and of which planner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Request {
     Plan,  // the fastest motion to a state
@@ -76,7 +75,6 @@ impl<R: Real> Problem<R> {
         Self { kind, request, limits, from: state(p0, v0, a0), to: state(p1, v1, a1) }
     }
 
-    /// The problem of these arguments of the profile's `gen`.
     pub fn of_arguments(request: Request, arguments: [R; 7]) -> Self {
         let [x, y, z, p0, p1, v0, v1] = arguments;
         let zero = R::of(0.0);
@@ -100,14 +98,12 @@ impl<R: Real> Problem<R> {
         }
     }
 
-    /// The numbers that [`Problem::of`] takes.
     pub fn numbers(&self) -> [R; 12] {
         let Limits { vmax, vmin, amax, amin, jmax, jmin } = self.limits;
         let [[p0, v0, a0], [p1, v1, a1]] = [self.from, self.to].map(parts);
         [vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1]
     }
 
-    /// The same with other numbers.
     fn with(&self, numbers: [R; 12]) -> Self {
         Self::of(self.kind, self.request, numbers)
     }
@@ -122,7 +118,6 @@ impl<R: Real> Problem<R> {
         [limit(self.from), limit(self.to)]
     }
 
-    /// The problem seen from the other side.
     pub fn mirrored(&self) -> Self {
         let [vmax, vmin, amax, amin, jmax, jmin, ends @ ..] = self.numbers();
         let [p0, v0, a0, p1, v1, a1] = ends;
@@ -172,7 +167,6 @@ impl<R: Real> Problem<R> {
     }
 }
 
-/// Position, velocity and acceleration.
 pub fn parts<R>(state: State<R>) -> [R; 3] {
     [state.position, state.velocity, state.acceleration]
 }

@@ -19,7 +19,6 @@ impl Kind {
 }
 
 listed! {
-    /// What is adversarial about a problem.
     pub enum Kind {
         Rest, // at rest at both ends
         Moving, // velocities at both ends, in any direction
@@ -110,7 +109,6 @@ impl<R: Real> Problems<R> {
         if size_of::<R>() == 8 { 12.0 } else { 6.0 }
     }
 
-    /// A problem of this kind for `Move`.
     pub fn of_kind(&mut self, kind: Kind) -> Problem<R> {
         let request = match kind {
             Kind::Reach => Request::Reach,
@@ -510,7 +508,6 @@ impl<R: Real> Problems<R> {
     }
 }
 
-/// Makes one limit infinite, or both.
 fn make_infinite(limits: [&mut f64; 2], random: &mut Random) {
     let spared = random.pick(&[0, 1, 2]);
     for (index, limit) in limits.into_iter().enumerate() {

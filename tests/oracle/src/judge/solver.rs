@@ -17,7 +17,6 @@ pub struct Motion {
     pub frame: f64, // velocity of the frame in which the target has to be reached at the end's velocity
 }
 
-/// What the reference solver finds.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
 pub struct Best {
@@ -63,7 +62,6 @@ pub type Borders = [[f64; 3]; 17];
 
 pub type Knot = [f64; 4]; // time, position, velocity and acceleration
 
-/// What the integrated phases of a move reach.
 pub struct Walk {
     /// The states at the start of each phase, before the acceleration of the phase, and at the end.
     pub borders: Borders,
@@ -115,8 +113,7 @@ impl Motion {
         let mut best = Best::default();
         let [_, v0, a0] = self.start;
         let [vmax, vmin, ..] = self.limits;
-        // A start beyond a velocity recovers with an acceleration.
-        let comes_inside = v0 > vmax || v0 < vmin;
+        let comes_inside = v0 > vmax || v0 < vmin; // a start beyond a velocity recovers with an acceleration
         let is_accelerated = a0 != 0.0 || self.target[2] != 0.0 || comes_inside;
         let grid = if is_accelerated { grid } else { Grid::SPARSE };
         let Self { limits, start, target, frame } = self;
@@ -131,7 +128,6 @@ impl Motion {
         solver_possible(limits, start, target, &beside, duration)
     }
 
-    /// Whether the target can be reached in this duration.
     pub fn possible(&self, duration: f64) -> bool {
         self.lacks(duration, [0.0; 3]) == 0.0
     }
@@ -165,7 +161,6 @@ impl Motion {
 }
 
 impl Walk {
-    /// Integrates the phases of a move from this state.
     pub fn of<R: Real>(from: State<R>, planned: &Move<R>) -> Self {
         let phases = planned.phase.map(|phase| [phase.duration, phase.acceleration, phase.jerk].map(R::widen));
         let mut all = [[0.0; 3]; 17];

@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use std::fmt::{Display, Formatter, Result as Written};
 use support::{Family, Random};
 
-/// Counts of what was found in problems of one kind.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     name: String,
@@ -75,7 +74,6 @@ pub const PROFILES_PER_SEED: usize = 1_000_000;
 /// Problems of moves from any state to any state that a seed stands for in long runs.
 pub const MOVES_PER_SEED: usize = 250_000;
 
-/// What was found, by planner and kind.
 #[derive(Clone, Debug, Default)]
 pub struct Tallies {
     of: BTreeMap<[usize; 2], Tally>,
@@ -100,19 +98,16 @@ impl Tallies {
         tallies
     }
 
-    /// The counts of this planner and kind.
     pub fn row(&mut self, key: [usize; 2], name: impl FnOnce() -> String) -> &mut Tally {
         self.of.entry(key).or_insert_with(|| Tally { name: name(), ..Tally::default() })
     }
 
-    /// Adds what was found in other problems.
     pub fn add(&mut self, other: &Self) {
         for (key, tally) in &other.of {
             self.row(*key, || tally.name.clone()).add(tally);
         }
     }
 
-    /// The sum over all kinds.
     pub fn total(&self) -> Tally {
         sum(self.of.values())
     }

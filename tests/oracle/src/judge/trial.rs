@@ -23,10 +23,8 @@ pub fn are_of_a_move(findings: Findings) -> bool {
 /// The verdict if the finding is missing that the axis will unavoidably exceed its limits after the target.
 pub const LEAVES: &str = "it leaves the limits afterwards";
 
-/// What the judge says of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The least duration.
     Good {
         error: f64,   // its relative error
         detour: bool, // whether the axis turns and comes again, though a ramp ends within 4 ulps of the target
@@ -70,12 +68,10 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The scale of a planned motion.
     pub fn of<R: Real>(problem: &Problem<R>, plan: &Plan<R>) -> Self {
         Self::of_walk(&problem.limits, plan, &Walk::of(problem.ends()[0], &plan.planned))
     }
 
-    /// So many times as large.
     pub fn times(self, factor: f64) -> Self {
         Self {
             position: factor * self.position,
@@ -84,7 +80,6 @@ impl Scale {
         }
     }
 
-    /// The sum of both.
     pub fn and(self, more: &Self) -> Self {
         Self {
             position: self.position + more.position,
@@ -132,7 +127,6 @@ pub struct Trial<R> {
 }
 
 impl<R: Original> Trial<R> {
-    /// Asks the reference solver.
     pub fn new(problem: Problem<R>) -> Self {
         let motion = Motion::of(&problem);
         let best = motion.best();
@@ -147,17 +141,14 @@ impl<R: Original> Trial<R> {
         &self.problem
     }
 
-    /// The motion that the reference solver was asked for.
     pub fn motion(&self) -> Motion {
         self.motion
     }
 
-    /// Whether the end's position is wanted too.
     fn has_position(&self) -> bool {
         !matches!(self.problem.request, Request::Reach | Request::Stop)
     }
 
-    /// The least duration.
     pub fn least(&self, best: &Best) -> f64 {
         if self.has_position() { best.duration } else { best.direct }
     }
@@ -272,7 +263,6 @@ impl<R: Original> Trial<R> {
         }
     }
 
-    /// What is wrong with the motion, if something is.
     pub fn wrong_motion(&self, plan: &Plan<R>, random: &mut Random) -> Option<&'static str> {
         let own = Scale::default();
         self.wrong_states(plan, &own, random).or_else(|| self.wrong_findings(plan, plan.findings, &own))
@@ -296,14 +286,12 @@ impl<R: Original> Trial<R> {
         (random.one_in(16) && jumps()).then_some("the exact motion jumps or misses its end")
     }
 
-    /// The integrated motion and its scale, with `more`.
     fn walk(&self, plan: &Plan<R>, more: &Scale) -> (Walk, Scale) {
         let walk = Walk::of(self.problem.ends()[0], &plan.planned);
         let scale = Scale::of_walk(&self.problem.limits, plan, &walk).and(more);
         (walk, scale)
     }
 
-    /// Whether the ends are not the wanted ones.
     fn wrong_ends(&self, plan: &Plan<R>) -> Option<&'static str> {
         let zero = R::of(0.0);
         let [from, to] = self.problem.ends();
@@ -507,12 +495,10 @@ fn beside(index: usize, position: f64, velocity: f64) -> [f64; 3] {
     [shift(1) * position, shift(3) * velocity, shift(9) * velocity]
 }
 
-/// The same for all neighbours.
 fn besides(position: f64, velocity: f64) -> impl Iterator<Item = [f64; 3]> {
     (0..27).map(move |index| beside(index, position, velocity))
 }
 
-/// Limits on one side.
 struct Side {
     sign: f64,
     velocity: f64,
@@ -587,12 +573,10 @@ fn wrong_evaluation<R: Original>(
     let acceleration = doubt * scale.acceleration;
     let within = [(); 2].map(|()| R::of(random.unit()) * planned.t);
     let near = phases.iter().map(|phase| phase.start.neighbour(random.steps(2)));
-    // `does_a_move_go_on.rs` asks what comes after the end.
-    let is_over = |x: &R| !is_profile && *x > planned.t;
+    let is_over = |x: &R| !is_profile && *x > planned.t; // `does_a_move_go_on.rs` asks what comes after the end
     let times: Vec<R> = near.chain(within).filter(|x| !is_over(x)).collect();
     for x in times {
-        // Phase 0 is the start.
-        let under_way = phases.iter().rposition(|phase| phase.start <= x);
+        let under_way = phases.iter().rposition(|phase| phase.start <= x); // phase 0 is the start
         let index = under_way.filter(|_| x > R::of(0.0) || t == 0.0).unwrap_or(0);
         let phase = &phases[index];
         let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());

@@ -6,7 +6,6 @@ use libloading::Library;
 use std::path::Path;
 use support::{Family, Implementation, Real};
 
-/// The functions of one library in one real type.
 #[allow(missing_docs)]
 pub struct Abi<R: 'static> {
     pub bell: Gen7<R>,
@@ -28,7 +27,6 @@ unsafe fn loaded<F: Copy>(library: &Library, name: &str) -> F {
     *unsafe { library.get(name.as_bytes()) }.unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// `gen` of the bell and of the trapezoid.
 pub type Gen7<R> = unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R) -> R;
 /// `pos`, `vel`, `acc` or `jer`.
 pub type Evaluate<R> = unsafe extern "C" fn(*const R, R) -> R;
@@ -128,7 +126,6 @@ impl<R> Abi<R> {
     }
 }
 
-/// The C function of this name and type.
 macro_rules! c {
     ($($name:literal)+: fn($($argument:ty),*) $(-> $result:ty)?) => {{
         unsafe extern "C" {

@@ -5,7 +5,6 @@ use std::marker::PhantomData;
 use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};
 use support::{Family, Random, Real};
 
-/// What the numbers of a move are like.
 #[derive(Clone, Copy)]
 enum Distribution {
     Ordinary, // 2^-7 to 2^7
@@ -40,7 +39,6 @@ const DISTRIBUTIONS: [Distribution; 12] = [
 /// The bell comes twice, because it has the most branches.
 const FAMILIES: [Family; 6] = [Family::Bell, Family::Bell, Family::Trap, Family::Poly3, Family::Poly5, Family::Poly7];
 
-/// An endless sequence of cases.
 pub struct Moves<R> {
     random: Random,
     real: PhantomData<R>,

@@ -15,7 +15,6 @@ pub fn include() -> PathBuf {
 /// Our builds that exist of the original too, each with the flag that the original's headers need.
 pub const REALS: [(&Variant, &str); 2] = [(&DOUBLE, "-DA_SIZE_FLOAT=8"), (&FLOAT, "-DA_SIZE_FLOAT=4")];
 
-/// The functions that the original has too.
 pub fn shared_symbols(variant: &Variant) -> Vec<String> {
     let mut names = variant.symbols();
     names.retain(|name| name.starts_with("a_traj"));

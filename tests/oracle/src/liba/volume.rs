@@ -7,12 +7,10 @@ use support::{Implementation, Real};
 /// Calls of each implementation in the moves of a seed. The last move may add a few.
 pub const CALLS_PER_SEED: u64 = 1_000_000;
 
-/// All moves of one seed through both.
 pub fn run_seed<R: Real>(ours: &impl Implementation<R>, original: &impl Implementation<R>, seed: u64) -> Report {
     run_seed_of(ours, original, seed, |_| true)
 }
 
-/// The moves of one seed that are `wanted`, through both.
 pub fn run_seed_of<R: Real>(
     ours: &impl Implementation<R>, original: &impl Implementation<R>, seed: u64, wanted: impl Fn(&Case<R>) -> bool,
 ) -> Report {

@@ -51,7 +51,6 @@ pub fn print_table() {
     }
 }
 
-/// Every level in turn, for each number of samples.
 pub fn rows() -> Vec<Row> {
     let cases = [256, 1024, 16_384].into_iter().flat_map(|n| LEVELS.iter().map(move |level| (n, level)));
     cases.map(|(n, level)| samples(n, level)).collect()

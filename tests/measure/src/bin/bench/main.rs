@@ -28,6 +28,7 @@ use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
 use atraj::capi::trajbell::a_trajbell;
 use oracle::liba::abi::{Abi, Evaluate, Gen7, OURS, Original};
+use std::array::from_fn;
 use std::hint::black_box;
 use std::process::Command;
 use std::rc::Rc;
@@ -97,13 +98,9 @@ fn print_table(words: &[&str]) {
 }
 
 fn print_row(row: &mut Row, [ours, original]: &[String; 2]) {
-    let rounds = measure::<3>(row);
-    let [ns, o2, o3] = [0, 1, 2].map(|library| median(rounds.iter().map(|turns| turns[library])));
-    let [o2_ratio, o3_ratio] = [1, 2].map(|library| median(rounds.iter().map(|turns| turns[library] / turns[0])));
-    println!(
-        "{REAL},{},\"{}\",{ns:.2},{o2:.2},{o3:.2},{o2_ratio:.2},{o3_ratio:.2},{ours},{original}",
-        row.function, row.case,
-    );
+    let ([ns, o2, o3], [_, o2_ratio, o3_ratio]) = times(row);
+    let Row { function, case, .. } = row;
+    println!("{REAL},{function},\"{case}\",{ns:.2},{o2:.2},{o3:.2},{o2_ratio:.2},{o3_ratio:.2},{ours},{original}");
 }
 
 fn print_instructions() {
@@ -130,13 +127,19 @@ fn measure<const LIBRARIES: usize>(row: &mut Row) -> [[f64; LIBRARIES]; ROUNDS] 
     rounds
 }
 
+/// Nanoseconds of each library, and the same divided by ours.
+fn times<const LIBRARIES: usize>(row: &mut Row) -> ([f64; LIBRARIES], [f64; LIBRARIES]) {
+    let rounds = measure::<LIBRARIES>(row);
+    let ns = from_fn(|library| median(rounds.iter().map(|turns| turns[library])));
+    (ns, from_fn(|library| median(rounds.iter().map(|turns| turns[library] / turns[0]))))
+}
+
 fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<_> = values.collect();
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
 }
 
-/// Instructions of a call.
 fn instructions(row: usize, library: usize, calls: usize) -> String {
     instructions_of("count", row, library, calls)
 }

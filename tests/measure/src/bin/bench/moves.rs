@@ -5,10 +5,9 @@
 
 #![allow(clippy::useless_conversion)] // a_float may be f32
 
-use crate::race::{Pass, Race};
+use crate::race::{Pass, Race, Tally};
 use crate::ruckig;
-use crate::{README, REAL, Row, Samples, WARM, align_code, instructions, measure, median};
-use crate::{sample_all, sampling, state_all};
+use crate::{README, REAL, Row, Samples, WARM, align_code, instructions, sample_all, sampling, state_all, times};
 use atraj::capi::a_float;
 use atraj::capi::atraj::*;
 use atraj::capi::trajbell::*;
@@ -24,8 +23,7 @@ fn first() -> usize {
     crate::rows(WARM).len() + crate::fastest::rows().len()
 }
 
-const OURS: usize = 0; // the libraries of a race
-const RUCKIG: usize = 1;
+const OURS: usize = 0; // the libraries of a race; 1 is Ruckig's C++
 const RSRUCKIG: usize = 2;
 
 pub fn print_plans() {
@@ -47,23 +45,12 @@ pub fn print_plans() {
         let of_ruckig = |x: f64| {
             if has_ruckig { format!("{x:.2}") } else { "skipped".into() }
         };
-        println!(
-            "{REAL},{},\"{}\",{:.2},{:.2},{},{:.2},{},{:.0},{:.0},{:.2},{},{},{},{}",
-            race.row.function,
-            race.row.case,
-            ns[OURS],
-            ns[RSRUCKIG],
-            of_ruckig(ns[RUCKIG]),
-            ratios[RSRUCKIG],
-            of_ruckig(ratios[RUCKIG]),
-            worst[0],
-            worst[1],
-            worst[0] / ns[OURS],
-            counts[0],
-            counts[1],
-            tally.errors,
-            tally.slower,
-        );
+        let (Row { function, case, .. }, Tally { errors, slower }) = (&race.row, tally);
+        let ([ours, ruckig, theirs], [_, ruckig_ratio, ratio], [worst, worst_of_theirs]) = (ns, ratios, worst);
+        let [ruckig, ruckig_ratio] = [ruckig, ruckig_ratio].map(of_ruckig);
+        print!("{REAL},{function},\"{case}\",{ours:.2},{theirs:.2},{ruckig},{ratio:.2},{ruckig_ratio},");
+        let [count, count_of_theirs] = counts;
+        println!("{worst:.0},{worst_of_theirs:.0},{:.2},{count},{count_of_theirs},{errors},{slower}", worst / ours);
     }
 }
 
@@ -74,14 +61,6 @@ pub fn print_evaluations() {
         let counts = [0, 1].map(|library| instructions(index, library, row.calls));
         println!("{REAL},{},\"{}\",{ours:.2},{bell:.2},{ratio:.2},{},{}", row.function, row.case, counts[0], counts[1],);
     }
-}
-
-/// Nanoseconds of each library, and the same divided by ours.
-fn times<const LIBRARIES: usize>(row: &mut Row) -> ([f64; LIBRARIES], [f64; LIBRARIES]) {
-    let rounds = measure::<LIBRARIES>(row);
-    let ns = from_fn(|library| median(rounds.iter().map(|turns| turns[library])));
-    let ratio = |library| median(rounds.iter().map(|turns| turns[library] / turns[OURS]));
-    (ns, from_fn(ratio))
 }
 
 pub fn rows() -> Vec<Row> {
@@ -135,7 +114,6 @@ fn lone<const N: usize>(
     })
 }
 
-/// The limits and the ends of so many axes.
 struct Problem<const N: usize> {
     limits: [atraj_limits; N],
     from: [atraj_state; N],
@@ -170,7 +148,6 @@ fn cases() -> [(&'static str, Case); 6] {
 }
 
 impl Case {
-    /// The limits and the ends of an axis.
     fn axis(self, random: &mut Random) -> (atraj_limits, atraj_state, atraj_state) {
         let [jm, am, vm] = [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
         let mut part = || {
@@ -228,7 +205,6 @@ fn races() -> Vec<Race> {
     cases().map(race).into()
 }
 
-/// Several axes that arrive together.
 fn together() -> Vec<Race> {
     let mut random = Random::seeded(3);
     let [rest, _, _, accelerated, ..] = cases();
@@ -329,7 +305,6 @@ impl<const N: usize> Problem<N> {
         })
     }
 
-    /// The limits, the start and the target of each axis.
     fn numbers(&self) -> Vec<([a_float; 6], [[a_float; 3]; 2])> {
         let axis = |k: usize| {
             let l = &self.limits[k];
@@ -342,7 +317,6 @@ impl<const N: usize> Problem<N> {
 
 const EVALUATED: usize = 512; // few enough that all moves stay in the cache
 
-/// The same motion as a move and as a double-S.
 struct Both {
     moves: Vec<atraj_move>,
     bells: Vec<a_trajbell>,
@@ -380,10 +354,8 @@ const QUANTITIES: [(&str, Evaluate<atraj_move>, Evaluate<a_trajbell>); 4] = [
 
 fn evaluations() -> Vec<Row> {
     let mut random = Random::seeded(2);
-    let arguments: Vec<_> = (0..EVALUATED)
-        .map(|_| crate::fastest::with_any_ends(&mut random))
-        .map(|plan| plan[..].try_into().expect("7 arguments"))
-        .collect();
+    let plans = (0..EVALUATED).map(|_| crate::fastest::with_any_ends(&mut random));
+    let arguments: Vec<_> = plans.map(|plan| plan[..].try_into().expect("7 arguments")).collect();
     let both = Rc::new(Both::plan(&arguments));
     let at_random: Rc<[Moment]> =
         (0..EVALUATED).map(|k| (k, both.moves[k].t * random.between(0.0, 1.0) as a_float)).collect();
@@ -399,7 +371,7 @@ fn evaluations() -> Vec<Row> {
             }));
         }
     }
-    rows.extend([states(1024), samples(1024)]);
+    rows.extend(at_n_times(1024));
     rows
 }
 
@@ -444,24 +416,15 @@ fn evaluate_all<C>(evaluate: Evaluate<C>, contexts: &[C], moments: &[Moment]) {
     }
 }
 
-/// All four quantities at `n` times, one call for each time.
-fn states(n: usize) -> Row {
-    at_once(
-        "atraj_move_state",
-        n,
-        |both, dt, out| state_all(atraj_move_state, &both.moves[0], dt, out),
-        |both, dt, out| state_all(atraj_bell_state, &both.bells[0], dt, out),
-    )
-}
-
-/// All four quantities at `n` times in one call.
-fn samples(n: usize) -> Row {
-    at_once(
-        "atraj_move_sample",
-        n,
-        |both, dt, out| sample_all(atraj_move_sample, &both.moves[0], dt, out),
-        |both, dt, out| sample_all(atraj_bell_sample, &both.bells[0], dt, out),
-    )
+/// All four quantities at `n` times, one call for each time, and all in one call.
+fn at_n_times(n: usize) -> [Row; 2] {
+    let ours: AtOnce = |both, dt, out| state_all(atraj_move_state, &both.moves[0], dt, out);
+    let states =
+        at_once("atraj_move_state", n, ours, |both, dt, out| state_all(atraj_bell_state, &both.bells[0], dt, out));
+    let ours: AtOnce = |both, dt, out| sample_all(atraj_move_sample, &both.moves[0], dt, out);
+    let samples =
+        at_once("atraj_move_sample", n, ours, |both, dt, out| sample_all(atraj_bell_sample, &both.bells[0], dt, out));
+    [states, samples]
 }
 
 type AtOnce = fn(&Both, a_float, Samples);

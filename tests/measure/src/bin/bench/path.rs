@@ -21,7 +21,6 @@ pub fn print_table() {
     }
 }
 
-/// Paths from rest to rest that rsruckig takes.
 fn chains(axes: usize, points: usize) -> Vec<Chain<a_float>> {
     let mut chains = Chains::new(0);
     let all = std::iter::from_fn(|| Some(chains.of::<a_float>(Family::AtRest)));

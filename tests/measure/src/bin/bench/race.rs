@@ -14,7 +14,6 @@ use support::Real;
 /// How often each plan is timed alone. The shortest time counts, so no other work on the machine does.
 const REPEATS: usize = 41;
 
-/// A row, and its plans one by one.
 pub struct Race {
     pub row: Row,
     one: Box<dyn Fn(usize, usize)>, // makes the library of this number write the plan of this number
@@ -97,7 +96,6 @@ impl Tally {
     }
 }
 
-/// rsruckig with so many axes.
 struct Planner<const N: usize> {
     ruckig: Ruckig<N, ThrowErrorHandler>,
     input: InputParameter<N>,

@@ -26,7 +26,6 @@ listed! {
 }
 
 impl Fault {
-    /// The set that the planner plans instead.
     fn changed<R: Real>(self, set: &Set<R>, least: R) -> Set<R> {
         let mut changed = set.clone();
         let little = |factor: f64| {
@@ -52,7 +51,6 @@ impl Fault {
         changed
     }
 
-    /// What becomes of correct axes.
     fn spoil<R: Real>(self, set: &Set<R>, axes: &mut [Move<R>]) {
         let Some((axis, problem)) = axes.last_mut().zip(set.axes.last()) else {
             return;
@@ -85,7 +83,6 @@ impl Fault {
     }
 }
 
-/// The move after a wait.
 fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
     let mut later = *planned;
     let count = planned.count as usize;
@@ -101,7 +98,6 @@ fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
     later
 }
 
-/// All axes, one tick earlier.
 fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
     let (zero, t) = (R::of(0.0), axes[0].t - set.cycle);
     if set.cycle == zero || t < set.duration || t <= zero {

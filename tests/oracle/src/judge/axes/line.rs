@@ -31,7 +31,6 @@ fn shares<R: Real>(set: &Set<R>) -> (Vec<R>, usize) {
     (set.axes.iter().map(share).collect(), lead)
 }
 
-/// The lead within the tightest limits of all axes.
 fn lead_of<R: Real>(set: &Set<R>, shares: &[R], lead: usize) -> Problem<R> {
     let axis = set.axes[lead];
     if shares[lead].widen() == 0.0 {
@@ -90,8 +89,7 @@ fn wrong_motions<R: Original>(
             return Some((k, Verdict::Wrong("the axes do not arrive together")));
         }
         let trial = Trial::new(*problem);
-        // The positions of the lead are rounded too.
-        let positions = Scale { position: p0 + p1, ..Scale::default() };
+        let positions = Scale { position: p0 + p1, ..Scale::default() }; // the positions of the lead are rounded too
         let more = of_lead.and(&positions).times(shares[k].widen().abs());
         let more = scale_of_short_ramps(&trial, t.widen()).and(&more);
         let what = trial

@@ -65,7 +65,6 @@ impl Family {
         }
     }
 
-    /// A random set that can be planned, and its first plan.
     pub fn set<R: Real>(&self, random: &mut Random) -> (Set<R>, Vec<Move<R>>) {
         loop {
             let set: Set<R> = self.draw(random);
@@ -125,11 +124,9 @@ fn tightest(limits: &[[f64; 6]], shares: &[f64]) -> [f64; 6] {
     })
 }
 
-/// Position, velocity and acceleration at both ends.
 fn ends(random: &mut Random, &[vmax, vmin, amax, amin, jmax, jmin]: &[f64; 6]) -> [[f64; 3]; 2] {
     let mut state = || {
-        // A third accelerates, a third moves uniformly, a third is at rest.
-        let kind = random.below(3);
+        let kind = random.below(3); // a third accelerates, a third moves uniformly, a third is at rest
         let a = if kind == 0 { random.between(amin, amax) } else { 0.0 };
         // What undoing the acceleration adds stays within the limits.
         let (above, below) = (0.51 * a * a / -jmin, 0.51 * a * a / jmax);
@@ -177,7 +174,6 @@ pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> 
     }
     unreachable!()
 }
-/// What became of the loops of a family.
 #[derive(Debug, Default)]
 pub struct Loops {
     pub loops: u64,            // loops

@@ -15,7 +15,6 @@ macro_rules! families {
         impl Family {
             pub const ALL: [Self; [$(stringify!($family)),*].len()] = [$(Self::$family),*];
 
-            /// The kinds of its axes.
             fn kinds(self) -> &'static [Kind] {
                 use Kind::*;
                 match self {
@@ -87,7 +86,6 @@ impl<R: Real> Sets<R> {
         Self { axes: Problems::new(seed), random: Random::seeded(seed ^ 0x5e75), turn: 0, straight: false }
     }
 
-    /// The sequence of sets whose axes lie on straight lines.
     pub fn on_lines(seed: u64) -> Self {
         Self { straight: true, ..Self::new(seed) }
     }

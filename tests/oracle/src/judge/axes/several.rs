@@ -12,13 +12,11 @@ use atraj::online::{Error, Move};
 use support::{Random, Real};
 
 pub trait Planner<R: Real> {
-    /// Axes that arrive together.
     fn synchronise(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
         let (limits, from, to) = set.columns();
         synchronise(axes, &limits, &from, &to, set.duration, set.cycle)
     }
 
-    /// Axes on a straight line.
     fn line(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
         let (limits, from, to) = set.columns();
         line(axes, &limits, &from, &to, set.duration, set.cycle)
