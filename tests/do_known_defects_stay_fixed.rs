@@ -5,6 +5,7 @@ use atraj::machine::{Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use std::fs;
+use support::online::state_of as state;
 use support::repository::root;
 use support::{Random, Real, online, test_both_reals};
 
@@ -12,13 +13,7 @@ use support::{Random, Real, online, test_both_reals};
 type Row = ([f64; 6], [f64; 3], [f64; 3]);
 
 fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
-    let [vmax, vmin, amax, amin, jmax, jmin] = limits.map(R::of);
-    Limits { vmax, vmin, amax, amin, jmax, jmin }
-}
-
-fn state<R: Real>(state: [f64; 3]) -> State<R> {
-    let [position, velocity, acceleration] = state.map(R::of);
-    State { position, velocity, acceleration }
+    online::limits_of(limits.map(R::of))
 }
 
 /// The farthest jump of the position between two phases, in ulps of the positions and of speed times duration.
@@ -290,15 +285,13 @@ fn of_any_size<R: Real>() {
             online::limits_of([vmax, -v, amax, -a, jmax, -j])
         });
         // Within the limits, and with an acceleration that can have been built up.
-        let to = limits.map(|Limits { vmax, amax, jmax, .. }| State {
-            position: number(),
-            velocity: part * vmax,
-            acceleration: part * R::of(f64::min(amax.widen(), (vmax.widen() * jmax.widen()).sqrt())),
+        let to = limits.map(|Limits { vmax, amax, jmax, .. }| {
+            let acceleration = part * R::of(f64::min(amax.widen(), (vmax.widen() * jmax.widen()).sqrt()));
+            State { position: number(), velocity: part * vmax, acceleration }
         });
-        let from = to.map(|end| State {
-            position: number(),
-            velocity: if is_steady { end.velocity } else { -number() },
-            acceleration: number(),
+        let from = to.map(|end| {
+            let (position, velocity) = (number(), if is_steady { end.velocity } else { -number() });
+            State { position, velocity, acceleration: number() }
         });
         let (duration, cycle) = (number(), number());
         let results = [

@@ -78,13 +78,8 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
         let way = 1e3 * R::MACHINE_EPSILON.widen() * speed;
         let shares = [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
         let offsets = [(); 3].map(|()| random.between(-10.0, 10.0) * speed);
-        let ends = [0.0, way].map(|way| {
-            [0, 1, 2].map(|k| State {
-                position: R::of(offsets[k] + shares[k] * way),
-                velocity: R::of(shares[k] * speed),
-                acceleration: zero,
-            })
-        });
+        let state = |k: usize, way: f64| online::state_of([offsets[k] + shares[k] * way, shares[k] * speed, 0.0]);
+        let ends = [0.0, way].map(|way| [0, 1, 2].map(|k| state(k, way)));
         let mut axes = [Move::default(); 3];
         line(&mut axes, &limits, &ends[0], &ends[1], zero, zero).expect("a line");
         let x = R::of(axes[0].t.widen() * random.unit());

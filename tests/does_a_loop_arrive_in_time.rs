@@ -5,7 +5,7 @@
 use atraj::axes::{line, synchronise};
 use atraj::online::{Limits, Move};
 use atraj::{Error, Findings, State};
-use support::online::limits_of;
+use support::online::{limits_of, numbers_of_state, state_of};
 use support::{Random, Real, test_both_reals};
 
 const LOOPS: usize = 600; // loops of each kind of ends, each planner and each number of axes
@@ -79,15 +79,14 @@ fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State
         let (above, below) = (0.51 * a * a / -jmin, 0.51 * a * a / jmax);
         let (a, above, below) = if vmin + below < vmax - above { (a, above, below) } else { (0.0, 0.0, 0.0) };
         let velocity = random.between(vmin + below, vmax - above);
-        (random.between(-1.0, 1.0), velocity, a)
+        [random.between(-1.0, 1.0), velocity, a]
     };
     let from = state(true);
     let mut to = state(matches!(ends, Ends::Accelerated));
     if matches!(ends, Ends::AtZero) {
-        to.0 = 0.0;
+        to[0] = 0.0;
     }
-    let real = |(p, v, a): (f64, f64, f64)| State { position: R::of(p), velocity: R::of(v), acceleration: R::of(a) };
-    (limits_of(limits.map(R::of)), real(from), real(to))
+    (limits_of(limits.map(R::of)), state_of(from), state_of(to))
 }
 
 fn free<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
@@ -103,17 +102,8 @@ fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<
     let (limits, from, to) = axis::<R>(random, ends);
     let shares: Vec<f64> = (0..count).map(|index| if index == 0 { 1.0 } else { random.between(-1.0, 1.0) }).collect();
     let scaled = |state: State<R>| {
-        shares
-            .iter()
-            .map(|share| {
-                let times = |x: R| R::of(share * x.widen());
-                State {
-                    position: times(state.position),
-                    velocity: times(state.velocity),
-                    acceleration: times(state.acceleration),
-                }
-            })
-            .collect::<Vec<_>>()
+        let scaled = |share: &f64| state_of(numbers_of_state(state).map(|x| share * x));
+        shares.iter().map(scaled).collect::<Vec<_>>()
     };
     Problem { limits: vec![limits; count], from: scaled(from), to: scaled(to) }
 }
@@ -132,8 +122,7 @@ fn line_beside_0<R: Real>(random: &mut Random, ends: Ends) -> Problem<R> {
 
 /// Whether an axis steps from a setpoint to the next: its position or its velocity changes by more than its derivatives allow.
 fn steps<R: Real>(limits: &Limits<R>, from: &State<R>, to: &State<R>) -> bool {
-    let numbers = |state: &State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
-    let ([p0, v0, a0], [p1, v1, a1]) = (numbers(from), numbers(to));
+    let [[p0, v0, a0], [p1, v1, a1]] = [*from, *to].map(numbers_of_state);
     let jerk = f64::max(limits.jmax.widen(), -limits.jmin.widen());
     // By the trapezoidal rule. Each plan may step by the roundings of both ends of a tie: 256 of the velocity.
     let step = 256.0 * R::MACHINE_EPSILON.widen();
@@ -209,16 +198,11 @@ fn lines_arrive_in_time<R: Real>() {
 /// The axis holds its lowest acceleration. A rise before the hold came out below 0 by rounding, and the hold left its acceleration by
 /// 0.003 m/s²: the setpoint stepped by 5e-5 m.
 fn a_hold_stays_at_its_limit<R: Real>() {
-    let state = |[position, velocity, acceleration]: [f64; 3]| State {
-        position: R::of(position),
-        velocity: R::of(velocity),
-        acceleration: R::of(acceleration),
-    };
     let [j, a, v] = [54.896553, 6.366892, 2.268614].map(R::of);
     let problem = Problem {
         limits: vec![Limits::symmetric(j, a, v)],
-        from: vec![state([0.818601, -0.16690297, -6.353302])],
-        to: vec![state([0.4556823, -1.8287257, 0.0])],
+        from: vec![state_of([0.818601, -0.16690297, -6.353302])],
+        to: vec![state_of([0.4556823, -1.8287257, 0.0])],
     };
     let (ticks, promised) = ticks(together, &problem);
     assert!(ticks <= promised + SPARE, "{ticks} ticks, not {promised}");
@@ -226,12 +210,10 @@ fn a_hold_stays_at_its_limit<R: Real>() {
 
 /// From rest, past a position with the velocity 1 m/s: 17,071 ticks were taken instead of 858.
 fn from_rest_past_a_position<R: Real>() {
-    let state =
-        |position, velocity| State { position: R::of(position), velocity: R::of(velocity), acceleration: R::of(0.0) };
     let problem = Problem {
         limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))],
-        from: vec![state(0.0, 0.0)],
-        to: vec![state(1.0, 1.0)],
+        from: vec![state_of([0.0; 3])],
+        to: vec![state_of([1.0, 1.0, 0.0])],
     };
     for plan in [single, together, straight] {
         let (ticks, promised) = ticks::<R>(plan, &problem);
@@ -271,13 +253,7 @@ fn long_lines_go_on<R: Real>() {
 fn slow_ends_tell_the_direction<R: Real>() {
     let limits = [Limits::symmetric(R::of(20.0), R::of(5.0), R::of(1.0)); 3];
     let shares = [1.0, 0.712_345_678_9, -0.321_7];
-    let states = |p: f64, v: f64, a: f64| {
-        shares.map(|share| State {
-            position: R::of(share * p),
-            velocity: R::of(share * v),
-            acceleration: R::of(share * a),
-        })
-    };
+    let states = |p: f64, v: f64, a: f64| shares.map(|share| state_of([p, v, a].map(|x| share * x)));
     let ends = [(0.0, -0.5), (0.001, -0.3), (-0.1, 0.0)];
     for (velocity, acceleration) in ends {
         let mut from = states(-13.37, 0.0, 0.0);

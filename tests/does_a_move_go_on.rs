@@ -16,7 +16,7 @@ fn with_the_final_acceleration<R: Real>() {
         for later in [0.01, 1.0, 100.0] {
             let x = planned.t + R::of(later);
             let passed = x.widen() - planned.t.widen();
-            let [p, v, a] = [end.position, end.velocity, end.acceleration].map(R::widen);
+            let [p, v, a] = online::numbers_of_state(end);
             let [position, velocity, acceleration, jerk] = planned.state(x).map(R::widen);
             let (speed, few) = (v.abs() + a.abs() * passed, 4.0 * R::MACHINE_EPSILON.widen());
             let way = p.abs() + speed * passed;

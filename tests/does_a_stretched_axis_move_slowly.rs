@@ -110,18 +110,12 @@ fn in_motion<R: Real>() {
         let planned = synchronise(&mut axes, &[limits], &[from], &[to], duration, R::of(0.0));
         assert!(planned.is_ok(), "{planned:?}: {limits:?} {from:?} {to:?}");
         let widened = online::limits_of(online::numbers_of(&limits).map(R::widen));
-        let [start, end] = ends.map(|state| State {
-            position: state.position.widen(),
-            velocity: state.velocity.widen(),
-            acceleration: state.acceleration.widen(),
-        });
+        let [start, end] = ends.map(|end| online::state_of::<f64>(online::numbers_of_state(end)));
         let [axis] = axes;
         if is_at_rest(from) && is_at_rest(to) || axis.t != duration {
             continue;
         }
-        let Some([v, lasts]) = cruise(&widened, start, end, duration.widen()) else {
-            continue;
-        };
+        let Some([v, lasts]) = cruise(&widened, start, end, duration.widen()) else { continue };
         let rounding = R::MACHINE_EPSILON.widen().sqrt();
         let is_cruise = |phase: &Phase<R>| {
             let none = R::of(0.0);

@@ -205,7 +205,7 @@ fn limits_are_kept<R: Real>() {
         ];
         let jerks = planned.phases().iter().map(|phase| phase.jerk.widen().abs());
         let jerk = jerks.fold(0.0, f64::max);
-        let parts = |s: State<R>| [s.position, s.velocity, s.acceleration].map(R::widen);
+        let parts = online::numbers_of_state::<R>;
         let (lowest, highest) = (parts(low), parts(high));
         let slack = scale.map(|scale| 64.0 * epsilon * scale);
         for _ in 0..40 {

@@ -1,7 +1,7 @@
 //! Does a move reach beyond its reported extremes, or are they reported without being reached?
 
 use atraj::online::Phase;
-use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, State, Trap};
+use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, Trap};
 use support::profiles::{Profile, bell_fields, trap_fields};
 use support::{Family, Random, Real, online, test_both_reals};
 
@@ -113,15 +113,11 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     Move::new(planned, planned.t, planned.extremes(), scales, borders)
 }
 
-fn values<R: Real>(state: &State<R>) -> [f64; 3] {
-    [state.position, state.velocity, state.acceleration].map(R::widen)
-}
-
 /// Samples the move densely. The result is how far samples lie beyond the reported extremes, in ulps of the scale. The extremes
 /// may lie beyond the samples by no more than what samples miss.
 fn worst<R: Real>(the_move: &Move<R>) -> f64 {
-    let lowest = values(&the_move.reached.lowest);
-    let highest = values(&the_move.reached.highest);
+    let lowest = online::numbers_of_state(the_move.reached.lowest);
+    let highest = online::numbers_of_state(the_move.reached.highest);
     let even = (0..=SAMPLES).map(|k| R::of(k as f64 / SAMPLES as f64) * the_move.duration);
     let borders = the_move.borders.iter();
     let borders = borders.flat_map(|x| [x.neighbour(-1), *x, x.neighbour(1)]);

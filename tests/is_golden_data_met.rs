@@ -34,9 +34,7 @@ fn each_file_is_described() {
     let mut files = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        let Some(table) = name.strip_suffix(".csv") else {
-            continue;
-        };
+        let Some(table) = name.strip_suffix(".csv") else { continue };
         let (table, _) = table.rsplit_once("_f").unwrap();
         assert!(page.contains(&format!("`{table}`")), "{name}");
         files += 1;

@@ -30,6 +30,19 @@ fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> Pat
     program
 }
 
+/// Compiles `c_tests/{source}` with each compiler of the language and each of these standards, and hands the programs over.
+fn each(variant: &Variant, language: Language, standards: &[&str], source: &str, mut judge: impl FnMut(&mut Command)) {
+    for compiler in compilers(language) {
+        for standard in standards {
+            judge(&mut Command::new(build(variant, compiler, &[&format!("-std={standard}")], source)));
+        }
+    }
+}
+
+fn succeeds(program: &mut Command) {
+    run(program);
+}
+
 /// Replays the golden rows. The result is the functions that the program called, as it prints them.
 fn replay_golden(command: &mut Command) -> Vec<String> {
     let table = lines(command.arg(golden::directory()));
@@ -49,13 +62,11 @@ fn replay_golden(command: &mut Command) -> Vec<String> {
 #[test]
 fn golden_rows_from_c() {
     for variant in VARIANTS {
-        for compiler in compilers(Language::C) {
-            let program = build(variant, compiler, &["-std=c99"], "golden.c");
-            let called = replay_golden(&mut Command::new(&program));
-            let mut expected = variant.symbols();
-            expected.retain(|symbol| symbol.starts_with("a_") && exists(variant, symbol));
-            assert_eq!(called, expected, "functions that the golden rows call");
-        }
+        let mut expected = variant.symbols();
+        expected.retain(|symbol| symbol.starts_with("a_") && exists(variant, symbol));
+        each(variant, Language::C, &["c99"], "golden.c", |program| {
+            assert_eq!(replay_golden(program), expected, "functions that the golden rows call");
+        });
     }
 }
 
@@ -114,12 +125,7 @@ fn a_wrong_bit_and_missing_golden_data_are_found() {
 #[test]
 fn layout_prelude_and_null() {
     for variant in VARIANTS {
-        for compiler in compilers(Language::C) {
-            for standard in C.map(|standard| format!("-std={standard}")) {
-                let program = build(variant, compiler, &[&standard], "abi.c");
-                run(&mut Command::new(program));
-            }
-        }
+        each(variant, Language::C, &C, "abi.c", succeeds);
     }
 }
 
@@ -146,11 +152,8 @@ fn contracts_of_our_own_functions() {
     for variant in VARIANTS {
         // The other builds differ in the polynomials alone, which the first program calls.
         let has_its_own_real = [DOUBLE.directory, FLOAT.directory].contains(&variant.directory);
-        for compiler in compilers(Language::C) {
-            for source in if has_its_own_real { &CONTRACTS[..] } else { &CONTRACTS[..1] } {
-                let program = build(variant, compiler, &["-std=c99"], source);
-                run(&mut Command::new(program));
-            }
+        for source in if has_its_own_real { &CONTRACTS[..] } else { &CONTRACTS[..1] } {
+            each(variant, Language::C, &["c99"], source, succeeds);
         }
     }
 }
@@ -178,14 +181,10 @@ fn a_c_program_calls_every_function() {
 #[test]
 fn cpp_methods_and_namespace() {
     for variant in VARIANTS {
+        each(variant, Language::Cpp, &CPP, "methods.cpp", succeeds);
         for compiler in compilers(Language::Cpp) {
-            for standard in CPP.map(|standard| format!("-std={standard}")) {
-                let program = build(variant, compiler, &[&standard], "methods.cpp");
-                run(&mut Command::new(program));
-            }
             // Without optimisation, bytes between the members of a struct are what was there before.
-            let program = build(variant, compiler, &["-O0"], "methods.cpp");
-            run(&mut Command::new(program));
+            run(&mut Command::new(build(variant, compiler, &["-O0"], "methods.cpp")));
         }
     }
 }
@@ -199,26 +198,18 @@ fn replay_claraty(command: &mut Command) {
 #[test]
 fn claraty_from_c() {
     for variant in [&DOUBLE, &FLOAT] {
-        for compiler in compilers(Language::C) {
-            for standard in C.map(|standard| format!("-std={standard}")) {
-                let program = build(variant, compiler, &[&standard], "claraty.c");
-                replay_claraty(&mut Command::new(program));
-            }
-        }
+        each(variant, Language::C, &C, "claraty.c", replay_claraty);
     }
 }
 
 #[test]
 fn claraty_from_cpp_by_the_name_of_the_original_header() {
-    let include = DOUBLE.dist().join("include/claraty");
-    let include = format!("-I{}", include.display());
+    let include = format!("-I{}", DOUBLE.dist().join("include/claraty").display());
     for compiler in compilers(Language::Cpp) {
         for standard in CPP {
             for warnings in ["-UCLARATY_NO_WARNINGS", "-DCLARATY_NO_WARNINGS"] {
                 let standard = format!("-std={standard}");
-                let flags = [standard.as_str(), &include, warnings];
-                let program = build(&DOUBLE, compiler, &flags, "claraty.cpp");
-                run(&mut Command::new(program));
+                run(&mut Command::new(build(&DOUBLE, compiler, &[&standard, &include, warnings], "claraty.cpp")));
             }
         }
     }
@@ -228,13 +219,11 @@ fn claraty_from_cpp_by_the_name_of_the_original_header() {
 fn no_sanitizer_finding() {
     let sanitize = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
     for variant in [&DOUBLE, &FLOAT_COMPACT] {
-        let golden = build(variant, "cc", &sanitize, "golden.c");
-        replay_golden(&mut Command::new(golden));
+        replay_golden(&mut Command::new(build(variant, "cc", &sanitize, "golden.c")));
         for source in CONTRACTS.iter().chain(&["abi.c"]) {
             run(&mut Command::new(build(variant, "cc", &sanitize, source)));
         }
-        let claraty = build(variant, "cc", &sanitize, "claraty.c");
-        replay_claraty(&mut Command::new(claraty));
+        replay_claraty(&mut Command::new(build(variant, "cc", &sanitize, "claraty.c")));
     }
 }
 
@@ -243,19 +232,25 @@ fn no_valgrind_finding() {
     if !has_tool("valgrind") {
         return;
     }
-    let golden = build(&DOUBLE, "cc", &["-g"], "golden.c");
-    let valgrind = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
-    replay_golden(Command::new("valgrind").args(valgrind).arg(golden));
-    let claraty = build(&DOUBLE, "cc", &["-g"], "claraty.c");
-    replay_claraty(Command::new("valgrind").args(valgrind).arg(claraty));
+    let valgrind = |source| {
+        let mut valgrind = Command::new("valgrind");
+        valgrind.args(["--quiet", "--error-exitcode=9", "--leak-check=full"]).arg(build(
+            &DOUBLE,
+            "cc",
+            &["-g"],
+            source,
+        ));
+        valgrind
+    };
+    replay_golden(&mut valgrind("golden.c"));
+    replay_claraty(&mut valgrind("claraty.c"));
 }
 
 /// Whether all headers in `include` compile together with these flags.
 fn accepts(compiler: &str, language: &str, include: &Path, flags: &[&str]) -> bool {
     let mut command = Command::new(compiler);
     command.args(STRICT).args(["-fsyntax-only", "-I"]).arg(include);
-    command.args(["-include", "atraj.h"]);
-    command.args(["-include", "claraty/trapezoid.h"]);
+    command.args(["-include", "atraj.h", "-include", "claraty/trapezoid.h"]);
     if language == "c++" {
         command.args(["-include", "claraty/trapezoidal_trajectory.h"]);
     }
@@ -281,8 +276,7 @@ fn headers_compile_clean_in_every_configuration() {
             for standard in &standards {
                 for (include, configuration) in &configurations {
                     let standard = format!("-std={standard}");
-                    let mut flags = configuration.clone();
-                    flags.push(&standard);
+                    let flags = [&configuration[..], &[&standard]].concat();
                     assert!(accepts(compiler, suffix, include, &flags), "{compiler} {flags:?}");
                 }
             }
@@ -325,10 +319,8 @@ fn the_class_compiles_under_the_warnings_of_careful_users() {
         let warnings: &[&str] = if compiler.starts_with("clang") { &CLANG } else { &["-Weffc++"] };
         for standard in CPP {
             let mut command = Command::new(compiler);
-            command.args(STRICT).args(warnings).arg("-fsyntax-only");
-            command.arg(format!("-std={standard}"));
-            command.arg("-I").arg(DOUBLE.dist().join("include"));
-            run(command.arg(&source));
+            command.args(STRICT).args(warnings).args(["-fsyntax-only", &format!("-std={standard}"), "-I"]);
+            run(command.arg(DOUBLE.dist().join("include")).arg(&source));
         }
     }
 }

@@ -41,9 +41,7 @@ impl<H: Handover> Axis<H> {
     }
 
     fn go(&self, id: usize, lead: u32) -> bool {
-        let Some(takeover) = self.words.prepare(lead) else {
-            return false;
-        };
+        let Some(takeover) = self.words.prepare(lead) else { return false };
         let (from, age, place) = H::places(&takeover);
         let plan = Plan { id, from: (self.plan(from).id, age) };
         // SAFETY: loom checks the access.

@@ -174,9 +174,7 @@ impl<'a> Files<'a> {
 
     /// The module that defines what these names mean inside `module`. It follows all re-exports but the crate's.
     fn within(&self, module: &[String], names: &[String]) -> Module {
-        let Some((first, rest)) = names.split_first() else {
-            return module.to_vec();
-        };
+        let Some((first, rest)) = names.split_first() else { return module.to_vec() };
         if let (Some((_, outer)), "super") = (module.split_last(), first.as_str()) {
             return self.within(outer, rest);
         }

@@ -265,9 +265,7 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
     let period = number::<R>(&mut bytes);
     let start = state(&mut bytes);
     let mut limits = limits_from(&mut bytes);
-    let Ok(mut axis) = Axis::new(period, start) else {
-        return;
-    };
+    let Ok(mut axis) = Axis::new(period, start) else { return };
     let (mut planner, mut ticker) = axis.split();
     let mut in_force = Move::default();
     // A plan to where the axis stands takes no time. So does the move of a new axis, which may have any velocity.

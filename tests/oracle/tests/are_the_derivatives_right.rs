@@ -68,9 +68,7 @@ fn errors(
         let t = random.magnitude(-0.5, 1.0);
         let lower = random.below(2) == 1;
         let motion = Motion { limits, start: [0.0, v0, a0], target: [0.0, v1, a1], frame: 0.0 };
-        let Some((shape, first, second)) = motion.derivatives(t, lower) else {
-            continue;
-        };
+        let Some((shape, first, second)) = motion.derivatives(t, lower) else { continue };
         // Near a fall of no length the higher derivatives are so large that differences err.
         let largest = |all: &[f64]| all.iter().fold(0.1, |most: f64, x| most.max(x.abs()));
         if largest(&second) > 30.0 {

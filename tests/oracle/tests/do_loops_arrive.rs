@@ -1,10 +1,10 @@
 //! Do loops that plan at every tick arrive when their first plan said? `LOOPS=20000` runs as many of each family.
 
 use atraj::axes::synchronise;
-use atraj::online::{Move, State};
+use atraj::online::Move;
 use oracle::judge::axes::loops::{Family, Loops};
-use support::Real;
-use support::online::limits_of;
+use support::online::{limits_of, state_of};
+use support::{Real, test_both_reals};
 
 const LOOPS: u64 = 300; // loops of each family
 
@@ -20,37 +20,23 @@ fn loops_arrive<R: Real>() {
     }
 }
 
-#[test]
-fn f64() {
-    loops_arrive::<f64>();
-}
-
-#[test]
-fn f32() {
-    loops_arrive::<f32>();
-}
+test_both_reals!(loops_arrive);
 
 /// In this state of a loop 0.188 s were left, and 0.696 s were planned.
 #[test]
+#[rustfmt::skip]
 fn the_slowest_axis_takes_the_duration_of_another_one() {
     let limits = [
-        [
-            1.1686525022234153, -0.6947019870685104, 7.104011671570745, -5.6717765335430546, 29.75519939870755,
-            -20.334074261141684,
-        ],
-        [
-            1.0582902629798658, -1.1622674194650193, 1.9612290763125357, -1.033982227791014, 7.498128751563341,
-            -8.077694212288307,
-        ],
+        [1.1686525022234153, -0.6947019870685104, 7.104011671570745, -5.6717765335430546, 29.75519939870755, -20.334074261141684],
+        [1.0582902629798658, -1.1622674194650193, 1.9612290763125357, -1.033982227791014, 7.498128751563341, -8.077694212288307],
     ];
-    let state = |[position, velocity, acceleration]: [f64; 3]| State { position, velocity, acceleration };
     let from = [
         [-0.14452649403406104, -0.359312300746299, 3.822638621328021],
         [-0.03166908250630297, 0.24821512620247965, -1.033982227791014],
     ];
     let to = [[-0.16704241250641094, 0.0, 0.0], [0.0, 0.12512074760657954, 0.0]];
     let mut axes = [Move::default(); 2];
-    synchronise(&mut axes, &limits.map(limits_of), &from.map(state), &to.map(state), 0.0, 4e-3).expect("a plan");
+    synchronise(&mut axes, &limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0, 4e-3).expect("a plan");
     assert!(axes[0].t < 0.188 + 1e-9, "{}", axes[0].t);
 }
 

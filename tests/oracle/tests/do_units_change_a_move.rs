@@ -31,11 +31,8 @@ impl Units {
     }
 
     fn of_state(self, state: &State<f64>) -> State<f64> {
-        State {
-            position: self.of(0, state.position),
-            velocity: self.of(1, state.velocity),
-            acceleration: self.of(2, state.acceleration),
-        }
+        let State { position, velocity, acceleration } = *state;
+        online::state_of([self.of(0, position), self.of(1, velocity), self.of(2, acceleration)])
     }
 
     fn of_move(self, axis: &Move<f64>) -> Move<f64> {
@@ -77,11 +74,9 @@ impl Set {
             limits.push(if is_straight { wide } else { own });
             for (end, lead) in ends.iter_mut().zip(leads) {
                 let beside = nearly_1(random, -17.0);
-                let on_line = State {
-                    position: offset + share * lead.position,
-                    velocity: share * lead.velocity * beside,
-                    acceleration: share * lead.acceleration,
-                };
+                let State { position, velocity, acceleration } = lead;
+                let on_line =
+                    online::state_of([offset + share * position, share * velocity * beside, share * acceleration]);
                 end.push(if is_straight { on_line } else { online::inside(random, &own) });
             }
         }
@@ -209,9 +204,7 @@ fn spoiled_moves() {
     let mut jumps = 0;
     for _ in 0..20_000 {
         let set = Set::random(&mut random, false);
-        let Ok(axes) = set.plan(false, 0.0, 0.0) else {
-            continue;
-        };
+        let Ok(axes) = set.plan(false, 0.0, 0.0) else { continue };
         let mut spoiled = axes[0];
         let phase = &mut spoiled.phase[random.below(axes[0].count as usize + 1)];
         let number = match random.below(5) {

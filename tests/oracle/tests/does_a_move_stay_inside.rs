@@ -9,6 +9,7 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Problems;
 use oracle::judge::trial::{Scale, doubt};
 use oracle::liba::abi::Original;
+use support::online::state_of;
 use support::{Random, test_both_reals};
 
 const PROBLEMS: usize = 60_000;
@@ -76,9 +77,7 @@ fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, hig
         if least.is_nan() || most.is_nan() || least < low || most > high {
             return true;
         }
-        let Some(of_stop) = stop(limits, from) else {
-            return false;
-        };
+        let Some(of_stop) = stop(limits, from) else { return false };
         let infinity = R::of(f64::INFINITY);
         let far = R::of(10.0 * (of_stop[1] - of_stop[0] + high - low));
         let (wall, walls, inwards) = if of_stop[1] > high {
@@ -90,9 +89,7 @@ fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, hig
         };
         let mut turning = Move::default();
         let answer = turning.within(limits, from, State::at(wall + inwards), walls[0], walls[1]);
-        let Some(turn) = answer.ok().and(turning.time_at(wall)) else {
-            return true;
-        };
+        let Some(turn) = answer.ok().and(turning.time_at(wall)) else { return true };
         from = turning.state_at(turn);
     }
     true
@@ -109,9 +106,7 @@ fn moves_stay_inside<R: Original>() {
         let Problem { limits, from, to, .. } = problem;
         let mut fastest = Move::default();
         let found = fastest.plan(&limits, from, to);
-        let (Ok(findings), Request::Plan) = (found, problem.request) else {
-            continue;
-        };
+        let (Ok(findings), Request::Plan) = (found, problem.request) else { continue };
         let of_plan = span(from, &fastest);
         let ends = stop(&limits, from).zip(launch(&limits, to));
         let (of_stop, of_launch) = ends.expect("a stop and a launch");
@@ -189,11 +184,8 @@ fn refused_moves_leave_in_every_motion() {
         let limits = tight(&mut random);
         let [start, end] = [limits, backwards(&limits, State::at(0.0)).0].map(Viable::new);
         for _ in 0..5_000 {
-            let mut state = || State {
-                position: random.unit(),
-                velocity: random.between(limits.vmin, limits.vmax),
-                acceleration: random.between(limits.amin, limits.amax),
-            };
+            let Limits { vmax, vmin, amax, amin, .. } = limits;
+            let mut state = || state_of::<f64>([random.unit(), random.between(vmin, vmax), random.between(amin, amax)]);
             let (from, to) = (state(), state());
             let to = if random.one_in(2) { to } else { State::at(to.position) };
             let before_end = backwards(&limits, State { position: to.position - 1.0, ..to }).1;

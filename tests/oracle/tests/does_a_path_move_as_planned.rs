@@ -36,9 +36,7 @@ fn sections_are_those_planned_by_hand<R: Real>() {
     let mut chains = Chains::new(21);
     for k in 0..PATHS {
         let chain = chains.draw::<R>();
-        let Ok((path, _)) = Paths.plan(&chain, 0) else {
-            continue;
-        };
+        let Ok((path, _)) = Paths.plan(&chain, 0) else { continue };
         let (made, moves) = moves_of(&chain, &path);
         let mut found = atraj::Findings::default();
         let mut by_hand = vec![Move::default(); chain.axes];
@@ -66,9 +64,7 @@ fn wrong_durations_are_refused<R: Real>() {
     let mut refused = 0;
     for k in 0..PATHS {
         let chain = chains.draw::<R>();
-        let Ok((mut path, _)) = Paths.plan(&chain, 0) else {
-            continue;
-        };
+        let Ok((mut path, _)) = Paths.plan(&chain, 0) else { continue };
         let section = k % chain.sections();
         let planned = path.durations[section];
         path.durations[section] = planned * R::of(0.9);
@@ -150,9 +146,7 @@ fn deviations_are_bounded_closely<R: Real>() {
     let (mut close, mut least, mut greatest): (usize, f64, f64) = (0, f64::INFINITY, 0.0);
     for k in 0..PATHS {
         let chain = chains.draw::<R>();
-        let Ok((path, _)) = Paths.plan(&chain, 0) else {
-            continue;
-        };
+        let Ok((path, _)) = Paths.plan(&chain, 0) else { continue };
         let (made, moves) = moves_of(&chain, &path);
         assert!(made.is_ok());
         let bound = path_deviation(&moves, chain.axes).widen();

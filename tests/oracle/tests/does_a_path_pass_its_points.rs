@@ -9,6 +9,7 @@ use oracle::judge::path::{Path, Paths, Planner, judge, judge_near, promised, sto
 use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
+use support::online::state_of;
 use support::{Random, Real, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 200 } else { 2_000 };
@@ -153,17 +154,13 @@ fn units_change_no_bit<R: Original>() {
 
 /// One axis moves and comes back to where it starts, the other one cannot stop before its waypoint: to both sides alike.
 fn there_and_back<R: Original>() {
-    let state = |numbers: [f64; 3]| {
-        let [position, velocity, acceleration] = numbers.map(R::of);
-        State { position, velocity, acceleration }
-    };
     let start = [[0.0, 0.05, -1.0], [0.0, 5.0, 0.0]];
     let behind = [[0.0; 3], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
     let chain = Chain {
         family: Family::InMotion,
         axes: 2,
         limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2],
-        states: start.into_iter().chain(behind).map(state).collect(),
+        states: start.into_iter().chain(behind).map(state_of).collect(),
     };
     to_both_sides_alike(&chain);
 }
@@ -192,18 +189,6 @@ fn to_both_sides_alike<R: Original>(chain: &Chain<R>) {
     for first in [0, 1] {
         assert_eq!(durations(chain), durations(&chain.mirrored(first)), "{chain:?}");
     }
-}
-
-#[test]
-fn an_axis_comes_back_to_both_sides_alike() {
-    there_and_back::<f64>();
-    there_and_back::<f32>();
-}
-
-#[test]
-fn an_axis_gets_to_both_sides_alike() {
-    hardly_in_time::<f64>();
-    hardly_in_time::<f32>();
 }
 
 /// The path with the positions of a point once more, at rest.
@@ -312,5 +297,5 @@ fn of_any_size<R: Original>() {
 
 test_both_reals!(
     paths_pass_their_points, zones_are_kept, infinite_limits_are_planned, long_paths_are_planned, units_change_no_bit,
-    repeated_points_take_no_time, every_fault_is_seen, of_any_size
+    repeated_points_take_no_time, every_fault_is_seen, of_any_size, there_and_back, hardly_in_time
 );

@@ -30,9 +30,7 @@ fn check<R: Real>(planned: &Move<R>, limits: &Limits<R>, found: Findings, what: 
 fn plans_of_one_axis_pass<R: Real>() {
     let mut passed = 0;
     for problem in Problems::<R>::new(13).take(PROBLEMS) {
-        let Ok(plan) = Fastest.plan(&problem) else {
-            continue;
-        };
+        let Ok(plan) = Fastest.plan(&problem) else { continue };
         let what = problem.to_string();
         check(&plan.planned, &problem.limits, plan.findings, &what);
         let checked = plan.planned.check(&problem.limits).unwrap_or_default();
@@ -58,9 +56,7 @@ fn plans_of_several_axes_pass<R: Real>() {
     for (plan, set) in apart.take(SETS).chain(on_lines.take(SETS)) {
         let (limits, from, to) = set.columns();
         let mut axes = vec![Move::default(); limits.len()];
-        let Ok(found) = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle) else {
-            continue;
-        };
+        let Ok(found) = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle) else { continue };
         for (axis, problem) in axes.iter().zip(&set.axes) {
             let seen = axis.check(&problem.limits).unwrap_or_default();
             let slips = !allowed(found).contains(seen) && (allowed(found) | step).contains(seen);

@@ -7,6 +7,7 @@ use oracle::judge::path::problems::{Chain, Chains, Family};
 use oracle::judge::path::{Path, Paths, Planner, windows, wrong};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use oracle::liba::abi::Original;
+use support::online::{limits_of, state_of};
 use support::{Random, Real, test_both_reals};
 
 /// Waypoints that the documentation of Ruckig plans in its example 3.
@@ -79,16 +80,10 @@ fn random_path<R: Real>(chain: &Chain<R>, planned: &Path<R>, random: &mut Random
 }
 
 /// The families whose best paths long runs find.
-const SAMPLED: [Family; 8] = [
-    Family::AtRest,
-    Family::OnePoint,
-    Family::UnequalLimits,
-    Family::InMotion,
-    Family::OnTheLimits,
-    Family::Zones,
-    Family::ToAndFro,
-    Family::UnlikeAxes,
-];
+const SAMPLED: [Family; 8] = {
+    use Family::*;
+    [AtRest, OnePoint, UnequalLimits, InMotion, OnTheLimits, Zones, ToAndFro, UnlikeAxes]
+};
 
 #[test]
 fn beside_random_starts() {
@@ -322,10 +317,8 @@ fn beside_the_move<R: Original>() {
         let limits =
             [1.0, 1e3].map(|more| Limits::symmetric(R::of(more * jerk), R::of(more * acceleration), R::of(velocity)));
         let forward = random.sign();
-        let start = State {
-            velocity: R::of(forward * velocity * random.between(0.5, 1.0)),
-            ..State::at(R::of(random.between(-1.0, 1.0)))
-        };
+        let speed = forward * velocity * random.between(0.5, 1.0);
+        let start = state_of([random.between(-1.0, 1.0), speed, 0.0]);
         let mut axis = Move::default();
         axis.stop(&limits[0], start).expect("a stop");
         let [p, end] = [start, axis.state_at(axis.t)].map(|state| state.position.widen());
@@ -375,8 +368,7 @@ fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64;
     let mut states: Vec<_> = positions.iter().map(|&position| State::at(R::of(position))).collect();
     states[0].velocity = R::of(v0);
     states[positions.len() - 1].velocity = R::of(v1);
-    let [vmax, vmin, amax, amin, jmax, jmin] = limits.map(R::of);
-    let limits = vec![Limits { vmax, vmin, amax, amin, jmax, jmin }];
+    let limits = vec![limits_of(limits.map(R::of))];
     let chain = Chain { family: Family::InMotion, axes: 1, limits, states };
     let planned = Paths.plan(&chain, 0).expect("a plan").0;
     planned.durations.iter().map(|duration| duration.widen()).sum()

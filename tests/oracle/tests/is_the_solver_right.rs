@@ -9,6 +9,7 @@ use oracle::judge::rivals::Theirs;
 use oracle::judge::solver::Walk;
 use oracle::judge::trial::{Trial, Verdict};
 use support::Random;
+use support::online::state_of;
 
 const MOTIONS: u32 = 100_000;
 const PROBLEMS: usize = 200_000;
@@ -19,11 +20,7 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     let [jmax, jmin] = [1.0, -1.0].map(|x| x * random.magnitude(-0.5, 0.5));
     let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
     let within = random.between(amin, amax);
-    let from = State {
-        position: 0.0,
-        velocity: random.between(vmin, vmax),
-        acceleration: random.pick(&[0.0, amin, amax, within]),
-    };
+    let from: State<f64> = state_of([0.0, random.between(vmin, vmax), random.pick(&[0.0, amin, amax, within])]);
     let mut planned = Move::default();
     let mut acceleration = from.acceleration;
     planned.count = 2 + random.below(6) as u32;
@@ -53,9 +50,7 @@ fn motion(random: &mut Random) -> Option<(Problem<f64>, f64)> {
     let at_zero_a = from.velocity
         - 0.5 * from.acceleration * from.acceleration.abs() / if from.acceleration > 0.0 { jmin } else { -jmax };
     let legal = beyond_legal(&limits, to) <= 0.0 && at_zero_a <= vmax && at_zero_a >= vmin;
-    let kind = Kind::Moving;
-    let request = Request::Plan;
-    let problem = Problem { kind, request, limits, from, to };
+    let problem = Problem { kind: Kind::Moving, request: Request::Plan, limits, from, to };
     (inside && legal).then_some((problem, planned.t))
 }
 
@@ -65,9 +60,7 @@ fn no_random_motion_is_faster() {
     let mut random = Random::seeded(7);
     let (mut motions, mut fastest) = (0, 0);
     while motions < MOTIONS {
-        let Some((problem, t)) = motion(&mut random) else {
-            continue;
-        };
+        let Some((problem, t)) = motion(&mut random) else { continue };
         motions += 1;
         let trial = Trial::new(problem);
         let best = trial.best();
@@ -78,11 +71,8 @@ fn no_random_motion_is_faster() {
         if let Some([lowest, highest]) = trial.motion().interval(t) {
             let h = problem.to.position;
             let slack = 1e-12 * (1.0 + t * t);
-            assert!(
-                h >= lowest - slack && h <= highest + slack,
-                "{h:e} is not in {lowest:e}..{highest:e} in {t:e} s: {}",
-                problem
-            );
+            let is_in = h >= lowest - slack && h <= highest + slack;
+            assert!(is_in, "{h:e} is not in {lowest:e}..{highest:e} in {t:e} s: {problem}");
         }
     }
     println!("{motions} motions, {fastest} of them as fast as the fastest one");

@@ -9,6 +9,17 @@ pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
+/// The state of a position, a velocity and an acceleration.
+pub fn state_of<R: Real>(numbers: [f64; 3]) -> State<R> {
+    let [position, velocity, acceleration] = numbers.map(R::of);
+    State { position, velocity, acceleration }
+}
+
+/// The position, the velocity and the acceleration of a state.
+pub fn numbers_of_state<R: Real>(state: State<R>) -> [f64; 3] {
+    [state.position, state.velocity, state.acceleration].map(R::widen)
+}
+
 /// `[vmax, vmin, amax, amin, jmax, jmin]`
 pub fn numbers_of<R: Copy>(limits: &Limits<R>) -> [R; 6] {
     [limits.vmax, limits.vmin, limits.amax, limits.amin, limits.jmax, limits.jmin]
@@ -58,11 +69,8 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
         return state;
     }
     let [vmax, vmin, amax, amin, ..] = finite(limits);
-    State {
-        velocity: R::of(2.0 * random.between(vmin, vmax)),
-        acceleration: R::of(2.0 * random.between(amin, amax)),
-        ..state
-    }
+    let [v, a] = [(vmin, vmax), (amin, amax)].map(|(low, high)| R::of(2.0 * random.between(low, high)));
+    State { velocity: v, acceleration: a, ..state }
 }
 
 /// A planned move: to a state, or to a velocity, or beside a moving target.

@@ -3,6 +3,7 @@
 use super::solver::Walk;
 use atraj::online::{Limits, Move, State};
 use support::Real;
+use support::online::numbers_of_state;
 
 /// The lowest and the highest position of a move that begins in this state, by integration of its phases.
 pub fn span<R: Real>(from: State<R>, planned: &Move<R>) -> [f64; 2] {
@@ -21,7 +22,7 @@ pub fn stop<R: Real>(limits: &Limits<R>, from: State<R>) -> Option<[f64; 2]> {
 /// The highest position of the hardest brake from the start, where the acceleration falls, and then holds, until the axis stands. No motion within the
 /// limits turns lower. NaN if the velocity after the turn would be below its limit. In `f64`, from a state inside the limits.
 fn highest_of_brake<R: Real>(limits: &Limits<R>, from: State<R>) -> f64 {
-    let [p, v, a] = [from.position, from.velocity, from.acceleration].map(R::widen);
+    let [p, v, a] = numbers_of_state(from);
     let [amin, jerk] = [limits.amin.widen(), -limits.jmin.widen()];
     let square = a * a + 2.0 * jerk * v;
     if square < 0.0 || (v <= 0.0 && a <= 0.0) {

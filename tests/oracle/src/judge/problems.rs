@@ -451,17 +451,13 @@ impl<R: Real> Problems<R> {
                     return;
                 }
                 let duration = random.between(best.direct, best.gap_begins);
-                let Some([lowest, highest]) = motion.interval(duration) else {
-                    return;
-                };
+                let Some([lowest, highest]) = motion.interval(duration) else { return };
                 random.pick(&[lowest, highest, 0.5 * (lowest + highest)])
             }
             Kind::RiseAndFall if random.one_in(2) => {
                 let best = motion.best();
                 let duration = best.direct * (1.0 + random.magnitude(-6.0, 0.5));
-                let Some(interval) = motion.interval(duration) else {
-                    return;
-                };
+                let Some(interval) = motion.interval(duration) else { return };
                 random.pick(&interval)
             }
             Kind::BorderOfShape | Kind::BorderOfCruise => {
@@ -488,9 +484,7 @@ impl<R: Real> Problems<R> {
 
     /// Replaces the start by a state of the planned move, within this fraction of its duration.
     fn advance(&mut self, problem: &mut Problem<R>, fraction: f64) {
-        let Ok(plan) = Fastest.plan(problem) else {
-            return;
-        };
+        let Ok(plan) = Fastest.plan(problem) else { return };
         let part = fraction * self.random.unit();
         let x = match problem.request {
             // It starts without acceleration: in the cruise.
@@ -521,9 +515,7 @@ impl Draft {
     /// Takes the accelerations at the ends away, and makes the limits those of the profile.
     fn fit(&mut self, request: Request) {
         (self.a0, self.a1) = (0.0, 0.0);
-        let Some(profile) = request.profile() else {
-            return;
-        };
+        let Some(profile) = request.profile() else { return };
         let widen = |high: &mut f64, low: &mut f64| {
             *high = high.max(-*low);
             *low = -*high;

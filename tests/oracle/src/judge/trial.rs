@@ -342,9 +342,7 @@ impl<R: Original> Trial<R> {
             }
         }
         let end = planned.state_at(planned.t).position.widen();
-        let Request::Meet = self.problem.request else {
-            return None;
-        };
+        let Request::Meet = self.problem.request else { return None };
         let [p1, v1, _] = self.motion.target;
         let met = p1 + v1 * planned.t.widen();
         ((end - met).abs() > doubt * (scale.position + p1.abs())).then_some("the target is missed")
@@ -387,9 +385,7 @@ impl<R: Original> Trial<R> {
         }
         match self.leaves_after() {
             Some(true) if !found(Findings::ENDS_LEAVING) => return Some(LEAVES),
-            Some(false) if found(Findings::ENDS_LEAVING) => {
-                return Some("it does not leave the limits afterwards");
-            }
+            Some(false) if found(Findings::ENDS_LEAVING) => return Some("it does not leave the limits afterwards"),
             _ => {}
         }
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;

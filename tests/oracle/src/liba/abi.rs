@@ -47,16 +47,10 @@ impl<R: Real> Implementation<R> for Abi<R> {
         // SAFETY: `ctx` points to as many reals as the family's struct has.
         unsafe {
             match (family, arguments) {
-                (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
-                    return (self.bell)(ctx, jm, am, vm, p0, p1, v0, v1);
-                }
-                (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
-                    return (self.trap)(ctx, vm, ac, de, p0, p1, v0, v1);
-                }
+                (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => return (self.bell)(ctx, jm, am, vm, p0, p1, v0, v1),
+                (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => return (self.trap)(ctx, vm, ac, de, p0, p1, v0, v1),
                 (Family::Poly3, &[ts, p0, p1, v0, v1]) => (self.poly3)(ctx, ts, p0, p1, v0, v1),
-                (Family::Poly5, &[ts, p0, p1, v0, v1, a0, a1]) => {
-                    (self.poly5)(ctx, ts, p0, p1, v0, v1, a0, a1);
-                }
+                (Family::Poly5, &[ts, p0, p1, v0, v1, a0, a1]) => (self.poly5)(ctx, ts, p0, p1, v0, v1, a0, a1),
                 (Family::Poly7, &[ts, p0, p1, v0, v1, a0, a1, j0, j1]) => {
                     (self.poly7)(ctx, ts, p0, p1, v0, v1, a0, a1, j0, j1);
                 }

@@ -1,6 +1,7 @@
 //! Random moves of every kind. The same seed gives the same moves.
 
 use super::comparison::{Case, Moment};
+use Distribution::*;
 use std::marker::PhantomData;
 use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};
 use support::{Family, Random, Real};
@@ -22,18 +23,8 @@ enum Distribution {
 }
 
 const DISTRIBUTIONS: [Distribution; 12] = [
-    Distribution::Ordinary,
-    Distribution::Ordinary,
-    Distribution::NearlyInfeasible,
-    Distribution::NearlyInfeasible,
-    Distribution::Tiny,
-    Distribution::Huge,
-    Distribution::Denormal,
-    Distribution::Wide,
-    Distribution::BinaryFractions,
-    Distribution::OneSpecial,
-    Distribution::Special,
-    Distribution::Bits,
+    Ordinary, Ordinary, NearlyInfeasible, NearlyInfeasible, Tiny, Huge, Denormal, Wide, BinaryFractions, OneSpecial,
+    Special, Bits,
 ];
 
 /// The bell comes twice, because it has the most branches.
@@ -79,10 +70,8 @@ impl<R: Real> Moves<R> {
             *backward = -*backward;
         }
         match distribution {
-            Distribution::NearlyInfeasible => self.pinch(family, &mut arguments),
-            Distribution::OneSpecial => {
-                arguments[self.random.below(names.len())] = self.random.pick(&R::SPECIAL);
-            }
+            NearlyInfeasible => self.pinch(family, &mut arguments),
+            OneSpecial => arguments[self.random.below(names.len())] = self.random.pick(&R::SPECIAL),
             _ => {}
         }
         if self.random.one_in(4) {
@@ -159,20 +148,18 @@ impl<R: Real> Moves<R> {
         let random = &mut self.random;
         let (lowest, highest) = R::EXPONENTS;
         match distribution {
-            Distribution::Ordinary | Distribution::NearlyInfeasible | Distribution::OneSpecial => {
-                R::of(random.binade(-7, 7))
-            }
-            Distribution::Tiny => R::of(random.binade(lowest, lowest * 3 / 4)),
-            Distribution::Huge => R::of(random.binade(highest * 3 / 4, highest)),
-            Distribution::Denormal => {
+            Ordinary | NearlyInfeasible | OneSpecial => R::of(random.binade(-7, 7)),
+            Tiny => R::of(random.binade(lowest, lowest * 3 / 4)),
+            Huge => R::of(random.binade(highest * 3 / 4, highest)),
+            Denormal => {
                 let shortened = random.below(R::SIGNIFICAND_BITS as usize) as u32;
                 R::from_low_bits(random.bits() >> (64 - R::SIGNIFICAND_BITS + shortened))
             }
-            Distribution::Wide => R::of(random.binade(lowest, highest)),
-            Distribution::BinaryFractions => R::of(random.below(65) as f64 / f64::from(1 << random.below(5))),
-            Distribution::Special if random.one_in(2) => random.pick(&R::SPECIAL),
-            Distribution::Special => R::of(random.binade(-7, 7)),
-            Distribution::Bits => R::from_low_bits(random.bits()),
+            Wide => R::of(random.binade(lowest, highest)),
+            BinaryFractions => R::of(random.below(65) as f64 / f64::from(1 << random.below(5))),
+            Special if random.one_in(2) => random.pick(&R::SPECIAL),
+            Special => R::of(random.binade(-7, 7)),
+            Bits => R::from_low_bits(random.bits()),
         }
     }
 }

@@ -52,9 +52,7 @@ impl Fault {
     }
 
     fn spoil<R: Real>(self, set: &Set<R>, axes: &mut [Move<R>]) {
-        let Some((axis, problem)) = axes.last_mut().zip(set.axes.last()) else {
-            return;
-        };
+        let Some((axis, problem)) = axes.last_mut().zip(set.axes.last()) else { return };
         let count = axis.count as usize;
         match self {
             Self::Alone => {
@@ -117,9 +115,7 @@ fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
 fn slip<R: Real>(axis: &mut Move<R>, t: R) {
     let count = axis.count as usize;
     let mut early = axis.t - t;
-    let [phases @ .., end] = &mut axis.phase[..=count] else {
-        return;
-    };
+    let [phases @ .., end] = &mut axis.phase[..=count] else { return };
     end.start = t;
     let (mut position, mut velocity) = (end.position, end.velocity);
     for phase in phases.iter_mut().skip(1).rev() {
