@@ -14,34 +14,15 @@
 
 A_INTERN void layout(void) {
     REALS(a_trajbell, 14);
-    AT(a_trajbell, t, 0);
-    AT(a_trajbell, tv, 1);
-    AT(a_trajbell, ta, 2);
-    AT(a_trajbell, td, 3);
-    AT(a_trajbell, taj, 4);
-    AT(a_trajbell, tdj, 5);
-    AT(a_trajbell, p0, 6);
-    AT(a_trajbell, p1, 7);
-    AT(a_trajbell, v0, 8);
-    AT(a_trajbell, v1, 9);
-    AT(a_trajbell, vm, 10);
-    AT(a_trajbell, jm, 11);
-    AT(a_trajbell, am, 12);
-    AT(a_trajbell, dm, 13);
+    AT(a_trajbell, t, 0); AT(a_trajbell, tv, 1); AT(a_trajbell, ta, 2); AT(a_trajbell, td, 3);
+    AT(a_trajbell, taj, 4); AT(a_trajbell, tdj, 5);
+    AT(a_trajbell, p0, 6); AT(a_trajbell, p1, 7); AT(a_trajbell, v0, 8); AT(a_trajbell, v1, 9);
+    AT(a_trajbell, vm, 10); AT(a_trajbell, jm, 11); AT(a_trajbell, am, 12); AT(a_trajbell, dm, 13);
 
     REALS(a_trajtrap, 12);
-    AT(a_trajtrap, t, 0);
-    AT(a_trajtrap, p0, 1);
-    AT(a_trajtrap, p1, 2);
-    AT(a_trajtrap, v0, 3);
-    AT(a_trajtrap, v1, 4);
-    AT(a_trajtrap, vc, 5);
-    AT(a_trajtrap, ta, 6);
-    AT(a_trajtrap, td, 7);
-    AT(a_trajtrap, pa, 8);
-    AT(a_trajtrap, pd, 9);
-    AT(a_trajtrap, ac, 10);
-    AT(a_trajtrap, de, 11);
+    AT(a_trajtrap, t, 0); AT(a_trajtrap, p0, 1); AT(a_trajtrap, p1, 2); AT(a_trajtrap, v0, 3); AT(a_trajtrap, v1, 4);
+    AT(a_trajtrap, vc, 5); AT(a_trajtrap, ta, 6); AT(a_trajtrap, td, 7);
+    AT(a_trajtrap, pa, 8); AT(a_trajtrap, pd, 9); AT(a_trajtrap, ac, 10); AT(a_trajtrap, de, 11);
 
 #if defined(A_TRAJPOLY_COMPACT)
     REALS(a_trajpoly3, 4);

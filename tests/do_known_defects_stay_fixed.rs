@@ -176,8 +176,7 @@ fn times_of_positions<R: Real>() {
         let (low, high) = if start < first { (start, first) } else { (first, start) };
         if low < beside && beside < high {
             gaps += 1;
-            let x = planned.time_at(beside);
-            assert_eq!(x, Some(R::of(0.0)), "move {number}: {planned:?}");
+            assert_eq!(planned.time_at(beside), Some(R::of(0.0)), "move {number}: {planned:?}");
         }
         // An axis with time to spare.
         let limits = online::limits(&mut random);
@@ -188,10 +187,8 @@ fn times_of_positions<R: Real>() {
         synchronise(&mut axes, &[limits], &[from], &[to], t, R::of(0.0)).expect("numbers");
         let [axis] = axes;
         for steps in -4..=4 {
-            let position = to.position.neighbour(steps);
-            let x = axis.time_at(position);
-            let in_time = x.is_none_or(|x| x <= axis.t);
-            assert!(in_time, "move {number}: {x:?} {axis:?}");
+            let x = axis.time_at(to.position.neighbour(steps));
+            assert!(x.is_none_or(|x| x <= axis.t), "move {number}: {x:?} {axis:?}");
         }
     }
     println!("{}: {gaps} gaps", R::NAME);
@@ -264,8 +261,7 @@ fn beyond_the_range<R: Real>() {
     let from = [State::at(zero), moving];
     let behind = State { position: -one, ..moving };
     for end in [near, behind] {
-        let refused = synchronise(&mut axes, &limits, &from, &[near, end], zero, zero);
-        assert_eq!(refused, Err(Error::NotFinite));
+        assert_eq!(synchronise(&mut axes, &limits, &from, &[near, end], zero, zero), Err(Error::NotFinite));
         assert_eq!(axes, [Move::default(); 2]);
     }
 }
@@ -412,8 +408,7 @@ fn one_axis_of_several_has_no_plan() {
 fn a_rounding_lasts_for_ages() {
     let limits = limits::<f32>([5.649306e10, -12355.702, 1.5512268e24, -9.938e-7, 4.5984237e24, -0.069765046]);
     let (from, to) = (state([3.8446924e-8, -2.1336429e-19, 1.7401742e-5]), state([4.2870256e24, 2.824653e10, 2.548426e17]));
-    let refused = finite_or_untouched(|planned| planned.plan(&limits, from, to));
-    assert_eq!(refused, Err(Error::NotFinite));
+    assert_eq!(finite_or_untouched(|planned| planned.plan(&limits, from, to)), Err(Error::NotFinite));
 }
 
 /// A tick lay in a gap or next to it, and the position jumped.

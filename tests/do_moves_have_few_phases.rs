@@ -82,9 +82,7 @@ fn none_is_a_sliver<R: Real>() {
         for (limits, from, to) in axes {
             let (mut planned, mut replanned) = (Move::default(), Move::default());
             planned.plan(&limits, from, to).expect("a plan");
-            let x = R::of(random.unit()) * planned.t;
-            let on_the_way = planned.state_at(x);
-            replanned.plan(&limits, on_the_way, to).expect("a plan");
+            replanned.plan(&limits, planned.state_at(R::of(random.unit()) * planned.t), to).expect("a plan");
             slivers[0] += u32::from(has_sliver(&planned));
             slivers[1] += u32::from(has_sliver(&replanned));
             all += 1;

@@ -49,8 +49,7 @@ fn check_sweep<R: Real, const N: usize>(
 fn check_profile<R: Real, const N: usize>(
     comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, borders: &[R],
 ) {
-    let end = borders[borders.len() - 1];
-    let all = [sweeps_over(end), sweeps_around(borders), sweeps_of_special_times()];
+    let all = [sweeps_over(borders[borders.len() - 1]), sweeps_around(borders), sweeps_of_special_times()];
     for (i, Sweep { x0, dt, n }) in all.into_iter().flatten().enumerate() {
         let some = array::from_fn(|output| if i >> output & 1 == 1 { n } else { 0 });
         for lengths in [[n; N], some] {
@@ -157,18 +156,12 @@ fn any_fields<R: Real>() {
 
 /// Fields that no plan gives, but that the first phase starts at 0.
 fn any_move<R: Real>(random: &mut Random) -> Move<R> {
-    let mut planned = Move {
-        t: any_field(random),
-        count: random.pick(&[0, 1, 2, 7, 15, 16, u32::MAX]),
-        phase: [(); 16].map(|()| Phase {
-            start: any_field(random),
-            duration: any_field(random),
-            position: any_field(random),
-            velocity: any_field(random),
-            acceleration: any_field(random),
-            jerk: any_field(random),
-        }),
-    };
+    let (t, count) = (any_field(random), random.pick(&[0, 1, 2, 7, 15, 16, u32::MAX]));
+    let phase = [(); 16].map(|()| {
+        let [start, duration, position, velocity, acceleration, jerk] = [(); 6].map(|()| any_field(random));
+        Phase { start, duration, position, velocity, acceleration, jerk }
+    });
+    let mut planned = Move { t, count, phase };
     planned.phase[0].start = R::of(0.0);
     planned
 }

@@ -89,8 +89,7 @@ fn empty_directory(reader: &str) -> PathBuf {
 /// Writes a program into the file that its first line names in a comment.
 fn write(directory: &Path, code: &str) {
     let first = code.lines().next().unwrap();
-    let name = first.trim_matches([' ', '/', '*', '#']);
-    let file = directory.join(name);
+    let file = directory.join(first.trim_matches([' ', '/', '*', '#']));
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     fs::write(file, code).unwrap();
 }

@@ -155,8 +155,7 @@ fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
     let mut axes = [Move::default(); 2];
     line(&mut axes, &limits, &from, &to, zero, zero).expect("a line");
     let before = axes;
-    let late = R::of(f64::from(R::EXPONENTS.1).exp2());
-    assert_eq!(line_stop(&mut axes, &limits, late), Err(Error::NotFinite));
+    assert_eq!(line_stop(&mut axes, &limits, R::of(f64::from(R::EXPONENTS.1).exp2())), Err(Error::NotFinite));
     assert_eq!(axes, before);
 }
 

@@ -227,8 +227,7 @@ fn long_lines_go_on<R: Real>() {
     let mut random = Random::seeded(24);
     let mut lines = 0;
     for number in 0..LOOPS {
-        let ends = Ends::ALL[number % 3];
-        let Problem { limits, mut from, to } = line_beside_0::<R>(&mut random, ends);
+        let Problem { limits, mut from, to } = line_beside_0::<R>(&mut random, Ends::ALL[number % 3]);
         let mut axes = [Move::default(); 3];
         let planned = straight(&mut axes, &limits, &from, &to);
         let t = axes[0].t.widen();
@@ -282,8 +281,7 @@ fn states_of_a_line_lie_on_it<R: Real>() {
     let mut random = Random::seeded(24);
     let mut lines = 0;
     for number in 0..LOOPS {
-        let ends = Ends::ALL[number % 3];
-        let problem = line_beside_0::<R>(&mut random, ends);
+        let problem = line_beside_0::<R>(&mut random, Ends::ALL[number % 3]);
         let Problem { limits, from, to } = &problem;
         let mut axes = [Move::default(); 3];
         if straight(&mut axes, limits, from, to).is_err() {

@@ -20,8 +20,7 @@ fn with_the_final_acceleration<R: Real>() {
             let [position, velocity, acceleration, jerk] = planned.state(x).map(R::widen);
             let (speed, few) = (v.abs() + a.abs() * passed, 4.0 * R::MACHINE_EPSILON.widen());
             let way = p.abs() + speed * passed;
-            let expected = p + v * passed + 0.5 * a * passed * passed;
-            assert_abs_diff_eq!(position, expected, epsilon = few * way);
+            assert_abs_diff_eq!(position, p + v * passed + 0.5 * a * passed * passed, epsilon = few * way);
             assert_abs_diff_eq!(velocity, v + a * passed, epsilon = few * speed);
             assert_eq!((acceleration, jerk), (a, 0.0));
         }

@@ -16,8 +16,7 @@ fn off<R: Real>(x: R) -> R {
 }
 
 fn middle<R: Real>(planned: &mut Move<R>) -> &mut Phase<R> {
-    let middle = 1 + planned.count as usize / 2;
-    &mut planned.phase[middle]
+    &mut planned.phase[1 + planned.count as usize / 2]
 }
 
 fn faults<R: Real>() -> Vec<Fault<R>> {
@@ -201,8 +200,7 @@ fn a_cruise_needs_no_acceleration<R: Real>() {
         assert_eq!(cruise.check(one, zero, -sign), clean);
         assert_eq!(cruise.check(one, -sign, zero), clean);
         assert_eq!(cruise.check(one, sign, sign), Err(Error::Limits));
-        let nan = R::of(f64::NAN);
-        assert_eq!(cruise.check(one, nan, -sign), Err(Error::NotFinite));
+        assert_eq!(cruise.check(one, R::of(f64::NAN), -sign), Err(Error::NotFinite));
         let bell = Bell::fastest(one, one, one, boundary).expect("a plan");
         assert_eq!(bell.check(zero, zero, one), clean);
         let beyond = Trap { cruise_end: cruise.t + one, pd: cruise.p1 + sign, a1: zero, ..cruise };
@@ -259,8 +257,7 @@ fn a_phase_of_no_duration_has_no_gap<R: Real>() {
         [gap + 0.1, 999.9 - gap, 0.05, 0.0, 0.0, 0.0],
         [1000.0, 0.0, 0.05, 0.0, 0.0, 0.0],
     ]);
-    let endless = R::of(f64::INFINITY);
-    let found = planned.check(&Limits::symmetric(endless, R::of(10.0), R::ONE));
+    let found = planned.check(&Limits::symmetric(R::of(f64::INFINITY), R::of(10.0), R::ONE));
     assert!(found.is_ok_and(|found| found.contains(Findings::JUMPS)), "{found:?}");
 }
 

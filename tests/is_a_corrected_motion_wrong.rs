@@ -242,8 +242,7 @@ fn random_limits(random: &mut Random) -> Target {
         1 => random.magnitude(-6.0, 6.0),
         _ => random.magnitude(-0.7, 0.7),
     };
-    let velocity = random.magnitude(-3.0, 3.0);
-    target([0.0, velocity, acceleration, acceleration * ratio])
+    target([0.0, random.magnitude(-3.0, 3.0), acceleration, acceleration * ratio])
 }
 
 /// The target after `request`, for an axis in `state` with the present target.
@@ -346,8 +345,7 @@ fn no_seam_where_the_switching_time_cancels() {
         let order = Order { start, target };
         let (profile, _) = corrected(start, target);
         let times = sample_times(borders(&profile), &mut Random(2));
-        let fault = fault(&order, &times, profile.tf, |t| profile.setpoint(t));
-        assert_eq!(fault, None, "{order:?}");
+        assert_eq!(fault(&order, &times, profile.tf, |t| profile.setpoint(t)), None, "{order:?}");
     }
 }
 
@@ -361,8 +359,7 @@ fn a_target_at_the_stopping_distance_is_reached_by_braking() {
         let start = moving(random.between(-10.0, 10.0), random.sign() * random.between(0.1, 5.0));
         let v0 = start.velocity;
         let [vm, a, d] = [(); 3].map(|()| random.between(0.1, 10.0));
-        let position = start.position + v0 * v0.abs() / (2.0 * d);
-        let target = target([position, vm, a, d]);
+        let target = target([start.position + v0 * v0.abs() / (2.0 * d), vm, a, d]);
         let order = Order { start, target };
         short += usize::from(order.ahead() < stopping_distance(v0, d));
         let (profile, _) = corrected(start, target);

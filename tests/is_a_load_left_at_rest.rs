@@ -40,8 +40,7 @@ fn residual(times: &[f64], acceleration: impl Fn(f64) -> f64, load: [f64; 2]) ->
         let moved = product([grown[0] - 1.0, grown[1]], inverse);
         let bent = product([moved[0] - d, moved[1]], inverse);
         let driven = [a * moved[0] + jerk * bent[0], a * moved[1] + jerk * bent[1]];
-        let later = power([pole[0] * (end - pair[1]), pole[1] * (end - pair[1])]);
-        let part = product(driven, later);
+        let part = product(driven, power([pole[0] * (end - pair[1]), pole[1] * (end - pair[1])]));
         swing = [swing[0] + part[0], swing[1] + part[1]];
     }
     swing[0].hypot(swing[1])
@@ -270,8 +269,7 @@ fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
     for k in -10..=10 {
         let load = [5.0 * (1.0 + 0.1 * wrong * f64::from(k)), 0.01];
         let swing = 2.0 * PI * load[0] * (1.0_f64 - load[1] * load[1]).sqrt();
-        let left = residual(&times, |x| shaper.state(&planned, x).acceleration, load) / swing;
-        worst = worst.max(left);
+        worst = worst.max(residual(&times, |x| shaper.state(&planned, x).acceleration, load) / swing);
     }
     (planned.t + shaper.duration(), worst)
 }

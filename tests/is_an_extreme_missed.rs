@@ -81,13 +81,11 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
     if random.one_in(2) {
         let bell = Bell::fastest(x, y, z, boundary).expect("numbers");
         let scales = scales(bell.t, x, y, z);
-        let borders = Family::Bell.borders(&[], &bell_fields(&bell));
-        Move::new(bell, bell.t, bell.extremes(), scales, borders)
+        Move::new(bell, bell.t, bell.extremes(), scales, Family::Bell.borders(&[], &bell_fields(&bell)))
     } else {
         let trap = Trap::fastest(x, y, -z, boundary).expect("numbers");
         let scales = scales(trap.t, R::of(0.0), if y > z { y } else { z }, x);
-        let borders = Family::Trap.borders(&[], &trap_fields(&trap));
-        Move::new(trap, trap.t, trap.extremes(), scales, borders)
+        Move::new(trap, trap.t, trap.extremes(), scales, Family::Trap.borders(&[], &trap_fields(&trap)))
     }
 }
 
@@ -109,8 +107,7 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
         let share = R::of(f64::from(part) / 40.0);
         phases.iter().map(move |phase| phase.start + share * phase.duration)
     };
-    let borders = parts.flat_map(inside).collect();
-    Move::new(planned, planned.t, planned.extremes(), scales, borders)
+    Move::new(planned, planned.t, planned.extremes(), scales, parts.flat_map(inside).collect())
 }
 
 /// Samples the move densely. The result is how far samples lie beyond the reported extremes, in ulps of the scale. The extremes
@@ -173,6 +170,5 @@ fn a_ramp_alone_never_cruises() {
     let braking = Trap::fastest(5.0, 4.0, -2.0, Boundary { p0, p1, v0, v1 }).expect("a plan");
     assert_eq!(braking.ta, braking.cruise_end);
     let reached = braking.extremes();
-    let accelerations = [reached.lowest, reached.highest].map(|state| state.acceleration);
-    assert_eq!(accelerations, [-2.0; 2]);
+    assert_eq!([reached.lowest, reached.highest].map(|state| state.acceleration), [-2.0; 2]);
 }

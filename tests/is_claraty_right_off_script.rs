@@ -343,8 +343,7 @@ fn a_listing_that_ends_at_no_number_is_over_at_its_first_instant() {
 
 #[test]
 fn a_set_refuses_what_would_overflow_and_changes_nothing() {
-    let told = "a number is larger than 1e60, or is not a number";
-    assert_eq!(OutOfRange.to_string(), told);
+    assert_eq!(OutOfRange.to_string(), "a number is larger than 1e60, or is not a number");
     let large = [1.001 * LARGEST, f64::MAX, f64::INFINITY, f64::NAN];
     for wrong in large.into_iter().flat_map(|large| [large, -large]) {
         let (good, bad) = ([1.0, 2.0], [1.0, wrong]);

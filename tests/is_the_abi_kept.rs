@@ -67,8 +67,7 @@ fn a_planted_change_is_seen() {
     let abidw = ["--type-id-style", "hash", "--drop-undefined-syms", "--no-elf-needed"];
     let text = String::from_utf8(run(Command::new("abidw").args(abidw).arg(&double)).stdout).unwrap();
     fs::write(&baseline, &text).unwrap();
-    let struct_start = text.find("<class-decl name='a_trajtrap'").unwrap();
-    let (before, structs) = text.split_at(struct_start);
+    let (before, structs) = text.split_at(text.find("<class-decl name='a_trajtrap'").unwrap());
     let planted = [
         ("another name", text.replace("a_trajtrap_acc", "a_trajtrap_acceleration")),
         ("a larger struct", format!("{before}{}", structs.replacen("size-in-bits='768'", "size-in-bits='832'", 1))),

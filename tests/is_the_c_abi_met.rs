@@ -94,8 +94,7 @@ fn replay_changed(source: &str, table: &str, change: impl Fn(&str) -> Option<Str
         None => fs::remove_file(copy.join(table)).unwrap(),
     }
     let output = Command::new(program).arg(copy).output().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    (output.status.code().unwrap(), text)
+    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
 }
 
 /// In one test, as the changes share a directory.

@@ -56,14 +56,12 @@ fn in_random_moves<R: Real>() {
             found += 1;
             assert!(x >= R::of(0.0) && x <= planned.t, "{x:e}, {place}");
             let [there, asked] = [planned.position(x), wanted].map(R::widen);
-            let is_there = abs_diff_eq!(there, asked, epsilon = rounding);
-            assert!(is_there, "{there:e} at {x:e}, {place}");
+            assert!(abs_diff_eq!(there, asked, epsilon = rounding), "{there:e} at {x:e}, {place}");
             // Before the first time the axis is on one side.
             let before = times.iter().zip(&positions).take_while(|(t, _)| **t < x);
             let sides: Vec<f64> =
                 before.map(|(_, p)| p.widen() - wanted.widen()).filter(|side| side.abs() > rounding).collect();
-            let one_side = sides.iter().all(|side| side * sides[0] > 0.0);
-            assert!(one_side, "passed before {x:e}, {place}");
+            assert!(sides.iter().all(|side| side * sides[0] > 0.0), "passed before {x:e}, {place}");
         }
         let beyond = R::of(rounding + 1e-3);
         for wanted in [low - beyond, high + beyond, R::of(f64::NAN)] {

@@ -40,13 +40,7 @@ fn documents() -> Vec<(String, String)> {
     let names = names.map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let pages = names.filter(|name| name.ends_with(".md") && !name.starts_with("for-"));
     let paths = pages.map(|name| format!("docs/{name}"));
-    paths
-        .chain(["README.md".to_owned()])
-        .map(|path| {
-            let text = read(&path);
-            (path, text)
-        })
-        .collect()
+    paths.chain(["README.md".to_owned()]).map(|path| (path.clone(), read(&path))).collect()
 }
 
 /// An empty directory of this test, with `target` in it, so that commands written for the repository run there.

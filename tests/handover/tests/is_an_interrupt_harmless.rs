@@ -112,8 +112,8 @@ fn everywhere<H: Handover + 'static>(ticks_before: u64, leads: &[u32], ticks: us
         late += leads.len() - accepted;
         // The next choice in order: steps that do not fall.
         let Some(at) = interrupted.iter().rposition(|&step| step < steps) else { return (runs, late) };
-        let step = interrupted[at] + 1;
-        interrupted[at..].fill(step);
+        let next = interrupted[at] + 1;
+        interrupted[at..].fill(next);
     }
 }
 

@@ -114,18 +114,14 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     assert_order(&planned, &problem);
     // A move without duration is at its start at 0.
     let end = planned.state_at(R::of(f64::INFINITY));
-    let (velocity, acceleration) = match planner {
-        2 => (zero, zero),
-        5 => (end.velocity, end.acceleration),
-        _ => (to.velocity, to.acceleration),
-    };
-    assert!(end.velocity == velocity && end.acceleration == acceleration, "{problem}: ends at {end:?}");
     let there = match planner {
-        0 | 4 => to.position,
-        3 => to.position + to.velocity * planned.t,
-        _ => end.position,
+        0 | 4 => to,
+        1 => State { position: end.position, ..to },
+        2 => State::at(end.position),
+        3 => State { position: to.position + to.velocity * planned.t, ..to },
+        _ => end,
     };
-    assert!(end.position == there, "{problem}: ends at {end:?}");
+    assert!(end == there, "{problem}: ends at {end:?}");
     // Nothing here may panic.
     let reached = planned.extremes();
     let [low, high] = [reached.lowest, reached.highest];
@@ -180,23 +176,18 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
             wall.push(number(&mut bytes));
         }
     }
-    let [from, to] = ends;
-    let [lowest, highest] = walls;
+    let ([from, to], [lowest, highest]) = (ends, walls);
     let zero = R::of(0.0);
     let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut moves = vec![before; count];
     let result = match planner {
         0 => axes::synchronise(&mut moves, &limits, &from, &to, duration, cycle),
         1 => axes::line(&mut moves, &limits, &from, &to, duration, cycle),
-        _ => {
-            let walls = [&lowest[..], &highest];
-            axes::synchronise_within(&mut moves, &limits, &from, &to, walls, duration, cycle)
-        }
+        _ => axes::synchronise_within(&mut moves, &limits, &from, &to, [&lowest, &highest], duration, cycle),
     };
     let problem = format!("planner {planner} {limits:?} {from:?} {to:?} {lowest:?} {highest:?} {duration:?} {cycle:?}");
     if result.is_err() {
-        let untouched = moves.iter().all(|axis| *axis == before);
-        assert!(untouched, "{problem}: touched, {result:?}");
+        assert!(moves.iter().all(|axis| *axis == before), "{problem}: touched, {result:?}");
         return;
     }
     let t = moves[0].t;
@@ -224,8 +215,7 @@ struct Model<R> {
 
 impl<R: Real> Model<R> {
     fn state_after(&self, ticks: u16) -> State<R> {
-        let age = f64::from(self.age) + f64::from(ticks);
-        self.in_force.state_at(self.period * R::of(age))
+        self.in_force.state_at(self.period * R::of(f64::from(self.age) + f64::from(ticks)))
     }
 
     fn tick(&mut self) -> State<R> {
@@ -269,12 +259,8 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
     let (mut planner, mut ticker) = axis.split();
     let mut in_force = Move::default();
     // A plan to where the axis stands takes no time. So does the move of a new axis, which may have any velocity.
-    in_force.phase[1] = Phase {
-        position: start.position,
-        velocity: start.velocity,
-        acceleration: start.acceleration,
-        ..Phase::default()
-    };
+    let State { position, velocity, acceleration } = start;
+    in_force.phase[1] = Phase { position, velocity, acceleration, ..Phase::default() };
     in_force.count = 1;
     let mut model = Model { period, in_force, age: 0, next: None };
     while !bytes.is_empty() {
@@ -295,12 +281,10 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
                 [
                     planner.track(&limits, to, jerk, horizon, ahead),
                     model.plan(lead, |next, from, t| {
-                        let signal = State {
-                            position: position
-                                + t * (velocity + t * (R::of(0.5) * acceleration + t * jerk * R::of(1.0 / 6.0))),
-                            velocity: velocity + t * (acceleration + R::of(0.5) * t * jerk),
-                            acceleration: acceleration + t * jerk,
-                        };
+                        let [half, sixth] = [0.5, 1.0 / 6.0].map(R::of);
+                        let p = position + t * (velocity + t * (half * acceleration + t * jerk * sixth));
+                        let (v, a) = (velocity + t * (acceleration + half * t * jerk), acceleration + t * jerk);
+                        let signal = State { position: p, velocity: v, acceleration: a };
                         next.track(&limits, from, signal, jerk, horizon)
                     }),
                 ]
@@ -388,13 +372,9 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
 /// The kind names the number of axes and of sections. The limits of each axis follow, the start and the end of each axis, and the positions between.
 fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let (axes, sections) = (1 + usize::from(kind % 2), 1 + usize::from(kind / 2 % 4));
-    let mut limits = Vec::new();
-    for _ in 0..axes {
-        limits.push(limits_from(&mut bytes));
-    }
+    let limits: Vec<_> = (0..axes).map(|_| limits_from(&mut bytes)).collect();
     let mut states = vec![State::default(); axes * (sections + 1)];
-    let ends = (0..axes).chain(sections * axes..(sections + 1) * axes);
-    for end in ends {
+    for end in (0..axes).chain(sections * axes..(sections + 1) * axes) {
         states[end] = state(&mut bytes);
     }
     for state in &mut states[axes..sections * axes] {
@@ -442,9 +422,7 @@ fn are_promises_kept<R: Real>(problem: &str, states: &[State<R>], durations: &[R
 
 fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
     let mut arguments = [R::of(0.0); MOST_ARGUMENTS];
-    for argument in arguments.iter_mut().take(family.arguments().len()) {
-        *argument = number(&mut bytes);
-    }
+    arguments[..family.arguments().len()].fill_with(|| number(&mut bytes));
     let mut moment = || {
         let kind = take(&mut bytes, 1) as usize;
         let number = number::<R>(&mut bytes);
@@ -454,13 +432,8 @@ fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
             _ => Moment::Border { index: kind / 3, steps: kind as i8 / 43 },
         }
     };
-    Case {
-        family,
-        arguments,
-        before: [R::of(0.0); MOST_FIELDS],
-        planned: true,
-        moments: [(); MOMENTS].map(|()| moment()),
-    }
+    let moments = [(); MOMENTS].map(|()| moment());
+    Case { family, arguments, before: [R::of(0.0); MOST_FIELDS], planned: true, moments }
 }
 
 fn number<R: Real>(bytes: &mut &[u8]) -> R {
@@ -475,13 +448,9 @@ fn take(bytes: &mut &[u8], count: usize) -> u64 {
 
 /// The bytes of a move and of times at which to evaluate it.
 pub fn encode<R: Real>(arguments: &[R], times: &[R]) -> Vec<u8> {
+    let of = |number: &R| number.low_bits().to_le_bytes()[..size_of::<R>()].to_vec();
     let mut bytes = vec![u8::from(size_of::<R>() == 4)];
-    for &argument in arguments {
-        bytes.extend(argument.low_bits().to_le_bytes().iter().take(size_of::<R>()));
-    }
-    for &time in times.iter().take(MOMENTS) {
-        bytes.push(0);
-        bytes.extend(time.low_bits().to_le_bytes().iter().take(size_of::<R>()));
-    }
+    bytes.extend(arguments.iter().flat_map(of));
+    bytes.extend(times.iter().take(MOMENTS).flat_map(|time| [vec![0], of(time)].concat()));
     bytes
 }

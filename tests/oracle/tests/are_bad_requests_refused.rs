@@ -386,8 +386,7 @@ fn bad_paths<R: Real>() {
     for planner in 0..3 {
         for k in 0..POINTS {
             for bad in [none, endless, -endless] {
-                let refused = answer(planner, &|states, _, _| states[k].position = bad);
-                assert_eq!(refused, Err(Error::NotFinite));
+                assert_eq!(answer(planner, &|states, _, _| states[k].position = bad), Err(Error::NotFinite));
                 let is_read = planner == 1 || !(AXES..AXES * SECTIONS).contains(&k);
                 let expected = if is_read { Err(Error::NotFinite) } else { Ok(Findings::default()) };
                 assert_eq!(answer(planner, &|states, _, _| states[k].velocity = bad), expected);

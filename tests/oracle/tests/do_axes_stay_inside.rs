@@ -29,8 +29,7 @@ impl<R: Original> Walled<R> {
         let Problem { limits, from, to, .. } = problem;
         let mut fastest = Move::default();
         let found = fastest.plan(&limits, from, to).ok()?;
-        let ends = [from, to].map(|end| end.position.widen());
-        let spans = [stop(&limits, from)?, launch(&limits, to)?, ends];
+        let spans = [stop(&limits, from)?, launch(&limits, to)?, [from, to].map(|end| end.position.widen())];
         let positions = || spans.iter().flatten().copied();
         let hull = [positions().fold(f64::INFINITY, f64::min), positions().fold(f64::NEG_INFINITY, f64::max)];
         let scale = Scale::of(&problem, &Plan::of_move(fastest, found));
@@ -59,8 +58,7 @@ impl<R: Original> Walled<R> {
     /// Whether the setpoints of a move leave the walls, or nearly.
     fn is_left(&self, axis: &Move<R>, by: f64) -> bool {
         let reached = axis.extremes();
-        let span = [reached.lowest, reached.highest].map(|state| state.position.widen());
-        self.leaves(span, by)
+        self.leaves([reached.lowest, reached.highest].map(|state| state.position.widen()), by)
     }
 
     /// What a move may leave the walls by: 128 ulps of its positions and of speed times duration, and those of the hull.
@@ -74,8 +72,7 @@ impl<R: Original> Walled<R> {
         let Problem { limits, from, to, .. } = self.problem;
         let [mut before, mut behind] = [Move::default(); 2];
         before.stop(&limits, from).expect("a stop");
-        let rest = State::at(before.position(before.t));
-        behind.plan(&limits, rest, to).expect("a plan");
+        behind.plan(&limits, State::at(before.position(before.t)), to).expect("a plan");
         before.t.widen() + behind.t.widen()
     }
 }

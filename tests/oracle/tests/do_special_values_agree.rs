@@ -24,13 +24,8 @@ fn pairs<R: Original>() {
                         arguments[second] = b;
                         arguments[first] = a;
                         let at = |i| Moment::At(R::SPECIAL[(MOMENTS * n + i) % R::SPECIAL.len()]);
-                        let case = Case {
-                            family,
-                            arguments,
-                            before: [R::of(3.0); MOST_FIELDS],
-                            planned: true,
-                            moments: std::array::from_fn(at),
-                        };
+                        let (before, moments) = ([R::of(3.0); MOST_FIELDS], std::array::from_fn(at));
+                        let case = Case { family, arguments, before, planned: true, moments };
                         report.compare(&Ours, &R::ORIGINAL, &case);
                     }
                 }

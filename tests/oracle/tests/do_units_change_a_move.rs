@@ -66,8 +66,7 @@ impl Set {
         for _ in 1..count {
             let (share, offset) = (random.sign() * random.magnitude(-3.0, 0.0), random.magnitude(-1.0, 6.0));
             let own = online::limits(random);
-            let mirrored = numbers_of(&lead).map(f64::abs);
-            let [vmax, v, amax, a, jmax, j] = mirrored;
+            let [vmax, v, amax, a, jmax, j] = numbers_of(&lead).map(f64::abs);
             let [v, a, j] = [vmax.max(v), amax.max(a), jmax.max(j)];
             let wide = [v, -v, a, -a, j, -j].map(|limit| limit * random.magnitude(0.0, 1.0));
             let wide = limits_of(wide);

@@ -12,8 +12,7 @@ const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 /// What `path_moves` makes of a path, and the moves.
 fn moves_of<R: Real>(chain: &Chain<R>, path: &Path<R>) -> (Result<atraj::Findings, Error>, Vec<Move<R>>) {
     let mut moves = vec![Move::default(); chain.axes * chain.sections()];
-    let made = path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes);
-    (made, moves)
+    (path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes), moves)
 }
 
 fn at<R: Real>(chain: &Chain<R>, path: &Path<R>, point: usize) -> Vec<State<R>> {

@@ -70,15 +70,7 @@ impl<R: Real> Path<R> {
 
     fn wider(&self, reserve: f64) -> Vec<Limits<R>> {
         let wider = |limit: R| R::of(limit.widen() * (1.0 + reserve));
-        let each = self.limits.iter().map(|limits| Limits {
-            vmax: wider(limits.vmax),
-            vmin: wider(limits.vmin),
-            amax: wider(limits.amax),
-            amin: wider(limits.amin),
-            jmax: wider(limits.jmax),
-            jmin: wider(limits.jmin),
-        });
-        each.collect()
+        self.limits.iter().map(|limits| online::limits_of(online::numbers_of(limits).map(wider))).collect()
     }
 
     /// Whether each axis can do in one direction what it can do in the other.
@@ -301,8 +293,7 @@ fn a_line_stops_exactly() {
                         continue;
                     }
                 }
-                let end = resumed.state(&moves[..n], n, 50.0 * t);
-                assert_eq!(end, [2.0, 0.0, 0.0, 0.0], "{n} {part} {x}");
+                assert_eq!(resumed.state(&moves[..n], n, 50.0 * t), [2.0, 0.0, 0.0, 0.0], "{n} {part} {x}");
             }
         }
     }

@@ -9,13 +9,8 @@ fn rounds<R: Original>(am: R, p1: R) -> u32 {
     let [zero, one] = [0.0, 1.0].map(R::of);
     let mut arguments = [zero; MOST_ARGUMENTS];
     arguments[..7].copy_from_slice(&[one, am, one, zero, p1, one, one]);
-    let case = Case {
-        family: Family::Bell,
-        arguments,
-        before: [zero; MOST_FIELDS],
-        planned: true,
-        moments: [Moment::Fraction(R::of(0.5)); MOMENTS],
-    };
+    let (before, moments) = ([zero; MOST_FIELDS], [Moment::Fraction(R::of(0.5)); MOMENTS]);
+    let case = Case { family: Family::Bell, arguments, before, planned: true, moments };
     let mut report = Report::default();
     report.compare(&Ours, &R::ORIGINAL, &case);
     report.assert_same();

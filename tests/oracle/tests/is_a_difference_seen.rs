@@ -9,18 +9,14 @@ use support::{Ours, test_both_reals};
 
 #[test]
 fn three_libraries_are_linked() {
+    let (theirs, floats) = (<f64 as Original>::ORIGINAL, <f32 as Original>::ORIGINAL);
     let addresses = [
-        <f64 as Original>::ORIGINAL.bell as usize,
-        <f32 as Original>::ORIGINAL.bell as usize,
-        OURS.bell as usize,
-        <f64 as Original>::ORIGINAL.trap as usize,
-        <f32 as Original>::ORIGINAL.trap as usize,
-        OURS.trap as usize,
-        <f64 as Original>::ORIGINAL.poly7 as usize,
-        <f32 as Original>::ORIGINAL.poly7 as usize,
-        OURS.poly7 as usize,
-    ];
-    assert_eq!(HashSet::from(addresses).len(), addresses.len());
+        [theirs.bell as usize, floats.bell as usize, OURS.bell as usize],
+        [theirs.trap as usize, floats.trap as usize, OURS.trap as usize],
+        [theirs.poly7 as usize, floats.poly7 as usize, OURS.poly7 as usize],
+    ]
+    .concat();
+    assert_eq!(addresses.iter().collect::<HashSet<_>>().len(), addresses.len());
 }
 
 fn every_fault_is_caught<R: Original>() {

@@ -278,8 +278,7 @@ fn a_window_moves_along<R: Original>() {
                 path = after_first(&chain, &path).1;
                 passed += 1;
             }
-            let rest = path.durations[0] - R::of(left);
-            path = under_way(&limits, &path, rest);
+            path = under_way(&limits, &path, path.durations[0] - R::of(left));
             while path.durations.len() < 7 {
                 let last = path.states.len() - axes;
                 for (axis, state) in next.iter().enumerate() {
@@ -368,8 +367,7 @@ fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64;
     let mut states: Vec<_> = positions.iter().map(|&position| State::at(R::of(position))).collect();
     states[0].velocity = R::of(v0);
     states[positions.len() - 1].velocity = R::of(v1);
-    let limits = vec![limits_of(limits.map(R::of))];
-    let chain = Chain { family: Family::InMotion, axes: 1, limits, states };
+    let chain = Chain { family: Family::InMotion, axes: 1, limits: vec![limits_of(limits.map(R::of))], states };
     let planned = Paths.plan(&chain, 0).expect("a plan").0;
     planned.durations.iter().map(|duration| duration.widen()).sum()
 }

@@ -144,14 +144,9 @@ impl ByBisection {
     fn of(problem: &Problem<f64>) -> Self {
         let limits = problem.limits;
         let [from, to] = problem.ends();
-        let mut axis = Self {
-            jerk: limits.jmax,
-            rise: limits.amax,
-            fall: -limits.amin,
-            vmax: limits.vmax,
-            way: to.position - from.position,
-            ends: [from.velocity, to.velocity],
-        };
+        let Limits { vmax, amax: rise, amin, jmax: jerk, .. } = limits;
+        let (way, ends) = (to.position - from.position, [from.velocity, to.velocity]);
+        let mut axis = Self { jerk, rise, fall: -amin, vmax, way, ends };
         if axis.by_way_of(0.0)[1] > axis.way {
             (axis.rise, axis.fall, axis.way) = (axis.fall, axis.rise, -axis.way);
             axis.ends = axis.ends.map(|v| -v);

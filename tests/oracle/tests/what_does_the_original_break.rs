@@ -63,17 +63,13 @@ fn count<R: Original>() -> Counts {
         }
     }
     let percent = |count: u64| count as f64 * 100.0 / MOVES as f64;
+    let Counts { refused, too_steep, steepest, too_fast, jumps, longer, longest } = counts;
+    let [refused, steep, fast, jumps, longer] = [refused, too_steep, too_fast, jumps, longer].map(percent);
     println!(
-        "{}: of {MOVES} moves with moving ends the original refuses {:.2} %, breaks the acceleration limit in {:.2} % (at most \
-         {:.0} times), the velocity limit in {:.2} %, jumps in {:.2} %, and takes longer than possible in {:.2} % (at most {:.1} times)",
-        R::NAME,
-        percent(counts.refused),
-        percent(counts.too_steep),
-        counts.steepest,
-        percent(counts.too_fast),
-        percent(counts.jumps),
-        percent(counts.longer),
-        counts.longest
+        "{}: of {MOVES} moves with moving ends the original refuses {refused:.2} %, breaks the acceleration limit in {steep:.2} % \
+         (at most {steepest:.0} times), the velocity limit in {fast:.2} %, jumps in {jumps:.2} %, and takes longer than possible in \
+         {longer:.2} % (at most {longest:.1} times)",
+        R::NAME
     );
     counts
 }

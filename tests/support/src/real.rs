@@ -68,33 +68,14 @@ macro_rules! real {
             const SIGNIFICAND_BITS: u32 = $real::MANTISSA_DIGITS - 1;
             const MACHINE_EPSILON: Self = $real::EPSILON;
             const MOST_ROUNDS: u32 = $real::MAX_EXP as u32 + Self::SIGNIFICAND_BITS;
+            #[rustfmt::skip]
             const SPECIAL: [Self; 24] = {
-                let denormal = $real::from_bits(1);
+                let (denormal, below_normal) = ($real::from_bits(1), $real::from_bits($real::MIN_POSITIVE.to_bits() - 1));
                 [
-                    0.0,
-                    -0.0,
-                    1.0,
-                    -1.0,
-                    0.5,
-                    2.0,
-                    -2.0,
-                    6.0,
-                    1.0 / 6.0,
-                    $real::EPSILON,
-                    1.0 + $real::EPSILON,
-                    1.0 - $real::EPSILON / 2.0,
-                    $real::MIN_POSITIVE,
-                    -$real::MIN_POSITIVE,
-                    denormal,
-                    -denormal,
-                    $real::from_bits($real::MIN_POSITIVE.to_bits() - 1),
-                    $real::MAX,
-                    -$real::MAX,
-                    $real::MAX / 2.0,
-                    $real::INFINITY,
-                    $real::NEG_INFINITY,
-                    $real::NAN,
-                    -$real::NAN,
+                    0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -2.0, 6.0, 1.0 / 6.0,
+                    $real::EPSILON, 1.0 + $real::EPSILON, 1.0 - $real::EPSILON / 2.0,
+                    $real::MIN_POSITIVE, -$real::MIN_POSITIVE, denormal, -denormal, below_normal,
+                    $real::MAX, -$real::MAX, $real::MAX / 2.0, $real::INFINITY, $real::NEG_INFINITY, $real::NAN, -$real::NAN,
                 ]
             };
             fn of(number: f64) -> Self {

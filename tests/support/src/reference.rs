@@ -15,8 +15,7 @@ pub struct Plan<R> {
 /// Plans as `gen` does: finds what `fields` held before and writes them.
 pub fn plan<R: Real>(arguments: &[R], fields: &mut [R]) -> Plan<R> {
     let mut bell = bell(fields);
-    let arguments = arguments.try_into().expect("seven arguments");
-    let plan = steps(&mut bell, arguments);
+    let plan = steps(&mut bell, arguments.try_into().expect("seven arguments"));
     fields.copy_from_slice(&bell_fields(&bell));
     plan
 }

@@ -44,8 +44,7 @@ pub fn run(command: &mut Command) -> Output {
 
 /// Runs a command that must succeed; the lines that it prints.
 pub fn lines(command: &mut Command) -> Vec<String> {
-    let output = run(command).stdout;
-    String::from_utf8(output).unwrap().lines().map(str::to_owned).collect()
+    String::from_utf8(run(command).stdout).unwrap().lines().map(str::to_owned).collect()
 }
 
 /// What `abidiff` prints about two libraries, and whether it found more than new functions.

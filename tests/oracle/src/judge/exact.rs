@@ -40,13 +40,8 @@ pub struct Misses {
 impl Misses {
     pub fn most(self, other: Self) -> Self {
         let Self { start, border, end, limits, turns } = self;
-        Self {
-            start: start.max(other.start),
-            border: border.max(other.border),
-            end: end.max(other.end),
-            limits: limits.max(other.limits),
-            turns: turns.max(other.turns),
-        }
+        let (start, border, end) = (start.max(other.start), border.max(other.border), end.max(other.end));
+        Self { start, border, end, limits: limits.max(other.limits), turns: turns.max(other.turns) }
     }
 
     pub fn each(&self) -> [f64; 5] {
@@ -324,8 +319,7 @@ impl Row {
         use Request::{Bell, Meet, Plan, Reach, Stop, Trap};
         let alone = [Plan, Reach, Stop, Meet, Bell, Trap];
         let alone = alone.map(|request| Self::of_request::<R>(&Fastest, request, motions));
-        let together = [false, true].map(|is_line| Self::of_axes::<R>(is_line, motions));
-        alone.into_iter().chain(together).collect()
+        alone.into_iter().chain([false, true].map(|is_line| Self::of_axes::<R>(is_line, motions))).collect()
     }
 
     /// The row of a planner of one axis. Other tests ask whether a plan is refused.

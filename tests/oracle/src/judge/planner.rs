@@ -40,8 +40,7 @@ impl<R: Real> Profile<R> {
     }
 
     pub fn evaluate(&self, implementation: &impl Implementation<R>, x: R) -> [R; 4] {
-        let own = &self.fields[..self.family.fields().len()];
-        implementation.evaluate(self.family, own, x)
+        implementation.evaluate(self.family, &self.fields[..self.family.fields().len()], x)
     }
 
     /// What `check` finds; a number that is not finite counts as a jump.
@@ -94,15 +93,8 @@ impl<R: Real> Plan<R> {
         for (phase, [t, duration, acceleration, jerk]) in planned.phase.iter_mut().zip(phases) {
             begin = if t < begin { begin } else { t };
             let [position, velocity, ..] = profile.evaluate(&Ours, begin);
-            let none = duration < R::of(0.0);
-            *phase = Phase {
-                start: begin,
-                duration: if none { R::of(0.0) } else { duration },
-                position,
-                velocity,
-                acceleration,
-                jerk,
-            };
+            let duration = if duration < R::of(0.0) { R::of(0.0) } else { duration };
+            *phase = Phase { start: begin, duration, position, velocity, acceleration, jerk };
         }
         Self { planned, profile: Some(profile), findings: profile.check(problem) }
     }
@@ -127,8 +119,7 @@ impl<R: Real> Planner<R> for Fastest {
             Request::Stop => planned.stop(limits, from),
             Request::Meet => planned.meet(limits, from, to),
             Request::Bell | Request::Trap => {
-                let profile = fastest(problem).ok_or(Error::NotFinite)?;
-                return Ok(Plan::of_profile(problem, profile));
+                return Ok(Plan::of_profile(problem, fastest(problem).ok_or(Error::NotFinite)?));
             }
         }?;
         Ok(Plan::of_move(planned, findings))

@@ -3,6 +3,7 @@
 use super::problems::Kind;
 use atraj::online::{Limits, State};
 use std::fmt::{Display, Formatter, Result as Written};
+use support::online::{limits_of, numbers_of};
 use support::{Family, Real};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,8 +41,7 @@ pub const POWERS_OF_TIME: [i8; 12] = [1, 1, 2, 2, 3, 3, 0, 1, 2, 0, 1, 2];
 
 /// Highest and lowest velocity, acceleration and jerk.
 pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
-    let &Limits { vmax, vmin, amax, amin, jmax, jmin } = limits;
-    [vmax, vmin, amax, amin, jmax, jmin].map(R::widen)
+    numbers_of(limits).map(R::widen)
 }
 
 /// How much faster a target is than one that can have been reached within the limits; not above 0 if it is legal. Its acceleration was built
@@ -71,7 +71,7 @@ impl<R: Real> Problem<R> {
             }
         }
         let state = |position, velocity, acceleration| State { position, velocity, acceleration };
-        let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
+        let limits = limits_of([vmax, vmin, amax, amin, jmax, jmin]);
         Self { kind, request, limits, from: state(p0, v0, a0), to: state(p1, v1, a1) }
     }
 
@@ -83,8 +83,7 @@ impl<R: Real> Problem<R> {
             _ if y > z => [x.abs(), y, z, zero],
             _ => [x.abs(), z, y, zero],
         };
-        let numbers = [v, zero, high, low, j, zero, p0, v0, zero, p1, v1, zero];
-        Self::of(Kind::TinyAgainstHuge, request, numbers)
+        Self::of(Kind::TinyAgainstHuge, request, [v, zero, high, low, j, zero, p0, v0, zero, p1, v1, zero])
     }
 
     /// The arguments of the profile's `gen`: limits in the direction of the way, and of a trapezoid the other acceleration behind it.
@@ -147,8 +146,7 @@ impl<R: Real> Problem<R> {
             for index in ORDER {
                 let x = numbers[index];
                 let digits = [0, 1, 2, 3, 4, 6].map(|digits| rounded(x, digits));
-                let signed = R::of(1.0f64.copysign(x.widen()));
-                let candidates = [R::of(0.0), signed].into_iter().chain(digits);
+                let candidates = [R::of(0.0), R::of(1.0f64.copysign(x.widen()))].into_iter().chain(digits);
                 for candidate in candidates.take_while(|candidate| *candidate != x) {
                     let mut tried = numbers;
                     tried[index] = candidate;

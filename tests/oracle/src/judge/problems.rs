@@ -171,20 +171,10 @@ impl<R: Real> Problems<R> {
         let (amax, amin) = pair(-2.0, 2.0, 3);
         let (jmax, jmin) = pair(-2.0, 3.0, 4);
         let p0 = if random.one_in(2) { 0.0 } else { random.between(-10.0, 10.0) };
-        let mut draft = Draft {
-            vmax,
-            vmin,
-            amax,
-            amin,
-            jmax,
-            jmin,
-            p0,
-            v0: random.between(vmin, vmax),
-            a0: random.between(amin, amax),
-            p1: p0 + random.sign() * random.magnitude(-3.0, 3.0),
-            v1: random.between(vmin, vmax),
-            a1: random.between(amin, amax),
-        };
+        let [v0, a0] = [(vmin, vmax), (amin, amax)].map(|(low, high)| random.between(low, high));
+        let p1 = p0 + random.sign() * random.magnitude(-3.0, 3.0);
+        let [v1, a1] = [(vmin, vmax), (amin, amax)].map(|(low, high)| random.between(low, high));
+        let mut draft = Draft { vmax, vmin, amax, amin, jmax, jmin, p0, v0, a0, p1, v1, a1 };
         for (x, of) in [(&mut draft.v0, 4), (&mut draft.v1, 3), (&mut draft.a0, 2), (&mut draft.a1, 2)] {
             if random.one_in(of) {
                 *x = 0.0;
@@ -202,24 +192,16 @@ impl<R: Real> Problems<R> {
             Kind::Moving => (draft.a0, draft.a1) = (0.0, 0.0),
             Kind::AcceleratedStart => draft.a1 = 0.0,
             Kind::AcceleratedTarget => draft.a0 = 0.0,
-            Kind::Accelerated => {
-                draft.a0 = random.between(draft.amin, draft.amax);
-                draft.a1 = random.between(draft.amin, draft.amax);
-                draft.make_start_legal();
-            }
+            Kind::Accelerated => draft.accelerate(random),
             Kind::Asymmetric => {
                 for limit in draft.limits() {
                     *limit *= random.magnitude(-1.0, 1.0);
                 }
                 draft.make_start_legal();
             }
-            Kind::OutsideVelocity => {
-                let beyond = random.magnitude(-3.0, 0.5);
-                draft.v0 = draft.velocity_limit(random) * (1.0 + beyond);
-            }
+            Kind::OutsideVelocity => draft.v0 = (1.0 + random.magnitude(-3.0, 0.5)) * draft.velocity_limit(random),
             Kind::OutsideAcceleration => {
-                let beyond = random.magnitude(-3.0, 0.5);
-                draft.a0 = draft.acceleration_limit(random) * (1.0 + beyond);
+                draft.a0 = (1.0 + random.magnitude(-3.0, 0.5)) * draft.acceleration_limit(random);
             }
             Kind::BoundToLeave => {
                 let (v, a, jerk) = if random.one_in(2) {
@@ -246,30 +228,19 @@ impl<R: Real> Problems<R> {
                 let at_zero_a = 0.5 * draft.a0 * draft.a0 / jerk;
                 draft.v0 = v + at_zero_a * random.pick(&[0.0, 0.5, 1.0]);
             }
-            Kind::InfiniteVelocity => {
-                let [vmax, vmin, ..] = draft.limits();
-                make_infinite([vmax, vmin], random);
-            }
-            Kind::InfiniteAcceleration => {
-                let [_, _, amax, amin, ..] = draft.limits();
-                make_infinite([amax, amin], random);
-            }
+            Kind::InfiniteVelocity => make_infinite([&mut draft.vmax, &mut draft.vmin], random),
+            Kind::InfiniteAcceleration => make_infinite([&mut draft.amax, &mut draft.amin], random),
             Kind::OneInfiniteJerk => {
                 let [_, _, _, _, jmax, jmin] = draft.limits();
-                let jerk = random.pick(&[0, 1]);
-                *[jmax, jmin][jerk] *= f64::INFINITY;
+                *[jmax, jmin][random.pick(&[0, 1])] *= f64::INFINITY;
             }
             Kind::InfiniteJerk => {
-                draft.jmax = f64::INFINITY;
-                draft.jmin = f64::NEG_INFINITY;
+                (draft.jmax, draft.jmin) = (f64::INFINITY, f64::NEG_INFINITY);
                 if random.one_in(4) {
                     draft.vmax = f64::INFINITY;
                 }
             }
-            Kind::HugeJerk => {
-                draft.jmax = random.magnitude(3.0, wide);
-                draft.jmin = -random.magnitude(3.0, wide);
-            }
+            Kind::HugeJerk => (draft.jmax, draft.jmin) = (random.magnitude(3.0, wide), -random.magnitude(3.0, wide)),
             Kind::ExtremeScale => {
                 let length = random.magnitude(-wide, wide);
                 let time = if random.one_in(2) { random.magnitude(-wide / 3.0, wide / 3.0) } else { 1.0 };
@@ -288,9 +259,7 @@ impl<R: Real> Problems<R> {
             }
             Kind::BorderOfGap | Kind::Lens => Self::open_lens(draft, random),
             Kind::Straight => {
-                draft.a0 = random.between(draft.amin, draft.amax);
-                draft.a1 = random.between(draft.amin, draft.amax);
-                draft.make_start_legal();
+                draft.accelerate(random);
                 draft.v1 = draft.v0 + draft.straight();
             }
             Kind::RiseAndFall => {
@@ -304,8 +273,7 @@ impl<R: Real> Problems<R> {
                 draft.p1 = draft.p0 + random.sign() * random.magnitude(-5.0, 1.0);
             }
             Kind::FullVelocity => {
-                draft.v0 = draft.velocity_limit(random);
-                draft.v1 = draft.velocity_limit(random);
+                (draft.v0, draft.v1) = (draft.velocity_limit(random), draft.velocity_limit(random));
                 (draft.a0, draft.a1) = (0.0, 0.0);
             }
             Kind::OppositeVelocities => draft.v1 = -draft.v0,
@@ -412,11 +380,8 @@ impl<R: Real> Problems<R> {
         let boundary = kind == Kind::TargetOnTheBoundary;
         for _ in 0..64 {
             let beyond = beyond_legal(&limits, *to);
-            let rounding = if boundary {
-                2.0 * R::MACHINE_EPSILON.widen() * limits.vmax.widen().min(-limits.vmin.widen())
-            } else {
-                0.0
-            };
+            let of_velocity = 2.0 * R::MACHINE_EPSILON.widen() * limits.vmax.widen().min(-limits.vmin.widen());
+            let rounding = if boundary { of_velocity } else { 0.0 };
             if beyond <= rounding {
                 break;
             }
@@ -557,6 +522,12 @@ impl Draft {
 
     fn acceleration_limit(&self, random: &mut Random) -> f64 {
         random.pick(&[self.amax, self.amin])
+    }
+
+    /// Accelerates both ends.
+    fn accelerate(&mut self, random: &mut Random) {
+        (self.a0, self.a1) = (random.between(self.amin, self.amax), random.between(self.amin, self.amax));
+        self.make_start_legal();
     }
 
     /// The change of velocity by jerk alone.

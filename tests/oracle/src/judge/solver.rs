@@ -147,8 +147,7 @@ impl Motion {
         let Self { limits, start, target, .. } = self;
         let lower = i32::from(lower);
         let shape = solver_derivatives(limits, start, target, duration, lower, &mut first, &mut second);
-        let shape = usize::try_from(shape).ok()?;
-        Some((shape, first, second))
+        Some((usize::try_from(shape).ok()?, first, second))
     }
 
     /// The displacements at which the upper or the lower border changes its shape. The last one is where the axis begins to cruise.
@@ -168,8 +167,7 @@ impl Walk {
         let start = parts(from).map(R::widen);
         let mut borders = [[0.0; 3]; 17];
         let mut knots = [[0.0; 4]; 96];
-        let count = (planned.count as i32).min(15);
-        let noted = solver_walk(&start, &all, count, &mut borders, &mut knots);
+        let noted = solver_walk(&start, &all, (planned.count as i32).min(15), &mut borders, &mut knots);
         Self { borders, knots: knots[..noted as usize].to_vec() }
     }
 }

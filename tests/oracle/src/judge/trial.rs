@@ -98,8 +98,7 @@ impl Scale {
         let [first, last] = [0, planned.count as usize].map(|k| planned.phase[k].acceleration.widen());
         let at_zero_a = 0.25 * pace * (first * first + last * last);
         let mut fastest = most(2);
-        let mut changes: f64 = 0.0;
-        let mut most_jerk: f64 = 0.0;
+        let (mut changes, mut most_jerk): (f64, f64) = (0.0, 0.0);
         for phase in &planned.phase[..planned.count as usize] {
             // A ramp that is shorter than the rounding of the duration takes no time, but the axis gets its velocity.
             fastest = fastest.max(phase.velocity.widen().abs());
@@ -303,24 +302,15 @@ impl<R: Original> Trial<R> {
         let t = plan.planned.t;
         let [position, velocity, acceleration, _] = plan.state(t);
         let has_position = self.has_position() && request != Request::Meet;
-        if has_position && position != to.position {
-            return Some("the end is not p1");
-        }
-        if velocity != v1 {
-            return Some("the final velocity is not v1");
-        }
+        let [start, speed, ..] = plan.state(zero);
         // A trapezoid ends with its acceleration, and one ramp alone of a double-S is counted from its end.
-        if plan.profile.is_some() {
-            return None;
-        }
-        if acceleration != a1 {
-            return Some("the final acceleration is not a1");
-        }
-        let [position, velocity, ..] = plan.state(zero);
-        if t > zero && (position, velocity) != (from.position, from.velocity) {
-            return Some("the start is not the given one");
-        }
-        None
+        let is_move = plan.profile.is_none();
+        first_fault([
+            (has_position && position != to.position, "the end is not p1"),
+            (velocity != v1, "the final velocity is not v1"),
+            (is_move && acceleration != a1, "the final acceleration is not a1"),
+            (is_move && t > zero && (start, speed) != (from.position, from.velocity), "the start is not the given one"),
+        ])
     }
 
     /// Whether a phase begins elsewhere than where the phases before it lead.
@@ -329,16 +319,16 @@ impl<R: Original> Trial<R> {
         let doubt = doubt::<R>();
         let borders = planned.phase.iter().zip(&walk.borders);
         for (phase, &[p, v, a]) in borders.take(planned.count as usize + 1) {
-            if (phase.position.widen() - p).abs() > doubt * scale.position {
-                return Some("the position jumps");
-            }
-            if (phase.velocity.widen() - v).abs() > doubt * scale.velocity {
-                return Some("the velocity jumps");
-            }
+            let [dp, dv] = [phase.position.widen() - p, phase.velocity.widen() - v];
             let jump = phase.acceleration.widen() - a;
             let may_jump = if jump > 0.0 { jmax } else { jmin }.is_infinite();
-            if !may_jump && jump.abs() > doubt * scale.acceleration {
-                return Some("the acceleration jumps");
+            let fault = first_fault([
+                (dp.abs() > doubt * scale.position, "the position jumps"),
+                (dv.abs() > doubt * scale.velocity, "the velocity jumps"),
+                (!may_jump && jump.abs() > doubt * scale.acceleration, "the acceleration jumps"),
+            ]);
+            if fault.is_some() {
+                return fault;
             }
         }
         let end = planned.state_at(planned.t).position.widen();
@@ -380,14 +370,7 @@ impl<R: Original> Trial<R> {
     pub fn wrong_findings(&self, plan: &Plan<R>, findings: Findings, more: &Scale) -> Option<&'static str> {
         let (walk, scale) = self.walk(plan, more);
         let found = |finding: Findings| findings.bits() & finding.bits() != 0;
-        if !are_of_a_move(findings) {
-            return Some("a finding is none of a move");
-        }
-        match self.leaves_after() {
-            Some(true) if !found(Findings::ENDS_LEAVING) => return Some(LEAVES),
-            Some(false) if found(Findings::ENDS_LEAVING) => return Some("it does not leave the limits afterwards"),
-            _ => {}
-        }
+        let leaves = self.leaves_after();
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [p0, v0, a0] = self.motion.start;
         let doubt = doubt::<R>();
@@ -395,15 +378,16 @@ impl<R: Original> Trial<R> {
         let beyond = (v0.max(at_zero_a) - vmax).max(vmin - v0.min(at_zero_a));
         let slack = doubt * (v0.abs() + at_zero_a.abs());
         let accelerated = a0 > amax || a0 < amin;
-        let outside = found(Findings::STARTS_OUTSIDE);
-        if outside && !accelerated && beyond < -slack {
-            return Some("it does not start outside");
-        }
-        if !outside && (accelerated || beyond > slack) {
-            return Some("it starts outside");
-        }
-        if matches!(self.problem.request, Request::Meet) {
-            return None;
+        let [outside, leaving] = [Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING].map(found);
+        let fault = first_fault([
+            (!are_of_a_move(findings), "a finding is none of a move"),
+            (leaves == Some(true) && !leaving, LEAVES),
+            (leaves == Some(false) && leaving, "it does not leave the limits afterwards"),
+            (outside && !accelerated && beyond < -slack, "it does not start outside"),
+            (!outside && (accelerated || beyond > slack), "it starts outside"),
+        ]);
+        if fault.is_some() || matches!(self.problem.request, Request::Meet) {
+            return fault;
         }
         let [p1, ..] = plan.state(plan.planned.t).map(R::widen);
         let excess = walk.knots.iter().map(|&[_, p, ..]| (p - p0.max(p1)).max(p0.min(p1) - p));
@@ -415,14 +399,10 @@ impl<R: Original> Trial<R> {
         let way = p1 - p0;
         let against = way == 0.0 || [v0, at_zero_a, v1, before].iter().any(|v| way * v < 0.0);
         // Beside the velocities that an acceleration leads to afterwards, those of the move may be as small as roundings.
-        let leaves = self.leaves_after() == Some(true);
-        if overshoots && excess == 0.0 && !(against || leaves) {
-            return Some("it does not overshoot");
-        }
-        if !overshoots && excess > 4.0 * doubt * scale.position {
-            return Some("it overshoots");
-        }
-        None
+        first_fault([
+            (overshoots && excess == 0.0 && !(against || leaves == Some(true)), "it does not overshoot"),
+            (!overshoots && excess > 4.0 * doubt * scale.position, "it overshoots"),
+        ])
     }
 
     /// Whether the mirrored motion, the motion in other units, or the trapezoid with its accelerations in the other order takes another time.
@@ -509,11 +489,12 @@ impl Side {
         let mut acceleration = self.acceleration.max(self.sign * knots[0][3]);
         for &[_, _, v, a] in knots {
             let (v, a) = (self.sign * v, self.sign * a);
-            if v > velocity + doubt * scale.velocity {
-                return Some("a velocity is beyond its limit");
-            }
-            if a > acceleration + doubt * scale.acceleration {
-                return Some("an acceleration is beyond its limit");
+            let fault = first_fault([
+                (v > velocity + doubt * scale.velocity, "a velocity is beyond its limit"),
+                (a > acceleration + doubt * scale.acceleration, "an acceleration is beyond its limit"),
+            ]);
+            if fault.is_some() {
+                return fault;
             }
             if a <= 0.0 {
                 velocity = velocity.min(v.max(self.velocity));
@@ -534,24 +515,28 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     let mut t = 0.0;
     for phase in phases {
         let numbers = [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk];
-        if !numbers.iter().all(|x| x.widen().is_finite()) {
-            return Some("a number of a phase is not finite");
-        }
         let rounding = 8.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
-        if (phase.start.widen() - t).abs() > rounding || phase.duration.widen() < 0.0 {
-            return Some("a phase does not follow the one before it");
+        let follows = (phase.start.widen() - t).abs() <= rounding && phase.duration.widen() >= 0.0;
+        let fault = first_fault([
+            (!numbers.iter().all(|x| x.widen().is_finite()), "a number of a phase is not finite"),
+            (!follows, "a phase does not follow the one before it"),
+        ]);
+        if fault.is_some() {
+            return fault;
         }
         t = phase.start.widen() + phase.duration.widen();
     }
-    let ordered = phases.windows(2).all(|pair| pair[0].start <= pair[1].start);
-    if !ordered {
-        return Some("the phases are not in order");
-    }
     let end = &phases[count];
-    if end.start != planned.t || end.duration.widen() != 0.0 || end.jerk.widen() != 0.0 {
-        return Some("the last phase is not the end");
-    }
-    None
+    let is_end = end.start == planned.t && end.duration.widen() == 0.0 && end.jerk.widen() == 0.0;
+    first_fault([
+        (phases.windows(2).any(|pair| pair[0].start > pair[1].start), "the phases are not in order"),
+        (!is_end, "the last phase is not the end"),
+    ])
+}
+
+/// The first of these faults that is there.
+fn first_fault<const N: usize>(faults: [(bool, &'static str); N]) -> Option<&'static str> {
+    faults.into_iter().find_map(|(is_there, what)| is_there.then_some(what))
 }
 
 /// Whether the evaluation differs from the integrated motion somewhere, or one of another kind has other bits.
@@ -581,23 +566,19 @@ fn wrong_evaluation<R: Original>(
         let state = plan.state(x);
         let [position, speed, accelerated, jerked] = state.map(R::widen);
         let expected = p + z * (v + z * (0.5 * a + z * jerk / 6.0));
-        if (position - expected).abs() > doubt * scale.position {
-            return Some("a position is not where the jerk leads");
-        }
-        if (speed - (v + z * (a + 0.5 * z * jerk))).abs() > velocity {
-            return Some("a velocity is not where the jerk leads");
-        }
+        let [dv, da] = [speed - (v + z * (a + 0.5 * z * jerk)), accelerated - (a + z * jerk)];
         // At its ends a profile stands still, and rounding may make the borders of its phases cross.
         let stands = is_profile && (x <= R::of(0.0) || x >= planned.t);
-        if !stands && (accelerated - (a + z * jerk)).abs() > acceleration {
-            return Some("an acceleration is not where the jerk leads");
-        }
-        if !is_profile && jerked != jerk {
-            return Some("the jerk is not that of the phase");
-        }
         let mut others = other_evaluation(plan, x).into_iter().zip(state);
-        if !others.all(|(other, own)| other.same(own)) {
-            return Some("another evaluation has other bits");
+        let fault = first_fault([
+            ((position - expected).abs() > doubt * scale.position, "a position is not where the jerk leads"),
+            (dv.abs() > velocity, "a velocity is not where the jerk leads"),
+            (!stands && da.abs() > acceleration, "an acceleration is not where the jerk leads"),
+            (!is_profile && jerked != jerk, "the jerk is not that of the phase"),
+            (!others.all(|(other, own)| other.same(own)), "another evaluation has other bits"),
+        ]);
+        if fault.is_some() {
+            return fault;
         }
     }
     None

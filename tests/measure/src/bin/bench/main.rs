@@ -345,8 +345,7 @@ fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments:
 
 /// `n` samples of all four quantities. The original needs four calls for each sample.
 fn samples(n: usize) -> Row {
-    let ours = sampled(atraj_bell_sample);
-    at_once("atraj_bell_sample", n, ours, four_calls::<2>)
+    at_once("atraj_bell_sample", n, sampled(atraj_bell_sample), four_calls::<2>)
 }
 
 fn sampled(sample: Sample) -> impl Fn(&[a_float], a_float, Samples) {
@@ -411,8 +410,7 @@ fn sampling(function: &str, n: usize, duration: a_float, fill: impl Fn(usize, a_
     let start = memory.as_ptr().align_offset(64);
     Row::new(function, format!("{n} samples"), n, move |library| {
         let mut rows = memory[start..].chunks_exact_mut(n);
-        let out = [(); 4].map(|()| rows.next().expect("four rows"));
-        fill(library, dt, out);
+        fill(library, dt, [(); 4].map(|()| rows.next().expect("four rows")));
         black_box(&memory);
     })
 }

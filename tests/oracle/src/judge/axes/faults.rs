@@ -4,7 +4,7 @@ use super::problems::Set;
 use super::several::{Planner, Together};
 use atraj::Findings;
 use atraj::axes::synchronise;
-use atraj::online::{Error, Move, State};
+use atraj::online::{Error, Limits, Move, State};
 use support::Real;
 
 listed! {
@@ -28,23 +28,19 @@ listed! {
 impl Fault {
     fn changed<R: Real>(self, set: &Set<R>, least: R) -> Set<R> {
         let mut changed = set.clone();
-        let little = |factor: f64| {
-            if size_of::<R>() == 8 { 1e-6 * factor } else { 1e-3 * factor }
-        };
+        let little = if size_of::<R>() == 8 { 1e-6 } else { 1e-3 };
         match self {
             Self::Late => changed.duration = R::of(2.0) * least,
             Self::OffTheClock => {
                 changed.cycle = R::of(0.0);
-                changed.duration = least * R::of(1.0 + little(1.0));
+                changed.duration = least * R::of(1.0 + little);
             }
-            Self::TooShort => changed.duration = set.duration * R::of(1.0 - little(1.0)),
+            Self::TooShort => changed.duration = set.duration * R::of(1.0 - little),
             Self::WideLimits => {
-                let limits = &mut changed.axes.last_mut().expect("an axis").limits;
-                let more = R::of(1.0 + little(1.0));
-                limits.vmax = limits.vmax * more;
-                limits.vmin = limits.vmin * more;
-                limits.jmax = limits.jmax * more;
-                limits.jmin = limits.jmin * more;
+                let Limits { vmax, vmin, jmax, jmin, .. } = &mut changed.axes.last_mut().expect("an axis").limits;
+                for limit in [vmax, vmin, jmax, jmin] {
+                    *limit = *limit * R::of(1.0 + little);
+                }
             }
             _ => {}
         }

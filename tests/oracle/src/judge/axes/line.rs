@@ -118,8 +118,7 @@ fn leaves_line<R: Real>(
         positions.fold(0.0, f64::max)
     };
     let scale = reach(k) + share.widen().abs() * reach(lead);
-    let within = [(); 4].map(|()| R::of(random.unit()) * axes[lead].t);
-    let mut times = borders.chain(within);
+    let mut times = borders.chain([(); 4].map(|()| R::of(random.unit()) * axes[lead].t));
     let is_beside = |x: R| {
         let [led, own] = [lead, k].map(|k| axes[k].position(x).widen());
         let beside = own - end(k) - share.widen() * (led - end(lead));

@@ -116,8 +116,7 @@ impl<R: Real> Sets<R> {
     }
 
     fn axis(&mut self, family: Family) -> Problem<R> {
-        let kind = self.random.pick(family.kinds());
-        self.axes.of_kind(kind)
+        self.axes.of_kind(self.random.pick(family.kinds()))
     }
 
     /// Axes on a straight line, within limits that are as wide as those of the lead, or wider.
@@ -128,8 +127,7 @@ impl<R: Real> Sets<R> {
             (lead.from, lead.to) = (State::at(lead.from.position), State::at(lead.from.position));
         }
         let mut axes: Vec<_> = (1..count).map(|_| self.beside(&lead)).collect();
-        let place = self.random.below(count);
-        axes.insert(place, lead);
+        axes.insert(self.random.below(count), lead);
         if lead.to.position == lead.from.position {
             for axis in &mut axes {
                 (axis.from.velocity, axis.from.acceleration) = (zero, zero);

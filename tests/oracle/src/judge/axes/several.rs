@@ -80,11 +80,8 @@ pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let t = axis.t.widen();
     let slip = fastest.t.widen() - t;
     let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
-    if planned.is_ok() && slip.abs() > rounding && (slip > 0.0 || keeps_way(problem, axis, &fastest)) {
-        slip
-    } else {
-        0.0
-    }
+    let slips = planned.is_ok() && slip.abs() > rounding && (slip > 0.0 || keeps_way(problem, axis, &fastest));
+    if slips { slip } else { 0.0 }
 }
 
 /// Whether an axis has the phases of its fastest move behind the first one, up to rounding.
@@ -122,8 +119,7 @@ impl<R: Original> Timing<'_, R> {
         }
         let ticks = (t / self.cycle).round();
         if self.cycle > 0.0 && (ticks * self.cycle - t).abs() > rounding {
-            let what = "the duration is not a multiple of the cycle";
-            return Some((0, Verdict::Wrong(what)));
+            return Some((0, Verdict::Wrong("the duration is not a multiple of the cycle")));
         }
         // The states of an axis that slips are judged by themselves, and so are those of a ramp.
         let mut axes = self.axes.iter().zip(self.slips).zip(self.planned);
@@ -188,8 +184,7 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
         .or_else(|| wrong_findings(&trials, &axes, found))
         .or_else(|| {
             timing.wrong(axes[0].t.widen(), || {
-                let fits = fits_ruckig(&set.axes);
-                fits.then(|| ruckig(&set.axes, duration, cycle)).flatten()
+                fits_ruckig(&set.axes).then(|| ruckig(&set.axes, duration, cycle)).flatten()
             })
         })
 }
@@ -228,8 +223,7 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
         }
         let count = fastest.count as usize;
         if is_slowest && fastest.phase[..count] != axis.phase[..axis.count as usize] {
-            let what = "the slowest axis does not make its fastest move";
-            return Some((k, Verdict::Wrong(what)));
+            return Some((k, Verdict::Wrong("the slowest axis does not make its fastest move")));
         }
     }
     None
