@@ -30,8 +30,7 @@ fn documents() -> Vec<PathBuf> {
 }
 
 fn links(document: &Path) -> Vec<Link> {
-    let text = fs::read_to_string(root().join(document)).unwrap();
-    let prose: String = text.split("```").step_by(2).collect();
+    let prose: String = fs::read_to_string(root().join(document)).unwrap().split("```").step_by(2).collect();
     let targets = prose.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
     targets
         .filter(|target| !target.contains("://") && !target.starts_with("mailto:"))
@@ -59,8 +58,7 @@ fn plain(path: &Path) -> PathBuf {
 
 /// The names under which a page can be entered: its headings in small letters, without punctuation, with hyphens.
 fn headings(file: &Path) -> HashSet<String> {
-    let text = fs::read_to_string(root().join(file)).unwrap();
-    let prose: String = text.split("```").step_by(2).collect();
+    let prose: String = fs::read_to_string(root().join(file)).unwrap().split("```").step_by(2).collect();
     let headings = prose.lines().filter(|line| line.starts_with('#'));
     headings
         .map(|line| {

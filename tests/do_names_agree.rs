@@ -35,13 +35,11 @@ fn rows() -> Vec<Row> {
 }
 
 fn column(k: usize) -> BTreeSet<String> {
-    let names = rows().into_iter().map(|Row(cells)| cells[k].clone());
-    names.filter(|name| !name.is_empty()).collect()
+    rows().into_iter().map(|Row(cells)| cells[k].clone()).filter(|name| !name.is_empty()).collect()
 }
 
 fn headers(directory: &Path) -> String {
-    let entries = fs::read_dir(directory).unwrap();
-    let paths = entries.map(|entry| entry.unwrap().path());
+    let paths = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
     paths
         .map(|path| match path.is_dir() {
             true => headers(&path),

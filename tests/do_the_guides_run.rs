@@ -74,8 +74,7 @@ fn the_first_change_can_be_made() {
     let page = fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();
     let (file, expression) = ("src/liba/bell/motion.rs", "j * z * z * z / R::from(6)");
     assert!(page.contains(file) && page.contains(expression));
-    let code = fs::read_to_string(root().join(file)).unwrap();
-    assert!(code.contains(expression), "{file}: no {expression}");
+    assert!(fs::read_to_string(root().join(file)).unwrap().contains(expression), "{file}: no {expression}");
 }
 
 /// Outside the repository, because a package in it would belong to its workspace.
@@ -88,8 +87,7 @@ fn empty_directory(reader: &str) -> PathBuf {
 
 /// Writes a program into the file that its first line names in a comment.
 fn write(directory: &Path, code: &str) {
-    let first = code.lines().next().unwrap();
-    let file = directory.join(first.trim_matches([' ', '/', '*', '#']));
+    let file = directory.join(code.lines().next().unwrap().trim_matches([' ', '/', '*', '#']));
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     fs::write(file, code).unwrap();
 }

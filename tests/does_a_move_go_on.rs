@@ -57,8 +57,7 @@ test_both_reals!(from_the_start);
 fn another_plan_begins_there<R: Real>() {
     let limits = Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0));
     let mut axis = Move::default();
-    let jog = axis.reach(&limits, State::at(R::of(0.0)), R::of(2.0), R::of(0.0));
-    assert!(jog.is_ok());
+    assert!(axis.reach(&limits, State::at(R::of(0.0)), R::of(2.0), R::of(0.0)).is_ok());
     let now = axis.state_at(axis.t + R::of(3.0));
     assert_eq!((now.velocity, now.acceleration), (R::of(2.0), R::of(0.0)));
     let mut stop = Move::default();

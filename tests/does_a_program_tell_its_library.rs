@@ -70,8 +70,7 @@ fn readelf_finds_the_note() {
 
 fn sizes(program: &Path) -> String {
     let table = lines(Command::new("size").arg(program));
-    let numbers = table[1].split_whitespace().take(3);
-    numbers.collect::<Vec<_>>().join(" ")
+    table[1].split_whitespace().take(3).collect::<Vec<_>>().join(" ")
 }
 
 #[test]

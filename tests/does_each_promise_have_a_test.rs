@@ -34,8 +34,7 @@ fn each_promise_has_a_test_and_a_fault() {
             panic!("not six cells: {row}");
         };
         assert!(questions.contains_key(&format!("{test}.rs")) || root().join(test).is_file(), "no such test: {row}");
-        let text = fs::read_to_string(root().join(file)).unwrap();
-        assert_eq!(text.matches(code).count(), 1, "{code} in {file}");
+        assert_eq!(fs::read_to_string(root().join(file)).unwrap().matches(code).count(), 1, "{code} in {file}");
         assert!(promise.len() > 10 && code != fault, "{row}");
         // An empty cell: the fault was not planted since it changed.
         let is_date = seen.len() == "2026-11-25".len() && seen.starts_with("20");

@@ -201,8 +201,7 @@ fn a_cruise_needs_no_acceleration<R: Real>() {
         assert_eq!(cruise.check(one, -sign, zero), clean);
         assert_eq!(cruise.check(one, sign, sign), Err(Error::Limits));
         assert_eq!(cruise.check(one, R::of(f64::NAN), -sign), Err(Error::NotFinite));
-        let bell = Bell::fastest(one, one, one, boundary).expect("a plan");
-        assert_eq!(bell.check(zero, zero, one), clean);
+        assert_eq!(Bell::fastest(one, one, one, boundary).expect("a plan").check(zero, zero, one), clean);
         let beyond = Trap { cruise_end: cruise.t + one, pd: cruise.p1 + sign, a1: zero, ..cruise };
         let found = beyond.check(one, one, -one).expect("numbers");
         assert!(found.contains(Findings::JUMPS), "{found:?}");

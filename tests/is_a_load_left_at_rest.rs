@@ -156,8 +156,7 @@ fn insensitivities_are_those_of_the_curves() {
         let is_good = |wrong: f64| published(kind, [1.0, 0.0], [1.0 + wrong, 0.0]) <= 0.05 + 1e-9;
         let passage = |direction: f64| {
             let step = direction * 1e-5;
-            let passed = (1..100_000).find(|k| !is_good(step * f64::from(*k)));
-            step * f64::from(passed.expect("a passage"))
+            step * f64::from((1..100_000).find(|k| !is_good(step * f64::from(*k))).expect("a passage"))
         };
         let ends = [-1.0, 1.0].map(passage);
         for end in ends {
@@ -202,8 +201,7 @@ fn limits_are_kept<R: Real>() {
             size(low.velocity, high.velocity),
             size(low.acceleration, high.acceleration),
         ];
-        let jerks = planned.phases().iter().map(|phase| phase.jerk.widen().abs());
-        let jerk = jerks.fold(0.0, f64::max);
+        let jerk = planned.phases().iter().map(|phase| phase.jerk.widen().abs()).fold(0.0, f64::max);
         let parts = online::numbers_of_state::<R>;
         let (lowest, highest) = (parts(low), parts(high));
         let slack = scale.map(|scale| 64.0 * epsilon * scale);

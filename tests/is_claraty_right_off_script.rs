@@ -168,8 +168,7 @@ fn a_short_move_keeps_the_type_in_the_listing() {
 fn limits_count_by_magnitude() {
     let negative = target([10.0, -2.0, -2.0, -2.0]);
     for mode in MODES {
-        let positive = started(mode, to(10.0));
-        assert_eq!(started(mode, negative).profile(), positive.profile());
+        assert_eq!(started(mode, negative).profile(), started(mode, to(10.0)).profile());
     }
 }
 
@@ -369,8 +368,7 @@ fn a_set_refuses_what_would_overflow_and_changes_nothing() {
             axis.start(2.0);
         }
         assert_eq!(axis.profile(), alone.profile());
-        let largest = target([-LARGEST, LARGEST, LARGEST, LARGEST]);
-        assert_eq!(axis.set(largest.into(), 3.0), Ok(()));
+        assert_eq!(axis.set(target([-LARGEST, LARGEST, LARGEST, LARGEST]).into(), 3.0), Ok(()));
     }
 }
 

@@ -173,8 +173,7 @@ fn a_c_program_calls_every_function() {
         })
         .collect();
     let symbols = DOUBLE.symbols();
-    let missing = symbols.iter().filter(|symbol| !called.contains(*symbol));
-    assert_eq!(missing.collect::<Vec<_>>(), [""; 0]);
+    assert_eq!(symbols.iter().filter(|symbol| !called.contains(*symbol)).collect::<Vec<_>>(), [""; 0]);
 }
 
 #[test]
@@ -253,8 +252,7 @@ fn accepts(compiler: &str, language: &str, include: &Path, flags: &[&str]) -> bo
     if language == "c++" {
         command.args(["-include", "claraty/trapezoidal_trajectory.h"]);
     }
-    let output = command.args(flags).args(["-x", language, "/dev/null"]).output();
-    output.unwrap().status.success()
+    command.args(flags).args(["-x", language, "/dev/null"]).output().unwrap().status.success()
 }
 
 #[test]

@@ -32,8 +32,7 @@ pub fn stations(chain: &Chain<f64>) -> Option<Chain<f64>> {
     if !is_curve(chain) {
         return None;
     }
-    let points = points(chain, &parameters());
-    let states = points.iter().map(|&position| State::at(position)).collect();
+    let states = points(chain, &parameters()).iter().map(|&position| State::at(position)).collect();
     Some(Chain { states, ..chain.clone() })
 }
 

@@ -79,8 +79,7 @@ fn ours(chain: &Chain<f64>) -> Option<Duration> {
 
 /// rsruckig has one limit of the jerk.
 fn theirs(chain: &Chain<f64>) -> Option<Duration> {
-    let is_symmetric = chain.limits.iter().all(|limits| limits.jmax == -limits.jmin);
-    is_symmetric.then(|| ruckig_path(chain)).flatten()
+    chain.limits.iter().all(|limits| limits.jmax == -limits.jmin).then(|| ruckig_path(chain)).flatten()
 }
 
 /// The axes arrive together, and rest.

@@ -149,8 +149,7 @@ fn wherever_it_comes() {
 }
 
 fn is_seen<H: Handover + 'static>(fault: &str) {
-    let found = catch_unwind(AssertUnwindSafe(all::<H>));
-    assert!(found.is_err(), "{fault}");
+    assert!(catch_unwind(AssertUnwindSafe(all::<H>)).is_err(), "{fault}");
 }
 
 #[test]

@@ -641,8 +641,7 @@ impl Element for atraj_group {
 #[test]
 fn the_table_has_each_function() {
     let symbols = include_str!("../../symbols.txt").lines();
-    let table = FUNCTIONS.iter().map(|&(name, _)| name);
-    assert_eq!(table.collect::<BTreeSet<_>>(), symbols.collect());
+    assert_eq!(FUNCTIONS.iter().map(|&(name, _)| name).collect::<BTreeSet<_>>(), symbols.collect());
 }
 
 /// Calls each function in each round, with arguments for `n` axes, and judges the answer and the memory.

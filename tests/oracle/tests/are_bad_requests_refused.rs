@@ -88,8 +88,7 @@ fn bad_limits<R: Real>() {
         assert_eq!(errors(&with_number::<R>(index, number)), [None, Some(Error::Target), None]);
     }
     let free = Limits::symmetric(R::INFINITY, R::INFINITY, R::ONE);
-    let plan = Move::default().plan(&free, State::at(R::ZERO), State::at(R::ONE));
-    assert_eq!(plan.err(), Some(Error::Limits));
+    assert_eq!(Move::default().plan(&free, State::at(R::ZERO), State::at(R::ONE)).err(), Some(Error::Limits));
 }
 
 #[test]
@@ -291,8 +290,7 @@ fn beyond_the_range<R: Real>() {
         let count = from.len();
         let mut axes = [Move::default(); 2];
         let limits = &[limits; 2][..count];
-        let plan = synchronise(&mut axes[..count], limits, from, &to[..count], duration, R::ZERO);
-        (plan.err(), axes)
+        (synchronise(&mut axes[..count], limits, from, &to[..count], duration, R::ZERO).err(), axes)
     };
     let refused = (Some(Error::NotFinite), [Move::default(); 2]);
     // The second axis is beyond the range of the real type, the first is not.
@@ -562,8 +560,7 @@ fn bad_clocks<R: Real>() {
     assert_eq!(clock.rate(&[planned], &[slow], one, zero), Err(Error::Target));
     assert_eq!(clock, Clock::new());
     assert_eq!(clock.rate(&[planned], &[limits], -one, zero), Err(Error::Late));
-    let state = clock.state(&[], 1, zero);
-    assert!(state.iter().all(|x| x.widen().is_nan()));
+    assert!(clock.state(&[], 1, zero).iter().all(|x| x.widen().is_nan()));
 }
 
 /// An axis that ticks, and a motor.

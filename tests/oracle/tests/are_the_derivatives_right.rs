@@ -76,8 +76,7 @@ fn errors(
         }
         let (ours, twice) = derivatives(limits, [v0, a0, v1, a1], t, lower).expect("a motion");
         let error = |ours: &[f64], theirs: &[f64]| {
-            let differences = ours.iter().zip(theirs).map(|(x, y)| (x - y).abs());
-            differences.fold(0.0, f64::max) / largest(theirs)
+            ours.iter().zip(theirs).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max) / largest(theirs)
         };
         let (count, most, most_twice) = &mut errors[shape];
         *count += 1;

@@ -167,10 +167,7 @@ fn in_units<R: Original>(set: &Set<R>, axes: &[Walled<R>], length: i8, time: i8)
     let problems = axes.iter().map(|axis| axis.problem.scaled(length, time));
     let problems = Set { axes: problems.collect(), ..set.clone() };
     let (limits, from, to) = problems.columns();
-    let walls = [0, 1].map(|side| {
-        let walls = axes.iter().map(|axis| scaled(axis.walls[side], length));
-        walls.collect::<Vec<_>>()
-    });
+    let walls = [0, 1].map(|side| axes.iter().map(|axis| scaled(axis.walls[side], length)).collect::<Vec<_>>());
     let [duration, cycle] = [set.duration, set.cycle].map(|t| scaled(t, time));
     let mut planned = vec![Move::default(); axes.len()];
     let walls = [&walls[0][..], &walls[1]];

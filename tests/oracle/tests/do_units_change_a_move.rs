@@ -143,10 +143,7 @@ fn assert_alike(near: &[Move<f64>], far: &[Move<f64>]) {
 
 /// Both are refused alike, or the far axes move as the near ones do.
 fn assert_scaled_alike(units: Units, near: &Result<Vec<Move<f64>>, Error>, far: Result<Vec<Move<f64>>, Error>) {
-    let near = near.clone().map(|axes| {
-        let scaled = axes.iter().map(|axis| units.of_move(axis));
-        scaled.collect::<Vec<_>>()
-    });
+    let near = near.clone().map(|axes| axes.iter().map(|axis| units.of_move(axis)).collect::<Vec<_>>());
     match (near, far) {
         (Ok(near), Ok(far)) if units.length < 0.0 => assert_alike(&near, &far),
         (near, far) => assert_eq!(near, far, "{units:?}"),

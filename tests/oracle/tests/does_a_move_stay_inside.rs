@@ -111,8 +111,7 @@ fn moves_stay_inside<R: Original>() {
         let ends = stop(&limits, from).zip(launch(&limits, to));
         let (of_stop, of_launch) = ends.expect("a stop and a launch");
         let spans = [of_plan, of_stop, of_launch];
-        let walls = binding.unwrap_or_else(|| [(); 2].map(|()| near(&mut random, &spans)));
-        let [one, other] = walls.map(R::of);
+        let [one, other] = binding.unwrap_or_else(|| [(); 2].map(|()| near(&mut random, &spans))).map(R::of);
         let (lowest, highest) = if one < other { (one, other) } else { (other, one) };
         if lowest == highest {
             continue;

@@ -97,8 +97,7 @@ fn distance<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
         of_axis.push([now - start, end - start]);
     }
     let part = if along[1] > 0.0 { (along[0] / along[1]).clamp(0.0, 1.0) } else { 0.0 };
-    let squares = of_axis.into_iter().map(|[now, end]| (now - part * end) * (now - part * end));
-    squares.sum::<f64>().sqrt()
+    of_axis.into_iter().map(|[now, end]| (now - part * end) * (now - part * end)).sum::<f64>().sqrt()
 }
 
 /// The greatest distance of a section, unit: from samples, and steps uphill from the best of them.

@@ -31,9 +31,7 @@ fn paths_pass_their_points<R: Original>() {
         println!("{:>14?} {:>5} paths, mean {mean:.3} of the path with stops", Family::ALL[*family], parts.len());
     }
     println!("{}: {} bad, {:.0} s", R::NAME, bad.len(), start.elapsed().as_secs_f64());
-    for example in bad.iter().take(20) {
-        println!("{example}");
-    }
+    bad.iter().take(20).for_each(|example| println!("{example}"));
     assert!(bad.is_empty());
 }
 
@@ -117,9 +115,7 @@ fn zones_are_kept<R: Original>() {
         R::NAME,
         parts / (PATHS / 2) as f64
     );
-    for example in bad.iter().take(20) {
-        println!("{example}");
-    }
+    bad.iter().take(20).for_each(|example| println!("{example}"));
     assert!(bad.is_empty() && unseen < PATHS / 6);
 }
 

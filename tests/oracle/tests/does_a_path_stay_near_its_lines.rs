@@ -130,9 +130,7 @@ fn contours_stay_near<R: Original>() {
         bad.extend(what.map(|what| format!("{k} {:?}: {what}, within {tolerance:e}", chain.family)));
     }
     println!("{}: {near} of {PATHS} are near, with {added} points more", R::NAME);
-    for example in bad.iter().take(20) {
-        println!("{example}");
-    }
+    bad.iter().take(20).for_each(|example| println!("{example}"));
     assert!(bad.is_empty() && 2 * near > PATHS && added > PATHS);
 }
 

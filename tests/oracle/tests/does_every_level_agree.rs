@@ -26,8 +26,7 @@ fn levels() -> Vec<&'static str> {
 }
 
 fn library(variant: &Variant, level: &str) -> PathBuf {
-    let folder = variant.dist().join("lib/glibc-hwcaps").join(level);
-    folder.join(format!("lib{}.so.0", variant.name()))
+    variant.dist().join("lib/glibc-hwcaps").join(level).join(format!("lib{}.so.0", variant.name()))
 }
 
 fn every_level_agrees<R: Original>(variant: &Variant) {

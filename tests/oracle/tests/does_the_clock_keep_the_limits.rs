@@ -50,8 +50,7 @@ impl<R: Real> Path<R> {
     }
 
     fn duration(&self) -> R {
-        let durations = self.moves.iter().step_by(self.axes()).map(|of| of.t);
-        durations.fold(R::of(0.0), |sum, t| sum + t)
+        self.moves.iter().step_by(self.axes()).map(|of| of.t).fold(R::of(0.0), |sum, t| sum + t)
     }
 
     /// The state of an axis at a time of the path.

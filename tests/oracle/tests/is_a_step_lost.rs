@@ -39,8 +39,7 @@ fn no_step_is_lost<R: Real>() {
         assert_eq!(motor.count() + sum, end.count(), "move {number}");
         let mut there = Move::default();
         there.phase[0].position = planned.position(planned.t);
-        let next = Steps::new(&there, offset, step).expect("a line");
-        assert_eq!(end.count(), next.count(), "move {number}");
+        assert_eq!(end.count(), Steps::new(&there, offset, step).expect("a line").count(), "move {number}");
         count += steps.len();
         back += usize::from(sum != 0 && steps.len() > sum.unsigned_abs() as usize);
         let turns = |pair: &&[Step<R>]| pair[0].direction != pair[1].direction;
@@ -90,8 +89,7 @@ fn faults_are_seen<R: Real>() {
         let late = distinct.then(|| moved(0.5 * apart));
         let early = distinct.then(|| moved(-0.5 * apart));
         for fault in [Some(without), Some(doubled), Some(turned), late, early].iter().flatten() {
-            let found = wrong(&planned, lines, motor.count(), fault);
-            assert!(found.is_some(), "step {at}: {lines:?} {planned:?}");
+            assert!(wrong(&planned, lines, motor.count(), fault).is_some(), "step {at}: {lines:?} {planned:?}");
         }
     }
 }

@@ -90,8 +90,7 @@ fn a_start_beyond_the_velocity_eases() {
     for ([vmax, vmin, amax, amin, jmax, jmin], [p0, v0], [p1, v1]) in rows {
         let numbers = [vmax, vmin, amax, amin, jmax, jmin, p0, v0, 0.0, p1, v1, 0.0];
         let problem = Problem::of(Kind::FarOutside, Request::Plan, numbers);
-        let trial = Trial::new(problem);
-        let verdict = trial.judge(&Fastest, &mut Random::seeded(0));
+        let verdict = Trial::new(problem).judge(&Fastest, &mut Random::seeded(0));
         assert!(matches!(verdict, Verdict::Good { error, .. } if error < 1e-12), "{verdict:?}: {problem}");
     }
 }

@@ -74,8 +74,7 @@ fn make_identify_shows_that_a_relink_took() {
         run(relink.arg(directory.join("program")));
         let mut make = Command::new("make");
         make.current_dir(root()).args(["-s", "identify"]);
-        let program = directory.join("program");
-        make.arg(format!("FILE={}", program.display()));
+        make.arg(format!("FILE={}", directory.join("program").display()));
         let Output { stdout, stderr, .. } = make.output().unwrap();
         [stdout, stderr].map(|text| String::from_utf8(text).unwrap())
     };

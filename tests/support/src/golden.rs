@@ -45,8 +45,7 @@ fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
             fields: row.values[arguments + returned..].to_vec(),
         }
     };
-    let rows = rows(&table, family.golden_words(), numbers);
-    rows.into_iter().enumerate().map(to_move).collect()
+    rows(&table, family.golden_words(), numbers).into_iter().enumerate().map(to_move).collect()
 }
 
 pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
@@ -57,8 +56,7 @@ pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
         x: row.values[0],
         values: row.values[1..].to_vec(),
     };
-    let rows = rows(&table, 1, 1 + family.quantities().len());
-    rows.into_iter().map(to_evaluation).collect()
+    rows(&table, 1, 1 + family.quantities().len()).into_iter().map(to_evaluation).collect()
 }
 
 /// Compares everything an implementation returns and writes with the golden data of a family.

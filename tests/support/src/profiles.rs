@@ -88,6 +88,5 @@ profile!(Move, 4, position velocity acceleration jerk);
 /// The times at which the jerk of a move changes: the starts of its phases, and its end.
 pub fn move_borders<R: Real>(planned: &Move<R>) -> Vec<R> {
     let count = (planned.count as usize).min(planned.phase.len() - 1);
-    let starts = planned.phase[..=count].iter();
-    starts.map(|phase| phase.start).collect()
+    planned.phase[..=count].iter().map(|phase| phase.start).collect()
 }

@@ -420,8 +420,7 @@ impl<R: Real> Problems<R> {
                 random.pick(&[lowest, highest, 0.5 * (lowest + highest)])
             }
             Kind::RiseAndFall if random.one_in(2) => {
-                let best = motion.best();
-                let duration = best.direct * (1.0 + random.magnitude(-6.0, 0.5));
+                let duration = motion.best().direct * (1.0 + random.magnitude(-6.0, 0.5));
                 let Some(interval) = motion.interval(duration) else { return };
                 random.pick(&interval)
             }

@@ -115,8 +115,7 @@ impl<R: Real> Moves<R> {
         if self.random.one_in(2) {
             arguments[3] = R::of(0.0);
         }
-        let near = R::of(arguments[3].widen() + distance);
-        arguments[4] = near.neighbour(self.random.steps(3));
+        arguments[4] = R::of(arguments[3].widen() + distance).neighbour(self.random.steps(3));
     }
 
     fn before(&mut self, distribution: Distribution, read: bool) -> [R; MOST_FIELDS] {

@@ -65,8 +65,7 @@ pub fn print_evaluations() {
 
 pub fn rows() -> Vec<Row> {
     let of = |races: Vec<Race>| races.into_iter().map(|race| race.row);
-    let plans = of(races()).chain(evaluations());
-    plans.chain(of(together())).chain(alone()).chain(machine()).collect()
+    of(races()).chain(evaluations()).chain(of(together())).chain(alone()).chain(machine()).collect()
 }
 
 /// Planners that have no rival. Their instructions are counted, and no table has them.
@@ -181,8 +180,7 @@ impl Case {
 
     fn problems<const N: usize>(self, count: usize, random: &mut Random) -> Rc<[Problem<N>]> {
         let mut problem = || {
-            let axes = (0..N).map(|_| self.axis(random));
-            let (limits, from, to): (Vec<_>, Vec<_>, Vec<_>) = axes.collect();
+            let (limits, from, to): (Vec<_>, Vec<_>, Vec<_>) = (0..N).map(|_| self.axis(random)).collect();
             Problem { limits: array(limits), from: array(from), to: array(to) }
         };
         (0..count).map(|_| problem()).collect()

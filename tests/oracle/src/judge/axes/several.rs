@@ -133,8 +133,7 @@ impl<R: Original> Timing<'_, R> {
 
     /// The fastest axis of all cannot arrive before.
     fn least(&self) -> f64 {
-        let fastest = self.axes.iter().map(|axis| axis.best().duration);
-        fastest.fold(self.duration, f64::max)
+        self.axes.iter().map(|axis| axis.best().duration).fold(self.duration, f64::max)
     }
 
     /// A duration before `t` in which all axes can arrive, without doubt.
