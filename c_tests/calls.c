@@ -409,9 +409,10 @@ static int path_contour(void) {
     return 0;
 }
 
+static const atraj_limits planned[2] = {{4, -4, 8, -8, 24, -24}, {4, -4, 8, -8, 24, -24}}, reserve[2] = {{5, -5, 10, -10, 30, -30}, {6, -6, 12, -12, 36, -36}};
+
 /* A path of two axes and two sections: a hold in the first one, a way back, and on to the end. */
 static int clock_of_a_path(void) {
-    const atraj_limits planned[2] = {{4, -4, 8, -8, 24, -24}, {4, -4, 8, -8, 24, -24}}, reserve[2] = {{5, -5, 10, -10, 30, -30}, {6, -6, 12, -12, 36, -36}};
     const atraj_state way[3][2] = {{{0, 0, 0}, {0, 0, 0}}, {{5, 2, 0}, {-1, 0, 0}}, {{10, 0, 0}, {-3, 0, 0}}};
     atraj_move moved[2][2];
     atraj_state now;
@@ -443,7 +444,6 @@ static int clock_of_a_path(void) {
 
 /* Two axes on a line: a hold, the rest of it, a path there and back, and each axis for itself. */
 static int group(void) {
-    const atraj_limits planned[2] = {{4, -4, 8, -8, 24, -24}, {4, -4, 8, -8, 24, -24}}, reserve[2] = {{5, -5, 10, -10, 30, -30}, {6, -6, 12, -12, 36, -36}};
     const atraj_state way[3][2] = {{{5, 0, 0}, {-1, 0, 0}}, {{6, 1, 0}, {-3, 1, 0}}, {{5, 0, 0}, {-1, 0, 0}}};
     const a_float period = A_FLOAT_C(0.0078125);
     atraj_state states[2] = {{0, 0, 0}, {0, 0, 0}}, now[2];

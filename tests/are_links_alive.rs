@@ -47,9 +47,7 @@ fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {
         match component {
-            Component::ParentDir => {
-                assert!(plain.pop(), "{} leaves the repository", path.display())
-            }
+            Component::ParentDir => assert!(plain.pop(), "{} leaves the repository", path.display()),
             other => plain.push(other),
         }
     }
@@ -63,11 +61,8 @@ fn headings(file: &Path) -> HashSet<String> {
     headings
         .map(|line| {
             let title = line.trim_start_matches('#').trim().to_lowercase();
-            title
-                .chars()
-                .filter(|c| c.is_alphanumeric() || " -_".contains(*c))
-                .map(|c| if c == ' ' { '-' } else { c })
-                .collect()
+            let letters = title.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+            letters.map(|c| if c == ' ' { '-' } else { c }).collect()
         })
         .collect()
 }
@@ -78,11 +73,9 @@ fn in_the_repository() {
     for link in documents().iter().flat_map(|document| links(document)) {
         let (document, file) = (link.document.display(), link.file.display());
         assert!(root().join(&link.file).exists(), "{document}: no {file}");
-        assert!(
-            link.heading.is_empty() || headings(&link.file).contains(&link.heading),
-            "{document}: no heading {} in {file}",
-            link.heading
-        );
+        let heading = &link.heading;
+        let is_there = heading.is_empty() || headings(&link.file).contains(heading);
+        assert!(is_there, "{document}: no heading {heading} in {file}");
         checked += 1;
     }
     assert!(checked > 5);
@@ -112,12 +105,8 @@ fn in_the_package() {
     assert!(packaged.contains(readme) && !links(readme).is_empty());
     for document in documents().iter().filter(|path| packaged.contains(*path)) {
         for link in links(document) {
-            assert!(
-                packaged.contains(&link.file),
-                "{}: {} is not in the package",
-                document.display(),
-                link.file.display()
-            );
+            let (page, file) = (document.display(), link.file.display());
+            assert!(packaged.contains(&link.file), "{page}: {file} is not in the package");
         }
     }
 }

@@ -56,8 +56,7 @@ fn planned_without_a_jump<R: Real>() {
     }
 }
 
-/// An axis that passes its target in motion, and its mirror. The target was within 60 ulps of a ramp, and the plan turned and came again:
-/// it took 5.44 s, though 0.83 s is enough.
+/// An axis that passes its target in motion, and its mirror. The target was within 60 ulps of a ramp, and the plan took 5.44 s instead of 0.83 s.
 #[rustfmt::skip]
 const PASSED_IN_MOTION: Row = (
     [1.287_401_220_872_876_2, -1.287_401_220_872_876_2, 5.689_516_361_167_296, -5.689_516_361_167_296,
@@ -66,8 +65,7 @@ const PASSED_IN_MOTION: Row = (
     [-0.145_124_283_038_224, -1.057_575_497_467_683_4, 0.0],
 );
 
-/// Plans the row and its mirror, and then in every millisecond again, from the start and from states on the way. Each plan arrives when the
-/// first one said, up to a tick.
+/// Plans the row and its mirror, and in every millisecond again, also from states on the way. Each plan arrives when the first one said.
 fn passed_in_motion<R: Real>() {
     const TICK: f64 = 1e-3;
     let (bounds, from, to) = PASSED_IN_MOTION;
@@ -164,8 +162,7 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
     }
 }
 
-/// Phase 1 begins a rounding beside the start. `time_at` missed a position between both and gave a later time. Some of its times were a
-/// rounding above `t`.
+/// Phase 1 begins a rounding beside the start. `time_at` missed a position between both, and some of its times were a rounding above `t`.
 fn times_of_positions<R: Real>() {
     let mut random = Random::seeded(1);
     let mut gaps = 0;
@@ -419,8 +416,7 @@ fn a_tick_lies_in_a_gap() {
     assert_no_jump(&at_a_tick::<f32>((
         [85.9869, -85.9869, 0.11413212, -0.048581503, 5.5834675, -35.320766],
         [0.049860943, 58.217743, -0.028804097], [0.097812474, 58.21772, -0.033586096]), 0.0, 3.248_935_2e-6));
-    // Where one jerk is infinite, the roundings of a time showed a gap that was over, and the axis hurried to a tick that is a fiftieth too
-    // early: a twenty-fifth of the way.
+    // Where one jerk is infinite, roundings showed a gap that was over: the axis arrived a fiftieth too early, and jumped a twenty-fifth of the way.
     assert_no_jump(&at_a_tick::<f64>((
         [0.6257521516685459, -0.6257521516685459, 281.4482053905411, -67.5061572788349, 2.8118816224501266, f64::NEG_INFINITY],
         [0.0, 0.0, 1.395187018055807], [0.047079109128108414, 0.0, -58.79252047690602]), 0.0, 0.01713017967812304));
@@ -603,8 +599,7 @@ fn a_path_of_close_points_goes_on_from_motion() {
     }
 }
 
-/// The target is within 63 ulps of the start, and both velocities are equal or differ by some ulps. A double-S between equal velocities whose
-/// target lay up to 3 ulps behind was NaN.
+/// The target is within 63 ulps of the start, and both velocities are nearly equal. A double-S was NaN if its target lay up to 3 ulps behind.
 fn a_target_at_the_start<R: Real>() {
     let mut random = Random::seeded(7);
     let number = |x: f64| R::of(x);

@@ -16,8 +16,7 @@ use std::fs;
 use std::path::Path;
 use support::repository::root;
 
-/// What a row names, and its name in C, C++, Rust and Python; empty without one. The trapezoid and the polynomials have the names of the
-/// double-S, as far as they have the function.
+/// What a row names, and its name in C, C++, Rust and Python; empty without one. Other profiles have the names of the double-S.
 struct Row([String; 5]);
 
 fn rows() -> Vec<Row> {
@@ -112,10 +111,8 @@ fn every_finding_has_its_copies() {
         let shown = format!("{:?}", Findings::from_bits(bit));
         let name = between(&shown, "(", ")");
         let [c, rust, python] = ["ATRAJ_", "Findings::", "Findings."].map(|space| format!("{space}{name}"));
-        assert!(
-            in_c.contains(&c) && in_rust.contains(&rust) && in_python.contains(&python),
-            "{name} has no row in names.csv"
-        );
+        let has_row = in_c.contains(&c) && in_rust.contains(&rust) && in_python.contains(&python);
+        assert!(has_row, "{name} has no row in names.csv");
     }
 }
 
@@ -154,29 +151,26 @@ macro_rules! paths {
 #[test]
 fn rust_has_the_names() {
     let compiled = paths!(
-        types: Bell<f64>, Trap<f64>, Poly3<f64>, Poly5<f64>, Poly7<f64>, Move<f64>, Phase<f64>, Limits<f64>, State<f64>,
-            Extremes<f64>, Axis<f64>, Planner<f64>, Ticker<f64>, Group<f64>, GroupPlanner<f64>, GroupTicker<f64>, Tick, Step<f64>, Steps<f64>, StepStream<f64>, Clock<f64>, Shaper<f64>, ShaperStream<f64>, ShaperKind, axes::Contour<f64>, Findings, Error, claraty::Trajectory, claraty::Warnings;
-        values: Bell::<f64>::new, Bell::<f64>::fastest, Bell::<f64>::check, Bell::<f64>::extremes, Bell::<f64>::position,
-            Bell::<f64>::velocity, Bell::<f64>::acceleration, Bell::<f64>::jerk, Bell::<f64>::state_at,
-            Bell::<f64>::sample_into, Poly7::<f64>::extremes, Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check,
-            Move::<f64>::reach, Move::<f64>::stop, Move::<f64>::meet, Move::<f64>::time_at, Move::<f64>::phases,
-            axes::synchronise::<f64>, axes::synchronise_within::<f64>, axes::line::<f64>, axes::path_size, axes::path_size_near,
-            axes::plan_path::<f64>, axes::plan_path_near::<f64>, axes::improve_path::<f64>,
-            axes::path_moves::<f64>, axes::path_deviation::<f64>, axes::plan_contour::<f64>, axes::limit_feed::<f64>,
-            Axis::<f64>::new, Axis::<f64>::split, Ticker::<f64>::tick, Planner::<f64>::go, Planner::<f64>::reach, Planner::<f64>::track,
-            Planner::<f64>::stop, Group::<f64>::new, Group::<f64>::split, GroupTicker::<f64>::tick, GroupPlanner::<f64>::go,
-            GroupPlanner::<f64>::sync, GroupPlanner::<f64>::line, GroupPlanner::<f64>::path, GroupPlanner::<f64>::rate,
-            GroupPlanner::<f64>::stop,
-            Steps::<f64>::new, Steps::<f64>::next, Steps::<f64>::follow, StepStream::<f64>::new, StepStream::<f64>::wait,
-            StepStream::<f64>::tick, StepStream::<f64>::next, StepStream::<f64>::count, Shaper::<f64>::size,
-            ShaperStream::<f64>::new, ShaperStream::<f64>::advance, ShaperStream::<f64>::change, ShaperStream::<f64>::tick,
-            Shaper::<f64>::new,
-            Shaper::<f64>::add, Shaper::<f64>::smooth, Shaper::<f64>::state, Shaper::<f64>::bell_state,
-            axes::line_stop::<f64>, Clock::<f64>::new, Clock::<f64>::rate, Clock::<f64>::until, Clock::<f64>::rebase, Clock::<f64>::time, Clock::<f64>::state,
-            claraty::Trajectory::start, claraty::Trajectory::stop,
-            claraty::Trajectory::reset, Findings::EXCEEDS_JERK, Findings::EXCEEDS_ACCELERATION,
-            Findings::EXCEEDS_VELOCITY, Findings::JUMPS, Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING, Findings::RATE_NOT_REACHED, Error::Axes,
-            Error::NotFinite, Error::Limits, Error::Target, Error::Duration, Error::Line, Error::Position, Error::Late, Error::Unreachable, Error::Moving,
+        types: Bell<f64>, Trap<f64>, Poly3<f64>, Poly5<f64>, Poly7<f64>, Move<f64>, Phase<f64>, Limits<f64>, State<f64>, Extremes<f64>, Axis<f64>,
+            Planner<f64>, Ticker<f64>, Group<f64>, GroupPlanner<f64>, GroupTicker<f64>, Tick, Step<f64>, Steps<f64>, StepStream<f64>, Clock<f64>,
+            Shaper<f64>, ShaperStream<f64>, ShaperKind, axes::Contour<f64>, Findings, Error, claraty::Trajectory, claraty::Warnings;
+        values: Bell::<f64>::new, Bell::<f64>::fastest, Bell::<f64>::check, Bell::<f64>::extremes, Bell::<f64>::position, Bell::<f64>::velocity,
+            Bell::<f64>::acceleration, Bell::<f64>::jerk, Bell::<f64>::state_at, Bell::<f64>::sample_into, Poly7::<f64>::extremes,
+            Limits::<f64>::symmetric, Move::<f64>::plan, Move::<f64>::within, Move::<f64>::track, Move::<f64>::check, Move::<f64>::reach,
+            Move::<f64>::stop, Move::<f64>::meet, Move::<f64>::time_at, Move::<f64>::phases, axes::synchronise::<f64>,
+            axes::synchronise_within::<f64>, axes::line::<f64>, axes::path_size, axes::path_size_near, axes::plan_path::<f64>,
+            axes::plan_path_near::<f64>, axes::improve_path::<f64>, axes::path_moves::<f64>, axes::path_deviation::<f64>, axes::plan_contour::<f64>,
+            axes::limit_feed::<f64>, Axis::<f64>::new, Axis::<f64>::split, Ticker::<f64>::tick, Planner::<f64>::go, Planner::<f64>::reach,
+            Planner::<f64>::track, Planner::<f64>::stop, Group::<f64>::new, Group::<f64>::split, GroupTicker::<f64>::tick, GroupPlanner::<f64>::go,
+            GroupPlanner::<f64>::sync, GroupPlanner::<f64>::line, GroupPlanner::<f64>::path, GroupPlanner::<f64>::rate, GroupPlanner::<f64>::stop,
+            Steps::<f64>::new, Steps::<f64>::next, Steps::<f64>::follow, StepStream::<f64>::new, StepStream::<f64>::wait, StepStream::<f64>::tick,
+            StepStream::<f64>::next, StepStream::<f64>::count, Shaper::<f64>::size, ShaperStream::<f64>::new, ShaperStream::<f64>::advance,
+            ShaperStream::<f64>::change, ShaperStream::<f64>::tick, Shaper::<f64>::new, Shaper::<f64>::add, Shaper::<f64>::smooth,
+            Shaper::<f64>::state, Shaper::<f64>::bell_state, axes::line_stop::<f64>, Clock::<f64>::new, Clock::<f64>::rate, Clock::<f64>::until,
+            Clock::<f64>::rebase, Clock::<f64>::time, Clock::<f64>::state, claraty::Trajectory::start, claraty::Trajectory::stop,
+            claraty::Trajectory::reset, Findings::EXCEEDS_JERK, Findings::EXCEEDS_ACCELERATION, Findings::EXCEEDS_VELOCITY, Findings::JUMPS,
+            Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING, Findings::RATE_NOT_REACHED, Error::Axes, Error::NotFinite,
+            Error::Limits, Error::Target, Error::Duration, Error::Line, Error::Position, Error::Late, Error::Unreachable, Error::Moving,
     );
     let named = column(3).into_iter().map(|name| name.replace("online::", "").replace("machine::", ""));
     assert_eq!(named.collect::<BTreeSet<_>>(), compiled.into_iter().collect());

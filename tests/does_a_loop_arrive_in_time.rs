@@ -13,8 +13,7 @@ const LOOPS: usize = 600; // loops of each kind of ends, each planner and each n
 const LONGEST: f64 = 1.5;
 const CYCLE: f64 = 1e-3; // s
 const SPARE: usize = 2; // how many ticks later than the first plan a loop may arrive
-/// One of so many loops may be late, by the roundings of its numbers: see "Known limits" in `docs/rounding.md`. On a line one of 2,091 loops is, and
-/// two of 2,090 in binary32.
+/// One of so many loops may be late: "Known limits" in `docs/rounding.md`. On a line one of 2,091 loops is, and two of 2,090 in binary32.
 const ONE_LATE_OF: usize = 1000;
 type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Result<Findings, Error>;
 
@@ -195,8 +194,7 @@ fn lines_arrive_in_time<R: Real>() {
     late::<R>(straight, &[1, 3, 6], on_a_line);
 }
 
-/// The axis holds its lowest acceleration. A rise before the hold came out below 0 by rounding, and the hold left its acceleration by
-/// 0.003 m/s²: the setpoint stepped by 5e-5 m.
+/// The axis holds its lowest acceleration. A rise before the hold came out below 0 by rounding, and the setpoint stepped by 5e-5 m.
 fn a_hold_stays_at_its_limit<R: Real>() {
     let [j, a, v] = [54.896553, 6.366892, 2.268614].map(R::of);
     let problem = Problem {
@@ -221,8 +219,7 @@ fn from_rest_past_a_position<R: Real>() {
     }
 }
 
-/// A loop on a line was refused after some thousand ticks: each tick turned the way by a rounding, until the velocity of the target pointed
-/// beside it.
+/// A loop on a line was refused after some thousand ticks: each tick turned the way by a rounding, until the target's velocity pointed beside it.
 fn long_lines_go_on<R: Real>() {
     let mut random = Random::seeded(24);
     let mut lines = 0;
@@ -247,8 +244,7 @@ fn long_lines_go_on<R: Real>() {
     assert!(40 * lines > LOOPS, "{lines}");
 }
 
-/// The same, where the end has hardly a velocity, or an acceleration alone. Velocities that are roundings of higher ones tell no direction: they
-/// are accepted at the end of a long way.
+/// The same, where the end has hardly a velocity, or an acceleration alone. Velocities that are roundings of higher ones are accepted, too.
 fn slow_ends_tell_the_direction<R: Real>() {
     let limits = [Limits::symmetric(R::of(20.0), R::of(5.0), R::of(1.0)); 3];
     let shares = [1.0, 0.712_345_678_9, -0.321_7];

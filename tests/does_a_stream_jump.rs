@@ -123,10 +123,8 @@ fn a_shaped_state_is_the_mean_of_the_past<R: Real>() {
             for (k, size) in [farthest, v, a].into_iter().enumerate() {
                 let mean: f64 = weights.iter().zip(&past).map(|(weight, state)| weight * state[k]).sum();
                 let off = (shaped[k] - mean).abs();
-                assert!(
-                    off <= rounding * size * (weights.len() as f64).sqrt(),
-                    "{number}, {tick}, {k}: {off:e} {shaper:?}"
-                );
+                let most = rounding * size * (weights.len() as f64).sqrt();
+                assert!(off <= most, "{number}, {tick}, {k}: {off:e} {shaper:?}");
             }
             // No limit is exceeded, and nothing jumps: a stream of states is no faster than the jerk allows.
             let slack = 1.0 + 1024.0 * epsilon;
@@ -135,10 +133,8 @@ fn a_shaped_state_is_the_mean_of_the_past<R: Real>() {
             let late = 2.0 * epsilon * period * f64::from(source.ticks); // the times of two ticks have roundings
             assert!(jump <= slack * j * (period + late) + 64.0 * epsilon * a, "{number}, {tick}: {jump:e}");
             let moved = shaped[0] - before[0] - 0.5 * period * (shaped[1] + before[1]);
-            assert!(
-                moved.abs() <= 0.1 * j * period.powi(3) + 8.0 * epsilon * (32.0 + v * period * f64::from(source.ticks)),
-                "{number}, {tick}: {moved:e}"
-            );
+            let most = 0.1 * j * period.powi(3) + 8.0 * epsilon * (32.0 + v * period * f64::from(source.ticks));
+            assert!(moved.abs() <= most, "{number}, {tick}: {moved:e}");
             before = shaped;
         }
         // An axis that stands is shaped exactly, whatever was before.
@@ -333,11 +329,9 @@ fn a_driver_gets_its_time<R: Real>() {
                 (last, direction) = (time, taken.direction);
             }
         }
-        let off = (f64::from(motor.count()) * step - source.now().position.widen()).abs();
-        assert!(
-            off <= 0.5 * step + 8.0 * R::MACHINE_EPSILON.widen() * source.now().position.widen().abs(),
-            "{number}: {off} {step}"
-        );
+        let position = source.now().position.widen();
+        let off = (f64::from(motor.count()) * step - position).abs();
+        assert!(off <= 0.5 * step + 8.0 * R::MACHINE_EPSILON.widen() * position.abs(), "{number}: {off} {step}");
     }
 }
 

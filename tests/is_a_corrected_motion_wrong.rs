@@ -349,8 +349,7 @@ fn no_seam_where_the_switching_time_cancels() {
     }
 }
 
-/// The stopping distance as a C program computes it. Rounding leaves such a target a little short of, or beyond, the distance in
-/// which the axis stops.
+/// The stopping distance as a C program computes it: the target is a rounding short of the distance in which the axis stops, or beyond.
 #[test]
 fn a_target_at_the_stopping_distance_is_reached_by_braking() {
     let mut random = Random(7);

@@ -8,7 +8,6 @@ use support::repository::root;
 use support::{Random, Real, online, test_both_reals};
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
-
 type Swing = [f64; 2]; // a complex number
 
 fn product(a: Swing, b: Swing) -> Swing {

@@ -109,8 +109,7 @@ fn noise_does_not_switch_the_jerk() {
     assert!(planned.error > 0.1 && planned.jerk > 100.0);
 }
 
-/// A main loop that plans in every third tick, some ticks ahead, follows nearly as closely as one that plans for the very tick: the signal
-/// goes on until the plan takes over.
+/// A main loop that plans in every third tick, some ticks ahead, follows as closely: the signal goes on until the plan takes over.
 #[test]
 fn a_plan_ahead_follows_too() {
     let limits = Limits::symmetric(150.0, 15.0, 3.0);

@@ -21,8 +21,7 @@ fn started<'w>(mode: Mode, route: impl Into<Route<'w>>) -> Trajectory<'w> {
     axis
 }
 
-/// Axes long after the end of a motion to 10. The flag tells whether the axis still takes itself for moving, as it does in the
-/// listing if nobody has read the end.
+/// Axes long after the end of a motion to 10, and whether they take themselves for moving, as in the listing if nobody has read the end.
 fn after_the_end() -> impl Iterator<Item = (Trajectory<'static>, bool)> {
     let ends = MODES.map(|mode| [(mode, true), (mode, false)]);
     ends.into_iter().flatten().map(|(mode, read)| {

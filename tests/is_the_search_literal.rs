@@ -111,13 +111,8 @@ fn same_bits_as_the_literal_search<R: Range>() {
         let written = Family::Bell.fields().iter().zip(ours.into_iter().zip(literal));
         let returned = (&"duration", (duration, plan.duration));
         for (name, (ours, literal)) in written.chain([returned]) {
-            assert!(
-                ours.same(literal),
-                "{name}: {} is not {} of {arguments:?}, {} rounds",
-                ours.show(),
-                literal.show(),
-                plan.rounds,
-            );
+            let (shown, wanted) = (ours.show(), literal.show());
+            assert!(ours.same(literal), "{name}: {shown} is not {wanted} of {arguments:?}, {} rounds", plan.rounds);
         }
     }
     assert!(long > MOVES / 10, "only {long} searches longer than 3 rounds");

@@ -30,7 +30,6 @@ const WORDS: [(&str, &str); 19] = [
 
 /// Not written where a user reads: the tests have variables of this name.
 const WORD_OF_TESTS: (&str, &str) = ("roundings", "ulps, or the rounding error");
-
 const FOR_USERS: [&str; 5] = ["docs", "include", "src", "examples", "python"];
 const FOR_DEVELOPERS: [&str; 4] = ["tests", "c_tests", "fuzz", "packaging"];
 const EXTENSIONS: [&str; 10] = ["md", "rs", "c", "h", "cpp", "py", "pyi", "sh", "toml", "txt"];

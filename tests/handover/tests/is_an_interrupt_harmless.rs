@@ -121,19 +121,11 @@ fn everywhere<H: Handover + 'static>(ticks_before: u64, leads: &[u32], ticks: us
 fn all<H: Handover + 'static>() -> (usize, usize) {
     let mut sum = (0, 0);
     for ticks_before in [0, 1, 4, 9, 12, 17, 30] {
-        for (leads, ticks) in [
-            (&[1][..], 5),
-            (&[3], 6),
-            (&[1, 1], 5),
-            (&[2, 2], 5),
-            (&[3, 1], 5),
-            (&[1, 3], 4),
-            (&[5, 2], 4),
-            (&[7, 7], 3),
-            (&[3, 2, 2], 3),
-            (&[2, 1, 1], 3),
-            (&[1, 2, 3], 3),
-        ] {
+        let of_one: [(&[u32], _); 2] = [(&[1], 5), (&[3], 6)];
+        let of_two: [(&[u32], _); 6] =
+            [(&[1, 1], 5), (&[2, 2], 5), (&[3, 1], 5), (&[1, 3], 4), (&[5, 2], 4), (&[7, 7], 3)];
+        let of_three: [(&[u32], _); 3] = [(&[3, 2, 2], 3), (&[2, 1, 1], 3), (&[1, 2, 3], 3)];
+        for (leads, ticks) in of_one.into_iter().chain(of_two).chain(of_three) {
             let (runs, late) = everywhere::<H>(ticks_before, leads, ticks);
             sum = (sum.0 + runs, sum.1 + late);
         }

@@ -176,8 +176,7 @@ fn conditions(source: &str) -> [(String, String); 3] {
     })
 }
 
-/// One run of cbindgen over each of these files in `src/capi`. The C++ methods in a struct call the functions, so the functions come first, in a
-/// run of their own.
+/// One run of cbindgen over each of these files in `src/capi`. C++ methods in a struct call the functions, so those come first, in a run of their own.
 fn pass(sources: &[&str], config: &Config, items: ItemType) -> String {
     let mut config = config.clone();
     config.header = None;
@@ -204,9 +203,6 @@ fn check_fresh(path: impl AsRef<Path>, fresh: &str) {
         fs::write(&path, fresh).unwrap();
     }
     let committed = fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        committed == fresh,
-        "{} is stale: run `UPDATE_HEADERS=1 cargo test -p house --test are_headers_fresh`",
-        path.display()
-    );
+    let rewrite = "UPDATE_HEADERS=1 cargo test -p house --test are_headers_fresh";
+    assert!(committed == fresh, "{} is stale: run `{rewrite}`", path.display());
 }

@@ -181,7 +181,6 @@ impl From<()> for Answer {
 /// Functions whose answer is a number of steps or of numbers, and no code.
 const COUNTS: [&str; 3] = ["atraj_steps_next", "atraj_step_stream_next", "atraj_step_stream_count"];
 const SIZES: [&str; 2] = ["atraj_path_size", "atraj_shaper_size"];
-
 const LINE: usize = 4096; // how many numbers a delay line has: enough for each ordinary shaper
 
 impl Answer {
@@ -664,8 +663,7 @@ fn null_gets_its_answer() {
     each(&rounds, |name, answer| assert!(answer.is_for_null(name), "{name}"));
 }
 
-/// Each pointer alone is NULL. A function can do without some outputs; else it gives the answer to NULL and leaves the memory as it was, or an
-/// output that has no value is NaN.
+/// Each pointer alone is NULL. A function can do without some outputs; else it answers as to NULL and leaves the memory, or what has no value is NaN.
 #[test]
 fn each_pointer_alone_gets_its_answer() {
     for &(name, call) in FUNCTIONS {
@@ -727,8 +725,7 @@ fn each_number_alone_is_refused() {
     assert!(refused > 150, "{refused}");
 }
 
-/// Outputs and what is planned first are not initialised before the call, and outputs are after it. In one round at least a function can
-/// do what it is asked for.
+/// Outputs and what is planned first are not initialised before the call, and outputs are after it. In one round a function does what it is asked for.
 #[test]
 fn ordinary_arguments_are_read_and_all_outputs_written() {
     let mut failed: BTreeSet<_> = FUNCTIONS.iter().map(|&(name, _)| name).collect();

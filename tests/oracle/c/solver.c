@@ -90,10 +90,9 @@ static void add(struct motion *motion, real duration, real from, real to) {
 static real speed(const struct motion *motion) { return larger(motion->highest, -motion->lowest); }
 
 static struct axis mirrored(const struct axis *x) {
-    const struct axis other = {
+    return (struct axis){
         .up = x->down, .down = x->up, .rise = x->fall, .fall = x->rise, .vmax = -x->vmin, .vmin = -x->vmax,
         .h = -x->h, .v0 = -x->v0, .a0 = -x->a0, .v1 = -x->v1, .a1 = -x->a1, .dv = -x->dv, .brief = x->brief};
-    return other;
 }
 
 /*
@@ -206,8 +205,7 @@ struct straight {
 static struct straight straight(const struct axis *axis) {
     const real time = axis->a1 > axis->a0 ? axis->up : axis->down;
     const real duration = fabsl(axis->a1 - axis->a0) * time;
-    const struct straight line = {duration, duration * (axis->a0 + axis->a1) / 2};
-    return line;
+    return (struct straight){duration, duration * (axis->a0 + axis->a1) / 2};
 }
 
 /* The change of velocity by way of an acceleration that is `excess` above both ends, and there holds. */
@@ -279,6 +277,11 @@ static struct pieces pieces_of(const struct axis *axis) {
         for (i = 0; i < (isinf(pieces.t1) ? 1 : 3); ++i) { pieces.at[i].displacement = -pieces.at[i].displacement; }
     }
     return pieces;
+}
+
+/* Whether the end cannot be reached in a duration: it is before the first one, or in the gap. */
+static int is_out(const struct pieces *pieces, real duration) {
+    return duration < pieces->t0 || (!isinf(pieces->t1) && duration > pieces->t1 && duration < pieces->t2);
 }
 
 /* When the search looks: first this part of the beginning later, then always this factor later. */
@@ -534,7 +537,7 @@ double solver_possible(
     const real rest = duration - inside.duration;
     real lowest, highest;
     axis.brief = 1;
-    if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return INFINITY; }
+    if (is_out(&pieces, rest)) { return INFINITY; }
     other = mirrored(&axis);
     lowest = -border(&other, rest, cruise_begins(&other)).displacement;
     highest = border(&axis, rest, cruise_begins(&axis)).displacement;
@@ -549,7 +552,7 @@ int solver_interval(
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
     const real rest = duration - inside.duration;
-    if (rest < pieces.t0 || (!isinf(pieces.t1) && rest > pieces.t1 && rest < pieces.t2)) { return 0; }
+    if (is_out(&pieces, rest)) { return 0; }
     other = mirrored(&axis);
     interval[0] = (double)(inside.displacement - border(&other, rest, cruise_begins(&other)).displacement);
     interval[1] = (double)(inside.displacement + border(&axis, rest, cruise_begins(&axis)).displacement);
@@ -598,19 +601,12 @@ struct knot {
 
 static void note(double knots[][4], int *count, const struct knot *knot) {
     double *out = knots[(*count)++];
-    out[0] = (double)knot->t;
-    out[1] = (double)knot->p;
-    out[2] = (double)knot->v;
-    out[3] = (double)knot->a;
+    out[0] = (double)knot->t, out[1] = (double)knot->p, out[2] = (double)knot->v, out[3] = (double)knot->a;
 }
 
 static struct knot later(const struct knot *knot, real jerk, real t) {
-    struct knot next;
-    next.t = knot->t + t;
-    next.p = knot->p + ((jerk * t / 6 + knot->a / 2) * t + knot->v) * t;
-    next.v = knot->v + (jerk * t / 2 + knot->a) * t;
-    next.a = knot->a + jerk * t;
-    return next;
+    const real p = knot->p + ((jerk * t / 6 + knot->a / 2) * t + knot->v) * t;
+    return (struct knot){knot->t + t, p, knot->v + (jerk * t / 2 + knot->a) * t, knot->a + jerk * t};
 }
 
 /* Where in a phase the velocity or the acceleration is 0: up to three times in order. */
@@ -639,9 +635,7 @@ int solver_walk(
     struct knot knot = {0, start[0], start[1], start[2]};
     int i, k, noted = 0;
     for (i = 0; i <= count; ++i) {
-        borders[i][0] = (double)knot.p;
-        borders[i][1] = (double)knot.v;
-        borders[i][2] = (double)knot.a;
+        borders[i][0] = (double)knot.p, borders[i][1] = (double)knot.v, borders[i][2] = (double)knot.a;
         note(knots, &noted, &knot);
         knot.a = phases[i][1];
         note(knots, &noted, &knot);
@@ -699,8 +693,7 @@ int solver_derivatives(
     const real sign = lower ? -1 : 1, step = 1 / 32768.0L;
     real point[POINT];
     int i, j, shape, same = 1, entry = 0;
-    if (bring_inside(&axis).duration > 0 || duration < pieces.t0) { return -1; }
-    if (!isinf(pieces.t1) && duration > pieces.t1 && duration < pieces.t2) { return -1; }
+    if (bring_inside(&axis).duration > 0 || is_out(&pieces, duration)) { return -1; }
     if (lower) { axis = mirrored(&axis); }
     point[0] = axis.v0, point[1] = axis.a0, point[2] = axis.v1, point[3] = axis.a1, point[4] = duration;
     farthest(axis, point, &shape);

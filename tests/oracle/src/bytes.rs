@@ -55,8 +55,7 @@ of_bytes! {
     /// Ticks an axis between nonsensical plans. Panics if an answer or a setpoint is another than that of moves planned one by one, or if a
     /// move does not begin where the one before it is at the takeover.
     axis_in_a_machine => axis_as;
-    /// Plans a move from any state, counts its steps and shapes it. Panics if a step is lost, if the shaped motion ends elsewhere, or if a refusal
-    /// leaves a trace.
+    /// Plans a move from any state, counts its steps, shapes it. Panics if a step is lost, the shaped motion ends elsewhere, or a refusal leaves a trace.
     steps_and_shapes => machine_as;
     /// Plans a path through waypoints, and improves it. Panics if an error writes anything, or if a promised duration is refused.
     waypoints => path_as;

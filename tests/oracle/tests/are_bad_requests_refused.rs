@@ -236,8 +236,7 @@ fn beside_the_line<R: Real>() {
         }
         let Extremes { lowest, highest } = axes[k].extremes();
         let most = |low: R, high: R| f64::max(-low.widen(), high.widen());
-        // A motion may have passed the largest numbers within its limits, and has their roundings. Without a limit, none of these sets gets
-        // beyond 1e3 roundings of 1e3.
+        // A motion may have passed the largest numbers within its limits, and has their roundings. Without a limit they are below 1e3 roundings of 1e3.
         let within = |reached: f64, limit: f64| {
             if limit.is_finite() { reached.max(limit) } else { reached.max(1e3) }
         };
@@ -328,8 +327,7 @@ fn path_to<R: Real>(positions: &[f64], end: [f64; 2], limits: &[Limits<R>]) -> R
     planned
 }
 
-/// Where the axis cannot be in the state of the end before the last section, the last section lasts, though nothing has to move in it. Such paths
-/// were refused.
+/// Where the axis cannot be in the state of the end earlier, the last section lasts, though nothing has to move in it. Such paths were refused.
 fn repeated_ends<R: Real>() {
     let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
     let slow = Limits { vmax: R::of(0.5), ..limits };
@@ -353,7 +351,6 @@ fn far_paths<R: Real>() {
 
 /// Replaces a number of the states, durations or limits of a path.
 type Change<'a, R> = &'a dyn Fn(&mut [State<R>], &mut [R], &mut [Limits<R>]);
-
 const AXES: usize = 2;
 const SECTIONS: usize = 3;
 const POINTS: usize = AXES * (SECTIONS + 1);

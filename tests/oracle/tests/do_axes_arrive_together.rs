@@ -75,8 +75,7 @@ fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }
 }
 
-/// The planner counts the positions of a line from its end. So an axis that slips has the phases of its fastest move up to rounding, and the judge
-/// took it for one that jumps.
+/// A line is counted from its end, so an axis that slips has the phases of its fastest move up to rounding: the judge took it for one that jumps.
 #[test]
 #[rustfmt::skip]
 fn a_slip_on_a_line_is_known() {

@@ -7,7 +7,6 @@ use support::online::{limits_of, state_of};
 use support::{Real, test_both_reals};
 
 const LOOPS: u64 = 300; // loops of each family
-
 const ONE_LATE_OF: u64 = 1000; // one loop in so many may be late by more than two ticks: of 2,000, up to 2 are
 
 fn loops_arrive<R: Real>() {

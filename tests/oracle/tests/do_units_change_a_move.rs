@@ -155,8 +155,7 @@ fn stopped(mut axes: Vec<Move<f64>>, limits: &[Limits<f64>], x: f64) -> Result<V
     line_stop(&mut axes, limits, x).map(|_| axes)
 }
 
-/// Several axes move and stop alike in other units, and are refused alike. Mirrored, they move alike up to rounding: the mean of two motions is
-/// counted from the other one.
+/// Several axes move and stop alike in other units, or are refused alike. Mirrored, they do up to rounding: the mean is counted from the other motion.
 #[test]
 fn several_axes() {
     let mut random = Random::seeded(9);

@@ -11,8 +11,7 @@ use support::{Real, test_both_reals};
 const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 4_000 };
 
-/// An axis that slips by rounding errors, so that all arrive together, may show a step: 6 of 52,245 axes in binary64, 71 in binary32. So a monitor
-/// refuses at most one of so many.
+/// An axis that slips by rounding errors, so that all arrive together, may step: 6 of 52,245 axes in binary64, 71 in binary32. One of so many may.
 const ONE_STEP_OF: usize = 500;
 
 /// What a check may find in a plan. A start outside the limits exceeds them, but never their jerks, and makes no step.

@@ -17,8 +17,7 @@ fn rounds<R: Original>(am: R, p1: R) -> u32 {
     report.most_rounds
 }
 
-/// The step begins at `am` and ends at epsilon, and every round halves it. A search in which no trial fits takes the most
-/// rounds. Half the `am` is one round less.
+/// The step begins at `am`, ends at epsilon, and halves in every round. Most rounds take searches in which no trial fits; half the `am` is one less.
 fn bound<R: Original>(largest: R) {
     let nowhere = R::of(f64::NAN);
     assert_eq!(rounds(largest, nowhere), R::MOST_ROUNDS);

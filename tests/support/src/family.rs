@@ -47,7 +47,6 @@ const fn described(
 }
 
 const BELL: Description = described(["bell", "trajbell"], &["jm", "am", "vm", "p0", "p1", "v0", "v1"], &BELL_FIELDS, 4);
-
 const TRAP: Description = described(["trap", "trajtrap"], &["vm", "ac", "de", "p0", "p1", "v0", "v1"], &TRAP_FIELDS, 3);
 
 #[rustfmt::skip]

@@ -4,8 +4,7 @@ use crate::family::Family;
 
 /// One implementation of the five families in the real type `R`.
 pub trait Implementation<R> {
-    /// Calls the family's `gen`: finds what `fields` held before, writes them, returns the duration. A polynomial's `gen`
-    /// returns nothing, which is 0 here.
+    /// Calls the family's `gen`: finds what `fields` held before, writes them, returns the duration; 0 for a polynomial, whose `gen` returns nothing.
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R;
 
     /// The quantities at time `x`. Those beyond [`Family::quantities`] may be anything.

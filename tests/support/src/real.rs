@@ -32,8 +32,7 @@ pub trait Real:
     fn low_bits(self) -> u64;
     fn square_root(self) -> Self; // the root, correctly rounded
     fn fused(self, factor: Self, term: Self) -> Self; // `self*factor + term`, rounded once
-    /// The number `steps` representable numbers further away from zero, or nearer to it if `steps` is negative. It stops
-    /// at zero and at the largest NaN.
+    /// The number `steps` representable numbers further away from zero, or nearer to it if negative. It stops at zero and at the largest NaN.
     fn neighbour(self, steps: i8) -> Self;
 
     fn is_nan(self) -> bool {

@@ -8,8 +8,7 @@ use std::process::Command;
 use std::sync::Mutex;
 
 pub struct Variant {
-    /// The variables that `make dist` takes. The builds beyond the real types have no libraries for levels of x86-64, which take two thirds of
-    /// the time.
+    /// The variables that `make dist` takes. Only the real types have libraries for levels of x86-64, which take two thirds of the time.
     pub choices: &'static [&'static str],
     pub directory: &'static str, // where `make dist` puts it, in `target`
 }

@@ -2,6 +2,7 @@
 //! another, random problems of `Move` in a third, of several axes in a fourth, of waypoints in a fifth, and requests to an axis in a sixth.
 
 use atraj::State;
+use atraj::online::Limits;
 use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
 use oracle::judge::problems::{Kind, Problems};
 use oracle::liba::abi::Original;
@@ -64,20 +65,23 @@ fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
     bytes
 }
 
+/// Limits, a start and a target.
+fn problem<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
+    let limits = online::limits(random);
+    let from = online::anywhere(random, &limits);
+    (limits, from, online::inside(random, &limits))
+}
+
 fn numbers_of_state<R: Real>(state: State<R>) -> Vec<R> {
     vec![state.position, state.velocity, state.acceleration]
 }
 
 /// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
 fn of_machine<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
-    let limits = online::limits::<R>(random);
-    let from = online::anywhere(random, &limits);
-    let to = online::inside(random, &limits);
+    let (limits, from, to) = problem::<R>(random);
     let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1].map(R::of).to_vec();
     numbers.extend(online::numbers_of(&limits));
-    for state in [from, to] {
-        numbers.extend(numbers_of_state(state));
-    }
+    numbers.extend([from, to].map(numbers_of_state).concat());
     let mut bytes = encode(&numbers, &[]);
     bytes[0] += 2 * (case % 25);
     bytes
@@ -89,12 +93,10 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let mut numbers = Vec::new();
     let mut ends = [Vec::new(), Vec::new()];
     for _ in 0..axes {
-        let limits = online::limits::<R>(random);
+        let (limits, from, to) = problem::<R>(random);
         numbers.extend(online::numbers_of(&limits));
-        let states = [online::anywhere(random, &limits), online::inside(random, &limits)];
-        for (end, state) in ends.iter_mut().zip(states) {
-            end.extend(numbers_of_state(state));
-        }
+        ends[0].extend(numbers_of_state(from));
+        ends[1].extend(numbers_of_state(to));
     }
     numbers.extend(ends.concat());
     numbers.extend((0..axes * (sections - 1)).map(|_| R::of(random.between(-10.0, 10.0))));
@@ -105,13 +107,9 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
 
 /// Problems of each planner of `Move`: the first byte holds its number above the real type.
 fn of_move<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
-    let limits = online::limits::<R>(random);
-    let from = online::anywhere(random, &limits);
-    let to = online::inside(random, &limits);
+    let (limits, from, to) = problem::<R>(random);
     let mut numbers = online::numbers_of(&limits).to_vec();
-    for state in [from, to] {
-        numbers.extend(numbers_of_state(state));
-    }
+    numbers.extend([from, to].map(numbers_of_state).concat());
     // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
     numbers.extend([R::of(0.5), R::of(50.0)]);
     let mut bytes = encode(&numbers, &[]);
@@ -125,9 +123,7 @@ fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let zero = R::of(0.0);
     let mut numbers = vec![zero, R::of(random.pick(&[0.0, 0.001]))];
     for _ in 0..=more {
-        let limits = online::limits::<R>(random);
-        let from = online::anywhere(random, &limits);
-        let to = online::inside(random, &limits);
+        let (limits, from, to) = problem::<R>(random);
         numbers.extend(online::numbers_of(&limits));
         for state in [from, to] {
             let of = |x: R| if planner == 1 { zero } else { x };

@@ -15,7 +15,6 @@ use std::fmt::{Display, Formatter, Result as Written};
 use support::Real;
 
 type Exact = FBig;
-
 const BITS_OF_A_ROOT: usize = 500;
 
 fn exact(x: f64) -> Exact {

@@ -48,8 +48,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the target, and where the axis is
-    /// inside the limits.
+    /// Enough where the displacement falls at first or not at all, and then rises: without acceleration at the target, from inside the limits.
     const SPARSE: Self = Self { part: 1.0, factor: 4.0 };
     /// Enough for most problems: twice an octave.
     pub const COARSE: Self = Self { part: 1.0 / 262_144.0, factor: std::f64::consts::SQRT_2 };
@@ -59,7 +58,6 @@ impl Grid {
 
 /// Position, velocity and acceleration where the phases of a move meet, and at its end.
 pub type Borders = [[f64; 3]; 17];
-
 pub type Knot = [f64; 4]; // time, position, velocity and acceleration
 
 pub struct Walk {

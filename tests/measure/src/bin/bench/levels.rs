@@ -35,18 +35,16 @@ pub fn print_table() {
     println!("real,level,case,ours ns,-O2 ns,fill ns,-O2/ours,ours/fill,ours instructions");
     for (index, row) in rows().iter_mut().enumerate() {
         let level = &LEVELS[index % LEVELS.len()];
+        let start = format!("{REAL},{},\"{}\",", level.name, row.case);
         if (level.is_here)() {
             let rounds = measure::<3>(row);
             let [ns, o2, fill] = [0, 1, 2].map(|k| median(rounds.iter().map(|turns| turns[k])));
             let o2_ratio = median(rounds.iter().map(|[ours, o2, _]| o2 / ours));
             let fill_ratio = median(rounds.iter().map(|[ours, _, fill]| ours / fill));
             let count = instructions_of("count-levels", index, 0, row.calls);
-            println!(
-                "{REAL},{},\"{}\",{ns:.2},{o2:.2},{fill:.2},{o2_ratio:.2},{fill_ratio:.2},{count}",
-                level.name, row.case,
-            );
+            println!("{start}{ns:.2},{o2:.2},{fill:.2},{o2_ratio:.2},{fill_ratio:.2},{count}");
         } else {
-            println!("{REAL},{},\"{}\",this processor lacks it,,,,,", level.name, row.case);
+            println!("{start}this processor lacks it,,,,,");
         }
     }
 }

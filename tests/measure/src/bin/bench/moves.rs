@@ -342,7 +342,6 @@ impl Both {
 
 type Moment = (usize, a_float); // a move by its number, and a time
 type Evaluate<C> = unsafe extern "C" fn(*const C, a_float) -> a_float;
-
 const QUANTITIES: [(&str, Evaluate<atraj_move>, Evaluate<a_trajbell>); 4] = [
     ("atraj_move_pos", atraj_move_pos, a_trajbell_pos),
     ("atraj_move_vel", atraj_move_vel, a_trajbell_vel),

@@ -52,7 +52,6 @@ pub struct Set<R> {
 }
 
 pub type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
-
 pub const MOST_AXES: usize = 12;
 
 impl<R: Real> Set<R> {
