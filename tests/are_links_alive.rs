@@ -14,7 +14,6 @@ struct Link {
     heading: String,
 }
 
-/// The documents: in the root and in `docs`.
 fn documents() -> Vec<PathBuf> {
     let mut documents = Vec::new();
     for directory in ["", "docs"] {

@@ -5,7 +5,6 @@ use std::process::Command;
 use support::tools::{has_tool, lines};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, PREFIXED, Variant};
 
-/// Names that `nm` prints with these flags, sorted.
 fn names(flags: &[&str], file: &Path) -> Vec<String> {
     let mut names: Vec<_> = lines(Command::new("nm").args(["--format=posix"]).args(flags).arg(file))
         .iter()

@@ -55,7 +55,6 @@ fn followed(reader: &str) -> String {
     said
 }
 
-/// The lines of a job that a shell runs.
 fn steps(job: &str) -> Vec<String> {
     let lines = job.lines().map(str::trim_start);
     let commands = lines.filter_map(|line| {

@@ -53,7 +53,6 @@ fn straight<R: Real>(
     line(axes, limits, from, to, R::of(0.0), R::of(CYCLE))
 }
 
-/// What the ends of a problem are like.
 #[derive(Clone, Copy)]
 enum Ends {
     Moving,      // the target has a velocity
@@ -107,7 +106,6 @@ fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<
     Problem { limits: vec![limits; count], from: scaled(from), to: scaled(to) }
 }
 
-/// Three axes on a line, up to 1e4 lengths beside 0.
 fn line_beside_0<R: Real>(random: &mut Random, ends: Ends) -> Problem<R> {
     let mut problem = on_a_line::<R>(random, ends, 3);
     let offset = random.pick(&[0.0, 10.0, 1e4]);
@@ -161,7 +159,6 @@ fn ticks<R: Real>(plan: Plan<R>, problem: &Problem<R>) -> (usize, usize) {
     }
 }
 
-/// Runs loops with all kinds of ends. Hardly one is late.
 fn late<R: Real>(plan: Plan<R>, counts: &[usize], problem: fn(&mut Random, Ends, usize) -> Problem<R>) {
     let mut random = Random::seeded(24);
     let (mut loops, mut late) = (0, 0);

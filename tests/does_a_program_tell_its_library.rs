@@ -14,7 +14,6 @@ fn identify(file: &Path) -> Output {
     make.output().unwrap()
 }
 
-/// The single line that `make identify` prints.
 fn identity(file: &Path) -> String {
     let output = identify(file);
     assert!(output.status.success(), "{}: {output:?}", file.display());
@@ -35,7 +34,6 @@ fn expected(variant: &Variant) -> String {
     format!("atraj {version}, {real}, {polynomials}, ")
 }
 
-/// Links a program that calls one function, with these flags.
 fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
     let tests = DOUBLE.scratch();
     let source = tests.join("one.c");

@@ -6,7 +6,6 @@ use std::process::Command;
 use support::repository::root;
 use support::tools::lines;
 
-/// The question of each test file, by the name of the file.
 fn questions() -> HashMap<String, String> {
     let map = lines(Command::new("sh").arg(root().join("tests/map.sh")));
     let rows = map.iter().filter_map(|line| line.strip_prefix("| `")?.strip_suffix(" |")?.split_once("` | "));

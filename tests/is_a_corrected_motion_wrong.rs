@@ -92,7 +92,6 @@ fn time_rounding(duration: f64) -> f64 {
     4.0 * f64::EPSILON * duration
 }
 
-/// Times at every phase border, just after it, and in between.
 fn sample_times([t1, t2, tf]: [f64; 3], random: &mut Random) -> Vec<f64> {
     let mut times = vec![0.0];
     times.extend([t1, t2, tf].iter().flat_map(|&t| [t, just_after(t)]));

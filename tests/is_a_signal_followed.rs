@@ -37,14 +37,12 @@ impl Signal {
     }
 }
 
-/// What an axis does behind a signal.
 #[derive(Debug)]
 struct Followed {
     error: f64, // the largest distance from the signal without its noise, after the first two seconds
     jerk: f64,  // the root of the mean square of the jerk in this time
 }
 
-/// Follows for 8 s within the limits 3, 15 and 150.
 fn follow(
     mut signal: Signal, mut plan: impl FnMut(&mut Move<f64>, &Limits<f64>, State<f64>, State<f64>, f64),
 ) -> Followed {

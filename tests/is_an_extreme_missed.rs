@@ -14,7 +14,6 @@ struct Move<R> {
     duration: R,
     reached: Extremes<R>,
     each: Box<dyn Fn(R) -> [f64; 3]>,
-    /// The sums of what is added up to evaluate them.
     scales: [f64; 3],
     borders: Vec<R>, // times at which something short may happen
 }

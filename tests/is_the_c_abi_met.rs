@@ -143,7 +143,6 @@ fn layout_by_tcc() {
     }
 }
 
-/// The programs that test the functions of `atraj.h`.
 const CONTRACTS: [&str; 2] = ["calls.c", "axis.c"];
 
 #[test]

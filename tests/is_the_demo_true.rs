@@ -22,7 +22,6 @@ fn printed(output: &Output) -> String {
     [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
 }
 
-/// The numbers after the name of a function in a table.
 fn line<'a>(table: &'a str, function: &str) -> Vec<&'a str> {
     let mut lines = table.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());
     let line = lines.find(|line| line.first() == Some(&function));

@@ -119,7 +119,6 @@ fn each_rust_program_is_a_test() {
     assert!(programs > 0);
 }
 
-/// The pages with measured figures.
 const MEASURED: [&str; 5] = ["firmware", "for-firmware", "bounds", "performance", "trust"];
 
 /// `figures.tsv` has the words on a page, and the words in the file that they come from. `\n` begins a line there.

@@ -5,7 +5,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use support::repository::root;
 
-/// What is not written, and what is written instead.
 const WORDS: [(&str, &str); 19] = [
     ("anew", "again"),
     ("to and fro", "back and forth"),

@@ -5,7 +5,6 @@ use std::{env, fs};
 
 const SOURCE: &str = "../../src/machine/handover.rs";
 
-/// The name of each variant, what it changes, and into what.
 const VARIANTS: [(&str, &[(&str, &str)]); 14] = [
     ("whole", &[]),
     ("unfenced_tick", &[("fence(SeqCst);\n        let (time", "let (time")]),

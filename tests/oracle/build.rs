@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// Source files, each with the names that it makes public.
 const SOURCES: [(&str, &str); 6] = [
     ("poly", "eval eval_ evar evar_ swap"),
     ("trajbell", "gen pos vel acc jer"),
@@ -102,7 +101,6 @@ fn brief() {
     }
 }
 
-/// Where cargo has unpacked the crate.
 fn liba() -> PathBuf {
     let output = Command::new(env::var_os("CARGO").unwrap())
         .args(["metadata", "--format-version=1", "--locked"])

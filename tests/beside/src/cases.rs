@@ -6,7 +6,6 @@ use oracle::judge::path::problems::{Chain, Family};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
-/// Paths of one kind.
 pub struct Case {
     pub name: &'static str, // what they are
     pub chains: Vec<Chain<f64>>, // one, or several, of which the table has the mean

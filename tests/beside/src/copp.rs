@@ -27,7 +27,6 @@ pub fn duration(chain: &Chain<f64>, limits: Limits) -> Option<Duration> {
     Some(plan(chain, limits).expect("a plan of COPP"))
 }
 
-/// The path through the stations of the spline.
 pub fn stations(chain: &Chain<f64>) -> Option<Chain<f64>> {
     if !is_curve(chain) {
         return None;
@@ -45,7 +44,6 @@ pub fn deviation(chain: &Chain<f64>) -> f64 {
     (0..middles.ncols()).map(away).fold(0.0, f64::max)
 }
 
-/// Points of the spline, in columns.
 fn points(chain: &Chain<f64>, s: &[f64]) -> DMatrix<f64> {
     spline(chain).and_then(|spline| Ok(spline.evaluate_q(s)?.q)).expect("a spline")
 }

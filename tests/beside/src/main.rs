@@ -43,7 +43,6 @@ impl Case {
         }
     }
 
-    /// Prints a row from the sums of the durations and of the times.
     fn print_row(&self, planner: &str, keeps_jerk: bool, s: f64, ms: f64) {
         let jerk = if keeps_jerk { "limited" } else { "free" };
         let count = self.chains.len() as f64;

@@ -28,7 +28,6 @@ pub fn duration(chain: &Chain<f64>) -> Option<Duration> {
     states.windows(2).map(|ends| section(ends[0], ends[1])).sum()
 }
 
-/// The highest speed that is reached from `start` on the way.
 fn reach(limits: &Limits<f64>, start: f64, way: f64) -> f64 {
     let (mut low, mut high) = (start, limits.vmax);
     for _ in 0..60 {

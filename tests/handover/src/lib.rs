@@ -54,7 +54,6 @@ pub mod one_processor {
             static INTERRUPT: RefCell<Option<Rc<dyn Fn()>>> = const { RefCell::new(None) };
         }
 
-        /// What comes before each step of the main loop.
         pub fn set_interrupt(interrupt: Option<Rc<dyn Fn()>>) {
             INTERRUPT.set(interrupt);
         }

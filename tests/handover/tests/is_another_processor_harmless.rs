@@ -14,7 +14,6 @@ struct Plan {
     from: (usize, u64),
 }
 
-/// loom fails if a plan is read while it is written.
 struct Axis<H> {
     words: H,
     plans: [UnsafeCell<Plan>; 3],

@@ -29,7 +29,6 @@ fn module_of(path: &str) -> Module {
     names.filter(|name| *name != "lib").map(str::to_owned).collect()
 }
 
-/// A path in a file: of a `use`, or of a body.
 struct Import {
     names: Vec<String>,
     known_as: Option<String>, // the name that a `use` gives it; `None` in a body
@@ -100,7 +99,6 @@ fn imports(text: &str) -> Vec<Import> {
     imports
 }
 
-/// Reads what follows `use`, or what stands in braces there.
 fn read_use<'a>(
     words: &mut impl Iterator<Item = &'a str>, outer: &[String], is_public: bool, imports: &mut Vec<Import>,
 ) {
@@ -148,7 +146,6 @@ impl<'a> Files<'a> {
         self.0.contains_key(&child).then_some(child)
     }
 
-    /// The `use` that brings a name into a module.
     fn brought(&self, module: &[String], name: &str) -> Option<&Import> {
         let mut imports = self.0[module].1.iter();
         let brings = |import: &&Import| import.known_as.as_deref() == Some(name);
@@ -186,7 +183,6 @@ impl<'a> Files<'a> {
         elsewhere.unwrap_or(module.to_vec())
     }
 
-    /// Each file with the files that it imports.
     fn imported(&self) -> BTreeMap<&Module, BTreeSet<Module>> {
         let imported = self.0.iter().map(|(module, (_, imports))| {
             let definers = imports.iter().filter_map(|import| {
@@ -262,7 +258,6 @@ fn in_the_source() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Files in order, each with its text.
 const GOOD: &str = r#"
 lib.rs: mod real; pub use liba::{Bell, Trap}; pub use online::Move;
 real/mod.rs: mod soft; pub use soft::root; pub trait Real {}

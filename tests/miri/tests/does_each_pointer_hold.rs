@@ -15,7 +15,6 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::thread;
 use support::Random;
 
-/// What a caller promises of an argument.
 enum Promise {
     Any,                 // any value
     Given(usize),        // this number of elements, which are given; as an integer the number itself
@@ -197,7 +196,6 @@ impl Answer {
         }
     }
 
-    /// Whether some arguments can give this answer.
     fn is_documented(&self, name: &str, n: usize) -> bool {
         match *self {
             Self::Nothing | Self::Number(_) => true,
@@ -246,7 +244,6 @@ struct Caller {
     arrays: Vec<Array>,
 }
 
-/// An allocation, and what it must hold after the call.
 struct Array {
     words: *mut [Word],
     before: Vec<u64>,                     // what a function may not change
@@ -322,7 +319,6 @@ impl Caller {
         }
     }
 
-    /// Whether this number has to be NaN.
     fn is_bad(&mut self) -> bool {
         self.numbers += 1;
         self.bad == Some(self.numbers - 1)
@@ -378,7 +374,6 @@ impl Caller {
         first.cast()
     }
 
-    /// Judges what the call has done to the memory.
     fn judge(&self, name: &str) {
         for array in &self.arrays {
             // SAFETY: the array is there, and nobody uses it now.
@@ -444,7 +439,6 @@ impl Argument for usize {
     }
 }
 
-/// A clock that shows the number of its argument.
 impl Argument for claraty_clock {
     fn of(caller: &mut Caller, _: Promise) -> Self {
         unsafe extern "C" fn clock(user: *mut c_void) -> f64 {
@@ -519,7 +513,6 @@ impl Element for a_trajpoly3 {}
 impl Element for a_trajpoly5 {}
 impl Element for a_trajpoly7 {}
 impl Element for claraty_profile {}
-/// The argument of the clock.
 impl Element for c_void {
     const WORDS: usize = 1;
 }

@@ -146,7 +146,6 @@ fn assert_order<R: Real>(planned: &Move<R>, problem: &str) {
     assert!(in_order && phases[0].start == zero && phases[count].start == planned.t, "{problem}: {planned:?}");
 }
 
-/// Whether no power of a number is beyond the range.
 fn are_ordinary<R: Real>(limits: &[Limits<R>], states: &[State<R>]) -> bool {
     let range = f64::from(R::EXPONENTS.1 / 8).exp2();
     let of_states = states.iter().flat_map(|state| [state.position, state.velocity, state.acceleration]);
@@ -204,7 +203,6 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
 
 pub const REQUESTS: u8 = 6; // how many requests an axis gets: four plans, other limits, and ticks
 
-/// What an axis does, told without words between two contexts.
 struct Model<R> {
     period: R,
     in_force: Move<R>,
@@ -444,7 +442,6 @@ fn take(bytes: &mut &[u8], count: usize) -> u64 {
     taken.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
 }
 
-/// The bytes of a move and of times at which to evaluate it.
 pub fn encode<R: Real>(arguments: &[R], times: &[R]) -> Vec<u8> {
     let of = |number: &R| number.low_bits().to_le_bytes()[..size_of::<R>()].to_vec();
     let mut bytes = vec![u8::from(size_of::<R>() == 4)];

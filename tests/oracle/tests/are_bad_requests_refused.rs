@@ -14,7 +14,6 @@ use support::{Random, Real, test_both_reals};
 
 const PROBLEMS: usize = 20_000;
 
-/// A target a little more than legal.
 fn illegal<R: Real>(problem: &Problem<R>, random: &mut Random) -> Option<State<R>> {
     let [vmax, vmin, amax, amin, jmax, jmin] = widened(&problem.limits);
     let a = random.between(amin.max(-1e6), amax.min(1e6));
@@ -51,7 +50,6 @@ fn illegal_targets<R: Real>() {
     assert!(refused * 4 > PROBLEMS);
 }
 
-/// Numbers of a good problem, with one of them replaced.
 fn with_number<R: Real>(index: usize, number: f64) -> Problem<R> {
     let mut numbers = [1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0];
     numbers[index] = number;
@@ -156,7 +154,6 @@ fn bad_states<R: Real>() {
 
 type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
 
-/// The planner returns this error and writes nothing.
 fn refuses<R: Real>(plan: Plan<R>, set: &Set<R>, error: Error) {
     let (limits, from, to) = set.columns();
     let written = Move { t: R::of(1.0), ..Move::default() };
@@ -271,7 +268,6 @@ fn beside_the_line<R: Real>() {
     assert!(refused > 1_000);
 }
 
-/// A part of the largest exponent.
 fn huge<R: Real>(part: f64) -> R {
     R::of(f64::exp2(part * f64::from(R::EXPONENTS.1)))
 }
@@ -560,7 +556,6 @@ fn bad_clocks<R: Real>() {
     assert!(clock.state(&[], 1, zero).iter().all(|x| x.widen().is_nan()));
 }
 
-/// An axis that ticks, and a motor.
 fn bad_axes_and_motors<R: Real>() {
     let [zero, one, none, endless] = [0.0, 1.0, f64::NAN, f64::INFINITY].map(R::of);
     let (still, limits) = (State::at(one), Limits::symmetric(one, one, one));

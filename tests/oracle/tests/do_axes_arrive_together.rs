@@ -69,7 +69,6 @@ fn phases_follow_each_other<R: Real>() {
 
 type Row = [f64; 12]; // an axis: its limits, its start and its end
 
-/// These axes, which are to arrive on a tick.
 fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     let axis = |row: &Row| Problem::of(Kind::Moving, Request::Plan, row.map(R::of));
     Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }

@@ -18,7 +18,6 @@ const SETS: usize = 20_000;
 struct Walled<R> {
     problem: Problem<R>,
     walls: [R; 2],
-    /// What the axis cannot avoid, if it has time to stop.
     hull: [f64; 2],
     slack: f64, // roundings of its positions
 }
@@ -49,13 +48,11 @@ impl<R: Original> Walled<R> {
         (walls[0] < walls[1]).then_some(Self { problem, walls, hull, slack })
     }
 
-    /// Whether positions are beyond a wall, by more than this.
     fn leaves(&self, [least, most]: [f64; 2], by: f64) -> bool {
         let [low, high] = self.walls.map(R::widen);
         least < low - by || most > high + by
     }
 
-    /// Whether the setpoints of a move leave the walls, or nearly.
     fn is_left(&self, axis: &Move<R>, by: f64) -> bool {
         let reached = axis.extremes();
         self.leaves([reached.lowest, reached.highest].map(|state| state.position.widen()), by)

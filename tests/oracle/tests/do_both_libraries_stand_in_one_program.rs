@@ -6,7 +6,6 @@ use std::process::{Command, Output};
 use support::tools::{Language, compilers, run};
 use support::variant::{FLOAT_PREFIXED, PREFIXED, Variant};
 
-/// Links `c/both.c` with both archives and runs it.
 fn compare(variant: &Variant, compiler: &str, liba: &Path, flags: &[&str]) -> Output {
     let dist = variant.dist();
     let program = directory("both").join("program");

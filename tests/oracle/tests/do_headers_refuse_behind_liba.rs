@@ -23,7 +23,6 @@ fn says(compiler: &str, ours: &Path, first: &str, header: &str, flags: &[&str]) 
     errors
 }
 
-/// A header of liba's, which includes liba's own `a.h`.
 const LIBA: &str = "#include \"a/pid.h\"";
 
 /// What matters of liba's `a.h` since 2025: another name of the real type.
@@ -35,7 +34,6 @@ const NEWER_LIBA: &str = "
 typedef double a_real;
 ";
 
-/// The trajectory headers, and those of ours that include them.
 fn headers() -> Vec<String> {
     let mut headers = Family::ALL.map(|family| format!("a/{}.h", family.c_name())).to_vec();
     headers.push("atraj.h".into());

@@ -5,7 +5,6 @@ use oracle::liba::comparison::{Case, MOMENTS, Moment, Report};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours, test_both_reals};
 
-/// Ordinary moves: with cruise, without, backward.
 const MOVES: [[f64; MOST_ARGUMENTS]; 3] = [
     [2.5, 2.0, -1.5, 0.5, 10.0, 0.25, 0.75, 1.0, -1.0],
     [2.0, 3.0, -4.0, 1.0, 1.125, 0.5, -0.25, 0.0, 2.0],

@@ -25,7 +25,6 @@ struct Units {
 }
 
 impl Units {
-    /// A derivative of the position.
     fn of(self, order: i32, x: f64) -> f64 {
         x * (self.length / self.time.powi(order))
     }
@@ -117,7 +116,6 @@ fn any_units(random: &mut Random) -> Units {
     Units { length: random.sign() * length, time }
 }
 
-/// The axes take the same time, and are in the same states.
 fn assert_alike(near: &[Move<f64>], far: &[Move<f64>]) {
     for (one, other) in near.iter().zip(far) {
         assert_eq!(one.t, other.t);
@@ -150,7 +148,6 @@ fn assert_scaled_alike(units: Units, near: &Result<Vec<Move<f64>>, Error>, far: 
     }
 }
 
-/// Axes that stop on their line from a time on.
 fn stopped(mut axes: Vec<Move<f64>>, limits: &[Limits<f64>], x: f64) -> Result<Vec<Move<f64>>, Error> {
     line_stop(&mut axes, limits, x).map(|_| axes)
 }

@@ -14,7 +14,6 @@ use support::{Random, test_both_reals};
 
 const PROBLEMS: usize = 60_000;
 
-/// A position near one of these, or far.
 fn near(random: &mut Random, spans: &[[f64; 2]; 3]) -> f64 {
     let span = random.pick(spans);
     let width = (span[1] - span[0]).abs() + 1e-3 * span[0].abs();

@@ -9,7 +9,6 @@ use support::{Random, Real, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 
-/// What `path_moves` makes of a path, and the moves.
 fn moves_of<R: Real>(chain: &Chain<R>, path: &Path<R>) -> (Result<atraj::Findings, Error>, Vec<Move<R>>) {
     let mut moves = vec![Move::default(); chain.axes * chain.sections()];
     (path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes), moves)
@@ -57,7 +56,6 @@ fn sections_are_those_planned_by_hand<R: Real>() {
     }
 }
 
-/// The durations of a plan of another path, and shorter ones.
 fn wrong_durations_are_refused<R: Real>() {
     let mut chains = Chains::new(22);
     let mut refused = 0;
@@ -159,7 +157,6 @@ fn deviations_are_bounded_closely<R: Real>() {
     assert!(2 * close > PATHS / 2);
 }
 
-/// Axes on a straight line do not leave it, however they move.
 fn a_straight_line_is_kept<R: Real>() {
     let mut random = Random::seeded(24);
     for axes in 1..=6 {

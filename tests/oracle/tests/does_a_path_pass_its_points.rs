@@ -187,7 +187,6 @@ fn to_both_sides_alike<R: Original>(chain: &Chain<R>) {
     }
 }
 
-/// The path with the positions of a point once more, at rest.
 fn with_a_copy<R: Real>(chain: &Chain<R>, point: usize) -> Chain<R> {
     let mut longer = chain.clone();
     let place = point * chain.axes;

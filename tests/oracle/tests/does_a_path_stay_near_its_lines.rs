@@ -44,7 +44,6 @@ fn contour<R: Real>(chain: &Chain<R>, tolerance: f64, room: usize, steps: u32) -
     Planned { answer, chain, path: Path { states, durations }, moves, places }
 }
 
-/// How far a point is from the line between two others.
 fn distance(point: &[f64], [from, to]: [&[f64]; 2]) -> f64 {
     let dot = |x: &dyn Fn(usize) -> f64, y: &dyn Fn(usize) -> f64| (0..point.len()).map(|k| x(k) * y(k)).sum::<f64>();
     let (line, offset) = (|k: usize| to[k] - from[k], |k: usize| point[k] - from[k]);

@@ -6,10 +6,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use support::variant::{DOUBLE, FLOAT, Variant};
 
-/// glibc's loader, which takes the library of a level.
 const LOADER: &str = "/lib64/ld-linux-x86-64.so.2";
 
-/// The levels that this processor has, as the loader says.
 fn levels() -> Vec<&'static str> {
     let help = Command::new(LOADER).arg("--help").output();
     let help = help.map(|output| String::from_utf8(output.stdout).unwrap());

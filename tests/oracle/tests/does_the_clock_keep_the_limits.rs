@@ -53,7 +53,6 @@ impl<R: Real> Path<R> {
         self.moves.iter().step_by(self.axes()).map(|of| of.t).fold(R::of(0.0), |sum, t| sum + t)
     }
 
-    /// The state of an axis at a time of the path.
     fn state(&self, axis: usize, s: R) -> State<R> {
         let (mut start, last) = (R::of(0.0), self.moves.len() / self.axes() - 1);
         let mut sections = self.axis(axis).iter().step_by(self.axes()).enumerate();
@@ -80,7 +79,6 @@ impl<R: Real> Path<R> {
         })
     }
 
-    /// The slowest axis' stop at this time, without the path.
     fn free_stop(&self, limits: &[Limits<R>], x: R) -> f64 {
         let stop = |(axis, limits): (usize, &Limits<R>)| {
             let mut stop = Move::default();
@@ -91,7 +89,6 @@ impl<R: Real> Path<R> {
     }
 }
 
-/// Whether a state keeps the limits, up to 256 ulps of them.
 fn keeps<R: Real>(state: [R; 4], limits: &Limits<R>) -> bool {
     let pairs = [(limits.vmin, limits.vmax), (limits.amin, limits.amax), (limits.jmin, limits.jmax)];
     state[1..].iter().zip(pairs).all(|(value, (low, high))| {
@@ -235,7 +232,6 @@ fn states_are_derivatives() {
     }
 }
 
-/// Limits of an axis, and its move over 2 within 90 % of them.
 fn short_move<R: Real>() -> ([Move<R>; 1], [Limits<R>; 1]) {
     let [limits, planned] = [1.0, 0.9].map(|part| {
         let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(|limit| R::of(part * limit));
@@ -415,7 +411,6 @@ fn a_change_waits<R: Real>() {
     }
 }
 
-/// Axes without a limit of the jerk hold, too.
 fn infinite_jerks_hold<R: Real>() {
     let mut random = Random::seeded(55);
     for number in 0..200 {

@@ -168,7 +168,6 @@ fn improvements_shorten<R: Original>() {
     assert!(shorter > 800);
 }
 
-/// Drops the first section, appends one, and goes on.
 fn goes_on<R: Original>(mut chain: Chain<R>, mut path: Path<R>, found: atraj::Findings, random: &mut Random) {
     let axes = chain.axes;
     let is_at_rest = path.states[chain.sections() * axes..].iter().all(|end| *end == State::at(end.position));

@@ -9,7 +9,6 @@ const TICKS: u32 = 8_000;
 const FIRST: u32 = 2_000; // the first two seconds, in which an axis comes to the signal
 const LIMITS: [f64; 3] = [150.0, 15.0, 3.0]; // jerk, acceleration and velocity
 
-/// Position, velocity and acceleration of `sin 2t`.
 fn signal(tick: u32) -> [f64; 3] {
     let (sin, cos) = (2.0 * f64::from(tick) * TICK).sin_cos();
     [sin, 2.0 * cos, -4.0 * sin]

@@ -16,7 +16,6 @@ fn each_motion_is_exact<R: Original>() {
     }
 }
 
-/// Whether a fault changes a motion by more than roundings.
 fn changes_a_motion(fault: Fault) -> bool {
     use Fault::{AbsoluteTime, Direction, DroppedPhase, Refuses, SilentEnd, SilentStart};
     !matches!(fault, AbsoluteTime | Direction | DroppedPhase | Refuses | SilentEnd | SilentStart)

@@ -12,14 +12,12 @@ pub fn moving(position: f64, velocity: f64) -> State<f64> {
     State { velocity, ..State::at(position) }
 }
 
-/// The corrected plan of a move, and its warnings.
 pub fn corrected(start: State<f64>, target: Target) -> (Profile, Warnings) {
     let mut profile = Profile::default();
     let warnings = profile.plan_corrected(start, target);
     (profile, warnings)
 }
 
-/// The ends of the three phases, s.
 pub fn borders(profile: &Profile) -> [f64; 3] {
     [profile.t1, profile.t2, profile.tf]
 }

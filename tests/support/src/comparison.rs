@@ -3,7 +3,6 @@
 use crate::real::Real;
 use std::fmt::Display;
 
-/// Counts compared values and keeps the differing ones.
 #[derive(Default)]
 pub struct Comparison {
     pub compared: usize,          // how many values were compared
@@ -11,7 +10,6 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares two values; `place` and `what` say which.
     pub fn check<R: Real>(&mut self, place: impl Display, what: &str, got: R, want: R) {
         self.compared += 1;
         if !got.same(want) {

@@ -84,7 +84,6 @@ impl Family {
         }
     }
 
-    /// How golden files, fuzz targets and Rust name it.
     pub const fn name(self) -> &'static str {
         self.description().name
     }
@@ -116,7 +115,6 @@ impl Family {
         if self.is_polynomial() { 1 } else { 2 }
     }
 
-    /// Whether it is a polynomial, whose duration is an argument.
     pub const fn is_polynomial(self) -> bool {
         !self.returns_duration()
     }

@@ -71,7 +71,6 @@ pub fn compare<R: Real>(comparison: &mut Comparison, implementation: &impl Imple
     }
 }
 
-/// Compares the plan of each of these golden moves.
 pub fn compare_plans<R: Real>(
     comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family, moves: &[Move<R>],
 ) {

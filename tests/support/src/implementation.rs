@@ -2,7 +2,6 @@
 
 use crate::family::Family;
 
-/// One implementation of the five families in the real type `R`.
 pub trait Implementation<R> {
     /// Calls the family's `gen`: finds what `fields` held before, writes them, returns the duration; 0 for a polynomial, whose `gen` returns nothing.
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R;

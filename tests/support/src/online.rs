@@ -9,13 +9,11 @@ pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
-/// The state of a position, a velocity and an acceleration.
 pub fn state_of<R: Real>(numbers: [f64; 3]) -> State<R> {
     let [position, velocity, acceleration] = numbers.map(R::of);
     State { position, velocity, acceleration }
 }
 
-/// The position, the velocity and the acceleration of a state.
 pub fn numbers_of_state<R: Real>(state: State<R>) -> [f64; 3] {
     [state.position, state.velocity, state.acceleration].map(R::widen)
 }

@@ -103,7 +103,6 @@ fn write<R: Real>(mut fields: &mut [R], arrays: &[&[R]]) {
     assert!(fields.is_empty(), "{} fields are left", fields.len());
 }
 
-/// The quantities, and 0 for what the profile does not have.
 fn padded<R: Real, const N: usize>(quantities: [R; N]) -> [R; 4] {
     let mut all = [R::of(0.0); 4];
     all[..N].copy_from_slice(&quantities);

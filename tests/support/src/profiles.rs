@@ -9,7 +9,6 @@ macro_rules! named_fields {
         /// The fields of the struct in order of memory, by their names in C.
         pub const $names: [&str; $count] = [$(stringify!($c)),*];
 
-        /// The struct that these fields are.
         pub fn $from<R: Copy>(fields: &[R]) -> $profile<R> {
             let &[$($field),*] = fields else {
                 panic!("{} fields instead of {}", fields.len(), $count);

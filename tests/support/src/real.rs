@@ -52,7 +52,6 @@ pub trait Real:
         (text.len() == 2 * size_of::<Self>()).then(|| Self::from_low_bits(bits))
     }
 
-    /// Value and bit pattern, for messages.
     fn show(self) -> String {
         let digits = 2 * size_of::<Self>();
         format!("{self:e} ({:0digits$x})", self.low_bits())

@@ -20,7 +20,6 @@ pub fn plan<R: Real>(arguments: &[R], fields: &mut [R]) -> Plan<R> {
     plan
 }
 
-/// Steps 1 to 8 of `gen(jm, am, vm, p0, p1, v0, v1)`.
 fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     let [jm, am, vm, mut p0, mut p1, v0, v1] = arguments;
     let [zero, half, one, two] = [0.0, 0.5, 1.0, 2.0].map(R::of);

@@ -29,7 +29,6 @@ pub fn has_tool(tool: &str) -> bool {
     found
 }
 
-/// Runs a command that must succeed; its output.
 pub fn run(command: &mut Command) -> Output {
     let output = command.output().unwrap_or_else(|e| panic!("{command:?}: {e}"));
     assert!(
@@ -42,7 +41,6 @@ pub fn run(command: &mut Command) -> Output {
     output
 }
 
-/// Runs a command that must succeed; the lines that it prints.
 pub fn lines(command: &mut Command) -> Vec<String> {
     String::from_utf8(run(command).stdout).unwrap().lines().map(str::to_owned).collect()
 }

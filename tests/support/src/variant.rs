@@ -14,23 +14,19 @@ pub struct Variant {
 }
 
 pub const DOUBLE: Variant = Variant { choices: &[], directory: "dist" };
-/// `a_float` is `float`.
 pub const FLOAT: Variant = Variant { choices: &["REAL=float"], directory: "dist-float" };
 /// The polynomial structs of liba since 2025-03.
 pub const COMPACT: Variant = Variant { choices: &["POLY=compact", "HWCAPS="], directory: "dist-compact" };
 pub const FLOAT_COMPACT: Variant =
     Variant { choices: &["REAL=float", "POLY=compact", "HWCAPS="], directory: "dist-float-compact" };
-/// Polynomial structs that hold few coefficient arrays.
 pub const LOW_LEVELS: Variant = Variant {
     choices: &["A_TRAJPOLY3=1", "A_TRAJPOLY5=2", "A_TRAJPOLY7=3", "HWCAPS="],
     directory: "dist-poly3-level1-poly5-level2-poly7-level3",
 };
 /// Functions under other names, to stand beside liba in one program.
 pub const PREFIXED: Variant = Variant { choices: &["SYMBOL_PREFIX=x_", "HWCAPS="], directory: "dist-prefix-x_" };
-/// Functions under other names, with `float`.
 pub const FLOAT_PREFIXED: Variant =
     Variant { choices: &["REAL=float", "SYMBOL_PREFIX=x_", "HWCAPS="], directory: "dist-float-prefix-x_" };
-/// Every build that has liba's names, as tested.
 pub const VARIANTS: [&Variant; 5] = [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &LOW_LEVELS];
 
 impl Variant {

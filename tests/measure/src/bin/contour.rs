@@ -85,7 +85,6 @@ fn states(points: &[Point]) -> Vec<State<f64>> {
     points.iter().flatten().map(|&position| State::at(position)).collect()
 }
 
-/// How long a part takes if the axes stop at each point, s.
 fn stopping(points: &[Point]) -> Result<f64, Error> {
     let (mut moves, mut t) = ([Move::default(); 2], 0.0);
     for ends in points.windows(2) {
@@ -105,7 +104,6 @@ fn through(part: &str, points: &[Point]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints the path within a tolerance of its lines, with a feed.
 fn within(part: &str, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
     let moves = contour(&states(points), tolerance, feed);
     let (moves, start) = (moves.0?, moves.1);
@@ -129,7 +127,6 @@ fn work(size: Option<usize>) -> Vec<f64> {
     vec![0.0; size.unwrap_or_default()]
 }
 
-/// The moves of a contour through points, and when it was begun.
 fn contour(given: &[State<f64>], tolerance: f64, feed: f64) -> (Result<Vec<Move<f64>>, Error>, Instant) {
     let sections = given.len() / 2 - 1;
     let room = 4 * sections + 200;

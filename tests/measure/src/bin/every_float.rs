@@ -77,7 +77,6 @@ impl Found {
     }
 }
 
-/// Asks every n-th argument, on all processors.
 fn ask(function: &Function, n: u64) -> Found {
     let threads = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     let part = |thread: u64| {

@@ -65,7 +65,6 @@ fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-/// Limits, a start and a target.
 fn problem<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
     let limits = online::limits(random);
     let from = online::anywhere(random, &limits);

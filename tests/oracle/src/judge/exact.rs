@@ -80,7 +80,6 @@ impl Misses {
     }
 }
 
-/// The state where a phase begins, its jerk and its duration.
 #[derive(Clone)]
 struct Point {
     six_p: Exact, // six times the position: so its polynomial has no fraction
@@ -112,7 +111,6 @@ impl Point {
         [rounded(&self.six_p) / 6.0, rounded(&self.v), rounded(&self.a)]
     }
 
-    /// By how much positions, velocities and accelerations differ.
     fn gap(&self, other: &Self) -> [f64; 3] {
         let gaps = [&self.six_p - &other.six_p, &self.v - &other.v, &self.a - &other.a];
         let [six_p, v, a] = gaps.map(|gap| rounded(&gap).abs());
@@ -142,7 +140,6 @@ impl Point {
     }
 }
 
-/// The phases as they are in the struct, and its end.
 fn phases_of<R: Real>(planned: &Move<R>) -> Vec<Point> {
     planned.phase[..=planned.count as usize].iter().map(Point::of).collect()
 }
@@ -313,7 +310,6 @@ pub struct Row {
 impl Row {
     pub const HEADER: &'static str = "function,real type,motions,start,border,end,limits,turns,have to be extremal,are";
 
-    /// A row of every function that plans, of so many motions.
     pub fn of_every_kind<R: Original>(motions: usize) -> Vec<Self> {
         use Request::{Bell, Meet, Plan, Reach, Stop, Trap};
         let alone = [Plan, Reach, Stop, Meet, Bell, Trap];

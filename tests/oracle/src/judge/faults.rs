@@ -31,7 +31,6 @@ listed! {
 }
 
 impl Fault {
-    /// The limits within which the planner plans.
     fn change_limits<R: Real>(self, limits: &mut Limits<R>) {
         let wide = size_of::<R>() == 8;
         let less = R::of(1.0 - if wide { 4e-8 } else { 4e-4 });
@@ -161,7 +160,6 @@ fn drop_shortest<R: Real>(planned: &mut Move<R>) {
     planned.count -= 1;
 }
 
-/// Stops, and goes from there to the target.
 fn detour<R: Real>(problem: &Problem<R>) -> Result<Plan<R>, Error> {
     let mut stop = Move::default();
     let found = stop.stop(&problem.limits, problem.from)?;

@@ -40,7 +40,6 @@ fn highest_of_brake<R: Real>(limits: &Limits<R>, from: State<R>) -> f64 {
     p.max(if hold > 0.0 { fallen + 0.5 * hold * left } else { fallen })
 }
 
-/// The positions that no axis in this state can avoid.
 pub fn brake<R: Real>(limits: &Limits<R>, from: State<R>) -> [f64; 2] {
     let State { position, velocity, acceleration } = from;
     let mirrored = State { position: -position, velocity: -velocity, acceleration: -acceleration };
@@ -56,7 +55,6 @@ pub fn backwards<R: Real>(limits: &Limits<R>, state: State<R>) -> (Limits<R>, St
     (limits, State { position: -position, velocity, acceleration: -acceleration })
 }
 
-/// The positions that no axis can avoid before this state.
 pub fn approach<R: Real>(limits: &Limits<R>, to: State<R>) -> [f64; 2] {
     let (limits, state) = backwards(limits, to);
     let [lowest, highest] = brake(&limits, state);

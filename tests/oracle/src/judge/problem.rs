@@ -17,7 +17,6 @@ pub enum Request {
 }
 
 impl Request {
-    /// Whose struct of liba holds the motion; `None` for a `Move`.
     pub fn profile(self) -> Option<Family> {
         match self {
             Self::Bell => Some(Family::Bell),
@@ -36,10 +35,8 @@ pub struct Problem<R> {
     pub to: State<R>,      // The target. Its position does not count if a velocity is asked for.
 }
 
-/// How often the numbers of a problem are divided by a time.
 pub const POWERS_OF_TIME: [i8; 12] = [1, 1, 2, 2, 3, 3, 0, 1, 2, 0, 1, 2];
 
-/// Highest and lowest velocity, acceleration and jerk.
 pub fn widened<R: Real>(limits: &Limits<R>) -> [f64; 6] {
     numbers_of(limits).map(R::widen)
 }
@@ -124,7 +121,6 @@ impl<R: Real> Problem<R> {
         self.with(exchanged.map(|x| -x))
     }
 
-    /// The problem in units that are smaller by these powers of two.
     pub fn scaled(&self, length: i8, time: i8) -> Self {
         let mut numbers = self.numbers();
         for (x, power) in numbers.iter_mut().zip(POWERS_OF_TIME) {
@@ -169,7 +165,6 @@ pub fn parts<R>(state: State<R>) -> [R; 3] {
     [state.position, state.velocity, state.acceleration]
 }
 
-/// The number with so many digits behind the first one.
 fn rounded<R: Real>(x: R, digits: usize) -> R {
     let text = format!("{:.digits$e}", x.widen());
     R::of(text.parse().expect("a number"))

@@ -85,7 +85,6 @@ struct Draft {
     a1: f64,
 }
 
-/// An endless sequence of problems. The kinds take turns.
 pub struct Problems<R> {
     random: Random,
     turn: usize,
@@ -94,7 +93,6 @@ pub struct Problems<R> {
 }
 
 impl<R: Real> Problems<R> {
-    /// The sequence for `Move` that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self { random: Random::seeded(seed), turn: 0, of_profiles: false, real: std::marker::PhantomData }
     }
@@ -523,7 +521,6 @@ impl Draft {
         random.pick(&[self.amax, self.amin])
     }
 
-    /// Accelerates both ends.
     fn accelerate(&mut self, random: &mut Random) {
         (self.a0, self.a1) = (random.between(self.amin, self.amax), random.between(self.amin, self.amax));
         self.make_start_legal();

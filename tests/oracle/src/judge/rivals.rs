@@ -59,7 +59,6 @@ pub fn path_fits_ruckig<R: Real>(chain: &Chain<R>) -> bool {
     chain.limits.len() == chain.axes && chain.states.iter().all(of_states) && chain.limits.iter().all(of_limits)
 }
 
-/// The duration that rsruckig finds for the path.
 pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
     let axes = chain.axes;
     let row = |number: &dyn Fn(usize) -> f64| {
@@ -89,7 +88,6 @@ pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
     }
 }
 
-/// What rsruckig makes of the same problems.
 #[derive(Clone, Debug, Default)]
 pub struct Theirs {
     pub asked: u64,   // problems that it was asked
@@ -99,10 +97,8 @@ pub struct Theirs {
 }
 
 impl Theirs {
-    /// The heading of these counts in a table.
     pub const HEADING: &str = "rsruckig:  asked refused  longer shorter";
 
-    /// Plans the problem with rsruckig, if it takes the problem.
     pub fn ask<R: Original>(&mut self, problem: &Problem<R>, trial: &Trial<R>) {
         if !fits_ruckig(&[*problem]) {
             return;

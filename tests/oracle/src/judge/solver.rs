@@ -5,14 +5,10 @@ use atraj::State;
 use atraj::online::Move;
 use support::Real;
 
-/// A motion as the reference solver takes it, exact in binary64.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
-    /// Highest and lowest velocity, acceleration and jerk.
     pub limits: [f64; 6],
-    /// Position, velocity and acceleration at the start.
     pub start: [f64; 3],
-    /// Position, velocity and acceleration at the end.
     pub target: [f64; 3],
     pub frame: f64, // velocity of the frame in which the target has to be reached at the end's velocity
 }

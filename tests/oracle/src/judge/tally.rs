@@ -24,7 +24,6 @@ pub struct Tally {
 const EXAMPLES: usize = 3; // the bad problems of a kind that are shown
 
 impl Tally {
-    /// Problems that are not solved well.
     pub fn bad(&self) -> u64 {
         self.refused + self.wrong + self.longer + self.impossible
     }

@@ -11,7 +11,6 @@ use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
 use support::{Random, Real};
 
-/// The findings that the plan of a move can have.
 pub const OF_A_MOVE: [Findings; 3] = [Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING];
 
 /// Whether there is no finding that the plan of a move cannot have.
@@ -118,7 +117,6 @@ impl Scale {
     }
 }
 
-/// A problem with what the reference solver knows of it.
 pub struct Trial<R> {
     problem: Problem<R>,
     motion: Motion,
@@ -152,7 +150,6 @@ impl<R: Original> Trial<R> {
         if self.has_position() { best.duration } else { best.direct }
     }
 
-    /// The positions and velocities that the fastest axis passes.
     fn passed(&self) -> [f64; 2] {
         let Best { duration, speed, variation, changing, .. } = self.best;
         let is_profile = self.problem.request.profile().is_some();
@@ -219,7 +216,6 @@ impl<R: Original> Trial<R> {
         self.duration_near(duration, 0.0)
     }
 
-    /// The same, where the ends are not more accurate than this.
     pub fn duration_near(&self, duration: f64, accuracy: f64) -> Verdict {
         let tolerance = tolerance::<R>();
         let error = |least: f64| {
@@ -427,7 +423,6 @@ impl<R: Original> Trial<R> {
             .then_some("the order of the accelerations changes the time")
     }
 
-    /// The verdict on what the planner makes of the problem.
     pub fn judge(&self, planner: &impl Planner<R>, random: &mut Random) -> Verdict {
         let plan = match planner.plan(&self.problem) {
             Ok(plan) => plan,
@@ -453,7 +448,6 @@ impl<R: Original> Trial<R> {
         self.problem.request.profile().is_none() && planned.count <= 4
     }
 
-    /// The bad problem in words, as simple as the fault allows.
     pub fn simple_example(&self, planner: &impl Planner<R>, verdict: &Verdict) -> String {
         let simple = self.problem.simplified(|problem| {
             let seen = || Self::new(*problem).judge(planner, &mut Random::seeded(0));
@@ -505,7 +499,6 @@ impl Side {
     }
 }
 
-/// Whether the phases do not follow each other, or are none.
 fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     let count = planned.count as usize;
     if count > 15 {
@@ -534,7 +527,6 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     ])
 }
 
-/// The first of these faults that is there.
 fn first_fault<const N: usize>(faults: [(bool, &'static str); N]) -> Option<&'static str> {
     faults.into_iter().find_map(|(is_there, what)| is_there.then_some(what))
 }

@@ -28,12 +28,9 @@ unsafe fn loaded<F: Copy>(library: &Library, name: &str) -> F {
 }
 
 pub type Gen7<R> = unsafe extern "C" fn(*mut R, R, R, R, R, R, R, R) -> R;
-/// `pos`, `vel`, `acc` or `jer`.
 pub type Evaluate<R> = unsafe extern "C" fn(*const R, R) -> R;
 
-/// A function that finds the coefficients of a derivative.
 pub enum Derive<R> {
-    /// `gen1`, `gen2` or `gen3`: within the struct.
     Within(unsafe extern "C" fn(*mut R)),
     /// `c1`, `c2` or `c3`: from the struct, which holds the coefficients of position alone, into an array.
     Beyond(unsafe extern "C" fn(*const R, *mut R)),
@@ -73,7 +70,6 @@ impl<R: Real> Implementation<R> for Abi<R> {
 }
 
 impl<R> Abi<R> {
-    /// Our functions in a shared library, which stays loaded.
     pub fn load(file: &Path) -> Self {
         // SAFETY: our library runs nothing when it is loaded, its functions have these types, and nothing unloads it.
         unsafe {
@@ -175,7 +171,6 @@ macro_rules! within {
     };
 }
 
-/// A real type in which the original is linked.
 pub trait Original: Real {
     const ORIGINAL: Abi<Self>;
     const ORIGINAL_STEPWISE: Abi<Self>; // the original with every polynomial planned array by array

@@ -6,16 +6,12 @@ use support::{Family, Implementation, Real, reference};
 
 pub const MOMENTS: usize = 4;
 
-/// A move to plan and the times at which to evaluate it.
 #[derive(Clone, Copy)]
 pub struct Case<R> {
     pub family: Family, // the functions that are called
-    /// Arguments of `gen`, as many as the family has.
     pub arguments: [R; MOST_ARGUMENTS],
-    /// What the struct holds before `gen`.
     pub before: [R; MOST_FIELDS],
     pub planned: bool, // whether `gen` is called. If not, the struct is evaluated as it is.
-    /// The times at which it is evaluated.
     pub moments: [Moment<R>; MOMENTS],
 }
 
@@ -24,7 +20,6 @@ pub struct Case<R> {
 pub enum Moment<R> {
     At(R),       // the time itself
     Fraction(R), // a part of the duration
-    /// A few representable numbers beside a border.
     Border {
         index: usize, // which border, modulo the number of borders
         steps: i8,    // how many representable numbers further from zero

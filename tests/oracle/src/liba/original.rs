@@ -21,7 +21,6 @@ pub fn shared_symbols(variant: &Variant) -> Vec<String> {
     names
 }
 
-/// An empty directory for a test, beside what `build.rs` made.
 pub fn directory(name: &str) -> PathBuf {
     let directory = Path::new(env!("OUT_DIR")).join(name);
     let _ = fs::remove_dir_all(&directory);

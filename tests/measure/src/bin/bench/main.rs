@@ -35,7 +35,6 @@ use std::rc::Rc;
 use std::time::Instant;
 use support::{Family, Implementation, Random};
 
-/// The real type, in the first column of every table.
 const REAL: &str = if size_of::<a_float>() == 4 { "float" } else { "double" };
 const WARM: usize = 4096;
 const COLD: usize = 262_144;
@@ -110,7 +109,6 @@ fn print_instructions() {
     }
 }
 
-/// Nanoseconds of a call to each library, round by round.
 fn measure<const LIBRARIES: usize>(row: &mut Row) -> [[f64; LIBRARIES]; ROUNDS] {
     let passes = CALLS.div_ceil(row.calls);
     let mut rounds = [[0.0; LIBRARIES]; ROUNDS];
@@ -127,7 +125,6 @@ fn measure<const LIBRARIES: usize>(row: &mut Row) -> [[f64; LIBRARIES]; ROUNDS] 
     rounds
 }
 
-/// Nanoseconds of each library, and the same divided by ours.
 fn times<const LIBRARIES: usize>(row: &mut Row) -> ([f64; LIBRARIES], [f64; LIBRARIES]) {
     let rounds = measure::<LIBRARIES>(row);
     let ns = from_fn(|library| median(rounds.iter().map(|turns| turns[library])));
@@ -162,7 +159,6 @@ fn instructions_of(table: &str, row: usize, library: usize, calls: usize) -> Str
     format!("{:.1}", count / calls as f64)
 }
 
-/// Makes the calls of a row, for callgrind.
 fn count(mut rows: Vec<Row>, row: &str, library: &str) {
     let mut row = rows.swap_remove(row.parse().expect("a row"));
     let library = library.parse().expect("a library");
@@ -245,7 +241,6 @@ fn septic(random: &mut Random) -> Plan {
     plan
 }
 
-/// The structs that our `gen` makes of these plans.
 fn planned(family: Family, plans: &[Plan]) -> Vec<Plan> {
     let plan = |arguments: &Plan| {
         let mut fields = vec![0.0; family.fields().len()];
@@ -361,7 +356,6 @@ fn sample_all<C>(sample: Sample<C>, context: *const C, dt: a_float, out: Samples
     unsafe { black_box(sample)(context, 0.0, dt, n, p, v, a, j) };
 }
 
-/// All four quantities at `n` times, one call for each time.
 fn states(n: usize) -> Row {
     let ours = |fields: &[a_float], dt: a_float, out: Samples| {
         state_all(atraj_bell_state, fields.as_ptr().cast(), dt, out);

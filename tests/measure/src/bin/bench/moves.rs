@@ -18,7 +18,6 @@ use std::mem::MaybeUninit;
 use std::rc::Rc;
 use support::{Random, Real};
 
-/// The number of rows before those of `rows`.
 fn first() -> usize {
     crate::rows(WARM).len() + crate::fastest::rows().len()
 }
@@ -119,7 +118,6 @@ struct Problem<const N: usize> {
     to: [atraj_state; N],
 }
 
-/// What problems have besides displacements.
 #[derive(Clone, Copy, Default)]
 struct Case {
     moving: bool,
@@ -295,7 +293,6 @@ impl<const N: usize> Problem<N> {
         }
     }
 
-    /// Each axis as Ruckig's C++ takes it.
     fn axes(&self) -> [ruckig::Axis; N] {
         from_fn(|k| {
             let (l, from, to) = (&self.limits[k], &self.from[k], &self.to[k]);

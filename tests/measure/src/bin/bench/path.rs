@@ -40,7 +40,6 @@ fn print_row(axes: usize, points: usize, chains: &[Chain<a_float>]) {
     println!("{REAL},atraj_path_plan,\"{axes} axes, {points} waypoints\",{ours:.1},{theirs:.1},{part:.4},{longer:.4}");
 }
 
-/// Microseconds for a path.
 fn ours(chains: &[Chain<a_float>]) -> f64 {
     let plan = black_box(atraj_path_plan);
     let mut states: Vec<_> = chains.iter().map(|chain| chain.states.clone()).collect();
@@ -68,7 +67,6 @@ fn ours(chains: &[Chain<a_float>]) -> f64 {
     start.elapsed().as_secs_f64() * 1e6 / (REPEATS * chains.len()) as f64
 }
 
-/// Microseconds for a path.
 fn theirs(chains: &[Chain<a_float>]) -> f64 {
     let start = Instant::now();
     chains.iter().for_each(|chain| {

@@ -70,7 +70,6 @@ impl Race {
     }
 }
 
-/// Nanoseconds that reading the clock adds.
 fn clock() -> f64 {
     (0..10_000).map(|_| Instant::now().elapsed().as_secs_f64() * 1e9).fold(f64::INFINITY, f64::min)
 }
@@ -113,7 +112,6 @@ impl<const N: usize> Planner<N> {
         }
     }
 
-    /// The duration, or nothing for an error.
     fn plan<P>(&mut self, problem: &P, ask: &impl Fn(&P, &mut InputParameter<N>)) -> Option<f64> {
         ask(problem, &mut self.input);
         match self.ruckig.calculate(&self.input, &mut self.trajectory) {

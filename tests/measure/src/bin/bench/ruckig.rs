@@ -8,7 +8,6 @@ pub type Axis = [f64; 11]; // what Ruckig plans for one axis: the fields of `Axi
 /// Plans so many axes, and returns the duration, s; negative on an error.
 pub type Plan = unsafe extern "C" fn(*const Axis) -> f64;
 
-/// The planner of `axes` axes, if the library is there.
 pub fn plan(axes: usize) -> Option<Plan> {
     let name = format!("ruckig_plan_{axes}");
     // SAFETY: the functions of the library have this type.

@@ -78,7 +78,6 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
         .or_else(|| timing.wrong(axes[0].t.widen(), || None))
 }
 
-/// Whether a motion is none, or leaves the line.
 fn wrong_motions<R: Original>(
     set: &Set<R>, of_lead: &Scale, (shares, lead): (&[R], usize), axes: &[Move<R>], random: &mut Random,
 ) -> Option<Bad> {

@@ -28,17 +28,13 @@ macro_rules! families {
 families! {
     AtRest: [Rest], // at rest at both ends
     Moves: [Moving, Rest, EqualVelocities, OppositeVelocities, FullVelocity], // velocities at both ends
-    /// Accelerations at both ends.
     AcceleratedEnds: [AcceleratedStart, Accelerated, FullAcceleration, Straight, TinyAcceleration],
-    /// Accelerated targets: some durations are impossible.
     AcceleratedTargets: [AcceleratedTarget, Lens, Lens, BorderOfGap, RiseAndFall],
     Limited: [Asymmetric], // the limits depend on the direction
-    /// The starts are outside the limits.
     Outside: [OutsideVelocity, OutsideAcceleration, BoundToLeave, FarOutside, ComingInside],
     Unlimited: [InfiniteVelocity, InfiniteAcceleration, OneInfiniteJerk, InfiniteJerk], // some limits are infinite
     OneAtTarget: [Rest, Moving, Accelerated], // one axis is at its target
     UnderWay: [Remainder, NextCycle], // the rests of planned moves
-    /// Whatever is adversarial for one axis.
     Adversarial: [NoDisplacement, DirectTie, BorderOfCruise, BorderOfShape, BorderOfHold, TargetOnTheBoundary, Tiny, Offset, NeverReached,
             WeakLimits, HugeJerk, Lens, Rest, Moving],
 }
@@ -72,7 +68,6 @@ impl<R: Real> Set<R> {
     }
 }
 
-/// An endless sequence of sets. The families take turns.
 pub struct Sets<R> {
     axes: Problems<R>,
     random: Random,
@@ -136,7 +131,6 @@ impl<R: Real> Sets<R> {
         axes
     }
 
-    /// An axis whose way is a part of the lead's way.
     fn beside(&mut self, lead: &Problem<R>) -> Problem<R> {
         let random = &mut self.random;
         let part = random.pick(&[0.0, 1.0, -1.0, 2.0, 2.0, 2.0, 2.0, 2.0]);
@@ -175,7 +169,6 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
-/// How long the axis takes alone, s; 0 if it is not planned.
 fn fastest_duration<R: Real>(axis: &Problem<R>) -> f64 {
     debug_assert_eq!(axis.request, Request::Plan);
     let mut planned = Move::default();

@@ -131,7 +131,6 @@ impl<R: Original> Timing<'_, R> {
         Some((0, Verdict::Longer(t / earlier)))
     }
 
-    /// The fastest axis of all cannot arrive before.
     fn least(&self) -> f64 {
         self.axes.iter().map(|axis| axis.best().duration).fold(self.duration, f64::max)
     }
@@ -192,7 +191,6 @@ pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
     Plan::of_move(*axis, Findings::default())
 }
 
-/// Whether a motion is none, or the axes do not arrive together.
 pub fn wrong_motions<R: Original>(
     trials: &[Trial<R>], slips: &[f64], axes: &[Move<R>], random: &mut Random,
 ) -> Option<Bad> {
