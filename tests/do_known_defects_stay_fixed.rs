@@ -216,7 +216,6 @@ fn is_finite<R: Real>(planned: &Move<R>) -> bool {
     })
 }
 
-/// Checks that an accepted move has finite numbers, and that a refused one is untouched.
 fn finite_or_untouched<R: Real>(plan: impl Fn(&mut Move<R>) -> Result<Findings, Error>) -> Result<Findings, Error> {
     let mut planned = Move::default();
     let result = plan(&mut planned);

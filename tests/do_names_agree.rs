@@ -175,7 +175,6 @@ fn rust_has_the_names() {
     assert_eq!(named.collect::<BTreeSet<_>>(), compiled.into_iter().collect());
 }
 
-/// The names that the type stubs of a module declare: classes, functions and the members of classes, inherited ones too.
 fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for file in files {

@@ -13,7 +13,6 @@ struct Sweep<R> {
     n: usize,
 }
 
-/// One sweep. Output `i` has `lengths[i]` elements and begins `offset` elements into its memory.
 fn check_sweep<R: Real, const N: usize>(
     comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, [x0, dt]: [R; 2], lengths: [usize; N],
     offset: usize,
@@ -45,7 +44,6 @@ fn check_sweep<R: Real, const N: usize>(
     }
 }
 
-/// Sweeps of every kind over a profile that changes at the times `borders`.
 fn check_profile<R: Real, const N: usize>(
     comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, borders: &[R],
 ) {

@@ -84,7 +84,6 @@ fn empty_directory(reader: &str) -> PathBuf {
     directory
 }
 
-/// Writes a program into the file that its first line names in a comment.
 fn write(directory: &Path, code: &str) {
     let file = directory.join(code.lines().next().unwrap().trim_matches([' ', '/', '*', '#']));
     fs::create_dir_all(file.parent().unwrap()).unwrap();

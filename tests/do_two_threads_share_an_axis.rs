@@ -12,7 +12,6 @@ use support::variant::{DOUBLE, FLOAT, Variant};
 const EARLY: &str = "-DPUBLISHED_EARLY";
 const GROUP: &str = "-DGROUP";
 
-/// The compiler of C with the program `c_tests/threads.c` for a variant.
 fn compiler(variant: &Variant, flags: &[&str]) -> Command {
     let mut command = Command::new("cc");
     command.args(["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-pthread"]);

@@ -34,7 +34,6 @@ fn near(x: f64, y: f64, rounding: f64) -> bool {
     abs_diff_eq!(x, y, epsilon = rounding)
 }
 
-/// A requested motion: from where, to where, within which limits.
 #[derive(Clone, Copy, Debug)]
 struct Order {
     start: State<f64>,
@@ -60,7 +59,6 @@ impl Order {
         f64::signum(if is_at_rest { self.distance() } else { self.start.velocity })
     }
 
-    /// The distance to the target, towards the side that the motion starts to.
     fn ahead(&self) -> f64 {
         self.side() * self.distance()
     }
@@ -244,7 +242,6 @@ fn random_limits(random: &mut Random) -> Target {
     target([0.0, random.magnitude(-3.0, 3.0), acceleration, acceleration * ratio])
 }
 
-/// The target after `request`, for an axis in `state` with the present target.
 fn next_target(request: &str, state: State<f64>, mut next: Target, random: &mut Random) -> Target {
     // The axis reaches the maximum velocity and stops again in this distance.
     let rates = 1.0 / next.acceleration + 1.0 / next.deceleration;

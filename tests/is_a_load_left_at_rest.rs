@@ -83,7 +83,6 @@ fn published(kind: ShaperKind, designed: [f64; 2], load: [f64; 2]) -> f64 {
     left[0].hypot(left[1])
 }
 
-/// The corners of the acceleration of a shaped motion: those of the move at each delay.
 fn corners(borders: &[f64], delays: &[f64]) -> Vec<f64> {
     let shifted = delays.iter().flat_map(|delay| borders.iter().map(move |x| x + delay));
     let mut corners: Vec<f64> = shifted.collect();
@@ -171,7 +170,6 @@ fn insensitivities_are_those_of_the_curves() {
     }
 }
 
-/// A shaped motion starts and ends where the move does, keeps its extremes, and is the integral of its own velocity and acceleration.
 fn limits_are_kept<R: Real>() {
     let mut random = Random::seeded(7);
     let (zero, epsilon) = (R::of(0.0), R::MACHINE_EPSILON.widen());

@@ -9,7 +9,6 @@ const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
 const ROUNDINGS: f64 = 8.0;
 
-/// A random move, its duration, what it reaches, and how it is evaluated.
 struct Move<R> {
     duration: R,
     reached: Extremes<R>,

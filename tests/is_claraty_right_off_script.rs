@@ -34,7 +34,6 @@ fn after_the_end() -> impl Iterator<Item = (Trajectory<'static>, bool)> {
     })
 }
 
-/// The axis forgets what was before: it starts at rest at 0, with the timer at zero.
 #[track_caller]
 fn assert_fresh_start(axis: &mut Trajectory, now: f64) {
     axis.start(now);
@@ -230,7 +229,6 @@ fn waypoints() -> Waypoints<'static> {
     Waypoints::new(&POSITIONS, &VELOCITIES, &ACCELERATIONS).unwrap()
 }
 
-/// The moves between the waypoints as single corrected profiles, each with its start time.
 fn single_moves(mut from: State<f64>) -> [(f64, Profile); 5] {
     let mut begins = 0.0;
     [0, 1, 2, 3, 4].map(|i| {

@@ -14,7 +14,6 @@ const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 const C: [&str; 3] = ["c99", "c11", "c17"];
 const CPP: [&str; 4] = ["c++98", "c++11", "c++17", "c++20"];
 
-/// Compiles `c_tests/{source}` against the variant's headers and archive. The result is the program.
 fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> PathBuf {
     let dist = variant.dist();
     let options = flags.concat().replace('/', "-");
@@ -43,7 +42,6 @@ fn succeeds(program: &mut Command) {
     run(program);
 }
 
-/// Replays the golden rows. The result is the functions that the program called, as it prints them.
 fn replay_golden(command: &mut Command) -> Vec<String> {
     let table = lines(command.arg(golden::directory()));
     let mut functions = Vec::new();
@@ -243,7 +241,6 @@ fn no_valgrind_finding() {
     replay_claraty(&mut valgrind("claraty.c"));
 }
 
-/// Whether all headers in `include` compile together with these flags.
 fn accepts(compiler: &str, language: &str, include: &Path, flags: &[&str]) -> bool {
     let mut command = Command::new(compiler);
     command.args(STRICT).args(["-fsyntax-only", "-I"]).arg(include);

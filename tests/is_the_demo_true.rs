@@ -44,7 +44,6 @@ fn every_golden_row_passes_the_servo_program() {
     assert_eq!(line(&DEMO, "total")[1], "0");
 }
 
-/// The parity run on a servo whose answers pass through a shell filter.
 fn parity(name: &str, filter: &str) -> Output {
     LazyLock::force(&DEMO);
     let directory = root().join("target/demo").join(name);

@@ -8,7 +8,6 @@ use support::{Random, Real, online, test_both_reals};
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;
 
-/// Times over the whole move, and over each of its phases, in order.
 fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
     let phases = &planned.phase[..=planned.count as usize];
     let part = |x: R, duration: R, k: usize, of: usize| x + R::of(k as f64 / of as f64) * duration;

@@ -43,7 +43,6 @@ fn documents() -> Vec<(String, String)> {
     paths.chain(["README.md".to_owned()]).map(|path| (path.clone(), read(&path))).collect()
 }
 
-/// An empty directory of this test, with `target` in it, so that commands written for the repository run there.
 fn directory(name: &str) -> PathBuf {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme").join(name);
     let _ = fs::remove_dir_all(&directory);
@@ -69,7 +68,6 @@ fn its_lines_build_its_program() {
     assert!(said.starts_with(b"-2.0000 m after "));
 }
 
-/// Builds a program as the pages say, with one flag set more; what it prints.
 fn built_and_run(compiler: &str, source: &Path, flags: &[&str]) -> String {
     let dist = DOUBLE.dist();
     let program = source.with_extension(compiler);

@@ -48,7 +48,6 @@ fn texts(directory: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The lines of a text in which a word stands alone, as `line: word, say …`.
 fn faults(text: &str, words: &[(&str, &str)]) -> Vec<String> {
     let is_letter = |letter: Option<char>| letter.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
     let stands_alone = |line: &str, place: usize, word: &str| {

@@ -33,7 +33,6 @@ fn main() {
 }
 
 impl Case {
-    /// Prints the means over the paths, if the planner takes them all.
     fn print(&self, planner: &str, keeps_jerk: bool, plan: impl Fn(&Chain<f64>) -> Option<Duration>) {
         let start = Instant::now();
         let durations: Option<Vec<_>> = self.chains.iter().map(plan).collect();

@@ -6,7 +6,6 @@ use oracle::judge::path::problems::Chain;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-/// Prints its row, if the motions begin and end at rest and the points are no row of one axis.
 pub fn print(case: &Case) {
     let is_curve = |chain: &Chain<f64>| chain.axes > 1 && chain.states.iter().all(|s| *s == State::at(s.position));
     if !case.chains.iter().all(is_curve) {

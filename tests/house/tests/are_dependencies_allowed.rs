@@ -23,13 +23,11 @@ const TEST_ONLY: [(&str, &str); 4] = [
 /// What ships in an archive or a dependent program.
 const SHIPPED: [&str; 2] = ["atraj", "libc"];
 
-/// Whether an SPDX expression can be met with the allowed licences.
 fn allowed(expression: &str) -> bool {
     let licence = Expression::parse_mode(expression, ParseMode::LAX);
     licence.is_ok_and(|licence| licence.evaluate(|part| ALLOWED.contains(&&*part.to_string())))
 }
 
-/// What `cargo tree` prints for each package, once: `name version`, and for a package of ours its folder.
 fn packages(options: &[&str]) -> BTreeSet<String> {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["tree", "--locked", "--prefix=none", "--no-dedupe"]).args(options).current_dir(root());

@@ -106,7 +106,6 @@ fn our_headers_are_fresh() {
     }
 }
 
-/// Compares a header with these parts. The first one follows its guard, also if it is empty.
 fn check_header(folder: &str, name: &str, guard: &str, parts: &[String]) {
     let config = config(name);
     let (about, behind) = (config.header.unwrap_or_default(), config.trailer.unwrap_or_default());
@@ -148,7 +147,6 @@ fn namespace(space: &str, structs: &[&str]) -> String {
     format!("namespace {space}\n{{\n{short}}} /* namespace {space} */\n")
 }
 
-/// What `cbindgen/{source}.toml` asks for, and what all headers of liba's functions have in common.
 fn config(source: &str) -> Config {
     let mut config = Config::from_file(root().join(format!("cbindgen/{source}.toml"))).unwrap();
     config.language = Language::C;
@@ -165,7 +163,6 @@ fn config(source: &str) -> Config {
     config
 }
 
-/// The name of each level in the source, and its condition in the header.
 fn conditions(source: &str) -> [(String, String); 3] {
     let name = source.rsplit('/').next().unwrap();
     [("v", 1), ("a", 2), ("j", 3)].map(|(array, level)| {

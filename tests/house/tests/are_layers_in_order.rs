@@ -219,7 +219,6 @@ impl<'a> Files<'a> {
     }
 }
 
-/// The fewest files through which one imports another, both among them.
 fn way(imported: &BTreeMap<&Module, BTreeSet<Module>>, from: &Module, to: &Module) -> Option<Vec<Module>> {
     let mut seen = BTreeSet::new();
     let mut ways = VecDeque::from([vec![from.clone()]]);
@@ -234,7 +233,6 @@ fn way(imported: &BTreeMap<&Module, BTreeSet<Module>>, from: &Module, to: &Modul
     None
 }
 
-/// The path in `src` and the text of each source file in a directory.
 fn sources(directory: &Path, sources: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(directory).unwrap() {
         let path = entry.unwrap().path();

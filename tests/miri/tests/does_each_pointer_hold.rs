@@ -230,7 +230,6 @@ enum Null {
     One(usize), // the pointer of this number alone
 }
 
-/// Where arguments come from. It owns the memory that pointers point to.
 struct Caller {
     contents: Contents,
     null: Null,

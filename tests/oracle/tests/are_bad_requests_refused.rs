@@ -345,13 +345,11 @@ fn far_paths<R: Real>() {
     assert_eq!(path_to(&[far; 3], rest, &[limits]), Ok(Findings::default()));
 }
 
-/// Replaces a number of the states, durations or limits of a path.
 type Change<'a, R> = &'a dyn Fn(&mut [State<R>], &mut [R], &mut [Limits<R>]);
 const AXES: usize = 2;
 const SECTIONS: usize = 3;
 const POINTS: usize = AXES * (SECTIONS + 1);
 
-/// Three sections of two axes with a number replaced, and limits for so many of them.
 fn path<R: Real>(
     zones: usize, duration: f64, change: Change<R>,
 ) -> ([State<R>; POINTS], [R; SECTIONS], Vec<Limits<R>>) {
@@ -404,7 +402,6 @@ fn bad_paths<R: Real>() {
     }
 }
 
-/// Two sections of an axis with a tolerance, and lists of wrong lengths.
 fn bad_tolerances<R: Real>() {
     let limits = [Limits::symmetric(R::of(6.0), R::of(3.0), R::ONE)];
     let answer = |tolerances: &[R], size: usize| {
@@ -496,7 +493,6 @@ fn bad_motions<R: Real>() {
     }
 }
 
-/// A way beyond the range of the real type, and what else is no profile.
 fn bad_profiles<R: Real>() {
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
     let far = far::<R>();
@@ -528,7 +524,6 @@ fn bad_profiles<R: Real>() {
     }
 }
 
-/// A clock of moves that stand, or that have no limit of acceleration and jerk.
 fn bad_clocks<R: Real>() {
     let [zero, one] = [0.0, 1.0].map(R::of);
     let limits = Limits::symmetric(one, one, one);

@@ -122,7 +122,6 @@ fn layouts_are_the_same() {
     }
 }
 
-/// Compiles a program with these headers and our archive. The result is what it prints.
 fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) -> Vec<String> {
     let program = directory("consumer").join("program");
     let mut compile = Command::new(compiler[0]);

@@ -6,7 +6,6 @@ use std::process::Command;
 use support::Family;
 use support::tools::{has_tool, lines, run};
 
-/// Arguments of the programs. Each program prints with some of them.
 const MOVES: [&str; 7] = [
     "30 10 5 0 10 1 0", "3 2 2 10 -10 0 0.5", "5 4 -2 0 50 0 0", "2 -1 1.5 10 -3 0 0.25", "0 8 0 10 0 0 0 0 0 0",
     "0 8 10 -10 1 -1 2 0.5 -3 1", "0 5 4 -2 0 50 0 0",

@@ -56,7 +56,6 @@ struct Set {
 }
 
 impl Set {
-    /// A lead, and axes beside it: each by itself, or nearly on a straight line with the lead.
     fn random(random: &mut Random, is_straight: bool) -> Self {
         let count = 1 + random.below(4);
         let lead = online::limits(random);
@@ -109,7 +108,6 @@ fn nearly_1(random: &mut Random, least: f64) -> f64 {
     1.0 + random.sign() * random.magnitude(least, -9.0)
 }
 
-/// Units of length and time that are up to 512 times as large or small, and perhaps the other direction.
 fn any_units(random: &mut Random) -> Units {
     let mut power = || f64::exp2(random.between(-9.0, 9.0).round());
     let (length, time) = (power(), power());
@@ -216,7 +214,6 @@ fn spoiled_moves() {
     assert!(jumps > 4_000 && jumps < 16_000, "{jumps}");
 }
 
-/// What a field of a profile is: the position or its derivative of this order, or a time.
 #[derive(Clone, Copy)]
 enum Field {
     Of(i32),
@@ -227,7 +224,6 @@ const FIELDS_OF_BELL: [Field; 14] =
     [Time, Time, Time, Time, Time, Time, Of(0), Of(0), Of(1), Of(1), Of(1), Of(3), Of(2), Of(2)];
 const FIELDS_OF_TRAP: [Field; 12] = [Time, Of(0), Of(0), Of(1), Of(1), Of(1), Time, Time, Of(0), Of(0), Of(2), Of(2)];
 
-/// Changes a field by some ulps. Whether the check finds a jump; it finds the same in other units.
 fn spoiled_alike<const N: usize>(
     random: &mut Random, units: Units, kinds: [Field; N], mut near: [f64; N],
     check: impl Fn(&[f64], Units) -> Result<Findings, Error>,

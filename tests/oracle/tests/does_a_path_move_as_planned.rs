@@ -85,7 +85,6 @@ fn wrong_durations_are_refused<R: Real>() {
     assert!(2 * refused > PATHS);
 }
 
-/// The distance of the motion at the time `x` of a section from the line between its points, unit.
 fn distance<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
     let mut along = [0.0; 2];
     let mut of_axis = Vec::new();

@@ -87,7 +87,6 @@ fn bits<R: Real>(path: &Path<R>) -> Vec<u64> {
     numbers.map(|x| (x + R::of(0.0)).low_bits()).collect()
 }
 
-/// Tolerances of a path: a third of them 0, the others of 0.0001 to 1.
 fn tolerances<R: Real>(chain: &Chain<R>, random: &mut Random) -> Vec<R> {
     let count = chain.axes * (chain.sections() - 1);
     (0..count).map(|_| R::of(if random.one_in(3) { 0.0 } else { random.magnitude(-4.0, 0.0) })).collect()

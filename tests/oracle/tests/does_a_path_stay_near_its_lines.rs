@@ -152,7 +152,6 @@ fn the_room_counts<R: Original>() {
     }
 }
 
-/// The highest norm of the velocities in a section, over its feed, from samples.
 fn use_of_feed<R: Real>(moves: &[Move<R>], feed: f64) -> f64 {
     let speed = |k: u32| {
         let t = R::of(f64::from(k) / 200.0) * moves[0].t;

@@ -44,7 +44,6 @@ impl<R: Real> Path<R> {
         self.limits.len()
     }
 
-    /// The moves of an axis and of those behind it, as `Clock::state` takes them.
     fn axis(&self, axis: usize) -> &[Move<R>] {
         &self.moves[axis..]
     }
@@ -294,7 +293,6 @@ fn a_line_stops_exactly() {
     }
 }
 
-/// Random paths between waypoints, planned at a part of the limits.
 fn held_path(random: &mut Random, part: f64) -> (Path<f64>, Vec<Limits<f64>>) {
     let n = 2 + random.below(4);
     let sections = random.pick(&[4, 5, 6, 8]);

@@ -66,7 +66,6 @@ fn beside_rsruckig() {
     assert!(least > 1.0 - 5e-4 && mean > 1.01);
 }
 
-/// A path with random states, so slow that it is probably possible.
 fn random_path<R: Real>(chain: &Chain<R>, planned: &Path<R>, random: &mut Random) -> Path<R> {
     let mut path = planned.clone();
     let slow = random.magnitude(0.0, 1.0);

@@ -7,7 +7,6 @@ use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = if support::BRIEF { 10_000 } else { 100_000 };
 
-/// A move, the offset and the length of its steps. One in eight has the positions of its ends on lines.
 fn problem<R: Real>(random: &mut Random) -> (Move<R>, [R; 2]) {
     let (_, from, planned) = online::planned::<R>(random);
     let reached = planned.extremes();

@@ -3,7 +3,6 @@
 use atraj::State;
 use atraj::claraty::{Profile, Target, Warnings};
 
-/// A target and the limits on the way: position, velocity, acceleration and deceleration.
 pub fn target([position, velocity, acceleration, deceleration]: [f64; 4]) -> Target {
     Target { position, velocity, acceleration, deceleration }
 }

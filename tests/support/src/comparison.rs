@@ -17,7 +17,6 @@ impl Comparison {
         }
     }
 
-    /// Prints the count. Panics with the first differences if there is one, or if nothing was compared.
     pub fn finish(self, what: &str) {
         println!("{what}: {} values, {} differing", self.compared, self.differences.len());
         assert!(self.compared > 0, "{what}: nothing was compared");

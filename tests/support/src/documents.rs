@@ -1,6 +1,5 @@
 //! The code in a document.
 
-/// The blocks of code in this language, in a document in Markdown.
 pub fn blocks(document: &str, language: &str) -> Vec<String> {
     let blocks = document.split("\n```").skip(1).step_by(2);
     blocks.filter_map(|block| block.strip_prefix(&format!("{language}\n"))).map(|code| format!("{code}\n")).collect()

@@ -23,7 +23,6 @@ pub struct Quantity {
     pub c: &'static str,    // how the name of its C function ends
 }
 
-/// The quantities, in the order in which every implementation gives them.
 pub const QUANTITIES: [Quantity; 4] = [
     Quantity { name: "position", c: "pos" },
     Quantity { name: "velocity", c: "vel" },
@@ -88,7 +87,6 @@ impl Family {
         self.description().name
     }
 
-    /// How the C library names its header and, after `a_`, its struct and functions.
     pub const fn c_name(self) -> &'static str {
         self.description().c_name
     }
@@ -110,7 +108,6 @@ impl Family {
         matches!(self, Self::Bell | Self::Trap)
     }
 
-    /// Columns of words before the numbers in the golden table of `gen`.
     pub const fn golden_words(self) -> usize {
         if self.is_polynomial() { 1 } else { 2 }
     }
@@ -119,7 +116,6 @@ impl Family {
         !self.returns_duration()
     }
 
-    /// Times at which a move changes: its start, the borders of its phases, its end.
     pub fn borders<R: Real>(self, arguments: &[R], fields: &[R]) -> Vec<R> {
         let start = R::of(0.0);
         match self {

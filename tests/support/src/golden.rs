@@ -21,7 +21,6 @@ pub struct Evaluation<R> {
     pub values: Vec<R>, // the family's quantities
 }
 
-/// All golden moves of a family, each at the index that is its number.
 pub fn moves<R: Real>(family: Family) -> Vec<Move<R>> {
     moves_of(family, family.name())
 }
@@ -59,7 +58,6 @@ pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
     rows(&table, 1, 1 + family.quantities().len()).into_iter().map(to_evaluation).collect()
 }
 
-/// Compares everything an implementation returns and writes with the golden data of a family.
 pub fn compare<R: Real>(comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family) {
     let moves = moves(family);
     let planned: Vec<_> = moves.iter().map(|golden| compare_plan(comparison, implementation, family, golden)).collect();

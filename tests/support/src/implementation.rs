@@ -6,6 +6,5 @@ pub trait Implementation<R> {
     /// Calls the family's `gen`: finds what `fields` held before, writes them, returns the duration; 0 for a polynomial, whose `gen` returns nothing.
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R;
 
-    /// The quantities at time `x`. Those beyond [`Family::quantities`] may be anything.
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4];
 }

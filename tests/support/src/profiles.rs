@@ -6,7 +6,6 @@ use atraj::{Bell, Poly3, Poly5, Poly7, Trap};
 
 macro_rules! named_fields {
     ($profile:ident, $count:literal, $names:ident, $from:ident, $to:ident, [$($field:ident = $c:ident),*]) => {
-        /// The fields of the struct in order of memory, by their names in C.
         pub const $names: [&str; $count] = [$(stringify!($c)),*];
 
         pub fn $from<R: Copy>(fields: &[R]) -> $profile<R> {
@@ -50,12 +49,10 @@ fn head<R: Copy, const N: usize>(fields: &[R]) -> [R; N] {
     *fields.first_chunk().expect("the family's fields")
 }
 
-/// A profile with `N` quantities: each by its own function, and all together.
 pub trait Profile<R, const N: usize> {
     fn each(&self, x: R) -> [R; N]; // the quantities at a time, a call each
     fn state(&self, x: R) -> [R; N]; // the quantities at a time, in one call
     fn states(&self, x0: R, dt: R, n: usize) -> Vec<[R; N]>; // the quantities at `n` times from an iterator
-    /// Fills each output with a quantity. The result is the number of samples.
     fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; N]) -> usize;
 }
 
@@ -84,7 +81,6 @@ profile!(Poly5, 4, position velocity acceleration jerk);
 profile!(Poly7, 4, position velocity acceleration jerk);
 profile!(Move, 4, position velocity acceleration jerk);
 
-/// The times at which the jerk of a move changes: the starts of its phases, and its end.
 pub fn move_borders<R: Real>(planned: &Move<R>) -> Vec<R> {
     let count = (planned.count as usize).min(planned.phase.len() - 1);
     planned.phase[..=count].iter().map(|phase| phase.start).collect()

@@ -43,7 +43,6 @@ pub trait Real:
         self.low_bits() == other.low_bits() || (self.is_nan() && other.is_nan())
     }
 
-    /// The value that a golden file writes as a hex bit pattern or as `nan`.
     fn parse(text: &str) -> Option<Self> {
         if text == "nan" {
             return Some(Self::of(f64::NAN));
@@ -106,7 +105,6 @@ macro_rules! real {
 real!(f32, u32);
 real!(f64, u64);
 
-/// The next larger number. What is not positive gives the smallest positive number.
 pub fn just_after(t: f64) -> f64 {
     let t = if t > 0.0 { t } else { 0.0 };
     f64::from_bits(t.to_bits() + 1)

@@ -12,7 +12,6 @@ pub struct Plan<R> {
     pub endless: bool, // the original would never return: `am` is infinite and there is no cruise phase
 }
 
-/// Plans as `gen` does: finds what `fields` held before and writes them.
 pub fn plan<R: Real>(arguments: &[R], fields: &mut [R]) -> Plan<R> {
     let mut bell = bell(fields);
     let plan = steps(&mut bell, arguments.try_into().expect("seven arguments"));

@@ -10,7 +10,6 @@ pub enum Language {
     Cpp,
 }
 
-/// The compilers of this machine for a language. In CI all of them must be there.
 pub fn compilers(language: Language) -> Vec<&'static str> {
     let known = match language {
         Language::C => ["gcc", "clang"],
@@ -45,7 +44,6 @@ pub fn lines(command: &mut Command) -> Vec<String> {
     String::from_utf8(run(command).stdout).unwrap().lines().map(str::to_owned).collect()
 }
 
-/// What `abidiff` prints about two libraries, and whether it found more than new functions.
 pub fn abidiff(old: &Path, new: &Path) -> (String, bool) {
     let output = Command::new("abidiff").arg("--no-added-syms").args([old, new]).output().unwrap();
     let code = output.status.code().unwrap();

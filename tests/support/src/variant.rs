@@ -30,7 +30,6 @@ pub const FLOAT_PREFIXED: Variant =
 pub const VARIANTS: [&Variant; 5] = [&DOUBLE, &FLOAT, &COMPACT, &FLOAT_COMPACT, &LOW_LEVELS];
 
 impl Variant {
-    /// Builds it with `make dist`, once in a test program; its directory.
     pub fn dist(&self) -> PathBuf {
         static BUILT: Mutex<BTreeSet<&str>> = Mutex::new(BTreeSet::new());
         let mut built = BUILT.lock().unwrap();
@@ -42,7 +41,6 @@ impl Variant {
         root().join("target").join(self.directory)
     }
 
-    /// The name of its library, of its pkg-config file and of its CMake package.
     pub fn name(&self) -> String {
         self.directory.replacen("dist", "atraj", 1)
     }
@@ -62,7 +60,6 @@ impl Variant {
         folder
     }
 
-    /// The symbols that the archive documents, from `tests/symbols*.txt`.
     pub fn symbols(&self) -> Vec<String> {
         let compact = self.choices.contains(&"POLY=compact");
         let file = if compact { "tests/symbols-compact.txt" } else { "tests/symbols.txt" };

@@ -474,7 +474,6 @@ fn make_infinite(limits: [&mut f64; 2], random: &mut Random) {
 }
 
 impl Draft {
-    /// Takes the accelerations at the ends away, and makes the limits those of the profile.
     fn fit(&mut self, request: Request) {
         (self.a0, self.a1) = (0.0, 0.0);
         let Some(profile) = request.profile() else { return };
@@ -532,7 +531,6 @@ impl Draft {
         0.5 * (self.a1 + self.a0) * (self.a1 - self.a0) / jerk
     }
 
-    /// Changes the start so that the axis is inside and need not exceed its limits.
     fn make_start_legal(&mut self) {
         self.a0 = self.a0.clamp(self.amin, self.amax);
         let jerk = if self.a0 > 0.0 { self.jmin } else { self.jmax };
@@ -544,7 +542,6 @@ impl Draft {
         self.v0 = self.v0.max(low).min(high);
     }
 
-    /// Changes the target so that it can have been reached within the limits. A side puts it on the boundary.
     fn make_target_legal(&mut self, side: Option<bool>) {
         self.a1 = self.a1.clamp(self.amin, self.amax);
         let jerk = if self.a1 > 0.0 { self.jmax } else { -self.jmin };

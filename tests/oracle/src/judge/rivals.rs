@@ -48,7 +48,6 @@ pub fn ruckig<R: Real>(axes: &[Problem<R>], least: f64, cycle: f64) -> Option<f6
     }
 }
 
-/// Whether rsruckig takes this path: the same limits everywhere, and one limit of the jerk.
 pub fn path_fits_ruckig<R: Real>(chain: &Chain<R>) -> bool {
     let moderate = |x: f64| x.abs() < 1e3 && (x.abs() > 1e-3 || x == 0.0);
     let of_states = |state: &atraj::State<R>| parts(*state).map(R::widen).into_iter().all(moderate);

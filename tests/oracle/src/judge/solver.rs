@@ -144,7 +144,6 @@ impl Motion {
         Some((usize::try_from(shape).ok()?, first, second))
     }
 
-    /// The displacements at which the upper or the lower border changes its shape. The last one is where the axis begins to cruise.
     pub fn knees(&self, lower: bool) -> Vec<f64> {
         let mut knees = [0.0; 8];
         let Self { limits, start, target, .. } = self;

@@ -20,7 +20,6 @@ pub fn all<R: Real>(of: &Move<R>, mut steps: Steps<R>) -> Vec<Step<R>> {
     std::iter::from_fn(|| steps.next(of)).collect()
 }
 
-/// What is wrong with these steps of a move, whose motor starts at the line `first`.
 pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]) -> Option<&'static str> {
     let phases: Vec<[f64; 6]> = of.phase[..=of.phases().len()].iter().map(numbers).collect(); // the end too
     let times: Vec<f64> = steps.iter().map(|step| step.time.widen()).collect();

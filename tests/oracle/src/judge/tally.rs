@@ -79,7 +79,6 @@ pub struct Tallies {
 }
 
 impl Tallies {
-    /// Judges the planner by so many problems of a seed, of this sequence.
     pub fn of_seed<R: Original>(
         planner: &impl Planner<R>, sequence: fn(u64) -> Problems<R>, seed: u64, problems: usize,
     ) -> Self {

@@ -13,7 +13,6 @@ use support::{Random, Real};
 
 pub const OF_A_MOVE: [Findings; 3] = [Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING];
 
-/// Whether there is no finding that the plan of a move cannot have.
 pub fn are_of_a_move(findings: Findings) -> bool {
     let all = OF_A_MOVE.into_iter().reduce(|all, one| all | one);
     all.is_some_and(|all| all.contains(findings))
@@ -36,7 +35,6 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Whether the faults are the same, and this one is not much smaller than the other.
     fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Longer(mine), Self::Longer(theirs)) | (Self::Shorter(mine), Self::Shorter(theirs)) => {
@@ -175,7 +173,6 @@ impl<R: Original> Trial<R> {
         [self.least(best)].into_iter().chain(others.map(|(_, duration)| duration))
     }
 
-    /// Whether the target, but for a few ulps of both ends, can be reached in this duration.
     pub fn is_possible(&self, duration: f64) -> bool {
         let tolerance = tolerance::<R>();
         let [position, velocity] = self.roundings(duration);
@@ -309,7 +306,6 @@ impl<R: Original> Trial<R> {
         ])
     }
 
-    /// Whether a phase begins elsewhere than where the phases before it lead.
     fn jumps(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
         let [.., jmax, jmin] = self.motion.limits;
         let doubt = doubt::<R>();
@@ -334,7 +330,6 @@ impl<R: Original> Trial<R> {
         ((end - met).abs() > doubt * (scale.position + p1.abs())).then_some("the target is missed")
     }
 
-    /// Whether the motion leaves its limits, or does not return within them.
     fn leaves_limits(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [_, v0, a0] = self.motion.start;

@@ -50,7 +50,6 @@ pub struct Report {
 }
 
 impl Report {
-    /// Puts the case through both. The reference plans a bell too, and counts its rounds.
     pub fn compare<R: Real>(
         &mut self, ours: &impl Implementation<R>, original: &impl Implementation<R>, case: &Case<R>,
     ) {
@@ -134,7 +133,6 @@ impl Report {
         self.most_rounds = self.most_rounds.max(other.most_rounds);
     }
 
-    /// Panics with the first differences if there is one, or if nothing was compared.
     pub fn assert_same(&self) {
         assert!(self.values > 0, "nothing was compared");
         assert!(self.differing == 0, "{self}\n{}", self.examples.join("\n"));

@@ -142,7 +142,6 @@ impl<R: Real> Moves<R> {
         }
     }
 
-    /// A number of this kind. Only a special number or a bit pattern can be negative.
     fn value(&mut self, distribution: Distribution) -> R {
         let random = &mut self.random;
         let (lowest, highest) = R::EXPONENTS;

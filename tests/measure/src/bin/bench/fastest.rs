@@ -52,7 +52,6 @@ fn races() -> Vec<Race> {
     races
 }
 
-/// A double-S between any two velocities within the limit. The original refuses some.
 pub fn with_any_ends(random: &mut Random) -> Vec<a_float> {
     let [jm, am, vm] = [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
     let p1 = random.between(-15.0, 15.0);

@@ -7,7 +7,6 @@ use libloading::Library;
 use std::hint::black_box;
 use support::repository::root;
 
-/// A level: the folder of its library, whether this processor has it, and a loop with its stores.
 struct Level {
     name: &'static str,
     folder: &'static str,
@@ -62,7 +61,6 @@ fn samples(n: usize, level: &'static Level) -> Row {
     at_once(level.name, n, sampled(loaded(level)), fill)
 }
 
-/// The function in the shared library that `make dist` has built.
 fn loaded(level: &Level) -> Sample {
     let name = if REAL == "float" { "-float" } else { "" };
     let folder = format!("target/dist{name}/lib/{}", level.folder);

@@ -165,14 +165,12 @@ fn count(mut rows: Vec<Row>, row: &str, library: &str) {
     counted(&mut || (row.run)(library));
 }
 
-/// callgrind finds the function by this name.
 #[inline(never)]
 #[unsafe(no_mangle)]
 extern "Rust" fn counted(run: &mut dyn FnMut()) {
     run();
 }
 
-/// The rows of all tables that callgrind can count: the row of this index is one of these.
 fn warm_rows() -> Vec<Row> {
     let mut rows = rows(WARM);
     rows.extend(fastest::rows());
@@ -210,7 +208,6 @@ fn rows(count: usize) -> Vec<Row> {
 
 type Plan = Vec<a_float>;
 
-/// Random plans: with cruise, without cruise, and both mixed with velocities at the ends.
 fn bells(count: usize, random: &mut Random) -> [(&'static str, Vec<Plan>); 3] {
     let mut plans = |lo: f64, hi: f64, speed: f64| -> Vec<Plan> {
         let mut plan = || {
@@ -260,7 +257,6 @@ fn gen7(function: &str, case: String, plans: Vec<Plan>, of: fn(&Abi<a_float>) ->
     })
 }
 
-/// Each library has its own copy of this loop.
 #[inline(never)]
 fn plan_all<const LIBRARY: usize>(plan: Gen7<a_float>, plans: &[[a_float; 7]], fields: &mut [[a_float; 14]]) {
     let plan = black_box(plan);
@@ -301,7 +297,6 @@ fn fit_all<const LIBRARY: usize>(family: Family, plans: &[Plan], fields: &mut [a
 
 type Duration = fn(&[a_float]) -> a_float; // the duration of a move, of which these are the fields
 
-/// Each evaluation function at random times of the moves of these plans, and in a sweep over the first move.
 fn evaluations(
     family: Family, place: &str, plans: &[Plan], duration: Duration, random: &mut Random, rows: &mut Vec<Row>,
 ) {
@@ -338,7 +333,6 @@ fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments:
     }
 }
 
-/// `n` samples of all four quantities. The original needs four calls for each sample.
 fn samples(n: usize) -> Row {
     at_once("atraj_bell_sample", n, sampled(atraj_bell_sample), four_calls::<2>)
 }
@@ -397,7 +391,6 @@ fn at_once(
     })
 }
 
-/// Makes the library of a number fill `n` samples with this time between two.
 fn sampling(function: &str, n: usize, duration: a_float, fill: impl Fn(usize, a_float, Samples) + 'static) -> Row {
     let dt = duration / (n - 1) as a_float;
     let mut memory = vec![0.0; 4 * n + 16];

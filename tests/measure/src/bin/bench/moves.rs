@@ -226,7 +226,6 @@ type Ctx = *mut atraj_move;
 type Limits = *const atraj_limits;
 type State = *const atraj_state;
 
-/// `plan` beside Ruckig's C++ and rsruckig. Our plan is never an error.
 fn race<const N: usize>(
     function: &str, case: String, problems: Rc<[Problem<N>]>,
     plan: impl Fn(Ctx, Limits, State, State) -> i32 + Copy + 'static,
@@ -399,7 +398,6 @@ fn machine() -> [Row; 2] {
     [steps, shaped]
 }
 
-/// Each library has its own copy of this loop.
 #[inline(never)]
 fn evaluate_all<C>(evaluate: Evaluate<C>, contexts: &[C], moments: &[Moment]) {
     let evaluate = black_box(evaluate);

@@ -74,7 +74,6 @@ fn clock() -> f64 {
     (0..10_000).map(|_| Instant::now().elapsed().as_secs_f64() * 1e9).fold(f64::INFINITY, f64::min)
 }
 
-/// Plans of rsruckig that are errors, and plans that take longer than ours.
 #[derive(Default)]
 pub struct Tally {
     pub errors: usize,
