@@ -47,7 +47,6 @@ fn headers(directory: &Path) -> String {
         .collect()
 }
 
-/// Whether `text` has `word` with no letter, digit or `_` on either side.
 fn has_word(text: &str, word: &str) -> bool {
     let inside = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     text.match_indices(word)

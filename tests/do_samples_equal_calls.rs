@@ -56,7 +56,6 @@ fn check_profile<R: Real, const N: usize>(
     }
 }
 
-/// Forward, backward and beyond both ends, with few samples and with many.
 fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
     let zero = R::of(0.0);
     let of_length = |n: u8| {

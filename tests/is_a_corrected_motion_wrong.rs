@@ -53,7 +53,6 @@ impl Order {
         self.target.position - self.start.position
     }
 
-    /// The side that the motion starts towards: -1 or +1.
     fn side(&self) -> f64 {
         let is_at_rest = self.start.velocity == 0.0;
         f64::signum(if is_at_rest { self.distance() } else { self.start.velocity })

@@ -269,7 +269,6 @@ fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
     (planned.t + shaper.duration(), worst)
 }
 
-/// The delays of a shaper of one frequency, 5 Hz with a damping of 0.01.
 fn shaper_delays(shaper: &Shaper<f64>) -> Vec<f64> {
     let kinds = KINDS.map(|kind| (kind, Shaper::new(kind, 5.0, 0.01).expect("a shaper")));
     let found = kinds.into_iter().find(|(_, of_kind)| of_kind == shaper);

@@ -24,7 +24,6 @@ impl Signal {
         (0..12).map(|_| self.random.unit()).sum::<f64>() - 6.0
     }
 
-    /// The jerk, without noise.
     fn jerk(t: f64) -> f64 {
         -8.0 * (2.0 * t).cos()
     }

@@ -15,7 +15,6 @@ use atraj::{Findings, State, axes};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours, Random, Real, online};
 
-/// Puts the case through ours and the original. Panics if they differ.
 pub fn compare(family: Family, bytes: &[u8]) {
     match bytes.split_first() {
         Some((real, case)) if real % 2 == 1 => compare_as::<f32>(family, case),
@@ -137,7 +136,6 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     planned.sample_into(zero, planned.t / R::of(15.0), [&mut positions, &mut [], &mut [], &mut []]);
 }
 
-/// Panics if the phases do not follow each other from 0 to the end.
 fn assert_order<R: Real>(planned: &Move<R>, problem: &str) {
     let (zero, count) = (R::of(0.0), planned.count as usize);
     assert!(count <= 15, "{problem}: {count} phases");

@@ -11,7 +11,6 @@ use support::test_both_reals;
 const OF_PROFILES: usize = 7_500;
 const OF_MOVES: usize = 4_400;
 
-/// The motions that the judge sees as this fault makes them.
 fn seen(fault: Fault, tally: &Tally) -> u64 {
     match fault {
         Fault::Refuses => tally.refused,

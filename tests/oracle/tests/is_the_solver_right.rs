@@ -128,7 +128,6 @@ fn rsruckig_is_no_faster() {
     assert_eq!(theirs.shorter, 0);
 }
 
-/// A motion of two ramps, by way of a velocity `q` above those of both ends.
 struct ByBisection {
     jerk: f64,
     rise: f64,

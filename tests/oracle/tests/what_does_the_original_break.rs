@@ -18,7 +18,6 @@ struct Counts {
     longest: f64,
 }
 
-/// A random move of an ordinary axis between velocities in any direction.
 fn arguments<R: Real>(random: &mut Random) -> [R; 7] {
     let jm = random.between(1.0, 100.0);
     let am = random.between(1.0, 20.0);

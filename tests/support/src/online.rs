@@ -71,7 +71,6 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     State { velocity: v, acceleration: a, ..state }
 }
 
-/// A planned move: to a state, or to a velocity, or beside a moving target.
 pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
     let limits = limits(random);
     let limits = if random.one_in(4) { fewer_limits(random, limits) } else { limits };

@@ -93,7 +93,6 @@ impl<R: Real> Implementation<R> for Ours {
     }
 }
 
-/// Writes coefficient arrays one after the other. They must fill the fields.
 fn write<R: Real>(mut fields: &mut [R], arrays: &[&[R]]) {
     for array in arrays {
         let (written, rest) = fields.split_at_mut(array.len());

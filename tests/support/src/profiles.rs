@@ -40,7 +40,6 @@ pub fn poly5<R: Copy>(fields: &[R]) -> Poly5<R> {
     Poly5 { c: head(fields) }
 }
 
-/// The septic whose coefficients of position these fields begin with.
 pub fn poly7<R: Copy>(fields: &[R]) -> Poly7<R> {
     Poly7 { c: head(fields) }
 }

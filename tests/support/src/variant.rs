@@ -15,7 +15,6 @@ pub struct Variant {
 
 pub const DOUBLE: Variant = Variant { choices: &[], directory: "dist" };
 pub const FLOAT: Variant = Variant { choices: &["REAL=float"], directory: "dist-float" };
-/// The polynomial structs of liba since 2025-03.
 pub const COMPACT: Variant = Variant { choices: &["POLY=compact", "HWCAPS="], directory: "dist-compact" };
 pub const FLOAT_COMPACT: Variant =
     Variant { choices: &["REAL=float", "POLY=compact", "HWCAPS="], directory: "dist-float-compact" };

@@ -141,7 +141,6 @@ fn stretch<R: Real>(planned: &mut Move<R>, by: impl Fn(R) -> R) {
     planned.t = by(planned.t);
 }
 
-/// Leaves the shortest phase out; the phases behind it are earlier.
 fn drop_shortest<R: Real>(planned: &mut Move<R>) {
     let count = planned.count as usize;
     let phases = &mut planned.phase[..=count];

@@ -104,7 +104,6 @@ impl<R: Real> Problem<R> {
         Self::of(self.kind, self.request, numbers)
     }
 
-    /// Both ends as the planner takes them. A profile limits the velocities.
     pub fn ends(&self) -> [State<R>; 2] {
         let vmax = self.limits.vmax.widen();
         let limit = |end: State<R>| State { velocity: R::of(end.velocity.widen().clamp(-vmax, vmax)), ..end };

@@ -525,7 +525,6 @@ impl Draft {
         self.make_start_legal();
     }
 
-    /// The change of velocity by jerk alone.
     fn straight(&self) -> f64 {
         let jerk = if self.a1 > self.a0 { self.jmax } else { self.jmin };
         0.5 * (self.a1 + self.a0) * (self.a1 - self.a0) / jerk

@@ -51,7 +51,6 @@ pub fn tolerance<R: Real>() -> f64 {
     if size_of::<R>() == 8 { 1e-9 } else { 1e-5 }
 }
 
-/// 64 ulps of 1.
 pub fn doubt<R: Real>() -> f64 {
     64.0 * R::MACHINE_EPSILON.widen()
 }

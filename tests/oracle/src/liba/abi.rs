@@ -193,7 +193,6 @@ impl Original for f32 {
 #[cfg(not(feature = "poly-compact"))]
 pub const OURS: Abi<a_float> = library!(a_float, "a_", "gen", none[]);
 
-/// Our plans that never fail: of the bell and of the trapezoid.
 pub const FASTEST: [Gen7<a_float>; 2] = [
     c!("atraj_bell_gen": fn(*mut a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float) -> a_float),
     c!("atraj_trap_gen": fn(*mut a_float, a_float, a_float, a_float, a_float, a_float, a_float, a_float) -> a_float),

@@ -15,7 +15,6 @@ pub struct Case<R> {
     pub moments: [Moment<R>; MOMENTS],
 }
 
-/// A time, given by itself or by a place in the planned move.
 #[derive(Clone, Copy, Debug)]
 pub enum Moment<R> {
     At(R),       // the time itself

@@ -5,7 +5,6 @@ use std::sync::OnceLock;
 
 pub type Axis = [f64; 11]; // what Ruckig plans for one axis: the fields of `Axis` in tests/oracle/c/ruckig.cpp
 
-/// Plans so many axes, and returns the duration, s; negative on an error.
 pub type Plan = unsafe extern "C" fn(*const Axis) -> f64;
 
 pub fn plan(axes: usize) -> Option<Plan> {

@@ -40,7 +40,6 @@ fn lead_of<R: Real>(set: &Set<R>, shares: &[R], lead: usize) -> Problem<R> {
     Problem::of(axis.kind, axis.request, numbers.try_into().expect("12 numbers"))
 }
 
-/// The tightest limits, seen from an axis of which the others go `shares`.
 fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
     let mut tightest = [R::of(f64::INFINITY), R::of(f64::NEG_INFINITY)].repeat(3);
     for (axis, &share) in set.axes.iter().zip(shares) {
@@ -101,7 +100,6 @@ fn wrong_motions<R: Original>(
     None
 }
 
-/// Whether an axis is ever beside the straight line, seen from the lead.
 fn leaves_line<R: Real>(
     set: &Set<R>, [lead, k]: [usize; 2], share: R, axes: &[Move<R>], random: &mut Random,
 ) -> Option<&'static str> {

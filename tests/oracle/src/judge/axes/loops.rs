@@ -114,7 +114,6 @@ fn limits(random: &mut Random, is_unequal: bool) -> [f64; 6] {
     [vmax, vmin, amax, amin, jmax, jmin]
 }
 
-/// The limits of a lead that the axes follow by their shares.
 fn tightest(limits: &[[f64; 6]], shares: &[f64]) -> [f64; 6] {
     std::array::from_fn(|k| {
         let seen = limits.iter().zip(shares).map(|(axis, share)| axis[if *share > 0.0 { k } else { k ^ 1 }] / share);

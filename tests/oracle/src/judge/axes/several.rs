@@ -135,7 +135,6 @@ impl<R: Original> Timing<'_, R> {
         self.axes.iter().map(|axis| axis.best().duration).fold(self.duration, f64::max)
     }
 
-    /// A duration before `t` in which all axes can arrive, without doubt.
     fn earlier(&self, t: f64, other: impl Fn() -> Option<f64>) -> Option<f64> {
         let tolerance = tolerance::<R>();
         let least = self.least();
@@ -226,7 +225,6 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
     None
 }
 
-/// Whether a finding of an axis is missing, or no axis has the finding.
 fn wrong_findings<R: Original>(trials: &[Trial<R>], axes: &[Move<R>], found: Findings) -> Option<Bad> {
     let of = |k: usize, findings| {
         let more = scale_of_short_ramps(&trials[k], axes[k].t.widen());
