@@ -53,13 +53,12 @@ fn the_last_part_of_a_tick_is_short() {
             -10.640216858487081,
         ],
     ];
-    let state = |[position, velocity, acceleration]: [f64; 3]| State { position, velocity, acceleration };
     let from = [
         [0.013440171730717305, -0.3115526904031246, 0.0024858976019611276],
         [0.2400544331791675, 5.207314339034029e-7, -0.0033288722960675976],
     ];
     let to = [[0.013342700226573134, -0.31155214708633727, 0.0], [0.24005443323347242, 0.0, 0.0]];
     let mut axes = [Move::default(); 2];
-    synchronise(&mut axes, &limits.map(limits_of), &from.map(state), &to.map(state), 0.0, 0.0).expect("a plan");
+    synchronise(&mut axes, &limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0, 0.0).expect("a plan");
     assert!(axes[0].t < 0.0004, "{}", axes[0].t);
 }
