@@ -40,24 +40,7 @@ pub struct Contour<'a, R> {
 /// path that leaves its lines farther is written, and [`path_deviation`](super::path_deviation) says how far: give more room, or a start that does
 /// not move away from its line.
 ///
-/// ```
-/// use atraj::axes::{Contour, path_deviation, path_size, plan_contour};
-/// use atraj::online::{Limits, Move, State};
-/// const ROOM: usize = 20;
-/// let limits = [Limits::symmetric(30.0, 10.0, 5.0); 2];
-/// let mut states = [State::at(0.0); 2 * (ROOM + 1)];
-/// for (state, position) in states.iter_mut().zip([0.0, 0.0, 3.0, 1.0, 4.0, 5.0]) {
-///     state.position = position;
-/// }
-/// let (mut moves, mut durations, mut places) = ([Move::default(); 2 * ROOM], [0.0; ROOM], [0; 3]);
-/// let mut work = vec![0.0; path_size(2, ROOM).expect("two axes")];
-/// let contour = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
-/// plan_contour(contour, &limits, 0.05, 2, 0, &mut work)?;
-/// let [_, corner, sections] = places;
-/// assert_eq!(states[2 * corner].position, 3.0);
-/// assert!(path_deviation(&moves[..2 * sections], 2) <= 0.05);
-/// # Ok::<(), atraj::Error>(())
-/// ```
+/// `examples/23_contour.rs` is a program.
 pub fn plan_contour<R: Real>(
     path: Contour<R>, limits: &[Limits<R>], tolerance: R, axes: usize, steps: u32, work: &mut [R],
 ) -> Result<Findings, Error> {

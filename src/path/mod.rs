@@ -97,19 +97,7 @@ pub fn path_size_near(axes: usize, sections: usize) -> Option<usize> {
 /// take more steps than there are by default: leave some of them out. The other arguments, the findings and the errors are those of [`plan_path`];
 /// [`Error::Limits`] also if a tolerance is negative, [`Error::NotFinite`] if one is infinite or not a number.
 ///
-/// ```
-/// use atraj::axes::{path_size_near, plan_path_near};
-/// use atraj::online::{Limits, State};
-/// let limits = [Limits::symmetric(30.0, 10.0, 5.0); 2];
-/// let mut states = [0.0, 0.0, 3.0, 1.0, 4.0, 5.0].map(State::at);
-/// let mut durations = [0.0; 2];
-/// let mut work = vec![0.0; path_size_near(2, 2).expect("two axes")];
-/// plan_path_near(&mut states, &mut durations, &limits, &[0.0, 0.2], 2, 0, &mut work)?;
-/// // The first axis passes its point, and the second one a point on its way.
-/// assert_eq!(states[2].position, 3.0);
-/// assert!(states[3].position > 1.1 && states[3].position <= 1.2);
-/// # Ok::<(), atraj::Error>(())
-/// ```
+/// `examples/24_zones.rs` is a program.
 pub fn plan_path_near<R: Real>(
     states: &mut [State<R>], durations: &mut [R], limits: &[Limits<R>], tolerances: &[R], axes: usize, steps: u32,
     work: &mut [R],

@@ -34,25 +34,11 @@ pub struct Poly<R, const N: usize> {
 pub type Poly3<R> = Poly<R, 4>;
 
 /// Quintic polynomial: position, velocity and acceleration are prescribed at both ends.
-///
-/// ```
-/// use atraj::{Boundary, Poly5};
-/// let quintic = Poly5::new(8.0, Boundary::rest_to_rest(0.0, 10.0), [0.0, 0.0]).expect("finite");
-/// assert_eq!((quintic.position(0.0), quintic.position(4.0), quintic.position(8.0)), (0.0, 5.0, 10.0));
-/// assert_eq!((quintic.velocity(8.0), quintic.acceleration(8.0)), (0.0, 0.0));
-/// ```
 pub type Poly5<R> = Poly<R, 6>;
 
 /// Septic polynomial: position, velocity, acceleration and jerk are prescribed at both ends.
 ///
 #[doc = include_str!("../../../docs/img/septic-polynomial.svg")]
-///
-/// ```
-/// use atraj::{Boundary, Poly7};
-/// let septic = Poly7::new(8.0, Boundary::rest_to_rest(0.0, 10.0), [0.0, 0.0], [0.0, 0.0]).expect("finite");
-/// assert_eq!((septic.position(0.0), septic.position(4.0), septic.position(8.0)), (0.0, 5.0, 10.0));
-/// assert_eq!((septic.velocity(0.0), septic.acceleration(0.0), septic.jerk(0.0)), (0.0, 0.0, 0.0));
-/// ```
 pub type Poly7<R> = Poly<R, 8>;
 
 impl<R: Real> Poly3<R> {
