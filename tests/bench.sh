@@ -32,8 +32,5 @@ export RUCKIG
 table moves moves
 table evaluations evaluations
 table paths path
-# Cargo would rebuild the libraries for the flags of the benchmark.
-for real in double float; do env -u RUSTFLAGS make -s dist REAL=$real >&2; done
-table levels levels
 printf 'tool,version\nprocessor,%s\nrustc,%s\ncc,%s\n' "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
     "$(rustc --version | cut -d ' ' -f 2-)" "$(cc --version | head -1 | cut -d ' ' -f 2-)" > $data/performance-tools.csv

@@ -177,11 +177,8 @@ fn limits_times<R: Real>(limits: &[Limits<R>], by: f64) -> Vec<Limits<R>> {
     each.collect()
 }
 
-/// Runs a program, and counts what is refused: lines in motion, paths from elsewhere, rates, and rates at rest.
-///
-/// # Panics
-///
-/// If a tick or an answer is wrong.
+/// Runs a program, which panics if a tick or an answer is wrong, and counts what is refused: lines in motion, paths from elsewhere, rates,
+/// and rates at rest.
 pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 4]) {
     let n = 1 + random.below(6);
     let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(random)).collect();

@@ -6,8 +6,6 @@
 //! `bench moves`: a table of the moves from any state to any state, and of several axes that arrive together, beside rsruckig and Ruckig's C++.
 //! `bench evaluations`: a table of evaluations of such moves, beside the double-S.
 //! `bench path`: a table of paths through waypoints, beside the crate rsruckig.
-//! `bench levels`: a table of samples from the shared library of each level of x86-64, beside the original's at `-O2` and beside
-//! filling the arrays with a constant.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!
@@ -17,8 +15,6 @@
 //! processor would look up its target, which costs some functions a nanosecond and others nothing.
 
 mod fastest;
-#[cfg(target_arch = "x86_64")]
-mod levels;
 mod moves;
 mod path;
 mod race;
@@ -69,11 +65,7 @@ fn main() {
         ["moves"] => moves::print_plans(),
         ["evaluations"] => moves::print_evaluations(),
         ["path"] => path::print_table(),
-        #[cfg(target_arch = "x86_64")]
-        ["levels"] => levels::print_table(),
         ["count", row, library] => count(warm_rows(), row, library),
-        #[cfg(target_arch = "x86_64")]
-        ["count-levels", row, library] => count(levels::rows(), row, library),
         ref words => print_table(words),
     }
 }
@@ -137,22 +129,15 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values[values.len() / 2]
 }
 
+/// Instructions of a call, counted by callgrind in a process of its own.
 fn instructions(row: usize, library: usize, calls: usize) -> String {
-    instructions_of("count", row, library, calls)
-}
-
-/// Instructions of a call, counted by callgrind in a process of its own. Words if callgrind does not know an instruction.
-fn instructions_of(table: &str, row: usize, library: usize, calls: usize) -> String {
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=counted"])
         .arg(std::env::current_exe().expect("the path of this program"))
-        .args([table, &row.to_string(), &library.to_string()])
+        .args(["count", &row.to_string(), &library.to_string()])
         .output()
         .expect("valgrind is installed");
     let text = String::from_utf8_lossy(&output.stderr);
-    if text.contains("valgrind: Unrecognised instruction") {
-        return "unknown to callgrind".into();
-    }
     let collected = text.lines().find_map(|line| line.split_once("Collected : "));
     let (_, count) = collected.unwrap_or_else(|| panic!("valgrind: {text}"));
     let count: f64 = count.trim().parse().expect("a number");
