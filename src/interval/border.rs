@@ -124,9 +124,9 @@ impl<R: Real> Border<R> {
         of_state(self.speeds())
     }
 
-    /// The rounding error of a velocity that a plan gave shortly before, when it was higher.
+    /// The rounding error of a velocity that a plan gave shortly before, when it was higher. A check accepts it.
     pub fn rounding_before(&self) -> R {
-        self.rounding_of_velocity() + of_check(self.eased)
+        of_state(self.speeds() + R::from(3) * self.eased)
     }
 
     /// The rounding error of the difference of both velocities and of the area of a fall.
