@@ -14,7 +14,7 @@ note() {
     test ! -s "$done" || echo "$(date -u +%F),$commit,$(cat "$done")" >> "$table"
     : > "$done"
 }
-trap 'test -z "$running" || kill "$running"; note; rm -f "$done"; exit 1' INT TERM HUP
+trap 'test -z "$running" || kill "$running" 2>/dev/null || true; note; rm -f "$done"; exit 1' INT TERM HUP
 
 faults=0
 for what in "$@"; do
