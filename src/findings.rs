@@ -78,7 +78,7 @@ macro_rules! set {
 }
 pub(crate) use set;
 
-/// A sentence as C wants it. It ends with a NUL.
+/// A sentence as C wants it. It ends with a NUL. Constants alone call it, so a NUL within is an error of the compiler.
 pub(crate) const fn for_c(sentence: &'static str) -> &'static CStr {
     match CStr::from_bytes_with_nul(sentence.as_bytes()) {
         Ok(sentence) => sentence,

@@ -87,7 +87,7 @@ impl<'a, R: Real> Change<'a, R> {
         let mut is_reached = self.rate == R::ZERO && !self.is_at_end(time.end().position);
         let step = self.free_stop(start.position)? / R::from(STEPS);
         let (mut change, mut t) = (Move::default(), R::ZERO);
-        // While the path stands, a later change is the same one.
+        // From a standstill the first change is taken: a later one arrives hardly sooner, and each place costs a search.
         let searches = if goes_on && !start.is_at_rest() { SEARCHES } else { 1 };
         for _ in 0..searches {
             let is_found = self.fastest(time.state_at(t), until - t, &mut change)?;

@@ -1,4 +1,5 @@
-//! First plans that pass waypoints: straight rows of points as one move, and for one axis the highest speeds without acceleration.
+//! First plans that pass waypoints: straight rows of points as one move, a start in motion that brakes along the points, and for one axis the
+//! highest speeds without acceleration.
 //!
 //! `docs/path-theory.md` has the reasons, in "The first plan".
 
