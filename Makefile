@@ -15,7 +15,7 @@
 # make playground-check, make python-check
 # make miri, make coverage       Miri on the C functions; the regions that the tests reach
 # make mutants, make fuzz, make soak   planted faults; libFuzzer; random cases for hours
-# make bench, make instructions  times beside others; fails if a function takes 3 % more instructions (UPDATE=1 accepts them)
+# make bench, make instructions  times next to others'; fails if a function takes 3 % more instructions (UPDATE=1 accepts them)
 
 CARGO ?= cargo
 CC ?= cc

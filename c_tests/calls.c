@@ -184,7 +184,7 @@ static int steps(void) {
         last = time, sum += direction;
     }
     PROMISE(sum == -8 && ctx.count == -1);
-    /* A move begins where the other one was given up, beside the motor. */
+    /* A move begins where the other one was given up, not where the motor is. */
     PROMISE(atraj_steps_follow(&ctx, &move) == 0 && ctx.count == -1 && atraj_steps_next(&ctx, &move, &time) == 1);
     return 0;
 }

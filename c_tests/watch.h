@@ -83,7 +83,7 @@ static void count(int answer) {
     else { ++answers.refused; }
 }
 
-/* Plans once, a stop, a move, or with one axis beside a signal at rest, with a lead of at most this number of ticks. */
+/* Plans once, a stop, a move, or with one axis next to a signal at rest, with a lead of at most this number of ticks. */
 static void plan(unsigned longest_lead) {
     static unsigned random = 1;
     unsigned const lead = 1 + next_random(&random) % longest_lead, where = next_random(&random);

@@ -85,7 +85,7 @@ $(OUT)/$(SOURCE).tar.gz:
 	cd $(WORK)/$(SOURCE) && cargo vendor --offline vendor > .cargo/config.toml 2> ../vendor.log || { cat ../vendor.log >&2; exit 1; }
 	$(call pack,$(SOURCE))
 
-# The tool describes the sources where they lie, as the address of the package too, and writes its file beside them.
+# The tool describes the sources where they lie, as the address of the package too, and writes its file next to them.
 BILL_TOOL ?= target/cargo-cyclonedx-0.5.9/bin/cargo-cyclonedx
 $(BILL): $(OUT)/$(SOURCE).tar.gz $(BILL_TOOL)
 	cd $(WORK)/$(SOURCE) && $(abspath $(BILL_TOOL)) cyclonedx --quiet --format json --spec-version 1.5 --target all --no-build-deps \

@@ -34,7 +34,7 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
 }
 
 /// Plans that were refused or jumped: the start will unavoidably exceed the velocity, and the target is on the border of what can be held; in the last
-/// one a step of Newton's method was small by chance, and the method ended 1,229 ulps beside the root.
+/// one a step of Newton's method was small by chance, and the method ended 1,229 ulps from the root.
 #[rustfmt::skip]
 const PLANNED_WITHOUT_A_JUMP: [Row; 3] = [
     ([4.0, -4.0, 2.0, -2.0, 2.0, -3.0], [0.0, -4.0, -2.0], [-18.0, -3.0, 2.0]),
@@ -134,7 +134,7 @@ fn one_jerk_is_far_larger<R: Real>() {
 }
 
 /// What is left of a move whose ramp just reaches the highest acceleration: its peak may pass the limit by a rounding. Then the motion to
-/// another position went on to 1.2 times the limit, or began beside its start.
+/// another position went on to 1.2 times the limit, or did not begin at its start.
 fn the_ramp_just_reaches_the_limit<R: Real>() {
     let mut random = Random::seeded(25);
     for _ in 0..100_000 {
@@ -162,18 +162,18 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
     }
 }
 
-/// Phase 1 begins a rounding beside the start. `time_at` missed a position between both, and some of its times were a rounding above `t`.
+/// Phase 1 begins one ulp from the start. `time_at` missed a position between both, and some of its times were a rounding above `t`.
 fn times_of_positions<R: Real>() {
     let mut random = Random::seeded(1);
     let mut gaps = 0;
     for number in 0..20_000 {
         let (_, _, planned) = online::planned::<R>(&mut random);
         let [start, first] = [planned.phase[0].position, planned.phase[1].position];
-        let beside = start.neighbour(if start < first { 1 } else { -1 });
+        let next = start.neighbour(if start < first { 1 } else { -1 });
         let (low, high) = if start < first { (start, first) } else { (first, start) };
-        if low < beside && beside < high {
+        if low < next && next < high {
             gaps += 1;
-            assert_eq!(planned.time_at(beside), Some(R::of(0.0)), "move {number}: {planned:?}");
+            assert_eq!(planned.time_at(next), Some(R::of(0.0)), "move {number}: {planned:?}");
         }
         // An axis with time to spare.
         let limits = online::limits(&mut random);
@@ -248,9 +248,9 @@ fn beyond_the_range<R: Real>() {
     let largest = largest::<R>();
     let none = R::of(f64::INFINITY);
     let target = State::at(R::of(0.999 * largest));
-    let beside = State { velocity: R::of(largest.sqrt()), ..target };
+    let fast = State { velocity: R::of(largest.sqrt()), ..target };
     let weak = Limits::symmetric(none, R::of(83.0), none);
-    let refused = finite_or_untouched(|planned| planned.meet(&weak, beside, target));
+    let refused = finite_or_untouched(|planned| planned.meet(&weak, fast, target));
     assert_eq!(refused, Err(Error::NotFinite));
     let (limits, near) = ([Limits::symmetric(one, one, one), limits], State::at(one));
     let mut axes = [Move::default(); 2];
@@ -440,7 +440,7 @@ fn an_axis_misses_a_tick() {
     let cruising = at_a_tick::<f32>(cruise, 0.0, 3.421211e-5);
     assert!(cruising.count == 2 && cruising.phases().iter().all(|phase| phase.jerk == 0.0), "{cruising:?}");
     assert_eq!(at_a_tick::<f32>(cruise, f64::from(cruising.t), 3.421211e-5).t, cruising.t);
-    // It starts outside its limits: its start slipped by as much as an axis inside the limits can, and the velocity jumped by 2,400 ulps.
+    // It starts outside its limits: its start shifted by as much as an axis inside the limits can, and the velocity jumped by 2,400 ulps.
     let start = [2.8909657, -54.078053, -0.54312253];
     let outside = at_a_tick::<f32>((
         [45.96713, -45.96713, 0.012977194, -0.012977194, 0.09826026, -0.09826026], start, [2.8992696, 7.626151, -0.0106264325]), 0.0, 1.0810082);
@@ -620,9 +620,9 @@ fn a_target_at_the_start<R: Real>() {
     }
 }
 
-/// The fastest stop passes the wall by 1.5 mm, and a harder brake turns at it. The axis was refused.
+/// The fastest stop passes the position limit by 1.5 mm, and a harder brake turns at it. The axis was refused.
 #[test]
-fn a_hard_brake_turns_at_the_wall() {
+fn a_hard_brake_turns_at_the_position_limit() {
     let limits = Limits::symmetric(1.0, 1.0, 1.5);
     let mut axis = Move::default();
     let from = state([3.999, -0.375, 1.0]);
@@ -632,9 +632,9 @@ fn a_hard_brake_turns_at_the_wall() {
     for to in [State::at(4.0), state([3.0, -0.5, 0.0])] {
         for other in [0.0, 5.0] {
             let (from, to) = ([from, State::at(0.0)], [to, State::at(other)]);
-            let walls: [&[f64]; 2] = [&[f64::NEG_INFINITY; 2], &[4.0, 9.0]];
+            let bounds: [&[f64]; 2] = [&[f64::NEG_INFINITY; 2], &[4.0, 9.0]];
             let mut axes = [Move::default(); 2];
-            synchronise_within(&mut axes, &[limits; 2], &from, &to, walls, 0.0, 0.0).expect("plans");
+            synchronise_within(&mut axes, &[limits; 2], &from, &to, bounds, 0.0, 0.0).expect("plans");
             assert!(axes[0].t == axes[1].t && axes[0].extremes().highest.position < 4.0 + 1e-12, "{axes:?}");
             assert_eq!(axes.map(|axis| axis.state_at(axis.t)), to);
             assert!(axes.iter().all(|axis| Findings::OVERSHOOTS.contains(axis.check(&limits).expect("numbers"))));

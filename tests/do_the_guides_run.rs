@@ -24,7 +24,7 @@ fn each() {
     }
 }
 
-/// Does what the page for `reader` says, in an empty directory beside the repository; what the commands print.
+/// Does what the page for `reader` says, in an empty directory next to the repository; what the commands print.
 fn followed(reader: &str) -> String {
     let page = fs::read_to_string(root().join(format!("docs/for-{reader}.md"))).unwrap();
     assert!(page.lines().count() <= 90, "{reader}: the page is long");

@@ -66,7 +66,7 @@ fn stops_stay_on_the_line<R: Real>() {
     }
 }
 
-/// The way is so short beside the positions that roundings hide its direction, and the velocities tell it. The stop was refused.
+/// The way is so short compared with the positions that roundings hide its direction, and the velocities tell it. The stop was refused.
 fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
     let mut random = Random::seeded(7);
     let zero = R::of(0.0);

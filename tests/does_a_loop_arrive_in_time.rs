@@ -106,7 +106,7 @@ fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<
     Problem { limits: vec![limits; count], from: scaled(from), to: scaled(to) }
 }
 
-fn line_beside_0<R: Real>(random: &mut Random, ends: Ends) -> Problem<R> {
+fn line_next_to_0<R: Real>(random: &mut Random, ends: Ends) -> Problem<R> {
     let mut problem = on_a_line::<R>(random, ends, 3);
     let offset = random.pick(&[0.0, 10.0, 1e4]);
     for (from, to) in problem.from.iter_mut().zip(&mut problem.to) {
@@ -216,12 +216,12 @@ fn from_rest_past_a_position<R: Real>() {
     }
 }
 
-/// A loop on a line was refused after some thousand ticks: each tick turned the way by a rounding, until the target's velocity pointed beside it.
+/// A loop on a line was refused after some thousand ticks: each tick turned the way by a rounding, until the target's velocity pointed off it.
 fn long_lines_go_on<R: Real>() {
     let mut random = Random::seeded(24);
     let mut lines = 0;
     for number in 0..LOOPS {
-        let Problem { limits, mut from, to } = line_beside_0::<R>(&mut random, Ends::ALL[number % 3]);
+        let Problem { limits, mut from, to } = line_next_to_0::<R>(&mut random, Ends::ALL[number % 3]);
         let mut axes = [Move::default(); 3];
         let planned = straight(&mut axes, &limits, &from, &to);
         let t = axes[0].t.widen();
@@ -274,7 +274,7 @@ fn states_of_a_line_lie_on_it<R: Real>() {
     let mut random = Random::seeded(24);
     let mut lines = 0;
     for number in 0..LOOPS {
-        let problem = line_beside_0::<R>(&mut random, Ends::ALL[number % 3]);
+        let problem = line_next_to_0::<R>(&mut random, Ends::ALL[number % 3]);
         let Problem { limits, from, to } = &problem;
         let mut axes = [Move::default(); 3];
         if straight(&mut axes, limits, from, to).is_err() {

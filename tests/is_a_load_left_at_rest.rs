@@ -121,7 +121,7 @@ fn loads_are_left_as_published<R: Real>() {
             let shaper = Shaper::new(kind, R::of(designed[0]), R::of(designed[1])).expect("a shaper");
             let times = corners(&borders, &delays(kind, designed));
             let shaped = residual(&times, |x| shaper.state(&planned, R::of(x)).acceleration.widen(), load);
-            // The load forgets what is older than its decay, so a slow move leaves nothing beside its roundings.
+            // The load forgets what is older than its decay, so a slow move leaves nothing but its roundings.
             let wanted = unshaped * published(kind, designed, load);
             let rounding = 256.0 * R::MACHINE_EPSILON.widen() * peak * (planned.t.widen() + 1.0 / load[0]);
             let off = (shaped - wanted).abs();

@@ -99,7 +99,7 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     let added = |all: [f64; 3], sums: [f64; 3]| std::array::from_fn(|i| all[i] + sums[i]);
     let [p, v, a] = phases.iter().map(of_phase).fold([0.0; 3], added);
     let scales = [p + v * planned.t.widen(), v, a]; // the rounding of a velocity lasts until the end
-    // Beside a long phase the others are short.
+    // Compared with a long phase the others are short.
     let parts = 0..=40;
     let inside = |part: i32| {
         let share = R::of(f64::from(part) / 40.0);

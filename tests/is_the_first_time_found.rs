@@ -72,23 +72,23 @@ fn in_random_moves<R: Real>() {
     assert!(found == MOVES * 8 && never == MOVES * 3);
 }
 
-/// A move that slips may have a phase of no duration, which begins a rounding beside the next phase.
-fn beside_a_phase_of_no_duration<R: Real>() {
+/// A move that is shifted in time may have a phase of no duration, which begins one ulp from the next phase.
+fn next_to_a_phase_of_no_duration<R: Real>() {
     let [zero, one] = [R::of(0.0), R::of(1.0)];
     let next = zero.neighbour(2);
-    let mut slipped = Move::<R>::default();
-    slipped.phase[2].position = next;
-    slipped.phase[2].velocity = one;
-    slipped.phase[2].duration = one;
-    slipped.phase[3].position = one;
-    slipped.phase[3].start = one;
-    (slipped.count, slipped.t) = (3, one);
+    let mut shifted = Move::<R>::default();
+    shifted.phase[2].position = next;
+    shifted.phase[2].velocity = one;
+    shifted.phase[2].duration = one;
+    shifted.phase[3].position = one;
+    shifted.phase[3].start = one;
+    (shifted.count, shifted.t) = (3, one);
     for position in [zero, zero.neighbour(1), next] {
-        assert_eq!(slipped.time_at(position), Some(zero), "{position:e}");
+        assert_eq!(shifted.time_at(position), Some(zero), "{position:e}");
     }
 }
 
-test_both_reals!(beside_a_phase_of_no_duration, in_random_moves);
+test_both_reals!(next_to_a_phase_of_no_duration, in_random_moves);
 
 /// The axis passes its target, turns and comes back.
 #[test]

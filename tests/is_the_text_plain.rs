@@ -5,25 +5,23 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use support::repository::root;
 
-const WORDS: [(&str, &str); 19] = [
+const WORDS: [(&str, &str); 17] = [
     ("anew", "again"),
     ("to and fro", "back and forth"),
     ("nasty", "adversarial"),
     ("referee", "reference solver"),
-    ("storey", "layer"),
-    ("storeys", "layers"),
+    ("storey|storeys", "layer"),
     ("undone", "at zero acceleration"),
     ("calm", "shaped"),
     ("comes inside", "returns within the limits"),
     ("bound to leave", "will unavoidably exceed"),
     ("is no number", "is NaN or infinite"),
-    ("way point", "waypoint"),
-    ("way points", "waypoints"),
+    ("way point|way points", "waypoint"),
     ("gets farthest", "covers the largest displacement"),
-    ("mend", "fix"),
-    ("mends", "fixes"),
-    ("rides beside", "tracks"),
-    ("stands beside", "is next to"),
+    ("mend|mends", "fix"),
+    ("beside", "next to"),
+    ("wall|walls", "position limit"),
+    ("slip|slips", "time shift"),
     ("so many is printed", "print every EVERY-th"),
 ];
 
@@ -49,21 +47,15 @@ fn texts(directory: &Path, found: &mut Vec<PathBuf>) {
 }
 
 fn faults(text: &str, words: &[(&str, &str)]) -> Vec<String> {
-    let is_letter = |letter: Option<char>| letter.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
-    let stands_alone = |line: &str, place: usize, word: &str| {
-        let after = line.get(place + word.len()..).unwrap();
-        !is_letter(line.get(..place).unwrap().chars().next_back()) && !is_letter(after.chars().next())
-    };
-    let lines = text.lines().enumerate();
-    lines
-        .flat_map(|(index, line)| {
-            let lower = line.to_lowercase();
-            let found = words
-                .iter()
-                .filter(move |(word, _)| lower.match_indices(word).any(|(place, _)| stands_alone(&lower, place, word)));
-            found.map(move |(word, plain)| format!("{}: {word}, say {plain}", index + 1))
-        })
-        .collect()
+    let mut found = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let is_of_a_word = |letter: char| letter.is_alphanumeric() || "_-".contains(letter);
+        let apart = line.to_lowercase().replace(|letter| !is_of_a_word(letter), " ");
+        let stands_alone = |word: &str| format!(" {apart} ").contains(&format!(" {word} "));
+        let bad = words.iter().filter(|(forms, _)| forms.split('|').any(stands_alone));
+        found.extend(bad.map(|(forms, plain)| format!("{}: {forms}, say {plain}", index + 1)));
+    }
+    found
 }
 
 #[test]
@@ -88,7 +80,6 @@ fn every_text_is() {
 
 #[test]
 fn faults_are_seen() {
-    let found = |text| faults(text, &WORDS);
-    assert_eq!(found("fine\nIt begins Anew."), ["2: anew, say again"]);
-    assert_eq!(found("A renewed v_undone, amend."), [""; 0]);
+    assert_eq!(faults("Walls\nIt begins Anew.", &WORDS), ["1: wall|walls, say position limit", "2: anew, say again"]);
+    assert_eq!(faults("A renewed v_undone, amend with -Wall.", &WORDS), [""; 0]);
 }

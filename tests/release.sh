@@ -104,7 +104,7 @@ replays() {
 
 # --- the DLL for Windows
 
-# unpacked_dll ABI: unpacks the archive with the DLL of this ABI into `windows`, and copies the DLL beside the programs
+# unpacked_dll ABI: unpacks the archive with the DLL of this ABI into `windows`, and copies the DLL next to the programs
 unpacked_dll() {
     tar xzf "$release/atraj-$version-x86_64-pc-windows-gnu-$1.tar.gz"
     mv atraj-* windows

@@ -142,7 +142,7 @@ static void each(const char *name, void (*f)(void), const real *row, size_t rows
 }
 #define EACH(name, table) each(#name, (void (*)(void))name, *table, ROWS(table), sizeof(*table) / sizeof(**table))
 
-/* The original lacks the plans that never fail. Its own plans of these moves stand beside them. */
+/* The original lacks the plans that never fail. Its own plans of these moves stand next to them. */
 #define PRAGMA(words) _Pragma(#words)
 #define WEAK(name) PRAGMA(weak name)
 WEAK(atraj_bell_gen) WEAK(atraj_trap_gen) WEAK(atraj_move_plan) WEAK(atraj_move_reach) WEAK(atraj_move_stop)
@@ -184,7 +184,7 @@ static void pose_within(void *ctx) {
                         a_float, a_float);
     const axes_problem *q = &posed_axes;
     a_float lowest[AXES], highest[AXES];
-    put_walls(q, lowest, highest);
+    put_bounds(q, lowest, highest);
     ((planner *)posed_to)(ctx, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
 }
 

@@ -77,8 +77,8 @@ typedef struct {
     a_float duration, cycle;
 } axes_problem;
 
-/* Walls near the ends: some axes have to wait, some cannot stop in time. */
-static inline void put_walls(const axes_problem *q, a_float *lowest, a_float *highest) {
+/* Position limits near the ends: some axes have to wait, some cannot stop in time. */
+static inline void put_bounds(const axes_problem *q, a_float *lowest, a_float *highest) {
     for (int i = 0; i != AXES; ++i) {
         a_float const p0 = q->from[i].p, p1 = q->to[i].p;
         lowest[i] = (p0 < p1 ? p0 : p1) - 3;
@@ -91,7 +91,7 @@ static inline int solve_axes(const axes_problem *q, atraj_move *axes) {
     case LINE: return atraj_moves_line(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
     case SYNC_WITHIN: {
         a_float lowest[AXES], highest[AXES];
-        put_walls(q, lowest, highest);
+        put_bounds(q, lowest, highest);
         return atraj_moves_sync_within(axes, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
     }
     default: return atraj_moves_sync(axes, q->limits, q->from, q->to, AXES, q->duration, q->cycle);

@@ -33,7 +33,7 @@ foreach(folder "${CURRENT_PACKAGES_DIR}" "${CURRENT_PACKAGES_DIR}/debug")
         endif()
     endif()
 endforeach()
-# The file for CMake looks for `include` beside `lib`, so it goes to share as it is, with other paths.
+# The file for CMake looks for `include` next to `lib`, so it goes to share as it is, with other paths.
 file(MAKE_DIRECTORY "${CURRENT_PACKAGES_DIR}/share/${PORT}")
 foreach(name atraj-config atraj-config-version)
     file(READ "${source}/lib/cmake/atraj/${name}.cmake" text)

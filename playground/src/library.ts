@@ -91,7 +91,7 @@ export class Motion {
         /** Lowest and highest value of a quantity. */
         readonly limits: Quantities<Range | undefined>,
         /** Shown for comparison only. */
-        readonly beside = false,
+        readonly compared = false,
     ) {}
 
     get duration(): number {

@@ -114,7 +114,7 @@ function draw(isRun = false): void {
     the("replan").hidden = !profile().live;
     the<HTMLButtonElement>("add").disabled = state.points.length === POINTS;
     the<HTMLButtonElement>("remove").disabled = state.points.length === 2;
-    const chosen = motions.find(({ beside }) => !beside);
+    const chosen = motions.find(({ compared }) => !compared);
     the("duration").textContent = chosen ? `${chosen.duration.toFixed(4)} s` : "No motion";
     the("remarks").replaceChildren(
         ...outcome.remarks.map(({ kind, text }) => element("li", { className: kind, textContent: text })),

@@ -163,10 +163,10 @@ export class Plots {
             ],
             series: [
                 {},
-                ...this.motions.map(({ beside }, i): uPlot.Series => ({
+                ...this.motions.map(({ compared }, i): uPlot.Series => ({
                     stroke: () => this.color(this.curve(i)),
-                    width: beside ? 1.5 : 2,
-                    ...(beside && { dash: [5, 4] }),
+                    width: compared ? 1.5 : 2,
+                    ...(compared && { dash: [5, 4] }),
                     points: { show: false },
                 })),
             ],
@@ -218,7 +218,7 @@ export class Plots {
         this.borders.forEach((time) => vertical(time, "--border", []));
         this.motions[this.lead]?.pieces.slice(1).forEach(({ start }) => vertical(start, "--accent", [2, 2]));
         this.motions.forEach((motion, i) => {
-            for (const limit of motion.beside ? [] : (motion.limits[quantity] ?? [])) {
+            for (const limit of motion.compared ? [] : (motion.limits[quantity] ?? [])) {
                 if (limit > scales.y.min! && limit < scales.y.max!) {
                     const y = Math.round(valToPos(limit, "y", true)) + 0.5;
                     line(this.limit(i), i === this.lead ? [5, 3] : [1, 4], bbox.left, y, bbox.left + bbox.width, y);
@@ -264,12 +264,12 @@ export class Plots {
 
     /** The name of a curve's colour. */
     private curve(i: number): string {
-        return this.motions[i]?.beside ? "--beside" : `--curve-${i}`;
+        return this.motions[i]?.compared ? "--compared" : `--curve-${i}`;
     }
 
     /** The name of the colour of limits: of several axes, each has its own. */
     private limit(i: number): string {
-        return this.motions.some((motion, other) => other !== i && !motion.beside) ? this.curve(i) : "--limit";
+        return this.motions.some((motion, other) => other !== i && !motion.compared) ? this.curve(i) : "--limit";
     }
 
     /** A colour of the style sheet, as it is now. */
@@ -290,7 +290,7 @@ export class Plots {
 
 /** The curves that a plot has. */
 function names(motions: Motion[]): string {
-    return motions.map(({ name, beside }) => `${name} ${beside}`).join();
+    return motions.map(({ name, compared }) => `${name} ${compared}`).join();
 }
 
 /** Where the speed grows, stays and falls. */

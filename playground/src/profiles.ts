@@ -111,7 +111,7 @@ interface Planner {
     idle: boolean;
 }
 
-function outcomeOf(planner: Planner, place: number, beside: boolean): Outcome {
+function outcomeOf(planner: Planner, place: number, compared: boolean): Outcome {
     const { name, limits, v1 } = planner;
     const duration = planner.generate(place);
     if (duration === 0 && planner.idle) {
@@ -120,7 +120,7 @@ function outcomeOf(planner: Planner, place: number, beside: boolean): Outcome {
     if (!(duration > 0)) {
         return { motions: [], remarks: findings(name, name === "liba" ? UNREACHABLE : LIMITS, "") };
     }
-    const motion = new Motion(name, [{ start: 0, plan: planner.read(place, duration) }], limits, beside);
+    const motion = new Motion(name, [{ start: 0, plan: planner.read(place, duration) }], limits, compared);
     const remarks = findings(name, planner.check(place), "keeps every limit");
     const reached = motion.state(duration)[1];
     if (Math.abs(reached - v1) > 1e-9 * Math.max(1, Math.abs(v1))) {
@@ -129,8 +129,8 @@ function outcomeOf(planner: Planner, place: number, beside: boolean): Outcome {
     return { motions: [motion], remarks };
 }
 
-/** The chosen planner, and the other one beside it. */
-function compared(chosen: Planner, rival: Planner, compare: boolean): Outcome {
+/** The chosen planner, and the other one next to it. */
+function bothOf(chosen: Planner, rival: Planner, compare: boolean): Outcome {
     const ours = outcomeOf(chosen, c.plan_at(0), false);
     if (!compare) {
         return ours;
@@ -160,7 +160,7 @@ function planBell(values: Values, chosen: "atraj" | "liba", compare: boolean): O
             idle: p0 === p1 && v0 === v1,
         };
     };
-    return compared(planner(chosen), planner(chosen === "atraj" ? "liba" : "atraj"), compare);
+    return bothOf(planner(chosen), planner(chosen === "atraj" ? "liba" : "atraj"), compare);
 }
 
 /** The accelerations of a trapezoid have signs: those of a forward or of a backward move. */
@@ -183,7 +183,7 @@ function planTrap(values: Values, chosen: "atraj" | "liba", compare: boolean): O
             idle: p0 === p1 && v0 === v1,
         };
     };
-    return compared(planner(chosen), planner(chosen === "atraj" ? "liba" : "atraj"), compare);
+    return bothOf(planner(chosen), planner(chosen === "atraj" ? "liba" : "atraj"), compare);
 }
 
 function within(velocity: number, limit: number): number {

@@ -63,7 +63,7 @@ def check_valid(move, limits, start, end):
         assert all(abs(x - y) <= ROUNDING * scale for x, y in zip(reached, wanted)), (phase, after)
 
 
-def test_moves_beside_ruckig():
+def test_moves_next_to_ruckig():
     chance = random.Random(18)
     refused = shorter = 0
     for _ in range(PROBLEMS):

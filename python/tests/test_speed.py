@@ -95,7 +95,7 @@ def problems(axes):
 
 
 @pytest.mark.parametrize("axes", [1, 3])
-def test_plans_beside_ruckig(axes):
+def test_plans_next_to_ruckig(axes):
     otg, trajectory, given = ruckig.Ruckig(axes), ruckig.Trajectory(axes), list(problems(axes))
     plan = atraj.synchronise
 

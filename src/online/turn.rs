@@ -1,7 +1,7 @@
-//! Walls that bind: the fastest stop would leave a position, and a harder brake turns there.
+//! Position limits that bind: the fastest stop would pass one, and a harder brake turns there.
 //!
-//! The fastest stop eases its brake before the axis stands. The fastest motion that stays inside does not: it comes to the wall at a standstill that
-//! does not last, with an acceleration away from the wall. If the walls are near, the fastest stop from there leaves the other one, and so on.
+//! The fastest stop eases its brake before the axis stands. The fastest motion that stays inside does not: it comes to the limit at a standstill that
+//! does not last, with an acceleration away from it. If the limits are close, the fastest stop from there passes the other one, and so on.
 //! `docs/planner.md` has the theory, in "Between two positions".
 
 use super::motion::{MOST_PHASES, Move};
@@ -14,7 +14,7 @@ use crate::state::State;
 /// More halvings than a range of accelerations has.
 const MOST_HALVES: u32 = 64;
 
-/// More turns than an axis makes before it can stop, or cannot be saved. What the walls are farther from each other than they must be, as a part of
+/// More turns than an axis makes before it can stop, or cannot be saved. What the position limits are farther apart than they must be, as a part of
 /// this, grows from `x` to `√x` with each turn, and 3 % are enough to stop: from a rounding error that takes four turns.
 const MOST_TURNS: usize = 6;
 

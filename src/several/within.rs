@@ -47,8 +47,8 @@ pub fn synchronise_within<R: Real>(
     if lowest.len() != axes.len() || highest.len() != axes.len() {
         return Err(Error::Axes);
     }
-    let walls = lowest.iter().zip(highest);
-    let within = ends.zip(walls).map(|(ends, (&lowest, &highest))| Within { ends, lowest, highest });
+    let bounds = lowest.iter().zip(highest);
+    let within = ends.zip(bounds).map(|(ends, (&lowest, &highest))| Within { ends, lowest, highest });
     let mut slowest = duration;
     for axis in within.clone() {
         slowest = slowest.at_least(axis.shortest()?);

@@ -52,7 +52,7 @@ export const hasZones = ({ zone }: Values, points: Point[]) => zone !== 0 && poi
 /** How many numbers of working memory the path of two axes needs: that of `atraj_path_size`, or with zones of `atraj_path_size_near`. */
 export const workSize = (sections: number, zones: boolean) => (zones ? 151 * sections + 19 : 90 * sections + 10);
 
-/** What is said beside a change of a run. */
+/** What is said next to a change of a run. */
 export const changeName = ({ rate }: Change) => (rate === undefined ? "stop" : rate === 0 ? "hold" : `${Math.round(100 * rate)} %`);
 
 /** From this tick on a run is over when its motion is. */

@@ -154,7 +154,7 @@ enum { NO_HOLD, TOP, BOTTOM, BOTH };
 static struct motion without_cruise(const struct axis *axis, real duration) {
     const real rise = axis->rise, fall = axis->fall, a0 = axis->a0, a1 = axis->a1;
     const real both = axis->up + axis->down;
-    /* What the phases last, and change, beside a rise from a0 to a1. */
+    /* What the phases last, and change, besides a rise from a0 to a1. */
     const real time = duration - axis->up * (a1 - a0);
     const real change = axis->dv - axis->up * (a1 - a0) * (a1 + a0) / 2;
     real peak = INFINITY, trough = -INFINITY, top = 0, bottom = 0, u;
@@ -435,16 +435,16 @@ static struct inside come_inside(struct axis *axis) {
 }
 
 /*
- The axis of a problem, seen from a frame that moves at `frame`. The target is `beside[0]` further and `beside[1]` faster, and the start
- is `beside[2]` faster.
+ The axis of a problem, seen from a frame that moves at `frame`. The target is `offset[0]` further and `offset[1]` faster, and the start
+ is `offset[2]` faster.
 */
-static struct axis axis_of(const double limits[6], const double start[3], const double target[3], const double beside[3], double frame) {
+static struct axis axis_of(const double limits[6], const double start[3], const double target[3], const double offset[3], double frame) {
     struct axis axis = {
         .up = 1 / (real)limits[4], .down = -1 / (real)limits[5], .rise = limits[2], .fall = -(real)limits[3],
         .vmax = (real)limits[0] - frame, .vmin = (real)limits[1] - frame,
-        .h = ((real)target[0] - (real)start[0]) + beside[0],
-        .v0 = ((real)start[1] - frame) + beside[2], .v1 = ((real)target[1] - frame) + beside[1],
-        .dv = ((real)target[1] - (real)start[1]) + ((real)beside[1] - beside[2]),
+        .h = ((real)target[0] - (real)start[0]) + offset[0],
+        .v0 = ((real)start[1] - frame) + offset[2], .v1 = ((real)target[1] - frame) + offset[1],
+        .dv = ((real)target[1] - (real)start[1]) + ((real)offset[1] - offset[2]),
         .a0 = start[2], .a1 = target[2]};
     /* Without jerk limits accelerations do not count. */
     if (axis.up + axis.down == 0) { axis.a0 = axis.a1 = 0; }
@@ -463,8 +463,8 @@ static struct inside bring_inside(struct axis *axis) {
 }
 
 enum {
-    DURATION, SPEED, VARIATION, CHANGING, INSIDE, T0, T1, T2, BESIDE_T0, BESIDE_T1, BESIDE_T2,
-    STRAIGHT, BESIDE_STRAIGHT, FASTER, WRONG, RESULTS
+    DURATION, SPEED, VARIATION, CHANGING, INSIDE, T0, T1, T2, PAST_T0, PAST_T1, PAST_T2,
+    STRAIGHT, PAST_STRAIGHT, FASTER, WRONG, RESULTS
 };
 
 /*
@@ -492,9 +492,9 @@ static real wrong(const struct axis *axis, const struct inside *inside, const st
  acceleration, and how much further and faster than its end the target is.
 */
 void solver_fastest(
-    const double limits[6], const double start[3], const double target[3], const double beside[3], double frame, const struct grid *grid,
+    const double limits[6], const double start[3], const double target[3], const double offset[3], double frame, const struct grid *grid,
     double results[RESULTS]) {
-    struct axis axis = axis_of(limits, start, target, beside, frame);
+    struct axis axis = axis_of(limits, start, target, offset, frame);
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
     const int gap = !isinf(pieces.t1);
@@ -516,22 +516,22 @@ void solver_fastest(
     begin(&ramp, axis.v0);
     add(&ramp, line.duration, axis.a0, axis.a1);
     results[STRAIGHT] = (double)(inside.duration + line.duration);
-    results[BESIDE_STRAIGHT] = (double)(axis.h - ramp.displacement);
+    results[PAST_STRAIGHT] = (double)(axis.h - ramp.displacement);
     results[FASTER] = (double)(axis.dv - line.change);
     results[WRONG] = axis.h == base->displacement ? 0 : (double)wrong(&axis, &inside, &found, axis.h < base->displacement);
-    results[BESIDE_T0] = (double)(axis.h - pieces.at[0].displacement);
-    results[BESIDE_T1] = gap ? (double)(axis.h - pieces.at[1].displacement) : INFINITY;
-    results[BESIDE_T2] = gap ? (double)(axis.h - pieces.at[2].displacement) : INFINITY;
+    results[PAST_T0] = (double)(axis.h - pieces.at[0].displacement);
+    results[PAST_T1] = gap ? (double)(axis.h - pieces.at[1].displacement) : INFINITY;
+    results[PAST_T2] = gap ? (double)(axis.h - pieces.at[2].displacement) : INFINITY;
 }
 
 /*
  How much further the target is than the displacements of this duration: negative if it is nearer, 0 if it is among them, infinite if the
- duration is before the first possible one or in the gap. The target is `beside[0]` further and `beside[1]` faster, and the start is
- `beside[2]` faster.
+ duration is before the first possible one or in the gap. The target is `offset[0]` further and `offset[1]` faster, and the start is
+ `offset[2]` faster.
 */
 double solver_possible(
-    const double limits[6], const double start[3], const double target[3], const double beside[3], double duration) {
-    struct axis axis = axis_of(limits, start, target, beside, 0), other;
+    const double limits[6], const double start[3], const double target[3], const double offset[3], double duration) {
+    struct axis axis = axis_of(limits, start, target, offset, 0), other;
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
     const real rest = duration - inside.duration;
@@ -547,8 +547,8 @@ double solver_possible(
 /* The displacements from the start that can be reached in this duration: the lowest and the highest. Returns 0 if none can. */
 int solver_interval(
     const double limits[6], const double start[3], const double target[3], double duration, double interval[2]) {
-    const double beside[3] = {0, 0, 0};
-    struct axis axis = axis_of(limits, start, target, beside, 0), other;
+    const double offset[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, offset, 0), other;
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
     const real rest = duration - inside.duration;
@@ -564,8 +564,8 @@ int solver_interval(
  how many there are, at most 8. The last one is where the axis begins to cruise.
 */
 int solver_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8]) {
-    const double beside[3] = {0, 0, 0};
-    struct axis axis = axis_of(limits, start, target, beside, 0);
+    const double offset[3] = {0, 0, 0};
+    struct axis axis = axis_of(limits, start, target, offset, 0);
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
     const real sign = lower ? -1 : 1;
@@ -668,8 +668,8 @@ static real farthest(struct axis axis, const real point[POINT], int *shape) {
     return motion.displacement;
 }
 
-/* The same beside a point: `i` is `x` larger, and then `j` is `y` larger. Clears `same` if the shape is another one. */
-static real beside(const struct axis *axis, const real point[POINT], int i, real x, int j, real y, int shape, int *same) {
+/* The same near a point: `i` is `x` larger, and then `j` is `y` larger. Clears `same` if the shape is another one. */
+static real near(const struct axis *axis, const real point[POINT], int i, real x, int j, real y, int shape, int *same) {
     real moved[POINT], displacement;
     int k, found;
     for (k = 0; k < POINT; ++k) { moved[k] = point[k]; }
@@ -701,7 +701,7 @@ int solver_derivatives(
         real slopes[2];
         for (j = 0; j < 2; ++j) {
             const real x = step / (1 + j);
-            slopes[j] = (beside(&axis, point, i, x, i, 0, shape, &same) - beside(&axis, point, i, -x, i, 0, shape, &same)) / (2 * x);
+            slopes[j] = (near(&axis, point, i, x, i, 0, shape, &same) - near(&axis, point, i, -x, i, 0, shape, &same)) / (2 * x);
         }
         /* The error of a difference is about a multiple of the square of the step. */
         first[i] = (double)((i < 4 ? sign : 1) * (4 * slopes[1] - slopes[0]) / 3);
@@ -710,8 +710,8 @@ int solver_derivatives(
             int k;
             for (k = 0; k < 2; ++k) {
                 const real x = step / (1 + k);
-                const real up = beside(&axis, point, i, x, j, x, shape, &same) - beside(&axis, point, i, x, j, -x, shape, &same);
-                const real down = beside(&axis, point, i, -x, j, x, shape, &same) - beside(&axis, point, i, -x, j, -x, shape, &same);
+                const real up = near(&axis, point, i, x, j, x, shape, &same) - near(&axis, point, i, x, j, -x, shape, &same);
+                const real down = near(&axis, point, i, -x, j, x, shape, &same) - near(&axis, point, i, -x, j, -x, shape, &same);
                 bends[k] = (up - down) / (4 * x * x);
             }
             second[entry] = (double)((i == 4 && j < 4 ? sign : 1) * (4 * bends[1] - bends[0]) / 3);

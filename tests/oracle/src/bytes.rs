@@ -162,17 +162,17 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let [duration, cycle] = [(); 2].map(|()| number::<R>(&mut bytes));
     let mut limits = Vec::new();
     let mut ends = [Vec::new(), Vec::new()];
-    let mut walls = [Vec::new(), Vec::new()];
+    let mut bounds = [Vec::new(), Vec::new()];
     for _ in 0..count {
         limits.push(limits_from(&mut bytes));
         for end in &mut ends {
             end.push(state(&mut bytes));
         }
-        for wall in &mut walls {
-            wall.push(number(&mut bytes));
+        for bound in &mut bounds {
+            bound.push(number(&mut bytes));
         }
     }
-    let ([from, to], [lowest, highest]) = (ends, walls);
+    let ([from, to], [lowest, highest]) = (ends, bounds);
     let zero = R::of(0.0);
     let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut moves = vec![before; count];

@@ -216,8 +216,8 @@ fn lengths<R: Real>() {
     }
 }
 
-/// A start that is beside the line by far more than the roundings of its motion.
-fn beside_the_line<R: Real>() {
+/// A start that is off the line by far more than the roundings of its motion.
+fn off_the_line<R: Real>() {
     let mut random = Random::seeded(2);
     let mut refused = 0;
     for mut set in Sets::<R>::on_lines(2).take(4_000) {
@@ -604,6 +604,6 @@ fn bad_axes_and_motors<R: Real>() {
 }
 
 test_both_reals!(
-    illegal_targets, beside_plans, bad_limits, bad_states, bad_numbers, lengths, beside_the_line, beyond_the_range,
+    illegal_targets, beside_plans, bad_limits, bad_states, bad_numbers, lengths, off_the_line, beyond_the_range,
     repeated_ends, far_paths, bad_paths, bad_tolerances, bad_motions, bad_profiles, bad_clocks, bad_axes_and_motors
 );

@@ -49,7 +49,7 @@ fn gap<R: Real>(axis: &Move<R>) -> f64 {
     gaps.fold(0.0, f64::max) / (R::MACHINE_EPSILON.widen() * axis.t.widen())
 }
 
-/// An axis takes the common duration without a slip if both differ by 6 ulps at most. The start of a phase is rounded too. Of 50,000 sets
+/// An axis takes the common duration without a shift in time if both differ by 6 ulps at most. The start of a phase is rounded too. Of 50,000 sets
 /// in binary32, 2 had a gap of more than 8 ulps.
 fn phases_follow_each_other<R: Real>() {
     let mut widest: f64 = 0.0;
@@ -74,10 +74,10 @@ fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }
 }
 
-/// A line is counted from its end, so an axis that slips has the phases of its fastest move up to rounding: the judge took it for one that jumps.
+/// A line is counted from its end, so an axis that is shifted in time has the phases of its fastest move up to rounding: the judge saw a jump.
 #[test]
 #[rustfmt::skip]
-fn a_slip_on_a_line_is_known() {
+fn a_shift_on_a_line_is_known() {
     let set = axes::<f32>(0.0002649748, &[
         [570.6762, -683.005, 0.0015765755, -0.34183756, 0.00022960664, -0.00011802478, 5.1351995, -64.6683, 0.0, 5.118261, -64.6683, 0.0],
         [100.61523, -100.61523, 0.053813163, -0.00036121882, 0.00011307208, -0.00010227046, 4.1300793, 64.6683, 0.0, 4.147018, 64.6683, 0.0],
@@ -96,10 +96,10 @@ fn the_finest_axis_leads() {
     assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
 }
 
-/// An axis slips at its start and at its end. Each is within its roundings, and the judge allowed those of one end.
+/// An axis is shifted in time at its start and at its end. Each is within its roundings, and the judge allowed those of one end.
 #[test]
 #[rustfmt::skip]
-fn both_ends_slip() {
+fn both_ends_are_shifted() {
     let set = axes::<f64>(3.674447319727584e-13, &[
         [0.07560695002629314, -0.1960165993807255, 0.2177562829843771, -0.2177562829843771, 0.07902598402106711, -0.07902598402106711,
          -5.314358103161447, 0.024209434683268152, -0.034392874159650484, -5.314358103153544, 0.02420943467204031, -0.0343928741510563],

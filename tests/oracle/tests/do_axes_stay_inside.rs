@@ -4,7 +4,7 @@
 use atraj::axes::synchronise_within;
 use atraj::online::{Error, Move, State};
 use oracle::judge::axes::problems::{Set, Sets};
-use oracle::judge::axes::several::{slip, wrong_motions};
+use oracle::judge::axes::several::{time_shift, wrong_motions};
 use oracle::judge::inside::{launch, stop};
 use oracle::judge::planner::Plan;
 use oracle::judge::problem::Problem;
@@ -15,15 +15,15 @@ use support::{Random, Real, test_both_reals};
 
 const SETS: usize = 20_000;
 
-struct Walled<R> {
+struct Bounded<R> {
     problem: Problem<R>,
-    walls: [R; 2],
+    bounds: [R; 2],
     hull: [f64; 2],
     slack: f64, // roundings of its positions
 }
 
-impl<R: Original> Walled<R> {
-    /// Walls at the positions that the axis cannot avoid, or somewhere beside.
+impl<R: Original> Bounded<R> {
+    /// Bounds at the positions that the axis cannot avoid, or somewhere near them.
     fn new(problem: Problem<R>, random: &mut Random) -> Option<Self> {
         let Problem { limits, from, to, .. } = problem;
         let mut fastest = Move::default();
@@ -34,22 +34,22 @@ impl<R: Original> Walled<R> {
         let scale = Scale::of(&problem, &Plan::of_move(fastest, found));
         let slack = 4.0 * doubt::<R>() * (scale.position + hull[0].abs() + hull[1].abs());
         let width = hull[1] - hull[0] + slack;
-        let mut wall = |side: usize| {
+        let mut bound = |side: usize| {
             let outwards = [-1.0, 1.0][side];
-            let beside = match random.below(40) {
+            let more = match random.below(40) {
                 0 => -0.01 * width,
                 1..10 => f64::INFINITY,
                 10..20 => width * random.magnitude(-3.0, 0.0),
                 _ => 2.0 * slack,
             };
-            R::of(hull[side] + outwards * beside)
+            R::of(hull[side] + outwards * more)
         };
-        let walls = [wall(0), wall(1)];
-        (walls[0] < walls[1]).then_some(Self { problem, walls, hull, slack })
+        let bounds = [bound(0), bound(1)];
+        (bounds[0] < bounds[1]).then_some(Self { problem, bounds, hull, slack })
     }
 
     fn leaves(&self, [least, most]: [f64; 2], by: f64) -> bool {
-        let [low, high] = self.walls.map(R::widen);
+        let [low, high] = self.bounds.map(R::widen);
         least < low - by || most > high + by
     }
 
@@ -58,7 +58,7 @@ impl<R: Original> Walled<R> {
         self.leaves([reached.lowest, reached.highest].map(|state| state.position.widen()), by)
     }
 
-    /// What a move may leave the walls by: 128 ulps of its positions and of speed times duration, and those of the hull.
+    /// What a move may leave the bounds by: 128 ulps of its positions and of speed times duration, and those of the hull.
     fn rounding(&self, axis: &Move<R>) -> f64 {
         let reached = axis.extremes();
         let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
@@ -74,27 +74,27 @@ impl<R: Original> Walled<R> {
     }
 }
 
-impl<R: Real> fmt::Display for Walled<R> {
+impl<R: Real> fmt::Display for Bounded<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} walls {:?} hull {:?}", self.problem, self.walls, self.hull)
+        write!(f, "{} bounds {:?} hull {:?}", self.problem, self.bounds, self.hull)
     }
 }
 
 #[derive(Debug, Default)]
 struct Counts {
     inside: u32,
-    kept: u32,   // Without walls an axis would leave them. The axes arrive as early all the same.
-    later: u32,  // the axes arrive later than without walls
+    kept: u32,   // Without bounds an axis would leave them. The axes arrive as early all the same.
+    later: u32,  // the axes arrive later than without bounds
     factor: f64, // the largest factor of a duration
     refused: u32,
 }
 
 fn axes_stay_inside<R: Original>() {
     let mut random = Random::seeded(26);
-    let mut glances = Random::seeded(27); // What the judge looks at follows the plans. The walls do not.
+    let mut glances = Random::seeded(27); // What the judge looks at follows the plans. The bounds do not.
     let mut counts = Counts::default();
     for set in Sets::<R>::new(26).take(SETS) {
-        let axes: Option<Vec<_>> = set.axes.iter().map(|axis| Walled::new(*axis, &mut random)).collect();
+        let axes: Option<Vec<_>> = set.axes.iter().map(|axis| Bounded::new(*axis, &mut random)).collect();
         if let Some(axes) = axes {
             judge(&set, &axes, &mut counts, &mut glances);
         }
@@ -104,19 +104,19 @@ fn axes_stay_inside<R: Original>() {
     assert!(inside > SETS as u32 / 2 && kept > 50 && later > 5 && refused > 1_000, "{counts:?}");
 }
 
-fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, random: &mut Random) {
+fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, random: &mut Random) {
     let (limits, from, to) = set.columns();
-    let [lowest, highest]: [Vec<R>; 2] = [0, 1].map(|side| axes.iter().map(|axis| axis.walls[side]).collect());
+    let [lowest, highest]: [Vec<R>; 2] = [0, 1].map(|side| axes.iter().map(|axis| axis.bounds[side]).collect());
     let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut planned = vec![before; axes.len()];
     let (duration, cycle) = (set.duration, set.cycle);
-    let walls = [&lowest[..], &highest];
-    let answer = synchronise_within(&mut planned, &limits, &from, &to, walls, duration, cycle);
+    let bounds = [&lowest[..], &highest];
+    let answer = synchronise_within(&mut planned, &limits, &from, &to, bounds, duration, cycle);
     let what = || axes.iter().map(|axis| format!("\n    {axis}")).collect::<String>() + &set.show();
     if let Err(error) = answer {
         assert_eq!(error, Error::Position, "{}", what());
         assert!(planned.iter().all(|axis| *axis == before));
-        let is_reason = |axis: &Walled<R>| axis.leaves(axis.hull, -axis.slack);
+        let is_reason = |axis: &Bounded<R>| axis.leaves(axis.hull, -axis.slack);
         assert!(axes.iter().any(is_reason), "{}", what());
         counts.refused += 1;
         return;
@@ -127,25 +127,25 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, ran
     }
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let moves = set.axes.iter().zip(&planned);
-    let slips: Vec<_> = moves.map(|(problem, axis)| slip(problem, axis)).collect();
-    let wrong = wrong_motions(&trials, &slips, &planned, random);
+    let shifts: Vec<_> = moves.map(|(problem, axis)| time_shift(problem, axis)).collect();
+    let wrong = wrong_motions(&trials, &shifts, &planned, random);
     assert!(wrong.is_none(), "{wrong:?} {}", what());
     let mut free = vec![before; axes.len()];
-    let none = [R::of(f64::NEG_INFINITY), R::of(f64::INFINITY)].map(|wall| vec![wall; axes.len()]);
-    let no_walls = [&none[0][..], &none[1]];
-    synchronise_within(&mut free, &limits, &from, &to, no_walls, duration, cycle).expect("plans");
+    let none = [R::of(f64::NEG_INFINITY), R::of(f64::INFINITY)].map(|bound| vec![bound; axes.len()]);
+    let no_bounds = [&none[0][..], &none[1]];
+    synchronise_within(&mut free, &limits, &from, &to, no_bounds, duration, cycle).expect("plans");
     let [t, least] = [&planned, &free].map(|axes| axes[0].t.widen());
-    let is_left = |by: &dyn Fn(&Walled<R>, &Move<R>) -> f64| {
+    let is_left = |by: &dyn Fn(&Bounded<R>, &Move<R>) -> f64| {
         let mut moves = axes.iter().zip(&free);
         moves.any(|(axis, free)| axis.is_left(free, by(axis, free)))
     };
     let is_nearly_left = is_left(&|axis, _| -axis.slack);
-    let is_left = is_left(&Walled::rounding);
+    let is_left = is_left(&Bounded::rounding);
     counts.inside += 1;
     assert!(t >= least, "{}", what());
     if t > least {
         assert!(is_nearly_left, "later without a reason: {}", what());
-        let latest = axes.iter().map(Walled::with_a_stop).fold(least, f64::max);
+        let latest = axes.iter().map(Bounded::with_a_stop).fold(least, f64::max);
         let tick = cycle.widen().max(1e-6 * latest);
         assert!(t <= latest + tick, "{t} instead of {latest}: {}", what());
         for (length, time) in [(3, -12), (-2, 12)] {
@@ -159,16 +159,16 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Walled<R>], counts: &mut Counts, ran
 }
 
 /// The common duration, planned in units that are smaller by these powers of two, s.
-fn in_units<R: Original>(set: &Set<R>, axes: &[Walled<R>], length: i8, time: i8) -> f64 {
+fn in_units<R: Original>(set: &Set<R>, axes: &[Bounded<R>], length: i8, time: i8) -> f64 {
     let scaled = |x: R, power: i8| R::of(x.widen() * f64::from(power).exp2());
     let problems = axes.iter().map(|axis| axis.problem.scaled(length, time));
     let problems = Set { axes: problems.collect(), ..set.clone() };
     let (limits, from, to) = problems.columns();
-    let walls = [0, 1].map(|side| axes.iter().map(|axis| scaled(axis.walls[side], length)).collect::<Vec<_>>());
+    let bounds = [0, 1].map(|side| axes.iter().map(|axis| scaled(axis.bounds[side], length)).collect::<Vec<_>>());
     let [duration, cycle] = [set.duration, set.cycle].map(|t| scaled(t, time));
     let mut planned = vec![Move::default(); axes.len()];
-    let walls = [&walls[0][..], &walls[1]];
-    synchronise_within(&mut planned, &limits, &from, &to, walls, duration, cycle).expect("plans");
+    let bounds = [&bounds[0][..], &bounds[1]];
+    synchronise_within(&mut planned, &limits, &from, &to, bounds, duration, cycle).expect("plans");
     scaled(planned[0].t, -time).widen()
 }
 

@@ -70,10 +70,10 @@ impl Set {
             let wide = limits_of(wide);
             limits.push(if is_straight { wide } else { own });
             for (end, lead) in ends.iter_mut().zip(leads) {
-                let beside = nearly_1(random, -17.0);
+                let factor = nearly_1(random, -17.0);
                 let State { position, velocity, acceleration } = lead;
                 let on_line =
-                    online::state_of([offset + share * position, share * velocity * beside, share * acceleration]);
+                    online::state_of([offset + share * position, share * velocity * factor, share * acceleration]);
                 end.push(if is_straight { on_line } else { online::inside(random, &own) });
             }
         }
@@ -103,7 +103,7 @@ impl Set {
     }
 }
 
-/// A factor that is `10^least` to `10^-9` beside 1.
+/// A factor that is `10^least` to `10^-9` off 1.
 fn nearly_1(random: &mut Random, least: f64) -> f64 {
     1.0 + random.sign() * random.magnitude(least, -9.0)
 }
@@ -162,8 +162,8 @@ fn several_axes() {
         let duration = random.pick(&[0.0, 0.0, 1.0, 10.0, 100.0]);
         let fastest = set.plan(is_straight, duration, 0.0);
         // The fastest motion misses a tick by little.
-        let beside = 1.0 + random.sign() * random.magnitude(-17.0, -3.0);
-        let tick = fastest.map_or(1.0, |axes| axes[0].t * beside) / (1 + random.below(1_000)) as f64;
+        let factor = 1.0 + random.sign() * random.magnitude(-17.0, -3.0);
+        let tick = fastest.map_or(1.0, |axes| axes[0].t * factor) / (1 + random.below(1_000)) as f64;
         let cycle = random.pick(&[0.0, tick]);
         let scaled = set.scaled(units);
         let near = set.plan(is_straight, duration, cycle);

@@ -20,8 +20,8 @@ fn near(random: &mut Random, spans: &[[f64; 2]; 3]) -> f64 {
     random.pick(&span) + random.between(-1.0, 1.0) * width * random.magnitude(-3.0, 0.0)
 }
 
-/// A wall between the turns of the hardest brake and of the fastest stop, and the target at rest near it; or the same for the hardest approach to
-/// the target, and the start. Answers the walls.
+/// A bound between the turns of the hardest brake and of the fastest stop, and the target at rest near it; or the same for the hardest approach to
+/// the target, and the start. Answers the bounds.
 fn bind<R: Original>(random: &mut Random, problem: &mut Problem<R>) -> Option<[f64; 2]> {
     let Problem { limits, from, to, .. } = *problem;
     let is_start = random.one_in(2);
@@ -32,16 +32,16 @@ fn bind<R: Original>(random: &mut Random, problem: &mut Problem<R>) -> Option<[f
     };
     let side = random.below(2);
     let (span, inwards) = (easy[side] - hard[side], [1.0, -1.0][side]);
-    let wall = hard[side] + random.unit() * span;
-    let rest = State::at(R::of(wall + inwards * span.abs() * random.magnitude(-2.0, 1.5)));
-    let far = wall + inwards * (easy[1] - easy[0] + 10.0 * span.abs()) * random.magnitude(1.0, 2.0);
+    let bound = hard[side] + random.unit() * span;
+    let rest = State::at(R::of(bound + inwards * span.abs() * random.magnitude(-2.0, 1.5)));
+    let far = bound + inwards * (easy[1] - easy[0] + 10.0 * span.abs()) * random.magnitude(1.0, 2.0);
     *(if is_start { &mut problem.to } else { &mut problem.from }) = rest;
-    (span != 0.0 && wall.is_finite() && far.is_finite()).then_some(if side == 0 { [wall, far] } else { [far, wall] })
+    (span != 0.0 && bound.is_finite() && far.is_finite()).then_some(if side == 0 { [bound, far] } else { [far, bound] })
 }
 
-/// A faster motion by way of a state near the planned motion, or at a wall, if there is one: its duration and this state.
+/// A faster motion by way of a state near the planned motion, or at a bound, if there is one: its duration and this state.
 fn faster_by_way_of<R: Original>(
-    random: &mut Random, limits: &Limits<R>, planned: &Move<R>, to: State<R>, walls: [R; 2], slack: f64,
+    random: &mut Random, limits: &Limits<R>, planned: &Move<R>, to: State<R>, bounds: [R; 2], slack: f64,
     stays: impl Fn(&Move<R>, State<R>) -> bool,
 ) -> Option<(R, State<R>)> {
     let from = planned.state_at(R::of(0.0));
@@ -51,7 +51,7 @@ fn faster_by_way_of<R: Original>(
         let mut near = |x: R| x * R::of(1.0 + by * random.between(-1.0, 1.0));
         let acceleration = near(acceleration);
         let near = State { position: near(position), velocity: near(velocity), acceleration };
-        let turn = State { position: random.pick(&walls), velocity: R::of(0.0), acceleration };
+        let turn = State { position: random.pick(&bounds), velocity: R::of(0.0), acceleration };
         let via = random.pick(&[near, turn]);
         let [mut one, mut other] = [Move::default(); 2];
         let found = one.plan(limits, from, via).and(other.plan(limits, via, to)).ok()?;
@@ -68,7 +68,7 @@ fn faster_by_way_of<R: Original>(
     })
 }
 
-/// Whether an axis cannot stop between the walls: it turns where its fastest stop would leave them, and then its hardest brake leaves them.
+/// Whether an axis cannot stop between the bounds: it turns where its fastest stop would leave them, and then its hardest brake leaves them.
 fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, highest]: [R; 2], slack: f64) -> bool {
     let [low, high] = [lowest.widen() + slack, highest.widen() - slack];
     for _ in 0..8 {
@@ -79,7 +79,7 @@ fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, hig
         let Some(of_stop) = stop(limits, from) else { return false };
         let infinity = R::of(f64::INFINITY);
         let far = R::of(10.0 * (of_stop[1] - of_stop[0] + high - low));
-        let (wall, walls, inwards) = if of_stop[1] > high {
+        let (bound, bounds, inwards) = if of_stop[1] > high {
             (highest, [-infinity, highest], -far)
         } else if of_stop[0] < low {
             (lowest, [lowest, infinity], far)
@@ -87,8 +87,8 @@ fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, hig
             return false;
         };
         let mut turning = Move::default();
-        let answer = turning.within(limits, from, State::at(wall + inwards), walls[0], walls[1]);
-        let Some(turn) = answer.ok().and(turning.time_at(wall)) else { return true };
+        let answer = turning.within(limits, from, State::at(bound + inwards), bounds[0], bounds[1]);
+        let Some(turn) = answer.ok().and(turning.time_at(bound)) else { return true };
         from = turning.state_at(turn);
     }
     true
@@ -159,7 +159,7 @@ fn moves_stay_inside<R: Original>() {
             }
         }
     }
-    println!("{}: {inside} stay inside, {turned} turn at a wall, {refused} are refused", R::NAME);
+    println!("{}: {inside} stay inside, {turned} turn at a bound, {refused} are refused", R::NAME);
     assert!(inside > PROBLEMS / 10 && turned > PROBLEMS / 50 && refused > PROBLEMS / 10);
 }
 
@@ -173,7 +173,7 @@ fn tight(random: &mut Random) -> Limits<f64> {
     Limits { vmax: velocity(), vmin: -velocity(), amax, amin, jmax, jmin }
 }
 
-/// Dynamic programming knows nothing of turns, stops and walls.
+/// Dynamic programming knows nothing of turns, stops and bounds.
 #[test]
 fn refused_moves_leave_in_every_motion() {
     let mut random = Random::seeded(28);
@@ -197,9 +197,9 @@ fn refused_moves_leave_in_every_motion() {
     assert!(planned > 10_000 && refused > 10_000);
 }
 
-/// An axis that leaves a wall with the acceleration `a` cannot be saved if the other wall is nearer than `2 a³/3 j²`, where `j` is the jerk that
-/// brakes it. With the least more, it turns at both walls, each time with a lower acceleration.
-fn axes_turn_at_both_walls<R: Original>() {
+/// An axis that leaves a bound with the acceleration `a` cannot be saved if the other bound is nearer than `2 a³/3 j²`, where `j` is the jerk that
+/// brakes it. With the least more, it turns at both bounds, each time with a lower acceleration.
+fn axes_turn_at_both_bounds<R: Original>() {
     let mut random = Random::seeded(29);
     let finest = (4096.0 * R::MACHINE_EPSILON.widen()).log10();
     for _ in 0..20_000 {
@@ -211,20 +211,20 @@ fn axes_turn_at_both_walls<R: Original>() {
         let least = 2.0 * a.widen().powi(3) / (3.0 * jerk.widen().powi(2));
         let from = State { position: R::of(0.0), velocity: R::of(0.0), acceleration: -a };
         for (sign, is_possible) in [(1.0, true), (-1.0, false)] {
-            let wall = R::of(-least * (1.0 + sign * random.magnitude(finest, -0.01)));
-            let to = State::at(wall * R::of(random.unit()));
+            let bound = R::of(-least * (1.0 + sign * random.magnitude(finest, -0.01)));
+            let to = State::at(bound * R::of(random.unit()));
             let mut axis = Move::default();
-            let answer = axis.within(&limits, from, to, wall, from.position);
-            let what = format!("{answer:?} {limits:?} {from:?} {to:?} {wall:?}");
+            let answer = axis.within(&limits, from, to, bound, from.position);
+            let what = format!("{answer:?} {limits:?} {from:?} {to:?} {bound:?}");
             assert_eq!(answer.is_ok(), is_possible, "{what}");
-            // With time the axis stops between the walls, waits and goes.
+            // With time the axis stops between the bounds, waits and goes.
             let velocity = R::of(0.1 * a.widen().powi(2) / other.widen());
-            let to = State { position: wall * R::of(0.5), velocity, ..to };
-            let (walls, duration) = ([&[wall][..], &[from.position]], R::of(100.0) * a / jerk);
-            let answer = synchronise_within(&mut [axis], &[limits], &[from], &[to], walls, duration, R::of(0.0));
+            let to = State { position: bound * R::of(0.5), velocity, ..to };
+            let (bounds, duration) = ([&[bound][..], &[from.position]], R::of(100.0) * a / jerk);
+            let answer = synchronise_within(&mut [axis], &[limits], &[from], &[to], bounds, duration, R::of(0.0));
             assert_eq!(answer.is_ok(), is_possible, "{what}");
         }
     }
 }
 
-test_both_reals!(moves_stay_inside, axes_turn_at_both_walls);
+test_both_reals!(moves_stay_inside, axes_turn_at_both_bounds);

@@ -102,10 +102,10 @@ fn farthest<R: Real>(section: &[Move<R>]) -> f64 {
     let t = section[0].t.widen();
     let grid = (0..=1_000).map(|k| [t * f64::from(k) / 1e3, t / 1e3]);
     // An axis that turns next to a border may do so in a short time.
-    let beside = (0..45).flat_map(|k| [-1.0, 1.0].map(|sign| sign * t * f64::exp2(-f64::from(k))));
+    let near = (0..45).flat_map(|k| [-1.0, 1.0].map(|sign| sign * t * f64::exp2(-f64::from(k))));
     let borders = section.iter().flat_map(|axis| axis.phases().iter().map(|phase| phase.start.widen()));
-    let beside = borders.chain([t]).flat_map(|x| beside.clone().map(move |more| [x + more, more / 2.0]));
-    let clamped = grid.chain(beside).map(|[x, step]| [x.clamp(0.0, t), step]);
+    let near = borders.chain([t]).flat_map(|x| near.clone().map(move |more| [x + more, more / 2.0]));
+    let clamped = grid.chain(near).map(|[x, step]| [x.clamp(0.0, t), step]);
     let samples = clamped.map(|[x, step]| (distance(section, x), x, step));
     let best = samples.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a sample");
     let (mut most, mut x, mut step) = best;
@@ -146,7 +146,7 @@ fn deviations_are_bounded_closely<R: Real>() {
         assert!(made.is_ok());
         let bound = path_deviation(&moves, chain.axes).widen();
         let [most, rounding] = sampled(&moves, chain.axes);
-        let what = format!("{k} {:?}: {bound:e} beside {most:e}, roundings {rounding:e}", chain.family);
+        let what = format!("{k} {:?}: {bound:e} next to {most:e}, roundings {rounding:e}", chain.family);
         assert!(bound >= most - rounding && bound <= 1.01 * most + rounding, "{what}");
         if most > 1e2 * rounding {
             (close, least, greatest) = (close + 1, least.min(bound / most), greatest.max(bound / most));

@@ -11,7 +11,7 @@ use support::{Real, test_both_reals};
 const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 4_000 };
 
-/// An axis that slips by rounding errors, so that all arrive together, may step: 6 of 52,245 axes in binary64, 71 in binary32. One of so many may.
+/// An axis that is shifted by rounding errors, so that all arrive together, may step: 6 of 52,245 axes in binary64, 71 in binary32. One of so many may.
 const ONE_STEP_OF: usize = 500;
 
 /// What a check may find in a plan. A start outside the limits exceeds them, but never their jerks, and makes no step.
@@ -58,8 +58,8 @@ fn plans_of_several_axes_pass<R: Real>() {
         let Ok(found) = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle) else { continue };
         for (axis, problem) in axes.iter().zip(&set.axes) {
             let seen = axis.check(&problem.limits).unwrap_or_default();
-            let slips = !allowed(found).contains(seen) && (allowed(found) | step).contains(seen);
-            if slips {
+            let is_shifted = !allowed(found).contains(seen) && (allowed(found) | step).contains(seen);
+            if is_shifted {
                 steps += 1;
             } else {
                 check(axis, &problem.limits, found, &problem.to_string());
@@ -67,7 +67,7 @@ fn plans_of_several_axes_pass<R: Real>() {
             }
         }
     }
-    println!("{}: {passed} plans of {} sets pass, {steps} show a slip", R::NAME, 2 * SETS);
+    println!("{}: {passed} plans of {} sets pass, {steps} show a shift", R::NAME, 2 * SETS);
     assert!(passed > 2 * SETS && steps * ONE_STEP_OF <= passed);
 }
 

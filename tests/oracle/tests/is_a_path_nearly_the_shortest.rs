@@ -1,4 +1,4 @@
-//! Is a path nearly the shortest: beside rsruckig's, beside long runs from random starts, beside moves, and after improvements?
+//! Is a path nearly the shortest: next to rsruckig's, to long runs from random starts, to moves, and after improvements?
 
 use atraj::State;
 use atraj::axes::synchronise;
@@ -23,9 +23,9 @@ fn example_of_ruckig<R: Real>() -> Chain<R> {
     Chain { family: Family::InMotion, axes: 3, limits: limits.into(), states }
 }
 
-/// Ruckig's own plan takes 7.832 s, by the picture beside the example.
+/// Ruckig's own plan takes 7.832 s, by the picture next to the example.
 #[test]
-fn beside_the_example_of_ruckig() {
+fn compared_with_the_example_of_ruckig() {
     fn duration<R: Real>() -> f64 {
         Paths.plan(&example_of_ruckig::<R>(), 0).expect("a plan").0.duration()
     }
@@ -39,7 +39,7 @@ fn beside_the_example_of_ruckig() {
 const ASKED: usize = 200; // how many paths rsruckig is asked: it takes about 10 ms for one
 
 #[test]
-fn beside_rsruckig() {
+fn compared_with_rsruckig() {
     let mut chains = Chains::new(2);
     let (mut asked, mut refused, mut shorter) = (0, 0, 0);
     let (mut most, mut least, mut sum) = (0.0, f64::INFINITY, 0.0);
@@ -85,7 +85,7 @@ const SAMPLED: [Family; 8] = {
 };
 
 #[test]
-fn beside_random_starts() {
+fn compared_with_random_starts() {
     let (mut chains, mut random) = (Chains::new(3), Random::seeded(3));
     let mut parts = Vec::new();
     for k in 0..80 {
@@ -101,7 +101,7 @@ fn beside_random_starts() {
     }
     parts.sort_by(f64::total_cmp);
     let [mean, worst] = [parts.iter().sum::<f64>() / parts.len() as f64, parts[parts.len() - 1]];
-    println!("{} paths beside the best of 12 random starts: mean {mean:.6}, worst {worst:.6}", parts.len());
+    println!("{} paths next to the best of 12 random starts: mean {mean:.6}, worst {worst:.6}", parts.len());
     assert!(mean < 1.0001 && worst < 1.005);
 }
 
@@ -122,8 +122,8 @@ fn sixteen_steps_are_nearly_enough() {
     assert!(mean < 1.0001 && worst < 1.005);
 }
 
-/// Plans of the default number of steps beside plans of many steps, family by family.
-fn beside_more_steps<R: Original>() {
+/// Plans of the default number of steps next to plans of many steps, family by family.
+fn compared_with_more_steps<R: Original>() {
     let mut chains = Chains::new(5);
     let mut sum = 0.0;
     for family in Family::ALL {
@@ -304,9 +304,9 @@ fn a_long_window_loses_little() {
     }
 }
 
-/// An axis that is too fast to stop at its waypoints, and a quick one beside it that moves either way: the path takes as long as the move
+/// An axis that is too fast to stop at its waypoints, and a quick one next to it that moves either way: the path takes as long as the move
 /// without waypoints, which passes them. A plan that turns takes far longer.
-fn beside_the_move<R: Original>() {
+fn compared_with_the_move<R: Original>() {
     let mut random = Random::seeded(6);
     let mut worst = [1.0; 2];
     for _ in 0..200 {
@@ -321,11 +321,11 @@ fn beside_the_move<R: Original>() {
         let [p, end] = [start, axis.state_at(axis.t)].map(|state| state.position.widen());
         let stop = end - p;
         let places = [random.between(0.1, 0.4), random.between(0.5, 0.9), random.between(2.0, 8.0)];
-        let beside = random.sign() * random.between(1.0, 2.0);
-        let mut states = vec![start, State::at(R::of(beside))];
+        let place_of_other = random.sign() * random.between(1.0, 2.0);
+        let mut states = vec![start, State::at(R::of(place_of_other))];
         for (place, side) in places.iter().zip([random.sign(), 0.0, random.sign()]) {
             states.push(State::at(R::of(p + place * stop)));
-            states.push(State::at(R::of(beside + 1e-3 * side * stop)));
+            states.push(State::at(R::of(place_of_other + 1e-3 * side * stop)));
         }
         axis.plan(&limits[0], start, states[6]).expect("a plan");
         let chain = Chain { family: Family::InMotion, axes: 2, limits: limits.into(), states };
@@ -499,7 +499,7 @@ fn narrow_zones_do_not_stall() {
     assert!(default <= 1.005 * long);
 }
 
-/// How long the default path takes whose points all have this tolerance, beside the path through them, s.
+/// How long the default path takes whose points all have this tolerance, compared with the path through them, s.
 fn with_tolerance(chain: &Chain<f64>, tolerance: f64) -> [f64; 2] {
     let tolerances = vec![tolerance; chain.axes * (chain.sections() - 1)];
     let near = Paths.plan_near(chain, &tolerances, 0).expect("a plan").0;
@@ -544,6 +544,6 @@ fn tolerances_smooth_a_flower() {
 }
 
 test_both_reals!(
-    beside_more_steps, improvements_shorten, an_update_before_a_waypoint_gets_no_longer, a_window_moves_along,
-    beside_the_move
+    compared_with_more_steps, improvements_shorten, an_update_before_a_waypoint_gets_no_longer, a_window_moves_along,
+    compared_with_the_move
 );

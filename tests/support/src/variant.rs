@@ -22,7 +22,7 @@ pub const LOW_LEVELS: Variant = Variant {
     choices: &["A_TRAJPOLY3=1", "A_TRAJPOLY5=2", "A_TRAJPOLY7=3", "HWCAPS="],
     directory: "dist-poly3-level1-poly5-level2-poly7-level3",
 };
-/// Functions under other names, to stand beside liba in one program.
+/// Functions under other names, to stand next to liba in one program.
 pub const PREFIXED: Variant = Variant { choices: &["SYMBOL_PREFIX=x_", "HWCAPS="], directory: "dist-prefix-x_" };
 pub const FLOAT_PREFIXED: Variant =
     Variant { choices: &["REAL=float", "SYMBOL_PREFIX=x_", "HWCAPS="], directory: "dist-float-prefix-x_" };

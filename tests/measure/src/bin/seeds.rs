@@ -130,8 +130,8 @@ fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
         }
         let (p0, p1) = (from.position, to.position);
         let (low, high) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
-        let beside = R::of(random.magnitude(-3.0, 2.0));
-        numbers.extend([low - beside, high + beside]);
+        let margin = R::of(random.magnitude(-3.0, 2.0));
+        numbers.extend([low - margin, high + margin]);
     }
     let mut bytes = encode(&numbers, &[]);
     bytes[0] += 2 * (planner + PLANNERS_OF_AXES * more);

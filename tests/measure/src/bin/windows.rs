@@ -1,4 +1,4 @@
-//! `windows`: rows of 1,000 points through a window that moves along, and what it loses beside the whole path: `docs/data/path-windows.csv`.
+//! `windows`: rows of 1,000 points through a window that moves along, and what it loses compared with the whole path: `docs/data/path-windows.csv`.
 
 use oracle::judge::path::windows::{rows, through_window, whole};
 

@@ -17,7 +17,7 @@ listed! {
         VelocityAboveTheLimit, // the velocity is a little above its limit
         AccelerationAboveTheLimit, // the acceleration is a little above its limit
         JerkAboveTheLimit, // the jerk is a little above its limit
-        EndOff, // the move ends a representable number beside the target
+        EndOff, // the move ends a representable number off the target
         EndVelocityOff, // the final velocity is a representable number off
         Jump, // the position jumps 100 ulps
         VelocityJump, // the velocity jumps 100 ulps

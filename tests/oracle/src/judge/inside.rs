@@ -70,7 +70,7 @@ pub fn launch<R: Real>(limits: &Limits<R>, to: State<R>) -> Option<[f64; 2]> {
 
 /// The states from which an axis stays between 0 and 1, by dynamic programming: for velocities and accelerations on a grid the lowest and the highest
 /// position. A step takes one of three jerks. Between the points of the grid the positions are linear, because a mean of two motions between
-/// the walls is between them too.
+/// the position limits is between them too.
 pub struct Viable {
     limits: Limits<f64>,
     spans: Vec<[f64; 2]>,
@@ -113,7 +113,7 @@ impl Viable {
         [low.max(0.0), high.min(1.0)]
     }
 
-    /// The positions from which an axis stays between the walls; none if the first one is above the second one.
+    /// The positions from which an axis stays between the position limits; none if the first one is above the second one.
     pub fn positions(&self, velocity: f64, acceleration: f64) -> [f64; 2] {
         let Limits { vmax, vmin, amax, amin, .. } = self.limits;
         let cell = |x: f64, low: f64, high: f64| {
@@ -128,7 +128,7 @@ impl Viable {
         [0, 1].map(|end| corners.iter().zip(weights).map(|(span, weight)| weight * span[end]).sum())
     }
 
-    /// Whether an axis in this state stays between the walls, by more than the grid is wrong.
+    /// Whether an axis in this state stays between the position limits, by more than the grid is wrong.
     pub fn is_surely(&self, State { position, velocity, acceleration }: State<f64>) -> bool {
         let [low, high] = self.positions(velocity, acceleration);
         position > low + 0.01 && position < high - 0.01 && high - low > 0.01

@@ -38,7 +38,7 @@ listed! {
         HugeJerk, // the jerk is huge
         ExtremeScale, // lengths and times of any size
         NoDisplacement, // the target is the start
-        DirectTie, // the target is the end of the direct ramp, or a few representable numbers beside it
+        DirectTie, // the target is the end of the direct ramp, or a few representable numbers off it
         BorderOfCruise, // the displacement just lets the axis cruise, or just does not
         BorderOfShape, // the displacement is where the motion gets another shape
         BorderOfHold, // the change of velocity just needs a hold, or just does not
@@ -393,19 +393,19 @@ impl<R: Real> Problems<R> {
         problem
     }
 
-    /// Puts the target where the motion changes, or a few representable numbers beside.
+    /// Puts the target where the motion changes, or a few representable numbers off it.
     fn aim(&mut self, kind: Kind, problem: &mut Problem<R>) {
         let motion = Motion::of(problem);
         let h = motion.target[0] - motion.start[0];
         let random = &mut self.random;
         let displacement = match kind {
-            Kind::DirectTie => h - motion.best().beside_direct,
+            Kind::DirectTie => h - motion.best().past_direct,
             Kind::BorderOfGap => {
                 let best = motion.best();
                 if best.gap_ends.is_infinite() {
                     return;
                 }
-                h - random.pick(&[best.beside_begin, best.beside_end, best.beside_direct])
+                h - random.pick(&[best.past_begin, best.past_end, best.past_direct])
             }
             Kind::Lens if random.one_in(2) => {
                 // Somewhere among the displacements that can be reached before the gap.

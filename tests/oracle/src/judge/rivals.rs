@@ -8,7 +8,7 @@ use rsruckig::prelude::*;
 use std::fmt::{Display, Formatter, Result as Written};
 use support::Real;
 
-const ACCURACY: f64 = 1e-8; // how far beside its target a motion of rsruckig may end
+const ACCURACY: f64 = 1e-8; // how far off its target a motion of rsruckig may end
 
 /// Whether rsruckig takes these axes. It has one limit of the jerk, and needs finite numbers of moderate size.
 pub fn fits_ruckig<R: Real>(axes: &[Problem<R>]) -> bool {

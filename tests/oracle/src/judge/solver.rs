@@ -21,16 +21,16 @@ pub struct Best {
     pub variation: f64, // the sum of the magnitudes of all changes of its velocity
     /// Its highest acceleration times how long the acceleration changes. A rounding of the acceleration changes the velocity by so many.
     pub changing: f64,
-    pub inside: f64,          // how long the recovery lasts
-    pub direct: f64,          // the duration with the direct ramp. From here on the end can be reached.
-    pub gap_begins: f64,      // from here on the end can not be reached; infinite if there is no such gap
-    pub gap_ends: f64,        // from here on the end can be reached again
-    pub beside_direct: f64,   // how much further than the end of the direct ramp the target is
-    pub beside_begin: f64,    // how much further than the displacement where the gap begins
-    pub beside_end: f64,      // how much further than the displacement where the gap ends
-    pub straight: f64,        // the duration in which the acceleration goes straight from one end to the other
-    pub beside_straight: f64, // how much further than the end of the straight change the target is
-    pub faster: f64,          // how much faster than the end of the straight change the target is
+    pub inside: f64,        // how long the recovery lasts
+    pub direct: f64,        // the duration with the direct ramp. From here on the end can be reached.
+    pub gap_begins: f64,    // from here on the end can not be reached; infinite if there is no such gap
+    pub gap_ends: f64,      // from here on the end can be reached again
+    pub past_direct: f64,   // how much further than the end of the direct ramp the target is
+    pub past_begin: f64,    // how much further than the displacement where the gap begins
+    pub past_end: f64,      // how much further than the displacement where the gap ends
+    pub straight: f64,      // the duration in which the acceleration goes straight from one end to the other
+    pub past_straight: f64, // how much further than the end of the straight change the target is
+    pub faster: f64,        // how much faster than the end of the straight change the target is
     /// The largest relative error of the motion that was found: of its end, of its limits, of its phases.
     pub wrong: f64,
 }
@@ -65,11 +65,11 @@ pub struct Walk {
 
 unsafe extern "C" {
     safe fn solver_fastest(
-        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], beside: &[f64; 3], frame: f64, grid: &Grid,
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], offset: &[f64; 3], frame: f64, grid: &Grid,
         results: &mut Best,
     );
     safe fn solver_possible(
-        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], beside: &[f64; 3], duration: f64,
+        limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], offset: &[f64; 3], duration: f64,
     ) -> f64;
     safe fn solver_interval(
         limits: &[f64; 6], start: &[f64; 3], target: &[f64; 3], duration: f64, interval: &mut [f64; 2],
@@ -99,11 +99,11 @@ impl Motion {
     }
 
     pub fn best(&self) -> Best {
-        self.best_beside([0.0; 3], Grid::COARSE)
+        self.best_at([0.0; 3], Grid::COARSE)
     }
 
     /// The fastest motion to a target that is so much further and so much faster, from a start that is so much faster.
-    pub fn best_beside(&self, beside: [f64; 3], grid: Grid) -> Best {
+    pub fn best_at(&self, offset: [f64; 3], grid: Grid) -> Best {
         let mut best = Best::default();
         let [_, v0, a0] = self.start;
         let [vmax, vmin, ..] = self.limits;
@@ -111,15 +111,15 @@ impl Motion {
         let is_accelerated = a0 != 0.0 || self.target[2] != 0.0 || comes_inside;
         let grid = if is_accelerated { grid } else { Grid::SPARSE };
         let Self { limits, start, target, frame } = self;
-        solver_fastest(limits, start, target, &beside, *frame, &grid, &mut best);
+        solver_fastest(limits, start, target, &offset, *frame, &grid, &mut best);
         best
     }
 
     /// How much further the target is than the displacements of this duration: 0 if it is among them, infinite if the end cannot be reached
     /// in this duration. The target is so much further and so much faster, and the start is so much faster.
-    pub fn lacks(&self, duration: f64, beside: [f64; 3]) -> f64 {
+    pub fn lacks(&self, duration: f64, offset: [f64; 3]) -> f64 {
         let Self { limits, start, target, .. } = self;
-        solver_possible(limits, start, target, &beside, duration)
+        solver_possible(limits, start, target, &offset, duration)
     }
 
     pub fn possible(&self, duration: f64) -> bool {

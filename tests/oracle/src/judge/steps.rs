@@ -49,7 +49,7 @@ pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]
         0 => None,
         1 => Some("a step at another place"),
         2 => Some("a step before the one before"),
-        3 => Some("the axis is not beside the motor"),
+        3 => Some("the axis is not where the motor is"),
         _ => Some("a step after the end"),
     }
 }

@@ -157,11 +157,11 @@ impl<R: Original> Trial<R> {
 
     /// The least duration, and the durations that are as good because the target is a few ulps away.
     fn possible(&self, best: &Best, position: f64, velocity: f64) -> impl Iterator<Item = f64> {
-        let near = |beside: f64| !self.has_position() || beside.abs() <= position;
-        let direct = near(best.beside_direct);
-        let gap_begins = near(best.beside_begin) && best.gap_begins.is_finite();
-        let gap_ends = near(best.beside_end) && best.gap_ends.is_finite();
-        let straight = near(best.beside_straight) && best.faster.abs() <= velocity;
+        let near = |off: f64| !self.has_position() || off.abs() <= position;
+        let direct = near(best.past_direct);
+        let gap_begins = near(best.past_begin) && best.gap_begins.is_finite();
+        let gap_ends = near(best.past_end) && best.gap_ends.is_finite();
+        let straight = near(best.past_straight) && best.faster.abs() <= velocity;
         let others = [
             (direct, best.direct),
             (gap_begins && self.has_position(), best.gap_begins),
@@ -175,18 +175,18 @@ impl<R: Original> Trial<R> {
     pub fn is_possible(&self, duration: f64) -> bool {
         let tolerance = tolerance::<R>();
         let [position, velocity] = self.roundings(duration);
-        let reached = |t: f64, beside| self.motion.lacks(t, beside).abs() <= position;
+        let reached = |t: f64, offset| self.motion.lacks(t, offset).abs() <= position;
         let times = [1.0, 1.0 + tolerance, 1.0 - tolerance].map(|factor| factor * duration);
         times.iter().any(|&t| reached(t, [0.0; 3]))
-            || besides(position, velocity).any(|beside| times.iter().any(|&t| reached(t, beside)))
+            || offsets(position, velocity).any(|offset| times.iter().any(|&t| reached(t, offset)))
             || matches!(self.duration(duration), Verdict::Good { .. })
     }
 
-    /// Whether the target, and whatever is a few ulps beside it, can be reached in this duration.
+    /// Whether the target, and whatever is a few ulps from it, can be reached in this duration.
     pub fn is_surely_possible(&self, duration: f64) -> bool {
         let [position, velocity] = self.roundings(duration);
         self.motion.possible(duration)
-            && besides(position, velocity).all(|beside| self.motion.lacks(duration, beside) == 0.0)
+            && offsets(position, velocity).all(|offset| self.motion.lacks(duration, offset) == 0.0)
     }
 
     /// 64 ulps of the positions and of the velocities of a motion that lasts as long, or more if the reference solver knows them no better.
@@ -235,7 +235,7 @@ impl<R: Original> Trial<R> {
         let coarse = (0..coarse).map(|index| (index, Grid::COARSE));
         let fine = (0..fine).map(|index| (index, Grid::FINE));
         for (index, grid) in coarse.chain(fine) {
-            let best = self.motion.best_beside(beside(index, position, velocity), grid);
+            let best = self.motion.best_at(offset(index, position, velocity), grid);
             for least in self.possible(&best, position, velocity) {
                 if error(least) <= tolerance {
                     return good(least);
@@ -388,7 +388,7 @@ impl<R: Original> Trial<R> {
         let before = v1 - 0.5 * a1.abs() * a1 / if a1 > 0.0 { jmax } else { -jmin };
         let way = p1 - p0;
         let against = way == 0.0 || [v0, at_zero_a, v1, before].iter().any(|v| way * v < 0.0);
-        // Beside the velocities that an acceleration leads to afterwards, those of the move may be as small as roundings.
+        // Compared with the velocities that an acceleration leads to afterwards, those of the move may be as small as roundings.
         first_fault([
             (overshoots && excess == 0.0 && !(against || leaves == Some(true)), "it does not overshoot"),
             (!overshoots && excess > 4.0 * doubt * scale.position, "it overshoots"),
@@ -454,13 +454,13 @@ impl<R: Original> Trial<R> {
 }
 
 /// How much further and faster the target is, and how much faster the start, in the neighbour of this number of a problem.
-fn beside(index: usize, position: f64, velocity: f64) -> [f64; 3] {
+fn offset(index: usize, position: f64, velocity: f64) -> [f64; 3] {
     let shift = |of: usize| [0.0, -1.0, 1.0][index / of % 3];
     [shift(1) * position, shift(3) * velocity, shift(9) * velocity]
 }
 
-fn besides(position: f64, velocity: f64) -> impl Iterator<Item = [f64; 3]> {
-    (0..27).map(move |index| beside(index, position, velocity))
+fn offsets(position: f64, velocity: f64) -> impl Iterator<Item = [f64; 3]> {
+    (0..27).map(move |index| offset(index, position, velocity))
 }
 
 struct Side {

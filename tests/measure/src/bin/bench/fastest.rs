@@ -1,4 +1,4 @@
-//! The plans that never fail, beside the original's plans and beside those of the crate rsruckig: the same moves in the same rounds.
+//! The plans that never fail, next to the original's plans and to those of the crate rsruckig: the same moves in the same rounds.
 //!
 //! rsruckig plans one axis by its position interface, from the same ends and within the same limits. It computes in binary64 always.
 //! Its trapezoid has an infinite jerk.

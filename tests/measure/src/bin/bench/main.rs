@@ -2,10 +2,10 @@
 //!
 //! `bench`: a table of ours against the original at `-O2` and `-O3`, all through the C ABI, in one process.
 //! `bench WORD…`: the rows of the table that contain all these words.
-//! `bench fastest`: a table of the plans that never fail, beside the original's at `-O2` and beside the crate rsruckig.
-//! `bench moves`: a table of the moves from any state to any state, and of several axes that arrive together, beside rsruckig and Ruckig's C++.
-//! `bench evaluations`: a table of evaluations of such moves, beside the double-S.
-//! `bench path`: a table of paths through waypoints, beside the crate rsruckig.
+//! `bench fastest`: a table of the plans that never fail, next to the original's at `-O2` and the crate rsruckig.
+//! `bench moves`: a table of the moves from any state to any state, and of several axes that arrive together, next to rsruckig and Ruckig's C++.
+//! `bench evaluations`: a table of evaluations of such moves, next to the double-S.
+//! `bench path`: a table of paths through waypoints, next to the crate rsruckig.
 //! `bench instructions`: the instructions of our functions, one line each, for `.ci/run`.
 //! `bench count ROW LIBRARY`: runs one row once, in the function that callgrind counts.
 //!

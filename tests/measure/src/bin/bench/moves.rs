@@ -1,5 +1,5 @@
-//! The moves from any state to any state: planned beside the crate rsruckig and Ruckig's C++, evaluated beside the double-S, in the same
-//! rounds. Then several axes that arrive together, beside both with as many axes.
+//! The moves from any state to any state: planned next to the crate rsruckig and Ruckig's C++, evaluated next to the double-S, in the same
+//! rounds. Then several axes that arrive together, next to both with as many axes.
 //!
 //! Their limit of the jerk is the same in both directions, so ours is here too.
 

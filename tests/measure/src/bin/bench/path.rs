@@ -1,4 +1,4 @@
-//! Waypoints without stops, through the C ABI, beside the crate rsruckig: the same paths in the same rounds.
+//! Waypoints without stops, through the C ABI, next to the crate rsruckig: the same paths in the same rounds.
 
 use crate::{REAL, median};
 use atraj::capi::a_float;

@@ -1,4 +1,4 @@
-//! Plans of ours beside those of the crate rsruckig: the same problems in the same rounds.
+//! Plans of ours next to those of the crate rsruckig: the same problems in the same rounds.
 //!
 //! rsruckig plans by its position interface, and computes in binary64 always.
 

@@ -14,14 +14,14 @@ listed! {
         Late, // the duration is twice the least one
         OffTheClock, // the duration is a little longer than demanded, and no tick
         TooShort, // it plans for a little less than the demanded duration
-        /// The first axis moves for as long, but the end of its last axis is a representable number beside the target.
+        /// The first axis moves for as long, but the end of its last axis is a representable number off the target.
         EndOff,
         Waits, // a stretched axis stands still and then makes its fastest move
         WideLimits, // the limits of the last axis are a little wider
         OneLate, // the last axis ends a representable number later
         Silent, // it finds nothing
-        BesideTheLine, // on the line, the last axis is a little beside
-        SlipsTooFar, // it arrives a tick too early: an axis that misses the tick slips by more than its roundings
+        OffTheLine, // on the line, the last axis is a little off it
+        ShiftedTooFar, // it arrives a tick too early: an axis that misses the tick is shifted by more than its roundings
     }
 }
 
@@ -66,7 +66,7 @@ impl Fault {
                     *axis = after(&fastest, axis.t - fastest.t, axis.t, problem.from);
                 }
             }
-            Self::BesideTheLine => {
+            Self::OffTheLine => {
                 let little = R::of(1e4) * R::MACHINE_EPSILON;
                 for phase in &mut axis.phase[1..count.max(1)] {
                     phase.position = phase.position + little * (phase.position + problem.limits.vmax * axis.t);
@@ -102,13 +102,13 @@ fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
         let one = std::slice::from_mut(axis);
         synchronise(one, &limits, &from, &to, t, zero).expect("an axis that was planned");
         if axis.t > t {
-            slip(axis, t);
+            cut_off(axis, t);
         }
     }
 }
 
 /// Leaves the last part of a move out, and finds the states at the start of each phase from the end.
-fn slip<R: Real>(axis: &mut Move<R>, t: R) {
+fn cut_off<R: Real>(axis: &mut Move<R>, t: R) {
     let count = axis.count as usize;
     let mut early = axis.t - t;
     let [phases @ .., end] = &mut axis.phase[..=count] else { return };
@@ -145,7 +145,7 @@ impl Fault {
 impl<R: Real> Planner<R> for Fault {
     fn synchronise(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
         let found = self.plan(set, axes, |set, axes| Together.synchronise(set, axes))?;
-        if *self == Self::SlipsTooFar {
+        if *self == Self::ShiftedTooFar {
             a_tick_earlier(set, axes);
         }
         Ok(found)

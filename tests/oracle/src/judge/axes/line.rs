@@ -1,7 +1,7 @@
 //! What is wrong with axes on a straight line.
 
 use super::problems::Set;
-use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_slip, scale_of_short_ramps, slip};
+use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_shift, scale_of_short_ramps, time_shift};
 use crate::judge::problem::{Problem, parts, widened};
 use crate::judge::trial::{Scale, Trial, Verdict, doubt};
 use crate::liba::abi::Original;
@@ -69,9 +69,9 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
     let (shares, lead) = shares(set);
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
     let of_lead = Trial::new(lead_of(set, &shares, lead));
-    let slip = slip(of_lead.problem(), &axes[lead]);
-    let scale = scale_of_a_slip(&of_lead, &axes[lead], slip);
-    let timing = Timing { axes: &[of_lead], slips: &[slip], planned: &axes[lead..=lead], duration, cycle };
+    let shift = time_shift(of_lead.problem(), &axes[lead]);
+    let scale = scale_of_a_shift(&of_lead, &axes[lead], shift);
+    let timing = Timing { axes: &[of_lead], shifts: &[shift], planned: &axes[lead..=lead], duration, cycle };
     wrong_motions(set, &scale, (&shares, lead), &axes, random)
         .filter(|bad| !is_excused(bad))
         .or_else(|| timing.wrong(axes[0].t.widen(), || None))
@@ -116,10 +116,10 @@ fn leaves_line<R: Real>(
     };
     let scale = reach(k) + share.widen().abs() * reach(lead);
     let mut times = borders.chain([(); 4].map(|()| R::of(random.unit()) * axes[lead].t));
-    let is_beside = |x: R| {
+    let is_off = |x: R| {
         let [led, own] = [lead, k].map(|k| axes[k].position(x).widen());
-        let beside = own - end(k) - share.widen() * (led - end(lead));
-        beside.abs() > doubt::<R>() * scale
+        let off = own - end(k) - share.widen() * (led - end(lead));
+        off.abs() > doubt::<R>() * scale
     };
-    times.any(is_beside).then_some("it leaves the line")
+    times.any(is_off).then_some("it leaves the line")
 }

@@ -120,7 +120,7 @@ impl<R: Real> Sets<R> {
         if lead.to.position == lead.from.position {
             (lead.from, lead.to) = (State::at(lead.from.position), State::at(lead.from.position));
         }
-        let mut axes: Vec<_> = (1..count).map(|_| self.beside(&lead)).collect();
+        let mut axes: Vec<_> = (1..count).map(|_| self.follower(&lead)).collect();
         axes.insert(self.random.below(count), lead);
         if lead.to.position == lead.from.position {
             for axis in &mut axes {
@@ -131,7 +131,7 @@ impl<R: Real> Sets<R> {
         axes
     }
 
-    fn beside(&mut self, lead: &Problem<R>) -> Problem<R> {
+    fn follower(&mut self, lead: &Problem<R>) -> Problem<R> {
         let random = &mut self.random;
         let part = random.pick(&[0.0, 1.0, -1.0, 2.0, 2.0, 2.0, 2.0, 2.0]);
         let part = if part == 2.0 { random.sign() * random.magnitude(-3.0, 0.0) } else { part };

@@ -35,7 +35,7 @@ pub type Bad = (usize, Verdict);
 /// A stretched motion is the mean of two motions. A ramp of one of them may be shorter than a rounding of the duration. Then its
 /// acceleration jumps, by as much as the jerk can change it in a rounding of the duration.
 ///
-/// Just before its end, an axis still has the roundings of the phases that it has passed: it may be beside its way by what it travels while
+/// Just before its end, an axis still has the roundings of the phases that it has passed: it may be off its way by what it travels while
 /// an acceleration is eased.
 pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scale {
     let motion = axis.motion();
@@ -50,15 +50,15 @@ pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scal
     }
 }
 
-/// By how much the numbers of an axis may be larger than their own scale. The axis may slip, s: it arrives at a tick that its fastest motion
-/// misses by rounding errors.
+/// By how much the numbers of an axis may be larger than their own scale. The axis may be shifted in time, s: it arrives at a tick that its
+/// fastest motion misses by rounding errors.
 ///
 /// Then each end changes by up to eight times as many ulps of positions and velocities: 256 ulps of both velocities in sum are 512
-/// of the higher one. The motion is followed from its start, so the changes of the velocity at both ends add up. A slip is a shift in time, so
-/// the acceleration changes by what the jerk changes in the slip. The positions and the velocities limit the slip.
-pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f64) -> Scale {
+/// of the higher one. The motion is followed from its start, so the changes of the velocity at both ends add up. After a shift in time
+/// the acceleration changes by what the jerk changes in that time. The positions and the velocities limit the shift.
+pub fn scale_of_a_shift<R: Original>(planned: &Trial<R>, axis: &Move<R>, shift: f64) -> Scale {
     let more = scale_of_short_ramps(planned, axis.t.widen());
-    if slip == 0.0 {
+    if shift == 0.0 {
         return more;
     }
     let [.., jmax, jmin] = planned.motion().limits;
@@ -66,22 +66,22 @@ pub fn scale_of_a_slip<R: Original>(planned: &Trial<R>, axis: &Move<R>, slip: f6
     let of_end = more.and(&own).times(8.0);
     of_end.and(&Scale {
         velocity: of_end.velocity,
-        acceleration: jmax.max(-jmin) * slip.abs() / doubt::<R>(),
+        acceleration: jmax.max(-jmin) * shift.abs() / doubt::<R>(),
         ..Scale::default()
     })
 }
 
 /// By how much an axis arrives earlier than its fastest move does, or later, at a tick which the move misses by rounding errors, s; 0 if it does
-/// not. A slip keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one. On a line, the planner
+/// not. A shift keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one. On a line, the planner
 /// counts the positions from the end, and the shares of the axes are rounded. So the phases are the same up to rounding.
-pub fn slip<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
+pub fn time_shift<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
     let mut fastest = Move::default();
     let planned = fastest.plan(&problem.limits, problem.from, problem.to);
     let t = axis.t.widen();
-    let slip = fastest.t.widen() - t;
+    let shift = fastest.t.widen() - t;
     let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
-    let slips = planned.is_ok() && slip.abs() > rounding && (slip > 0.0 || keeps_way(problem, axis, &fastest));
-    if slips { slip } else { 0.0 }
+    let is_shifted = planned.is_ok() && shift.abs() > rounding && (shift > 0.0 || keeps_way(problem, axis, &fastest));
+    if is_shifted { shift } else { 0.0 }
 }
 
 /// Whether an axis has the phases of its fastest move behind the first one, up to rounding.
@@ -100,7 +100,7 @@ fn keeps_way<R: Real>(problem: &Problem<R>, axis: &Move<R>, fastest: &Move<R>) -
 
 pub struct Timing<'a, R> {
     pub axes: &'a [Trial<R>],   // the axes that share the duration
-    pub slips: &'a [f64],       // by how much each axis slips, s
+    pub shifts: &'a [f64],      // by how much each axis is shifted in time, s
     pub planned: &'a [Move<R>], // their motions, whose states have been judged
     pub duration: f64,          // the least duration, s
     pub cycle: f64,             // the period of the clock, s; 0: none
@@ -121,9 +121,9 @@ impl<R: Original> Timing<'_, R> {
         if self.cycle > 0.0 && (ticks * self.cycle - t).abs() > rounding {
             return Some((0, Verdict::Wrong("the duration is not a multiple of the cycle")));
         }
-        // The states of an axis that slips are judged by themselves, and so are those of a ramp.
-        let mut axes = self.axes.iter().zip(self.slips).zip(self.planned);
-        let impossible = axes.position(|((axis, slip), planned)| !axis.is_possible(t + slip) && !axis.is_ramp(planned));
+        // The states of an axis that is shifted are judged by themselves, and so are those of a ramp.
+        let mut axes = self.axes.iter().zip(self.shifts).zip(self.planned);
+        let impossible = axes.position(|((axis, by), planned)| !axis.is_possible(t + by) && !axis.is_ramp(planned));
         if let Some(axis) = impossible {
             return Some((axis, Verdict::Impossible));
         }
@@ -149,8 +149,8 @@ impl<R: Original> Timing<'_, R> {
 
     /// Durations to try: evenly spread ones, and the borders of the gaps; the ticks behind them if there is a clock.
     fn candidates(&self, least: f64, t: f64, other: impl Fn() -> Option<f64>) -> Vec<f64> {
-        let beside = 1.0 + 2.0 * tolerance::<R>();
-        if t <= least * beside * beside {
+        let more = 1.0 + 2.0 * tolerance::<R>();
+        if t <= least * more * more {
             return Vec::new();
         }
         let even = (0..TRIED).map(|k| least + (t - least) * f64::from(k) / f64::from(TRIED));
@@ -161,7 +161,7 @@ impl<R: Original> Timing<'_, R> {
         if self.cycle > 0.0 {
             exact.map(|x| (x / self.cycle).ceil() * self.cycle).collect()
         } else {
-            exact.flat_map(|x| [x, x * beside]).collect()
+            exact.flat_map(|x| [x, x * more]).collect()
         }
     }
 }
@@ -174,9 +174,9 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
     };
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
-    let slips: Vec<_> = set.axes.iter().zip(&axes).map(|(problem, axis)| slip(problem, axis)).collect();
-    let timing = Timing { axes: &trials, slips: &slips, planned: &axes, duration, cycle };
-    wrong_motions(&trials, &slips, &axes, random)
+    let shifts: Vec<_> = set.axes.iter().zip(&axes).map(|(problem, axis)| time_shift(problem, axis)).collect();
+    let timing = Timing { axes: &trials, shifts: &shifts, planned: &axes, duration, cycle };
+    wrong_motions(&trials, &shifts, &axes, random)
         .or_else(|| wrong_fastest(set, &axes))
         .or_else(|| wrong_findings(&trials, &axes, found))
         .or_else(|| {
@@ -191,14 +191,14 @@ pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
 }
 
 pub fn wrong_motions<R: Original>(
-    trials: &[Trial<R>], slips: &[f64], axes: &[Move<R>], random: &mut Random,
+    trials: &[Trial<R>], shifts: &[f64], axes: &[Move<R>], random: &mut Random,
 ) -> Option<Bad> {
     let t = axes[0].t;
     for (k, (trial, axis)) in trials.iter().zip(axes).enumerate() {
         if axis.t.low_bits() != t.low_bits() {
             return Some((k, Verdict::Wrong("the axes do not arrive together")));
         }
-        let more = scale_of_a_slip(trial, axis, slips[k]);
+        let more = scale_of_a_shift(trial, axis, shifts[k]);
         if let Some(what) = trial.wrong_states(&plan_of(axis), &more, random) {
             return Some((k, Verdict::Wrong(what)));
         }
@@ -211,8 +211,8 @@ fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
     for (k, (problem, axis)) in set.axes.iter().zip(axes).enumerate() {
         let mut fastest = Move::default();
         let planned = fastest.plan(&problem.limits, problem.from, problem.to);
-        // An axis that slips begins and ends beside its fastest move by rounding errors, and is judged like any other.
-        let is_slowest = planned.is_ok() && fastest.t >= axis.t && slip(problem, axis) == 0.0;
+        // An axis that is shifted begins and ends next to its fastest move by rounding errors, and is judged like any other.
+        let is_slowest = planned.is_ok() && fastest.t >= axis.t && time_shift(problem, axis) == 0.0;
         // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
         for phase in &mut fastest.phase {
             phase.start = if phase.start > axis.t { axis.t } else { phase.start };

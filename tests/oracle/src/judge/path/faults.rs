@@ -21,8 +21,8 @@ pub enum Fault {
     WideLimits,
     /// The limits of the first section hold everywhere.
     NoZones,
-    /// A waypoint is a representable number beside the given one.
-    Beside,
+    /// A waypoint is a representable number off the given one.
+    WaypointOff,
     /// The end has another velocity.
     EndOff,
     /// It finds nothing.
@@ -38,7 +38,7 @@ impl Fault {
         Self::TooFast,
         Self::WideLimits,
         Self::NoZones,
-        Self::Beside,
+        Self::WaypointOff,
         Self::EndOff,
         Self::Silent,
     ];
@@ -75,7 +75,7 @@ impl<R: Real> Planner<R> for Fault {
                 path.durations.iter_mut().for_each(|t| *t = *t * R::of(0.99));
             }
             Self::TooFast => path.states[middle].velocity = path.states[middle].velocity * R::of(1.05),
-            Self::Beside => path.states[middle].position = path.states[middle].position.neighbour(1),
+            Self::WaypointOff => path.states[middle].position = path.states[middle].position.neighbour(1),
             Self::EndOff => {
                 let end = path.states.last_mut().expect("an end");
                 end.velocity = end.velocity + R::of(1e-3);

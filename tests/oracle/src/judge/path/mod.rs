@@ -163,7 +163,7 @@ pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
     (0..sections).map(duration).sum()
 }
 
-/// What is wrong with the plan of a path, and how long it takes beside stops.
+/// What is wrong with the plan of a path, and how long it takes compared with stops.
 pub fn judge<R: Original>(planner: &impl Planner<R>, chain: &Chain<R>, random: &mut Random) -> Result<f64, String> {
     let (path, found) = planner.plan(chain, 0).map_err(|error| format!("{error:?}"))?;
     if let Some(what) = wrong(chain, &path, found, random) {
@@ -178,7 +178,7 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, chain: &Chain<R>, random: &
     Ok(if part.is_nan() { 1.0 } else { part })
 }
 
-/// What is wrong with the plan of a path through zones around the points, and how long it takes beside the path through the points.
+/// What is wrong with the plan of a path through zones around the points, and how long it takes compared with the path through the points.
 pub fn judge_near<R: Original>(chain: &Chain<R>, tolerances: &[R], random: &mut Random) -> Result<f64, String> {
     let (path, found) = Paths.plan_near(chain, tolerances, 0).map_err(|error| format!("{error:?}"))?;
     if let Some(what) = wrong_near(chain, tolerances, &path, found, random) {

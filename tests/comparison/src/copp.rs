@@ -12,7 +12,7 @@ use oracle::judge::path::problems::Chain;
 
 const STATIONS: usize = 1001; // points of the spline at which the limits hold
 
-/// What is limited, beside the velocity.
+/// What is limited, besides the velocity.
 #[derive(PartialEq)]
 pub enum Limits {
     Acceleration,

@@ -1,4 +1,4 @@
-//! `beside`: paths through the same points by atraj, rsruckig, TOPP-RA and COPP, as a table. docs/path.md shows it.
+//! `comparison`: paths through the same points by atraj, rsruckig, TOPP-RA and COPP, as a table. docs/path.md shows it.
 
 mod cases;
 mod copp;
