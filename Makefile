@@ -234,6 +234,7 @@ doc: dist playground $(MDBOOK)
 	echo 'addEventListener("load", () => document.querySelectorAll("tbody, .fragment").forEach((table) => (table.tabIndex = 0)));' >> target/reference/c/html/menu.js
 	cp -R target/reference/doc $(SITE)/rust
 	cp -R target/reference/c/html $(SITE)/c
+	node docs/site/search.mjs $(SITE) target/reference/c/tags.xml
 	cp target/playground/index.html $(SITE)/playground.html
 
 DEMO := target/demo

@@ -1,10 +1,11 @@
-// Is the site whole: a page for each document and each example, all in the table of contents, both references, the playground, and no
-// dead link? `make doc` writes the site.
+// Is the site whole: a page for each document and each example, all in the table of contents, both references, the playground, no dead
+// link, and a search that finds each function? `make doc` writes the site.
 import assert from "node:assert/strict";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { basename, dirname, join, relative } from "node:path";
 import { test } from "node:test";
-import { ROOT } from "./browser.js";
+import { pathToFileURL } from "node:url";
+import { ROOT, start } from "./browser.js";
 
 const SITE = join(ROOT, "target/site");
 const read = (path) => readFileSync(path, "utf8");
@@ -58,6 +59,19 @@ test("the C reference says what to include", () => {
     ]) {
         assert.ok(text(page).includes(`#include &lt;${include}&gt;`), page);
     }
+});
+
+test("the search finds a function before the pages that name it", async () => {
+    const { browser, close } = await start();
+    const page = await browser.newPage();
+    for (const name of ["atraj_move_plan", "atraj_path_plan", "a_trajbell_gen", "claraty_trapezoid_stop", "atraj_group"]) {
+        await page.goto(`${pathToFileURL(join(SITE, "docs/moves.html"))}?search=${name}`);
+        await page.locator("#searchresults a").first().click();
+        const [, place] = page.url().split("#");
+        const found = place ? page.locator(`#${place} + .memtitle`) : page.locator(".title");
+        assert.match(await found.textContent(), new RegExp(`\\b${name}\\b`), page.url());
+    }
+    await close();
 });
 
 // A table begins with the link to its file, and has a row for each line.
