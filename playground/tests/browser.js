@@ -1,5 +1,6 @@
 // Headless Chromium with the page in it.
-import { mkdtemp, rm } from "node:fs/promises";
+import assert from "node:assert/strict";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -41,6 +42,16 @@ export async function open(browser, hash = "", options = {}) {
     await page.goto(PAGE + hash);
     await settled(page);
     return { page, complaints };
+}
+
+/** The serious and critical faults. The page forbids scripts of others, so axe-core comes by the debugger. */
+export async function faults(page) {
+    await page.evaluate(await readFile(`${ROOT}playground/node_modules/axe-core/axe.min.js`, "utf8"));
+    const { violations, passes } = await page.evaluate(() => globalThis.axe.run());
+    assert.ok(passes.length > 20);
+    return violations
+        .filter(({ impact }) => impact === "serious" || impact === "critical")
+        .flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} at ${target}`));
 }
 
 /** Waits until the page has drawn, and has written its address and its code. */

@@ -1,24 +1,12 @@
 // Does axe-core find a serious fault in the page, on any profile, wide or narrow, light or dark?
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { open, ROOT, start } from "./browser.js";
+import { faults, open, start } from "./browser.js";
 
 let browser, close;
-const axe = await readFile(`${ROOT}playground/node_modules/axe-core/axe.min.js`, "utf8");
 
 before(async () => ({ browser, close } = await start()));
 after(() => close());
-
-/** The serious and critical faults. The page forbids scripts of others, so axe-core comes by the debugger. */
-async function faults(page) {
-    await page.evaluate(axe);
-    const { violations, passes } = await page.evaluate(() => globalThis.axe.run());
-    assert.ok(passes.length > 20);
-    return violations
-        .filter(({ impact }) => impact === "serious" || impact === "critical")
-        .flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} at ${target}`));
-}
 
 for (const hash of ["#profile=move&backward=1", "#profile=move&then=0.5~stop~0_0.7~jog~9", "#profile=bell", "#profile=line&axis=1", "#profile=path"]) {
     for (const [name, options] of [["wide", {}], ["narrow and dark", { viewport: { width: 390, height: 844 }, colorScheme: "dark" }]]) {
