@@ -287,9 +287,14 @@ impl Panel<'_> {
         for &(name, color, value) in &self.levels {
             let style = if color == LIMIT { "1\" opacity=\".7" } else { "1\" stroke-dasharray=\"6 4" };
             svg.line(&[(SIDES.start, up(value)), (SIDES.end, up(value))], style, color);
-            // The name of a limit stands outside the range that the limits allow.
-            let place = if color == LIMIT && value < 0.0 { up(value) + 12.0 } else { up(value) - 4.0 };
-            svg.text((SIDES.end, place), "end", color, name);
+            // The name of a limit stands outside the range that the limits allow, that of another level below its line if a curve is above.
+            let is_over = |point: &Point| {
+                let above = up(value) - up(point.1);
+                across(point.0) > SIDES.end - width(name) && above > -2.0 && above < 16.0
+            };
+            let is_crossed = || self.curves.iter().flat_map(|curve| &curve.2).any(is_over);
+            let is_below = if color == LIMIT { value < 0.0 } else { is_crossed() };
+            svg.text((SIDES.end, up(value) + if is_below { 12.0 } else { -4.0 }), "end", color, name);
         }
         for (i, &(time, what)) in self.marks.iter().enumerate() {
             svg.line(&[(across(time), top), (across(time), bottom)], "1\" opacity=\".5", INK);
