@@ -255,6 +255,14 @@ END
     cargo rustc --target-dir target --crate-type staticlib
 }
 
+cargo_c() {
+    cargo cinstall -p atraj --manifest-path "$root/Cargo.toml" --locked --target-dir target --prefix "$PWD/usr" --libdir "$PWD/usr/lib"
+    prefix=$PWD/usr
+    shared_library
+    for header in $(cd "$root/include" && find . -type f) a/atraj_config.h; do test -f "$prefix/include/$header"; done
+    for linkage in shared static; do program pkg_config move.cpp $linkage; done
+}
+
 cargo_package() {
     cargo package --manifest-path "$root/Cargo.toml" --allow-dirty --target-dir target > said 2>&1
     cat said
@@ -340,5 +348,7 @@ row "cargo, path, default features" rust_program true
 row "cargo, path, no default features" rust_program false
 row "cargo, path, no_std" rust_without_std
 row "cargo package" cargo_package
+about double
+if command -v cargo-cinstall > /dev/null; then row "cargo cinstall" cargo_c; else echo "SKIPPED  cargo cinstall: there is no cargo-c"; fi
 
 finish
