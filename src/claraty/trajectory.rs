@@ -194,7 +194,6 @@ impl<'w> Trajectory<'w> {
         self.origin = now + self.advanced;
     }
 
-    /// The state to carry on from.
     fn under_way(&mut self, now: f64) -> Option<State<f64>> {
         let was_started = self.started;
         let setpoint = self.setpoint(now);

@@ -72,7 +72,6 @@ impl<R: Real> Bell<R> {
         trap.map_or(jm, |trap| (am / Self::shortest_part(trap.t)).at_most(jm))
     }
 
-    /// There is nothing to do: no phase lasts.
     fn nothing(boundary: Boundary<R>) -> Self {
         let Boundary { p0, p1, v0, v1 } = boundary;
         Self { p0, p1, v0, v1, vm: v0, ..Self::default() }

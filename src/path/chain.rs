@@ -77,7 +77,6 @@ impl<'a, R: Real> Request<'a, R> {
         is_finite.then_some(()).ok_or(Error::NotFinite)
     }
 
-    /// Whether an axis moves in this section.
     fn moves(&self, section: usize) -> bool {
         let way = |axis| self.state(section + 1, axis).position - self.state(section, axis).position;
         (0..self.axes).any(|axis| way(axis) != R::ZERO)
@@ -213,7 +212,6 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         self.memory.tolerances.put((point - 1) * self.axes + axis, least);
     }
 
-    /// The positions of both ends as they are given.
     fn positions(&self, section: usize, axis: usize) -> (R, R) {
         let from = self.place(section);
         let position = |point| self.request.state(point, axis).position;
@@ -225,16 +223,15 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         self.memory.states.row(point * self.axes + axis)
     }
 
-    /// The states of an axis at both ends of a section, at the start as given.
+    /// The states of an axis at both ends of a section. A start outside the limits is the given one.
     pub fn ends(&self, section: usize, axis: usize) -> (State<R>, State<R>) {
         let (from, to) = self.positions(section, axis);
         let state = |point, position| {
             let [velocity, acceleration] = self.at(point, axis);
             State { position: self.memory.moved(position, point * self.axes + axis, self.axes), velocity, acceleration }
         };
-        let start = if section == 0 {
-            let given = self.request.state(0, axis);
-            State { position: from, ..given }
+        let start = if section == 0 && self.memory.inside.at(axis) > R::ZERO {
+            State { position: from, ..self.request.state(0, axis) }
         } else {
             state(section, from)
         };

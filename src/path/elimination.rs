@@ -272,7 +272,6 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    /// The step of a section from that of the next one.
     fn substitute(&mut self, section: usize) {
         let (axes, first, groups) = (self.axes, self.first(section), self.groups(section));
         let is_last = section + 1 == self.sections;

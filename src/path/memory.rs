@@ -231,7 +231,6 @@ pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize
     })
 }
 
-/// Takes numbers off the front of the memory.
 fn take<'a, R>(rest: &mut &'a mut [R], count: usize) -> Option<&'a mut [R]> {
     let (taken, left) = core::mem::take(rest).split_at_mut_checked(count)?;
     *rest = left;

@@ -1,9 +1,9 @@
 //! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must.
 //!
 //! `docs/path-theory.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
-//! one step, `steps` takes them. `start` and `warm` find the plan before the first step. `moves` makes the motions of a planned path, and
-//! `deviation` says how far they leave the straight lines between its points, and `contour` adds points where that is too far. `feed` limits the
-//! speed of all axes together.
+//! one step, `steps` takes them. `start`, `rows`, `from_motion` and `warm` find the plan before the first step. `moves` makes the motions of a
+//! planned path, and `deviation` says how far they leave the straight lines between its points, and `contour` adds points where that is too far.
+//! `feed` limits the speed of all axes together.
 
 mod barrier;
 mod bend;
@@ -13,6 +13,7 @@ mod contour;
 mod deviation;
 mod elimination;
 mod feed;
+mod from_motion;
 mod memory;
 mod moves;
 mod rows;
@@ -26,6 +27,7 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
 use chain::{Chain, Planned, Request, total};
+use rows::slower;
 use steps::Steps;
 use warm::Improved;
 
@@ -46,7 +48,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// `states` has a state for each of the `axes`, point by point: one point more than `durations` has sections. Every position is given, and the first and
 /// the last state; the states between are written, and the durations, s. A start outside the limits returns within them in the first section.
 /// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: as many as
-/// the path needs, at most 48. `work` has [`path_size`] numbers of any value.
+/// the path needs, at most 48. A start that cannot stop before the next point takes up to 8 times as many more. `work` has [`path_size`] numbers.
 ///
 /// [`path_moves`] makes the motions of the sections. A point whose state is given splits a path into two.
 ///
@@ -203,13 +205,11 @@ impl<'a, R: Real> Request<'a, R> {
 
 impl<R: Real> Chain<'_, '_, R> {
     fn plan(&mut self, steps: Steps) -> Result<(), Error> {
-        let mut first = self.stop_everywhere()?;
+        self.stop_everywhere()?;
         if self.sections > 1 {
             let passes = self.pass_rows()?;
-            if passes {
-                first = self.duration();
-            }
-            if self.is_inside(passes)? {
+            let first = self.duration();
+            if self.is_inside(passes, steps)? {
                 self.shorten(steps, 0);
             }
             self.promise()?;
@@ -222,17 +222,14 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(())
     }
 
-    /// Makes the first plan come strictly inside. Whether it does.
-    fn is_inside(&mut self, passes: bool) -> Result<bool, Error> {
-        if passes && self.slow_down_all() {
-            return Ok(true);
-        }
+    fn is_inside(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
         if passes {
+            self.scale_time(slower());
+            if self.is_strictly_inside() {
+                return Ok(true);
+            }
             self.stop_everywhere()?;
         }
-        if !self.roll()? && self.brake_along().is_some() {
-            return Ok(true);
-        }
-        Ok(self.come_inside())
+        self.pass_from_motion(steps)
     }
 }

@@ -46,7 +46,7 @@ const MOST_DAMPINGS: u32 = 24;
 const OCTAVES: u8 = 13;
 
 /// The damping of a step: which part of the second derivatives is added to them.
-struct Damping<R> {
+pub(super) struct Damping<R> {
     lambda: R,
 }
 
@@ -63,7 +63,7 @@ impl<R: Real> Damping<R> {
         R::from(4) * (R::ONE / (R::SIXTEENTH * R::SIXTEENTH))
     }
 
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self { lambda: R::ONE / Self::most() }
     }
 
@@ -108,16 +108,38 @@ fn fallen<R: Real>(base: R, octaves: R) -> R {
 }
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
+    /// Moves the states of the plan to the centre, where they are far from the limits.
+    pub fn centre(&mut self, steps: u32, damping: &mut Damping<R>) {
+        self.begin();
+        // The more weight the logarithms have, the longer the sections last, and few long ones may last long enough to turn back.
+        let weight = if self.sections < MANY_SECTIONS { R::HALF } else { R::ONE };
+        for _ in 0..steps {
+            let mu = weight * self.per_logarithm() * self.duration();
+            if self.step(mu, R::ONE, damping).is_none() {
+                break;
+            }
+        }
+    }
+
+    fn begin(&mut self) {
+        self.weigh();
+        self.memory.forget_slacks();
+        self.memory.tried_states.copy(&self.memory.states);
+    }
+
+    /// The first weight of a logarithm, as a part of the duration.
+    fn per_logarithm(&self) -> R {
+        R::from(11) * R::SIXTEENTH / R::from_index(self.logarithms() as i32)
+    }
+
     /// Makes the plan shorter, which is strictly inside and stays inside. `octaves` says how near the plan is to the best one.
     pub fn shorten(&mut self, Steps { most, mut falls }: Steps, octaves: u8) {
-        let per_logarithm = R::from(11) * R::SIXTEENTH / R::from_index(self.logarithms() as i32);
+        let per_logarithm = self.per_logarithm();
         let mut octaves = R::from(octaves);
         let mut mu = fallen(per_logarithm * self.duration(), octaves);
         let mut damping = Damping::new();
         let mut is_done = false;
-        self.weigh();
-        self.memory.forget_slacks();
-        self.memory.tried_states.copy(&self.memory.states);
+        self.begin();
         for step in 0..most {
             let left = most - step;
             // After a short step the weight waits, but not in the last two fifths of the steps.

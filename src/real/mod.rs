@@ -150,7 +150,6 @@ pub trait Operations: Primitives {
         if self < most { self } else { most }
     }
 
-    /// Neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.abs() < Self::INFINITY
     }

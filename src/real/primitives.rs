@@ -40,7 +40,6 @@ pub trait Primitives:
 
     fn abs(self) -> Self;
 
-    /// The absolute value of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
 
     /// The square root as the processor or the C library takes it, correctly rounded; NaN below zero.

@@ -135,7 +135,6 @@ impl<R: Real> Instant<R> {
         if later { other } else { self }
     }
 
-    /// Time from an earlier instant to this one.
     fn since(self, earlier: Self) -> R {
         if earlier.is_late() { earlier.until_end - self.until_end } else { self.since_start - earlier.since_start }
     }
@@ -154,7 +153,6 @@ struct Cursor<R> {
 }
 
 impl<R: Real> Cursor<R> {
-    /// At the start of a motion of the duration `t`.
     fn new(t: R) -> Self {
         Self {
             t,
@@ -166,7 +164,6 @@ impl<R: Real> Cursor<R> {
         }
     }
 
-    /// Takes the segments of the motion.
     fn fill(&mut self, segments: &[Segment<R>; MOST_SEGMENTS]) {
         for segment in segments {
             self.add(segment);
@@ -206,7 +203,6 @@ impl<R: Real> Cursor<R> {
         self.segments.get(self.current).copied().unwrap_or_default()
     }
 
-    /// When the segment under way ends.
     fn end(&self) -> Instant<R> {
         let end = self.ends.get(self.current).copied();
         end.unwrap_or(Instant::end(self.t))
@@ -217,7 +213,6 @@ impl<R: Real> Cursor<R> {
         segment.from + segment.jerk * now.since(self.began)
     }
 
-    /// Goes on to the instant `next`.
     fn pass(&mut self, next: Instant<R>) {
         let end = self.end();
         if self.current + 1 < self.count && end.since(next) <= R::ZERO {

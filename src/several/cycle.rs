@@ -66,7 +66,6 @@ impl<R: Real> Cycle<R> {
         })
     }
 
-    /// The tick next to `t`.
     fn nearest(&self, t: R) -> R {
         self.count(t).map_or(t, |count| self.period * whole(count))
     }

@@ -342,6 +342,34 @@ fn compared_with_the_move<R: Original>() {
     assert!(worst[0] < 1.1 && worst[1] < 1.0 + rounding);
 }
 
+/// A path is followed a tenth slower than it could be, and planned again at a random time: it takes no longer than what is left. An axis that
+/// cannot stop before the next point must not turn and come back.
+fn a_path_planned_again_under_way_gets_no_longer<R: Original>() {
+    let (mut chains, mut random, mut longer, mut sum) = (Chains::new(40), Random::seeded(40), 0, 0.0);
+    let families = [Family::AtRest, Family::Many, Family::UnevenWays, Family::OneDirection, Family::Dense];
+    for k in 0..200 {
+        let chain = chains.of::<R>(families[k % 5]);
+        let mut slow = chain.scaled(1.0, 1.1);
+        let mut path = Paths.plan(&slow, 0).expect("a plan").0;
+        for _ in 0..random.below(chain.sections()) {
+            (slow, path) = after_first(&slow, &path);
+        }
+        let left = R::of(random.unit()) * path.durations[0];
+        let rest = under_way(&slow.limits, &path, left);
+        let again = Chain { states: rest.states.clone(), ..chain };
+        let (planned, found) = Paths.plan(&again, 0).expect("a plan");
+        let what = wrong(&again, &planned, found, &mut random);
+        assert!(what.is_none(), "{what:?}: {again:?}");
+        let part = planned.duration() / rest.duration();
+        longer += usize::from(part > 1.0);
+        sum += part;
+    }
+    let mean = sum / 200.0;
+    println!("{}: {longer} of 200 get longer, {mean:.4} of what is left in the mean", R::NAME);
+    let most = if size_of::<R>() == 8 { 4 } else { 12 };
+    assert!(longer <= most && mean < 1.0);
+}
+
 /// By default a path of 10 sections gets 48 steps, as `docs/path-theory.md` says, and a shorter one fewer.
 #[test]
 fn ten_sections_get_all_steps() {
@@ -545,5 +573,5 @@ fn tolerances_smooth_a_flower() {
 
 test_both_reals!(
     compared_with_more_steps, improvements_shorten, an_update_before_a_waypoint_gets_no_longer, a_window_moves_along,
-    compared_with_the_move
+    compared_with_the_move, a_path_planned_again_under_way_gets_no_longer
 );
