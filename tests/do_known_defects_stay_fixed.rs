@@ -20,7 +20,6 @@ fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
 fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
     let reached = planned.extremes();
     let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
-    let speed = speeds[0].max(speeds[1]);
     let (mut position, mut jump) = (0.0_f64, 0.0_f64);
     for (phase, next) in planned.phases().iter().zip(&planned.phase[1..]) {
         let [p, v, a] = [phase.position, phase.velocity, phase.acceleration].map(R::widen);
@@ -29,7 +28,7 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
         jump = jump.max((next.position.widen() - end).abs());
         position = position.max(end.abs());
     }
-    let scale = position + speed * planned.t.widen();
+    let scale = position + speeds[0].max(speeds[1]) * planned.t.widen();
     jump / (R::MACHINE_EPSILON.widen() * scale)
 }
 
@@ -51,8 +50,7 @@ fn planned_without_a_jump<R: Real>() {
         let result = planned.plan(&limits(bounds), state(from), state::<R>(to));
         assert!(result.is_ok(), "{result:?}: {bounds:?} {from:?} {to:?}");
         assert_eq!(planned.state_at(planned.t), state(to));
-        let jump = worst_jump(&planned);
-        assert!(jump <= 64.0, "{jump} ulps: {bounds:?} {from:?} {to:?}");
+        assert_no_jump(&planned);
     }
 }
 
@@ -81,9 +79,8 @@ fn passed_in_motion<R: Real>() {
         let t = first.t.widen();
         assert!((t - 0.83).abs() < 1e-3, "{t} s");
         for part in [0.0, 0.3, 0.6, 0.9, 0.99] {
-            let start = part * t;
+            let (start, mut ticks) = (part * t, 0);
             let mut now = first.state_at(R::of(start));
-            let mut ticks = 0;
             loop {
                 let planned = replanned(now);
                 let arrives = start + f64::from(ticks) * TICK + planned.t.widen();
@@ -140,14 +137,12 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
     for _ in 0..100_000 {
         let [a, j, v] = [(); 3].map(|()| R::of(random.magnitude(-1.0, 1.5)));
         let begun = R::of(random.between(-1.0, 1.0)) * a;
-        let half = R::of(0.5);
         // From here on the acceleration rises to `a` and falls to 0, and the axis is at rest.
-        let velocity = -(a * a - half * begun * begun) / j;
+        let velocity = -(a * a - R::of(0.5) * begun * begun) / j;
         let fastest = v + R::of(2.0 * velocity.widen().abs());
         let limits = Limits { amin: -R::of(1.1) * a, ..Limits::symmetric(j, a, fastest) };
         let position = R::of(random.sign() * random.magnitude(-2.0, 3.0));
-        let mut from = State { position, velocity, acceleration: begun };
-        let mut to = State::at(R::of(0.0));
+        let (mut from, mut to) = (State { position, velocity, acceleration: begun }, State::at(R::of(0.0)));
         if random.one_in(2) {
             (from, to) = (to, from); // the same motion in the other order of time
             (from.velocity, to.velocity) = (-from.velocity, -to.velocity);
@@ -182,10 +177,9 @@ fn times_of_positions<R: Real>() {
         let t = R::of(random.magnitude(-1.0, 2.0));
         let mut axes = [Move::default()];
         synchronise(&mut axes, &[limits], &[from], &[to], t, R::of(0.0)).expect("numbers");
-        let [axis] = axes;
         for steps in -4..=4 {
-            let x = axis.time_at(to.position.neighbour(steps));
-            assert!(x.is_none_or(|x| x <= axis.t), "move {number}: {x:?} {axis:?}");
+            let x = axes[0].time_at(to.position.neighbour(steps));
+            assert!(x.is_none_or(|x| x <= axes[0].t), "move {number}: {x:?} {axes:?}");
         }
     }
     println!("{}: {gaps} gaps", R::NAME);
@@ -628,6 +622,12 @@ fn a_hard_brake_turns_at_the_position_limit() {
     let from = state([3.999, -0.375, 1.0]);
     assert!(axis.within(&limits, from, State::at(4.0), f64::NEG_INFINITY, 4.0).is_ok());
     assert!((axis.t - 2.431_832).abs() < 1e-6 && axis.extremes().highest.position < 4.0 + 1e-12, "{axis:?}");
+    // The hardest brake just turns in time. An acceleration too hard by a rounding error was tried, and the axis was refused up to 1e-8 before the limit.
+    for v in (1..200).map(|k| f64::from(k) / 100.0) {
+        let (limits, highest) = (Limits::symmetric(1.5, 3.0, 2.0), v * (v / 0.75).sqrt() / 1.5 + 1e-12);
+        axis.within(&limits, state([0.0, v, 0.0]), State::at(highest), f64::NEG_INFINITY, highest).expect("plans");
+        assert!(axis.extremes().highest.position <= highest + 1e-12, "{v} {axis:?}");
+    }
     // With another axis, alone or slower, at rest or in motion.
     for to in [State::at(4.0), state([3.0, -0.5, 0.0])] {
         for other in [0.0, 5.0] {

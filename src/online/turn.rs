@@ -7,6 +7,7 @@
 use super::motion::{MOST_PHASES, Move};
 use super::problem::Problem;
 use crate::findings::Error;
+use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
@@ -41,9 +42,8 @@ impl<R: Real> Turns<R> {
 
     /// The turns before the state `to`, from the last one on.
     fn before(limits: &Limits<R>, to: State<R>, [lowest, highest]: [R; 2]) -> Result<Self, Error> {
-        let mut turns = Self::after(&limits.reversed(), to.reversed(), [-highest, -lowest])?;
-        turns.states = turns.states.map(State::reversed);
-        Ok(turns)
+        let turns = Self::after(&limits.reversed(), to.reversed(), [-highest, -lowest])?;
+        Ok(Self { states: turns.states.map(State::reversed), ..turns })
     }
 
     fn as_slice(&self) -> &[State<R>] {
@@ -81,11 +81,11 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
     let eased = if a < R::ZERO { root(a * a - (v + v) * limits.jmax) } else { R::ZERO };
     let fallen = root(a * a - (v + v) * limits.jmin);
     let kept = (-(limits.vmin + limits.vmin) * limits.jmax).sqrt();
-    let (mut hard, mut soft) = ((-fallen.at_most(kept)).at_least(limits.amin), -eased);
+    let (hardest, mut soft) = ((-fallen.at_most(kept)).at_least(limits.amin), -eased);
     let rounding = R::DOUBT * (from.position.abs() + highest.abs());
-    if after(hard).position > highest + rounding {
-        return None;
-    }
+    let leaves = |acceleration: R| after(acceleration).position > highest + rounding;
+    // If it is too hard by a rounding error, the axis speeds up first, for the root of this error, and turns as much farther.
+    let mut hard = [hardest, hardest - of_formula(hardest)].into_iter().find(|&hard| !leaves(hard))?;
     for _ in 0..MOST_HALVES {
         let half = R::HALF * (hard + soft);
         if half <= hard || half >= soft {
