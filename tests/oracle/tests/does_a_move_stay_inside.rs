@@ -45,6 +45,8 @@ fn faster_by_way_of<R: Original>(
     stays: impl Fn(&Move<R>, State<R>) -> bool,
 ) -> Option<(R, State<R>)> {
     let from = planned.state_at(R::of(0.0));
+    let mut eased = Move::default(); // between bounds that are farther apart by a rounding error, which may be worth much
+    eased.within(limits, from, to, bounds[0] - R::of(slack), bounds[1] + R::of(slack)).expect("a plan");
     (0..20).find_map(|_| {
         let State { position, velocity, acceleration } = planned.state_at(planned.t * R::of(random.unit()));
         let by = random.magnitude(-5.0, -1.0);
@@ -63,7 +65,7 @@ fn faster_by_way_of<R: Original>(
         let reached = planned.extremes();
         let steepest = reached.highest.acceleration.widen().max(-reached.lowest.acceleration.widen());
         let rounding = 4.0 * (slack / steepest).sqrt() + 16.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
-        let is_faster = t.widen() < planned.t.widen() - rounding;
+        let is_faster = t.widen() < planned.t.widen().min(eased.t.widen()) - rounding;
         (is_faster && stays(&one, from) && stays(&other, via)).then_some((t, via))
     })
 }
@@ -77,12 +79,11 @@ fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, hig
             return true;
         }
         let Some(of_stop) = stop(limits, from) else { return false };
-        let infinity = R::of(f64::INFINITY);
         let far = R::of(10.0 * (of_stop[1] - of_stop[0] + high - low));
         let (bound, bounds, inwards) = if of_stop[1] > high {
-            (highest, [-infinity, highest], -far)
+            (highest, [R::of(f64::NEG_INFINITY), highest], -far)
         } else if of_stop[0] < low {
-            (lowest, [lowest, infinity], far)
+            (lowest, [lowest, R::of(f64::INFINITY)], far)
         } else {
             return false;
         };
@@ -107,8 +108,7 @@ fn moves_stay_inside<R: Original>() {
         let found = fastest.plan(&limits, from, to);
         let (Ok(findings), Request::Plan) = (found, problem.request) else { continue };
         let of_plan = span(from, &fastest);
-        let ends = stop(&limits, from).zip(launch(&limits, to));
-        let (of_stop, of_launch) = ends.expect("a stop and a launch");
+        let (of_stop, of_launch) = stop(&limits, from).zip(launch(&limits, to)).expect("a stop and a launch");
         let spans = [of_plan, of_stop, of_launch];
         let [one, other] = binding.unwrap_or_else(|| [(); 2].map(|()| near(&mut random, &spans))).map(R::of);
         let (lowest, highest) = if one < other { (one, other) } else { (other, one) };
