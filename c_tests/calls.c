@@ -451,7 +451,8 @@ static int group(void) {
     atraj_group ctx;
     int n;
     PROMISE(atraj_group_init(&ctx, 0, states, room, 2) == ATRAJ_ERR_DURATION && atraj_group_init(&ctx, period, states, room, 0) == ATRAJ_ERR_NULL);
-    PROMISE(atraj_group_init(&ctx, period, states, room, 2) == 0);
+    PROMISE(atraj_group_init(&ctx, period, states, room, 2) == 0 && atraj_group_rate(&ctx, reserve, 1, 1) == ATRAJ_RATE_NOT_REACHED);
+    PROMISE(atraj_group_rate(&ctx, reserve, 0, 1) == 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS + ATRAJ_TICK_ENDS);
     PROMISE(atraj_group_line(&ctx, planned, way[0], 0) == ATRAJ_ERR_LATE && atraj_group_line(&ctx, planned, way[0], 2) == 0);
     PROMISE(atraj_group_tick(&ctx, now) == 0 && is(now[1], 0, 0, 0) && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
     for (n = 0; n != 60; ++n) { PROMISE(atraj_group_tick(&ctx, now) == 0); }

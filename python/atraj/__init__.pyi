@@ -634,7 +634,8 @@ class Group:
         """Follows a `Path` or `Moves` from their time `begun` on, s. The axes must be there: another path may take over while the axes move, if it
         has their states at this time."""
     def rate(self, limits: _LimitsOfAxes, rate: float, *, lead: int = 1) -> Findings:
-        """Goes to another rate on the line or path: 1 as planned, 0 hold, 0.5 half as fast, -1 back. `limits` are those of the plan and a reserve."""
+        """Goes to another rate on the line or path: 1 as planned, 0 hold, 0.5 half as fast, -1 back. `limits` are those of the plan and a reserve.
+        Where the axes rest, before a motion or after it, a hold has nothing to do, and 1 is RATE_NOT_REACHED."""
     def stop(self, limits: _LimitsOfAxes, *, lead: int = 1) -> Findings:
         """Stops on the line or path where that is not much slower, else each axis at once."""
 

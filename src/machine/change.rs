@@ -56,19 +56,13 @@ impl<'a, R: Real> Change<'a, R> {
             return Err(Error::Target);
         }
         let speeds = moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), limits));
-        let least = slowest(speeds);
-        let [slowing, bending] = least;
-        if slowing < R::INFINITY || bending < R::INFINITY {
-            Ok(Self { moves, limits, rate, length, least })
-        } else {
-            Err(Error::Limits)
-        }
+        Ok(Self { moves, limits, rate, length, least: slowest(speeds) })
     }
 
     /// Writes the law to `time`, which is the motion as it would go on. It does so until a faster change is found.
     pub fn law(&self, time: &mut Move<R>) -> Result<Law<R>, Error> {
         let from = time.start();
-        if self.is_at_end(from.position) {
+        if self.may_jump(from.position) {
             return self.leave(from.position, time);
         }
         match self.faster_later(time)? {
@@ -84,7 +78,7 @@ impl<'a, R: Real> Change<'a, R> {
         time.go_to_the_end(self.length).ok_or(Error::Target)?;
         let goes_on = self.keeps(time);
         let mut until = if goes_on && self.is_answer(time.end()) { time.t } else { R::INFINITY };
-        let mut is_reached = self.rate == R::ZERO && !self.is_at_end(time.end().position);
+        let mut is_reached = self.rate == R::ZERO && !self.may_jump(time.end().position);
         let step = self.free_stop(start.position)? / R::from(STEPS);
         let (mut change, mut t) = (Move::default(), R::ZERO);
         // From a standstill the first change is taken: a later one arrives hardly sooner, and each place costs a search.
@@ -144,14 +138,15 @@ impl<'a, R: Real> Change<'a, R> {
         Err(Error::Target)
     }
 
-    /// Whether the path is at rest at the time `s`, because it ends there, or starts there.
-    pub fn is_at_end(&self, s: R) -> bool {
-        s >= self.length || s <= R::ZERO && start_at_rest(self.moves, self.limits.len())
+    /// Whether the rate may jump at the time `s`, because the path rests there at its end or start, or because nothing moves.
+    pub fn may_jump(&self, s: R) -> bool {
+        self.least == [R::INFINITY; 2] || s >= self.length || s <= R::ZERO && start_at_rest(self.moves, self.limits.len())
     }
 
-    /// From an end at which the path rests, where the rate may jump.
+    /// From where the rate may jump.
     fn leave(&self, s: R, time: &mut Move<R>) -> Result<Law<R>, Error> {
-        let (s, away) = if s > R::ZERO { (self.length, self.rate < R::ZERO) } else { (R::ZERO, self.rate > R::ZERO) };
+        let s = s.at_least(R::ZERO).at_most(self.length);
+        let away = self.rate > R::ZERO && s < self.length || self.rate < R::ZERO && s > R::ZERO;
         time.stay(State { velocity: if away { self.rate } else { R::ZERO }, ..State::at(s) });
         if !self.keeps(time) {
             return self.slow(State::at(s), time);
@@ -162,7 +157,7 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// Whether the clock stands where it has to, or where the path ends.
     fn is_answer(&self, end: State<R>) -> bool {
-        end.velocity == R::ZERO && (self.rate == R::ZERO || self.is_at_end(end.position))
+        end.velocity == R::ZERO && (self.rate == R::ZERO || self.may_jump(end.position))
     }
 
     /// How long the slowest axis takes for its stop at the time `s` of the path.
@@ -404,19 +399,18 @@ impl<R: Real> Trial<'_, R> {
         self.axis.sections().filter_map(touched).all(|mut phases| {
             phases.all(|(phase, start, end)| {
                 let part = part.narrowed(passed.when_between(start, end));
-                !is_touched(start, end) || self.keeps_within(phase, start, part.along(of))
+                !is_touched(start, end) || self.keeps_within(phase, start, part.along(of), of.jerk)
             })
         })
     }
 
     /// While the axis is in a phase that starts at the time `start` of the path, and the time of the path and its derivatives are in these parts.
-    fn keeps_within(&self, phase: &Phase<R>, start: R, [s, rate, slowing, bending]: [Parabola<R>; 4]) -> bool {
-        let [_, v, a, j] = s.plus(Parabola::constant(-start)).along(phase);
+    fn keeps_within(&self, phase: &Phase<R>, start: R, [s, rate, slowing, _]: [Parabola<R>; 4], bending: R) -> bool {
+        let [_, v, a, _] = s.plus(Parabola::constant(-start)).along(phase);
         let square = rate.times(rate);
-        let three = Parabola::constant(R::from(3));
         let acceleration = a.times(square).plus(v.times(slowing));
-        let turning = three.times(a).times(rate.times(slowing));
-        let jerk = j.times(square.times(rate)).plus(turning).plus(v.times(bending));
+        let turning = a.scaled(R::from(3)).times(rate.times(slowing));
+        let jerk = square.times(rate).scaled(phase.jerk).plus(turning).plus(v.scaled(bending));
         let limits = self.limits;
         v.times(rate).is_between(limits.vmin, limits.vmax)
             && acceleration.is_between(limits.amin, limits.amax)

@@ -92,8 +92,8 @@ impl<R: Real> Clock<R> {
     ///
     /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found, or if
     /// the rate is negative and the path begins in motion; [`Error::Late`] if `x` is before the last change; [`Error::Axes`] if there is no axis or
-    /// no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`], the latter also if nothing
-    /// moves, or if no axis that moves has a finite jerk or acceleration. On an error the clock goes on as it did.
+    /// no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`]. On an error the clock goes on
+    /// as it did.
     pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<Findings, Error> {
         if !are_whole(moves, limits.len()) {
             return Err(Error::Axes);
@@ -110,7 +110,7 @@ impl<R: Real> Clock<R> {
         let change = Change::new(moves, limits, rate)?;
         let now = self.state_of_time(x);
         let mut time = Move::default();
-        let is_stop = rate == R::ZERO && !change.is_at_end(now[0]);
+        let is_stop = rate == R::ZERO && !change.may_jump(now[0]);
         let law = match if is_stop { lead::stop(moves, limits, now, &mut time)? } else { None } {
             Some(stop) => stop,
             None => {

@@ -256,7 +256,8 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     }
 
     /// Goes to another rate of the motion, which stays on its line or path: 1 as planned, 0 hold, 1/2 override, -1 back. `limits` are those of the
-    /// plans and a reserve. It returns the findings and errors of [`Clock::rate`]; [`Error::Target`] also if the axes move each for itself.
+    /// plans and a reserve. Where the axes rest, before a motion or after it, a hold has nothing to do, and 1 is [`Findings::RATE_NOT_REACHED`]. It
+    /// returns the findings and errors of [`Clock::rate`]; [`Error::Target`] also if the axes move each for itself.
     pub fn rate(&mut self, limits: &[Limits<R>], rate: R, lead: u32) -> Result<Findings, Error> {
         self.next(limits, lead, |from, next| next.change(from, limits, rate))
     }

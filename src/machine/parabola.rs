@@ -29,11 +29,10 @@ impl<R: Real> Parabola<R> {
         let z = self.middle;
         let [p, v, a, j] =
             [phase.position(z), phase.velocity(z), phase.acceleration(z), phase.jerk].map(Self::constant);
-        let [half, third] = [R::HALF, R::SIXTH + R::SIXTH].map(Self::constant);
         let d = self.plus(Self::constant(-z));
-        let (change, half) = (d.times(j), d.times(half));
-        let velocity = v.plus(d.times(a)).plus(half.times(change));
-        let position = p.plus(d.times(v.plus(half.times(a.plus(third.times(change))))));
+        let (change, half) = (d.scaled(phase.jerk), d.scaled(R::HALF));
+        let velocity = v.plus(d.scaled(a.middle)).plus(half.times(change));
+        let position = p.plus(d.times(v.plus(half.times(a.plus(change.scaled(R::SIXTH + R::SIXTH))))));
         [position, velocity, a.plus(change), j]
     }
 
@@ -68,6 +67,11 @@ impl<R: Real> Parabola<R> {
             bend: self.bend + other.bend,
             rest: self.rest + other.rest,
         }
+    }
+
+    pub fn scaled(self, by: R) -> Self {
+        let Self { middle, slope, bend, rest } = self;
+        Self { middle: by * middle, slope: by * slope, bend: by * bend, rest: by.abs() * rest }
     }
 
     /// The parabolas nearest to `e³` and `e⁴` are `3/4 e` up to 1/4 and `e² - 1/8` up to 1/8.

@@ -202,6 +202,7 @@ impl Group {
     }
 
     /// Goes to another rate on the line or path: 1 as planned, 0 hold, 0.5 half as fast, -1 back. `limits` are those of the plan and a reserve.
+    /// Where the axes rest, before a motion or after it, a hold has nothing to do, and 1 is RATE_NOT_REACHED.
     #[pyo3(signature = (limits, rate, *, lead=1))]
     fn rate<'py>(
         &mut self, py: Python<'py>, limits: Vec<GivenLimits<Real>>, rate: Real, lead: u32,

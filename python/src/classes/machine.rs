@@ -416,7 +416,6 @@ impl Clock {
                 ("time", time, time.is_finite(), NUMBER),
                 ("rate", rate, rate.is_finite(), NUMBER),
             ]),
-            Error::Limits => error("the rate cannot change: no axis moves, or the axes that move have no finite jerk and no finite acceleration"),
             Error::Late => error(&format!("time = {time} is before the last change")),
             _ => error(&why.to_string()),
         })?;

@@ -154,8 +154,9 @@ pub unsafe extern "C" fn atraj_group_path(
 
 /// @brief Go to another rate of the motion, on its line or path: 1 as planned, 0 feed hold, 1/2 override, -1 back.
 /// @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
-/// @return as `atraj_clock_rate`; `ATRAJ_ERR_TARGET` also if the axes move each for itself; `ATRAJ_ERR_LATE` as for
-/// `atraj_axis_go`
+/// @return as `atraj_clock_rate`: where the axes rest, before a motion or after it, 0 for a hold, and
+/// `ATRAJ_RATE_NOT_REACHED` for 1, since there is nothing to go on with; `ATRAJ_ERR_TARGET` also if the axes move each for
+/// itself; `ATRAJ_ERR_LATE` as for `atraj_axis_go`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_group_rate(
     ctx: *mut atraj_group, limits: *const atraj_limits, rate: a_float, lead: c_uint,

@@ -7,13 +7,13 @@ const PROGRAMS: usize = if support::BRIEF { 200 } else { 4_000 };
 
 fn programs<R: Real>() {
     let mut random = Random::seeded(61);
-    let mut refused = [0; 4];
+    let mut refused = [0; 3];
     for _ in 0..PROGRAMS {
         program::<R>(&mut random, &mut refused);
     }
-    let [lines, paths, rates, at_rest] = refused;
+    let [lines, paths, rates] = refused;
     println!(
-        "{}: {PROGRAMS} programs of {CALLS} calls; refused: {lines} lines in motion, {paths} paths from elsewhere, {rates} rates, {at_rest} at rest",
+        "{}: {PROGRAMS} programs of {CALLS} calls; refused: {lines} lines in motion, {paths} paths from elsewhere, {rates} rates",
         R::NAME
     );
 }
