@@ -47,6 +47,8 @@ pub(super) struct Change<'a, R> {
     length: R,
     /// The least `A/|v|` and `J/|v|` of the axes at their highest speeds.
     least: [R; 2],
+    /// The new rate is known to keep the limits from this time of the path on; NaN if it is not.
+    kept_from: R,
 }
 
 impl<'a, R: Real> Change<'a, R> {
@@ -56,14 +58,18 @@ impl<'a, R: Real> Change<'a, R> {
             return Err(Error::Target);
         }
         let speeds = moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), limits));
-        Ok(Self { moves, limits, rate, length, least: slowest(speeds) })
+        Ok(Self { moves, limits, rate, length, least: slowest(speeds), kept_from: R::NAN })
     }
 
     /// Writes the law to `time`, which is the motion as it would go on. It does so until a faster change is found.
-    pub fn law(&self, time: &mut Move<R>) -> Result<Law<R>, Error> {
+    pub fn law(mut self, time: &mut Move<R>) -> Result<Law<R>, Error> {
         let from = time.start();
         if self.may_jump(from.position) {
             return self.leave(from.position, time);
+        }
+        // Once, and not again for each change that is tried.
+        if self.keeps_after(State { velocity: self.rate, ..State::at(from.position) }) {
+            self.kept_from = from.position;
         }
         match self.faster_later(time)? {
             Some(law) => Ok(law),
@@ -252,9 +258,24 @@ impl<'a, R: Real> Change<'a, R> {
     /// Whether the rate does not overshoot by more than 1, and all axes surely keep their limits.
     pub fn keeps(&self, time: &Move<R>) -> bool {
         let fastest = R::ONE + time.start().velocity.abs().at_least(self.rate.abs());
-        let mut axes = self.limits.iter().enumerate();
         time.extremes().speed() <= fastest
-            && axes.all(|(index, limits)| Trial { time, axis: self.axis(index), limits }.keeps())
+            && self.trials().all(|trial| time.phases().iter().all(|phase| trial.keeps_in(phase)))
+            && self.keeps_after(time.end())
+    }
+
+    /// Whether all axes surely keep their limits at a steady rate until the end of the path or its start.
+    fn keeps_after(&self, State { position: s, velocity: rate, .. }: State<R>) -> bool {
+        let is_known = rate == self.rate && (s - self.kept_from) * rate >= R::ZERO;
+        is_known
+            || self.trials().all(|trial| {
+                let left = if rate > R::ZERO { trial.axis.duration() - s } else { s };
+                let duration = if rate != R::ZERO && left > R::ZERO { left / rate.abs() } else { R::ZERO };
+                trial.keeps_in(&Phase { duration, position: s, velocity: rate, ..Phase::default() })
+            })
+    }
+
+    fn trials(&self) -> impl Iterator<Item = Trial<'a, R>> {
+        self.limits.iter().enumerate().map(|(index, limits)| Trial { axis: self.axis(index), limits })
     }
 }
 
@@ -351,27 +372,12 @@ fn phases<R: Real>(of: &Move<R>, start: R, goes_on: bool) -> impl Iterator<Item 
 
 /// A change of the rate as an axis sees it.
 struct Trial<'a, R> {
-    time: &'a Move<R>,
     axis: Axis<'a, R>,
     limits: &'a Limits<R>,
 }
 
 impl<R: Real> Trial<'_, R> {
-    /// Whether the axis surely keeps its limits: during the change, and then at the new rate until the end of the path or its start.
-    fn keeps(&self) -> bool {
-        let mut phases = self.time.phases().iter();
-        phases.all(|phase| self.keeps_in(phase)) && self.keeps_in(&self.after())
-    }
-
-    /// The new rate as a phase of the clock.
-    fn after(&self) -> Phase<R> {
-        let State { position: s, velocity: rate, .. } = self.time.end();
-        let left = if rate > R::ZERO { self.axis.duration() - s } else { s };
-        let duration = if rate != R::ZERO && left > R::ZERO { left / rate.abs() } else { R::ZERO };
-        Phase { duration, position: s, velocity: rate, ..Phase::default() }
-    }
-
-    /// During a phase of the clock: as a whole, or else each half of it, and so on.
+    /// Whether the axis surely keeps its limits during a phase of the clock: as a whole, or else each half of it, and so on.
     fn keeps_in(&self, phase: &Phase<R>) -> bool {
         let least = phase.duration / R::from_index(PARTS);
         let (mut done, mut part) = (0, PARTS);
