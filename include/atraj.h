@@ -38,11 +38,9 @@ extern "C" {
 #endif /* __cplusplus */
 
 /**
- * @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are
- * numbers.
+ * @brief Plan the fastest bell-shaped velocity trajectory. It exists for all limits and ends that are numbers.
  *
- * A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, is reached by turning
- * back.
+ * A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, makes it turn back.
  * In a move that decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs.
  * `a_trajbell_pos` and its siblings evaluate the struct.
  * @param jm maximum jerk, unit/s^3; `am` acceleration, unit/s^2; `vm` velocity, unit/s; signs are ignored; infinite:
@@ -102,11 +100,9 @@ void atraj_bell_state(const a_trajbell *ctx,
                       a_float *jer);
 
 /**
- * @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are
- * numbers.
+ * @brief Plan the fastest trapezoidal velocity trajectory. It exists for all limits and ends that are numbers.
  *
- * A target behind the axis, or nearer than it can stop, is reached by turning back. `a_trajtrap_pos` and its siblings evaluate
- * the struct.
+ * A target behind the axis, or nearer than it can stop, makes it turn back. `a_trajtrap_pos` and its siblings evaluate the struct.
  * @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
  * @param ac acceleration before constant velocity, unit/s^2, `de` after it: the positive one limits the acceleration
  * towards larger positions, the negative one the acceleration towards smaller positions

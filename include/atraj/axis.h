@@ -41,8 +41,7 @@ A_EXTERN int atraj_axis_init(struct atraj_axis *ctx, a_float period, const atraj
 A_EXTERN void atraj_axis_tick(struct atraj_axis *ctx, atraj_state *now);
 
 /**
- * @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop, while the
- * interrupt ticks.
+ * @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop.
  *
  * The plan starts from the state that the axis will have in tick `n + lead`, where `n` is the last tick before the
  * call. Until that tick the axis goes on in its move. If another plan still waits for its tick, the new plan replaces
@@ -75,8 +74,7 @@ int atraj_axis_reach(struct atraj_axis *ctx,
 A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits, unsigned int lead);
 
 /**
- * @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. Call it in every round of the main
- * loop.
+ * @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. For every round of the main loop.
  *
  * The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon` from then on. The
  * shorter the time to the next call, the smaller the error.
@@ -84,8 +82,7 @@ A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits,
  * @param jerk jerk of the signal, unit/s^3; 0 if it is not known
  * @param horizon time from the takeover until the axis is to be next to the signal, s
  * @param lead as for `atraj_axis_go`
- * @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the
- * range of `a_float`
+ * @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal leaves the range of `a_float`
  */
 A_EXTERN
 int atraj_axis_track(struct atraj_axis *ctx,

@@ -39,9 +39,8 @@ A_EXTERN void atraj_clock_start(struct atraj_clock *ctx);
  * @param time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
  * begin before the next one is planned
  * @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
- * `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS` also if no axis moves or all limits of acceleration and jerk
- * are infinite, `ATRAJ_ERR_LATE` if `time` is before the last change, or `ATRAJ_ERR_TARGET` if no change within the limits is
- * found, or if the rate is negative and the path begins in motion
+ * `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, `ATRAJ_ERR_LATE` if `time` is before the last change, or
+ * `ATRAJ_ERR_TARGET` if no change within the limits is found, or if the rate is negative and the path begins in motion
  */
 A_EXTERN
 int atraj_clock_rate(struct atraj_clock *ctx,

@@ -105,8 +105,7 @@ extern "C" {
  * A sum of findings has a sentence for each finding, gravest first:
  * `for (; code > 0; code &= code - 1) puts(atraj_message(code));`
  * @param code what a function returned: 0, an `atraj_finding`, a sum of findings, or an `atraj_error`
- * @return a text that lasts as long as the program, never NULL; of a sum of findings the sentence of the lowest one; for any other
- * number "this code is unknown"
+ * @return a text that lasts as long as the program, never NULL; of a sum the sentence of the lowest finding; else "this code is unknown"
  */
 A_EXTERN
 const char *atraj_message(int code);

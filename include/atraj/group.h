@@ -117,10 +117,15 @@ int atraj_group_path(struct atraj_group *ctx,
 /**
  * @brief Go to another rate of the motion, on its line or path: 1 as planned, 0 feed hold, 1/2 override, -1 back.
  * @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
- * @return as `atraj_clock_rate`; `ATRAJ_ERR_TARGET` also if the axes move each for itself; `ATRAJ_ERR_LATE` as for
- * `atraj_axis_go`
+ * @return as `atraj_clock_rate`: where the axes rest, before a motion or after it, 0 for a hold, and
+ * `ATRAJ_RATE_NOT_REACHED` for 1, since there is nothing to go on with; `ATRAJ_ERR_TARGET` also if the axes move each for
+ * itself; `ATRAJ_ERR_LATE` as for `atraj_axis_go`
  */
-A_EXTERN int atraj_group_rate(struct atraj_group *ctx, const atraj_limits *limits, a_float rate, unsigned int lead);
+A_EXTERN
+int atraj_group_rate(struct atraj_group *ctx,
+                     const atraj_limits *limits,
+                     a_float rate,
+                     unsigned int lead);
 
 /**
  * @brief Stop on the line or path, if all axes then stand within twice the time of the slowest axis' own stop; else

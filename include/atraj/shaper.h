@@ -135,8 +135,7 @@ int atraj_shaper_stream_init(struct atraj_shaper_stream *ctx,
  *
  * Velocity and acceleration follow; the acceleration gets the mean jerk over the smoothing. So smooth it.
  * @param advance s; 0 at the start
- * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in
- * `atraj_shaper_stream_change`
+ * @return 0; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in `atraj_shaper_stream_change`
  */
 A_EXTERN int atraj_shaper_stream_advance(struct atraj_shaper_stream *ctx, a_float advance);
 

@@ -53,8 +53,7 @@ int atraj_steps_next(struct atraj_steps *ctx,
                      a_float *time);
 
 /**
- * @brief Begin with the steps of a stream of states. The motor is at the step that is nearest to the axis, and stays
- * within half a step of it.
+ * @brief Begin with the steps of a stream of states. The motor is at the nearest step, and stays within half a step.
  * @param step the way of one step, unit
  * @param period from one tick to the next, s
  * @param now points to the state of the stream
@@ -80,8 +79,7 @@ A_EXTERN int atraj_step_stream_wait(struct atraj_step_stream *ctx, a_float betwe
 /**
  * @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
  * @param now points to the state of the stream at the end of the tick
- * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick
- * does not begin
+ * @return 0; else `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick does not begin
  */
 A_EXTERN
 int atraj_step_stream_tick(struct atraj_step_stream *ctx,

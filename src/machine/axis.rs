@@ -108,9 +108,8 @@ impl<'a, R: Real> Planner<'a, R> {
     }
 
     /// Follows a signal, by [`Move::track`], after `lead` ticks. Call it in every round of the main loop. `signal` and `jerk` are those of
-    /// the last tick before the call. The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon`, s, from then
-    /// on. It returns the findings and errors of [`Move::track`] and [`Planner::go`]; [`Error::NotFinite`] also if the signal goes on beyond the range
-    /// of the real type.
+    /// the last tick. The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon`, s, from then on. It returns
+    /// the findings and errors of [`Move::track`] and [`Planner::go`]; [`Error::NotFinite`] also if the signal leaves the range of the real type.
     pub fn track(
         &mut self, limits: &Limits<R>, signal: State<R>, jerk: R, horizon: R, lead: u32,
     ) -> Result<Findings, Error> {

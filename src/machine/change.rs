@@ -2,6 +2,7 @@
 //!
 //! `docs/machine.md` has the theory.
 
+use super::clock::state_on_path;
 use super::parabola::Parabola;
 use super::sections::{Axis, start_at_rest, time_of_rest};
 use crate::findings::Error;
@@ -14,8 +15,7 @@ use crate::state::State;
 const SEARCHES: u32 = 32;
 const STEPS: u8 = 12;
 
-/// The first limits of a change are these 64ths of `J/|v|`, and `λ A/|v|`. The highest `λ` between 1/256 and 2 that passes is found by halving
-/// the range of its logarithm.
+/// The first limits of a change are these 64ths of `J/|v|`, and `λ A/|v|`. `λ` is the highest between 1/256 and 2 that passes, by bisection.
 const SHARES: [u8; 5] = [200, 100, 40, 16, 4];
 const HALVES: u32 = 6;
 
@@ -47,7 +47,7 @@ pub(super) struct Change<'a, R> {
     length: R,
     /// The least `A/|v|` and `J/|v|` of the axes at their highest speeds.
     least: [R; 2],
-    /// The new rate is known to keep the limits from this time of the path on; NaN if it is not.
+    /// The new rate surely keeps the limits from this time of the path on; NaN if this is not known.
     kept_from: R,
 }
 
@@ -68,9 +68,8 @@ impl<'a, R: Real> Change<'a, R> {
             return self.leave(from.position, time);
         }
         // Once, and not again for each change that is tried.
-        if self.keeps_after(State { velocity: self.rate, ..State::at(from.position) }) {
-            self.kept_from = from.position;
-        }
+        let is_kept = self.keeps_after(State { velocity: self.rate, ..from });
+        self.kept_from = if is_kept { from.position } else { R::NAN };
         match self.faster_later(time)? {
             Some(law) => Ok(law),
             None => self.slow(from, time),
@@ -146,7 +145,9 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// Whether the rate may jump at the time `s`, because the path rests there at its end or start, or because nothing moves.
     pub fn may_jump(&self, s: R) -> bool {
-        self.least == [R::INFINITY; 2] || s >= self.length || s <= R::ZERO && start_at_rest(self.moves, self.limits.len())
+        self.least == [R::INFINITY; 2]
+            || s >= self.length
+            || s <= R::ZERO && start_at_rest(self.moves, self.limits.len())
     }
 
     /// From where the rate may jump.
@@ -259,14 +260,14 @@ impl<'a, R: Real> Change<'a, R> {
     pub fn keeps(&self, time: &Move<R>) -> bool {
         let fastest = R::ONE + time.start().velocity.abs().at_least(self.rate.abs());
         time.extremes().speed() <= fastest
+            && self.trials().all(|trial| time.phases().iter().all(|phase| trial.may_keep(phase)))
             && self.trials().all(|trial| time.phases().iter().all(|phase| trial.keeps_in(phase)))
             && self.keeps_after(time.end())
     }
 
     /// Whether all axes surely keep their limits at a steady rate until the end of the path or its start.
     fn keeps_after(&self, State { position: s, velocity: rate, .. }: State<R>) -> bool {
-        let is_known = rate == self.rate && (s - self.kept_from) * rate >= R::ZERO;
-        is_known
+        rate == self.rate && (s - self.kept_from) * rate >= R::ZERO
             || self.trials().all(|trial| {
                 let left = if rate > R::ZERO { trial.axis.duration() - s } else { s };
                 let duration = if rate != R::ZERO && left > R::ZERO { left / rate.abs() } else { R::ZERO };
@@ -356,8 +357,7 @@ impl<R: Real> Move<R> {
     }
 }
 
-/// The phases of a move that starts at `start`, each with the time at which it starts and the time at which the next one does. If the move goes on, its end
-/// is the last one.
+/// The phases of a move that starts at `start`, each with its start and that of the next one. If the move goes on, its end is the last one.
 fn phases<R: Real>(of: &Move<R>, start: R, goes_on: bool) -> impl Iterator<Item = (&Phase<R>, R, R)> {
     let count = of.phases().len();
     let used = of.phase.iter().take(count + usize::from(goes_on));
@@ -370,13 +370,23 @@ fn phases<R: Real>(of: &Move<R>, start: R, goes_on: bool) -> impl Iterator<Item 
     })
 }
 
-/// A change of the rate as an axis sees it.
+/// An axis whose limits the clock is to keep.
 struct Trial<'a, R> {
     axis: Axis<'a, R>,
     limits: &'a Limits<R>,
 }
 
 impl<R: Real> Trial<'_, R> {
+    /// Whether the axis keeps its limits near both ends of a phase of the clock. Nearly all changes that are too fast do not, and need no proof.
+    fn may_keep(&self, phase: &Phase<R>) -> bool {
+        [1, 31].iter().all(|part| {
+            let x = phase.duration * R::SIXTEENTH * R::HALF * R::from(*part);
+            let time = [phase.position(x), phase.velocity(x), phase.acceleration(x), phase.jerk];
+            let [_, v, a, j] = state_on_path(self.axis.moves, self.axis.n, time).map(Parabola::constant);
+            self.is_within(v, a, j)
+        })
+    }
+
     /// Whether the axis surely keeps its limits during a phase of the clock: as a whole, or else each half of it, and so on.
     fn keeps_in(&self, phase: &Phase<R>) -> bool {
         let least = phase.duration / R::from_index(PARTS);
@@ -417,8 +427,12 @@ impl<R: Real> Trial<'_, R> {
         let acceleration = a.times(square).plus(v.times(slowing));
         let turning = a.scaled(R::from(3)).times(rate.times(slowing));
         let jerk = square.times(rate).scaled(phase.jerk).plus(turning).plus(v.scaled(bending));
+        self.is_within(v.times(rate), acceleration, jerk)
+    }
+
+    fn is_within(&self, velocity: Parabola<R>, acceleration: Parabola<R>, jerk: Parabola<R>) -> bool {
         let limits = self.limits;
-        v.times(rate).is_between(limits.vmin, limits.vmax)
+        velocity.is_between(limits.vmin, limits.vmax)
             && acceleration.is_between(limits.amin, limits.amax)
             && jerk.is_between(limits.jmin, limits.jmax)
     }

@@ -92,8 +92,7 @@ impl<R: Real> Clock<R> {
     ///
     /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found, or if
     /// the rate is negative and the path begins in motion; [`Error::Late`] if `x` is before the last change; [`Error::Axes`] if there is no axis or
-    /// no move, or if the moves are no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`]. On an error the clock goes on
-    /// as it did.
+    /// no move, or no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`]. On an error the clock goes on as it did.
     pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<Findings, Error> {
         if !are_whole(moves, limits.len()) {
             return Err(Error::Axes);

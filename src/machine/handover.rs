@@ -1,7 +1,6 @@
 //! The handover of moves between the main loop, which plans, and the interrupt, which ticks: loads and stores of words, no lock, no wait.
 //!
-//! Three places hold moves. One move is in force. One may wait for its tick. The main loop plans into the third. A place is known by its
-//! index.
+//! Three places hold moves. One move is in force. One may wait for its tick. The main loop plans into the third. A place is its index.
 //!
 //! | word | written by | holds |
 //! |---|---|---|

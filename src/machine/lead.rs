@@ -9,8 +9,7 @@ use crate::real::Real;
 use crate::several::line_stop::goes_along;
 use crate::state::State;
 
-/// Writes the lead's fastest stop to `stop`, if the path is one section on a straight line, from rest to rest. `time` is the time of the path and
-/// its derivatives.
+/// Writes the lead's fastest stop to `stop`, if the path is one straight section from rest to rest. `time` is its time and its derivatives.
 #[inline(never)] // for its stack
 pub(super) fn stop<R: Real>(
     moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4], stop: &mut Move<R>,

@@ -130,8 +130,7 @@ mod tests {
         assert_eq!(part.rest, whole.rest);
     }
 
-    /// The quantities of a phase, at times around 2 s, are in their parabolas. Only the position has a rest: a quarter of its part with the third
-    /// power.
+    /// The quantities of a phase, at times around 2 s, are in their parabolas. Only the position has a rest: a quarter of its cubic part.
     #[test]
     fn a_phase_is_in_its_parabolas() {
         let phase = Phase { start: 0.0, duration: 4.0, position: 1.0, velocity: -3.0, acceleration: 2.0, jerk: 6.0 };

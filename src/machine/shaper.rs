@@ -70,8 +70,7 @@ impl<R: Real> Default for Shaper<R> {
 }
 
 impl<R: Real> Shaper<R> {
-    /// A shaper for a load that swings with this frequency, Hz, and this damping, a part of the critical one. It returns the errors of
-    /// [`Shaper::add`].
+    /// A shaper for a load that swings with this frequency, Hz, and this damping, a part of the critical one. Its errors are those of [`Shaper::add`].
     pub fn new(kind: ShaperKind, frequency: R, damping: R) -> Result<Self, Error> {
         let mut shaper = Self::default();
         shaper.add(kind, frequency, damping)?;

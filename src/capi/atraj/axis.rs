@@ -44,8 +44,7 @@ pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_s
     unsafe { write_state(now, state) };
 }
 
-/// @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop, while the
-/// interrupt ticks.
+/// @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop.
 ///
 /// The plan starts from the state that the axis will have in tick `n + lead`, where `n` is the last tick before the
 /// call. Until that tick the axis goes on in its move. If another plan still waits for its tick, the new plan replaces
@@ -85,8 +84,7 @@ pub unsafe extern "C" fn atraj_axis_stop(ctx: *mut atraj_axis, limits: *const at
     unsafe { atraj_axis_reach(ctx, limits, 0.0, 0.0, lead) }
 }
 
-/// @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. Call it in every round of the main
-/// loop.
+/// @brief Follow a signal, as `atraj_move_track` does, from some ticks ahead on. For every round of the main loop.
 ///
 /// The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon` from then on. The
 /// shorter the time to the next call, the smaller the error.
@@ -94,8 +92,7 @@ pub unsafe extern "C" fn atraj_axis_stop(ctx: *mut atraj_axis, limits: *const at
 /// @param jerk jerk of the signal, unit/s^3; 0 if it is not known
 /// @param horizon time from the takeover until the axis is to be next to the signal, s
 /// @param lead as for `atraj_axis_go`
-/// @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal goes on beyond the
-/// range of `a_float`
+/// @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal leaves the range of `a_float`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_track(
     ctx: *mut atraj_axis, limits: *const atraj_limits, signal: *const atraj_state, jerk: a_float, horizon: a_float,

@@ -6,11 +6,9 @@ use crate::capi::{a_float, boundary, of, of_mut};
 use crate::liba::Bell;
 use core::ffi::c_int;
 
-/// @brief Plan the fastest bell-shaped velocity trajectory there is. It exists for all limits and ends that are
-/// numbers.
+/// @brief Plan the fastest bell-shaped velocity trajectory. It exists for all limits and ends that are numbers.
 ///
-/// A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, is reached by turning
-/// back.
+/// A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, makes it turn back.
 /// In a move that decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs.
 /// `a_trajbell_pos` and its siblings evaluate the struct.
 /// @param jm maximum jerk, unit/s^3; `am` acceleration, unit/s^2; `vm` velocity, unit/s; signs are ignored; infinite:

@@ -72,8 +72,7 @@ unsafe fn list_mut<'a, C: Face>(list: *mut C, n: usize) -> Option<&'a mut [C::Co
     (!list.is_null()).then(|| unsafe { core::slice::from_raw_parts_mut(list.cast(), n) })
 }
 
-/// Fills the outputs with `n` samples, or with the most that there may be. Returns how many they are, 0 without a context. A NULL output gets
-/// nothing.
+/// Fills the outputs with `n` samples, or with the most that there may be. Returns how many, 0 without a context. A NULL output gets nothing.
 ///
 /// # Safety
 /// Each output is NULL, or has room for `n` values that nobody else uses.

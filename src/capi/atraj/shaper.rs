@@ -163,8 +163,7 @@ pub unsafe extern "C" fn atraj_shaper_stream_init(
 ///
 /// Velocity and acceleration follow; the acceleration gets the mean jerk over the smoothing. So smooth it.
 /// @param advance s; 0 at the start
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in
-/// `atraj_shaper_stream_change`
+/// @return 0; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in `atraj_shaper_stream_change`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_stream_advance(ctx: *mut atraj_shaper_stream, advance: a_float) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.

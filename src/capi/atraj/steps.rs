@@ -90,8 +90,7 @@ pub struct atraj_step_stream {
 }
 assert_same_layout!(atraj_step_stream, StepStream<Number>, period between reversal last direction steps phase end);
 
-/// @brief Begin with the steps of a stream of states. The motor is at the step that is nearest to the axis, and stays
-/// within half a step of it.
+/// @brief Begin with the steps of a stream of states. The motor is at the nearest step, and stays within half a step.
 /// @param step the way of one step, unit
 /// @param period from one tick to the next, s
 /// @param now points to the state of the stream
@@ -121,8 +120,7 @@ pub unsafe extern "C" fn atraj_step_stream_wait(
 
 /// @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
 /// @param now points to the state of the stream at the end of the tick
-/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick
-/// does not begin
+/// @return 0; else `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick does not begin
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_step_stream_tick(ctx: *mut atraj_step_stream, now: *const atraj_state) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.

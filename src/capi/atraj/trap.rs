@@ -6,11 +6,9 @@ use crate::capi::{a_float, boundary, of, of_mut};
 use crate::liba::Trap;
 use core::ffi::c_int;
 
-/// @brief Plan the fastest trapezoidal velocity trajectory there is. It exists for all limits and ends that are
-/// numbers.
+/// @brief Plan the fastest trapezoidal velocity trajectory. It exists for all limits and ends that are numbers.
 ///
-/// A target behind the axis, or nearer than it can stop, is reached by turning back. `a_trajtrap_pos` and its siblings evaluate
-/// the struct.
+/// A target behind the axis, or nearer than it can stop, makes it turn back. `a_trajtrap_pos` and its siblings evaluate the struct.
 /// @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
 /// @param ac acceleration before constant velocity, unit/s^2, `de` after it: the positive one limits the acceleration
 /// towards larger positions, the negative one the acceleration towards smaller positions
