@@ -16,7 +16,7 @@ pub struct State<R> {
 
 impl<R: Real> State<R> {
     /// At rest.
-    pub fn at(position: R) -> Self {
+    pub const fn at(position: R) -> Self {
         Self { position, velocity: R::ZERO, acceleration: R::ZERO }
     }
 
