@@ -2,9 +2,8 @@
 //!
 //! `docs/machine.md` has the theory.
 
-use super::clock::state_on_path;
 use super::parabola::Parabola;
-use super::sections::{Axis, start_at_rest, time_of_rest};
+use super::sections::{Axis, start_at_rest, state_on_path, time_of_rest};
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::online::{Move, Phase};

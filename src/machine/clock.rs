@@ -4,7 +4,7 @@
 
 use super::change::Change;
 use super::lead;
-use super::sections::{Axis, are_whole};
+use super::sections::{are_whole, state_on_path};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -174,18 +174,4 @@ impl<R: Real> Clock<R> {
     pub fn state(&self, moves: &[Move<R>], n: usize, x: R) -> [R; 4] {
         state_on_path(moves, n, self.state_of_time(x))
     }
-}
-
-/// The state of an axis of a path, by the time of the path and its derivatives.
-pub(super) fn state_on_path<R: Real>(moves: &[Move<R>], n: usize, time: [R; 4]) -> [R; 4] {
-    let [s, rate, slowing, bending] = time;
-    let Some((of, start)) = (Axis { moves, n }).section(s) else {
-        return [R::NAN; 4];
-    };
-    // The path is at its end, whatever a difference is rounded to.
-    let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
-    let [position, v, a, j] = of.state(passed);
-    let square = rate * rate;
-    let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
-    [position, v * rate, a * square + v * slowing, jerk]
 }

@@ -2,9 +2,9 @@
 
 use super::axis::{are_ticked, elapsed};
 use super::change::Change;
-use super::clock::{Clock, state_on_path};
+use super::clock::Clock;
 use super::handover::{Handover, Moment, at};
-use super::sections::{are_whole, duration, time_of_rest};
+use super::sections::{are_whole, duration, state_on_path, time_of_rest};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;

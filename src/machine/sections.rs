@@ -66,3 +66,17 @@ impl<'a, R: Real> Axis<'a, R> {
         self.sections().last().map_or(R::ZERO, |(of, start, _)| start + of.t)
     }
 }
+
+/// The state of an axis of a path, by the time of the path and its derivatives.
+pub(super) fn state_on_path<R: Real>(moves: &[Move<R>], n: usize, time: [R; 4]) -> [R; 4] {
+    let [s, rate, slowing, bending] = time;
+    let Some((of, start)) = (Axis { moves, n }).section(s) else {
+        return [R::NAN; 4];
+    };
+    // The path is at its end, whatever a difference is rounded to.
+    let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
+    let [position, v, a, j] = of.state(passed);
+    let square = rate * rate;
+    let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
+    [position, v * rate, a * square + v * slowing, jerk]
+}
