@@ -6,42 +6,18 @@ use atraj::Findings;
 use atraj::online::Error;
 use support::Real;
 
-/// The planner with one fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
-    /// It refuses paths of many points.
-    Refuses,
-    /// It stops at every point, and takes a little longer.
-    Waits,
-    /// It promises a little less than a section takes.
-    TooShort,
-    /// An axis passes a waypoint a little too fast.
-    TooFast,
-    /// The limits are a little wider.
-    WideLimits,
-    /// The limits of the first section hold everywhere.
-    NoZones,
-    /// A waypoint is a representable number off the given one.
-    WaypointOff,
-    /// The end has another velocity.
-    EndOff,
-    /// It finds nothing.
-    Silent,
-}
-
-impl Fault {
-    /// Every fault.
-    pub const ALL: [Self; 9] = [
-        Self::Refuses,
-        Self::Waits,
-        Self::TooShort,
-        Self::TooFast,
-        Self::WideLimits,
-        Self::NoZones,
-        Self::WaypointOff,
-        Self::EndOff,
-        Self::Silent,
-    ];
+listed! {
+    pub enum Fault {
+        Refuses, // it refuses paths of many points
+        Waits, // it stops at every point, and takes a little longer
+        TooShort, // it promises a little less than a section takes
+        TooFast, // an axis passes a waypoint a little too fast
+        WideLimits, // the limits are a little wider
+        NoZones, // the limits of the first section hold everywhere
+        WaypointOff, // a waypoint is a representable number off the given one
+        EndOff, // the end has another velocity
+        Silent, // it finds nothing
+    }
 }
 
 impl<R: Real> Planner<R> for Fault {
@@ -67,13 +43,9 @@ impl<R: Real> Planner<R> for Fault {
                 for state in &mut path.states[waypoints] {
                     (state.velocity, state.acceleration) = (R::of(0.0), R::of(0.0));
                 }
-                for duration in &mut path.durations {
-                    *duration = R::of(1.01) * *duration;
-                }
+                path.durations.iter_mut().for_each(|t| *t = R::of(1.01) * *t);
             }
-            Self::TooShort => {
-                path.durations.iter_mut().for_each(|t| *t = *t * R::of(0.99));
-            }
+            Self::TooShort => path.durations.iter_mut().for_each(|t| *t = *t * R::of(0.99)),
             Self::TooFast => path.states[middle].velocity = path.states[middle].velocity * R::of(1.05),
             Self::WaypointOff => path.states[middle].position = path.states[middle].position.neighbour(1),
             Self::EndOff => {

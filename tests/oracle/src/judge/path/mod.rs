@@ -15,29 +15,22 @@ use atraj::{Findings, State};
 use problems::Chain;
 use support::{Random, Real};
 
-/// States, point by point, and durations of the sections, s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<R> {
-    /// States, point by point.
-    pub states: Vec<State<R>>,
-    /// s
-    pub durations: Vec<R>,
+    pub states: Vec<State<R>>, // point by point
+    pub durations: Vec<R>,     // of the sections, s
 }
 
 impl<R: Real> Path<R> {
-    /// The sum of the durations, s.
     pub fn duration(&self) -> f64 {
         self.durations.iter().map(|t| t.widen()).sum()
     }
 }
 
-/// Something that plans paths.
 pub trait Planner<R: Real> {
-    /// The path through the points.
     fn plan(&self, chain: &Chain<R>, steps: u32) -> Result<(Path<R>, Findings), Error> {
         let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
-        let size = path_size(chain.axes, chain.sections()).expect("a size");
-        let mut work = vec![R::of(f64::NAN); size];
+        let mut work = vec![R::of(f64::NAN); path_size(chain.axes, chain.sections()).expect("a size")];
         let found = plan_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)?;
         Ok((path, found))
     }
@@ -51,15 +44,12 @@ pub trait Planner<R: Real> {
         Ok((path, found))
     }
 
-    /// A shorter path from one that is there.
     fn improve(&self, chain: &Chain<R>, path: &mut Path<R>, steps: u32) -> Result<Findings, Error> {
-        let size = path_size(chain.axes, chain.sections()).expect("a size");
-        let mut work = vec![R::of(f64::NAN); size];
+        let mut work = vec![R::of(f64::NAN); path_size(chain.axes, chain.sections()).expect("a size")];
         improve_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)
     }
 }
 
-/// The planner under test.
 pub struct Paths;
 
 impl<R: Real> Planner<R> for Paths {}
@@ -103,7 +93,6 @@ pub fn wrong_near<R: Original>(
     None
 }
 
-/// What is wrong with the motions of a section.
 fn wrong_section<R: Original>(
     chain: &Chain<R>, path: &Path<R>, section: usize, found: Findings, random: &mut Random,
 ) -> Option<String> {
@@ -131,13 +120,8 @@ fn wrong_section<R: Original>(
         return Some(format!("it takes {t:e} instead of {promise:e}"));
     }
     for (axis, planned) in moves.iter().enumerate() {
-        let trial = Trial::new(Problem {
-            kind: Kind::Accelerated,
-            request: Request::Plan,
-            limits: limits[axis],
-            from: from[axis],
-            to: to[axis],
-        });
+        let (limits, from, to) = (limits[axis], from[axis], to[axis]);
+        let trial = Trial::new(Problem { kind: Kind::Accelerated, request: Request::Plan, limits, from, to });
         let more = scale_of_short_ramps(&trial, t);
         if let Some(what) = trial.wrong_states(&plan_of(planned), &more, random) {
             return Some(format!("axis {axis}: {what}"));

@@ -2,94 +2,46 @@
 
 use atraj::State;
 use atraj::online::Limits;
-use support::online::{limits_of, numbers_of};
+use support::online::{limits_of, numbers_of, numbers_of_state, state_of};
 use support::{Random, Real};
 
-/// What is adversarial about a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Family {
-    /// From rest to rest.
-    AtRest,
-    /// One waypoint.
-    OnePoint,
-    /// All limits differ.
-    UnequalLimits,
-    /// The start is in motion.
-    InMotion,
-    /// Start and end are on their limits.
-    OnTheLimits,
-    /// The start is outside the limits.
-    Outside,
-    /// Limits for every section.
-    Zones,
-    /// Every axis turns at every point.
-    ToAndFro,
-    /// Many axes or many points.
-    Many,
-    /// The limits of the axes are a factor of 1000 apart.
-    UnlikeAxes,
-    /// Ways of 0.01 to 30.
-    UnevenWays,
-    /// Ways of 0.0001 to 1000.
-    NastyWays,
-    /// Ways of 0.0001 to 1000 in one direction.
-    OneDirection,
-    /// Axes that stay in some sections.
-    Staying,
-    /// Points that repeat.
-    Repeating,
-    /// Rows of close points.
-    Dense,
-    /// Some limits are infinite.
-    Unlimited,
-    /// No waypoint.
-    NoPoint,
+listed! {
+    /// What is adversarial about a path.
+    pub enum Family {
+        AtRest, // from rest to rest
+        OnePoint, // one waypoint
+        UnequalLimits, // all limits differ
+        InMotion, // the start is in motion
+        OnTheLimits, // start and end are on their limits
+        Outside, // the start is outside the limits
+        Zones, // limits for every section
+        ToAndFro, // every axis turns at every point
+        Many, // many axes or many points
+        UnlikeAxes, // the limits of the axes are a factor of 1000 apart
+        UnevenWays, // ways of 0.01 to 30
+        NastyWays, // ways of 0.0001 to 1000
+        OneDirection, // ways of 0.0001 to 1000 in one direction
+        Staying, // axes that stay in some sections
+        Repeating, // points that repeat
+        Dense, // rows of close points
+        Unlimited, // some limits are infinite
+        NoPoint, // no waypoint
+    }
 }
 
-impl Family {
-    /// Every family.
-    pub const ALL: [Self; 18] = [
-        Self::AtRest,
-        Self::OnePoint,
-        Self::UnequalLimits,
-        Self::InMotion,
-        Self::OnTheLimits,
-        Self::Outside,
-        Self::Zones,
-        Self::ToAndFro,
-        Self::Many,
-        Self::UnlikeAxes,
-        Self::UnevenWays,
-        Self::NastyWays,
-        Self::OneDirection,
-        Self::Staying,
-        Self::Repeating,
-        Self::Dense,
-        Self::Unlimited,
-        Self::NoPoint,
-    ];
-}
-
-/// A path to plan.
 #[derive(Clone, Debug)]
 pub struct Chain<R> {
-    /// What is adversarial about it.
     pub family: Family,
-    /// How many axes it has.
-    pub axes: usize,
-    /// The limits of the axes, or of the axes section by section.
-    pub limits: Vec<Limits<R>>,
-    /// Point by point. Between start and end the positions alone count.
-    pub states: Vec<State<R>>,
+    pub axes: usize,            // how many axes it has
+    pub limits: Vec<Limits<R>>, // of the axes, or of the axes section by section
+    pub states: Vec<State<R>>,  // point by point; between start and end the positions alone count
 }
 
 impl<R: Real> Chain<R> {
-    /// How many sections it has.
     pub fn sections(&self) -> usize {
         self.states.len() / self.axes - 1
     }
 
-    /// The limits of a section.
     pub fn limits(&self, section: usize) -> &[Limits<R>] {
         let first = if self.limits.len() == self.axes { 0 } else { section * self.axes };
         &self.limits[first..first + self.axes]
@@ -128,7 +80,6 @@ impl<R: Real> Chain<R> {
     }
 }
 
-/// A state with its numbers multiplied.
 pub fn scale<R: Real>(state: &State<R>, [p, v, a]: [R; 3]) -> State<R> {
     let State { position, velocity, acceleration } = *state;
     State { position: position * p, velocity: velocity * v, acceleration: acceleration * a }
@@ -141,19 +92,16 @@ pub struct Chains {
 }
 
 impl Chains {
-    /// The sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self { random: Random::seeded(seed ^ 0xc4a1), turn: 0 }
     }
 
-    /// The next path.
     pub fn draw<R: Real>(&mut self) -> Chain<R> {
         let family = Family::ALL[self.turn % Family::ALL.len()];
         self.turn += 1;
         self.of(family)
     }
 
-    /// A path of this family.
     pub fn of<R: Real>(&mut self, family: Family) -> Chain<R> {
         let random = &mut self.random;
         let (mut axes, mut points) = (1 + random.below(4), 1 + random.below(5));
@@ -167,11 +115,9 @@ impl Chains {
         let unequal = !matches!(family, Family::AtRest | Family::Dense | Family::OnePoint) || random.one_in(2);
         let sets = if family == Family::Zones { points + 1 } else { 1 };
         let mut limits: Vec<Limits<f64>> = Vec::new();
-        for _ in 0..sets {
-            for _ in 0..axes {
-                let scale = if family == Family::UnlikeAxes { random.magnitude(-1.5, 1.5) } else { 1.0 };
-                limits.push(random_limits(random, scale, unequal));
-            }
+        for _ in 0..sets * axes {
+            let scale = if family == Family::UnlikeAxes { random.magnitude(-1.5, 1.5) } else { 1.0 };
+            limits.push(random_limits(random, scale, unequal));
         }
         if family == Family::Unlimited {
             limits.iter_mut().for_each(|limits| unlimited(random, limits));
@@ -201,14 +147,7 @@ impl Chains {
             family,
             axes,
             limits: limits.iter().map(|limits| rounded(limits)).collect(),
-            states: states
-                .iter()
-                .map(|state| State {
-                    position: R::of(state.position),
-                    velocity: R::of(state.velocity),
-                    acceleration: R::of(state.acceleration),
-                })
-                .collect(),
+            states: states.iter().map(|state| state_of(numbers_of_state(*state))).collect(),
         }
     }
 }
@@ -238,7 +177,6 @@ fn unlimited(random: &mut Random, limits: &mut Limits<f64>) {
     }
 }
 
-/// The ways of an axis.
 fn ways(random: &mut Random, family: Family, sections: usize, limits: &Limits<f64>) -> Vec<f64> {
     let turn = random.sign();
     let spacing = random.magnitude(-4.0, -1.5);
@@ -257,22 +195,13 @@ fn ways(random: &mut Random, family: Family, sections: usize, limits: &Limits<f6
     (0..sections).map(&mut way).collect()
 }
 
-/// Sets the states of both ends.
 fn ends(random: &mut Random, family: Family, limits: [&Limits<f64>; 2], states: &mut [State<f64>], ends: [usize; 2]) {
+    use Family::*;
     let part = match family {
-        Family::InMotion
-        | Family::Zones
-        | Family::Unlimited
-        | Family::Repeating
-        | Family::Staying
-        | Family::NoPoint
-            if random.one_in(2) =>
-        {
-            0.9
-        }
-        Family::Many | Family::UnequalLimits if random.one_in(4) => 0.5,
-        Family::OnTheLimits => 1.0,
-        Family::Outside => 1.5,
+        InMotion | Zones | Unlimited | Repeating | Staying | NoPoint if random.one_in(2) => 0.9,
+        Many | UnequalLimits if random.one_in(4) => 0.5,
+        OnTheLimits => 1.0,
+        Outside => 1.5,
         _ => return,
     };
     for (which, (limits, end)) in limits.into_iter().zip(ends).enumerate() {
@@ -295,14 +224,9 @@ fn ends(random: &mut Random, family: Family, limits: [&Limits<f64>; 2], states: 
         let half_square = 0.5 * state.acceleration * state.acceleration;
         let above = state.velocity - half_square / limits.jmin > limits.vmax;
         let below = state.velocity - half_square / limits.jmax < limits.vmin;
-        let beyond = if which == 0 {
-            above || below
-        } else if state.acceleration > 0.0 {
-            below
-        } else {
-            above
-        };
-        if beyond && (which == 1 || family != Family::Outside) {
+        let before = if state.acceleration > 0.0 { below } else { above };
+        let beyond = if which == 0 { above || below } else { before };
+        if beyond && (which == 1 || family != Outside) {
             state.acceleration = 0.0;
         }
     }
