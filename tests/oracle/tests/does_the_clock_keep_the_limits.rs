@@ -66,8 +66,7 @@ impl<R: Real> Path<R> {
     }
 
     fn wider(&self, reserve: f64) -> Vec<Limits<R>> {
-        let wider = |limit: R| R::of(limit.widen() * (1.0 + reserve));
-        self.limits.iter().map(|limits| online::limits_of(online::numbers_of(limits).map(wider))).collect()
+        online::limits_times(&self.limits, 1.0 + reserve)
     }
 
     /// Whether each axis can do in one direction what it can do in the other.

@@ -23,6 +23,11 @@ pub fn numbers_of<R: Copy>(limits: &Limits<R>) -> [R; 6] {
     [limits.vmax, limits.vmin, limits.amax, limits.amin, limits.jmax, limits.jmin]
 }
 
+pub fn limits_times<R: Real>(limits: &[Limits<R>], by: f64) -> Vec<Limits<R>> {
+    let times = |limit: R| R::of(limit.widen() * by);
+    limits.iter().map(|limits| limits_of(numbers_of(limits).map(times))).collect()
+}
+
 /// Limits over two decades, one problem in four with the same ones in both directions.
 pub fn limits<R: Real>(random: &mut Random) -> Limits<R> {
     let mut pair = || [(); 2].map(|()| R::of(random.magnitude(-1.0, 1.0)));

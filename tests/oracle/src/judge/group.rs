@@ -5,17 +5,14 @@ use atraj::machine::{Group, GroupPlanner, GroupTicker, Tick};
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online};
 
-/// Calls of a program, before its path.
-pub const CALLS: usize = 16;
-/// The limits of a plan that leaves the clock a reserve.
-const PLANNED: f64 = 0.8;
+pub const CALLS: usize = 16; // of a program, before its path
+const PLANNED: f64 = 0.8; // the limits of a plan that leaves the clock a reserve
 
 /// A path from rest to rest, and the same path with a way back to its start.
 struct Paths<R> {
     there: Vec<Move<R>>,
     there_and_back: Vec<Move<R>>,
-    /// A path that jumps.
-    torn: Vec<Move<R>>,
+    torn: Vec<Move<R>>, // a path that jumps
 }
 
 impl<R: Real> Paths<R> {
@@ -58,11 +55,9 @@ struct Trial<'g, 'a, R> {
     limits: &'g [Limits<R>],
     period: R,
     now: Vec<State<R>>,
-    /// Where the motion was planned to begin, if it is to be a line.
-    line: Option<[Vec<State<R>>; 2]>,
+    line: Option<[Vec<State<R>>; 2]>, // where the motion was planned to begin and to end, if it is to be a line
     has_ended: bool,
-    /// For how many ticks the motion is in force.
-    age: u32,
+    age: u32, // for how many ticks the motion is in force
 }
 
 impl<R: Real> Trial<'_, '_, R> {
@@ -85,10 +80,8 @@ impl<R: Real> Trial<'_, '_, R> {
             let share = (self.now[lead].position.widen() - from[lead].position.widen()) / way(lead);
             for (axis, now) in self.now.iter().enumerate() {
                 let off = now.position.widen() - (from[axis].position.widen() + share * way(axis));
-                assert!(
-                    off.abs() <= 256.0 * R::MACHINE_EPSILON.widen() * (size(axis) + size(lead)),
-                    "off the line by {off:e}"
-                );
+                let rounding = 256.0 * R::MACHINE_EPSILON.widen() * (size(axis) + size(lead));
+                assert!(off.abs() <= rounding, "off the line by {off:e}");
             }
         }
         tick
@@ -127,10 +120,8 @@ impl<R: Real> Trial<'_, '_, R> {
 /// Whether an axis can be in one state a period after the other: within its limits, and by no more than its jerk. The time since a
 /// takeover, `age` periods, is rounded.
 fn follows<R: Real>(before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32) -> bool {
-    let numbers = |state: State<R>| [state.position, state.velocity, state.acceleration].map(R::widen);
-    let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(numbers);
-    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
-    let [vmax, vmin, amax, amin, jmax, jmin] = [vmax, vmin, amax, amin, jmax, jmin].map(R::widen);
+    let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(online::numbers_of_state);
+    let [vmax, vmin, amax, amin, jmax, jmin] = online::numbers_of(limits).map(R::widen);
     let (jerk, speed) = (jmax.max(-jmin), vmax.max(-vmin));
     let ulp = 256.0 * R::MACHINE_EPSILON.widen();
     let is_within = |x: f64, low: f64, high: f64| x >= low - ulp * (high - low) && x <= high + ulp * (high - low);
@@ -168,20 +159,11 @@ fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
     sections.fold(f64::INFINITY, f64::min)
 }
 
-fn limits_times<R: Real>(limits: &[Limits<R>], by: f64) -> Vec<Limits<R>> {
-    let times = |limit: R| R::of(limit.widen() * by);
-    let each = limits.iter().map(|&Limits { vmax, vmin, amax, amin, jmax, jmin }| {
-        let [vmax, vmin, amax, amin, jmax, jmin] = [vmax, vmin, amax, amin, jmax, jmin].map(times);
-        Limits { vmax, vmin, amax, amin, jmax, jmin }
-    });
-    each.collect()
-}
-
 /// Runs a program, which panics if a tick or an answer is wrong, and counts what is refused: lines in motion, paths from elsewhere, and rates.
 pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
     let n = 1 + random.below(6);
     let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(random)).collect();
-    let planned = limits_times(&limits, PLANNED);
+    let planned = online::limits_times(&limits, PLANNED);
     let paths = Paths::random(random, &planned);
     let duration: f64 = paths.there.iter().step_by(n).map(|of| of.t.widen()).sum();
     let period = R::of(duration / random.between(50.0, 500.0));
