@@ -40,9 +40,12 @@ pub fn ruckig<R: Real>(axes: &[Problem<R>], least: f64, cycle: f64) -> Option<f6
     if cycle > 0.0 {
         input.duration_discretization = DurationDiscretization::Discrete;
     }
-    let mut ruckig = Ruckig::<0, ThrowErrorHandler>::new(Some(count), cycle.max(1e-9));
-    let mut trajectory = Trajectory::<0>::new(Some(count));
-    match ruckig.calculate(&input, &mut trajectory) {
+    calculated(&input, count, cycle.max(1e-9))
+}
+
+fn calculated(input: &InputParameter<0>, axes: usize, cycle: f64) -> Option<f64> {
+    let mut trajectory = Trajectory::<0>::new(Some(axes));
+    match Ruckig::<0, ThrowErrorHandler>::new(Some(axes), cycle).calculate(input, &mut trajectory) {
         Ok(RuckigResult::Working | RuckigResult::Finished) => Some(trajectory.get_duration()),
         _ => None,
     }
@@ -69,22 +72,14 @@ pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
     let limit = |which: usize| row(&|axis| widened(&chain.limits[axis])[which]);
     let mut input = InputParameter::<0>::new(Some(axes));
     let last = chain.sections();
-    input.current_position = of_point(0, 0);
-    input.current_velocity = of_point(0, 1);
-    input.current_acceleration = of_point(0, 2);
-    input.target_position = of_point(last, 0);
-    input.target_velocity = of_point(last, 1);
-    input.target_acceleration = of_point(last, 2);
+    (input.current_position, input.target_position) = (of_point(0, 0), of_point(last, 0));
+    (input.current_velocity, input.target_velocity) = (of_point(0, 1), of_point(last, 1));
+    (input.current_acceleration, input.target_acceleration) = (of_point(0, 2), of_point(last, 2));
     (input.max_velocity, input.min_velocity) = (limit(0), Some(limit(1)));
     (input.max_acceleration, input.min_acceleration) = (limit(2), Some(limit(3)));
     input.max_jerk = limit(4);
     input.intermediate_positions = (1..last).map(|point| of_point(point, 0)).collect();
-    let mut ruckig = Ruckig::<0, ThrowErrorHandler>::new(Some(axes), 1e-3);
-    let mut trajectory = Trajectory::<0>::new(Some(axes));
-    match ruckig.calculate(&input, &mut trajectory) {
-        Ok(RuckigResult::Working | RuckigResult::Finished) => Some(trajectory.get_duration()),
-        _ => None,
-    }
+    calculated(&input, axes, 1e-3)
 }
 
 #[derive(Clone, Debug, Default)]

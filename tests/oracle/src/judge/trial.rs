@@ -69,11 +69,8 @@ impl Scale {
     }
 
     pub fn times(self, factor: f64) -> Self {
-        Self {
-            position: factor * self.position,
-            velocity: factor * self.velocity,
-            acceleration: factor * self.acceleration,
-        }
+        let Self { position, velocity, acceleration } = self;
+        Self { position: factor * position, velocity: factor * velocity, acceleration: factor * acceleration }
     }
 
     pub fn and(self, more: &Self) -> Self {
@@ -336,14 +333,11 @@ impl<R: Original> Trial<R> {
             Side { sign: 1.0, velocity: vmax, acceleration: amax, unavoidable: v0 - 0.5 * a0.max(0.0) * a0 / jmin };
         let below =
             Side { sign: -1.0, velocity: -vmin, acceleration: -amin, unavoidable: -v0 + 0.5 * a0.min(0.0) * a0 / jmax };
+        let left = [above, below].into_iter().find_map(|side| side.left(&walk.knots, scale, doubt::<R>()));
         let slack = 1.0 + doubt::<R>();
-        let jerks = planned.phases().iter().map(|phase| phase.jerk.widen());
-        above.left(&walk.knots, scale, doubt::<R>()).or_else(|| below.left(&walk.knots, scale, doubt::<R>())).or_else(
-            || {
-                let mut beyond = jerks.filter(|&jerk| jerk > jmax * slack || jerk < jmin * slack);
-                beyond.next().map(|_| "a jerk is beyond its limit")
-            },
-        )
+        let mut jerks = planned.phases().iter().map(|phase| phase.jerk.widen());
+        let is_beyond = jerks.any(|jerk| jerk > jmax * slack || jerk < jmin * slack);
+        left.or(is_beyond.then_some("a jerk is beyond its limit"))
     }
 
     /// Whether the axis will unavoidably exceed its limits after the target; `None` if roundings decide.
@@ -542,7 +536,7 @@ fn wrong_evaluation<R: Original>(
     let near = phases.iter().map(|phase| phase.start.neighbour(random.steps(2)));
     let is_over = |x: &R| !is_profile && *x > planned.t; // `does_a_move_go_on.rs` asks what comes after the end
     let times: Vec<R> = near.chain(within).filter(|x| !is_over(x)).collect();
-    for x in times {
+    times.into_iter().find_map(|x| {
         let under_way = phases.iter().rposition(|phase| phase.start <= x); // phase 0 is the start
         let index = under_way.filter(|_| x > R::of(0.0) || t == 0.0).unwrap_or(0);
         let phase = &phases[index];
@@ -556,18 +550,14 @@ fn wrong_evaluation<R: Original>(
         // At its ends a profile stands still, and rounding may make the borders of its phases cross.
         let stands = is_profile && (x <= R::of(0.0) || x >= planned.t);
         let mut others = other_evaluation(plan, x).into_iter().zip(state);
-        let fault = first_fault([
+        first_fault([
             ((position - expected).abs() > doubt * scale.position, "a position is not where the jerk leads"),
             (dv.abs() > velocity, "a velocity is not where the jerk leads"),
             (!stands && da.abs() > acceleration, "an acceleration is not where the jerk leads"),
             (!is_profile && jerked != jerk, "the jerk is not that of the phase"),
             (!others.all(|(other, own)| other.same(own)), "another evaluation has other bits"),
-        ]);
-        if fault.is_some() {
-            return fault;
-        }
-    }
-    None
+        ])
+    })
 }
 
 /// The quantities at the time `x`, of a profile by the original, of a `Move` by single calls.

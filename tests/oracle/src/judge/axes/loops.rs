@@ -26,13 +26,8 @@ pub struct Family {
 
 impl Family {
     pub fn all() -> Vec<Self> {
-        let ways = [
-            (Way::Alone, false),
-            (Way::Together, true),
-            (Way::Together, false),
-            (Way::Straight, true),
-            (Way::Straight, false),
-        ];
+        use Way::*;
+        let ways = [(Alone, false), (Together, true), (Together, false), (Straight, true), (Straight, false)];
         let family = |(way, on_ticks), is_general| Self { way, on_ticks, is_general };
         ways.into_iter().flat_map(|way| [false, true].map(|is_general| family(way, is_general))).collect()
     }
@@ -152,11 +147,7 @@ pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> 
             return Outcome::InTime;
         }
         let now = tick as f64;
-        if now + left > promised + SPARE {
-            since = since.or(Some(tick))
-        } else {
-            since = None
-        }
+        since = if now + left > promised + SPARE { since.or(Some(tick)) } else { None };
         if now > promised + SPARE {
             return Outcome::Late(since.unwrap_or(tick));
         }
@@ -173,6 +164,7 @@ pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> 
     }
     unreachable!()
 }
+
 #[derive(Debug, Default)]
 pub struct Loops {
     pub loops: u64,            // loops
