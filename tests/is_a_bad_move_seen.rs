@@ -15,12 +15,20 @@ fn off<R: Real>(x: R) -> R {
     R::of(1e-2 * (1.0 + x.widen().abs()))
 }
 
+fn spoil<R: Real>(x: &mut R) {
+    *x = *x + off(*x);
+}
+
 fn middle<R: Real>(planned: &mut Move<R>) -> &mut Phase<R> {
     &mut planned.phase[1 + planned.count as usize / 2]
 }
 
+fn end<R: Real>(planned: &mut Move<R>) -> &mut Phase<R> {
+    &mut planned.phase[planned.count as usize]
+}
+
 fn faults<R: Real>() -> Vec<Fault<R>> {
-    let jumps = Findings::JUMPS;
+    let (jumps, jerk) = (Findings::JUMPS, Findings::EXCEEDS_JERK);
     vec![
         ("a velocity beyond its limit", Findings::EXCEEDS_VELOCITY, |planned, limits| {
             let reached = planned.extremes();
@@ -37,51 +45,26 @@ fn faults<R: Real>() -> Vec<Fault<R>> {
         ("an acceleration below its limit", Findings::EXCEEDS_ACCELERATION, |planned, limits| {
             limits.amin = R::of(0.99) * planned.extremes().lowest.acceleration;
         }),
-        ("a jerk above its limit", Findings::EXCEEDS_JERK, |_, limits| {
-            limits.jmax = R::of(0.99) * limits.jmax;
-        }),
-        ("a jerk below its limit", Findings::EXCEEDS_JERK, |_, limits| {
-            limits.jmin = R::of(0.99) * limits.jmin;
-        }),
-        ("a step of the acceleration", Findings::EXCEEDS_JERK, |planned, _| {
-            let phase = middle(planned);
-            phase.acceleration = phase.acceleration + off(phase.acceleration);
-        }),
-        ("a step of the velocity", jumps, |planned, _| {
-            let phase = middle(planned);
-            phase.velocity = phase.velocity + off(phase.velocity);
-        }),
-        ("a step of the position", jumps, |planned, _| {
-            let phase = middle(planned);
-            phase.position = phase.position + off(phase.position);
-        }),
-        ("another start", jumps, |planned, _| {
-            planned.phase[0].position = planned.phase[0].position + off(planned.phase[0].position);
-        }),
-        ("another end", jumps, |planned, _| {
-            let end = &mut planned.phase[planned.count as usize];
-            end.position = end.position + off(end.position);
-        }),
+        ("a jerk above its limit", jerk, |_, limits| limits.jmax = R::of(0.99) * limits.jmax),
+        ("a jerk below its limit", jerk, |_, limits| limits.jmin = R::of(0.99) * limits.jmin),
+        ("a step of the acceleration", jerk, |planned, _| spoil(&mut middle(planned).acceleration)),
+        ("a step of the velocity", jumps, |planned, _| spoil(&mut middle(planned).velocity)),
+        ("a step of the position", jumps, |planned, _| spoil(&mut middle(planned).position)),
+        ("another start", jumps, |planned, _| spoil(&mut planned.phase[0].position)),
+        ("another end", jumps, |planned, _| spoil(&mut end(planned).position)),
         ("another velocity at the end", jumps, |planned, _| {
-            let end = &mut planned.phase[planned.count as usize];
+            let end = end(planned);
             end.velocity = end.velocity - off(end.velocity);
         }),
-        ("a late end", jumps, |planned, _| planned.t = planned.t + off(planned.t)),
-        ("a late phase", jumps, |planned, _| {
-            let phase = middle(planned);
-            phase.start = phase.start + off(phase.start);
-        }),
+        ("a late end", jumps, |planned, _| spoil(&mut planned.t)),
+        ("a late phase", jumps, |planned, _| spoil(&mut middle(planned).start)),
         ("a phase that lasts less than no time", jumps, |planned, _| {
             planned.phase[1].duration = -planned.phase[1].duration;
         }),
         ("a missing phase", jumps, |planned, _| planned.count -= 1),
         ("too many phases", jumps, |planned, _| planned.count = 16),
-        ("an end that lasts", jumps, |planned, _| {
-            planned.phase[planned.count as usize].duration = R::of(1.0);
-        }),
-        ("a jerk after the end", jumps, |planned, _| {
-            planned.phase[planned.count as usize].jerk = R::of(1.0);
-        }),
+        ("an end that lasts", jumps, |planned, _| end(planned).duration = R::of(1.0)),
+        ("a jerk after the end", jumps, |planned, _| end(planned).jerk = R::of(1.0)),
         ("a start that lasts", jumps, |planned, _| planned.phase[0].duration = R::of(1.0)),
         ("a start a rounding before 0", jumps, |planned, _| planned.phase[0].start = -R::MACHINE_EPSILON * planned.t),
         ("a start that lasts a rounding", jumps, |planned, _| {
