@@ -152,6 +152,7 @@ table! { |n|
     claraty_trapezoid_set_waypoints: (1 n n n n);
 }
 
+#[derive(Debug)]
 enum Answer {
     Nothing,
     Number(f64),
@@ -215,21 +216,24 @@ impl Answer {
     }
 }
 
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Default, PartialEq)]
 enum Contents {
+    #[default]
     Ordinary,
     Arbitrary,
     Mixed, // each argument is one or the other
 }
 
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Default, PartialEq)]
 enum Null {
+    #[default]
     None,
     Some,
     All,
     One(usize), // the pointer of this number alone
 }
 
+#[derive(Default)]
 struct Caller {
     contents: Contents,
     null: Null,
@@ -260,18 +264,7 @@ impl Drop for Array {
 
 impl Caller {
     fn new(contents: Contents, null: Null, seed: u64) -> Self {
-        Self {
-            contents,
-            null,
-            random: Random(seed),
-            is_at_rest: seed.is_multiple_of(2),
-            keeps: false,
-            bad: None,
-            pointers: 0,
-            numbers: 0,
-            lacks: None,
-            arrays: Vec::new(),
-        }
+        Self { contents, null, random: Random(seed), is_at_rest: seed.is_multiple_of(2), ..Self::default() }
     }
 
     fn argument<A: Argument>(&mut self, promise: Promise) -> A {
@@ -522,41 +515,28 @@ macro_rules! made {
             $(const ARE_NUMBERS: bool = $are_numbers;)?
             unsafe fn make($caller: &mut Caller, $to: *mut Self) {
                 // SAFETY: by the contract of this function.
-                let code: c_int = unsafe { $make };
-                assert!(code >= 0, "{}: {code}", stringify!($type));
+                let answer = Answer::from(unsafe { $make });
+                assert!(answer.is_success(), "{}: {answer:?}", stringify!($type));
             }
         })*
     };
 }
 
 made! {
-    atraj_limits: true = |caller, to| {
-        atraj_limits_init(to, 30.0, 10.0, 4.0 + caller.ordinary());
-        0
-    };
+    atraj_limits: true = |caller, to| atraj_limits_init(to, 30.0, 10.0, 4.0 + caller.ordinary());
     atraj_state: true = |caller, to| {
         if caller.is_at_rest {
             ((*to).v, (*to).a) = (0.0, 0.0);
         }
-        0
     };
     atraj_move = |caller, to| {
         let (limits, from, at) = caller.problem();
         atraj_move_plan(to, &limits, &from, &at)
     };
-    a_trajbell = |caller, to| {
-        atraj_bell_gen(to, 30.0, 10.0, 5.0, 0.0, caller.ordinary(), 0.0, 0.0);
-        0
-    };
-    a_trajtrap = |caller, to| {
-        atraj_trap_gen(to, 5.0, 10.0, -10.0, 0.0, caller.ordinary(), 0.0, 0.0);
-        0
-    };
+    a_trajbell = |caller, to| atraj_bell_gen(to, 30.0, 10.0, 5.0, 0.0, caller.ordinary(), 0.0, 0.0);
+    a_trajtrap = |caller, to| atraj_trap_gen(to, 5.0, 10.0, -10.0, 0.0, caller.ordinary(), 0.0, 0.0);
     atraj_axis = |caller, to| atraj_axis_init(to, 1e-3, &caller.problem().1);
-    atraj_clock = |_caller, to| {
-        atraj_clock_start(to);
-        0
-    };
+    atraj_clock = |_caller, to| atraj_clock_start(to);
     atraj_shaper = |caller, to| atraj_shaper_init(to, 0, caller.ordinary(), 0.1);
     atraj_shaper_stream = |caller, to| {
         let (mut shaper, mut line) = (MaybeUninit::uninit(), [0.0; LINE]);

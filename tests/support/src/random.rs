@@ -1,6 +1,7 @@
 //! Random numbers for moves.
 
 /// SplitMix64: the same numbers from the same seed on every machine.
+#[derive(Default)]
 pub struct Random(pub u64);
 
 impl Random {
