@@ -15,7 +15,8 @@ const CYCLE: f64 = 1e-3; // s
 const SPARE: usize = 2; // how many ticks later than the first plan a loop may arrive
 /// One of so many loops may be late: "Known limits" in `docs/rounding.md`. On a line one of 2,091 loops is, and two of 2,090 in binary32.
 const ONE_LATE_OF: usize = 1000;
-type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Result<Findings, Error>;
+type Answer = Result<Findings, Error>;
+type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>]) -> Answer;
 
 #[derive(Debug)]
 struct Problem<R> {
@@ -25,6 +26,11 @@ struct Problem<R> {
 }
 
 impl<R: Real> Problem<R> {
+    /// The axis alone that goes from one state to another.
+    fn of_one(limits: Limits<R>, from: [f64; 3], to: [f64; 3]) -> Self {
+        Self { limits: vec![limits], from: vec![state_of(from)], to: vec![state_of(to)] }
+    }
+
     /// Whether there is a first plan, no longer than [`LONGEST`]. `docs/moves.md` says what a target does to a loop which an axis is bound
     /// to pass into velocities beyond its limits.
     fn is_short(&self, plan: Plan<R>) -> bool {
@@ -35,21 +41,15 @@ impl<R: Real> Problem<R> {
     }
 }
 
-fn single<R: Real>(
-    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>],
-) -> Result<Findings, Error> {
+fn single<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>]) -> Answer {
     axes[0].plan(&limits[0], from[0], to[0])
 }
 
-fn together<R: Real>(
-    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>],
-) -> Result<Findings, Error> {
+fn together<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>]) -> Answer {
     synchronise(axes, limits, from, to, R::of(0.0), R::of(CYCLE))
 }
 
-fn straight<R: Real>(
-    axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>],
-) -> Result<Findings, Error> {
+fn straight<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>]) -> Answer {
     line(axes, limits, from, to, R::of(0.0), R::of(CYCLE))
 }
 
@@ -194,22 +194,16 @@ fn lines_arrive_in_time<R: Real>() {
 /// The axis holds its lowest acceleration. A rise before the hold came out below 0 by rounding, and the setpoint stepped by 5e-5 m.
 fn a_hold_stays_at_its_limit<R: Real>() {
     let [j, a, v] = [54.896553, 6.366892, 2.268614].map(R::of);
-    let problem = Problem {
-        limits: vec![Limits::symmetric(j, a, v)],
-        from: vec![state_of([0.818601, -0.16690297, -6.353302])],
-        to: vec![state_of([0.4556823, -1.8287257, 0.0])],
-    };
+    let [from, to] = [[0.818601, -0.16690297, -6.353302], [0.4556823, -1.8287257, 0.0]];
+    let problem = Problem::of_one(Limits::symmetric(j, a, v), from, to);
     let (ticks, promised) = ticks(together, &problem);
     assert!(ticks <= promised + SPARE, "{ticks} ticks, not {promised}");
 }
 
 /// From rest, past a position with the velocity 1 m/s: 17,071 ticks were taken instead of 858.
 fn from_rest_past_a_position<R: Real>() {
-    let problem = Problem {
-        limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))],
-        from: vec![state_of([0.0; 3])],
-        to: vec![state_of([1.0, 1.0, 0.0])],
-    };
+    let limits = Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0));
+    let problem = Problem::of_one(limits, [0.0; 3], [1.0, 1.0, 0.0]);
     for plan in [single, together, straight] {
         let (ticks, promised) = ticks::<R>(plan, &problem);
         assert!(ticks == 858 && promised <= 859, "{ticks} {promised}");

@@ -3,7 +3,8 @@
 use atraj::machine::{Shaper, ShaperKind, ShaperStream, StepStream};
 use atraj::online::{Error, Limits, Move, State};
 use std::f64::consts::PI;
-use support::{Random, Real, online, test_both_reals};
+use support::online::{self, numbers_of_state as numbers};
+use support::{Random, Real, test_both_reals};
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
 
@@ -57,10 +58,6 @@ impl<R: Real> Source<R> {
     fn highest(limits: [R; 2]) -> f64 {
         limits.map(|limit| limit.widen().abs()).into_iter().fold(0.0, f64::max)
     }
-}
-
-fn numbers<R: Real>(state: State<R>) -> [f64; 3] {
-    [state.position, state.velocity, state.acceleration].map(R::widen)
 }
 
 fn shaper<R: Real>(random: &mut Random, period: f64) -> Shaper<R> {

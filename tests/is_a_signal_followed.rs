@@ -224,16 +224,9 @@ impl Sine {
             }
             axis.track(limits, now, signal, jerk, horizon).expect("a plan");
             let next = axis.state_at(TICK);
-            let jerk = (next.acceleration - now.acceleration) / TICK;
-            let needs = [
-                next.velocity / limits.vmax,
-                next.velocity / limits.vmin,
-                next.acceleration / limits.amax,
-                next.acceleration / limits.amin,
-                jerk / limits.jmax,
-                jerk / limits.jmin,
-            ];
-            assert!(needs.iter().all(|&need| need < 1.0 + 1e-9), "{needs:?} {limits:?}");
+            let [v, a, j] = [next.velocity, next.acceleration, (next.acceleration - now.acceleration) / TICK];
+            let mut needs = [v, v, a, a, j, j].into_iter().zip(online::numbers_of(limits)).map(|(x, limit)| x / limit);
+            assert!(needs.all(|need| need < 1.0 + 1e-9), "{v} {a} {j} {limits:?}");
             now = next;
         }
         error / self.amplitude

@@ -36,19 +36,16 @@ fn polynomial<R: Real>(random: &mut Random) -> Move<R> {
     let ts = R::of(random.magnitude(-1.0, 1.0));
     let mut pair = || [(); 2].map(|()| R::of(random.sign() * random.magnitude(-2.0, 2.0)));
     let (accelerations, jerks) = (pair(), pair());
+    macro_rules! moved {
+        ($poly:expr) => {{
+            let poly = $poly.expect("a duration");
+            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
+        }};
+    }
     match random.below(3) {
-        0 => {
-            let poly = Poly3::new(ts, boundary).expect("a duration");
-            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
-        }
-        1 => {
-            let poly = Poly5::new(ts, boundary, accelerations).expect("a duration");
-            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
-        }
-        _ => {
-            let poly = Poly7::new(ts, boundary, accelerations, jerks).expect("a duration");
-            Move::new(poly, ts, poly.extremes(ts), terms(&poly.c, ts), Vec::new())
-        }
+        0 => moved!(Poly3::new(ts, boundary)),
+        1 => moved!(Poly5::new(ts, boundary, accelerations)),
+        _ => moved!(Poly7::new(ts, boundary, accelerations, jerks)),
     }
 }
 

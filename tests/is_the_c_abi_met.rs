@@ -228,13 +228,8 @@ fn no_valgrind_finding() {
         return;
     }
     let valgrind = |source| {
-        let mut valgrind = Command::new("valgrind");
-        valgrind.args(["--quiet", "--error-exitcode=9", "--leak-check=full"]).arg(build(
-            &DOUBLE,
-            "cc",
-            &["-g"],
-            source,
-        ));
+        let (program, mut valgrind) = (build(&DOUBLE, "cc", &["-g"], source), Command::new("valgrind"));
+        valgrind.args(["--quiet", "--error-exitcode=9", "--leak-check=full"]).arg(program);
         valgrind
     };
     replay_golden(&mut valgrind("golden.c"));
