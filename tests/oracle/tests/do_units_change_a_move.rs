@@ -125,12 +125,8 @@ fn assert_alike(near: &[Move<f64>], far: &[Move<f64>]) {
         let p = most(|phase| phase.position) + v * one.t;
         for part in 0..=16 {
             let x = one.t * f64::from(part) / 16.0;
-            let [one, other] = [one, other].map(|axis| axis.state_at(x));
-            for (x, y, scale) in [
-                (one.position, other.position, p),
-                (one.velocity, other.velocity, v),
-                (one.acceleration, other.acceleration, a),
-            ] {
+            let [one, other] = [one, other].map(|axis| online::numbers_of_state(axis.state_at(x)));
+            for ((x, y), scale) in one.into_iter().zip(other).zip([p, v, a]) {
                 assert_abs_diff_eq!(x, y, epsilon = TOLERANCE * scale);
             }
         }

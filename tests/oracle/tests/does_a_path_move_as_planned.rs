@@ -42,15 +42,12 @@ fn sections_are_those_planned_by_hand<R: Real>() {
             let [from, to] = [section, section + 1].map(|point| at(&chain, &path, point));
             let limits = chain.limits(section);
             found |= synchronise(&mut by_hand, limits, &from, &to, path.durations[section], R::of(0.0)).expect("moves");
-            assert_eq!(bits(moves), bits(&by_hand), "{k} {:?}, section {section}", chain.family);
+            let what = format!("{k} {:?}, section {section}", chain.family);
+            assert_eq!(bits(moves), bits(&by_hand), "{what}");
             let starts = moves.iter().map(|axis| axis.state_at(R::of(0.0)));
             let ends = moves.iter().map(|axis| axis.state_at(axis.t));
-            assert!(
-                starts.eq(from) || path.durations[section] == R::of(0.0),
-                "{k} {:?}, section {section}",
-                chain.family
-            );
-            assert!(ends.eq(to), "{k} {:?}, section {section}", chain.family);
+            assert!(starts.eq(from) || path.durations[section] == R::of(0.0), "{what}");
+            assert!(ends.eq(to), "{what}");
         }
         assert_eq!(made, Ok(found));
     }
@@ -74,11 +71,8 @@ fn wrong_durations_are_refused<R: Real>() {
         }
         let written = moves.iter().take_while(|axis| **axis != Move::default()).count();
         let what = (made, written);
-        assert!(
-            part > 0.99 && what == (Err(Error::Duration), (section + 1) * chain.axes),
-            "{k} {:?}: {part} {what:?}",
-            chain.family
-        );
+        let is_told = what == (Err(Error::Duration), (section + 1) * chain.axes);
+        assert!(part > 0.99 && is_told, "{k} {:?}: {part} {what:?}", chain.family);
         refused += 1;
     }
     println!("{}: {refused} of {PATHS} are refused", R::NAME);

@@ -84,6 +84,10 @@ const SAMPLED: [Family; 8] = {
     [AtRest, OnePoint, UnequalLimits, InMotion, OnTheLimits, Zones, ToAndFro, UnlikeAxes]
 };
 
+fn mean_and_worst(parts: &[f64]) -> [f64; 2] {
+    [parts.iter().sum::<f64>() / parts.len() as f64, parts.iter().copied().fold(0.0, f64::max)]
+}
+
 #[test]
 fn compared_with_random_starts() {
     let (mut chains, mut random) = (Chains::new(3), Random::seeded(3));
@@ -99,8 +103,7 @@ fn compared_with_random_starts() {
         let best = runs.fold(f64::INFINITY, f64::min);
         parts.push(planned.duration() / best);
     }
-    parts.sort_by(f64::total_cmp);
-    let [mean, worst] = [parts.iter().sum::<f64>() / parts.len() as f64, parts[parts.len() - 1]];
+    let [mean, worst] = mean_and_worst(&parts);
     println!("{} paths next to the best of 12 random starts: mean {mean:.6}, worst {worst:.6}", parts.len());
     assert!(mean < 1.0001 && worst < 1.005);
 }
@@ -117,7 +120,7 @@ fn sixteen_steps_are_nearly_enough() {
         })
         .collect();
     parts.sort_by(f64::total_cmp);
-    let [mean, worst] = [parts.iter().sum::<f64>() / 400.0, parts[399]];
+    let [mean, worst] = mean_and_worst(&parts);
     println!("400 paths with 16 steps: mean {mean:.5}, 99 % {:.5}, worst {worst:.5} of the best", parts[395]);
     assert!(mean < 1.0001 && worst < 1.005);
 }
@@ -134,8 +137,7 @@ fn compared_with_more_steps<R: Original>() {
             if best == 0.0 { 1.0 } else { default / best }
         };
         let parts: Vec<_> = (0..40).map(|_| part(chains.of(family))).collect();
-        let mean = parts.iter().sum::<f64>() / parts.len() as f64;
-        let worst = parts.into_iter().fold(1.0, f64::max);
+        let [mean, worst] = mean_and_worst(&parts);
         println!("{} {family:?}: mean {mean:.5}, worst {worst:.4} of the best", R::NAME);
         sum += mean;
     }
@@ -154,11 +156,8 @@ fn improvements_shorten<R: Original>() {
             let before = path.duration();
             found = Paths.improve(&chain, &mut path, steps).expect("a plan");
             let (after, what) = (path.duration(), wrong(&chain, &path, found, &mut random));
-            assert!(
-                what.is_none() && after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen()),
-                "{k} {:?}: {what:?}, {after} after {before}",
-                chain.family
-            );
+            let is_no_longer = after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen());
+            assert!(what.is_none() && is_no_longer, "{k} {:?}: {what:?}, {after} after {before}", chain.family);
             shorter += usize::from(after < before);
         }
         goes_on(chain, path, found, &mut random);
@@ -329,12 +328,9 @@ fn compared_with_the_move<R: Original>() {
         }
         axis.plan(&limits[0], start, states[6]).expect("a plan");
         let chain = Chain { family: Family::InMotion, axes: 2, limits: limits.into(), states };
-        let parts = [0, 200].map(|steps| {
+        for (worst, steps) in worst.iter_mut().zip([0, 200]) {
             let path = Paths.plan(&chain, steps).expect("a plan").0;
-            path.duration() / axis.t.widen()
-        });
-        for (worst, part) in worst.iter_mut().zip(parts) {
-            *worst = f64::max(*worst, part);
+            *worst = f64::max(*worst, path.duration() / axis.t.widen());
         }
     }
     println!("{}: at most {worst:.5?} of the move, by default and with 200 steps", R::NAME);
@@ -395,7 +391,7 @@ fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64;
     states[positions.len() - 1].velocity = R::of(v1);
     let chain = Chain { family: Family::InMotion, axes: 1, limits: vec![limits_of(limits.map(R::of))], states };
     let planned = Paths.plan(&chain, 0).expect("a plan").0;
-    planned.durations.iter().map(|duration| duration.widen()).sum()
+    planned.duration()
 }
 
 /// The axis has to speed up at the end, where its acceleration falls slowly. So the last section must last more than a sixteenth longer before the
@@ -451,14 +447,11 @@ fn of_one_axis(positions: &[f64]) -> Vec<Vec<f64>> {
 /// Long sections with short ones between them: the bars are the best known durations and a little, s.
 #[test]
 fn uneven_rows_do_not_stall() {
+    // LinuxCNC's issue 4149.
+    let of_linuxcnc = [0.0, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 2.0, 5.0, 8.0, 20.0, 50.0, 100.0, 200.0];
     let rows: [(&[f64], _, _); 2] = [
         (&[0.0, 10.0, 10.01, 20.01, 20.02, 30.02], [60_000.0, 3_000.0, 100.0], 0.3825),
-        // LinuxCNC's issue 4149.
-        (
-            &[0.0, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 2.0, 5.0, 8.0, 20.0, 50.0, 100.0, 200.0],
-            [10_000.0, 1_000.0, 266.67],
-            1.118,
-        ),
+        (&of_linuxcnc, [10_000.0, 1_000.0, 266.67], 1.118),
     ];
     for (positions, limits, most) in rows {
         let duration = duration_between(limits, &of_one_axis(positions));
