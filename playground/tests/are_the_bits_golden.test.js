@@ -1,16 +1,10 @@
 // Do liba's functions give the golden bits in the WebAssembly of the page?
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { open, ROOT, start } from "./browser.js";
+import { test } from "node:test";
+import { open, ROOT } from "./browser.js";
 
-let browser, close, page;
-
-before(async () => {
-    ({ browser, close } = await start());
-    ({ page } = await open(browser));
-});
-after(() => close());
+const { page } = await open();
 
 async function rows(table) {
     const text = await readFile(`${ROOT}tests/golden/${table}_f64.csv`, "utf8");

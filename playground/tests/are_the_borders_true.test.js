@@ -1,12 +1,6 @@
 // Does a border between phases stand where the motion changes, and nowhere else?
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { open, start } from "./browser.js";
-
-let browser, close;
-
-before(async () => ({ browser, close } = await start()));
-after(() => close());
+import { onPage } from "./browser.js";
 
 // Moves with a cruise: at a peak the jerk stays as it is.
 for (const [hash, count] of [
@@ -16,8 +10,7 @@ for (const [hash, count] of [
     ["#profile=liba-bell&p1=10", 6],
     ["#profile=move&p1=10", 6],
 ]) {
-    test(`at ${hash}`, async () => {
-        const { page, complaints } = await open(browser, hash);
+    onPage(`at ${hash}`, hash, async (page) => {
         const { borders, times, samples } = await page.evaluate(() => {
             const { borders, times, samples } = globalThis.atraj.plots;
             // The highest quantity is constant in each phase.
@@ -30,7 +23,5 @@ for (const [hash, count] of [
         assert.equal(inner.length, count, `${borders}`);
         assert.equal(changes.length, count, `${changes}`);
         inner.forEach((time) => assert.ok(changes.some((change) => holds(change, time)), `nothing changes at ${time}: ${changes}`));
-        assert.deepEqual(complaints, []);
-        await page.context().close();
     });
 }

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -13,25 +14,30 @@ export const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 export const OUT = `${ROOT}target/playground/`;
 const PAGE = new URL("../../target/playground/index.html", import.meta.url).href;
 
-/** Starts a browser with a new, empty profile; `close` ends it. */
-export async function start() {
-    const home = await mkdtemp(join(tmpdir(), "atraj-playground-"));
-    const browser = await chromium.launch({
-        executablePath: CHROMIUM,
-        args: ["--no-sandbox", ...QUIET.map((flag) => `--${flag}`)],
-        env: { ...process.env, HOME: home },
+/** The browser of a file of tests, with a new, empty profile. */
+const home = await mkdtemp(join(tmpdir(), "atraj-playground-"));
+export const browser = await chromium.launch({
+    executablePath: CHROMIUM,
+    args: ["--no-sandbox", ...QUIET.map((flag) => `--${flag}`)],
+    env: { ...process.env, HOME: home },
+});
+after(async () => {
+    await browser.close();
+    await rm(home, { recursive: true, force: true });
+});
+
+/** A test on a page that must not complain. */
+export function onPage(name, hash, act, options = {}) {
+    test(name, async () => {
+        const { page, complaints } = await open(hash, options);
+        await act(page);
+        assert.deepEqual(complaints, []);
+        await page.context().close();
     });
-    return {
-        browser,
-        async close() {
-            await browser.close();
-            await rm(home, { recursive: true, force: true });
-        },
-    };
 }
 
 /** Opens the page at an address. `complaints` collects what the console says, and every address that the page asks for. */
-export async function open(browser, hash = "", options = {}) {
+export async function open(hash = "", options = {}) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 960 }, ...options });
     context.setDefaultTimeout(5000);
     const page = await context.newPage();

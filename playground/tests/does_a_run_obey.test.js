@@ -1,12 +1,7 @@
 // Does a motion that runs in real time obey the button and the knob, within the limits of the machine?
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { open, OUT, start } from "./browser.js";
-
-let browser, close;
-
-before(async () => ({ browser, close } = await start()));
-after(() => close());
+import { test } from "node:test";
+import { onPage, open, OUT } from "./browser.js";
 
 const button = (page, name) => page.locator("#run").getByRole("button", { name, exact: true });
 const words = (page) => page.textContent("#run p");
@@ -40,8 +35,7 @@ const MACHINES = {
 };
 
 for (const [hash, machine] of Object.entries(MACHINES)) {
-    test(`hold, go on, override at ${hash}`, async () => {
-        const { page, complaints } = await open(browser, hash);
+    onPage(`hold, go on, override at ${hash}`, hash, async (page) => {
         const [duration, address] = [await page.textContent("#duration"), page.url()];
         const typed = await used(page, machine.limits);
         const reserve = Number(hash.match(/reserve=(\d+)/)?.[1] ?? 0) / 100;
@@ -86,24 +80,21 @@ for (const [hash, machine] of Object.entries(MACHINES)) {
             const [x, y] = await page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => [...position]));
             x.forEach((value, k) => assert.ok(Math.abs(0.6 * value - y[k]) < 1e-9, "the axes leave their line"));
         }
-        assert.deepEqual(complaints, []);
-        await page.context().close();
     });
 }
 
-test("without a reserve the path ends before it stands, and this is said", async () => {
-    const { page } = await open(browser, "#profile=move&jm=2&am=1&v0=4&p1=9"); // it brakes at once
+// It brakes at once.
+onPage("without a reserve the path ends before it stands, and this is said", "#profile=move&jm=2&am=1&v0=4&p1=9", async (page) => {
     const duration = await page.textContent("#duration");
     await button(page, "Run").click();
     await page.waitForTimeout(700);
     await button(page, "Hold").click();
     assert.equal(await words(page), "The path ends before it stands.");
     assert.equal(await page.textContent("#duration"), duration);
-    await page.context().close();
 });
 
 test("an override is as high as the limits allow, this is said, and the motion goes on until it is stopped", async () => {
-    const { page } = await open(browser, "#profile=move&reserve=20&jm=2&am=1&p1=20");
+    const { page } = await open("#profile=move&reserve=20&jm=2&am=1&p1=20");
     await button(page, "Run").click();
     await turn(page, 150);
     const [, given] = (await words(page)).match(/^150 % is refused: the limits allow (\d+) % until the end\.$/);
@@ -120,8 +111,7 @@ test("an override is as high as the limits allow, this is said, and the motion g
     await page.context().close();
 });
 
-test("a new plan ends the run", async () => {
-    const { page } = await open(browser, "#profile=move");
+onPage("a new plan ends the run", "#profile=move", async (page) => {
     await button(page, "Run").click();
     await page.locator("[data-key=vm]").fill("2");
     await button(page, "Run").waitFor();
@@ -129,5 +119,4 @@ test("a new plan ends the run", async () => {
     const early = await marker(page);
     await page.waitForTimeout(200);
     assert.equal(await marker(page), early);
-    await page.context().close();
 });

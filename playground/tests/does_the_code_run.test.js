@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { mkdir, writeFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
 import { promisify } from "node:util";
-import { open, OUT, ROOT, settled, start } from "./browser.js";
+import { open, OUT, ROOT, settled } from "./browser.js";
 
 const run = promisify(execFile);
 const CODE = `${OUT}code/`;
@@ -43,15 +43,13 @@ const RUNS = { run_move: "profile=move&v0=1&reserve=20", run_sync: "profile=sync
 /** The program for the path prints six setpoints of each section, and each waypoint once. In Python it prints eleven. */
 const SETPOINTS = { path: 16, zones: 16 };
 
-let browser, close;
 const shown = {};
 
 before(async () => {
-    ({ browser, close } = await start());
     await mkdir(`${CODE}src/bin`, { recursive: true });
     await writeFile(`${CODE}Cargo.toml`, MANIFEST);
     for (const [name, hash] of Object.entries({ ...HASHES, ...RUNS })) {
-        const { page } = await open(browser, `#${hash}`);
+        const { page } = await open(`#${hash}`);
         shown[name] = name in RUNS ? await ran(page, name === "run_stop") : await page.textContent("#duration");
         for (const [language, file] of [["C", `${name}.c`], ["C++", `${name}.cpp`], ["Rust", `src/bin/${name}.rs`], ["Python", `${name}.py`]]) {
             await page.getByRole("radio", { name: language, exact: true }).check();
@@ -61,7 +59,6 @@ before(async () => {
         await page.context().close();
     }
 });
-after(() => close());
 
 /** The last line that a program of this run prints. */
 async function ran(page, stops) {

@@ -1,29 +1,28 @@
 // Does the page answer whoever uses it, by mouse, by keyboard and by address, without a complaint in the console?
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { open, settled, start } from "./browser.js";
-
-let browser, close;
-
-before(async () => ({ browser, close } = await start()));
-after(() => close());
-
-/** A test on a page that must not complain. */
-function onPage(name, hash, act) {
-    test(name, async () => {
-        const { page, complaints } = await open(browser, hash);
-        await act(page);
-        assert.deepEqual(complaints, []);
-        await page.context().close();
-    });
-}
+import { onPage, open, settled } from "./browser.js";
 
 const duration = (page) => page.textContent("#duration");
 const remarks = (page) => page.locator("#remarks li").allTextContents();
 /** What is drawn: every sample of the first motion. */
 const curves = (page) => page.evaluate(() => String(globalThis.atraj.plots.samples[0].map((curve) => [...curve])));
 const pixels = (page) => page.locator("#plots canvas").first().evaluate((canvas) => canvas.toDataURL());
+
+/** Moves the mouse from one point to another with its button down. */
+async function drag(page, from, to, steps) {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(...to, { steps });
+    await page.mouse.up();
+    await settled(page);
+}
+
+/** Lines of the table that the page saves. */
+async function table(page) {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save CSV" }).click()]);
+    return (await readFile(await download.path(), "utf8")).trim().split("\n");
+}
 
 /** Clicks into a plot, at fractions of its width and height. */
 async function click(page, quantity, x, y) {
@@ -35,11 +34,7 @@ async function click(page, quantity, x, y) {
 onPage("a drag of a slider changes the curve", "", async (page) => {
     const before = [await duration(page), await curves(page), await pixels(page)];
     const { x, y, width, height } = await page.locator("[data-key=jm]").boundingBox();
-    await page.mouse.move(x + 0.3 * width, y + height / 2);
-    await page.mouse.down();
-    await page.mouse.move(x + 0.9 * width, y + height / 2, { steps: 5 });
-    await page.mouse.up();
-    await settled(page);
+    await drag(page, [x + 0.3 * width, y + height / 2], [x + 0.9 * width, y + height / 2], 5);
     const after = [await duration(page), await curves(page), await pixels(page)];
     before.forEach((value, i) => assert.notEqual(value, after[i]));
     assert.ok((await page.locator("#field-jm").inputValue()) > 80);
@@ -154,7 +149,7 @@ for (const hash of [
 ]) {
     onPage(`the address ${hash} comes back`, hash, async (page) => {
         const [address, shown] = [new URL(page.url()).hash, [await duration(page), await curves(page)]];
-        const { page: again, complaints } = await open(browser, address);
+        const { page: again, complaints } = await open(address);
         assert.equal(new URL(again.url()).hash, address);
         assert.deepEqual([await duration(again), await curves(again)], shown);
         assert.deepEqual(complaints, []);
@@ -167,13 +162,12 @@ for (const hash of [
 }
 
 onPage("a wrong address gives the page as it begins", "#profile=x&vm=fast&then=1~fly~2&axis=9&moment=Infinity", async (page) => {
-    const { page: fresh } = await open(browser);
+    const { page: fresh } = await open();
     assert.equal(await duration(page), await duration(fresh));
 });
 
 onPage("the table holds what is drawn", "#profile=bell", async (page) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save CSV" }).click()]);
-    const lines = (await readFile(await download.path(), "utf8")).trim().split("\n");
+    const lines = await table(page);
     assert.equal(lines.length, 1 + 2834 + 1); // a row each millisecond, and the end
     assert.match(lines[0], /^time \[s\],atraj position \[m\],.*,liba jerk \[m\/s³\]$/);
     assert.match(lines[2], /^0\.001,/);
@@ -182,8 +176,7 @@ onPage("the table holds what is drawn", "#profile=bell", async (page) => {
 
 onPage("the table has a row every step, and none without a step", "#profile=bell&compare=no&unit=mm", async (page) => {
     await page.locator("#step").fill("0.5");
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save CSV" }).click()]);
-    const lines = (await readFile(await download.path(), "utf8")).trim().split("\n");
+    const lines = await table(page);
     assert.deepEqual(lines.slice(1, -1).map((line) => Number.parseFloat(line)), [0, 0.5, 1, 1.5, 2, 2.5]);
     assert.match(lines[0], /velocity \[mm\/s\]/);
     await page.locator("#step").fill("0");
@@ -233,8 +226,7 @@ onPage("a plan in motion that is refused is named", "#profile=move&then=0.5~to~3
     assert.ok(!(await page.textContent("#code")).includes("9"), "the program has the plan that is refused");
 });
 
-test("on a narrow screen the plots stay in sight while a limit is dragged", async () => {
-    const { page } = await open(browser, "#profile=move", { viewport: { width: 390, height: 844 } });
+onPage("on a narrow screen the plots stay in sight while a limit is dragged", "#profile=move", async (page) => {
     for (const key of ["vm", "jm", "a1"]) {
         const slider = page.locator(`[data-key=${key}]`);
         await slider.evaluate((range) => range.scrollIntoView({ block: "center" }));
@@ -243,8 +235,7 @@ test("on a narrow screen the plots stay in sight while a limit is dragged", asyn
         const right = await page.locator("#plots canvas").first().evaluate((canvas) => canvas.getBoundingClientRect().right);
         assert.ok(right <= 390, `the plots end at ${right}`);
     }
-    await page.context().close();
-});
+}, { viewport: { width: 390, height: 844 } });
 
 const positions = (page) => page.evaluate(() => globalThis.atraj.plots.samples.map(([position]) => [...position]));
 const passes = ([xs, ys], [x, y]) => xs.some((value, k) => Math.hypot(value - x, ys[k] - y) < 0.02);
@@ -252,11 +243,7 @@ const passes = ([xs, ys], [x, y]) => xs.some((value, k) => Math.hypot(value - x,
 onPage("a waypoint is dragged by the mouse", "#profile=path", async (page) => {
     const { x, y, width } = await page.getByRole("slider", { name: "Waypoint 2" }).boundingBox();
     const before = await duration(page);
-    await page.mouse.move(x + width / 2, y + width / 2);
-    await page.mouse.down();
-    await page.mouse.move(x - 60, y + 90, { steps: 4 });
-    await page.mouse.up();
-    await settled(page);
+    await drag(page, [x + width / 2, y + width / 2], [x - 60, y + 90], 4);
     assert.notEqual(await duration(page), before);
     const [, px, py] = page.url().match(/points=0%7E0_([-.\d]+)%7E([-.\d]+)_8%7E5_12%7E0/);
     assert.ok(px < 4 && py < 5, `${px} ${py}`);
@@ -268,11 +255,7 @@ onPage("a waypoint is dragged by the mouse", "#profile=path", async (page) => {
 onPage("a zone is dragged around its waypoint, and the path gets shorter", "#profile=path&zone=0.5", async (page) => {
     const before = Number.parseFloat(await duration(page));
     const zone = await page.locator("#plane .zone").first().boundingBox();
-    await page.mouse.move(zone.x + 2, zone.y + 2);
-    await page.mouse.down();
-    await page.mouse.move(zone.x - 20, zone.y - 10, { steps: 4 });
-    await page.mouse.up();
-    await settled(page);
+    await drag(page, [zone.x + 2, zone.y + 2], [zone.x - 20, zone.y - 10], 4);
     const size = Number(page.url().match(/zone=([.\d]+)/)[1]);
     assert.ok(size > 0.5, `${size}`);
     assert.ok(Number.parseFloat(await duration(page)) < before);

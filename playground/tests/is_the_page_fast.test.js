@@ -1,12 +1,7 @@
 // Can the page draw 60 times a second, 2,000 points in each curve?
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { open, start } from "./browser.js";
-
-let browser, close;
-
-before(async () => ({ browser, close } = await start()));
-after(() => close());
+import { test } from "node:test";
+import { open } from "./browser.js";
 
 const FRAMES = 30;
 const ROUNDS = 5;
@@ -40,7 +35,7 @@ async function drag(frames) {
 
 for (const hash of ["#profile=move&then=0.7~to~-2_1.8~stop~0", "#profile=bell", "#profile=line"]) {
     test(hash, async () => {
-        const { page } = await open(browser, hash);
+        const { page } = await open(hash);
         const { points, curves } = await page.evaluate(() => {
             const { samples } = globalThis.atraj.plots;
             return { points: samples[0][0].length, curves: samples.flat().length };

@@ -1,13 +1,7 @@
 // Does the page fit a wide and a narrow screen, light and dark? The pictures in target/playground are for the eye;
 // readme.png is docs/img/playground.png.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { open, OUT, start } from "./browser.js";
-
-let browser, close;
-
-before(async () => ({ browser, close } = await start()));
-after(() => close());
+import { onPage, OUT } from "./browser.js";
 
 const RETARGETED = "#profile=move&then=0.7~to~-2_1.8~stop~0&moment=1.2";
 const NARROW = { viewport: { width: 390, height: 844 } };
@@ -28,18 +22,14 @@ const PICTURES = {
 };
 
 for (const [name, [hash, options, fullPage = true]] of Object.entries(PICTURES)) {
-    test(name, async () => {
-        const { page } = await open(browser, hash, options);
+    onPage(name, hash, async (page) => {
         await page.screenshot({ path: `${OUT}${name}.png`, fullPage });
-        const { page: content, window } = await page.evaluate(() => {
-            return { page: document.documentElement.scrollWidth, window: innerWidth };
-        });
+        const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
         assert.equal(content, window, "the page is wider than the window");
         const small = await page.evaluate(() => {
             const boxes = [...document.querySelectorAll("button, select, input")].filter((control) => control.checkVisibility());
             return boxes.filter((control) => control.getBoundingClientRect().height < 12).map(({ id }) => id);
         });
         assert.deepEqual(small, []);
-        await page.context().close();
-    });
+    }, options);
 }

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { join, relative } from "node:path";
 import { pathToFileURL } from "node:url";
-import { after, before, test } from "node:test";
-import { faults, ROOT, start } from "./browser.js";
+import { test } from "node:test";
+import { browser, faults, ROOT } from "./browser.js";
 
 const SITE = join(ROOT, "target/site");
 
@@ -18,11 +18,6 @@ function pages(folder) {
         return entry.name.endsWith(".html") && !["toc.html", "404.html", "playground.html"].includes(entry.name) ? [path] : [];
     });
 }
-
-let browser, close;
-
-before(async () => ({ browser, close } = await start()));
-after(() => close());
 
 const SCREENS = {
     wide: { viewport: { width: 1280, height: 960 } },

@@ -5,7 +5,7 @@ import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { basename, dirname, join, relative } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { ROOT, start } from "./browser.js";
+import { browser, ROOT } from "./browser.js";
 
 const SITE = join(ROOT, "target/site");
 const read = (path) => readFileSync(path, "utf8");
@@ -62,7 +62,6 @@ test("the C reference says what to include", () => {
 });
 
 test("the search finds a function before the pages that name it", async () => {
-    const { browser, close } = await start();
     const page = await browser.newPage();
     for (const name of ["atraj_move_plan", "atraj_path_plan", "a_trajbell_gen", "claraty_trapezoid_stop", "atraj_group"]) {
         await page.goto(`${pathToFileURL(join(SITE, "docs/moves.html"))}?search=${name}`);
@@ -71,7 +70,7 @@ test("the search finds a function before the pages that name it", async () => {
         const found = place ? page.locator(`#${place} + .memtitle`) : page.locator(".title");
         assert.match(await found.textContent(), new RegExp(`\\b${name}\\b`), page.url());
     }
-    await close();
+    await page.close();
 });
 
 // A table begins with the link to its file, and has a row for each line.
