@@ -214,10 +214,6 @@ int main(int argc, char **argv) {
     if (argc != 2) { return 2; }
     same = replay_listing(argv[1], "listing-on-a-clock", 0);
     same &= replay_listing(argv[1], "listing-advanced", 1);
-    refusals();
-    modes();
-    getters();
-    waypoints();
-    clocks();
+    refusals(), modes(), getters(), waypoints(), clocks();
     return same && !broken ? 0 : 1;
 }

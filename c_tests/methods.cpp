@@ -331,20 +331,9 @@ void messages() {
 } // namespace
 
 int main() {
-    bell();
-    trap();
-    polynomials();
+    bell(), trap(), polynomials();
 #if !defined(LIBA_HEADERS)
-    move();
-    profiles();
-    axes();
-    axis();
-    steps();
-    shaper();
-    streams();
-    clock_of_a_path();
-    group();
-    messages();
+    move(), profiles(), axes(), axis(), steps(), shaper(), streams(), clock_of_a_path(), group(), messages();
 #endif
     return broken;
 }

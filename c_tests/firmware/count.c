@@ -42,13 +42,9 @@ static cost measure(void (*f)(void), void *ctx, const a_float *arguments) {
 }
 
 static void print(const char *name, const char *move, const char *what, uint32_t number) {
-    semihost_print(name);
-    semihost_print(" ");
-    semihost_print(move);
-    semihost_print(what);
-    semihost_print(" ");
-    semihost_print_unsigned(number, 10);
-    semihost_print("\n");
+    const char *const words[] = {name, " ", move, what, " "};
+    for (size_t i = 0; i != sizeof(words) / sizeof(*words); ++i) { semihost_print(words[i]); }
+    semihost_count(number, "\n");
 }
 
 static void once(const char *name, const char *move, void (*f)(void), void *ctx, const a_float *arguments) {
@@ -57,32 +53,38 @@ static void once(const char *name, const char *move, void (*f)(void), void *ctx,
     print(name, "", "stack", c.stack);
 }
 
+typedef struct { uint32_t calls, total, most, stack; } costs;
+
+static void add(costs *sum, cost c) {
+    ++sum->calls;
+    sum->total += c.instructions;
+    if (sum->most < c.instructions) { sum->most = c.instructions; }
+    if (sum->stack < c.stack) { sum->stack = c.stack; }
+}
+
 /* 101 evaluations from the start of a move to its end. */
 static void sweep(const char *name, const char *move, void (*f)(void), void *ctx, a_float duration) {
-    uint32_t total = 0, most = 0, stack = 0;
+    costs sum = {0};
     a_float arguments[9] = {0};
     for (unsigned i = 0; i <= 100; ++i) {
         arguments[0] = duration * (a_float)i / 100;
-        cost c = measure(f, ctx, arguments);
-        total += c.instructions;
-        if (most < c.instructions) { most = c.instructions; }
-        if (stack < c.stack) { stack = c.stack; }
+        add(&sum, measure(f, ctx, arguments));
     }
     arguments[0] = (a_float)0.3 * duration;
     print(name, move, "0.3T", measure(f, ctx, arguments).instructions);
-    print(name, move, "mean", (total + 50) / 101);
-    print(name, move, "max", most);
-    print(name, "", "stack", stack);
+    print(name, move, "mean", (sum.total + 50) / 101);
+    print(name, move, "max", sum.most);
+    print(name, "", "stack", sum.stack);
 }
 
 #define FUNCTION(name) (void (*)(void))(a_traj##name)
 #define SWEEP(name, move, ctx, duration) sweep(#name, move, FUNCTION(name), &ctx, duration)
+#define SWEEP3(family, move, ctx, duration) \
+    SWEEP(family##_pos, move, ctx, duration), SWEEP(family##_vel, move, ctx, duration), SWEEP(family##_acc, move, ctx, duration)
 #define ONCE(name, move, ctx, ...) once(#name, move, FUNCTION(name), &ctx, (const a_float[9]){__VA_ARGS__})
 
 static void sweep_bell(const char *move, a_trajbell ctx) {
-    SWEEP(bell_pos, move, ctx, ctx.t);
-    SWEEP(bell_vel, move, ctx, ctx.t);
-    SWEEP(bell_acc, move, ctx, ctx.t);
+    SWEEP3(bell, move, ctx, ctx.t);
     SWEEP(bell_jer, move, ctx, ctx.t);
 }
 
@@ -113,15 +115,6 @@ static void worst_bell(void) {
     print("bell_gen", "", "worst-golden", worst.instructions);
     print("bell_gen", "", "worst-case", which);
     print("bell_gen", "", "worst-stack", stack);
-}
-
-typedef struct { uint32_t calls, total, most, stack; } costs;
-
-static void add(costs *sum, cost c) {
-    ++sum->calls;
-    sum->total += c.instructions;
-    if (sum->most < c.instructions) { sum->most = c.instructions; }
-    if (sum->stack < c.stack) { sum->stack = c.stack; }
 }
 
 static void print_costs(const char *name, costs sum) {
@@ -436,27 +429,19 @@ static void long_paths(void) {
 static void trap(void) {
     a_trajtrap ctx;
     ONCE(trap_gen, "cruise", ctx, 5, 4, -3, 0, 50, 0, 0);
-    SWEEP(trap_pos, "", ctx, ctx.t);
-    SWEEP(trap_vel, "", ctx, ctx.t);
-    SWEEP(trap_acc, "", ctx, ctx.t);
+    SWEEP3(trap, "", ctx, ctx.t);
 }
 
 static void poly(void) {
     a_trajpoly3 p3;
     ONCE(poly3_gen, "move", p3, 2, 1, 10, 3, -3);
-    SWEEP(poly3_pos, "", p3, 2);
-    SWEEP(poly3_vel, "", p3, 2);
-    SWEEP(poly3_acc, "", p3, 2);
+    SWEEP3(poly3, "", p3, 2);
     a_trajpoly5 p5;
     ONCE(poly5_gen, "move", p5, 2, 1, 10, 3, -3, 7, -7);
-    SWEEP(poly5_pos, "", p5, 2);
-    SWEEP(poly5_vel, "", p5, 2);
-    SWEEP(poly5_acc, "", p5, 2);
+    SWEEP3(poly5, "", p5, 2);
     a_trajpoly7 p7;
     ONCE(poly7_gen, "move", p7, 2, 1, 10, 3, -3, 7, -7, 9, -9);
-    SWEEP(poly7_pos, "", p7, 2);
-    SWEEP(poly7_vel, "", p7, 2);
-    SWEEP(poly7_acc, "", p7, 2);
+    SWEEP3(poly7, "", p7, 2);
     SWEEP(poly7_jer, "", p7, 2);
 }
 

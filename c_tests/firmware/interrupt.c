@@ -50,11 +50,6 @@ __attribute__((interrupt, aligned(4))) static void timer_interrupt(void)
     interrupt_in(50 + next_random(&random) % SPAN);
 }
 
-static void print(unsigned number, const char *what) {
-    semihost_print_unsigned(number, 10);
-    semihost_print(what);
-}
-
 int main(void) {
     unsigned volatile *const ticks = &watch.ticks;
     unsigned settled;
@@ -66,10 +61,10 @@ int main(void) {
     settled = *ticks + SETTLED + 2 * LEAD;
     while (*ticks < settled) {}
     stop_timer();
-    print(watch.ticks, " interrupts, ");
-    print(answers.accepted, " plans in time, ");
-    print(answers.late, " late, ");
-    print(answers.refused, " refused, ");
-    print(watch.jumps, " jumps\n");
+    semihost_count(watch.ticks, " interrupts, ");
+    semihost_count(answers.accepted, " plans in time, ");
+    semihost_count(answers.late, " late, ");
+    semihost_count(answers.refused, " refused, ");
+    semihost_count(watch.jumps, " jumps\n");
     semihost_exit(!is_good());
 }

@@ -21,10 +21,8 @@ static int same(real a, real b) {
 static void differ(const char *what, uint64_t row, size_t column, uint64_t got, uint64_t want) {
     if (++differing > 10) { return; }
     semihost_print(what);
-    semihost_print_unsigned(row, 10);
-    semihost_print(" column ");
-    semihost_print_unsigned(column, 10);
-    semihost_print(" is ");
+    semihost_count(row, " column ");
+    semihost_count(column, " is ");
     semihost_print_unsigned(got, 16);
     semihost_print(", golden ");
     semihost_print_unsigned(want, 16);
@@ -250,11 +248,8 @@ int main(void) {
     for (size_t i = 0; i != ROWS(profiles); ++i) { left += replay_profile(&profiles[i]); }
     replay_paths();
     replay_claraty();
-    semihost_print_unsigned(rows, 10);
-    semihost_print(" comparisons, ");
-    semihost_print_unsigned(compared, 10);
-    semihost_print(" numbers, ");
-    semihost_print_unsigned(differing, 10);
-    semihost_print(" differing\n");
+    semihost_count(rows, " comparisons, ");
+    semihost_count(compared, " numbers, ");
+    semihost_count(differing, " differing\n");
     return differing || left || !compared || !neighbour_works();
 }

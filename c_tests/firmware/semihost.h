@@ -38,4 +38,9 @@ static inline void semihost_print_unsigned(uint64_t number, unsigned base) {
     semihost_print(digit);
 }
 
+static inline void semihost_count(uint64_t number, const char *what) {
+    semihost_print_unsigned(number, 10);
+    semihost_print(what);
+}
+
 #endif

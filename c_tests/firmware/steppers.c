@@ -12,11 +12,6 @@ enum { CONTROL, VALUE, RELOAD };
 
 static uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024); }
 
-static void print(uint32_t number, const char *what) {
-    semihost_print_unsigned(number, 10);
-    semihost_print(what);
-}
-
 int main(void) {
     static const atraj_state from[MOTORS] = {{0, 0, 0}, {0, 0, 0}}, to[MOTORS] = {{40, 0, 0}, {(a_float)-12.5, 0, 0}}; /* mm */
     static atraj_move axes[MOTORS];
@@ -45,9 +40,9 @@ int main(void) {
         last = now;
     }
     uint32_t const each = instructions(start - TIMER[VALUE]) / pulses;
-    print(pulses, " pulses, ");
-    print(each, " instructions each, ");
-    print(instructions(most), " at most; ");
-    print(100000000 / each, " pulses/s of 100 million instructions/s\n");
+    semihost_count(pulses, " pulses, ");
+    semihost_count(each, " instructions each, ");
+    semihost_count(instructions(most), " at most; ");
+    semihost_count(100000000 / each, " pulses/s of 100 million instructions/s\n");
     semihost_exit(!(places[X] == 3200 && places[Y] == -1000));
 }

@@ -134,8 +134,7 @@ int main(void) {
     for (size_t k = 0; k != sizeof(functions) / sizeof(functions[0]); ++k) {
         semihost_print(functions[k].name);
         semihost_print(" ");
-        semihost_print_unsigned(climb(functions[k].f, functions[k].count), 10);
-        semihost_print("\n");
+        semihost_count(climb(functions[k].f, functions[k].count), "\n");
     }
     return 0;
 }

@@ -16,13 +16,8 @@
     ORIGINAL(family##_pos); \
     ORIGINAL(family##_vel); \
     ORIGINAL(family##_acc)
-ORIGINALS(a_trajbell);
-ORIGINALS(a_trajtrap);
-ORIGINALS(a_trajpoly3);
-ORIGINALS(a_trajpoly5);
-ORIGINALS(a_trajpoly7);
-ORIGINAL(a_trajbell_jer);
-ORIGINAL(a_trajpoly7_jer);
+ORIGINALS(a_trajbell); ORIGINALS(a_trajtrap); ORIGINALS(a_trajpoly3); ORIGINALS(a_trajpoly5); ORIGINALS(a_trajpoly7);
+ORIGINAL(a_trajbell_jer); ORIGINAL(a_trajpoly7_jer);
 
 /* A test plants a difference here. */
 #if !defined(LIMIT)

@@ -13,24 +13,10 @@ A_INTERN int internal(void) { return 1; }
 A_EXTERN int print(char const *format, ...) A_FORMAT(printf, 1, 2);
 
 static void sizes(void) {
-    SIZE(a_size);
-    SIZE(a_diff);
-    SIZE(a_byte);
-    SIZE(a_i8);
-    SIZE(a_u8);
-    SIZE(a_i16);
-    SIZE(a_u16);
-    SIZE(a_i32);
-    SIZE(a_u32);
-    SIZE(a_i64);
-    SIZE(a_u64);
-    SIZE(a_iptr);
-    SIZE(a_uptr);
-    SIZE(a_imax);
-    SIZE(a_umax);
-    SIZE(a_f32);
-    SIZE(a_f64);
-    SIZE(a_float);
+    SIZE(a_size), SIZE(a_diff), SIZE(a_byte);
+    SIZE(a_i8), SIZE(a_u8), SIZE(a_i16), SIZE(a_u16), SIZE(a_i32), SIZE(a_u32), SIZE(a_i64), SIZE(a_u64);
+    SIZE(a_iptr), SIZE(a_uptr), SIZE(a_imax), SIZE(a_umax);
+    SIZE(a_f32), SIZE(a_f64), SIZE(a_float);
 }
 
 static void real(void) {
