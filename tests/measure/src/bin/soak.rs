@@ -35,8 +35,7 @@ fn main() -> ExitCode {
     let start = Instant::now();
     for seed in first..first + seeds {
         soaks.iter_mut().for_each(|soak| soak.run(seed));
-        let count: u64 = soaks.iter().map(|soak| soak.count()).sum();
-        let faults: u64 = soaks.iter().map(|soak| soak.faults()).sum();
+        let [count, faults] = [0, 1].map(|k| soaks.iter().map(|soak| soak.found()[k]).sum::<u64>());
         let an_hour = count as f64 / start.elapsed().as_secs_f64() * 3600.0;
         let row = format!("{what},{first}..{},{count},{faults},{an_hour:.0}\n", seed + 1);
         fs::write(file, &row).expect("a file to write to");
@@ -45,21 +44,14 @@ fn main() -> ExitCode {
     for (name, soak) in ["double", "float"].iter().zip(&soaks) {
         println!("{name}: {what} of seeds {first}..{}\n{soak}", first + seeds);
     }
-    ExitCode::from(u8::from(!soaks.iter().all(|soak| soak.is_clean())))
+    let is_clean = soaks.iter().map(|soak| soak.found()).all(|[count, faults]| count > 0 && faults == 0);
+    ExitCode::from(u8::from(!is_clean))
 }
 
 /// One kind of cases in one real type, and what was found in them.
 trait Soak: Display {
-    /// Adds the cases of a seed.
-    fn run(&mut self, seed: u64);
-    /// Cases so far.
-    fn count(&self) -> u64;
-    /// Cases that are wrong.
-    fn faults(&self) -> u64;
-    /// Whether there are cases, and no more faults than are allowed.
-    fn is_clean(&self) -> bool {
-        self.count() > 0 && self.faults() == 0
-    }
+    fn run(&mut self, seed: u64); // adds the cases of a seed
+    fn found(&self) -> [u64; 2]; // the cases so far, and those that are wrong
 }
 
 fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
@@ -86,12 +78,8 @@ impl<R: Original> Soak for Calls<R> {
         self.report.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
     }
 
-    fn count(&self) -> u64 {
-        self.report.calls
-    }
-
-    fn faults(&self) -> u64 {
-        self.report.differing
+    fn found(&self) -> [u64; 2] {
+        [self.report.calls, self.report.differing]
     }
 }
 
@@ -114,12 +102,9 @@ impl Soak for Judged {
         self.tallies.add(&(self.of_seed)(seed));
     }
 
-    fn count(&self) -> u64 {
-        self.tallies.total().problems
-    }
-
-    fn faults(&self) -> u64 {
-        self.tallies.total().bad()
+    fn found(&self) -> [u64; 2] {
+        let total = self.tallies.total();
+        [total.problems, total.bad()]
     }
 }
 
@@ -144,12 +129,8 @@ impl Soak for Cases {
         self.cases += CASES_PER_SEED;
     }
 
-    fn count(&self) -> u64 {
-        self.cases
-    }
-
-    fn faults(&self) -> u64 {
-        self.bad.len() as u64
+    fn found(&self) -> [u64; 2] {
+        [self.cases, self.bad.len() as u64]
     }
 }
 

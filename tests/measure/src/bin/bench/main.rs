@@ -76,15 +76,11 @@ fn print_table(words: &[&str]) {
         let name = format!("{}, {}", row.function, row.case);
         words.iter().all(|word| name.contains(word))
     };
-    for (index, row) in rows(WARM).iter_mut().enumerate() {
-        if is_wanted(row) {
-            print_row(row, &[0, 1].map(|library| instructions(index, library, row.calls)));
-        }
+    for (index, row) in rows(WARM).iter_mut().enumerate().filter(|(_, row)| is_wanted(row)) {
+        print_row(row, &[0, 1].map(|library| instructions(index, library, row.calls)));
     }
-    for row in &mut rows(COLD) {
-        if is_wanted(row) {
-            print_row(row, &["", ""].map(str::to_owned));
-        }
+    for row in rows(COLD).iter_mut().filter(|row| is_wanted(row)) {
+        print_row(row, &["", ""].map(str::to_owned));
     }
 }
 
@@ -157,10 +153,7 @@ extern "Rust" fn counted(run: &mut dyn FnMut()) {
 }
 
 fn warm_rows() -> Vec<Row> {
-    let mut rows = rows(WARM);
-    rows.extend(fastest::rows());
-    rows.extend(moves::rows());
-    rows
+    rows(WARM).into_iter().chain(fastest::rows()).chain(moves::rows()).collect()
 }
 
 /// All rows of the first table, over `count` moves. The rows of samples use one move and come with the warm rows.

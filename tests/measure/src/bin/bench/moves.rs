@@ -204,13 +204,8 @@ fn races() -> Vec<Race> {
 fn together() -> Vec<Race> {
     let mut random = Random::seeded(3);
     let [rest, _, _, accelerated, ..] = cases();
-    let mut races = Vec::new();
-    for case in [rest, accelerated] {
-        races.push(sync::<3>(case, &mut random));
-        races.push(sync::<6>(case, &mut random));
-        races.push(sync::<12>(case, &mut random));
-    }
-    races
+    let mut of = |case| [sync::<3>(case, &mut random), sync::<6>(case, &mut random), sync::<12>(case, &mut random)];
+    [rest, accelerated].into_iter().flat_map(&mut of).collect()
 }
 
 fn sync<const N: usize>((name, case): (&str, Case), random: &mut Random) -> Race {

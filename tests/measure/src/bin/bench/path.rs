@@ -51,15 +51,8 @@ fn ours(chains: &[Chain<a_float>]) -> f64 {
         for (chain, states) in chains.iter().zip(&mut states) {
             // SAFETY: the arrays have as many numbers as the header says, and the structs have the same layout.
             let planned = unsafe {
-                plan(
-                    states.as_mut_ptr().cast(),
-                    durations.as_mut_ptr(),
-                    chain.limits.as_ptr().cast(),
-                    axes,
-                    sections,
-                    0,
-                    work.as_mut_ptr(),
-                )
+                let (states, limits) = (states.as_mut_ptr().cast(), chain.limits.as_ptr().cast());
+                plan(states, durations.as_mut_ptr(), limits, axes, sections, 0, work.as_mut_ptr())
             };
             assert!(planned >= 0 && durations[0].widen() > 0.0);
         }
