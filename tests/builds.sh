@@ -195,15 +195,11 @@ two_at_once() {
 two_reals_at_once() {
     dist
     dist REAL=float
-    for real in '' -float; do
-        cp "$copy/target/dist$real/lib/libatraj$real.a" .
-    done
+    for real in '' -float; do cp "$copy/target/dist$real/lib/libatraj$real.a" .; done
     dist &
     dist REAL=float
     wait $!
-    for real in '' -float; do
-        cmp "$copy/target/dist$real/lib/libatraj$real.a" "libatraj$real.a"
-    done
+    for real in '' -float; do cmp "$copy/target/dist$real/lib/libatraj$real.a" "libatraj$real.a"; done
 }
 
 # --- installation

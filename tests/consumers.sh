@@ -233,9 +233,7 @@ END
 rust_program() {
     crate "$1"
     cp "$sources/move.rs" src/main.rs
-    for real in double float; do
-        prints_the_bits cargo run --target-dir target -- $real
-    done
+    for real in double float; do prints_the_bits cargo run --target-dir target -- $real; done
 }
 
 # If atraj used `std`, this crate's panic handler would be the second one, which is an error.

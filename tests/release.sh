@@ -316,9 +316,7 @@ another_clone() {
     (umask 077 && make -s -C "$another" release KEY="$work/key" BILL_TOOL="$(ls "$root"/target/cargo-cyclonedx-*/bin/cargo-cyclonedx)" \
         TARGETS="$host x86_64-pc-windows-gnu thumbv7em-none-eabihf" ABIS='double float' PARTS=debian)
     test "$(find "$again" -name '*.tar.gz' | wc -l)" = 7
-    for file in "$again"/*atraj*; do
-        cmp "$file" "$release/${file##*/}"
-    done
+    for file in "$again"/*atraj*; do cmp "$file" "$release/${file##*/}"; done
 }
 
 signed() {

@@ -47,9 +47,7 @@ impl Case {
         let count = self.chains.len() as f64;
         println!("\"{}\",\"{planner}\",{jerk},{:.4},{:.3}", self.name, s / count, ms / count);
     }
-}
 
-impl Case {
     /// Says how far the path through the stations of a spline, and the spline itself, leave the straight lines between the stations.
     fn print_deviations(&self) {
         let stations = self.chains.iter().map(copp::stations).collect::<Option<Vec<_>>>();
