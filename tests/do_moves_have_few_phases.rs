@@ -3,6 +3,7 @@
 
 use atraj::axes::synchronise;
 use atraj::online::{Limits, Move, State};
+use support::online::state_of;
 use support::{Random, Real, test_both_reals};
 
 const SETS: u32 = 20_000;
@@ -23,11 +24,7 @@ fn axis<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
         let acceleration = part() * a.min((j * v).sqrt());
         let room = v - acceleration * acceleration / (2.0 * j);
         let velocity = part() * room;
-        State {
-            position: R::of(random.between(-10.0, 10.0)),
-            velocity: R::of(velocity),
-            acceleration: R::of(acceleration),
-        }
+        state_of([random.between(-10.0, 10.0), velocity, acceleration])
     };
     (limits, state(1.2), state(0.9))
 }

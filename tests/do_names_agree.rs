@@ -39,12 +39,7 @@ fn column(k: usize) -> BTreeSet<String> {
 
 fn headers(directory: &Path) -> String {
     let paths = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
-    paths
-        .map(|path| match path.is_dir() {
-            true => headers(&path),
-            false => fs::read_to_string(path).unwrap(),
-        })
-        .collect()
+    paths.map(|path| if path.is_dir() { headers(&path) } else { fs::read_to_string(path).unwrap() }).collect()
 }
 
 fn has_word(text: &str, word: &str) -> bool {

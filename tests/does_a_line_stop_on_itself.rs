@@ -21,21 +21,11 @@ fn stops_stay_on_the_line<R: Real>() {
         line(&mut axes, &limits, &from, &to, zero, zero).expect("a line");
         let x = R::of(axes[0].t.widen() * random.between(-0.1, 1.1));
         let now: Vec<State<R>> = axes.iter().map(|axis| axis.state_at(x)).collect();
-        let speeds: Vec<f64> = axes
-            .iter()
-            .map(|axis| {
-                let reached = axis.extremes();
-                reached.highest.velocity.widen().max(-reached.lowest.velocity.widen())
-            })
-            .collect();
+        let speeds: Vec<f64> = axes.iter().map(online::fastest).collect();
         line_stop(&mut axes, &limits, x).expect("a stop");
         let t = axes[0].t.widen();
-        let lead = (0..n)
-            .max_by(|&i, &k| {
-                let way = |i: usize| (to[i].position.widen() - from[i].position.widen()).abs();
-                way(i).total_cmp(&way(k))
-            })
-            .expect("an axis");
+        let way = |k: usize| to[k].position.widen() - from[k].position.widen();
+        let lead = (0..n).max_by(|&i, &k| way(i).abs().total_cmp(&way(k).abs())).expect("an axis");
         for (i, axis) in axes.iter().enumerate() {
             let begin = axis.state_at(zero);
             let off = (begin.velocity.widen() - now[i].velocity.widen()).abs();
@@ -48,12 +38,9 @@ fn stops_stay_on_the_line<R: Real>() {
             for _ in 0..8 {
                 let z = R::of(t * random.between(0.0, 1.0));
                 let part = |k: usize| axes[k].position(z).widen() - from[k].position.widen();
-                let way = |k: usize| to[k].position.widen() - from[k].position.widen();
                 let off = part(i) - part(lead) * way(i) / way(lead);
-                let size = from[i].position.widen().abs()
-                    + to[i].position.widen().abs()
-                    + way(lead).abs()
-                    + from[lead].position.widen().abs();
+                let positions = [from[i], to[i], from[lead]].map(|state| state.position.widen().abs());
+                let size = positions.iter().sum::<f64>() + way(lead).abs();
                 assert!(off.abs() <= 64.0 * epsilon * size, "line {number}, axis {i}: {off:e}");
             }
         }

@@ -88,12 +88,8 @@ fn axis<R: Real>(random: &mut Random, ends: Ends) -> (Limits<R>, State<R>, State
 }
 
 fn free<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {
-    let axes: Vec<_> = (0..count).map(|_| axis(random, ends)).collect();
-    Problem {
-        limits: axes.iter().map(|axis| axis.0).collect(),
-        from: axes.iter().map(|axis| axis.1).collect(),
-        to: axes.iter().map(|axis| axis.2).collect(),
-    }
+    let (limits, from, to) = (0..count).map(|_| axis(random, ends)).collect();
+    Problem { limits, from, to }
 }
 
 fn on_a_line<R: Real>(random: &mut Random, ends: Ends, count: usize) -> Problem<R> {

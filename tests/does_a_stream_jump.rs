@@ -55,8 +55,10 @@ impl<R: Real> Source<R> {
         self.ticks = 0;
     }
 
-    fn highest(limits: [R; 2]) -> f64 {
-        limits.map(|limit| limit.widen().abs()).into_iter().fold(0.0, f64::max)
+    /// The highest velocity, acceleration and jerk, in whichever direction.
+    fn highest(&self) -> [f64; 3] {
+        let [vmax, vmin, amax, amin, jmax, jmin] = online::numbers_of(&self.limits).map(R::widen);
+        [vmax.max(-vmin), amax.max(-amin), jmax.max(-jmin)]
     }
 }
 
@@ -103,9 +105,7 @@ fn a_shaped_state_is_the_mean_of_the_past<R: Real>() {
         let mut line = vec![R::of(f64::NAN); shaper.size(source.period).expect("a short shaper")];
         let mut stream = ShaperStream::new(&shaper, source.period, source.now(), &mut line).expect("a stream");
         let mut past = vec![numbers(source.now()); weights.len()];
-        let limits = source.limits;
-        let [v, a, j] = [[limits.vmin, limits.vmax], [limits.amin, limits.amax], [limits.jmin, limits.jmax]]
-            .map(Source::<R>::highest);
+        let [v, a, j] = source.highest();
         let mut before = numbers(source.now());
         for tick in 0..4_000 {
             if random.one_in(300) {
@@ -262,8 +262,7 @@ fn no_step_is_lost<R: Real>() {
     for number in 0..SOURCES {
         let mut source = Source::<R>::new(&mut random);
         let period = source.period.widen();
-        let v = Source::<R>::highest([source.limits.vmin, source.limits.vmax]);
-        let j = Source::<R>::highest([source.limits.jmin, source.limits.jmax]);
+        let [v, _, j] = source.highest();
         let step = (v * period * random.magnitude(-1.0, 1.0)).max(64.0 * epsilon * 32.0);
         let mut motor = StepStream::new(R::of(step), source.period, source.now()).expect("a motor");
         let mut direction = 0;
@@ -303,7 +302,7 @@ fn a_driver_gets_its_time<R: Real>() {
     for number in 0..SOURCES / 4 {
         let mut source = Source::<R>::new(&mut random);
         let period = source.period.widen();
-        let v = Source::<R>::highest([source.limits.vmin, source.limits.vmax]);
+        let [v, ..] = source.highest();
         let step = v * period * random.magnitude(-0.5, 0.5);
         let mut motor = StepStream::new(R::of(step), source.period, source.now()).expect("a motor");
         // Up to ten times the period, so that steps wait for later ticks; the highest speed needs a step every `step / v`.

@@ -68,13 +68,11 @@ fn a_planted_change_is_seen() {
     let text = String::from_utf8(run(Command::new("abidw").args(abidw).arg(&double)).stdout).unwrap();
     fs::write(&baseline, &text).unwrap();
     let (before, structs) = text.split_at(text.find("<class-decl name='a_trajtrap'").unwrap());
+    let of_struct = |field: &str, other: &str| format!("{before}{}", structs.replacen(field, other, 1));
     let planted = [
         ("another name", text.replace("a_trajtrap_acc", "a_trajtrap_acceleration")),
-        ("a larger struct", format!("{before}{}", structs.replacen("size-in-bits='768'", "size-in-bits='832'", 1))),
-        (
-            "a field elsewhere",
-            format!("{before}{}", structs.replacen("layout-offset-in-bits='64'", "layout-offset-in-bits='96'", 1)),
-        ),
+        ("a larger struct", of_struct("size-in-bits='768'", "size-in-bits='832'")),
+        ("a field elsewhere", of_struct("layout-offset-in-bits='64'", "layout-offset-in-bits='96'")),
         ("another soname", text.replacen("soname='libatraj.so.0'", "soname='libatraj.so.1'", 1)),
     ];
     let (said, changed) = abidiff(&baseline, &double);

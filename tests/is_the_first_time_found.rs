@@ -2,7 +2,7 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use atraj::State;
-use atraj::online::{Limits, Move};
+use atraj::online::{Limits, Move, Phase};
 use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = 4_000;
@@ -77,11 +77,8 @@ fn next_to_a_phase_of_no_duration<R: Real>() {
     let [zero, one] = [R::of(0.0), R::of(1.0)];
     let next = zero.neighbour(2);
     let mut shifted = Move::<R>::default();
-    shifted.phase[2].position = next;
-    shifted.phase[2].velocity = one;
-    shifted.phase[2].duration = one;
-    shifted.phase[3].position = one;
-    shifted.phase[3].start = one;
+    shifted.phase[2] = Phase { position: next, velocity: one, duration: one, ..Phase::default() };
+    shifted.phase[3] = Phase { position: one, start: one, ..Phase::default() };
     (shifted.count, shifted.t) = (3, one);
     for position in [zero, zero.neighbour(1), next] {
         assert_eq!(shifted.time_at(position), Some(zero), "{position:e}");

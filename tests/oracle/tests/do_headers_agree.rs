@@ -13,10 +13,7 @@ use support::{Family, golden};
 /// The prototypes that gcc sees in the headers of a directory, with the real type by its C name.
 fn prototypes(include: &Path, size: &str) -> Vec<String> {
     let directory = directory("prototypes");
-    let mut program = String::new();
-    for header in Family::ALL.map(Family::c_name) {
-        writeln!(program, "#include \"a/{header}.h\"").unwrap();
-    }
+    let program = Family::ALL.map(|family| format!("#include \"a/{}.h\"\n", family.c_name())).concat();
     let source = directory.join("prototypes.c");
     let list = directory.join("prototypes.txt");
     fs::write(&source, program).unwrap();
@@ -59,16 +56,10 @@ fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> Strin
             writeln!(program, "#define A_{} {level}", header.to_uppercase()).unwrap();
         }
     }
-    for name in &names {
-        writeln!(program, "#define {name} first_{name}").unwrap();
-    }
-    for header in headers {
-        writeln!(program, "#include \"{}/a/{header}.h\"", first.display()).unwrap();
-    }
+    program.extend(names.iter().map(|name| format!("#define {name} first_{name}\n")));
+    program.extend(headers.map(|header| format!("#include \"{}/a/{header}.h\"\n", first.display())));
     program.push_str("#undef tv\n");
-    for name in &names {
-        writeln!(program, "#undef {name}").unwrap();
-    }
+    program.extend(names.iter().map(|name| format!("#undef {name}\n")));
     for header in headers {
         writeln!(program, "#undef LIBA_{}_H", header.to_uppercase()).unwrap();
         writeln!(program, "#include \"{}/a/{header}.h\"", second.display()).unwrap();

@@ -5,7 +5,7 @@ use atraj::axes::{line, path_deviation, path_moves, synchronise};
 use atraj::online::{Error, Limits, Move, Phase};
 use oracle::judge::path::problems::{Chain, Chains};
 use oracle::judge::path::{Path, Paths, Planner};
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 
@@ -19,9 +19,7 @@ fn at<R: Real>(chain: &Chain<R>, path: &Path<R>, point: usize) -> Vec<State<R>> 
 }
 
 fn bits<R: Real>(moves: &[Move<R>]) -> Vec<u64> {
-    let of_phase = |phase: &Phase<R>| {
-        [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk].map(R::low_bits)
-    };
+    let of_phase = |phase: &Phase<R>| online::numbers_of_phase(phase).map(R::low_bits);
     let of_move = |axis: &Move<R>| {
         let phases = axis.phases().len();
         std::iter::once(axis.t.low_bits()).chain(axis.phase[..=phases].iter().flat_map(of_phase)).collect::<Vec<_>>()

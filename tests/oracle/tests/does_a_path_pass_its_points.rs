@@ -109,11 +109,8 @@ fn zones_are_kept<R: Original>() {
         let leaves = wrong_near(&chain, &tolerances, &path, found, &mut random).is_some();
         unseen += usize::from(!leaves && wider.iter().any(|r| r.widen() > 0.0));
     }
-    println!(
-        "{}: {:.3} of the path through the points, {unseen} wider zones unseen",
-        R::NAME,
-        parts / (PATHS / 2) as f64
-    );
+    let mean = parts / (PATHS / 2) as f64;
+    println!("{}: {mean:.3} of the path through the points, {unseen} wider zones unseen", R::NAME);
     bad.iter().take(20).for_each(|example| println!("{example}"));
     assert!(bad.is_empty() && unseen < PATHS / 6);
 }

@@ -3,7 +3,7 @@
 use crate::random::Random;
 use crate::real::Real;
 use atraj::State;
-use atraj::online::{Limits, Move};
+use atraj::online::{Limits, Move, Phase};
 
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
@@ -16,6 +16,10 @@ pub fn state_of<R: Real>(numbers: [f64; 3]) -> State<R> {
 
 pub fn numbers_of_state<R: Real>(state: State<R>) -> [f64; 3] {
     [state.position, state.velocity, state.acceleration].map(R::widen)
+}
+
+pub fn numbers_of_phase<R: Copy>(phase: &Phase<R>) -> [R; 6] {
+    [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk]
 }
 
 /// `[vmax, vmin, amax, amin, jmax, jmin]`
@@ -74,6 +78,12 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     let [vmax, vmin, amax, amin, ..] = finite(limits);
     let [v, a] = [(vmin, vmax), (amin, amax)].map(|(low, high)| R::of(2.0 * random.between(low, high)));
     State { velocity: v, acceleration: a, ..state }
+}
+
+/// The highest speed of a move in either direction.
+pub fn fastest<R: Real>(planned: &Move<R>) -> f64 {
+    let reached = planned.extremes();
+    f64::max(reached.highest.velocity.widen(), -reached.lowest.velocity.widen())
 }
 
 pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {

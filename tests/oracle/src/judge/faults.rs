@@ -72,15 +72,9 @@ impl Fault {
         match self {
             Self::Shortened => stretch(planned, shortened),
             Self::EndOff => end.position = end.position.neighbour(1),
-            Self::EndVelocityOff => end.velocity = end.velocity + off(scale.velocity),
-            Self::Jump if count > 1 => {
-                let phase = &mut planned.phase[middle];
-                phase.position = phase.position + off(scale.position);
-            }
-            Self::VelocityJump if count > 1 => {
-                let phase = &mut planned.phase[middle];
-                phase.velocity = phase.velocity + off(scale.velocity);
-            }
+            Self::EndVelocityOff => shift(&mut end.velocity, scale.velocity),
+            Self::Jump if count > 1 => shift(&mut planned.phase[middle].position, scale.position),
+            Self::VelocityJump if count > 1 => shift(&mut planned.phase[middle].velocity, scale.velocity),
             Self::DroppedPhase if count > 1 => drop_shortest(planned),
             Self::Direction | Self::AbsoluteTime => {
                 planned.t = self.late(problem, planned.t);
@@ -104,9 +98,9 @@ impl Fault {
             Self::WrongSide => fields[directed].iter_mut().for_each(|x| *x = -*x),
             Self::Shortened => fields[0] = shortened(fields[0]),
             Self::EndOff => fields[p1] = fields[p1].neighbour(1),
-            Self::EndVelocityOff => fields[v1] = fields[v1] + off(scale.velocity),
-            Self::Jump => fields[first] = fields[first] + off(scale.position),
-            Self::VelocityJump => fields[highest] = fields[highest] + off(scale.velocity),
+            Self::EndVelocityOff => shift(&mut fields[v1], scale.velocity),
+            Self::Jump => shift(&mut fields[first], scale.position),
+            Self::VelocityJump => shift(&mut fields[highest], scale.velocity),
             Self::Direction | Self::AbsoluteTime => fields[0] = self.late(problem, fields[0]),
             _ => {}
         }
@@ -121,8 +115,9 @@ impl Fault {
     }
 }
 
-fn off<R: Real>(scale: f64) -> R {
-    R::of(100.0 * R::MACHINE_EPSILON.widen() * scale)
+/// Adds 100 ulps of a number of this size.
+fn shift<R: Real>(x: &mut R, size: f64) {
+    *x = *x + R::of(100.0 * R::MACHINE_EPSILON.widen() * size);
 }
 
 fn shortened<R: Real>(t: R) -> R {

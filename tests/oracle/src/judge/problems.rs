@@ -185,6 +185,7 @@ impl<R: Real> Problems<R> {
     fn make_adversarial(&mut self, kind: Kind, draft: &mut Draft) {
         let wide = Self::wide();
         let random = &mut self.random;
+        let Draft { vmax, vmin, amax, amin, jmax, jmin, .. } = *draft;
         match kind {
             Kind::Rest => draft.stop(),
             Kind::Moving => (draft.a0, draft.a1) = (0.0, 0.0),
@@ -202,11 +203,7 @@ impl<R: Real> Problems<R> {
                 draft.a0 = (1.0 + random.magnitude(-3.0, 0.5)) * draft.acceleration_limit(random);
             }
             Kind::BoundToLeave => {
-                let (v, a, jerk) = if random.one_in(2) {
-                    (draft.vmax, draft.amax, -draft.jmin)
-                } else {
-                    (draft.vmin, draft.amin, draft.jmax)
-                };
+                let (v, a, jerk) = if random.one_in(2) { (vmax, amax, -jmin) } else { (vmin, amin, jmax) };
                 draft.a0 = a * random.between(0.0, 1.0);
                 let sure = 0.5 * draft.a0 * draft.a0.abs() / jerk;
                 draft.v0 = v - sure * random.between(0.0, 1.0);
@@ -217,11 +214,7 @@ impl<R: Real> Problems<R> {
             }
             Kind::ComingInside => {
                 let side = random.sign();
-                let (v, a, jerk) = if side > 0.0 {
-                    (draft.vmax, draft.amin, draft.jmax)
-                } else {
-                    (draft.vmin, draft.amax, draft.jmin)
-                };
+                let (v, a, jerk) = if side > 0.0 { (vmax, amin, jmax) } else { (vmin, amax, jmin) };
                 draft.a0 = a * random.between(0.0, 1.0);
                 let at_zero_a = 0.5 * draft.a0 * draft.a0 / jerk;
                 draft.v0 = v + at_zero_a * random.pick(&[0.0, 0.5, 1.0]);

@@ -3,6 +3,7 @@
 use atraj::machine::{Step, Steps};
 use atraj::online::Move;
 use support::Real;
+use support::online::numbers_of_phase;
 
 unsafe extern "C" {
     fn steps_wrong(
@@ -21,7 +22,8 @@ pub fn all<R: Real>(of: &Move<R>, mut steps: Steps<R>) -> Vec<Step<R>> {
 }
 
 pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]) -> Option<&'static str> {
-    let phases: Vec<[f64; 6]> = of.phase[..=of.phases().len()].iter().map(numbers).collect(); // the end too
+    // The end too.
+    let phases: Vec<_> = of.phase[..=of.phases().len()].iter().map(|p| numbers_of_phase(p).map(R::widen)).collect();
     let times: Vec<f64> = steps.iter().map(|step| step.time.widen()).collect();
     let directions: Vec<i32> = steps.iter().map(|step| step.direction).collect();
     let reached = of.extremes();
@@ -31,20 +33,12 @@ pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]
     let [offset, step] = lines.map(R::widen);
     let (t, rounding) = (of.t.widen(), ROUNDINGS * R::MACHINE_EPSILON.widen());
     let roundings = [rounding * t, rounding * (far + offset.abs() + fast * t)];
+    let (count, n) = (phases.len() as i32, times.len() as i64);
+    let (phases, times, directions) = (phases.as_ptr(), times.as_ptr(), directions.as_ptr());
+    let lines = [offset, step];
     // SAFETY: each pointer has as many values as the count behind it says.
-    let verdict = unsafe {
-        steps_wrong(
-            phases.as_ptr(),
-            phases.len() as i32,
-            &[offset, step],
-            first.into(),
-            times.as_ptr(),
-            directions.as_ptr(),
-            times.len() as i64,
-            SAMPLES,
-            &roundings,
-        )
-    };
+    let verdict =
+        unsafe { steps_wrong(phases, count, &lines, first.into(), times, directions, n, SAMPLES, &roundings) };
     match verdict {
         0 => None,
         1 => Some("a step at another place"),
@@ -52,8 +46,4 @@ pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]
         3 => Some("the axis is not where the motor is"),
         _ => Some("a step after the end"),
     }
-}
-
-fn numbers<R: Real>(phase: &atraj::online::Phase<R>) -> [f64; 6] {
-    [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk].map(R::widen)
 }

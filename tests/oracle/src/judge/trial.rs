@@ -9,6 +9,7 @@ use super::solver::{Best, Grid, Knot, Motion, Walk};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
+use support::online::numbers_of_phase;
 use support::{Random, Real};
 
 pub const OF_A_MOVE: [Findings; 3] = [Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING];
@@ -495,11 +496,10 @@ fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
     let phases = &planned.phase[..=count];
     let mut t = 0.0;
     for phase in phases {
-        let numbers = [phase.start, phase.duration, phase.position, phase.velocity, phase.acceleration, phase.jerk];
         let rounding = 8.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
         let follows = (phase.start.widen() - t).abs() <= rounding && phase.duration.widen() >= 0.0;
         let fault = first_fault([
-            (!numbers.iter().all(|x| x.widen().is_finite()), "a number of a phase is not finite"),
+            (!numbers_of_phase(phase).iter().all(|x| x.widen().is_finite()), "a number of a phase is not finite"),
             (!follows, "a phase does not follow the one before it"),
         ]);
         if fault.is_some() {

@@ -4,7 +4,7 @@ use super::problems::Set;
 use super::several::{Planner, Together};
 use atraj::Findings;
 use atraj::axes::synchronise;
-use atraj::online::{Error, Limits, Move, State};
+use atraj::online::{Error, Limits, Move, Phase, State};
 use support::Real;
 
 listed! {
@@ -81,12 +81,9 @@ fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
     let mut later = *planned;
     let count = planned.count as usize;
     for (k, phase) in planned.phase[..=count].iter().enumerate() {
-        later.phase[k + 1] = *phase;
-        later.phase[k + 1].start = wait + phase.start;
+        later.phase[k + 1] = Phase { start: wait + phase.start, ..*phase };
     }
-    later.phase[0] = Default::default();
-    later.phase[0].duration = wait;
-    later.phase[0].position = from.position;
+    later.phase[0] = Phase { duration: wait, position: from.position, ..Phase::default() };
     later.phase[count + 1].start = t;
     (later.count, later.t) = (planned.count + 1, t);
     later

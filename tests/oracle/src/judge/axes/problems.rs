@@ -7,14 +7,13 @@ use support::{Random, Real};
 
 macro_rules! families {
     ($($(#[$doc:meta])* $family:ident: $kinds:expr,)*) => {
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Family {
-            $($(#[$doc])* $family,)*
+        listed! {
+            pub enum Family {
+                $($(#[$doc])* $family,)*
+            }
         }
 
         impl Family {
-            pub const ALL: [Self; [$(stringify!($family)),*].len()] = [$(Self::$family),*];
-
             fn kinds(self) -> &'static [Kind] {
                 use Kind::*;
                 match self {
@@ -52,12 +51,7 @@ pub const MOST_AXES: usize = 12;
 
 impl<R: Real> Set<R> {
     pub fn columns(&self) -> Columns<R> {
-        let axes = || self.axes.iter();
-        (
-            axes().map(|axis| axis.limits).collect(),
-            axes().map(|axis| axis.from).collect(),
-            axes().map(|axis| axis.to).collect(),
-        )
+        self.axes.iter().map(|axis| (axis.limits, axis.from, axis.to)).collect()
     }
 
     pub fn show(&self) -> String {
