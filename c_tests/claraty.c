@@ -99,8 +99,7 @@ static int replay_listing(const char *directory, const char *how, int stands_sti
 static int broken;
 
 #define PROMISE(condition) \
-    if (!(condition)) \
-    { \
+    if (!(condition)) { \
         printf("broken: line %d: %s\n", __LINE__, #condition); \
         broken = 1; \
     }

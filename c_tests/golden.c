@@ -226,11 +226,9 @@ static void poly(const char *directory, const struct poly *poly) {
 
 #define POLY(t, levels) \
     EVALUATIONS(t, levels) \
-    static void t##_write(void *context, const a_float *a, int order, a_float *out) \
-    { \
+    static void t##_write(void *context, const a_float *a, int order, a_float *out) { \
         a_##t *ctx = context; \
-        switch (order) \
-        { \
+        switch (order) { \
             levels(t, WRITE) \
         default: \
             a_##t##_gen ARGUMENTS_##t; \

@@ -40,8 +40,7 @@ static void compare(const void *ours, const void *theirs, size_t size) {
     do { \
         int k_; \
         compare(&ours, &theirs, sizeof(ours)); \
-        for (k_ = -4; k_ < 40; ++k_) \
-        { \
+        for (k_ = -4; k_ < 40; ++k_) { \
             const a_float x_ = (a_float)k_ / 8; \
             EVALUATE(family##_pos, x_); \
             EVALUATE(family##_vel, x_); \
@@ -77,25 +76,16 @@ static void trap(a_float p0, a_float p1, a_float v0) {
     EVALUATE_ALL(a_trajtrap);
 }
 
-static void poly3(a_float p0, a_float p1, a_float v0) {
-    a_trajpoly3 ours, theirs;
-    x_a_trajpoly3_gen(&ours, 4, p0, p1, v0, 0);
-    a_trajpoly3_gen(&theirs, 4, p0, p1, v0, 0);
-    EVALUATE_ALL(a_trajpoly3);
-}
-
-static void poly5(a_float p0, a_float p1, a_float v0) {
-    a_trajpoly5 ours, theirs;
-    x_a_trajpoly5_gen(&ours, 4, p0, p1, v0, 0, v0, 1);
-    a_trajpoly5_gen(&theirs, 4, p0, p1, v0, 0, v0, 1);
-    EVALUATE_ALL(a_trajpoly5);
-}
-
+/* Plans a polynomial with both from p0 and v0 to p1 and these ends, and evaluates all that each family has. */
+#define FIT(family, ...) \
+    family ours, theirs; \
+    x_##family##_gen(&ours, 4, p0, p1, v0, __VA_ARGS__); \
+    family##_gen(&theirs, 4, p0, p1, v0, __VA_ARGS__); \
+    EVALUATE_ALL(family)
+static void poly3(a_float p0, a_float p1, a_float v0) { FIT(a_trajpoly3, 0); }
+static void poly5(a_float p0, a_float p1, a_float v0) { FIT(a_trajpoly5, 0, v0, 1); }
 static void poly7(a_float p0, a_float p1, a_float v0) {
-    a_trajpoly7 ours, theirs;
-    x_a_trajpoly7_gen(&ours, 4, p0, p1, v0, 0, v0, 1, v0, -1);
-    a_trajpoly7_gen(&theirs, 4, p0, p1, v0, 0, v0, 1, v0, -1);
-    EVALUATE_ALL(a_trajpoly7);
+    FIT(a_trajpoly7, 0, v0, 1, v0, -1);
     EVALUATE(a_trajpoly7_jer, v0);
 }
 
