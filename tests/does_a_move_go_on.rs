@@ -27,8 +27,6 @@ fn with_the_final_acceleration<R: Real>() {
     }
 }
 
-test_both_reals!(with_the_final_acceleration);
-
 /// Before the start the axis is at the start. What is no time is at the end, and an end at rest lasts for ever.
 fn from_the_start<R: Real>() {
     let mut random = Random::seeded(2);
@@ -51,8 +49,6 @@ fn from_the_start<R: Real>() {
     }
 }
 
-test_both_reals!(from_the_start);
-
 /// A jog is stopped long after it got its velocity, and a retarget long after a moving end begins where the axis is.
 fn another_plan_begins_there<R: Real>() {
     let limits = Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0));
@@ -66,4 +62,4 @@ fn another_plan_begins_there<R: Real>() {
     assert!(stop.position(stop.t) > now.position);
 }
 
-test_both_reals!(another_plan_begins_there);
+test_both_reals!(with_the_final_acceleration, from_the_start, another_plan_begins_there);

@@ -143,8 +143,7 @@ fn limits_are_kept<R: Real>() {
                     assert!(jump <= slack, "path {number}: {one:?} {other:?}");
                 }
             }
-            let later = clock.until().widen().max(x) + t * random.between(-0.2, 0.5);
-            let later = later.max(x + 1e-3 * t);
+            let later = (clock.until().widen().max(x) + t * random.between(-0.2, 0.5)).max(x + 1e-3 * t);
             for _ in 0..SAMPLES {
                 let y = R::of(random.between(x, later));
                 let s = clock.time(y);

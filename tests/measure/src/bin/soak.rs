@@ -67,7 +67,6 @@ fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
     }
 }
 
-/// Calls of this library and of the original.
 struct Calls<R> {
     report: Report,
     real: PhantomData<R>,
@@ -91,7 +90,6 @@ impl<R> Display for Calls<R> {
     }
 }
 
-/// Motions that the judge tallies.
 struct Judged {
     tallies: Tallies,
     of_seed: fn(u64) -> Tallies,
@@ -114,7 +112,6 @@ impl Display for Judged {
     }
 }
 
-/// Cases that are right or bad.
 struct Cases {
     cases: u64,
     bad: Vec<String>,

@@ -69,7 +69,6 @@ impl Tally {
 
 /// Problems of profiles that a seed stands for in long runs: a third each of double-S, trapezoids and moves.
 pub const PROFILES_PER_SEED: usize = 1_000_000;
-
 /// Problems of moves from any state to any state that a seed stands for in long runs.
 pub const MOVES_PER_SEED: usize = 250_000;
 

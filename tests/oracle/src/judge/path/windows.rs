@@ -9,13 +9,11 @@ use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 use support::Random;
 
-/// The time between two updates, s.
-const PERIOD: f64 = 0.05;
+const PERIOD: f64 = 0.05; // the time between two updates, s
 /// mm/s, mm/s², mm/s³
 const LIMITS: Limits<f64> = Limits { vmax: 100.0, vmin: -100.0, amax: 3e3, amin: -3e3, jmax: 6e4, jmin: -6e4 };
 
-/// A row of points, each with its positions, mm.
-pub type Row = Vec<Vec<f64>>;
+pub type Row = Vec<Vec<f64>>; // points, each with its positions, mm
 
 /// Rows of so many points of several kinds.
 pub fn rows(count: usize) -> [(&'static str, Row); 5] {
