@@ -56,6 +56,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Whether an axis would have to turn and come back to stop at the first point, although it moves towards it.
+    #[inline(never)] // for its stack
     fn swerves(&self) -> bool {
         (0..self.axes).any(|axis| {
             let (from, to) = self.ends(0, axis);
@@ -117,10 +118,10 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Brakes within a part of the limits: bends use the others.
+    #[inline(never)] // for its stack
     fn brake_within(&mut self, part: R, start: State<R>, goes_on: bool) -> Option<()> {
         let mut limits = self.limits_along(part)?;
-        let mut run = Move::default();
-        let mut end = R::INFINITY;
+        let (mut run, mut end) = (Move::default(), R::INFINITY);
         if goes_on {
             self.rests_at(self.sections).then_some(())?;
             let mut speeds = (0..MOST_HALVINGS).map(|k| (0..k).fold(limits.vmax, |speed, _| R::HALF * speed));
