@@ -121,7 +121,7 @@ impl<R: Real> Chain<'_, '_, R> {
     #[inline(never)] // for its stack
     fn brake_within(&mut self, part: R, start: State<R>, goes_on: bool) -> Option<()> {
         let mut limits = self.limits_along(part)?;
-        let (mut run, mut end) = (Move::default(), R::INFINITY);
+        let (mut run, mut end, mut length) = (Move::default(), R::INFINITY, R::ZERO);
         if goes_on {
             self.rests_at(self.sections).then_some(())?;
             let mut speeds = (0..MOST_HALVINGS).map(|k| (0..k).fold(limits.vmax, |speed, _| R::HALF * speed));
@@ -131,11 +131,11 @@ impl<R: Real> Chain<'_, '_, R> {
             run.stop(&limits, start).ok()?;
             end = run.end().position;
         }
-        let (mut length, mut last) = (R::ZERO, 0);
-        while last < self.sections && length < end {
-            length = length + self.arc(last);
-            last += 1;
-        }
+        let reached = (0..self.sections).find(|&section| {
+            length = length + self.arc(section);
+            length >= end
+        });
+        let last = reached.map_or(self.sections, |section| section + 1);
         let found = run.plan(&limits, start, State::at(length)).ok()?;
         (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
         self.pass_along(&run, last)
