@@ -533,7 +533,7 @@ fn bad_clocks<R: Real>() {
         assert_eq!(clock, Clock::new());
     };
     let mut planned = Move::default();
-    refused(&[planned], &[limits], Error::Limits);
+    assert_eq!(Clock::new().rate(&[planned], &[limits], zero, zero), Ok(Findings::default()));
     planned.plan(&limits, State::at(zero), State::at(one)).expect("a plan");
     refused(&[], &[limits], Error::Axes);
     refused(&[planned], &[], Error::Axes);
