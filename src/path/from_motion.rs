@@ -13,7 +13,7 @@ use crate::state::State;
 const SLOWER_STARTS: usize = 64;
 /// How often the speed along a path is halved until its bends allow it.
 const MOST_HALVINGS: u32 = 32;
-/// While the start becomes faster the plan may take so many times the steps of a path.
+/// The steps that speed up the start, in multiples of those of a path.
 const STEPS: u32 = 8;
 /// Steps to the centre before the start becomes faster again.
 const STEPS_TO_CENTRE: u32 = 2;
@@ -39,7 +39,7 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(self.come_inside(0))
     }
 
-    /// Passes the points from a start that is slow enough. How many times slower than the given one.
+    /// Plans from a start that is slow enough to pass the points. Returns how many times slower it is than the given one.
     fn slow_start(&mut self) -> Result<Option<R>, Error> {
         let mut times = R::ONE;
         for _ in 0..SLOWER_STARTS {
@@ -66,7 +66,7 @@ impl<R: Real> Chain<'_, '_, R> {
         })
     }
 
-    /// Makes the speed of the start a part of the given one.
+    /// Starts at this part of the given velocity, and at its square of the given acceleration.
     fn set_start(&mut self, part: R) {
         for axis in 0..self.axes {
             let State { velocity, acceleration, .. } = self.request.state(0, axis);
@@ -74,8 +74,8 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    /// Makes a plan faster whose start is so many times too slow. Before each gain its states move back to the centre, away from the limits. Whether
-    /// it reaches the given start.
+    /// Speeds up a plan whose start is too slow by the factor `times`. Before each gain its states move back to the centre, away from the limits.
+    /// Whether it reaches the given start.
     fn speed_up(&mut self, mut times: R, steps: Steps) -> bool {
         let mut damping = Damping::new();
         for _ in 0..STEPS * steps.most / STEPS_TO_CENTRE {

@@ -39,7 +39,7 @@ impl<R: Real> Chain<'_, '_, R> {
         (0..self.axes).all(|axis| self.at(point, axis) == [R::ZERO; 2])
     }
 
-    /// Makes the plan so many times slower, but for its end.
+    /// Stretches the time of the plan by this factor. Its end keeps its state.
     pub fn scale_time(&mut self, slower: R) {
         for section in 0..self.sections {
             let duration = self.memory.durations.at(section);
