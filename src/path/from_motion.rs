@@ -5,6 +5,7 @@
 use super::chain::Chain;
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
+use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
 use crate::state::State;
@@ -21,8 +22,8 @@ const STEPS_TO_CENTRE: u32 = 2;
 const MOST_GAINS: u32 = 8;
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Makes the plan come strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
-    pub fn pass_from_motion(&mut self, steps: Steps) -> Result<bool, Error> {
+    /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
+    pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
         if !self.swerves() {
             return Ok(self.come_inside(0));
         }
@@ -109,26 +110,33 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Makes the path brake along its points: to a speed that its bends allow, or to a stop. Whether this is possible, and shorter.
     fn brake_along(&mut self) -> bool {
-        self.start_along().is_some_and(|start| {
-            let mut within = |part: u8, goes_on| self.brake_within(R::from(part) * R::SIXTEENTH, start, goes_on);
-            [true, false]
-                .into_iter()
-                .any(|goes_on| [4, 8, 12, 14].into_iter().any(|part| within(part, goes_on).is_some()))
-        })
+        let (Some(start), Some(limits)) = (self.start_along(), self.limits_along()) else {
+            return false;
+        };
+        // Bends use the rest of the limits.
+        let within = |sixteenths: u8, speed| {
+            let part = R::from(sixteenths) * R::SIXTEENTH;
+            Limits::symmetric(part * limits.jmax, part * limits.amax, speed)
+        };
+        let parts = [4, 8, 12, 14];
+        let slow = self.speed_of_bends(limits.vmax);
+        let mut brakes = |part, speed, to_end| self.brake(&within(part, speed), start, to_end).is_some();
+        slow.is_some_and(|speed| parts.into_iter().any(|part| brakes(part, speed, true)))
+            || parts.into_iter().any(|part| brakes(part, limits.vmax, false))
     }
 
-    /// Brakes within a part of the limits: bends use the others.
+    /// The highest speed that the bends of a path to rest allow: `highest`, its half, its quarter, …
+    fn speed_of_bends(&self, highest: R) -> Option<R> {
+        let mut speeds = (0..MOST_HALVINGS).map(|k| (0..k).fold(highest, |speed, _| R::HALF * speed));
+        if self.rests_at(self.sections) { speeds.find(|&speed| self.is_straight(speed)) } else { None }
+    }
+
+    /// Makes the path slow down along its points: to its end, or to a stop as early as it can.
     #[inline(never)] // for its stack
-    fn brake_within(&mut self, part: R, start: State<R>, goes_on: bool) -> Option<()> {
-        let mut limits = self.limits_along(part)?;
+    fn brake(&mut self, limits: &Limits<R>, start: State<R>, to_end: bool) -> Option<()> {
         let (mut run, mut end, mut length) = (Move::default(), R::INFINITY, R::ZERO);
-        if goes_on {
-            self.rests_at(self.sections).then_some(())?;
-            let mut speeds = (0..MOST_HALVINGS).map(|k| (0..k).fold(limits.vmax, |speed, _| R::HALF * speed));
-            limits.vmax = speeds.find(|&speed| self.is_straight(speed))?;
-            limits.vmin = -limits.vmax;
-        } else {
-            run.stop(&limits, start).ok()?;
+        if !to_end {
+            run.stop(limits, start).ok()?;
             end = run.end().position;
         }
         let reached = (0..self.sections).find(|&section| {
@@ -136,7 +144,7 @@ impl<R: Real> Chain<'_, '_, R> {
             length >= end
         });
         let last = reached.map_or(self.sections, |section| section + 1);
-        let found = run.plan(&limits, start, State::at(length)).ok()?;
+        let found = run.plan(limits, start, State::at(length)).ok()?;
         (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
         self.pass_along(&run, last)
     }
@@ -162,13 +170,6 @@ impl<R: Real> Chain<'_, '_, R> {
             self.take_tried();
         }
         passes.then_some(())
-    }
-
-    /// Keeps the plan, for `take_tried`. Returns its duration, s.
-    pub fn keep_plan(&mut self) -> R {
-        self.memory.tried_states.copy(&self.memory.states);
-        self.memory.tried.copy(&self.memory.durations);
-        self.duration()
     }
 
     fn follow(&mut self, run: &Move<R>, last: usize) -> Option<()> {

@@ -230,6 +230,6 @@ impl<R: Real> Chain<'_, '_, R> {
             }
             self.stop_everywhere()?;
         }
-        self.pass_from_motion(steps)
+        self.bring_inside(steps)
     }
 }

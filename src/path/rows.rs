@@ -59,7 +59,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Plans the path as one move, if it is a straight row of points. `None` if it is not, or if the move is not possible.
     fn merge_row(&mut self) -> Option<()> {
         self.measure_axes(Self::whole_displacement);
-        let limits = self.limits_along(R::ONE)?;
+        let limits = self.limits_along()?;
         let mut run = Move::default();
         let length = (0..self.sections).fold(R::ZERO, |sum, section| sum + self.arc(section));
         run.plan(&limits, State::at(R::ZERO), State::at(length)).ok()?;
@@ -114,8 +114,8 @@ impl<R: Real> Chain<'_, '_, R> {
         self.norm(|axis| self.displacement(section, axis))
     }
 
-    /// The limits of the motion along the chords: of acceleration and jerk a part, because a row that bends needs some of them across.
-    pub fn limits_along(&self, part: R) -> Option<Limits<R>> {
+    /// The limits of the motion along the chords.
+    pub fn limits_along(&self) -> Option<Limits<R>> {
         let [mut velocity, mut acceleration, mut jerk] = [R::INFINITY; 3];
         for section in 0..self.sections {
             let chord = self.chord(section);
@@ -130,7 +130,7 @@ impl<R: Real> Chain<'_, '_, R> {
             }
         }
         let most = most::<R>();
-        Some(Limits::symmetric(part * most * jerk, part * most * acceleration, most * velocity))
+        Some(Limits::symmetric(most * jerk, most * acceleration, most * velocity))
     }
 
     /// Whether the bends of the path use a quarter of the limits at most, at this speed.

@@ -188,6 +188,13 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(Taken { is_first: false, distance: R::INFINITY })
     }
 
+    /// Keeps the plan, for `take_tried`. Returns its duration, s.
+    pub fn keep_plan(&mut self) -> R {
+        self.memory.tried_states.copy(&self.memory.states);
+        self.memory.tried.copy(&self.memory.durations);
+        self.duration()
+    }
+
     /// Takes the plan that was tried last.
     pub fn take_tried(&mut self) {
         let memory = &mut self.memory;

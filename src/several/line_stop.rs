@@ -18,9 +18,9 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     if axes.len() != limits.len() {
         return Err(Error::Axes);
     }
-    let (lead, place, order) = highest(axes);
+    let Highest { lead, place, quantity } = highest(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
-    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| order.of(phase));
+    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, quantity);
     let share = |axis: &Move<R>| {
         if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) }
     };
@@ -49,34 +49,24 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     Ok(found)
 }
 
-/// The quantity of a phase that the shares of the axes come from.
-#[derive(Clone, Copy)]
-enum Order {
-    Jerk,
-    Acceleration,
-    Velocity,
+/// Where the highest number of all axes is: the axis, the number of its phase, and the quantity.
+struct Highest<R> {
+    lead: usize,
+    place: usize,
+    quantity: fn(&Phase<R>) -> R,
 }
 
-impl Order {
-    fn of<R: Real>(self, phase: &Phase<R>) -> R {
-        match self {
-            Self::Jerk => phase.jerk,
-            Self::Acceleration => phase.acceleration,
-            Self::Velocity => phase.velocity,
-        }
-    }
-}
-
-/// The axis, the phase and the quantity of the highest number in the phases of all axes: of the jerks, else of the accelerations, else of the
-/// velocities. Each has one rounding, so it gives the shares of the axes. Their displacements may be so short that rounding hides them.
-fn highest<R: Real>(axes: &[Move<R>]) -> (usize, usize, Order) {
-    let (mut size, mut highest) = (R::ZERO, (0, 0, Order::Velocity));
-    for order in [Order::Jerk, Order::Acceleration, Order::Velocity] {
+/// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
+/// gives the shares of the axes. Their displacements may be so short that rounding hides them.
+fn highest<R: Real>(axes: &[Move<R>]) -> Highest<R> {
+    let quantities: [fn(&Phase<R>) -> R; 3] = [|phase| phase.jerk, |phase| phase.acceleration, |phase| phase.velocity];
+    let (mut size, mut highest) = (R::ZERO, Highest { lead: 0, place: 0, quantity: quantities[0] });
+    for quantity in quantities {
         for (lead, axis) in axes.iter().enumerate() {
             for (place, phase) in axis.phases().iter().enumerate() {
-                let number = order.of(phase).abs();
+                let number = quantity(phase).abs();
                 if number > size {
-                    (size, highest) = (number, (lead, place, order));
+                    (size, highest) = (number, Highest { lead, place, quantity });
                 }
             }
         }

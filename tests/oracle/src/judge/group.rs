@@ -57,7 +57,8 @@ struct Trial<'g, 'a, R> {
     now: Vec<State<R>>,
     line: Option<[Vec<State<R>>; 2]>, // where the motion was planned to begin and to end, if it is to be a line
     has_ended: bool,
-    age: u32, // for how many ticks the motion is in force
+    age: u32,     // for how many ticks the motion is in force
+    longest: f64, // that a motion of the program takes, s
 }
 
 impl<R: Real> Trial<'_, '_, R> {
@@ -66,7 +67,8 @@ impl<R: Real> Trial<'_, '_, R> {
         let tick = self.ticker.tick(&mut self.now);
         self.age = if tick.begins { self.age.max(1) } else { self.age + 1 };
         for ((before, now), limits) in before.iter().zip(&self.now).zip(self.limits) {
-            assert!(follows(*before, *now, limits, self.period.widen(), self.age), "{before:?} {now:?} {limits:?}");
+            let follows = follows(*before, *now, limits, self.period.widen(), [self.age.into(), self.longest]);
+            assert!(follows, "{before:?} {now:?} {limits:?}");
         }
         assert!(!(tick.ends && self.has_ended && !tick.begins));
         if self.has_ended && !tick.begins && self.stands() {
@@ -89,6 +91,15 @@ impl<R: Real> Trial<'_, '_, R> {
 
     fn stands(&self) -> bool {
         self.now.iter().all(|now| now.velocity.widen() == 0.0 && now.acceleration.widen() == 0.0)
+    }
+
+    /// Remembers how long the axes take to a target.
+    fn lasts(&mut self, to: &[State<R>]) {
+        for ((now, to), limits) in self.now.iter().zip(to).zip(self.limits) {
+            let mut alone = Move::default();
+            alone.plan(limits, *now, *to).expect("a plan");
+            self.longest = self.longest.max(alone.t.widen());
+        }
     }
 
     /// Ticks until the plan takes over, which it does in its own tick.
@@ -118,17 +129,19 @@ impl<R: Real> Trial<'_, '_, R> {
 }
 
 /// Whether an axis can be in one state a period after the other: within its limits, and by no more than its jerk. The time since a
-/// takeover, `age` periods, is rounded.
-fn follows<R: Real>(before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32) -> bool {
+/// takeover, `age` periods, is rounded, and so are the positions of a motion that lasts up to `longest`, as `Move::check` documents.
+fn follows<R: Real>(
+    before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, [age, longest]: [f64; 2],
+) -> bool {
     let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(online::numbers_of_state);
     let [vmax, vmin, amax, amin, jmax, jmin] = online::numbers_of(limits).map(R::widen);
     let (jerk, speed) = (jmax.max(-jmin), vmax.max(-vmin));
     let ulp = 256.0 * R::MACHINE_EPSILON.widen();
     let is_within = |x: f64, low: f64, high: f64| x >= low - ulp * (high - low) && x <= high + ulp * (high - low);
-    let time = ulp * period * f64::from(age);
+    let time = ulp * period * age;
     let acceleration = jerk * period + ulp * (amax - amin) + jerk * time;
     let velocity = jerk * period * period / 4.0 + ulp * speed + (amax - amin) * time;
-    let position = jerk * period.powi(3) / 12.0 + ulp * (p0.abs() + p1.abs()) + speed * time;
+    let position = jerk * period.powi(3) / 12.0 + ulp * (p0.abs() + p1.abs() + speed * longest) + speed * time;
     let moved = p1 - p0 - period / 2.0 * (v0 + v1) + period * period / 12.0 * (a1 - a0);
     is_within(v1, vmin, vmax)
         && is_within(a1, amin, amax)
@@ -171,8 +184,17 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
     let (mut states, mut moves) = (start.clone(), vec![Move::default(); 3 * n]);
     let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
     let (planner, ticker) = group.split();
-    let mut trial =
-        Trial { planner, ticker, limits: &limits, period, now: start.clone(), line: None, has_ended: false, age: 0 };
+    let mut trial = Trial {
+        planner,
+        ticker,
+        limits: &limits,
+        period,
+        now: start.clone(),
+        line: None,
+        has_ended: false,
+        age: 0,
+        longest: duration,
+    };
     let mut motion = Motion::Rest;
     for _ in 0..CALLS {
         let lead = 1 + random.below(6) as u32;
@@ -180,6 +202,7 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
         let within = if is_at_rest { &planned } else { &limits };
         let anywhere = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
         let to: Vec<State<R>> = (0..n).map(anywhere).collect();
+        trial.lasts(&to);
         assert_eq!(trial.planner.sync(within, &to, 0), Err(Error::Late));
         let call = random.below(7);
         let next = match call {
