@@ -50,7 +50,8 @@ pub fn plan_contour<R: Real>(
     if moves.len() != axes * room || states.len() != axes * (room + 1) {
         return Err(Error::Axes);
     }
-    check_tolerance(tolerance)?;
+    tolerance.is_finite().then_some(()).ok_or(Error::NotFinite)?;
+    (tolerance > R::ZERO).then_some(()).ok_or(Error::Limits)?;
     let given = places.len().saturating_sub(1);
     let points = states.get(..axes * (given + 1)).ok_or(Error::Axes)?;
     Request::of(points, durations.get(..given).ok_or(Error::Axes)?, limits, axes)?;
@@ -91,11 +92,6 @@ pub fn plan_contour<R: Real>(
         }
     }
     Err(Error::Position)
-}
-
-fn check_tolerance<R: Real>(tolerance: R) -> Result<(), Error> {
-    tolerance.is_finite().then_some(()).ok_or(Error::NotFinite)?;
-    (tolerance > R::ZERO).then_some(()).ok_or(Error::Limits)
 }
 
 /// Moves the states at the end of a section to the point `to`, and writes the middle of the section to the point before it, if it is halved.

@@ -202,16 +202,12 @@ impl<R: Real> Chain<'_, '_, R> {
             [16u8, 12, 8, 4, 0].into_iter().any(|sixteenths| {
                 let part = R::from(sixteenths) * R::SIXTEENTH;
                 let between = |aim: R, smooth: R| part * aim + (R::ONE - part) * smooth;
-                self.can_pass(point, axis, duration, [between(aim[0], smooth[0]), between(aim[1], smooth[1])])
+                let state = [between(aim[0], smooth[0]), between(aim[1], smooth[1])];
+                self.memory.states.set(point * self.axes + axis, state);
+                self.bounds(point, axis).product(state).is_some()
+                    && self.slacks(point - 1, axis, [self.at(point - 1, axis), state], duration).is_some()
             })
         })
-    }
-
-    /// Makes an axis pass a waypoint in a state. Whether it can.
-    fn can_pass(&mut self, point: usize, axis: usize, duration: R, state: [R; 2]) -> bool {
-        self.memory.states.set(point * self.axes + axis, state);
-        let is_inside = self.bounds(point, axis).product(state).is_some();
-        is_inside && self.slacks(point - 1, axis, [self.at(point - 1, axis), state], duration).is_some()
     }
 
     /// The end of a section of this duration at constant jerk: velocity and acceleration.

@@ -18,9 +18,9 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     if axes.len() != limits.len() {
         return Err(Error::Axes);
     }
-    let Highest { lead, place, quantity } = highest(axes);
+    let Highest { lead, place, order } = highest(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
-    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, quantity);
+    let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| derivative(phase, order));
     let share = |axis: &Move<R>| {
         if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) }
     };
@@ -49,24 +49,32 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     Ok(found)
 }
 
-/// Where the highest number of all axes is: the axis, the number of its phase, and the quantity.
-struct Highest<R> {
+/// Where the highest number of all axes is: the axis, the number of its phase, and the order of the derivative.
+struct Highest {
     lead: usize,
     place: usize,
-    quantity: fn(&Phase<R>) -> R,
+    order: u8,
+}
+
+/// A derivative of the position at the start of a phase: velocity, acceleration, jerk.
+fn derivative<R: Real>(phase: &Phase<R>, order: u8) -> R {
+    match order {
+        1 => phase.velocity,
+        2 => phase.acceleration,
+        _ => phase.jerk,
+    }
 }
 
 /// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
 /// gives the shares of the axes. Their displacements may be so short that rounding hides them.
-fn highest<R: Real>(axes: &[Move<R>]) -> Highest<R> {
-    let quantities: [fn(&Phase<R>) -> R; 3] = [|phase| phase.jerk, |phase| phase.acceleration, |phase| phase.velocity];
-    let (mut size, mut highest) = (R::ZERO, Highest { lead: 0, place: 0, quantity: quantities[0] });
-    for quantity in quantities {
+fn highest<R: Real>(axes: &[Move<R>]) -> Highest {
+    let (mut size, mut highest) = (R::ZERO, Highest { lead: 0, place: 0, order: 1 });
+    for order in [3, 2, 1] {
         for (lead, axis) in axes.iter().enumerate() {
             for (place, phase) in axis.phases().iter().enumerate() {
-                let number = quantity(phase).abs();
+                let number = derivative(phase, order).abs();
                 if number > size {
-                    (size, highest) = (number, Highest { lead, place, quantity });
+                    (size, highest) = (number, Highest { lead, place, order });
                 }
             }
         }
