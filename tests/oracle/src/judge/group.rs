@@ -150,24 +150,29 @@ fn follows<R: Real>(
         && moved.abs() <= position
 }
 
-/// How far the axes are from a path, which is asked at ever more times.
+/// How far the axes are from a path. It may come near them more than once, so the search begins at each of 500 times of a section that is nearer
+/// than its neighbours.
 fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
+    const PARTS: usize = 500;
     let n = now.len();
     let away = |section: &[Move<R>], x: f64| {
         let axes = section.iter().zip(now);
         axes.map(|(of, now)| (of.position(R::of(x)).widen() - now.position.widen()).abs()).fold(0.0, f64::max)
     };
-    let sections = path.chunks(n).map(|section| {
+    let nearest = |section: &[Move<R>], mut best: f64, mut step: f64| {
         let t = section[0].t.widen();
-        let (mut best, mut step) = (0.0, t / 500.0);
-        for round in 0..40 {
-            let near = if round == 0 { (0, 500) } else { (-4, 4) };
+        for _ in 0..40 {
             let at = |k: i32| (best + f64::from(k) * step).clamp(0.0, t);
-            let least = (near.0..=near.1).map(at).min_by(|x, y| away(section, *x).total_cmp(&away(section, *y)));
-            best = least.expect("a time");
-            step /= if round == 0 { 2.0 } else { 3.0 };
+            let least = (-4..=4).map(at).min_by(|x, y| away(section, *x).total_cmp(&away(section, *y)));
+            (best, step) = (least.expect("a time"), step / 3.0);
         }
         away(section, best)
+    };
+    let sections = path.chunks(n).flat_map(|section| {
+        let part = section[0].t.widen() / PARTS as f64;
+        let at: Vec<f64> = (0..=PARTS).map(|k| away(section, k as f64 * part)).collect();
+        let is_near = move |k: &usize| at[*k] <= at[k.saturating_sub(1)].min(at[PARTS.min(k + 1)]);
+        (0..=PARTS).filter(is_near).map(move |k| nearest(section, k as f64 * part, part / 2.0))
     });
     sections.fold(f64::INFINITY, f64::min)
 }
