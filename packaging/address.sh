@@ -1,5 +1,6 @@
 #!/bin/sh
-# address.sh URL [MAINTAINER]: writes the address of the repository, and the maintainer `Name <mail>`, into every file that names them.
+# address.sh URL [MAINTAINER]: writes the address of the repository, and the maintainer `Name <mail>`, into every file that names them. The site's
+# address on GitHub follows from it; elsewhere the link to the site leads to the repository.
 set -eu
 url=${1%.git} maintainer=${2:-}
 case $url in
@@ -26,5 +27,9 @@ replaced() {
     done
 }
 
-replaced "$(sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)" "$url"
+site() { echo "$1" | sed 's|^https://github.com/\([^/]*\)/\(.*\)|https://\1.github.io/\2/|'; }
+
+old=$(sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
+replaced "$old" "$url"
+replaced "$(site "$old")" "$(site "$url")"
 test -z "$maintainer" || replaced "$(sed -n 's/^Maintainer: //p' debian/control)" "$maintainer"

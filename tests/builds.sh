@@ -326,8 +326,10 @@ address() {
     git init --quiet
     old=$(sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
     test "$(git grep --untracked -lF "$old" | wc -l)" -ge 5
+    packaging/address.sh https://github.com/nobody/fork
+    grep 'https://nobody\.github\.io/fork/' README.md
     packaging/address.sh https://example.org/nobody/fork.git 'Nobody <nobody@example.org>'
-    test -z "$(git grep --untracked -IlE -e 'github\.com/OWNER' -e 'maintainers@[e]xample')"
+    test -z "$(git grep --untracked -IlE -e 'github\.com/OWNER' -e 'OWNER\.github' -e 'maintainers@[e]xample')"
     cargo metadata --locked --no-deps --format-version=1 | grep '"repository":"https://example.org/nobody/fork"'
     refused 'begins with https://' packaging/address.sh nobody/fork
     rm -rf .git
