@@ -1,10 +1,10 @@
 //! Are requests refused for which there is no move or no path, of one axis or of several, each with its reason, and is nothing written then?
 
 use atraj::axes::{
-    improve_path, line, path_deviation, path_moves, path_size, path_size_near, plan_path, plan_path_near, synchronise,
-    synchronise_within,
+    Contour, improve_path, limit_feed, line, path_deviation, path_moves, path_size, path_size_near, plan_contour,
+    plan_path, plan_path_near, synchronise, synchronise_within,
 };
-use atraj::machine::{Axis, Clock, Steps};
+use atraj::machine::{Axis, Clock, Group, Shaper, ShaperKind, ShaperStream, Steps};
 use atraj::online::{Error, Limits, Move, State};
 use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
 use oracle::judge::axes::problems::{Set, Sets};
@@ -516,7 +516,8 @@ fn bad_profiles<R: Real>() {
         assert_eq!(Poly3::new(duration, boundary).err(), Some(error));
     }
     let near = Boundary::rest_to_rest(zero, one);
-    for [jerk, acceleration, velocity] in [[zero, one, one], [one, zero, one], [one, one, zero]] {
+    let unlimited = [infinity, infinity, one];
+    for [jerk, acceleration, velocity] in [[zero, one, one], [one, zero, one], [one, one, zero], unlimited] {
         assert_eq!(Bell::fastest(jerk, acceleration, velocity, near).err(), Some(Error::Limits));
     }
     for (rise, fall) in [(infinity, -one), (one, -infinity)] {
@@ -586,6 +587,12 @@ fn bad_axes_and_motors<R: Real>() {
     }
     assert_eq!([(); 4].map(|()| ticker.tick()), [still; 4]);
 
+    // Where the stream would have come from is beyond the range.
+    let shaper = Shaper::new(ShaperKind::Zv, one, zero).expect("a shaper");
+    let mut line = vec![zero; shaper.size(one).expect("a size")];
+    let fast = State { velocity: -most, ..State::at(most) };
+    assert_eq!(ShaperStream::new(&shaper, one, fast, &mut line).err(), Some(Error::NotFinite));
+
     let mut there = [Move::default(); 2];
     for (planned, p) in there.iter_mut().zip([0.0, 2e9]) {
         planned.plan(&limits, still, State::at(R::of(p))).expect("a plan");
@@ -603,7 +610,75 @@ fn bad_axes_and_motors<R: Real>() {
     assert_eq!((motor.follow(far), motor.count()), (Err(Error::NotFinite), 1));
 }
 
+/// Lists of another length, which only a program in Rust can give.
+fn bad_lists<R: Real>() {
+    let [zero, one] = [0.0, 1.0].map(R::of);
+    let (mut limits, points) = ([Limits::symmetric(one, one, one); 2], [0.0, 1.0, 0.5].map(|p| State::at(R::of(p))));
+    let before = limits;
+    assert_eq!(limit_feed(&mut limits[..1], &points, &[one; 2], 1), Err(Error::Axes));
+    assert_eq!(limit_feed(&mut limits, &points, &[one, R::of(f64::NAN)], 1), Err(Error::NotFinite));
+    assert_eq!(limit_feed(&mut limits, &points, &[one, zero], 1), Err(Error::Limits));
+    assert_eq!(limits, before);
+
+    let contour = |moves: usize, states: usize, tolerance: f64| {
+        let (mut room, mut durations, mut places) = ([State::at(zero); 10], [zero; 8], [0; 3]);
+        room[..3].copy_from_slice(&points);
+        let path = Contour {
+            moves: &mut vec![Move::default(); moves],
+            states: &mut room[..states],
+            durations: &mut durations,
+            places: &mut places,
+        };
+        let mut work = vec![zero; path_size(1, 8).expect("a size")];
+        plan_contour(path, &limits[..1], R::of(tolerance), 1, 4, &mut work).err()
+    };
+    assert_eq!(
+        [(8, 9), (7, 9), (8, 8), (8, 10)].map(|(moves, states)| contour(moves, states, 1.0)),
+        [None, Some(Error::Axes), Some(Error::Axes), Some(Error::Axes)]
+    );
+    assert_eq!([0.0, -1.0].map(|tolerance| contour(8, 9, tolerance)), [Some(Error::Limits); 2]);
+    assert_eq!(contour(8, 9, f64::NAN), Some(Error::NotFinite));
+}
+
+fn bad_groups<R: Real>() {
+    let [zero, one, none, endless] = [0.0, 1.0, f64::NAN, f64::INFINITY].map(R::of);
+    let (limits, to, still) = ([Limits::symmetric(one, one, one); 2], [State::at(one); 2], [State::at(zero); 2]);
+    let (mut states, mut moves) = (still, [Move::default(); 6]);
+    for count in [0, 3, 5] {
+        assert_eq!(Group::new(one, &mut states, &mut moves[..count]).err(), Some(Error::Axes));
+    }
+    assert_eq!(Group::<R>::new(one, &mut [], &mut []).err(), Some(Error::Axes));
+    for bad in [zero, -one, none, endless] {
+        assert_eq!(Group::new(bad, &mut states, &mut moves).err(), Some(Error::Duration));
+    }
+    assert_eq!(Group::new(one, &mut [State::at(none); 2], &mut moves).err(), Some(Error::NotFinite));
+    let mut group = Group::new(one, &mut states, &mut moves).expect("a group");
+    let (mut planner, mut ticker) = group.split();
+    let path = [Move::default(); 3];
+    let refused = [
+        planner.go(&limits, &to[..1], 1),
+        planner.sync(&limits, &to[..1], 1),
+        planner.line(&limits, &to[..1], 1),
+        planner.go(&limits[..1], &to, 1),
+        planner.sync(&limits[..1], &to, 1),
+        planner.line(&limits[..1], &to, 1),
+        planner.path(&limits[..1], &path[..2], zero, 1),
+        planner.rate(&limits[..1], zero, 1),
+        planner.stop(&limits[..1], 1),
+        planner.path(&limits, &path, zero, 1),
+        planner.path(&limits, &[], zero, 1),
+    ];
+    assert_eq!(refused, [Err(Error::Axes); 11]);
+    for lead in [0, 1 << 27, u32::MAX] {
+        assert_eq!([planner.go(&limits, &to, lead), planner.stop(&limits, lead)], [Err(Error::Late); 2]);
+    }
+    let mut now = to;
+    ticker.tick(&mut now);
+    assert_eq!(now, still);
+}
+
 test_both_reals!(
     illegal_targets, beside_plans, bad_limits, bad_states, bad_numbers, lengths, off_the_line, beyond_the_range,
-    repeated_ends, far_paths, bad_paths, bad_tolerances, bad_motions, bad_profiles, bad_clocks, bad_axes_and_motors
+    repeated_ends, far_paths, bad_paths, bad_tolerances, bad_motions, bad_profiles, bad_clocks, bad_axes_and_motors,
+    bad_lists, bad_groups
 );

@@ -1,5 +1,7 @@
 //! Does a group keep its limits, its line and its path, and do its answers hold, whatever the main loop plans, at whatever tick?
 
+use atraj::machine::Group;
+use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::group::{CALLS, program};
 use support::{Random, Real, test_both_reals};
 
@@ -18,4 +20,48 @@ fn programs<R: Real>() {
     );
 }
 
-test_both_reals!(programs);
+/// A path may be given again while its time runs at another rate, from where the axis is in the next tick, and not from elsewhere.
+fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
+    let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
+    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
+    let planned = [0.5, 1.5].map(|speed| {
+        let mut path = Move::default();
+        let slow = Limits::symmetric(R::of(2.0), R::of(1.0), R::of(speed));
+        path.plan(&slow, State::at(zero), State::at(R::of(20.0))).expect("a plan");
+        path
+    });
+    let [slow, path] = &planned;
+    let next_time = |of: &Move<R>, now: &State<R>, rate: f64| {
+        R::of(of.time_at(now.position).expect("a position of the path").widen() + rate * period.widen())
+    };
+    for rate in [0.5, 1.5, -1.0] {
+        let (mut states, mut moves, mut now) = ([State::at(zero)], [Move::default(); 3], [State::at(zero)]);
+        let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        let path = std::slice::from_ref(path);
+        planner.path(&limits, path, zero, 1).expect("the path");
+        (0..300).for_each(|_| assert!(!ticker.tick(&mut now).ends));
+        planner.rate(&limits, R::of(rate), 1).expect("a rate");
+        (0..3).for_each(|_| assert!(!ticker.tick(&mut now).ends));
+        let s = next_time(&path[0], &now[0], rate);
+        assert_eq!(planner.path(&limits, path, s, 1), Err(Error::Target), "while the rate changes");
+        (0..97).for_each(|_| assert!(!ticker.tick(&mut now).ends));
+        let s = next_time(&path[0], &now[0], rate);
+        assert_eq!(planner.path(&limits, path, R::of(s.widen() + 0.25), 1), Err(Error::Target), "from elsewhere");
+        let at = next_time(slow, &now[0], rate);
+        assert_eq!(planner.path(&limits, std::slice::from_ref(slow), at, 1), Err(Error::Target), "at another speed");
+        if rate > 1.0 {
+            let tight = [Limits::symmetric(R::of(2.0), R::of(1.0), R::of(1.5))];
+            assert_eq!(planner.path(&tight, path, s, 1), Err(Error::Target), "beyond the limits");
+        }
+        planner.path(&limits, path, s, 1).expect("the path at its rate");
+        let tick = ticker.tick(&mut now);
+        let off = [now[0].position.widen() - path[0].position(s).widen(), now[0].velocity.widen() - rate * 1.5];
+        assert!(tick.begins && off.iter().all(|off| off.abs() < 1e3 * R::MACHINE_EPSILON.widen()), "{off:?}");
+        assert!((0..2_000).any(|_| ticker.tick(&mut now).ends));
+        let end = if rate < 0.0 { 0.0 } else { 20.0 };
+        assert_eq!(now, [State::at(R::of(end))]);
+    }
+}
+
+test_both_reals!(programs, a_path_goes_on_at_the_rate_in_force);
