@@ -13,12 +13,10 @@ mkdir -p "$out"
 export RUSTC_BOOTSTRAP=1 RUSTFLAGS='-C instrument-coverage -Z coverage-options=branch' BRIEF=1 CARGO_TARGET_DIR=$out/build
 LLVM_PROFILE_FILE=/dev/null cargo test --locked --profile mutants -p oracle --test brief --no-run --message-format=json \
     > "$out/messages.json"
-mapfile -t programs < <(sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' "$out/messages.json")
-for program in "${programs[@]}"; do
-    LLVM_PROFILE_FILE=$out/raw/%p-%m.profraw "$program" -q > "$program.log" 2>&1 || { cat "$program.log" >&2; exit 1; }
-done
+program=$(sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' "$out/messages.json")
+LLVM_PROFILE_FILE=$out/raw/%p-%m.profraw "$program" -q > "$program.log" 2>&1 || { cat "$program.log" >&2; exit 1; }
 "llvm-profdata-$llvm" merge --sparse "$out"/raw/*.profraw -o "$out/profile"
-cov() { "llvm-cov-$llvm" "$@" "${programs[@]/#/--object=}" --instr-profile "$out/profile" --sources "$PWD/src"; }
+cov() { "llvm-cov-$llvm" "$@" "$program" --instr-profile "$out/profile" --sources "$PWD/src"; }
 cov report --show-branch-summary=false | sed "s|$PWD/||"
 
 # A row for each side that no test takes. Each instance of a generic function has counts of its own; they count together.

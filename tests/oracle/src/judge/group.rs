@@ -67,7 +67,7 @@ impl<R: Real> Trial<'_, '_, R> {
         let tick = self.ticker.tick(&mut self.now);
         self.age = if tick.begins { self.age.max(1) } else { self.age + 1 };
         for ((before, now), limits) in before.iter().zip(&self.now).zip(self.limits) {
-            let follows = follows(*before, *now, limits, self.period.widen(), [self.age.into(), self.longest]);
+            let follows = follows(*before, *now, limits, self.period.widen(), self.age, self.longest);
             assert!(follows, "{before:?} {now:?} {limits:?}");
         }
         assert!(!(tick.ends && self.has_ended && !tick.begins));
@@ -93,8 +93,8 @@ impl<R: Real> Trial<'_, '_, R> {
         self.now.iter().all(|now| now.velocity.widen() == 0.0 && now.acceleration.widen() == 0.0)
     }
 
-    /// Remembers how long the axes take to a target.
-    fn lasts(&mut self, to: &[State<R>]) {
+    /// A motion of the program may last as long as an axis takes to this target.
+    fn may_go_to(&mut self, to: &[State<R>]) {
         for ((now, to), limits) in self.now.iter().zip(to).zip(self.limits) {
             let mut alone = Move::default();
             alone.plan(limits, *now, *to).expect("a plan");
@@ -130,15 +130,13 @@ impl<R: Real> Trial<'_, '_, R> {
 
 /// Whether an axis can be in one state a period after the other: within its limits, and by no more than its jerk. The time since a
 /// takeover, `age` periods, is rounded, and so are the positions of a motion that lasts up to `longest`, as `Move::check` documents.
-fn follows<R: Real>(
-    before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, [age, longest]: [f64; 2],
-) -> bool {
+fn follows<R: Real>(before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32, longest: f64) -> bool {
     let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(online::numbers_of_state);
     let [vmax, vmin, amax, amin, jmax, jmin] = online::numbers_of(limits).map(R::widen);
     let (jerk, speed) = (jmax.max(-jmin), vmax.max(-vmin));
     let ulp = 256.0 * R::MACHINE_EPSILON.widen();
     let is_within = |x: f64, low: f64, high: f64| x >= low - ulp * (high - low) && x <= high + ulp * (high - low);
-    let time = ulp * period * age;
+    let time = ulp * period * f64::from(age);
     let acceleration = jerk * period + ulp * (amax - amin) + jerk * time;
     let velocity = jerk * period * period / 4.0 + ulp * speed + (amax - amin) * time;
     let position = jerk * period.powi(3) / 12.0 + ulp * (p0.abs() + p1.abs() + speed * longest) + speed * time;
@@ -207,7 +205,7 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
         let within = if is_at_rest { &planned } else { &limits };
         let anywhere = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
         let to: Vec<State<R>> = (0..n).map(anywhere).collect();
-        trial.lasts(&to);
+        trial.may_go_to(&to);
         assert_eq!(trial.planner.sync(within, &to, 0), Err(Error::Late));
         let call = random.below(7);
         let next = match call {
