@@ -3,6 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
+use super::rows::{PARTS, part_of};
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -12,8 +13,6 @@ use crate::state::State;
 
 /// Starts that are tried, each 5/4 times slower than the one before.
 const SLOWER_STARTS: usize = 64;
-/// How often the speed along a path is halved until its bends allow it.
-const MOST_HALVINGS: u32 = 32;
 /// The steps that speed up the start, in multiples of those of a path.
 const STEPS: u32 = 8;
 /// Steps to the centre before the start becomes faster again.
@@ -24,11 +23,8 @@ const MOST_GAINS: u32 = 8;
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
     pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
-        if !self.swerves() {
-            return Ok(self.come_inside(0));
-        }
         self.measure_axes(Self::least_jerk);
-        if (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
+        if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
             return Ok(self.brake_along() || self.come_inside(0));
         }
         let passes = self.slow_start()?.is_some_and(|times| self.speed_up(times, steps));
@@ -102,51 +98,44 @@ impl<R: Real> Chain<'_, '_, R> {
         false
     }
 
-    /// The least limit of the jerk of an axis. By it, an axis counts as much as it takes time.
-    fn least_jerk(&self, axis: usize) -> R {
-        let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
-        limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)))
-    }
-
-    /// Makes the path brake along its points: to a speed that its bends allow, or to a stop. Whether this is possible, and shorter.
+    /// Makes the path brake along its points: to the first corner or the end, or to a stop as early as it can. Whether this is possible, and
+    /// shorter.
     fn brake_along(&mut self) -> bool {
-        let (Some(start), Some(limits)) = (self.start_along(), self.limits_along()) else {
+        let (Some(start), Some(limits)) = (self.start_along(), self.limits_along(0..self.sections)) else {
             return false;
         };
-        // Bends use the rest of the limits.
-        let within = |sixteenths: u8, speed| {
-            let part = R::from(sixteenths) * R::SIXTEENTH;
-            Limits::symmetric(part * limits.jmax, part * limits.amax, speed)
-        };
-        let parts = [4, 8, 12, 14];
-        let slow = self.speed_of_bends(limits.vmax);
-        let mut brakes = |part, speed, to_end| self.brake(&within(part, speed), start, to_end).is_some();
-        slow.is_some_and(|speed| parts.into_iter().any(|part| brakes(part, speed, true)))
-            || parts.into_iter().any(|part| brakes(part, limits.vmax, false))
+        self.keep_plan();
+        let (corner, end) = (self.next_corner(0), self.sections);
+        let mut brakes_to =
+            |last| self.rests_at(last) && self.slow_until(&limits, |chain, limits| chain.brake(limits, start, last));
+        brakes_to(corner)
+            || brakes_to(end)
+            || PARTS.into_iter().any(|part| self.stop_along(&part_of(&limits, part), start))
     }
 
-    /// The highest speed that the bends of a path to rest allow: `highest`, its half, its quarter, …
-    fn speed_of_bends(&self, highest: R) -> Option<R> {
-        let mut speeds = (0..MOST_HALVINGS).map(|k| (0..k).fold(highest, |speed, _| R::HALF * speed));
-        if self.rests_at(self.sections) { speeds.find(|&speed| self.is_straight(speed)) } else { None }
+    fn stop_along(&mut self, limits: &Limits<R>, start: State<R>) -> bool {
+        self.stops_before(limits, start).is_some_and(|last| self.brake(limits, start, last))
     }
 
-    /// Makes the path slow down along its points: to its end, or to a stop as early as it can.
+    /// The first point that is not before the end of a stop as early as possible.
     #[inline(never)] // for its stack
-    fn brake(&mut self, limits: &Limits<R>, start: State<R>, to_end: bool) -> Option<()> {
-        let (mut run, mut end, mut length) = (Move::default(), R::INFINITY, R::ZERO);
-        if !to_end {
-            run.stop(limits, start).ok()?;
-            end = run.end().position;
-        }
+    fn stops_before(&self, limits: &Limits<R>, start: State<R>) -> Option<usize> {
+        let (mut run, mut length) = (Move::default(), R::ZERO);
+        run.stop(limits, start).ok()?;
+        let end = run.end().position;
         let reached = (0..self.sections).find(|&section| {
             length = length + self.arc(section);
             length >= end
         });
-        let last = reached.map_or(self.sections, |section| section + 1);
-        let found = run.plan(limits, start, State::at(length)).ok()?;
-        (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
-        self.pass_along(&run, last)
+        Some(reached.map_or(self.sections, |section| section + 1))
+    }
+
+    fn brake(&mut self, limits: &Limits<R>, start: State<R>, last: usize) -> bool {
+        let passes = self.pass_along(limits, start, 0..last) && self.come_inside(last);
+        if !passes {
+            self.take_back(0..self.sections);
+        }
+        passes
     }
 
     /// The motion of the start in its own direction, if this is ahead.
@@ -160,61 +149,5 @@ impl<R: Real> Chain<'_, '_, R> {
         }
         let velocity = square.sqrt();
         (ahead > R::ZERO).then(|| State { position: R::ZERO, velocity, acceleration: power / velocity })
-    }
-
-    /// Passes the waypoints before `last` as the motion along the path does. `None` if this is not possible, or not shorter.
-    pub fn pass_along(&mut self, run: &Move<R>, last: usize) -> Option<()> {
-        let before = self.keep_plan();
-        let passes = self.follow(run, last).is_some() && self.duration() < before && self.come_inside(last);
-        if !passes {
-            self.take_tried();
-        }
-        passes.then_some(())
-    }
-
-    fn follow(&mut self, run: &Move<R>, last: usize) -> Option<()> {
-        let (mut passed, mut time) = (R::ZERO, R::ZERO);
-        for section in 0..last {
-            passed = passed + self.arc(section);
-            let point = section + 1;
-            let at = if point == last { run.t } else { run.time_at(passed)? };
-            let duration = at - time;
-            self.memory.durations.put(section, duration);
-            time = at;
-            let passes = if point == last {
-                self.is_possible(section, duration)
-            } else {
-                self.pass(point, run.state_at(at), duration)
-            };
-            passes.then_some(())?;
-        }
-        Some(())
-    }
-
-    /// Makes every axis pass a waypoint after `duration`, as near to the parabola through three points as it can. Whether all can.
-    fn pass(&mut self, point: usize, along: State<R>, duration: R) -> bool {
-        let (speed, steepness) = (along.velocity, self.steepness(point));
-        (0..self.axes).all(|axis| {
-            let [slope, bend] = self.slope_and_bend(point, axis);
-            let slope = slope / steepness;
-            let aim = [slope * speed, (bend + bend) * speed * speed + slope * along.acceleration];
-            let smooth = self.at_constant_jerk(point - 1, axis, duration);
-            [16u8, 12, 8, 4, 0].into_iter().any(|sixteenths| {
-                let part = R::from(sixteenths) * R::SIXTEENTH;
-                let between = |aim: R, smooth: R| part * aim + (R::ONE - part) * smooth;
-                let state = [between(aim[0], smooth[0]), between(aim[1], smooth[1])];
-                self.memory.states.set(point * self.axes + axis, state);
-                self.bounds(point, axis).product(state).is_some()
-                    && self.slacks(point - 1, axis, [self.at(point - 1, axis), state], duration).is_some()
-            })
-        })
-    }
-
-    /// The end of a section of this duration at constant jerk: velocity and acceleration.
-    fn at_constant_jerk(&self, section: usize, axis: usize, t: R) -> [R; 2] {
-        let [v, a] = self.at(section, axis);
-        let mean = self.displacement(section, axis) / t;
-        let change = R::from(3) * (mean - v - R::HALF * a * t);
-        [v + a * t + change, a + (change + change) / t]
     }
 }

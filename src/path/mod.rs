@@ -1,7 +1,7 @@
 //! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must.
 //!
 //! `docs/path-theory.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
-//! one step, `steps` takes them. `start`, `rows`, `from_motion` and `warm` find the plan before the first step. `moves` makes the motions of a
+//! one step, `steps` takes them. `start`, `rows`, `two_passes`, `from_motion` and `warm` find the plan before the first step. `moves` makes the motions of a
 //! planned path, and `deviation` says how far they leave the straight lines between its points, and `contour` adds points where that is too far.
 //! `feed` limits the speed of all axes together.
 
@@ -20,6 +20,7 @@ mod rows;
 mod slack;
 mod start;
 mod steps;
+mod two_passes;
 mod warm;
 
 use crate::findings::{Error, Findings};

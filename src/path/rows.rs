@@ -1,14 +1,14 @@
-//! First plans from rest that pass waypoints: straight rows of points as one move, and for one axis the highest speeds without acceleration.
+//! First plans that pass rows of points: each row between two corners is one move along its chords.
 //!
 //! `docs/path-theory.md` has the reasons, in "The first plan".
 
+use core::ops::Range;
+
 use super::chain::Chain;
-use crate::findings::Error;
-use crate::interval::ramp::{PerJerk, Ramp};
+use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
-use crate::roots::root_between;
 use crate::state::State;
 
 /// How much slower the first plan becomes before its steps: a part of its durations.
@@ -21,8 +21,17 @@ fn most<R: Real>() -> R {
     R::ONE - R::SIXTEENTH * R::SIXTEENTH
 }
 
-/// A row is straight if so many times its highest speed would not use a quarter of the limits across it.
-const STRAIGHT: u8 = 60;
+/// Parts of the limits of acceleration and jerk along a path that are tried, in sixteenths. Bends use the rest. In the middle both have most room.
+pub(super) const PARTS: [u8; 4] = [8, 12, 4, 14];
+/// The part of a row without bends.
+const STRAIGHT: u8 = 15;
+/// How often the speed along a path is halved until its bends allow it.
+const MOST_HALVINGS: u32 = 10;
+
+pub(super) fn part_of<R: Real>(limits: &Limits<R>, sixteenths: u8) -> Limits<R> {
+    let part = R::from(sixteenths) * R::SIXTEENTH;
+    Limits::symmetric(part * limits.jmax, part * limits.amax, limits.vmax)
+}
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Replaces the plan with stops by a shorter one, if the path begins and ends at rest. Whether there is one.
@@ -30,7 +39,8 @@ impl<R: Real> Chain<'_, '_, R> {
         if !self.rests_at(0) || !self.rests_at(self.sections) {
             return Ok(false);
         }
-        let is_row = self.merge_row().is_some();
+        self.measure_axes(Self::least_jerk);
+        let is_row = self.pass_rows_from(0);
         let passes = self.axes == 1 && self.pass_twice()?;
         Ok(is_row || passes)
     }
@@ -56,15 +66,54 @@ impl<R: Real> Chain<'_, '_, R> {
         sections.all(|section| self.is_possible(section, self.memory.durations.at(section))) && self.points_are_inside()
     }
 
-    /// Plans the path as one move, if it is a straight row of points. `None` if it is not, or if the move is not possible.
-    fn merge_row(&mut self) -> Option<()> {
-        self.measure_axes(Self::whole_displacement);
-        let limits = self.limits_along()?;
-        let mut run = Move::default();
-        let length = (0..self.sections).fold(R::ZERO, |sum, section| sum + self.arc(section));
-        run.plan(&limits, State::at(R::ZERO), State::at(length)).ok()?;
-        self.is_straight(R::from(STRAIGHT) * run.extremes().highest.velocity).then_some(())?;
-        self.pass_along(&run, self.sections)
+    /// Passes the points of each row between two rests from a point on as one move. Whether there is such a row.
+    pub fn pass_rows_from(&mut self, mut first: usize) -> bool {
+        self.keep_plan();
+        let mut passes = false;
+        while first < self.sections {
+            let corner = self.next_corner(first);
+            passes |= self.rests_at(first) && self.rests_at(corner) && self.pass_row(first..corner);
+            first = corner;
+        }
+        passes
+    }
+
+    /// The next point after this one at which the path turns by more than 20°, or its end.
+    pub fn next_corner(&self, point: usize) -> usize {
+        let is_corner = |&point: &usize| {
+            let least = (R::ONE - R::SIXTEENTH) * self.chord(point - 1) * self.chord(point);
+            self.product(point - 1, point) < least
+        };
+        (point + 1..self.sections).find(is_corner).unwrap_or(self.sections)
+    }
+
+    fn pass_row(&mut self, row: Range<usize>) -> bool {
+        let Some(limits) = self.limits_along(row.clone()) else {
+            return false;
+        };
+        let start = State::at(R::ZERO);
+        row.len() > 1
+            && (self.is_straight(row.clone()) && self.pass_along(&part_of(&limits, STRAIGHT), start, row.clone())
+                || self.slow_until(&limits, |chain, limits| chain.pass_along(limits, start, row.clone())))
+    }
+
+    /// Whether all chords of a row have one direction, up to rounding.
+    fn is_straight(&self, row: Range<usize>) -> bool {
+        let sections = || row.clone();
+        let length = sections().fold(R::ZERO, |sum, section| sum + self.chord(section));
+        let whole = self.norm(|axis| sections().fold(R::ZERO, |sum, section| sum + self.displacement(section, axis)));
+        (R::ONE - R::from_index(row.len() as i32) * R::EPSILON) * length <= whole
+    }
+
+    /// Tries slower and slower motions with parts of these limits. Whether one passes.
+    pub fn slow_until(&mut self, limits: &Limits<R>, passes: impl Fn(&mut Self, &Limits<R>) -> bool) -> bool {
+        let mut speed = limits.vmax;
+        let halvings = if speed.is_finite() { MOST_HALVINGS } else { 1 };
+        (0..halvings).any(|_| {
+            let slower = Limits { vmax: speed, vmin: -speed, ..*limits };
+            speed = R::HALF * speed;
+            PARTS.into_iter().any(|part| passes(self, &part_of(&slower, part)))
+        })
     }
 
     /// Sets what each axis counts in, so that units do not matter. An axis with 0 or infinity does not count.
@@ -75,14 +124,22 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    fn whole_displacement(&self, axis: usize) -> R {
-        (0..self.sections).fold(R::ZERO, |sum, section| sum + self.displacement(section, axis).abs())
+    /// The least limit of the jerk of an axis. By it, an axis counts as much as it takes time.
+    pub fn least_jerk(&self, axis: usize) -> R {
+        let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
+        limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)))
     }
 
     /// A quantity of an axis, by its measure.
     pub fn part(&self, axis: usize, of: R) -> R {
         let [measure, _] = self.memory.product.row(axis);
         if measure > R::ZERO { of / measure } else { R::ZERO }
+    }
+
+    /// The product of the displacements of two sections.
+    fn product(&self, one: usize, other: usize) -> R {
+        let part = |section, axis| self.part(axis, self.displacement(section, axis));
+        (0..self.axes).fold(R::ZERO, |sum, axis| sum + part(one, axis) * part(other, axis))
     }
 
     fn norm(&self, of: impl Fn(usize) -> R) -> R {
@@ -115,9 +172,9 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// The limits of the motion along the chords.
-    pub fn limits_along(&self) -> Option<Limits<R>> {
+    pub fn limits_along(&self, row: Range<usize>) -> Option<Limits<R>> {
         let [mut velocity, mut acceleration, mut jerk] = [R::INFINITY; 3];
-        for section in 0..self.sections {
+        for section in row {
             let chord = self.chord(section);
             for axis in 0..self.axes {
                 let slope = self.displacement(section, axis).abs() / chord;
@@ -133,84 +190,76 @@ impl<R: Real> Chain<'_, '_, R> {
         Some(Limits::symmetric(most * jerk, most * acceleration, most * velocity))
     }
 
-    /// Whether the bends of the path use a quarter of the limits at most, at this speed.
-    pub fn is_straight(&self, speed: R) -> bool {
-        let quarter = R::HALF * R::HALF;
+    /// Passes the points of a row as the fastest motion along its chords. `None` if this is not possible, or not shorter than the plan that is kept.
+    #[inline(never)] // for its stack
+    pub fn pass_along(&mut self, limits: &Limits<R>, start: State<R>, row: Range<usize>) -> bool {
+        let mut run = Move::default();
+        let length = row.clone().fold(R::ZERO, |sum, section| sum + self.arc(section));
+        let arrives =
+            run.plan(limits, start, State::at(length)).is_ok_and(|found| !found.contains(Findings::OVERSHOOTS));
+        let lasted = row.clone().fold(R::ZERO, |sum, section| sum + self.memory.tried.at(section));
+        let passes = arrives && run.t < lasted && self.follow(&run, row.clone()).is_some();
+        if !passes {
+            self.take_back(row);
+        }
+        passes
+    }
+
+    fn follow(&mut self, run: &Move<R>, row: Range<usize>) -> Option<()> {
+        let (mut passed, mut time) = (R::ZERO, R::ZERO);
+        for section in row.clone() {
+            passed = passed + self.arc(section);
+            let point = section + 1;
+            let at = if point == row.end { run.t } else { run.time_at(passed)? };
+            let duration = at - time;
+            self.memory.durations.put(section, duration);
+            time = at;
+            let passes = if point == row.end {
+                self.is_possible(section, duration)
+            } else {
+                self.pass(point, run.state_at(at), duration)
+            };
+            passes.then_some(())?;
+        }
+        Some(())
+    }
+
+    /// Takes back the plan of a row that is kept.
+    pub fn take_back(&mut self, row: Range<usize>) {
+        for section in row.clone() {
+            let kept = self.memory.tried.at(section);
+            self.memory.durations.put(section, kept);
+        }
+        for state in (row.start + 1) * self.axes..row.end * self.axes {
+            let kept = self.memory.tried_states.row(state);
+            self.memory.states.set(state, kept);
+        }
+    }
+
+    /// Makes every axis pass a waypoint after `duration`, as near to the parabola through three points as it can. Whether all can.
+    fn pass(&mut self, point: usize, along: State<R>, duration: R) -> bool {
+        let (speed, steepness) = (along.velocity, self.steepness(point));
         (0..self.axes).all(|axis| {
-            let mut last = None;
-            (1..self.sections).all(|point| {
-                let [before, after] = [point - 1, point].map(|section| self.chord(section));
-                let [m0, m1] = [self.displacement(point - 1, axis) / before, self.displacement(point, axis) / after];
-                let bend = (m1 - m0) / (R::HALF * (before + after));
-                let change = last.map_or(R::ZERO, |last: R| (bend - last) / (before + after));
-                last = Some(bend);
-                self.limits(point, axis).is_ok_and(|limits| {
-                    let square = speed * speed;
-                    square * bend.abs() <= quarter * limits.amax.at_most(-limits.amin)
-                        && square * speed * change.abs() <= quarter * limits.jmax.at_most(-limits.jmin)
-                })
+            let [slope, bend] = self.slope_and_bend(point, axis);
+            let slope = slope / steepness;
+            let aim = [slope * speed, (bend + bend) * speed * speed + slope * along.acceleration];
+            let smooth = self.at_constant_jerk(point - 1, axis, duration);
+            [16u8, 12, 8, 4, 0].into_iter().any(|sixteenths| {
+                let part = R::from(sixteenths) * R::SIXTEENTH;
+                let between = |aim: R, smooth: R| part * aim + (R::ONE - part) * smooth;
+                let state = [between(aim[0], smooth[0]), between(aim[1], smooth[1])];
+                self.memory.states.set(point * self.axes + axis, state);
+                self.bounds(point, axis).product(state).is_some()
+                    && self.slacks(point - 1, axis, [self.at(point - 1, axis), state], duration).is_some()
             })
         })
     }
 
-    /// Makes one axis pass each point as fast as it can without acceleration there: a pass ahead and a pass back. Whether it is shorter.
-    fn pass_twice(&mut self) -> Result<bool, Error> {
-        let before = self.keep_plan();
-        let mut speed = R::ZERO;
-        for point in 1..self.sections {
-            speed = self.reached(point - 1, speed, false)?.at_most(self.fastest_pass(point)?);
-            if !speed.is_finite() {
-                self.take_tried();
-                return Ok(false);
-            }
-            self.memory.states.set(point, [speed, R::ZERO]);
-        }
-        speed = R::ZERO;
-        for point in (1..self.sections).rev() {
-            let [ahead, _] = self.at(point, 0);
-            speed = self.reached(point, speed, true)?.at_most(ahead);
-            let velocity = speed.copysign(self.displacement(point, 0));
-            self.memory.states.set(point, [velocity, R::ZERO]);
-        }
-        let is_shorter = self.last_shortest()? < before;
-        if !is_shorter {
-            self.take_tried();
-        }
-        Ok(is_shorter)
-    }
-
-    /// The highest speed at which the axis may pass a point; 0 where it turns.
-    fn fastest_pass(&self, point: usize) -> Result<R, Error> {
-        let [before, after] = [point - 1, point].map(|section| self.displacement(section, 0));
-        let mut fastest = if before * after <= R::ZERO { R::ZERO } else { R::INFINITY };
-        // The limits of sections between them that do not last count too.
-        for place in self.place(point - 1)..=self.place(point) {
-            let limits = self.request.limits(place, 0)?;
-            fastest = fastest.at_most(if after < R::ZERO { -limits.vmin } else { limits.vmax });
-        }
-        Ok(fastest)
-    }
-
-    fn limits_ahead(&self, section: usize) -> Result<Limits<R>, Error> {
-        let limits = self.limits(section, 0)?;
-        Ok(if self.displacement(section, 0) < R::ZERO { limits.mirrored() } else { *limits })
-    }
-
-    /// The highest speed at the end of a section after the speed `from` at its start, or in reversed time. The accelerations at both ends are 0. A
-    /// 4096th of the section is left out, so that no rounding error makes it too short.
-    fn reached(&self, section: usize, from: R, reversed: bool) -> Result<R, Error> {
-        let limits = self.limits_ahead(section)?;
-        let limits = if reversed { limits.reversed() } else { limits };
-        let (per_jerk, zero) = (PerJerk::of(&limits), R::ZERO);
-        let length = self.displacement(section, 0).abs() * (R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH);
-        let beyond = |gain: R| {
-            let ramp = Ramp::over(gain, zero, zero, limits.amax, per_jerk);
-            let displacement = ramp.passed(from, zero, zero, per_jerk).displacement;
-            let slope = (from + gain) / ramp.peak + R::HALF * per_jerk.gd * ramp.peak;
-            (displacement - length, slope)
-        };
-        let most = limits.vmax - from;
-        let is_reached = !(most > zero && most < R::INFINITY && beyond(most).0 > zero);
-        Ok(from + if is_reached { most.at_least(zero) } else { root_between(zero, most, beyond) })
+    /// The end of a section of this duration at constant jerk: velocity and acceleration.
+    fn at_constant_jerk(&self, section: usize, axis: usize, t: R) -> [R; 2] {
+        let [v, a] = self.at(section, axis);
+        let mean = self.displacement(section, axis) / t;
+        let change = R::from(3) * (mean - v - R::HALF * a * t);
+        [v + a * t + change, a + (change + change) / t]
     }
 }

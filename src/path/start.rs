@@ -59,7 +59,7 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(self.duration())
     }
 
-    /// Makes the sections from `first` on last a little longer, so that the plan is strictly inside. Whether it is.
+    /// Makes the sections from `first` on last a little longer, so that the plan is strictly inside, and passes rows. Whether it is inside.
     pub fn come_inside(&mut self, first: usize) -> bool {
         for section in first..self.sections {
             let least = self.memory.durations.at(section);
@@ -72,6 +72,7 @@ impl<R: Real> Chain<'_, '_, R> {
                 None => return false,
             }
         }
+        self.pass_rows_from(first);
         true
     }
 }

@@ -486,6 +486,89 @@ fn uneven_points_on_a_line_cost_nothing() {
     }
 }
 
+/// Distances over a factor of 300 along lines in several axes: over the move without points.
+#[test]
+fn uneven_points_on_a_line_in_space_cost_nothing() {
+    let mut random = Random::seeded(40);
+    let mut parts = vec![];
+    for k in 0..40 {
+        let axes = 2 + k % 3;
+        let direction: Vec<_> = (0..axes).map(|_| random.between(-1.0, 1.0)).collect();
+        let steepest = direction.iter().fold(0.0, |most, slope: &f64| f64::max(most, slope.abs()));
+        let places = places(20 + 5 * k, &mut random);
+        let points: Vec<Vec<_>> = places.iter().map(|s| direction.iter().map(|slope| slope * s).collect()).collect();
+        let mut alone = Move::default();
+        let end = State::at(steepest * places[places.len() - 1]);
+        alone.plan(&Limits::symmetric(50.0, 10.0, 5.0), State::at(0.0), end).expect("a plan");
+        parts.push(duration_between([50.0, 10.0, 5.0], &points) / alone.t);
+    }
+    let [mean, worst] = mean_and_worst(&parts);
+    println!("lines in 2 to 4 axes: mean {mean:.5}, worst {worst:.5} of the move");
+    assert!(mean <= 1.002 && worst <= 1.025);
+}
+
+/// Places along a line whose distances differ by a factor of 300, m.
+fn places(sections: usize, random: &mut Random) -> Vec<f64> {
+    let mut place = 0.0;
+    let next = || {
+        place += random.magnitude(-3.0, -0.5);
+        place
+    };
+    [0.0].into_iter().chain(std::iter::repeat_with(next).take(sections)).collect()
+}
+
+/// Such places along lines with corners, and along parabolas: the default plan over one of 1,000 steps, from rest, and in the middle of a path
+/// that is followed at 0.8 of the limits. The bars are what is measured, and a little.
+#[test]
+fn uneven_points_with_bends_cost_little() {
+    for (name, has_corners, most) in [("corners", true, [1.2, 1.1]), ("parabolas", false, [1.5, 1.1])] {
+        let mut random = Random::seeded(41);
+        let mut parts = [vec![], vec![]];
+        for _ in 0..12 {
+            let points = if has_corners { with_corners(&mut random) } else { parabola(&mut random) };
+            let states: Vec<_> = points.iter().flatten().map(|&p| State::at(p)).collect();
+            let limits = vec![Limits::symmetric(64.0, 6.4, 1.6); 2];
+            let chain = Chain { family: Family::Many, axes: 2, limits: limits.clone(), states };
+            let duration = |chain: &Chain<f64>, steps| Paths.plan(chain, steps).expect("a plan").0.duration();
+            parts[0].push(duration(&chain, 0) / duration(&chain, 1_000));
+            let mut path = Paths.plan(&chain, 0).expect("a plan").0;
+            let passed = 2 * chain.sections() / 5;
+            path.states.drain(..2 * passed);
+            path.durations.drain(..passed);
+            let wide = vec![Limits::symmetric(125.0, 10.0, 2.0); 2];
+            let rest = Chain { family: Family::InMotion, axes: 2, limits: wide, states: path.states.clone() };
+            Paths.improve(&rest, &mut path, 200).expect("a plan");
+            parts[1].push(duration(&rest, 0) / path.duration());
+        }
+        let [rest, motion] = parts.map(|parts| mean_and_worst(&parts));
+        println!(
+            "uneven {name}: mean {:.4}, worst {:.3}; from motion {:.4}, {:.3}",
+            rest[0], rest[1], motion[0], motion[1]
+        );
+        assert!(rest[0] <= most[0] && motion[0] <= most[1]);
+    }
+}
+
+fn with_corners(random: &mut Random) -> Vec<Vec<f64>> {
+    let mut corner = [0.0; 2];
+    let mut points = vec![corner.to_vec()];
+    for _ in 0..4 {
+        let direction = [(); 2].map(|()| random.between(-1.0, 1.0));
+        let places = places(15, random);
+        let along = |place: &f64| [0, 1].map(|axis| corner[axis] + direction[axis] * place);
+        points.extend(places[1..].iter().map(|place| along(place).to_vec()));
+        corner = along(&places[15]);
+    }
+    points
+}
+
+fn parabola(random: &mut Random) -> Vec<Vec<f64>> {
+    let slopes = [(); 2].map(|()| random.between(-1.0, 1.0));
+    let bends = [(); 2].map(|()| random.between(-0.1, 0.1));
+    let point = |s: f64| [0, 1].map(|axis| slopes[axis] * s + bends[axis] * s * s).to_vec();
+    places(80, random).into_iter().map(point).collect()
+}
+
 /// The densest circle takes as long as the coarsest one, nearly.
 #[test]
 fn dense_circles_do_not_stall() {
