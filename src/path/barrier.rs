@@ -333,7 +333,7 @@ mod tests {
         (states[0].velocity, states[9].velocity) = (1.0, 0.5);
         let mut durations = [0.0; 4];
         let mut work = [0.0; 2_000];
-        plan_path(&mut states, &mut durations, &limits, 2, 6, &mut work).expect("a plan");
+        plan_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
         let tolerances = [0.02, 0.1, 0.02, 0.1, 0.0, 0.1];
         let request = Request {
             axes: 2,

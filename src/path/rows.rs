@@ -80,11 +80,16 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// The next point after this one at which the path turns by more than 20°, or its end.
     pub fn next_corner(&self, point: usize) -> usize {
-        let is_corner = |&point: &usize| {
-            let least = (R::ONE - R::SIXTEENTH) * self.chord(point - 1) * self.chord(point);
-            self.product(point - 1, point) < least
-        };
-        (point + 1..self.sections).find(is_corner).unwrap_or(self.sections)
+        let mut corner = point + 1;
+        while corner < self.sections && !self.is_corner(corner) {
+            corner += 1;
+        }
+        corner
+    }
+
+    fn is_corner(&self, point: usize) -> bool {
+        let least = (R::ONE - R::SIXTEENTH) * self.chord(point - 1) * self.chord(point);
+        self.product(point - 1, point) < least
     }
 
     fn pass_row(&mut self, row: Range<usize>) -> bool {
@@ -109,11 +114,16 @@ impl<R: Real> Chain<'_, '_, R> {
     pub fn slow_until(&mut self, limits: &Limits<R>, passes: impl Fn(&mut Self, &Limits<R>) -> bool) -> bool {
         let mut speed = limits.vmax;
         let halvings = if speed.is_finite() { MOST_HALVINGS } else { 1 };
-        (0..halvings).any(|_| {
-            let slower = Limits { vmax: speed, vmin: -speed, ..*limits };
+        for _ in 0..halvings {
+            for part in PARTS {
+                let slower = Limits { vmax: speed, vmin: -speed, ..*limits };
+                if passes(self, &part_of(&slower, part)) {
+                    return true;
+                }
+            }
             speed = R::HALF * speed;
-            PARTS.into_iter().any(|part| passes(self, &part_of(&slower, part)))
-        })
+        }
+        false
     }
 
     /// Sets what each axis counts in, so that units do not matter. An axis with 0 or infinity does not count.
