@@ -494,7 +494,7 @@ fn uneven_points_on_a_line_in_space_cost_nothing() {
     for k in 0..40 {
         let axes = 2 + k % 3;
         let direction: Vec<_> = (0..axes).map(|_| random.between(-1.0, 1.0)).collect();
-        let steepest = direction.iter().fold(0.0, |most, slope: &f64| f64::max(most, slope.abs()));
+        let steepest = direction.iter().copied().map(f64::abs).fold(0.0, f64::max);
         let places = places(20 + 5 * k, &mut random);
         let points: Vec<Vec<_>> = places.iter().map(|s| direction.iter().map(|slope| slope * s).collect()).collect();
         let mut alone = Move::default();
@@ -527,8 +527,8 @@ fn uneven_points_with_bends_cost_little() {
         for _ in 0..12 {
             let points = if has_corners { with_corners(&mut random) } else { parabola(&mut random) };
             let states: Vec<_> = points.iter().flatten().map(|&p| State::at(p)).collect();
-            let limits = vec![Limits::symmetric(64.0, 6.4, 1.6); 2];
-            let chain = Chain { family: Family::Many, axes: 2, limits: limits.clone(), states };
+            let chain =
+                Chain { family: Family::Many, axes: 2, limits: vec![Limits::symmetric(64.0, 6.4, 1.6); 2], states };
             let duration = |chain: &Chain<f64>, steps| Paths.plan(chain, steps).expect("a plan").0.duration();
             parts[0].push(duration(&chain, 0) / duration(&chain, 1_000));
             let mut path = Paths.plan(&chain, 0).expect("a plan").0;
@@ -541,10 +541,7 @@ fn uneven_points_with_bends_cost_little() {
             parts[1].push(duration(&rest, 0) / path.duration());
         }
         let [rest, motion] = parts.map(|parts| mean_and_worst(&parts));
-        println!(
-            "uneven {name}: mean {:.4}, worst {:.3}; from motion {:.4}, {:.3}",
-            rest[0], rest[1], motion[0], motion[1]
-        );
+        println!("uneven {name}: mean and worst {rest:.4?}, from motion {motion:.4?}");
         assert!(rest[0] <= most[0] && motion[0] <= most[1]);
     }
 }
