@@ -286,7 +286,13 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     /// Whether the states of all waypoints are strictly inside their limits.
     pub fn points_are_inside(&self) -> bool {
         let mut points = 1..self.sections;
-        points.all(|point| (0..self.axes).all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some()))
+        points.all(|point| self.is_point_inside(point))
+    }
+
+    /// Whether the state of a waypoint is strictly inside its limits.
+    pub fn is_point_inside(&self, point: usize) -> bool {
+        let mut axes = 0..self.axes;
+        point == self.sections || axes.all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some())
     }
 
     /// The sum of all durations, s.

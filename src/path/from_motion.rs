@@ -3,10 +3,9 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::rows::{PARTS, part_of};
+use super::rows::{PARTS, Pace};
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
-use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
 use crate::state::State;
@@ -23,7 +22,7 @@ const MOST_GAINS: u32 = 8;
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
     pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
-        self.measure_axes(Self::least_jerk);
+        self.measure_axes();
         if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
             return Ok(self.brake_along() || self.come_inside(0));
         }
@@ -101,27 +100,30 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Makes the path brake along its points: to the first corner or the end, or to a stop as early as it can. Whether this is possible, and
     /// shorter.
     fn brake_along(&mut self) -> bool {
-        let (Some(start), Some(limits)) = (self.start_along(), self.limits_along(0..self.sections)) else {
+        let Some(start) = self.start_along() else {
             return false;
         };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
-        let mut brakes_to =
-            |last| self.rests_at(last) && self.slow_until(&limits, |chain, limits| chain.brake(limits, start, last));
+        let speed = (R::ONE - R::SIXTEENTH) * self.highest_speed(0..end);
+        let mut brakes_to = |last| {
+            self.lay_curve(0..last);
+            self.rests_at(last) && self.slow_until(speed, |chain, pace| chain.brake(pace, start, last))
+        };
         brakes_to(corner)
             || brakes_to(end)
-            || PARTS.into_iter().any(|part| self.stop_along(&part_of(&limits, part), start))
+            || PARTS.into_iter().any(|part| self.stop_along(Pace { speed, part }, start))
     }
 
-    fn stop_along(&mut self, limits: &Limits<R>, start: State<R>) -> bool {
-        self.stops_before(limits, start).is_some_and(|last| self.brake(limits, start, last))
+    fn stop_along(&mut self, pace: Pace<R>, start: State<R>) -> bool {
+        self.stops_before(pace, start).is_some_and(|last| self.brake(pace, start, last))
     }
 
     /// The first point that is not before the end of a stop as early as possible.
     #[inline(never)] // for its stack
-    fn stops_before(&self, limits: &Limits<R>, start: State<R>) -> Option<usize> {
+    fn stops_before(&self, pace: Pace<R>, start: State<R>) -> Option<usize> {
         let (mut run, mut length) = (Move::default(), R::ZERO);
-        run.stop(limits, start).ok()?;
+        run.stop(&self.limits_along(pace, 0..self.sections), start).ok()?;
         let end = run.end().position;
         let reached = (0..self.sections).find(|&section| {
             length = length + self.arc(section);
@@ -130,8 +132,8 @@ impl<R: Real> Chain<'_, '_, R> {
         Some(reached.map_or(self.sections, |section| section + 1))
     }
 
-    fn brake(&mut self, limits: &Limits<R>, start: State<R>, last: usize) -> bool {
-        let passes = self.pass_along(limits, start, 0..last) && self.come_inside(last);
+    fn brake(&mut self, pace: Pace<R>, start: State<R>, last: usize) -> bool {
+        let passes = self.pass_along(pace, start, 0..last) && self.come_inside(last);
         if !passes {
             self.take_back(0..self.sections);
         }

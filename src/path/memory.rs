@@ -179,7 +179,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub slacks: Table<'a, R, 2>,
     /// The limits of the waypoints.
     pub bounds: Table<'a, R, 6>,
-    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`.
+    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps the curve of a row (`curve.rs`).
     pub diagonal: Table<'a, R, 3>,
     /// The rest of `D`, with the offset `x`: `vx`, `ax`, `xx`.
     pub of_offsets: Table<'a, R, 3>,

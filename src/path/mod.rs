@@ -1,15 +1,16 @@
 //! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must.
 //!
 //! `docs/path-theory.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
-//! one step, `steps` takes them. `start`, `rows`, `two_passes`, `from_motion` and `warm` find the plan before the first step. `moves` makes the motions of a
-//! planned path, and `deviation` says how far they leave the straight lines between its points, and `contour` adds points where that is too far.
-//! `feed` limits the speed of all axes together.
+//! one step, `steps` takes them. `start`, `rows`, `curve`, `from_motion` and `warm` find the plan before the first step. `moves` makes
+//! the motions of a planned path, and `deviation` says how far they leave the straight lines between its points, and `contour` adds points where
+//! that is too far. `feed` limits the speed of all axes together.
 
 mod barrier;
 mod bend;
 mod bounds;
 mod chain;
 mod contour;
+mod curve;
 mod deviation;
 mod elimination;
 mod feed;
@@ -20,7 +21,6 @@ mod rows;
 mod slack;
 mod start;
 mod steps;
-mod two_passes;
 mod warm;
 
 use crate::findings::{Error, Findings};
@@ -208,7 +208,7 @@ impl<R: Real> Chain<'_, '_, R> {
     fn plan(&mut self, steps: Steps) -> Result<(), Error> {
         self.stop_everywhere()?;
         if self.sections > 1 {
-            let passes = self.pass_rows()?;
+            let passes = self.pass_rows();
             let first = self.duration();
             if self.is_inside(passes, steps)? {
                 self.shorten(steps, 0);
@@ -217,7 +217,8 @@ impl<R: Real> Chain<'_, '_, R> {
             let is_shorter = self.duration() < first;
             if !is_shorter {
                 self.stop_everywhere()?;
-                self.pass_rows()?;
+                self.pass_rows();
+                self.promise()?;
             }
         }
         Ok(())

@@ -1,14 +1,17 @@
-//! First plans that pass rows of points: each row between two corners is one move along its chords.
+//! First plans that pass rows of points: each row between two corners is a motion along its curve.
 //!
 //! `docs/path-theory.md` has the reasons, in "The first plan".
 
 use core::ops::Range;
 
 use super::chain::Chain;
-use crate::findings::{Error, Findings};
+use super::memory::Column;
+use crate::findings::Findings;
+use crate::interval::ramp::{PerJerk, Ramp};
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
+use crate::roots::root_between;
 use crate::state::State;
 
 /// How much slower the first plan becomes before its steps: a part of its durations.
@@ -18,31 +21,52 @@ pub(super) fn slower<R: Real>() -> R {
 
 /// Which part of the limits the first plan uses at most, so that it is off all of them.
 fn most<R: Real>() -> R {
-    R::ONE - R::SIXTEENTH * R::SIXTEENTH
+    R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
 }
 
-/// Parts of the limits of acceleration and jerk along a path that are tried, in sixteenths. Bends use the rest. In the middle both have most room.
-pub(super) const PARTS: [u8; 4] = [8, 12, 4, 14];
-/// The part of a row without bends.
-const STRAIGHT: u8 = 15;
-/// How often the speed along a path is halved until its bends allow it.
+/// The part of the limits that a straight row takes, in sixteenths: if the whole plan becomes slower before its steps, and if it does not.
+const ALL: u8 = 16;
+pub(super) const NEARLY_ALL: u8 = 15;
+/// Parts of the limits of acceleration and jerk that are tried along other rows, in sixteenths. Bends use the rest.
+pub(super) const PARTS: [u8; 6] = [8, 12, 4, 14, 2, 1];
+/// How often the speed along a row is halved until its bends allow it.
 const MOST_HALVINGS: u32 = 10;
 
-pub(super) fn part_of<R: Real>(limits: &Limits<R>, sixteenths: u8) -> Limits<R> {
-    let part = R::from(sixteenths) * R::SIXTEENTH;
-    Limits::symmetric(part * limits.jmax, part * limits.amax, limits.vmax)
+/// How fast the motion along a row may be.
+#[derive(Clone, Copy)]
+pub(super) struct Pace<R> {
+    /// The highest speed.
+    pub speed: R,
+    /// The part of the limits of acceleration and jerk, in sixteenths.
+    pub part: u8,
+}
+
+impl<R: Real> Pace<R> {
+    pub fn unlimited() -> Self {
+        Self { speed: R::INFINITY, part: ALL }
+    }
+}
+
+/// The highest speed after this length that a motion reaches from the speed `from`. The accelerations at both ends are 0.
+fn reached<R: Real>(limits: &Limits<R>, length: R, from: R) -> R {
+    let (per_jerk, zero) = (PerJerk::of(limits), R::ZERO);
+    let from = from.at_most(limits.vmax);
+    let beyond = |gain: R| {
+        let ramp = Ramp::over(gain, zero, zero, limits.amax, per_jerk);
+        let displacement = ramp.passed(from, zero, zero, per_jerk).displacement;
+        let slope = (from + gain) / ramp.peak + R::HALF * per_jerk.gd * ramp.peak;
+        (displacement - length, slope)
+    };
+    let most = limits.vmax - from;
+    let is_reached = !(most > zero && most < R::INFINITY && beyond(most).0 > zero);
+    from + if is_reached { most } else { root_between(zero, most, beyond) }
 }
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Replaces the plan with stops by a shorter one, if the path begins and ends at rest. Whether there is one.
-    pub fn pass_rows(&mut self) -> Result<bool, Error> {
-        if !self.rests_at(0) || !self.rests_at(self.sections) {
-            return Ok(false);
-        }
-        self.measure_axes(Self::least_jerk);
-        let is_row = self.pass_rows_from(0);
-        let passes = self.axes == 1 && self.pass_twice()?;
-        Ok(is_row || passes)
+    pub fn pass_rows(&mut self) -> bool {
+        self.measure_axes();
+        self.rests_at(0) && self.rests_at(self.sections) && self.pass_rows_from(0, ALL)
     }
 
     pub fn rests_at(&self, point: usize) -> bool {
@@ -66,58 +90,49 @@ impl<R: Real> Chain<'_, '_, R> {
         sections.all(|section| self.is_possible(section, self.memory.durations.at(section))) && self.points_are_inside()
     }
 
-    /// Passes the points of each row between two rests from a point on as one move. Whether there is such a row.
-    pub fn pass_rows_from(&mut self, mut first: usize) -> bool {
+    /// Passes the points of each row between two rests from a point on. A straight row takes the part `straight` of its limits. Whether there is
+    /// such a row.
+    pub fn pass_rows_from(&mut self, mut first: usize, straight: u8) -> bool {
         self.keep_plan();
         let mut passes = false;
         while first < self.sections {
-            let corner = self.next_corner(first);
-            passes |= self.rests_at(first) && self.rests_at(corner) && self.pass_row(first..corner);
-            first = corner;
+            let row = first..self.next_corner(first);
+            first = row.end;
+            passes |= self.rests_at(row.start) && self.rests_at(row.end) && self.pass_row(row, straight);
         }
         passes
     }
 
-    /// The next point after this one at which the path turns by more than 20°, or its end.
-    pub fn next_corner(&self, point: usize) -> usize {
-        let mut corner = point + 1;
-        while corner < self.sections && !self.is_corner(corner) {
-            corner += 1;
-        }
-        corner
-    }
-
-    fn is_corner(&self, point: usize) -> bool {
-        let least = (R::ONE - R::SIXTEENTH) * self.chord(point - 1) * self.chord(point);
-        self.product(point - 1, point) < least
-    }
-
-    fn pass_row(&mut self, row: Range<usize>) -> bool {
-        let Some(limits) = self.limits_along(row.clone()) else {
+    fn pass_row(&mut self, row: Range<usize>, straight: u8) -> bool {
+        if row.len() == 1 {
             return false;
-        };
-        let start = State::at(R::ZERO);
-        row.len() > 1
-            && (self.is_straight(row.clone()) && self.pass_along(&part_of(&limits, STRAIGHT), start, row.clone())
-                || self.slow_until(&limits, |chain, limits| chain.pass_along(limits, start, row.clone())))
+        }
+        self.lay_curve(row.clone());
+        let (start, highest) = (State::at(R::ZERO), self.highest_speed(row.clone()));
+        let speed_of = |part: u8| R::from(part) * R::SIXTEENTH * highest;
+        if self.is_straight(row.clone()) {
+            // Close to the limits rounding may make a section impossible.
+            for part in [straight, NEARLY_ALL] {
+                if self.pass_along(Pace { speed: speed_of(part), part }, start, row.clone()) {
+                    return true;
+                }
+            }
+        }
+        self.slow_until(speed_of(straight), |chain, pace| chain.pass_along(pace, start, row.clone()))
     }
 
-    /// Whether all chords of a row have one direction, up to rounding.
-    fn is_straight(&self, row: Range<usize>) -> bool {
-        let sections = || row.clone();
-        let length = sections().fold(R::ZERO, |sum, section| sum + self.chord(section));
-        let whole = self.norm(|axis| sections().fold(R::ZERO, |sum, section| sum + self.displacement(section, axis)));
-        (R::ONE - R::from_index(row.len() as i32) * R::EPSILON) * length <= whole
+    /// The highest speed that the limits of the velocities allow in one of these sections.
+    pub fn highest_speed(&self, row: Range<usize>) -> R {
+        let highest = |section| self.limits_along(Pace::unlimited(), section..section + 1).vmax;
+        row.map(highest).fold(R::ZERO, R::at_least)
     }
 
-    /// Tries slower and slower motions with parts of these limits. Whether one passes.
-    pub fn slow_until(&mut self, limits: &Limits<R>, passes: impl Fn(&mut Self, &Limits<R>) -> bool) -> bool {
-        let mut speed = limits.vmax;
+    /// Tries slower and slower motions along a row. Whether one passes.
+    pub fn slow_until(&mut self, mut speed: R, passes: impl Fn(&mut Self, Pace<R>) -> bool) -> bool {
         let halvings = if speed.is_finite() { MOST_HALVINGS } else { 1 };
         for _ in 0..halvings {
             for part in PARTS {
-                let slower = Limits { vmax: speed, vmin: -speed, ..*limits };
-                if passes(self, &part_of(&slower, part)) {
+                if passes(self, Pace { speed, part }) {
                     return true;
                 }
             }
@@ -126,110 +141,126 @@ impl<R: Real> Chain<'_, '_, R> {
         false
     }
 
-    /// Sets what each axis counts in, so that units do not matter. An axis with 0 or infinity does not count.
-    pub fn measure_axes(&mut self, measure: impl Fn(&Self, usize) -> R) {
-        for axis in 0..self.axes {
-            let measure = measure(self, axis);
-            self.memory.product.set(axis, [measure, R::ZERO]);
-        }
-    }
-
-    /// The least limit of the jerk of an axis. By it, an axis counts as much as it takes time.
-    pub fn least_jerk(&self, axis: usize) -> R {
-        let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
-        limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)))
-    }
-
-    /// A quantity of an axis, by its measure.
-    pub fn part(&self, axis: usize, of: R) -> R {
-        let [measure, _] = self.memory.product.row(axis);
-        if measure > R::ZERO { of / measure } else { R::ZERO }
-    }
-
-    /// The product of the displacements of two sections.
-    fn product(&self, one: usize, other: usize) -> R {
-        let part = |section, axis| self.part(axis, self.displacement(section, axis));
-        (0..self.axes).fold(R::ZERO, |sum, axis| sum + part(one, axis) * part(other, axis))
-    }
-
-    fn norm(&self, of: impl Fn(usize) -> R) -> R {
-        let parts = (0..self.axes).map(|axis| self.part(axis, of(axis)));
-        parts.fold(R::ZERO, |sum, part| sum + part * part).sqrt()
-    }
-
-    /// The length of a section. Its arc is longer than its chord by a third of what the chords next to the waypoint turn.
-    pub fn arc(&self, section: usize) -> R {
-        let point = section + 1;
-        let turn = if point < self.sections { R::ONE - self.steepness(point) } else { R::ZERO };
-        self.chord(section) * (R::ONE + turn / R::from(3))
-    }
-
-    /// The length of the slopes of all axes at a waypoint: 1 on a straight line.
-    pub fn steepness(&self, point: usize) -> R {
-        self.norm(|axis| self.slope_and_bend(point, axis)[0])
-    }
-
-    /// The slope and half of the bend of the parabola through a point and the points next to it.
-    pub fn slope_and_bend(&self, point: usize, axis: usize) -> [R; 2] {
-        let [before, after] = [point - 1, point].map(|section| self.chord(section));
-        let per = R::ONE / (before + after);
-        let [m0, m1] = [self.displacement(point - 1, axis) / before, self.displacement(point, axis) / after];
-        [(m0 * after + m1 * before) * per, (m1 - m0) * per]
-    }
-
-    fn chord(&self, section: usize) -> R {
-        self.norm(|axis| self.displacement(section, axis))
-    }
-
-    /// The limits of the motion along the chords.
-    pub fn limits_along(&self, row: Range<usize>) -> Option<Limits<R>> {
-        let [mut velocity, mut acceleration, mut jerk] = [R::INFINITY; 3];
-        for section in row {
+    /// The limits of a motion along some sections.
+    pub fn limits_along(&self, pace: Pace<R>, sections: Range<usize>) -> Limits<R> {
+        let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, pace.speed);
+        for section in sections {
             let chord = self.chord(section);
             for axis in 0..self.axes {
-                let slope = self.displacement(section, axis).abs() / chord;
-                let &Limits { vmax, vmin, amax, amin, jmax, jmin } = self.limits(section, axis).ok()?;
-                if slope > R::ZERO {
-                    velocity = velocity.at_most(vmax.at_most(-vmin) / slope);
-                    acceleration = acceleration.at_most(amax.at_most(-amin) / slope);
-                    jerk = jerk.at_most(jmax.at_most(-jmin) / slope);
+                let slope = self.displacement(section, axis) / chord;
+                if let (true, Ok(limits)) = (slope != R::ZERO, self.limits(section, axis)) {
+                    let limits = if slope < R::ZERO { limits.mirrored() } else { *limits };
+                    let steepness = slope.abs();
+                    along.vmax = along.vmax.at_most(limits.vmax / steepness);
+                    along.amax = along.amax.at_most(limits.amax / steepness);
+                    along.amin = along.amin.at_least(limits.amin / steepness);
+                    along.jmax = along.jmax.at_most(limits.jmax / steepness);
+                    along.jmin = along.jmin.at_least(limits.jmin / steepness);
                 }
             }
         }
         let most = most::<R>();
-        Some(Limits::symmetric(most * jerk, most * acceleration, most * velocity))
+        let part = most * R::from(pace.part) * R::SIXTEENTH;
+        let vmax = most * along.vmax;
+        Limits {
+            vmax,
+            vmin: -vmax,
+            amax: part * along.amax,
+            amin: part * along.amin,
+            jmax: part * along.jmax,
+            jmin: part * along.jmin,
+        }
     }
 
-    /// Passes the points of a row as the fastest motion along its chords. `None` if this is not possible, or not shorter than the plan that is kept.
-    #[inline(never)] // for its stack
-    pub fn pass_along(&mut self, limits: &Limits<R>, start: State<R>, row: Range<usize>) -> bool {
-        let mut run = Move::default();
-        let length = row.clone().fold(R::ZERO, |sum, section| sum + self.arc(section));
-        let arrives =
-            run.plan(limits, start, State::at(length)).is_ok_and(|found| !found.contains(Findings::OVERSHOOTS));
-        let lasted = row.clone().fold(R::ZERO, |sum, section| sum + self.memory.tried.at(section));
-        let passes = arrives && run.t < lasted && self.follow(&run, row.clone()).is_some();
+    /// Passes the points of a row as a fast motion along its curve. Whether this is possible, and shorter than the plan that is kept.
+    pub fn pass_along(&mut self, pace: Pace<R>, start: State<R>, row: Range<usize>) -> bool {
+        self.limit_speeds(pace, start.velocity, row.clone());
+        let duration = |durations: &Column<R>| row.clone().fold(R::ZERO, |sum, section| sum + durations.at(section));
+        let passes = self.pass_parts(pace, start, row.clone()).is_some()
+            && duration(&self.memory.durations) < duration(&self.memory.tried);
         if !passes {
             self.take_back(row);
         }
         passes
     }
 
-    fn follow(&mut self, run: &Move<R>, row: Range<usize>) -> Option<()> {
+    /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
+    /// are infinite at the other points.
+    fn limit_speeds(&mut self, pace: Pace<R>, mut speed: R, row: Range<usize>) {
+        let mut first = row.start;
+        for point in row.start + 1..row.end {
+            let mut highest = R::INFINITY;
+            if !self.has_limits_like(point, first) {
+                let sections = first..point;
+                speed = reached(&self.limits_along(pace, sections.clone()), self.length(sections), speed);
+                (first, highest) = (point, speed);
+            }
+            self.memory.weights.put(point - 1, highest);
+        }
+        let mut last = row.end;
+        speed = R::ZERO;
+        self.memory.weights.put(last - 1, speed);
+        for point in (row.start + 1..row.end).rev() {
+            let ahead = self.memory.weights.at(point - 1);
+            if ahead.is_finite() {
+                let sections = point..last;
+                let limits = self.limits_along(pace, sections.clone()).reversed();
+                speed = reached(&limits, self.length(sections), speed).at_most(ahead);
+                self.memory.weights.put(point - 1, speed);
+                last = point;
+            }
+        }
+    }
+
+    /// Whether the limits along two sections differ by at most a quarter.
+    fn has_limits_like(&self, section: usize, other: usize) -> bool {
+        let [one, other] = [section, other].map(|section| self.limits_along(Pace::unlimited(), section..section + 1));
+        let quarter = R::ONE + R::HALF * R::HALF;
+        let is_like = |x: R, y: R| x <= quarter * y && y <= quarter * x;
+        is_like(one.vmax, other.vmax)
+            && is_like(one.amax, other.amax)
+            && is_like(-one.amin, -other.amin)
+            && is_like(one.jmax, other.jmax)
+            && is_like(-one.jmin, -other.jmin)
+    }
+
+    fn length(&self, sections: Range<usize>) -> R {
+        sections.fold(R::ZERO, |sum, section| sum + self.arc(section))
+    }
+
+    /// Passes the parts of a row between the points where its limits change, each as one move.
+    fn pass_parts(&mut self, pace: Pace<R>, start: State<R>, row: Range<usize>) -> Option<()> {
+        let (mut first, mut state) = (row.start, start);
+        for point in row.start + 1..=row.end {
+            let speed = self.memory.weights.at(point - 1);
+            if speed.is_finite() {
+                let sections = first..point;
+                let end = State { velocity: speed, ..State::at(self.length(sections.clone())) };
+                self.pass_part(&self.limits_along(pace, sections.clone()), state, end, sections)?;
+                (first, state) = (point, State { position: R::ZERO, ..end });
+            }
+        }
+        Some(())
+    }
+
+    #[inline(never)] // for its stack
+    fn pass_part(&mut self, limits: &Limits<R>, start: State<R>, end: State<R>, sections: Range<usize>) -> Option<()> {
+        let mut run = Move::default();
+        let found = run.plan(limits, start, end).ok()?;
+        (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
         let (mut passed, mut time) = (R::ZERO, R::ZERO);
-        for section in row.clone() {
-            passed = passed + self.arc(section);
+        for section in sections.clone() {
             let point = section + 1;
-            let at = if point == row.end { run.t } else { run.time_at(passed)? };
+            passed = passed + self.arc(section);
+            let at = if point == sections.end { run.t } else { run.time_at(passed)? };
+            let state = if point == sections.end { end } else { run.state_at(at) };
+            if state.velocity > R::ZERO {
+                self.pass(point, state);
+            }
             let duration = at - time;
             self.memory.durations.put(section, duration);
+            (self.is_possible(section, duration) && self.is_point_inside(point)).then_some(())?;
             time = at;
-            let passes = if point == row.end {
-                self.is_possible(section, duration)
-            } else {
-                self.pass(point, run.state_at(at), duration)
-            };
-            passes.then_some(())?;
         }
         Some(())
     }
@@ -246,30 +277,13 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    /// Makes every axis pass a waypoint after `duration`, as near to the parabola through three points as it can. Whether all can.
-    fn pass(&mut self, point: usize, along: State<R>, duration: R) -> bool {
-        let (speed, steepness) = (along.velocity, self.steepness(point));
-        (0..self.axes).all(|axis| {
+    /// Makes every axis pass a point with this motion along the curve.
+    fn pass(&mut self, point: usize, along: State<R>) {
+        let State { velocity, acceleration, .. } = along;
+        for axis in 0..self.axes {
             let [slope, bend] = self.slope_and_bend(point, axis);
-            let slope = slope / steepness;
-            let aim = [slope * speed, (bend + bend) * speed * speed + slope * along.acceleration];
-            let smooth = self.at_constant_jerk(point - 1, axis, duration);
-            [16u8, 12, 8, 4, 0].into_iter().any(|sixteenths| {
-                let part = R::from(sixteenths) * R::SIXTEENTH;
-                let between = |aim: R, smooth: R| part * aim + (R::ONE - part) * smooth;
-                let state = [between(aim[0], smooth[0]), between(aim[1], smooth[1])];
-                self.memory.states.set(point * self.axes + axis, state);
-                self.bounds(point, axis).product(state).is_some()
-                    && self.slacks(point - 1, axis, [self.at(point - 1, axis), state], duration).is_some()
-            })
-        })
-    }
-
-    /// The end of a section of this duration at constant jerk: velocity and acceleration.
-    fn at_constant_jerk(&self, section: usize, axis: usize, t: R) -> [R; 2] {
-        let [v, a] = self.at(section, axis);
-        let mean = self.displacement(section, axis) / t;
-        let change = R::from(3) * (mean - v - R::HALF * a * t);
-        [v + a * t + change, a + (change + change) / t]
+            let state = [slope * velocity, bend * velocity * velocity + slope * acceleration];
+            self.memory.states.set(point * self.axes + axis, state);
+        }
     }
 }

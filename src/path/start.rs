@@ -1,6 +1,7 @@
 //! The first plan: it stops at every waypoint.
 
 use super::chain::Chain;
+use super::rows::NEARLY_ALL;
 use crate::findings::Error;
 use crate::online::problem::Problem;
 use crate::real::Real;
@@ -72,7 +73,7 @@ impl<R: Real> Chain<'_, '_, R> {
                 None => return false,
             }
         }
-        self.pass_rows_from(first);
+        self.pass_rows_from(first, NEARLY_ALL);
         true
     }
 }
