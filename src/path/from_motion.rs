@@ -22,7 +22,6 @@ const MOST_GAINS: u32 = 8;
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
     pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
-        self.measure_axes();
         if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
             return Ok(self.brake_along() || self.come_inside(0));
         }
@@ -100,6 +99,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Makes the path brake along its points: to the first corner or the end, or to a stop as early as it can. Whether this is possible, and
     /// shorter.
     fn brake_along(&mut self) -> bool {
+        self.measure_axes();
         let Some(start) = self.start_along() else {
             return false;
         };

@@ -65,7 +65,6 @@ fn reached<R: Real>(limits: &Limits<R>, length: R, from: R) -> R {
 impl<R: Real> Chain<'_, '_, R> {
     /// Replaces the plan with stops by a shorter one, if the path begins and ends at rest. Whether there is one.
     pub fn pass_rows(&mut self) -> bool {
-        self.measure_axes();
         self.rests_at(0) && self.rests_at(self.sections) && self.pass_rows_from(0, ALL)
     }
 
@@ -94,6 +93,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// such a row.
     pub fn pass_rows_from(&mut self, mut first: usize, straight: u8) -> bool {
         self.keep_plan();
+        self.measure_axes();
         let mut passes = false;
         while first < self.sections {
             let row = first..self.next_corner(first);
@@ -148,9 +148,9 @@ impl<R: Real> Chain<'_, '_, R> {
             let chord = self.chord(section);
             for axis in 0..self.axes {
                 let slope = self.displacement(section, axis) / chord;
-                if let (true, Ok(limits)) = (slope != R::ZERO, self.limits(section, axis)) {
+                let steepness = slope.abs();
+                if let (true, Ok(limits)) = (steepness > R::ZERO, self.limits(section, axis)) {
                     let limits = if slope < R::ZERO { limits.mirrored() } else { *limits };
-                    let steepness = slope.abs();
                     along.vmax = along.vmax.at_most(limits.vmax / steepness);
                     along.amax = along.amax.at_most(limits.amax / steepness);
                     along.amin = along.amin.at_least(limits.amin / steepness);

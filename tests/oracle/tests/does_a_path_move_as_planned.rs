@@ -96,8 +96,14 @@ fn farthest<R: Real>(section: &[Move<R>]) -> f64 {
     // An axis that turns next to a border may do so in a short time.
     let near = (0..45).flat_map(|k| [-1.0, 1.0].map(|sign| sign * t * f64::exp2(-f64::from(k))));
     let borders = section.iter().flat_map(|axis| axis.phases().iter().map(|phase| phase.start.widen()));
-    let near = borders.chain([t]).flat_map(|x| near.clone().map(move |more| [x + more, more / 2.0]));
-    let clamped = grid.chain(near).map(|[x, step]| [x.clamp(0.0, t), step]);
+    let mut borders: Vec<_> = borders.chain([t]).collect();
+    borders.sort_by(f64::total_cmp);
+    let within = borders.windows(2).flat_map(|piece| {
+        let part = (piece[1] - piece[0]) / 32.0;
+        (1..32).map(move |k| [piece[0] + part * f64::from(k), part])
+    });
+    let near = borders.iter().flat_map(|x| near.clone().map(move |more| [x + more, more / 2.0]));
+    let clamped = grid.chain(within).chain(near).map(|[x, step]| [x.clamp(0.0, t), step]);
     let samples = clamped.map(|[x, step]| (distance(section, x), x, step));
     let best = samples.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a sample");
     let (mut most, mut x, mut step) = best;
