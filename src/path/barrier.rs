@@ -328,7 +328,7 @@ mod tests {
     fn with_path<const K: usize>(judge: impl FnOnce(&mut Chain<f64, K>)) {
         let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
         let limits = [symmetric, Limits { vmin: -4.0, amin: -6.0, jmin: -25.0, ..symmetric }];
-        let positions = [0.0, 0.0, 3.0, -1.0, 3.2, -1.1, 6.0, 2.0, 5.0, 4.0];
+        let positions = [0.0, 0.0, 3.0, -1.0, 3.05, -1.02, 6.0, 2.0, 5.0, 4.0];
         let mut states = positions.map(State::at);
         (states[0].velocity, states[9].velocity) = (1.0, 0.5);
         let mut durations = [0.0; 4];

@@ -1,6 +1,7 @@
 //! The curve of a row of points: a cubic spline by the length of its arcs.
 //!
-//! Before the first step the curve stands in tables of the steps: the lengths in `gradient_t`, slopes and bends in `diagonal`.
+//! Before the first step the curve stands in tables of the steps: the lengths in `gradient_t`, slopes and bends in `diagonal`, and the measures of
+//! the axes in `product`.
 
 use core::ops::Range;
 
@@ -9,8 +10,9 @@ use crate::real::Real;
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Makes each axis count in its least limit of the jerk, so that units do not matter: it counts as much as it takes time. An axis with 0 or
-    /// infinity does not count.
+    /// infinity does not count. Forgets the curves of other rows.
     pub fn measure_axes(&mut self) {
+        self.memory.diagonal.clear();
         for axis in 0..self.axes {
             let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
             let least = limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)));
@@ -38,14 +40,6 @@ impl<R: Real> Chain<'_, '_, R> {
         let part = |section, axis| self.part(axis, self.displacement(section, axis));
         let product = (0..self.axes).fold(R::ZERO, |sum, axis| sum + part(point - 1, axis) * part(point, axis));
         product < least
-    }
-
-    /// Whether all chords of a row have one direction, up to rounding.
-    pub fn is_straight(&self, row: Range<usize>) -> bool {
-        let sections = || row.clone();
-        let length = sections().fold(R::ZERO, |sum, section| sum + self.chord(section));
-        let whole = self.norm(|axis| sections().fold(R::ZERO, |sum, section| sum + self.displacement(section, axis)));
-        (R::ONE - R::from_index(row.len() as i32) * R::EPSILON) * length <= whole
     }
 
     fn norm(&self, of: impl Fn(usize) -> R) -> R {
@@ -115,7 +109,7 @@ impl<R: Real> Chain<'_, '_, R> {
         self.memory.gradient_t.at(section)
     }
 
-    fn mean_slope(&self, section: usize, axis: usize) -> R {
+    pub fn mean_slope(&self, section: usize, axis: usize) -> R {
         self.displacement(section, axis) / self.arc(section)
     }
 
@@ -123,9 +117,20 @@ impl<R: Real> Chain<'_, '_, R> {
         self.memory.diagonal.set((point - 1) * self.axes + axis, [slope, bend, R::ZERO]);
     }
 
-    /// The slope of the curve at a point, and its second derivative.
+    /// The slope of the curve at a point, and its second derivative. Both are 0 at the ends of a row.
     pub fn slope_and_bend(&self, point: usize, axis: usize) -> [R; 2] {
-        let [slope, bend, _] = self.memory.diagonal.row((point - 1) * self.axes + axis);
+        let Some(before) = point.checked_sub(1) else {
+            return [R::ZERO; 2];
+        };
+        let [slope, bend, _] = self.memory.diagonal.row(before * self.axes + axis);
         [slope, bend]
+    }
+
+    /// The largest second derivative of the curve in a section, and the third one, without signs. The third one counts as 0 next to an end of the row.
+    pub fn bend_and_twist(&self, section: usize, axis: usize) -> [R; 2] {
+        let [[_, b0], [_, b1]] = [section, section + 1].map(|point| self.slope_and_bend(point, axis));
+        let is_at_end = b0 == R::ZERO || b1 == R::ZERO;
+        let twist = if is_at_end { R::ZERO } else { (b1 - b0).abs() / self.arc(section) };
+        [b0.abs().at_least(b1.abs()), twist]
     }
 }

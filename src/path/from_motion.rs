@@ -3,7 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::rows::{PARTS, Pace};
+use super::rows::NEARLY_ALL;
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
 use crate::online::Move;
@@ -16,14 +16,19 @@ const SLOWER_STARTS: usize = 64;
 const STEPS: u32 = 8;
 /// Steps to the centre before the start becomes faster again.
 const STEPS_TO_CENTRE: u32 = 2;
+/// The share of the limits that a stop along the points takes first, in sixteenths.
+const A_HALF: u8 = 8;
 /// Gains of speed that are tried: the first, its half, its quarter, …
 const MOST_GAINS: u32 = 8;
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
     pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
+        if self.brake_along() {
+            return Ok(true);
+        }
         if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
-            return Ok(self.brake_along() || self.come_inside(0));
+            return Ok(self.come_inside(0));
         }
         let passes = self.slow_start()?.is_some_and(|times| self.speed_up(times, steps));
         self.set_start(R::ONE);
@@ -105,39 +110,35 @@ impl<R: Real> Chain<'_, '_, R> {
         };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
-        let speed = (R::ONE - R::SIXTEENTH) * self.highest_speed(0..end);
-        let mut brakes_to = |last| {
-            self.lay_curve(0..last);
-            self.rests_at(last) && self.slow_until(speed, |chain, pace| chain.brake(pace, start, last))
-        };
-        brakes_to(corner)
-            || brakes_to(end)
-            || PARTS.into_iter().any(|part| self.stop_along(Pace { speed, part }, start))
+        let mut brakes_to = |last| self.rests_at(last) && self.brake(NEARLY_ALL, start, last);
+        brakes_to(corner) || brakes_to(end) || self.stop_along(start)
     }
 
-    fn stop_along(&mut self, pace: Pace<R>, start: State<R>) -> bool {
-        self.stops_before(pace, start).is_some_and(|last| self.brake(pace, start, last))
+    fn brake(&mut self, share: u8, start: State<R>, last: usize) -> bool {
+        self.lay_row(0..last, share);
+        let passes = self.pass_along(start, 0..last) && self.come_inside(last);
+        if !passes {
+            self.take_back(0..self.sections);
+        }
+        passes
+    }
+
+    fn stop_along(&mut self, start: State<R>) -> bool {
+        self.lay_row(0..self.sections, A_HALF);
+        self.stops_before(start).is_some_and(|last| self.brake(A_HALF, start, last))
     }
 
     /// The first point that is not before the end of a stop as early as possible.
     #[inline(never)] // for its stack
-    fn stops_before(&self, pace: Pace<R>, start: State<R>) -> Option<usize> {
+    fn stops_before(&self, start: State<R>) -> Option<usize> {
         let (mut run, mut length) = (Move::default(), R::ZERO);
-        run.stop(&self.limits_along(pace, 0..self.sections), start).ok()?;
+        run.stop(&self.limits_along(0..self.sections), start).ok()?;
         let end = run.end().position;
         let reached = (0..self.sections).find(|&section| {
             length = length + self.arc(section);
             length >= end
         });
         Some(reached.map_or(self.sections, |section| section + 1))
-    }
-
-    fn brake(&mut self, pace: Pace<R>, start: State<R>, last: usize) -> bool {
-        let passes = self.pass_along(pace, start, 0..last) && self.come_inside(last);
-        if !passes {
-            self.take_back(0..self.sections);
-        }
-        passes
     }
 
     /// The motion of the start in its own direction, if this is ahead.

@@ -179,7 +179,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub slacks: Table<'a, R, 2>,
     /// The limits of the waypoints.
     pub bounds: Table<'a, R, 6>,
-    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps the curve of a row (`curve.rs`).
+    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps slopes and bends of a curve (`curve.rs`).
     pub diagonal: Table<'a, R, 3>,
     /// The rest of `D`, with the offset `x`: `vx`, `ax`, `xx`.
     pub of_offsets: Table<'a, R, 3>,
@@ -195,11 +195,11 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub durations: Column<'a, R>,
     /// The durations of a step that is tried, s.
     pub tried: Column<'a, R>,
-    /// The weights of the sections' logarithms.
+    /// The weights of the sections' logarithms. Before the steps the speeds at points of a row (`rows.rs`).
     pub weights: Column<'a, R>,
-    /// The gradient by the durations.
+    /// The gradient by the durations. Before the steps the lengths of a curve.
     pub gradient_t: Column<'a, R>,
-    /// The second derivatives by each duration.
+    /// The second derivatives by each duration. Before the steps the shares of the limits that a row takes.
     pub of_durations: Column<'a, R>,
     /// The second derivatives by each duration and the next one.
     pub mixed: Column<'a, R>,
@@ -209,7 +209,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub factors: Triangles<'a, R, K>,
     /// The coupling between a section and the next one, solved by the factors of the section.
     pub front: Triangle<'a, R, K>,
-    /// The coupling with the next section times the step of that.
+    /// The coupling with the next section times the step of that. Before the steps the measures of the axes.
     pub product: Table<'a, R, K>,
 }
 

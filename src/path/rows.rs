@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use super::chain::Chain;
 use super::memory::Column;
-use crate::findings::Findings;
+use crate::findings::{Error, Findings};
 use crate::interval::ramp::{PerJerk, Ramp};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -24,27 +24,26 @@ fn most<R: Real>() -> R {
     R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
 }
 
-/// The part of the limits that a straight row takes, in sixteenths: if the whole plan becomes slower before its steps, and if it does not.
+/// The share of the limits that a row takes first, in sixteenths: if the whole plan becomes slower before its steps, and if it does not.
 const ALL: u8 = 16;
 pub(super) const NEARLY_ALL: u8 = 15;
-/// Parts of the limits of acceleration and jerk that are tried along other rows, in sixteenths. Bends use the rest.
-pub(super) const PARTS: [u8; 6] = [8, 12, 4, 14, 2, 1];
-/// How often the speed along a row is halved until its bends allow it.
-const MOST_HALVINGS: u32 = 10;
+/// How often parts of a row become slower before it counts as impossible.
+const MOST_TRIES: u32 = 40;
 
-/// How fast the motion along a row may be.
-#[derive(Clone, Copy)]
-pub(super) struct Pace<R> {
-    /// The highest speed.
-    pub speed: R,
-    /// The part of the limits of acceleration and jerk, in sixteenths.
-    pub part: u8,
+/// Three quarters of a limit: what bends take at most, and what counts as left by them at least. Where this is too much, a row becomes slower.
+fn for_bends<R: Real>(limit: R) -> R {
+    (R::HALF + R::HALF * R::HALF) * limit
 }
 
-impl<R: Real> Pace<R> {
-    pub fn unlimited() -> Self {
-        Self { speed: R::INFINITY, part: ALL }
-    }
+/// Whether two limits differ by at most a quarter.
+fn are_like<R: Real>(one: &Limits<R>, other: &Limits<R>) -> bool {
+    let quarter = R::ONE + R::HALF * R::HALF;
+    let is_like = |x: R, y: R| x <= quarter * y && y <= quarter * x;
+    is_like(one.vmax, other.vmax)
+        && is_like(one.amax, other.amax)
+        && is_like(-one.amin, -other.amin)
+        && is_like(one.jmax, other.jmax)
+        && is_like(-one.jmin, -other.jmin)
 }
 
 /// The highest speed after this length that a motion reaches from the speed `from`. The accelerations at both ends are 0.
@@ -89,111 +88,111 @@ impl<R: Real> Chain<'_, '_, R> {
         sections.all(|section| self.is_possible(section, self.memory.durations.at(section))) && self.points_are_inside()
     }
 
-    /// Passes the points of each row between two rests from a point on. A straight row takes the part `straight` of its limits. Whether there is
-    /// such a row.
-    pub fn pass_rows_from(&mut self, mut first: usize, straight: u8) -> bool {
+    /// Passes the points of each row between two rests from a point on, with this share of the limits. Whether there is such a row.
+    pub fn pass_rows_from(&mut self, mut first: usize, share: u8) -> bool {
         self.keep_plan();
         self.measure_axes();
         let mut passes = false;
         while first < self.sections {
             let row = first..self.next_corner(first);
             first = row.end;
-            passes |= self.rests_at(row.start) && self.rests_at(row.end) && self.pass_row(row, straight);
+            if row.len() > 1 && self.rests_at(row.start) && self.rests_at(row.end) {
+                self.lay_row(row.clone(), share);
+                passes |= self.pass_along(State::at(R::ZERO), row);
+            }
         }
         passes
     }
 
-    fn pass_row(&mut self, row: Range<usize>, straight: u8) -> bool {
-        if row.len() == 1 {
-            return false;
-        }
+    /// Lays the curve of a row, along which the motion takes this share of the limits, in sixteenths.
+    pub fn lay_row(&mut self, row: Range<usize>, share: u8) {
         self.lay_curve(row.clone());
-        let (start, highest) = (State::at(R::ZERO), self.highest_speed(row.clone()));
-        let speed_of = |part: u8| R::from(part) * R::SIXTEENTH * highest;
-        if self.is_straight(row.clone()) {
-            // Close to the limits rounding may make a section impossible.
-            for part in [straight, NEARLY_ALL] {
-                if self.pass_along(Pace { speed: speed_of(part), part }, start, row.clone()) {
-                    return true;
-                }
-            }
-        }
-        self.slow_until(speed_of(straight), |chain, pace| chain.pass_along(pace, start, row.clone()))
-    }
-
-    /// The highest speed that the limits of the velocities allow in one of these sections.
-    pub fn highest_speed(&self, row: Range<usize>) -> R {
-        let highest = |section| self.limits_along(Pace::unlimited(), section..section + 1).vmax;
-        row.map(highest).fold(R::ZERO, R::at_least)
-    }
-
-    /// Tries slower and slower motions along a row. Whether one passes.
-    pub fn slow_until(&mut self, mut speed: R, passes: impl Fn(&mut Self, Pace<R>) -> bool) -> bool {
-        let halvings = if speed.is_finite() { MOST_HALVINGS } else { 1 };
-        for _ in 0..halvings {
-            for part in PARTS {
-                if passes(self, Pace { speed, part }) {
-                    return true;
-                }
-            }
-            speed = R::HALF * speed;
-        }
-        false
-    }
-
-    /// The limits of a motion along some sections.
-    pub fn limits_along(&self, pace: Pace<R>, sections: Range<usize>) -> Limits<R> {
-        let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, pace.speed);
-        for section in sections {
-            let chord = self.chord(section);
-            for axis in 0..self.axes {
-                let slope = self.displacement(section, axis) / chord;
-                let steepness = slope.abs();
-                if let (true, Ok(limits)) = (steepness > R::ZERO, self.limits(section, axis)) {
-                    let limits = if slope < R::ZERO { limits.mirrored() } else { *limits };
-                    along.vmax = along.vmax.at_most(limits.vmax / steepness);
-                    along.amax = along.amax.at_most(limits.amax / steepness);
-                    along.amin = along.amin.at_least(limits.amin / steepness);
-                    along.jmax = along.jmax.at_most(limits.jmax / steepness);
-                    along.jmin = along.jmin.at_least(limits.jmin / steepness);
-                }
-            }
-        }
-        let most = most::<R>();
-        let part = most * R::from(pace.part) * R::SIXTEENTH;
-        let vmax = most * along.vmax;
-        Limits {
-            vmax,
-            vmin: -vmax,
-            amax: part * along.amax,
-            amin: part * along.amin,
-            jmax: part * along.jmax,
-            jmin: part * along.jmin,
+        for section in row {
+            self.memory.of_durations.put(section, R::from(share) * R::SIXTEENTH);
         }
     }
 
     /// Passes the points of a row as a fast motion along its curve. Whether this is possible, and shorter than the plan that is kept.
-    pub fn pass_along(&mut self, pace: Pace<R>, start: State<R>, row: Range<usize>) -> bool {
-        self.limit_speeds(pace, start.velocity, row.clone());
+    pub fn pass_along(&mut self, start: State<R>, row: Range<usize>) -> bool {
         let duration = |durations: &Column<R>| row.clone().fold(R::ZERO, |sum, section| sum + durations.at(section));
-        let passes = self.pass_parts(pace, start, row.clone()).is_some()
-            && duration(&self.memory.durations) < duration(&self.memory.tried);
-        if !passes {
-            self.take_back(row);
+        for _ in 0..MOST_TRIES {
+            self.limit_speeds(start.velocity, row.clone());
+            if self.pass_parts(start, row.clone()) {
+                if duration(&self.memory.durations) < duration(&self.memory.tried) {
+                    return true;
+                }
+                break;
+            }
         }
-        passes
+        self.take_back(row);
+        false
+    }
+
+    /// Which share of the limits the motion takes along a section. They stand in `of_durations` before the first step.
+    fn share(&self, section: usize) -> R {
+        self.memory.of_durations.at(section)
+    }
+
+    /// The highest speed along a section.
+    fn highest_speed(&self, section: usize) -> R {
+        let speeds = (0..self.axes).filter_map(|axis| self.highest_speed_for(axis, section).ok());
+        speeds.fold(R::INFINITY, R::at_most)
+    }
+
+    /// The highest speed along a section that the limits of an axis allow. Its bends take `|q''| v²` of the acceleration, and `|q'''| v³` of the jerk.
+    fn highest_speed_for(&self, axis: usize, section: usize) -> Result<R, Error> {
+        let limits = self.limits_by_slope(section, axis)?;
+        let [bend, twist] = self.bend_and_twist(section, axis);
+        let most_a = for_bends(limits.amax.at_most(-limits.amin));
+        let most_j = for_bends(limits.jmax.at_most(-limits.jmin));
+        let speed = (limits.vmax / self.mean_slope(section, axis).abs()).at_most((most_a / bend).sqrt());
+        let is_too_fast = twist * speed * speed * speed > most_j;
+        Ok(if is_too_fast { (most_j / twist).cube_root_above().at_most(speed) } else { speed })
+    }
+
+    /// The limits of an axis in the direction in which it moves along a section.
+    fn limits_by_slope(&self, section: usize, axis: usize) -> Result<Limits<R>, Error> {
+        let limits = self.limits(section, axis)?;
+        Ok(if self.displacement(section, axis) < R::ZERO { limits.mirrored() } else { *limits })
+    }
+
+    /// The limits of a motion along some sections: what their bends leave of acceleration and jerk.
+    pub fn limits_along(&self, sections: Range<usize>) -> Limits<R> {
+        let speeds = sections.clone().map(|section| self.share(section) * self.highest_speed(section));
+        let vmax = most::<R>() * speeds.fold(R::INFINITY, R::at_most);
+        let (square, cube) = (vmax * vmax, vmax * vmax * vmax);
+        let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, vmax);
+        for section in sections {
+            for axis in 0..self.axes {
+                if let Ok(limits) = self.limits_by_slope(section, axis) {
+                    let [bend, twist] = self.bend_and_twist(section, axis);
+                    let share = most::<R>() * self.share(section) / self.mean_slope(section, axis).abs();
+                    let left = |limit: R, of: R, power: R| {
+                        let by_bends = if of > R::ZERO { of * power } else { R::ZERO };
+                        share * (limit - by_bends).at_least(for_bends(limit))
+                    };
+                    along.amax = along.amax.at_most(left(limits.amax, bend, square));
+                    along.amin = along.amin.at_least(-left(-limits.amin, bend, square));
+                    along.jmax = along.jmax.at_most(left(limits.jmax, twist, cube));
+                    along.jmin = along.jmin.at_least(-left(-limits.jmin, twist, cube));
+                }
+            }
+        }
+        along
     }
 
     /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
     /// are infinite at the other points.
-    fn limit_speeds(&mut self, pace: Pace<R>, mut speed: R, row: Range<usize>) {
+    fn limit_speeds(&mut self, mut speed: R, row: Range<usize>) {
         let mut first = row.start;
+        let mut limits = self.limits_along(first..first + 1);
         for point in row.start + 1..row.end {
             let mut highest = R::INFINITY;
-            if !self.has_limits_like(point, first) {
+            let next = self.limits_along(point..point + 1);
+            if !are_like(&limits, &next) {
                 let sections = first..point;
-                speed = reached(&self.limits_along(pace, sections.clone()), self.length(sections), speed);
-                (first, highest) = (point, speed);
+                speed = reached(&self.limits_along(sections.clone()), self.length(sections), speed);
+                (first, limits, highest) = (point, next, speed);
             }
             self.memory.weights.put(point - 1, highest);
         }
@@ -204,7 +203,7 @@ impl<R: Real> Chain<'_, '_, R> {
             let ahead = self.memory.weights.at(point - 1);
             if ahead.is_finite() {
                 let sections = point..last;
-                let limits = self.limits_along(pace, sections.clone()).reversed();
+                let limits = self.limits_along(sections.clone()).reversed();
                 speed = reached(&limits, self.length(sections), speed).at_most(ahead);
                 self.memory.weights.put(point - 1, speed);
                 last = point;
@@ -212,35 +211,35 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    /// Whether the limits along two sections differ by at most a quarter.
-    fn has_limits_like(&self, section: usize, other: usize) -> bool {
-        let [one, other] = [section, other].map(|section| self.limits_along(Pace::unlimited(), section..section + 1));
-        let quarter = R::ONE + R::HALF * R::HALF;
-        let is_like = |x: R, y: R| x <= quarter * y && y <= quarter * x;
-        is_like(one.vmax, other.vmax)
-            && is_like(one.amax, other.amax)
-            && is_like(-one.amin, -other.amin)
-            && is_like(one.jmax, other.jmax)
-            && is_like(-one.jmin, -other.jmin)
-    }
-
     fn length(&self, sections: Range<usize>) -> R {
         sections.fold(R::ZERO, |sum, section| sum + self.arc(section))
     }
 
-    /// Passes the parts of a row between the points where its limits change, each as one move.
-    fn pass_parts(&mut self, pace: Pace<R>, start: State<R>, row: Range<usize>) -> Option<()> {
-        let (mut first, mut state) = (row.start, start);
+    /// Passes the parts of a row between the points where its limits change, each as one move. A part that is impossible becomes slower for
+    /// the next try. Whether all are possible.
+    fn pass_parts(&mut self, start: State<R>, row: Range<usize>) -> bool {
+        let (mut first, mut state, mut passes) = (row.start, start, true);
         for point in row.start + 1..=row.end {
             let speed = self.memory.weights.at(point - 1);
             if speed.is_finite() {
                 let sections = first..point;
                 let end = State { velocity: speed, ..State::at(self.length(sections.clone())) };
-                self.pass_part(&self.limits_along(pace, sections.clone()), state, end, sections)?;
+                let limits = self.limits_along(sections.clone());
+                if self.pass_part(&limits, state, end, sections.clone()).is_none() {
+                    self.ease(sections);
+                    passes = false;
+                }
                 (first, state) = (point, State { position: R::ZERO, ..end });
             }
         }
-        Some(())
+        passes
+    }
+
+    fn ease(&mut self, sections: Range<usize>) {
+        for section in sections {
+            let share = self.share(section) * (R::ONE - R::SIXTEENTH - R::SIXTEENTH);
+            self.memory.of_durations.put(section, share);
+        }
     }
 
     #[inline(never)] // for its stack

@@ -517,15 +517,20 @@ fn places(sections: usize, random: &mut Random) -> Vec<f64> {
     [0.0].into_iter().chain(std::iter::repeat_with(next).take(sections)).collect()
 }
 
-/// Such places along lines with corners, and along parabolas: the default plan over one of 1,000 steps, from rest, and in the middle of a path
+/// Such places along lines with corners, parabolas and ellipses: the default plan over one of 1,000 steps, from rest, and in the middle of a path
 /// that is followed at 0.8 of the limits. The bars are what is measured, and a little.
 #[test]
 fn uneven_points_with_bends_cost_little() {
-    for (name, has_corners, most) in [("corners", true, [1.15, 1.1]), ("parabolas", false, [1.15, 0.95])] {
+    let shapes: [(_, fn(&mut Random) -> _, _); 3] = [
+        ("corners", with_corners, [1.06, 1.0]),
+        ("parabolas", parabola, [1.08, 0.95]),
+        ("ellipses", ellipse, [1.3, 1.0]),
+    ];
+    for (name, points_of, most) in shapes {
         let mut random = Random::seeded(41);
         let mut parts = [vec![], vec![]];
         for _ in 0..40 {
-            let points = if has_corners { with_corners(&mut random) } else { parabola(&mut random) };
+            let points = points_of(&mut random);
             let states: Vec<_> = points.iter().flatten().map(|&p| State::at(p)).collect();
             let chain =
                 Chain { family: Family::Many, axes: 2, limits: vec![Limits::symmetric(64.0, 6.4, 1.6); 2], states };
@@ -564,6 +569,13 @@ fn parabola(random: &mut Random) -> Vec<Vec<f64>> {
     let bends = [(); 2].map(|()| random.between(-0.1, 0.1));
     let point = |s: f64| [0, 1].map(|axis| slopes[axis] * s + bends[axis] * s * s).to_vec();
     places(80, random).into_iter().map(point).collect()
+}
+
+fn ellipse(random: &mut Random) -> Vec<Vec<f64>> {
+    let [wide, high] = [(); 2].map(|()| random.between(0.1, 1.0));
+    let places = places(60, random);
+    let angle = |place: &f64| place / places[60] * std::f64::consts::TAU;
+    places.iter().map(|place| vec![wide * angle(place).cos(), high * angle(place).sin()]).collect()
 }
 
 /// The densest circle takes as long as the coarsest one, nearly.
