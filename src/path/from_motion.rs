@@ -3,7 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::rows::NEARLY_ALL;
+use super::rows::{NEARLY_ALL, stop_length};
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
 use crate::online::Move;
@@ -115,8 +115,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn brake(&mut self, share: u8, start: State<R>, last: usize) -> bool {
-        self.lay_row(0..last, share);
-        let passes = self.pass_along(start, 0..last) && self.come_inside(last);
+        let passes = self.pass_row(share, start, 0..last) && self.come_inside(last);
         if !passes {
             self.take_back(0..self.sections);
         }
@@ -124,21 +123,20 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn stop_along(&mut self, start: State<R>) -> bool {
-        self.lay_row(0..self.sections, A_HALF);
-        self.stops_before(start).is_some_and(|last| self.brake(A_HALF, start, last))
+        self.lay_curve(0..self.sections);
+        self.take_share(0..self.sections, A_HALF);
+        let stop = stop_length(&self.limits_along(0..self.sections), start);
+        self.brake(A_HALF, start, self.next_point(stop))
     }
 
-    /// The first point that is not before the end of a stop as early as possible.
-    #[inline(never)] // for its stack
-    fn stops_before(&self, start: State<R>) -> Option<usize> {
-        let (mut run, mut length) = (Move::default(), R::ZERO);
-        run.stop(&self.limits_along(0..self.sections), start).ok()?;
-        let end = run.end().position;
+    /// The first point that is so far along the path, or its end.
+    fn next_point(&self, length: R) -> usize {
+        let mut passed = R::ZERO;
         let reached = (0..self.sections).find(|&section| {
-            length = length + self.arc(section);
-            length >= end
+            passed = passed + self.arc(section);
+            passed >= length
         });
-        Some(reached.map_or(self.sections, |section| section + 1))
+        reached.map_or(self.sections, |section| section + 1)
     }
 
     /// The motion of the start in its own direction, if this is ahead.

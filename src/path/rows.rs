@@ -27,8 +27,9 @@ fn most<R: Real>() -> R {
 /// The share of the limits that a row takes first, in sixteenths: if the whole plan becomes slower before its steps, and if it does not.
 const ALL: u8 = 16;
 pub(super) const NEARLY_ALL: u8 = 15;
-/// How often parts of a row become slower before it counts as impossible.
-const MOST_TRIES: u32 = 40;
+/// How often a row becomes slower before it counts as impossible: as one move, and in parts.
+const TRIES_AS_ONE: u32 = 4;
+const TRIES_IN_PARTS: u32 = 40;
 
 /// Three quarters of a limit: what bends take at most, and what counts as left by them at least. Where this is too much, a row becomes slower.
 fn for_bends<R: Real>(limit: R) -> R {
@@ -59,6 +60,14 @@ fn reached<R: Real>(limits: &Limits<R>, length: R, from: R) -> R {
     let most = limits.vmax - from;
     let is_reached = !(most > zero && most < R::INFINITY && beyond(most).0 > zero);
     from + if is_reached { most } else { root_between(zero, most, beyond) }
+}
+
+/// How far a start gets until it stops as early as possible.
+#[inline(never)] // for its stack
+pub(super) fn stop_length<R: Real>(limits: &Limits<R>, start: State<R>) -> R {
+    let mut run = Move::default();
+    let stops = run.stop(limits, start).is_ok();
+    if stops { run.end().position } else { R::ZERO }
 }
 
 impl<R: Real> Chain<'_, '_, R> {
@@ -96,36 +105,48 @@ impl<R: Real> Chain<'_, '_, R> {
         while first < self.sections {
             let row = first..self.next_corner(first);
             first = row.end;
-            if row.len() > 1 && self.rests_at(row.start) && self.rests_at(row.end) {
-                self.lay_row(row.clone(), share);
-                passes |= self.pass_along(State::at(R::ZERO), row);
-            }
+            let rests = self.rests_at(row.start) && self.rests_at(row.end);
+            passes |= row.len() > 1 && rests && self.pass_row(share, State::at(R::ZERO), row);
         }
         passes
     }
 
-    /// Lays the curve of a row, along which the motion takes this share of the limits, in sixteenths.
-    pub fn lay_row(&mut self, row: Range<usize>, share: u8) {
+    /// Passes the points of a row as a fast motion along its curve: as one move or in parts, whichever is shorter. Whether this is possible, and
+    /// shorter than the plan that is kept.
+    pub fn pass_row(&mut self, share: u8, start: State<R>, row: Range<usize>) -> bool {
         self.lay_curve(row.clone());
+        let mut pass = |is_one| {
+            self.take_share(row.clone(), share);
+            self.pass_along(start, row.clone(), is_one)
+        };
+        let (as_one, in_parts) = (pass(true), pass(false));
+        let duration = if as_one < in_parts { pass(true) } else { in_parts };
+        duration < R::INFINITY
+    }
+
+    /// Takes this share of the limits along a row, in sixteenths.
+    pub fn take_share(&mut self, row: Range<usize>, share: u8) {
         for section in row {
             self.memory.of_durations.put(section, R::from(share) * R::SIXTEENTH);
         }
     }
 
-    /// Passes the points of a row as a fast motion along its curve. Whether this is possible, and shorter than the plan that is kept.
-    pub fn pass_along(&mut self, start: State<R>, row: Range<usize>) -> bool {
+    /// Passes the points of a row, slower and slower. Returns its duration, s, which is infinite if it is impossible, or not shorter than the plan that
+    /// is kept.
+    fn pass_along(&mut self, start: State<R>, row: Range<usize>, is_one: bool) -> R {
         let duration = |durations: &Column<R>| row.clone().fold(R::ZERO, |sum, section| sum + durations.at(section));
-        for _ in 0..MOST_TRIES {
-            self.limit_speeds(start.velocity, row.clone());
+        for _ in 0..if is_one { TRIES_AS_ONE } else { TRIES_IN_PARTS } {
+            self.limit_speeds(start, row.clone(), is_one);
             if self.pass_parts(start, row.clone()) {
-                if duration(&self.memory.durations) < duration(&self.memory.tried) {
-                    return true;
+                let passed = duration(&self.memory.durations);
+                if passed < duration(&self.memory.tried) {
+                    return passed;
                 }
                 break;
             }
         }
         self.take_back(row);
-        false
+        R::INFINITY
     }
 
     /// Which share of the limits the motion takes along a section. They stand in `of_durations` before the first step.
@@ -182,14 +203,16 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
-    /// are infinite at the other points.
-    fn limit_speeds(&mut self, mut speed: R, row: Range<usize>) {
-        let mut first = row.start;
+    /// are infinite at the other points, where the start could not stop yet, and along one move.
+    fn limit_speeds(&mut self, start: State<R>, row: Range<usize>, is_one: bool) {
+        let (mut first, mut speed, mut passed) = (row.start, start.velocity, R::ZERO);
         let mut limits = self.limits_along(first..first + 1);
+        let stop = if is_one { R::INFINITY } else { stop_length(&limits, start) };
         for point in row.start + 1..row.end {
             let mut highest = R::INFINITY;
             let next = self.limits_along(point..point + 1);
-            if !are_like(&limits, &next) {
+            passed = passed + self.arc(point - 1);
+            if passed >= stop && !are_like(&limits, &next) {
                 let sections = first..point;
                 speed = reached(&self.limits_along(sections.clone()), self.length(sections), speed);
                 (first, limits, highest) = (point, next, speed);
