@@ -3,7 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::rows::{NEARLY_ALL, stop_length};
+use super::rows::{NEARLY_ALL, Pass, stop_length};
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
 use crate::online::Move;
@@ -125,7 +125,7 @@ impl<R: Real> Chain<'_, '_, R> {
     fn stop_along(&mut self, start: State<R>) -> bool {
         self.lay_curve(0..self.sections);
         self.take_share(0..self.sections, A_HALF);
-        let stop = stop_length(&self.limits_along(0..self.sections), start);
+        let stop = stop_length(&self.limits_along(0..self.sections, Pass::InParts), start);
         self.brake(A_HALF, start, self.next_point(stop))
     }
 

@@ -27,9 +27,17 @@ fn most<R: Real>() -> R {
 /// The share of the limits that a row takes first, in sixteenths: if the whole plan becomes slower before its steps, and if it does not.
 const ALL: u8 = 16;
 pub(super) const NEARLY_ALL: u8 = 15;
-/// How often a row becomes slower before it counts as impossible: as one move, and in parts.
-const TRIES_AS_ONE: u32 = 4;
-const TRIES_IN_PARTS: u32 = 40;
+/// How often parts of a row become slower before it counts as impossible.
+const MOST_TRIES: u32 = 40;
+
+/// How a row is passed.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Pass {
+    /// As one move, slower and slower until it can take the bends.
+    AsOne,
+    /// In parts with limits of their own, which bends lower.
+    InParts,
+}
 
 /// Three quarters of a limit: what bends take at most, and what counts as left by them at least. Where this is too much, a row becomes slower.
 fn for_bends<R: Real>(limit: R) -> R {
@@ -115,12 +123,12 @@ impl<R: Real> Chain<'_, '_, R> {
     /// shorter than the plan that is kept.
     pub fn pass_row(&mut self, share: u8, start: State<R>, row: Range<usize>) -> bool {
         self.lay_curve(row.clone());
-        let mut pass = |is_one| {
+        let mut duration = |pass| {
             self.take_share(row.clone(), share);
-            self.pass_along(start, row.clone(), is_one)
+            self.pass_along(start, row.clone(), pass)
         };
-        let (as_one, in_parts) = (pass(true), pass(false));
-        let duration = if as_one < in_parts { pass(true) } else { in_parts };
+        let [as_one, in_parts] = [Pass::AsOne, Pass::InParts].map(&mut duration);
+        let duration = if as_one < in_parts { duration(Pass::AsOne) } else { in_parts };
         duration < R::INFINITY
     }
 
@@ -133,11 +141,11 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Passes the points of a row, slower and slower. Returns its duration, s, which is infinite if it is impossible, or not shorter than the plan that
     /// is kept.
-    fn pass_along(&mut self, start: State<R>, row: Range<usize>, is_one: bool) -> R {
+    fn pass_along(&mut self, start: State<R>, row: Range<usize>, pass: Pass) -> R {
         let duration = |durations: &Column<R>| row.clone().fold(R::ZERO, |sum, section| sum + durations.at(section));
-        for _ in 0..if is_one { TRIES_AS_ONE } else { TRIES_IN_PARTS } {
-            self.limit_speeds(start, row.clone(), is_one);
-            if self.pass_parts(start, row.clone()) {
+        for _ in 0..MOST_TRIES {
+            self.limit_speeds(start, row.clone(), pass);
+            if self.pass_parts(start, row.clone(), pass) {
                 let passed = duration(&self.memory.durations);
                 if passed < duration(&self.memory.tried) {
                     return passed;
@@ -155,20 +163,24 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// The highest speed along a section.
-    fn highest_speed(&self, section: usize) -> R {
-        let speeds = (0..self.axes).filter_map(|axis| self.highest_speed_for(axis, section).ok());
+    fn highest_speed(&self, section: usize, pass: Pass) -> R {
+        let speeds = (0..self.axes).filter_map(|axis| self.highest_speed_for(axis, section, pass).ok());
         speeds.fold(R::INFINITY, R::at_most)
     }
 
     /// The highest speed along a section that the limits of an axis allow. Its bends take `|q''| v²` of the acceleration, and `|q'''| v³` of the jerk.
-    fn highest_speed_for(&self, axis: usize, section: usize) -> Result<R, Error> {
+    fn highest_speed_for(&self, axis: usize, section: usize, pass: Pass) -> Result<R, Error> {
         let limits = self.limits_by_slope(section, axis)?;
-        let [bend, twist] = self.bend_and_twist(section, axis);
+        let [bend, twist] = self.limiting_bends(section, axis, pass);
         let most_a = for_bends(limits.amax.at_most(-limits.amin));
         let most_j = for_bends(limits.jmax.at_most(-limits.jmin));
         let speed = (limits.vmax / self.mean_slope(section, axis).abs()).at_most((most_a / bend).sqrt());
         let is_too_fast = twist * speed * speed * speed > most_j;
         Ok(if is_too_fast { (most_j / twist).cube_root_above().at_most(speed) } else { speed })
+    }
+
+    fn limiting_bends(&self, section: usize, axis: usize, pass: Pass) -> [R; 2] {
+        if pass == Pass::AsOne { [R::ZERO; 2] } else { self.bend_and_twist(section, axis) }
     }
 
     /// The limits of an axis in the direction in which it moves along a section.
@@ -178,15 +190,15 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// The limits of a motion along some sections: what their bends leave of acceleration and jerk.
-    pub fn limits_along(&self, sections: Range<usize>) -> Limits<R> {
-        let speeds = sections.clone().map(|section| self.share(section) * self.highest_speed(section));
+    pub fn limits_along(&self, sections: Range<usize>, pass: Pass) -> Limits<R> {
+        let speeds = sections.clone().map(|section| self.share(section) * self.highest_speed(section, pass));
         let vmax = most::<R>() * speeds.fold(R::INFINITY, R::at_most);
         let (square, cube) = (vmax * vmax, vmax * vmax * vmax);
         let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, vmax);
         for section in sections {
             for axis in 0..self.axes {
                 if let Ok(limits) = self.limits_by_slope(section, axis) {
-                    let [bend, twist] = self.bend_and_twist(section, axis);
+                    let [bend, twist] = self.limiting_bends(section, axis, pass);
                     let share = most::<R>() * self.share(section) / self.mean_slope(section, axis).abs();
                     let left = |limit: R, of: R, power: R| {
                         let by_bends = if of > R::ZERO { of * power } else { R::ZERO };
@@ -204,17 +216,17 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
     /// are infinite at the other points, where the start could not stop yet, and along one move.
-    fn limit_speeds(&mut self, start: State<R>, row: Range<usize>, is_one: bool) {
+    fn limit_speeds(&mut self, start: State<R>, row: Range<usize>, pass: Pass) {
         let (mut first, mut speed, mut passed) = (row.start, start.velocity, R::ZERO);
-        let mut limits = self.limits_along(first..first + 1);
-        let stop = if is_one { R::INFINITY } else { stop_length(&limits, start) };
+        let mut limits = self.limits_along(first..first + 1, pass);
+        let uncut = if pass == Pass::AsOne { R::INFINITY } else { stop_length(&limits, start) };
         for point in row.start + 1..row.end {
             let mut highest = R::INFINITY;
-            let next = self.limits_along(point..point + 1);
+            let next = self.limits_along(point..point + 1, pass);
             passed = passed + self.arc(point - 1);
-            if passed >= stop && !are_like(&limits, &next) {
+            if passed >= uncut && !are_like(&limits, &next) {
                 let sections = first..point;
-                speed = reached(&self.limits_along(sections.clone()), self.length(sections), speed);
+                speed = reached(&self.limits_along(sections.clone(), pass), self.length(sections), speed);
                 (first, limits, highest) = (point, next, speed);
             }
             self.memory.weights.put(point - 1, highest);
@@ -226,7 +238,7 @@ impl<R: Real> Chain<'_, '_, R> {
             let ahead = self.memory.weights.at(point - 1);
             if ahead.is_finite() {
                 let sections = point..last;
-                let limits = self.limits_along(sections.clone()).reversed();
+                let limits = self.limits_along(sections.clone(), pass).reversed();
                 speed = reached(&limits, self.length(sections), speed).at_most(ahead);
                 self.memory.weights.put(point - 1, speed);
                 last = point;
@@ -240,14 +252,14 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Passes the parts of a row between the points where its limits change, each as one move. A part that is impossible becomes slower for
     /// the next try. Whether all are possible.
-    fn pass_parts(&mut self, start: State<R>, row: Range<usize>) -> bool {
+    fn pass_parts(&mut self, start: State<R>, row: Range<usize>, pass: Pass) -> bool {
         let (mut first, mut state, mut passes) = (row.start, start, true);
         for point in row.start + 1..=row.end {
             let speed = self.memory.weights.at(point - 1);
             if speed.is_finite() {
                 let sections = first..point;
                 let end = State { velocity: speed, ..State::at(self.length(sections.clone())) };
-                let limits = self.limits_along(sections.clone());
+                let limits = self.limits_along(sections.clone(), pass);
                 if self.pass_part(&limits, state, end, sections.clone()).is_none() {
                     self.ease(sections);
                     passes = false;
