@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # constants.sh COUNT SEED: halves and doubles about COUNT numbers of the planners, every n-th of all, and prints those that no test finds, as rows
-# of docs/data/constants.csv. cargo-mutants leaves numbers as they are. The tests are those of `make mutants`.
+# of CSV: seed, change, file, line. cargo-mutants leaves numbers as they are. The tests are those of `make mutants`.
 set -euo pipefail
 count=$1 seed=$2
 out=$PWD/target/constants
