@@ -1,18 +1,35 @@
-//! The curve of a row of points: a cubic spline by the length of its arcs.
+//! The curve of a row of points, a cubic spline by the length of its arcs, and the limits of a motion along it.
 //!
-//! Before the first step the curve stands in tables of the steps: the lengths in `gradient_t`, slopes and bends in `diagonal`, and the measures of
-//! the axes in `product`.
+//! Before the first step the curve stands in tables of the steps: the lengths in `gradient_t`, slopes and bends in `diagonal`, the measures of
+//! the axes in `product`, the highest speeds in `mixed`, and which share of them is taken in `of_durations`.
 
 use core::ops::Range;
 
 use super::chain::Chain;
+use crate::findings::Error;
+use crate::limits::Limits;
 use crate::real::Real;
+
+/// Which part of the limits the first plan uses at most, so that it is off all of them.
+fn most<R: Real>() -> R {
+    R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
+}
+
+/// Three quarters of a limit: what bends take at most, and what counts as left by them at least. Where this is too much, a row becomes slower.
+fn for_bends<R: Real>(limit: R) -> R {
+    (R::HALF + R::HALF * R::HALF) * limit
+}
+
+/// What bends leave of a limit at a power of the speed, which may be infinite without bends.
+fn left<R: Real>(limit: R, bend: R, power: R) -> R {
+    let taken = if bend > R::ZERO { bend * power } else { R::ZERO };
+    (limit - taken).at_least(for_bends(limit))
+}
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Makes each axis count in its least limit of the jerk, so that units do not matter: it counts as much as it takes time. An axis with 0 or
-    /// infinity does not count. Forgets the curves of other rows.
+    /// infinity does not count.
     pub fn measure_axes(&mut self) {
-        self.memory.diagonal.clear();
         for axis in 0..self.axes {
             let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
             let least = limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)));
@@ -47,7 +64,7 @@ impl<R: Real> Chain<'_, '_, R> {
         parts.fold(R::ZERO, |sum, part| sum + part * part).sqrt()
     }
 
-    pub fn chord(&self, section: usize) -> R {
+    fn chord(&self, section: usize) -> R {
         self.norm(|axis| self.displacement(section, axis))
     }
 
@@ -67,7 +84,18 @@ impl<R: Real> Chain<'_, '_, R> {
             }
         }
         for axis in 0..self.axes {
+            for end in [row.start, row.end] {
+                self.set_slope_and_bend(end, axis, [R::ZERO; 2]);
+            }
             self.lay_spline(axis, row.clone());
+        }
+    }
+
+    /// Makes the bends of a row limit no speed.
+    pub fn ignore_bends(&mut self, row: Range<usize>) {
+        for state in row.start * self.axes..(row.end - 1) * self.axes {
+            let [slope, bend, _] = self.memory.diagonal.row(state);
+            self.memory.diagonal.set(state, [slope, bend, R::ZERO]);
         }
     }
 
@@ -113,24 +141,99 @@ impl<R: Real> Chain<'_, '_, R> {
         self.displacement(section, axis) / self.arc(section)
     }
 
+    /// Sets the slope of the curve at a point, and its second derivative, which limits the speed.
     fn set_slope_and_bend(&mut self, point: usize, axis: usize, [slope, bend]: [R; 2]) {
-        self.memory.diagonal.set((point - 1) * self.axes + axis, [slope, bend, R::ZERO]);
+        if let Some(before) = point.checked_sub(1) {
+            self.memory.diagonal.set(before * self.axes + axis, [slope, bend, bend]);
+        }
     }
 
-    /// The slope of the curve at a point, and its second derivative. Both are 0 at the ends of a row.
+    /// Slope, bend, and the bend that limits the speed. All are 0 at the ends of a row.
+    fn at_point(&self, point: usize, axis: usize) -> [R; 3] {
+        let before = point.checked_sub(1);
+        before.map_or([R::ZERO; 3], |before| self.memory.diagonal.row(before * self.axes + axis))
+    }
+
+    /// The slope of the curve at a point, and its second derivative.
     pub fn slope_and_bend(&self, point: usize, axis: usize) -> [R; 2] {
-        let Some(before) = point.checked_sub(1) else {
-            return [R::ZERO; 2];
-        };
-        let [slope, bend, _] = self.memory.diagonal.row(before * self.axes + axis);
+        let [slope, bend, _] = self.at_point(point, axis);
         [slope, bend]
     }
 
-    /// The largest second derivative of the curve in a section, and the third one, without signs. The third one counts as 0 next to an end of the row.
+    /// The largest second derivative of the curve in a section that limits the speed, and the third one, without signs. The third one counts as 0
+    /// next to an end of the row.
     pub fn bend_and_twist(&self, section: usize, axis: usize) -> [R; 2] {
-        let [[_, b0], [_, b1]] = [section, section + 1].map(|point| self.slope_and_bend(point, axis));
+        let [[_, _, b0], [_, _, b1]] = [section, section + 1].map(|point| self.at_point(point, axis));
         let is_at_end = b0 == R::ZERO || b1 == R::ZERO;
         let twist = if is_at_end { R::ZERO } else { (b1 - b0).abs() / self.arc(section) };
         [b0.abs().at_least(b1.abs()), twist]
+    }
+
+    /// Takes this share of the highest speeds along a row.
+    pub fn take_share(&mut self, row: Range<usize>, share: R) {
+        for section in row {
+            let speeds = (0..self.axes).filter_map(|axis| self.highest_speed(axis, section).ok());
+            let highest = speeds.fold(R::INFINITY, R::at_most);
+            self.memory.mixed.put(section, highest);
+            self.memory.of_durations.put(section, share);
+        }
+    }
+
+    /// The highest speed along a section that the limits of an axis allow. Its bends take `|q''| v²` of the acceleration, and `|q'''| v³` of the jerk.
+    fn highest_speed(&self, axis: usize, section: usize) -> Result<R, Error> {
+        let limits = self.limits_by_slope(section, axis)?;
+        let [bend, twist] = self.bend_and_twist(section, axis);
+        let most_a = for_bends(limits.amax.at_most(-limits.amin));
+        let most_j = for_bends(limits.jmax.at_most(-limits.jmin));
+        let speed = (limits.vmax / self.mean_slope(section, axis).abs()).at_most((most_a / bend).sqrt());
+        let is_too_fast = twist * speed * speed * speed > most_j;
+        Ok(if is_too_fast { (most_j / twist).cube_root_above().at_most(speed) } else { speed })
+    }
+
+    /// The limits of an axis in the direction in which it moves along a section.
+    fn limits_by_slope(&self, section: usize, axis: usize) -> Result<Limits<R>, Error> {
+        let limits = self.limits(section, axis)?;
+        Ok(if self.displacement(section, axis) < R::ZERO { limits.mirrored() } else { *limits })
+    }
+
+    /// At which share of its highest speed a section is passed: with the square of it of the acceleration, and with its cube of the jerk.
+    fn share(&self, section: usize) -> R {
+        self.memory.of_durations.at(section)
+    }
+
+    pub fn speed(&self, section: usize) -> R {
+        self.share(section) * self.memory.mixed.at(section)
+    }
+
+    /// The limits of a motion along some sections: what their bends leave of acceleration and jerk.
+    pub fn limits_along(&self, sections: Range<usize>) -> Limits<R> {
+        let vmax = most::<R>() * sections.clone().map(|section| self.speed(section)).fold(R::INFINITY, R::at_most);
+        let (square, cube) = (vmax * vmax, vmax * vmax * vmax);
+        let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, vmax);
+        for section in sections {
+            let share = self.share(section);
+            for axis in 0..self.axes {
+                if let Ok(limits) = self.limits_by_slope(section, axis) {
+                    let [bend, twist] = self.bend_and_twist(section, axis);
+                    let of_a = most::<R>() * share * share / self.mean_slope(section, axis).abs();
+                    let of_j = share * of_a;
+                    along.amax = along.amax.at_most(of_a * left(limits.amax, bend, square));
+                    along.amin = along.amin.at_least(-of_a * left(-limits.amin, bend, square));
+                    along.jmax = along.jmax.at_most(of_j * left(limits.jmax, twist, cube));
+                    along.jmin = along.jmin.at_least(-of_j * left(-limits.jmin, twist, cube));
+                }
+            }
+        }
+        along
+    }
+
+    /// Makes some sections slower, the more the slower they are: by 1/64 at first, and by 1/16 at most. Rounding alone makes a narrow section
+    /// impossible at the highest jerk.
+    pub fn ease(&mut self, sections: Range<usize>) {
+        for section in sections {
+            let share = self.share(section);
+            let less = (R::ONE - share + R::HALF * R::HALF * R::SIXTEENTH).at_most(R::SIXTEENTH);
+            self.memory.of_durations.put(section, share - less * share);
+        }
     }
 }

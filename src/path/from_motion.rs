@@ -3,7 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::rows::{NEARLY_ALL, Pass, stop_length};
+use super::rows::{nearly_all, stop_length};
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
 use crate::online::Move;
@@ -16,8 +16,6 @@ const SLOWER_STARTS: usize = 64;
 const STEPS: u32 = 8;
 /// Steps to the centre before the start becomes faster again.
 const STEPS_TO_CENTRE: u32 = 2;
-/// The share of the limits that a stop along the points takes first, in sixteenths.
-const A_HALF: u8 = 8;
 /// Gains of speed that are tried: the first, its half, its quarter, …
 const MOST_GAINS: u32 = 8;
 
@@ -110,23 +108,20 @@ impl<R: Real> Chain<'_, '_, R> {
         };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
-        let mut brakes_to = |last| self.rests_at(last) && self.brake(NEARLY_ALL, start, last);
+        let mut brakes_to = |last| self.rests_at(last) && self.brake(nearly_all(), start, last);
         brakes_to(corner) || brakes_to(end) || self.stop_along(start)
     }
 
-    fn brake(&mut self, share: u8, start: State<R>, last: usize) -> bool {
-        let passes = self.pass_row(share, start, 0..last) && self.come_inside(last);
-        if !passes {
-            self.take_back(0..self.sections);
-        }
-        passes
+    fn brake(&mut self, share: R, start: State<R>, last: usize) -> bool {
+        self.pass_row(share, start, 0..last) && self.come_inside(last)
     }
 
     fn stop_along(&mut self, start: State<R>) -> bool {
+        let share = R::ONE - R::HALF * R::HALF;
         self.lay_curve(0..self.sections);
-        self.take_share(0..self.sections, A_HALF);
-        let stop = stop_length(&self.limits_along(0..self.sections, Pass::InParts), start);
-        self.brake(A_HALF, start, self.next_point(stop))
+        self.take_share(0..self.sections, share);
+        let stop = stop_length(&self.limits_along(0..self.sections), start);
+        self.brake(share, start, self.next_point(stop))
     }
 
     /// The first point that is so far along the path, or its end.

@@ -1,5 +1,7 @@
 //! The working memory of a path: tables of numbers, which the caller provides.
 
+use core::ops::Range;
+
 use crate::real::Real;
 
 /// A table with `W` numbers a row. A row that is not there has zeros, and is not written.
@@ -36,8 +38,12 @@ impl<R: Real, const W: usize> Table<'_, R, W> {
     }
 
     pub fn copy(&mut self, other: &Self) {
-        for (number, other) in self.0.iter_mut().zip(&*other.0) {
-            *number = *other;
+        self.copy_rows(other, 0..self.0.len() / W);
+    }
+
+    pub fn copy_rows(&mut self, other: &Self, rows: Range<usize>) {
+        for row in rows {
+            self.set(row, other.row(row));
         }
     }
 
@@ -199,9 +205,9 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub weights: Column<'a, R>,
     /// The gradient by the durations. Before the steps the lengths of a curve.
     pub gradient_t: Column<'a, R>,
-    /// The second derivatives by each duration. Before the steps the shares of the limits that a row takes.
+    /// The second derivatives by each duration. Before the steps which share of its highest speed each section of a row takes.
     pub of_durations: Column<'a, R>,
-    /// The second derivatives by each duration and the next one.
+    /// The second derivatives by each duration and the next one. Before the steps the highest speeds along the sections of a row.
     pub mixed: Column<'a, R>,
     /// `G`: the part of `of_durations` that is never negative.
     pub damping: Column<'a, R>,

@@ -28,7 +28,7 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
 use chain::{Chain, Planned, Request, total};
-use rows::slower;
+use rows::nearly_all;
 use steps::Steps;
 use warm::Improved;
 
@@ -226,7 +226,7 @@ impl<R: Real> Chain<'_, '_, R> {
 
     fn is_inside(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
         if passes {
-            self.scale_time(slower());
+            self.scale_time(R::ONE / nearly_all());
             if self.is_strictly_inside() {
                 return Ok(true);
             }

@@ -1,7 +1,7 @@
 //! The first plan: it stops at every waypoint.
 
 use super::chain::Chain;
-use super::rows::NEARLY_ALL;
+use super::rows::nearly_all;
 use crate::findings::Error;
 use crate::online::problem::Problem;
 use crate::real::Real;
@@ -52,7 +52,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Makes every section as short as it can be, as the states stand. Returns the duration of the path, s.
-    pub fn last_shortest(&mut self) -> Result<R, Error> {
+    fn last_shortest(&mut self) -> Result<R, Error> {
         for section in 0..self.sections {
             let duration = self.shortest(section, R::ZERO)?;
             self.memory.durations.put(section, duration);
@@ -73,7 +73,7 @@ impl<R: Real> Chain<'_, '_, R> {
                 None => return false,
             }
         }
-        self.pass_rows_from(first, NEARLY_ALL);
+        self.pass_rows_from(first, nearly_all());
         true
     }
 }

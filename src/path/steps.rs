@@ -21,8 +21,7 @@ impl Steps {
     pub fn of(asked: u32, sections: usize) -> Self {
         let (most, falls) = match asked.min(MOST_STEPS) {
             0 if sections < MANY_SECTIONS => (MOST_BY_DEFAULT, FEW_FALLS),
-            0 if sections < VERY_MANY_SECTIONS => (MOST_BY_DEFAULT, MOST_BY_DEFAULT - 1),
-            0 => (MOST_OF_VERY_MANY, MOST_OF_VERY_MANY - 1),
+            0 => (MOST_BY_DEFAULT, MOST_BY_DEFAULT - 1),
             asked => (asked, asked - 1),
         };
         Self { most, falls }
@@ -33,9 +32,6 @@ impl Steps {
 const MOST_BY_DEFAULT: u32 = 48;
 /// A path of this many sections gets them all, because its points may be close.
 const MANY_SECTIONS: usize = 10;
-/// A path of this many sections gets more, because its points may be so close that its stops take 100 times as long as the path.
-const VERY_MANY_SECTIONS: usize = 2_000;
-const MOST_OF_VERY_MANY: u32 = 96;
 /// The plan of a shorter path is done after so many falls of the weight. After each a step is not halved.
 const FEW_FALLS: u32 = 11;
 /// Parts of a step that are tried: the first, its half, its quarter, …
