@@ -55,6 +55,13 @@ pub(super) fn stop_length<R: Real>(limits: &Limits<R>, start: State<R>) -> R {
     if stops { run.end().position } else { R::ZERO }
 }
 
+/// How long a narrow section takes, whose duration rounding makes inaccurate as the difference of two times, s. With a constant jerk its length is
+/// `(v0 + v1) t/2 + (a0 - a1) t²/12`.
+fn duration_of<R: Real>(length: R, from: State<R>, to: State<R>, inaccurate: R) -> R {
+    let by_accelerations = (from.acceleration - to.acceleration) * inaccurate * inaccurate / R::from(12);
+    R::from(2) * (length - by_accelerations) / (from.velocity + to.velocity)
+}
+
 fn sum<R: Real>(sections: Range<usize>, of: impl Fn(usize) -> R) -> R {
     sections.fold(R::ZERO, |sum, section| sum + of(section))
 }
@@ -198,19 +205,22 @@ impl<R: Real> Chain<'_, '_, R> {
         let mut run = Move::default();
         let found = run.plan(limits, start, end).ok()?;
         (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
-        let (mut passed, mut time) = (R::ZERO, R::ZERO);
+        let (mut passed, mut time, mut from) = (R::ZERO, R::ZERO, start);
         for section in sections.clone() {
             let point = section + 1;
             passed = passed + self.arc(section);
             let at = if point == sections.end { run.t } else { run.time_at(passed)? };
-            let state = if point == sections.end { end } else { run.state_at(at) };
-            if state.velocity > R::ZERO {
-                self.pass(point, state);
+            let to = if point == sections.end { end } else { run.state_at(at) };
+            if to.velocity > R::ZERO {
+                self.pass(point, to);
             }
-            let duration = at - time;
+            let mut duration = at - time;
+            if !self.is_possible(section, duration) {
+                duration = duration_of(self.arc(section), from, to, duration);
+            }
             self.memory.durations.put(section, duration);
             (self.is_possible(section, duration) && self.is_point_inside(point)).then_some(())?;
-            time = at;
+            (time, from) = (at, to);
         }
         Some(())
     }

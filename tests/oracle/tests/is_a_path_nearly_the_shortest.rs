@@ -460,14 +460,16 @@ fn uneven_rows_do_not_stall() {
     }
 }
 
-/// Points on a line whose distances differ by factors of 10 and of 100: over the move without points.
+/// Points on a line whose distances differ by factors of 10 and of 100: over the move without points. In binary32 rounding errors close narrow
+/// sections, and the more there are, the slower is the path.
 #[test]
 fn uneven_points_on_a_line_cost_nothing() {
     let mut random = Random::seeded(37);
-    let limits @ [jerk, acceleration, velocity] = [100.0, 5.0, 1.0];
-    for (sections, rows) in [(20, 20), (40, 20), (200, 10), (1_000, 3)] {
+    let [jerk, acceleration, velocity] = [100.0, 5.0, 1.0];
+    let limits = [velocity, -velocity, acceleration, -acceleration, jerk, -jerk];
+    for (sections, rows, most_f32) in [(20, 20, 1.005), (40, 20, 1.02), (200, 10, 1.4), (1_000, 3, 1.7)] {
         for factor in [1.0, 2.0] {
-            let (mut sum, mut worst) = (0.0, 0.0);
+            let mut parts = [vec![], vec![]];
             for _ in 0..rows {
                 let mut positions = vec![0.0];
                 for _ in 0..sections {
@@ -476,12 +478,14 @@ fn uneven_points_on_a_line_cost_nothing() {
                 let mut alone = Move::default();
                 let end = State::at(positions[sections]);
                 alone.plan(&Limits::symmetric(jerk, acceleration, velocity), State::at(0.0), end).expect("a plan");
-                let part = duration_between(limits, &of_one_axis(&positions)) / alone.t;
-                (sum, worst) = (sum + part, f64::max(worst, part));
+                parts[0].push(duration_of::<f64>(limits, &positions, [0.0; 2]) / alone.t);
+                parts[1].push(duration_of::<f32>(limits, &positions, [0.0; 2]) / alone.t);
             }
-            let mean = sum / f64::from(rows);
-            println!("{sections} sections over 1e{factor}: mean {mean:.5}, worst {worst:.5} of the move");
-            assert!(mean <= 1.001 && worst <= 1.01);
+            let [[mean, worst], in_f32] = parts.map(|parts| mean_and_worst(&parts));
+            println!(
+                "{sections} sections over 1e{factor}: mean {mean:.5}, worst {worst:.5} of the move, {in_f32:.4?} in f32"
+            );
+            assert!(mean <= 1.001 && worst <= 1.01 && in_f32[0] <= most_f32);
         }
     }
 }
@@ -491,11 +495,11 @@ fn uneven_points_on_a_line_cost_nothing() {
 fn uneven_points_on_a_line_in_space_cost_nothing() {
     let mut random = Random::seeded(40);
     let mut parts = vec![];
-    for k in 0..40 {
+    for (k, sections) in (0..40).map(|k| 20 + 5 * k).chain([2_000, 8_000]).enumerate() {
         let axes = 2 + k % 3;
         let direction: Vec<_> = (0..axes).map(|_| random.between(-1.0, 1.0)).collect();
         let steepest = direction.iter().copied().map(f64::abs).fold(0.0, f64::max);
-        let places = places(20 + 5 * k, &mut random);
+        let places = places(sections, &mut random);
         let points: Vec<Vec<_>> = places.iter().map(|s| direction.iter().map(|slope| slope * s).collect()).collect();
         let mut alone = Move::default();
         let end = State::at(steepest * places[places.len() - 1]);
@@ -503,7 +507,7 @@ fn uneven_points_on_a_line_in_space_cost_nothing() {
         parts.push(duration_between([50.0, 10.0, 5.0], &points) / alone.t);
     }
     let [mean, worst] = mean_and_worst(&parts);
-    println!("lines in 2 to 4 axes: mean {mean:.5}, worst {worst:.5} of the move");
+    println!("lines in 2 to 4 axes: mean {mean:.5}, worst {worst:.5} of the move, of {:.5?} dense ones", &parts[40..]);
     assert!(mean <= 1.002 && worst <= 1.025);
 }
 
@@ -663,22 +667,27 @@ fn tolerances_save_time() {
     }
 }
 
-/// A flower of five leaves and 64 close points.
+/// Flowers of five leaves and close points. Zones of 10 mm overlap, so how long such a path takes differs from flower to flower.
 #[test]
 fn tolerances_smooth_a_flower() {
-    let point = |k: i32| {
-        let angle = f64::from(k) / 64.0 * std::f64::consts::TAU;
-        let radius = 0.1 + 0.04 * (5.0 * angle).cos();
-        [radius * angle.cos(), radius * angle.sin()].map(State::at)
+    let flower = |points: i32| {
+        let point = |k: i32| {
+            let angle = f64::from(k) / f64::from(points) * std::f64::consts::TAU;
+            let radius = 0.1 + 0.04 * (5.0 * angle).cos();
+            [radius * angle.cos(), radius * angle.sin()].map(State::at)
+        };
+        let limits = vec![Limits::symmetric(30.0, 10.0, 5.0); 2];
+        Chain { family: Family::Dense, axes: 2, limits, states: (0..=points).flat_map(point).collect() }
     };
-    let limits = vec![Limits::symmetric(30.0, 10.0, 5.0); 2];
-    let states = (0..=64).flat_map(point).collect();
-    let chain = Chain { family: Family::Dense, axes: 2, limits, states };
-    for (tolerance, most) in [(0.0, 3.450), (1e-5, 3.4465), (1e-4, 3.4236), (1e-3, 3.3225), (1e-2, 2.76)] {
-        let [near, exact] = with_tolerance(&chain, tolerance);
+    for (tolerance, most) in [(0.0, 3.450), (1e-5, 3.4465), (1e-4, 3.4236), (1e-3, 3.3225)] {
+        let [near, exact] = with_tolerance(&flower(64), tolerance);
         println!("a flower, tolerance {tolerance}: {near:.4} s, {exact:.4} s through the points");
         assert!(near <= most);
     }
+    let near = [56, 60, 64, 68, 72].map(|points| with_tolerance(&flower(points), 1e-2)[0]);
+    let [mean, worst] = mean_and_worst(&near);
+    println!("flowers of 56 to 72 points, tolerance 0.01: {mean:.4} s, at most {worst:.4}");
+    assert!(mean <= 2.76);
 }
 
 test_both_reals!(
