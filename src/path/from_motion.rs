@@ -101,7 +101,7 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Makes the path brake along its points: to the first corner or the end, or to a stop as early as it can. Whether this is possible, and
     /// shorter.
-    fn brake_along(&mut self) -> bool {
+    pub fn brake_along(&mut self) -> bool {
         self.measure_axes();
         let Some(start) = self.start_along() else {
             return false;

@@ -61,7 +61,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Shortens a plan; if it is impossible, plans again from stops. Its first section may be held.
     pub fn improve(&mut self, given: &[R], steps: Steps, may_be_held: bool) -> Result<Improved, Error> {
         let before = self.take_given(given)?;
-        match (self.shorten_given(given, steps)?, before) {
+        match (self.shorten_any(given, steps, before)?, before) {
             (true, _) => {}
             (false, Some(_)) if may_be_held && self.sections > 1 => return Ok(Improved::Held),
             _ => self.plan(steps)?,
@@ -71,6 +71,21 @@ impl<R: Real> Chain<'_, '_, R> {
             self.take_given(given)?;
         }
         Ok(Improved::Shorter)
+    }
+
+    /// Shortens the plan that is there, or one that brakes along the points, if that takes half of the time: the steps do not open many new
+    /// sections, which begin with stops. Whether a plan is strictly inside.
+    fn shorten_any(&mut self, given: &[R], steps: Steps, before: Option<R>) -> Result<bool, Error> {
+        if let (Some(before), true) = (before, self.has_new(given)) {
+            self.stop_everywhere()?;
+            if self.brake_along() && self.duration() < R::HALF * before {
+                self.shorten(steps, 0);
+                self.promise()?;
+                return Ok(true);
+            }
+            self.take_given(given)?;
+        }
+        self.shorten_given(given, steps)
     }
 
     /// Takes over the plan that is there. Gives its duration if it is possible, s.
@@ -137,6 +152,11 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         is_duration.then_some(duration).ok_or(Error::Duration)
     }
 
+    /// Whether a section of the plan that is there is new.
+    fn has_new(&self, given: &[R]) -> bool {
+        (0..self.sections).any(|section| self.given(section, given) == Ok(R::ZERO))
+    }
+
     fn take_state(&mut self, point: usize, slow: &Slow<R>) -> Result<(), Error> {
         for axis in 0..self.axes {
             let state = self.request.state(self.place(point), axis);
@@ -158,10 +178,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             return None;
         }
         // New sections begin with stops, far from the best plan.
-        let mut is_new = false;
-        for section in 0..self.sections {
-            is_new |= self.given(section, given) == Ok(R::ZERO);
-        }
+        let is_new = self.has_new(given);
         // For fewer than 3 steps there is no other.
         let may_be = |thousandths, least| least <= steps && (thousandths > 0 || !is_new || steps < 3);
         let mut moves = false;
