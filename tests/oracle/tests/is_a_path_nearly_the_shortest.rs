@@ -397,6 +397,15 @@ fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64;
     planned.duration()
 }
 
+/// While the weight of the logarithms is large, the plan must stay near the centre: this path ends in 5.6233 s otherwise.
+#[test]
+fn the_first_falls_wait_for_the_centre() {
+    let mut chains = Chains::new(3);
+    let chains = (0..276).map(|_| chains.of::<f64>(Family::ToAndFro));
+    let duration = Paths.plan(&chains.last().expect("a path"), 0).expect("a plan").0.duration();
+    assert!(duration < 5.604, "{duration} s");
+}
+
 /// The axis has to speed up at the end, where its acceleration falls slowly. So the last section must last more than a sixteenth longer before the
 /// steps can begin, and the plan that stops everywhere takes 71 s.
 #[test]
