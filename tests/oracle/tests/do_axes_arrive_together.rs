@@ -1,7 +1,7 @@
 //! Do several axes arrive together, as early as they can, or stay on a straight line, in 20,000 sets of axes per real type?
 
 use atraj::axes::synchronise;
-use atraj::online::Move;
+use atraj::online::{Limits, Move, State};
 use oracle::judge::axes::faults::Fault;
 use oracle::judge::axes::problems::{Family, Set, Sets};
 use oracle::judge::axes::several::{self, Planner, Together};
@@ -96,6 +96,19 @@ fn the_finest_axis_leads() {
     assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
 }
 
+/// The first axis goes a little farther. So far from 0 rounding changes its displacement, and it must not lead.
+#[test]
+fn an_uncertain_axis_does_not_lead() {
+    for far in [1e15_f64, 1e16, 3e16] {
+        let from =
+            [(far, 3.55), (0.0, 3.195)].map(|(position, velocity)| State { position, velocity, acceleration: 0.0 });
+        let to = [far + 7.1, 6.39].map(State::at);
+        let mut axes = [Move::default(); 2];
+        atraj::axes::line(&mut axes, &[Limits::symmetric(100.0, 20.0, 8.0); 2], &from, &to, 0.0, 0.0).expect("a plan");
+        assert!((axes[1].t - 1.3050078125).abs() < 1e-9, "{far}: {} s", axes[1].t);
+    }
+}
+
 /// An axis is shifted in time at its start and at its end. Each is within its roundings, and the judge allowed those of one end.
 #[test]
 #[rustfmt::skip]
@@ -116,6 +129,17 @@ fn a_ramp_is_possible() {
          0.0, 11.9558487703089, -0.7271642198254368, 5.127720470454733e-10, 11.955848770277713, -0.7271642198254368],
     ]);
     assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+}
+
+/// An axis has 1,000 times as long as it needs. In the mean of motions at its limits rounding errors let its position jump.
+#[test]
+#[rustfmt::skip]
+fn a_long_motion_is_slow() {
+    let set = axes::<f64>(375.524990440379, &[
+        [2.1137054399908717, -2.1137054399908717, 0.38359803842883605, -0.38359803842883605, 74.70198582519306, -74.70198582519306,
+         0.0, 0.0, -0.10913559403318034, -1.1646755558612535e-25, -1.5944124849433836e-13, -0.10913559403318034],
+    ]);
+    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
 }
 
 /// Each of four axes is a slower copy of the one before, and the end of its gap lies in the gap of the next one. So four gaps are passed.
