@@ -1,10 +1,9 @@
-//! What the steps make small: the sum of the durations, less `mu` times the weighted logarithms of all slacks.
+//! What the steps make small: the sum of the durations over `mu`, less the weighted logarithms of all slacks.
 //!
 //! `docs/path-theory.md` has the theory, in "The barrier".
 
 use super::chain::Chain;
 use super::memory::{group, tile};
-use super::slack::Side;
 use crate::interval::derivatives::Derivatives;
 use crate::real::Real;
 
@@ -24,25 +23,25 @@ fn scaled<R: Real>([v0, a0, v1, a1, t]: [R; 5], by: R) -> [R; 5] {
     [by * v0, by * a0, by * v1, by * a1, by * t]
 }
 
-/// Replaces the derivatives of a slack and of the opposite one by the derivatives of `-mu` times the sum of their logarithms. Gives the gradients of
-/// both logarithms.
+/// Replaces the derivatives of a slack and of the opposite one by those of the sum of their logarithms times `-weight`. Gives the gradients of both
+/// logarithms.
 fn take_logarithms<R: Real>(
-    [above, below]: [R; 2], upper: &mut Derivatives<R>, lower: &Derivatives<R>, mu: R,
+    [above, below]: [R; 2], upper: &mut Derivatives<R>, lower: &Derivatives<R>, weight: R,
 ) -> [[R; 5]; 2] {
     let (per_above, per_below) = (R::ONE / above, R::ONE / below);
     let (x, z) = (scaled(upper.first, per_above), scaled(lower.first, per_below));
     let products = products(x).into_iter().zip(products(z));
     let entries = upper.second.iter_mut().zip(&lower.second);
     for ((entry, other), (xx, zz)) in entries.zip(products) {
-        *entry = mu * ((xx - per_above * *entry) + (zz - per_below * *other));
+        *entry = weight * ((xx - per_above * *entry) + (zz - per_below * *other));
     }
     let ([x0, x1, x2, x3, x_t], [z0, z1, z2, z3, z_t]) = (x, z);
     let sums = [x0 + z0, x1 + z1, x2 + z2, x3 + z3, x_t + z_t];
-    upper.first = scaled(sums, -mu);
+    upper.first = scaled(sums, -weight);
     [x, z]
 }
 
-/// The derivatives of `-mu` times the sum of both logarithms by the displacement `h`. The gradients of the logarithms are given.
+/// The derivatives of the sum of both logarithms times `-weight` by the displacement `h`. The gradients of the logarithms are given.
 struct ByDisplacement<R> {
     first: R,
     /// By `h` and `v0`, `a0`, `v1`, `a1`, `t`.
@@ -52,16 +51,16 @@ struct ByDisplacement<R> {
 
 impl<R: Real> ByDisplacement<R> {
     /// The slack above falls by what the displacement grows, and the one below grows.
-    fn of([above, below]: [R; 2], [x, z]: [[R; 5]; 2], mu: R) -> Self {
+    fn of([above, below]: [R; 2], [x, z]: [[R; 5]; 2], weight: R) -> Self {
         let (per_above, per_below) = (R::ONE / above, R::ONE / below);
         let mut mixed = x;
         for (x, z) in mixed.iter_mut().zip(z) {
-            *x = mu * (per_below * z - per_above * *x);
+            *x = weight * (per_below * z - per_above * *x);
         }
         Self {
-            first: mu * (per_above - per_below),
+            first: weight * (per_above - per_below),
             mixed,
-            second: mu * (per_above * per_above + per_below * per_below),
+            second: weight * (per_above * per_above + per_below * per_below),
         }
     }
 }
@@ -120,42 +119,58 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         weights.at(point - 1).at_most(weights.at(point))
     }
 
-    /// Finds slacks, gradient and Hessian of the plan as it stands. `None` if the plan is not inside.
-    pub fn assemble(&mut self, mu: R) -> Option<()> {
+    /// Finds slacks, gradient and Hessian of the logarithms. Gives how much they grow since the plan before. `None` if the plan is not inside.
+    pub fn assemble(&mut self) -> Option<R> {
         self.memory.of_durations.clear();
         self.memory.mixed.clear();
         self.memory.damping.clear();
-        self.memory.gradient_t.numbers_mut().fill(R::ONE);
-        for axis in 0..self.axes {
-            for section in 0..self.sections {
-                self.assemble_section(section, axis, mu)?;
-            }
-            for point in 1..self.sections {
-                self.assemble_point(point, axis, mu)?;
-            }
-        }
+        self.memory.gradient_t.clear();
+        let mut growth = R::ZERO;
         for section in 0..self.sections {
-            let memory = &mut self.memory;
-            let per_duration = memory.gradient_t.at(section) / memory.durations.at(section);
-            memory.of_durations.add(section, [per_duration]);
+            let mut logarithms = Logarithms::none();
+            for axis in 0..self.axes {
+                self.last_assembled = section;
+                logarithms.add(self.assemble_section(section, axis)?);
+            }
+            growth = growth + self.memory.weights.at(section) * logarithms.sum();
         }
-        Some(())
+        for point in 1..self.sections {
+            let mut logarithms = Logarithms::none();
+            for axis in 0..self.axes {
+                self.assemble_point(point, axis, &mut logarithms)?;
+            }
+            growth = growth + self.weight_of_point(point) * logarithms.sum();
+        }
+        Some(growth)
     }
 
-    fn assemble_section(&mut self, section: usize, axis: usize, mu: R) -> Option<()> {
+    /// Adds the durations over `mu` to gradient and Hessian.
+    pub fn add_durations(&mut self, mu: R) {
+        let per_mu = R::ONE / mu;
+        for section in 0..self.sections {
+            let memory = &mut self.memory;
+            let slope = memory.gradient_t.at(section) + per_mu;
+            memory.gradient_t.put(section, slope);
+            // What the curve of the duration adds.
+            memory.of_durations.add(section, [slope / memory.durations.at(section)]);
+        }
+    }
+
+    /// How many times as large the product of both slacks is as in the plan before.
+    fn assemble_section(&mut self, section: usize, axis: usize) -> Option<R> {
         let ends = [self.at(section, axis), self.at(section + 1, axis)];
         let duration = self.memory.durations.at(section);
-        let mu = mu * self.memory.weights.at(section);
+        let weight = self.memory.weights.at(section);
         let limits = self.limits(section, axis).ok()?;
         let upper = self.upper(limits, (section, axis), ends, duration);
         let lower = upper.lower();
         let (above, below) = (upper.farthest()?, lower.farthest()?);
         let slacks = [above.slack, below.slack];
         let mut terms = upper.derivatives(&above);
-        let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&below), mu);
-        self.damp((section, axis), logarithms, mu);
+        let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&below), weight);
+        self.damp((section, axis), logarithms, weight);
         let ByDisplacement { first: g_h, mixed: [hv0, ha0, hv1, ha1, ht], second: hh } =
-            ByDisplacement::of(slacks, logarithms, mu);
+            ByDisplacement::of(slacks, logarithms, weight);
         let Derivatives { first, second } = &terms;
         let [g_v0, g_a0, g_v1, g_a1, g_t] = *first;
         let [v0v0, a0v0, a0a0, v1v0, v1a0, v1v1, a1v0, a1a0, a1v1, a1a1, tv0, ta0, tv1, ta1, tt] = *second;
@@ -184,12 +199,13 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if K > 2 {
             memory.of_offsets.set(piece, [y * hv1, y * ha1, y * y * hh]);
         }
-        Some(())
+        let [was_above, was_below] = memory.tried_slacks.row(piece);
+        Some((above.slack / was_above) * (below.slack / was_below))
     }
 
     /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points next to
     /// the section, which is that of the step before.
-    fn damp(&mut self, (section, axis): (usize, usize), logarithms: [[R; 5]; 2], mu: R) {
+    fn damp(&mut self, (section, axis): (usize, usize), logarithms: [[R; 5]; 2], weight: R) {
         let [before, start] = self.slopes(section, axis);
         let [end, after] = self.slopes(section + 1, axis);
         let products = logarithms.map(|[v0, a0, v1, a1, t]| {
@@ -198,7 +214,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             [of_start(before), t + of_start(start) + of_end(end), of_end(after)]
         });
         let [[before, own, after], [other_before, other_own, other_after]] = products;
-        let squares = |x: R, z: R| [mu * (x * x + z * z)];
+        let squares = |x: R, z: R| [weight * (x * x + z * z)];
         let damping = &mut self.memory.damping;
         if let Some(previous) = section.checked_sub(1) {
             damping.add(previous, squares(before, other_before));
@@ -207,18 +223,25 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         damping.add(section + 1, squares(after, other_after));
     }
 
-    fn assemble_point(&mut self, point: usize, axis: usize, mu: R) -> Option<()> {
+    fn assemble_point(&mut self, point: usize, axis: usize, logarithms: &mut Logarithms<R>) -> Option<()> {
         let row = (point - 1) * self.axes + axis;
         let (bounds, state) = (self.bounds(point, axis), self.at(point, axis));
-        let mu = mu * self.weight_of_point(point);
-        let ([g_v, g_a], hessian) = bounds.barrier(state, mu);
-        let offset = self.memory.offsets.at(row);
-        let (x, z) = (R::ONE / (R::ONE - offset), R::ONE / (R::ONE + offset));
-        self.memory.gradient.add(row, group([g_v, g_a, mu * (x - z)]));
+        let before = self.memory.tried_states.row(point * self.axes + axis);
+        logarithms.add(bounds.product(state)? / bounds.product(before)?);
+        let weight = self.weight_of_point(point);
+        let ([g_v, g_a], hessian) = bounds.barrier(state, weight);
         self.memory.diagonal.add(row, hessian);
+        let mut gradient = [g_v, g_a, R::ZERO];
         if K > 2 {
-            self.memory.of_offsets.add(row, [R::ZERO, R::ZERO, mu * (x * x + z * z)]);
+            let [offset, before] = [&self.memory.offsets, &self.memory.tried_offsets].map(|offsets| offsets.at(row));
+            let left = |offset: R| (R::ONE - offset) * (R::ONE + offset);
+            let is_inside = left(offset) > R::ZERO;
+            is_inside.then(|| logarithms.add(left(offset) / left(before)))?;
+            let (x, z) = (R::ONE / (R::ONE - offset), R::ONE / (R::ONE + offset));
+            gradient[2] = weight * (x - z);
+            self.memory.of_offsets.add(row, [R::ZERO, R::ZERO, weight * (x * x + z * z)]);
         }
+        self.memory.gradient.add(row, group(gradient));
         if self.is_narrow(point, axis) {
             let gradient = self.memory.gradient.row(row);
             let (g_v, g_a) = (gradient[0], gradient[1]);
@@ -234,14 +257,14 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(())
     }
 
-    /// How the plan changes if it takes the part `part` of the step: the change of the objective. `None` if it is not inside then.
+    /// Moves the plan by the part `part` of the step. Gives the change of the objective. `None` if the plan would not be inside: then it stays.
     pub fn try_step(&mut self, part: R, mu: R) -> Option<R> {
-        let mut change = R::ZERO;
+        let mut longer = R::ZERO;
         for section in 0..self.sections {
             let duration = self.memory.durations.at(section);
             let tried = along_curve(duration, part * self.change(section))?;
             self.memory.tried.put(section, tried);
-            change = change + (tried - duration);
+            longer = longer + (tried - duration);
         }
         for point in 1..self.sections {
             for axis in 0..self.axes {
@@ -254,50 +277,16 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                 }
             }
         }
-        let mut logarithms = R::ZERO;
-        for section in 0..self.sections {
-            let weight = self.memory.weights.at(section);
-            logarithms = logarithms + weight * self.try_section(section)?;
+        self.swap_tried();
+        // A section counts as narrow as before until its slacks are known.
+        self.memory.slacks.copy(&self.memory.tried_slacks);
+        let last = self.last_assembled;
+        let may_be_inside = self.is_possible(last, self.memory.durations.at(last));
+        let growth = may_be_inside.then(|| self.assemble()).flatten();
+        if growth.is_none() {
+            self.swap_tried();
         }
-        for point in 1..self.sections {
-            logarithms = logarithms + self.weight_of_point(point) * self.try_point(point)?;
-        }
-        Some(change - mu * logarithms)
-    }
-
-    /// The change of the logarithms of a section's slacks.
-    fn try_section(&self, section: usize) -> Option<R> {
-        let tried = self.memory.tried.at(section);
-        let mut logarithms = Logarithms::none();
-        for axis in 0..self.axes {
-            let piece = section * self.axes + axis;
-            let states = &self.memory.tried_states;
-            let ends = [states.row(piece), states.row(piece + self.axes)];
-            let h = self.displacement_with(&self.memory.tried_offsets, section, axis);
-            let t = self.inside(section, axis, tried);
-            let [upper, lower] = Side::upper(self.limits(section, axis).ok()?, ends, t, h).slacks()?;
-            let [was_upper, was_lower] = self.memory.slacks.row(piece);
-            logarithms.add((upper / was_upper) * (lower / was_lower));
-        }
-        Some(logarithms.sum())
-    }
-
-    /// The change of the logarithms of a waypoint's slacks.
-    fn try_point(&self, point: usize) -> Option<R> {
-        let mut logarithms = Logarithms::none();
-        for axis in 0..self.axes {
-            let bounds = self.bounds(point, axis);
-            let tried = self.memory.tried_states.row(point * self.axes + axis);
-            logarithms.add(bounds.product(tried)? / bounds.product(self.at(point, axis))?);
-            if K > 2 {
-                let row = (point - 1) * self.axes + axis;
-                let left = |offset: R| (R::ONE - offset) * (R::ONE + offset);
-                let left_then = left(self.memory.tried_offsets.at(row));
-                (left_then > R::ZERO).then_some(())?;
-                logarithms.add(left_then / left(self.memory.offsets.at(row)));
-            }
-        }
-        Some(logarithms.sum())
+        Some(longer / mu - growth?)
     }
 }
 
@@ -389,7 +378,6 @@ mod tests {
             let narrow = [[true, false], [true, false], [false; 2]];
             assert_eq!([1, 2, 3].map(is_narrow), narrow);
             let (mu, little) = (0.05, 1e-5);
-            chain.assemble(mu).expect("a plan inside");
             let unknowns = 6 * K + 4;
             for (one, other) in (0..unknowns).flat_map(|one| (0..=one).map(move |other| (one, other))) {
                 let mut step = Step { states: [[0.0; K]; 6], durations: [0.0; 4] };
@@ -397,8 +385,14 @@ mod tests {
                     let more = if unknown < 6 * K { 1.0 } else { 0.1 };
                     *step.numbers_mut().nth(unknown).expect("an unknown") += more;
                 }
+                chain.assemble().expect("a plan inside");
+                chain.add_durations(mu);
                 let found = derivatives(chain, step);
-                let mut change = |part| chain.try_step(part, mu).expect("a plan inside");
+                let mut change = |part| {
+                    let change = chain.try_step(part, mu).expect("a plan inside");
+                    chain.swap_tried();
+                    change
+                };
                 let (ahead, back) = (change(little), change(-little));
                 let slope = (ahead - back) / (2.0 * little);
                 let curvature = (ahead + back) / (little * little);

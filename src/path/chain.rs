@@ -130,6 +130,8 @@ pub(super) struct Chain<'a, 'w, R, const K: usize = 2> {
     pub memory: Memory<'w, R, K>,
     /// Whether an axis starts outside its limits, or will unavoidably exceed them at the end.
     pub findings: Findings,
+    /// The section that was assembled last. If it was not inside, half of the step often leaves it outside too.
+    pub last_assembled: usize,
 }
 
 impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
@@ -144,7 +146,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
             memory.places.put(section, R::from_index(place as i32));
             section += 1;
         });
-        let mut chain = Self { request, axes, sections, memory, findings: Findings::default() };
+        let mut chain = Self { request, axes, sections, memory, findings: Findings::default(), last_assembled: 0 };
         chain.memory.states.clear();
         chain.memory.offsets.clear();
         for axis in 0..axes {

@@ -386,7 +386,7 @@ pub(super) mod tests {
         }
         let request =
             Request { axes, sections, states: &[], limits: &[], parts: &[], tolerances: &[], is_begun: false };
-        Chain { request, axes, sections, memory, findings: Findings::default() }
+        Chain { request, axes, sections, memory, findings: Findings::default(), last_assembled: 0 }
     }
 
     /// The step of a state; none at the start and at the end.

@@ -69,10 +69,6 @@ impl<R: Real> Column<'_, R> {
     pub fn numbers(&self) -> &[R] {
         self.0
     }
-
-    pub fn numbers_mut(&mut self) -> &mut [R] {
-        self.0
-    }
 }
 
 /// The unknowns of an axis at a point by those of another: `K` rows.
@@ -167,11 +163,11 @@ impl<R: Real, const K: usize> Triangles<'_, R, K> {
 pub(super) struct Memory<'a, R, const K: usize> {
     /// Velocity and acceleration at each point, also at the start and at the end.
     pub states: Table<'a, R, 2>,
-    /// The states of a step that is tried, also of the start and of the end.
+    /// The states of the other plan: the one that is tried or kept, or the one before a step. Also those of the start and of the end.
     pub tried_states: Table<'a, R, 2>,
     /// How far each waypoint is from where it is given, in tolerances. Only with three unknowns, as all tables of positions.
     pub offsets: Column<'a, R>,
-    /// The offsets of a step that is tried.
+    /// The offsets of the other plan.
     pub tried_offsets: Column<'a, R>,
     pub tolerances: Column<'a, R>,
     /// The step in groups of `K`, section by section: of the state of each axis at its start, and of its duration with zeros. Those of the first
@@ -183,6 +179,8 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub inside: Column<'a, R>,
     /// The slacks of both borders.
     pub slacks: Table<'a, R, 2>,
+    /// The slacks of the other plan.
+    pub tried_slacks: Table<'a, R, 2>,
     /// The limits of the waypoints.
     pub bounds: Table<'a, R, 6>,
     /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps slopes and bends of a curve (`curve.rs`).
@@ -199,7 +197,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub places: Column<'a, R>,
     /// s
     pub durations: Column<'a, R>,
-    /// The durations of a step that is tried, s.
+    /// The durations of the other plan, s.
     pub tried: Column<'a, R>,
     /// The weights of the sections' logarithms. Before the steps the speeds at points of a row (`rows.rs`).
     pub weights: Column<'a, R>,
@@ -230,9 +228,9 @@ pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize
     let fits = is_count(axes, MOST_AXES) && is_count(sections, MOST_SECTIONS >> (K - 2));
     fits.then(|| {
         if K == 2 {
-            sections * (axes * (2 * axes + 34) + 14) + 2 * axes * (axes - 1) + 6
+            sections * (axes * (2 * axes + 36) + 14) + 2 * axes * (axes - 1) + 6
         } else {
-            sections * (axes * (9 * axes + 113) / 2 + 20) + 9 * axes * (axes - 1) / 2 + 12 - axes
+            sections * (axes * (9 * axes + 117) / 2 + 20) + 9 * axes * (axes - 1) / 2 + 12 - axes
         }
     })
 }
@@ -277,6 +275,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             displacements: Table(table(pieces)?),
             inside: Table(table(axes)?),
             slacks: Table(table(2 * pieces)?),
+            tried_slacks: Table(table(2 * pieces)?),
             bounds: Table(table(6 * waypoints)?),
             diagonal: Table(table(3 * waypoints)?),
             of_offsets: Table(table(3 * positions)?),

@@ -106,7 +106,9 @@ fn fallen<R: Real>(base: R, octaves: R) -> R {
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// Moves the states of the plan to the centre, where they are far from the limits.
     pub fn centre(&mut self, steps: u32, damping: &mut Damping<R>) {
-        self.begin();
+        if self.begin().is_none() {
+            return;
+        }
         // The more weight the logarithms have, the longer the sections last, and few long ones may last long enough to turn back.
         let weight = if self.sections < MANY_SECTIONS { R::HALF } else { R::ONE };
         for _ in 0..steps {
@@ -117,10 +119,12 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    fn begin(&mut self) {
+    /// Prepares the first step. `None` if the plan is not inside.
+    fn begin(&mut self) -> Option<()> {
         self.weigh();
+        self.keep_plan();
         self.memory.forget_slacks();
-        self.memory.tried_states.copy(&self.memory.states);
+        self.assemble().map(|_| ())
     }
 
     /// The first weight of a logarithm, as a part of the duration.
@@ -135,7 +139,9 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let mut mu = fallen(per_logarithm * self.duration(), octaves);
         let mut damping = Damping::new();
         let mut is_done = false;
-        self.begin();
+        if self.begin().is_none() {
+            return;
+        }
         for step in 0..most {
             let left = most - step;
             // After a short step the weight waits, but not in the last two fifths of the steps.
@@ -159,41 +165,45 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 
     /// One step, of which `first` is the first part that is tried. `None` if no step can be taken any more.
     fn step(&mut self, mu: R, first: R, damping: &mut Damping<R>) -> Option<Taken<R>> {
-        self.assemble(mu)?;
+        self.add_durations(mu);
         let of_states = damping.lambda;
         let mut tries = 0..MOST_DAMPINGS;
         while self.solve(of_states, damping.lambda).is_none() {
             tries.next()?;
             damping.scale(R::from(4));
         }
-        let slope = self.slope();
-        let distance = -slope / mu;
+        let distance = -self.slope();
         // At the centre of this weight rounding may hide the decrease, so being inside is enough.
         let is_near = distance < R::SIXTEENTH * R::HALF * R::HALF;
         let mut part = first;
         for halvings in 0..MOST_HALVINGS {
-            if self.try_step(part, mu).is_some_and(|change| change < R::ZERO || is_near) {
-                self.take_tried();
-                damping.learn(halvings);
-                let is_first = halvings == 0;
-                return Some(Taken { is_first, distance: distance / R::from_index(self.logarithms() as i32) });
+            match self.try_step(part, mu) {
+                Some(change) if change < R::ZERO || is_near => {
+                    damping.learn(halvings);
+                    let is_first = halvings == 0;
+                    return Some(Taken { is_first, distance: distance / R::from_index(self.logarithms() as i32) });
+                }
+                Some(_) => self.swap_tried(),
+                None => {}
             }
             part = R::HALF * part;
         }
         damping.scale(R::from(10));
+        self.assemble()?;
         Some(Taken { is_first: false, distance: R::INFINITY })
     }
 
-    /// Keeps the plan, for `take_tried`. Returns its duration, s.
+    /// Keeps the plan as the other one. Returns its duration, s.
     pub fn keep_plan(&mut self) -> R {
         self.memory.tried_states.copy(&self.memory.states);
         self.memory.tried.copy(&self.memory.durations);
         self.duration()
     }
 
-    /// Takes the plan that was tried last.
-    pub fn take_tried(&mut self) {
+    /// Takes the other plan, and keeps this one in its place.
+    pub fn swap_tried(&mut self) {
         let memory = &mut self.memory;
+        core::mem::swap(&mut memory.slacks, &mut memory.tried_slacks);
         core::mem::swap(&mut memory.states, &mut memory.tried_states);
         core::mem::swap(&mut memory.offsets, &mut memory.tried_offsets);
         core::mem::swap(&mut memory.durations, &mut memory.tried);

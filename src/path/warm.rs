@@ -76,7 +76,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Shortens the plan that is there, or one that brakes along the points, if that takes half of the time: the steps do not open many new
     /// sections, which begin with stops. Whether a plan is strictly inside.
     fn shorten_any(&mut self, given: &[R], steps: Steps, before: Option<R>) -> Result<bool, Error> {
-        if let (Some(before), true) = (before, self.has_new(given)) {
+        if let (Some(before), true) = (before, self.has_new(given) && !self.rests_at(0)) {
             self.stop_everywhere()?;
             if self.brake_along() && self.duration() < R::HALF * before {
                 self.shorten(steps, 0);
