@@ -427,3 +427,23 @@ impl<R: Real> Border<R> {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Border;
+    use crate::limits::Limits;
+
+    /// In 2 s the acceleration falls from 0.5 to -0.5 and rises to 0.5 again, without a rise before. At a lower velocity at the end, this rise is below 0
+    /// by half of the difference. It is rounding up to 16 ulps of both accelerations and the fall, or if it changes the velocity by 4 ulps of both
+    /// velocities at most.
+    #[test]
+    fn a_rise_below_0_is_rounding() {
+        let limits = Limits::symmetric(1.0, 9.0, 1e4);
+        let is_rounding = |v: f64, ulps: f64| {
+            let ends = [[v, 0.5], [v - 2.0 * ulps * f64::EPSILON, 0.5]];
+            Border::between(ends, &limits).without_cruise(2.0).is_some()
+        };
+        assert!(is_rounding(0.0, 28.0) && !is_rounding(0.0, 36.0));
+        assert!(is_rounding(1024.0, 3072.0) && !is_rounding(1024.0, 5120.0));
+    }
+}

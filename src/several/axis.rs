@@ -128,7 +128,7 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_ordinary, neighbour};
+    use super::{is_ordinary, neighbour, next_duration};
     use crate::limits::Limits;
     use crate::online::Move;
     use crate::online::problem::Problem;
@@ -161,49 +161,56 @@ mod tests {
         assert!(may_shift(11.0) && !may_shift(24.0));
     }
 
-    /// The magnitudes of six limits, both positions, velocities and accelerations, and a duration.
-    fn is_ordinary_with([vmax, vmin, amax, amin, jmax, jmin, ends @ .., duration]: [f64; 13]) -> bool {
-        let limits = Limits { vmax, vmin: -vmin, amax, amin: -amin, jmax, jmin: -jmin };
-        let [p0, p1, v0, v1, a0, a1] = ends;
-        let state = |position, velocity, acceleration| State { position, velocity, acceleration };
-        is_ordinary((&limits, (&state(p0, v0, a0), &state(p1, v1, a1))), duration)
+    /// An axis that brakes can wait where it comes to rest. Where one jerk is very small, rounding shows a gap.
+    #[test]
+    fn an_axis_that_waits_has_no_gap() {
+        let limits = Limits { jmin: -1e-9, ..Limits::symmetric(1.0, 1.0, 1.0) };
+        let from = State { position: 0.0, velocity: 1.0, acceleration: -0.9 };
+        let mut problem = Problem::new(&limits, from, State::at(0.0));
+        problem.reach();
+        for t in (2..10).map(f64::from) {
+            assert_eq!(next_duration(&problem, t), t);
+        }
     }
 
-    /// Limits of 1 and a standstill at 0, of which some numbers are larger by a power of two; limits are smaller.
-    fn with(octaves: i32, numbers: &[usize]) -> [f64; 13] {
+    /// Limits of 1, a standstill at 0 and no duration, with some numbers larger by octaves: six limits, which are smaller instead, both positions,
+    /// velocities and accelerations, and the duration.
+    fn is_ordinary_with(larger: &[(usize, i32)]) -> bool {
         let mut all = [0.0; 13];
         all[..6].fill(1.0);
-        for &number in numbers {
-            let sign = if number < 6 { -1 } else { 1 };
-            all[number] = f64::from(sign * octaves).exp2();
+        for &(number, octaves) in larger {
+            all[number] = f64::from(if number < 6 { -octaves } else { octaves }).exp2();
         }
-        all
+        let [vmax, vmin, amax, amin, jmax, jmin, p0, p1, v0, v1, a0, a1, duration] = all;
+        let limits = Limits { vmax, vmin: -vmin, amax, amin: -amin, jmax, jmin: -jmin };
+        let state = |position, velocity, acceleration| State { position, velocity, acceleration };
+        is_ordinary((&limits, (&state(p0, v0, a0), &state(p1, v1, a1))), duration)
     }
 
     #[test]
     fn each_number_may_be_extraordinary() {
         for number in 0..13 {
-            assert!(is_ordinary_with(with(8, &[number])), "{number}");
-            assert!(!is_ordinary_with(with(60, &[number])), "{number}");
+            assert!(is_ordinary_with(&[(number, 8)]), "{number}");
+            assert!(!is_ordinary_with(&[(number, 60)]), "{number}");
         }
     }
 
     #[test]
     fn several_numbers_may_be_extraordinary() {
         // To undo a high acceleration with a low jerk takes a high velocity.
-        for [jerk, acceleration] in [[4, 10], [5, 11]] {
-            assert!(!is_ordinary_with(with(7, &[jerk, acceleration])));
+        for (jerk, acceleration) in [(4, 10), (5, 11)] {
+            assert!(!is_ordinary_with(&[(jerk, 7), (acceleration, 7)]));
         }
         // A high velocity takes long to end.
-        assert!(!is_ordinary_with(with(24, &[2, 4, 8])));
-        let mut with_high_jerks = with(17, &[2, 8]);
-        with_high_jerks[4..6].fill(f64::exp2(17.0));
-        assert!(!is_ordinary_with(with_high_jerks));
+        assert!(!is_ordinary_with(&[(2, 24), (4, 24), (8, 24)]));
+        assert!(!is_ordinary_with(&[(2, 17), (4, -17), (5, -17), (8, 17)]));
+        // High jerks undo a high acceleration at once. In a long time it takes the axis far.
+        assert!(is_ordinary_with(&[(4, -60), (5, -60), (10, 30)]));
+        assert!(!is_ordinary_with(&[(4, -60), (5, -60), (10, 30), (12, 40)]));
         // A low limit counts among high ones.
         for limit in 0..6 {
-            let mut numbers = with(-60, &[0, 1, 2, 3, 4, 5]);
-            numbers[limit] = 1.0 / numbers[limit];
-            assert!(!is_ordinary_with(numbers), "{limit}");
+            let limits = [0, 1, 2, 3, 4, 5].map(|number| (number, if number == limit { 60 } else { -60 }));
+            assert!(!is_ordinary_with(&limits), "{limit}");
         }
     }
 }

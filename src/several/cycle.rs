@@ -93,13 +93,14 @@ fn whole<R: Real>(x: R) -> R {
 mod tests {
     use super::Cycle;
 
+    const ANY_TIME: Cycle<f64> = Cycle { period: 0.0, earliest: 0.0 };
+
     /// 64 ulps have the root `2⁻²³`.
     #[test]
     fn a_duration_is_earlier_by_a_rounding_error() {
-        let cycle = Cycle::new(0.0, 0.0).expect("a cycle");
         let is_asked = |ulps: f64| {
             let duration = 1.0 - ulps * f64::exp2(-23.0);
-            cycle.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
+            ANY_TIME.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
         };
         assert!(is_asked(0.75) && !is_asked(1.2));
     }
@@ -119,11 +120,15 @@ mod tests {
     }
 
     #[test]
+    fn five_axes_have_ten_gaps() {
+        assert_eq!(ANY_TIME.until_possible(5, 0.0, |t: f64| (t + 1.0).min(10.0)), Ok(10.0));
+    }
+
+    #[test]
     fn a_gap_of_a_rounding_error_is_none() {
-        let cycle = Cycle::new(0.0, 0.0).expect("a cycle");
         let is_gap = |ulps: f64| {
             let t = 1.0 + ulps * f64::exp2(-26.0);
-            cycle.earlier(t, 1.0, [].into_iter(), |_| true) < t
+            ANY_TIME.earlier(t, 1.0, [].into_iter(), |_| true) < t
         };
         assert!(!is_gap(0.75) && is_gap(1.5));
     }

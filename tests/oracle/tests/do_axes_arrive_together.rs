@@ -2,6 +2,7 @@
 
 use atraj::axes::synchronise;
 use atraj::online::{Limits, Move, State};
+use atraj::{Error, Findings};
 use oracle::judge::axes::faults::Fault;
 use oracle::judge::axes::problems::{Family, Set, Sets};
 use oracle::judge::axes::several::{self, Planner, Together};
@@ -100,13 +101,20 @@ fn the_finest_axis_leads() {
 #[test]
 fn an_uncertain_axis_does_not_lead() {
     for far in [1e15_f64, 1e16, 3e16] {
-        let from =
-            [(far, 3.55), (0.0, 3.195)].map(|(position, velocity)| State { position, velocity, acceleration: 0.0 });
-        let to = [far + 7.1, 6.39].map(State::at);
-        let mut axes = [Move::default(); 2];
-        atraj::axes::line(&mut axes, &[Limits::symmetric(100.0, 20.0, 8.0); 2], &from, &to, 0.0, 0.0).expect("a plan");
-        assert!((axes[1].t - 1.3050078125).abs() < 1e-9, "{far}: {} s", axes[1].t);
+        let row = |from, velocity, to| [8.0, -8.0, 20.0, -20.0, 100.0, -100.0, from, velocity, 0.0, to, 0.0, 0.0];
+        let t = duration_of(atraj::axes::line, &axes(0.0, &[row(far, 3.55, far + 7.1), row(0.0, 3.195, 6.39)]));
+        assert!((t - 1.3050078125).abs() < 1e-9, "{far}: {t} s");
     }
+}
+
+/// Both axes go as far, and 128 ulps of 1 less far than the ramp between their velocities. This is rounding for the first axis, but not for the
+/// second one, which leads. So they brake and go back.
+#[test]
+fn of_two_axes_that_go_as_far_the_finer_one_leads() {
+    let (jerk, way) = (f64::INFINITY, 0.625 - 128.0 * f64::EPSILON);
+    let row = |from| [9.0, -9.0, 1.0, -1.0 / 64.0, jerk, -jerk, from, 1.0, 0.0, from + way, 1.5, 0.0];
+    let t = duration_of(atraj::axes::line, &axes(0.0, &[row(7.0), row(0.0)]));
+    assert!(t > 130.0, "{t} s");
 }
 
 /// An axis is shifted in time at its start and at its end. Each is within its roundings, and the judge allowed those of one end.
@@ -152,16 +160,18 @@ fn each_gap_leads_to_the_next_one() {
     }).into();
     let set = axes::<f64>(0.0, &rows);
     assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
-    let [alone, all] = [&rows[3..], &rows].map(|rows| duration_of(&axes(0.0, rows)));
+    let [alone, all] = [&rows[3..], &rows].map(|rows| duration_of(synchronise, &axes(0.0, rows)));
     // The gap of the slowest axis: its moves last up to 0.82 of the times, and from 1.21 on.
     assert!(alone < 0.41 * 2.197 && all > 1.21 * 2.197, "{alone} {all}");
 }
 
-fn duration_of(set: &Set<f64>) -> f64 {
+type Plan = fn(&mut [Move<f64>], &[Limits<f64>], &[State<f64>], &[State<f64>], f64, f64) -> Result<Findings, Error>;
+
+fn duration_of(plan: Plan, set: &Set<f64>) -> f64 {
     let [from, to] = [0, 1].map(|end| set.axes.iter().map(|axis| [axis.from, axis.to][end]).collect::<Vec<_>>());
     let limits: Vec<_> = set.axes.iter().map(|axis| axis.limits).collect();
     let mut planned = vec![Move::default(); limits.len()];
-    synchronise(&mut planned, &limits, &from, &to, 0.0, 0.0).expect("a plan");
+    plan(&mut planned, &limits, &from, &to, 0.0, 0.0).expect("a plan");
     planned[0].t
 }
 
