@@ -309,7 +309,7 @@ static int axes(void) {
 }
 
 /* The waypoints of example 3 of Ruckig. */
-enum { AXES = 3, SECTIONS = 5, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { AXES = 3, SECTIONS = 5, SIZE = ATRAJ_PATH_SIZE(AXES, SECTIONS) };
 static const atraj_limits of_axes[AXES] = {{1, -1, 3, -3, 6, -6}, {2, -2, 2, -2, 10, -10}, {1, -1, 2, -2, 20, -20}};
 static const atraj_state points[(SECTIONS + 1) * AXES] = {
     {A_FLOAT_C(0.2), 0, 0}, {0, A_FLOAT_C(0.2), A_FLOAT_C(0.6)}, {A_FLOAT_C(-0.3), 0, 0}, {A_FLOAT_C(1.4), 0, 0}, {A_FLOAT_C(-1.6), 0, 0}, {1, 0, 0},
@@ -347,7 +347,7 @@ static int path(void) {
     int k;
     work[SIZE] = 77;
     memcpy(states, points, sizeof(states));
-    PROMISE(atraj_path_size(AXES, SECTIONS) == SIZE && atraj_path_size(1, 1) == 56 && atraj_path_size(0, 1) == 0 && atraj_path_size((size_t)-1, 2) == 0);
+    PROMISE(atraj_path_size(AXES, SECTIONS) == SIZE && atraj_path_size(1, 1) == ATRAJ_PATH_SIZE(1, 1) && atraj_path_size(0, 1) == 0 && atraj_path_size((size_t)-1, 2) == 0);
     PROMISE(atraj_path_plan(states, durations, of_axes, AXES, SECTIONS, 0, work) == 0 && work[SIZE] == 77);
     t = sum(durations), second = durations[1];
     PROMISE(t > A_FLOAT_C(7.73) && t < A_FLOAT_C(7.74) && memcmp(&states[0], &points[0], sizeof(states[0])) == 0);
@@ -363,7 +363,7 @@ static int path(void) {
 
 /* The same points with a tolerance, but for the second axis. */
 static int path_near(void) {
-    enum { NEAR = SECTIONS * (AXES * (9 * AXES + 113) / 2 + 20) + 9 * AXES * (AXES - 1) / 2 - AXES + 12 };
+    enum { NEAR = ATRAJ_PATH_SIZE_NEAR(AXES, SECTIONS) };
     atraj_state states[(SECTIONS + 1) * AXES];
     a_float durations[SECTIONS], tolerances[(SECTIONS - 1) * AXES], work[NEAR + 1], t;
     int k;
@@ -384,7 +384,7 @@ static int path_near(void) {
 
 /* A corner of two lines: a contour with room and without, with limits for each section, and with a feed. */
 static int path_contour(void) {
-    enum { ROOM = 32, WORK = ROOM * (2 * (2 * 2 + 34) + 14) + 2 * 2 * (2 - 1) + 6 };
+    enum { ROOM = 32, WORK = ATRAJ_PATH_SIZE(2, ROOM) };
     static const a_float given[6] = {0, 0, 3, 1, 4, 5};
     atraj_limits zones[4];
     atraj_state states[2 * (ROOM + 1)];

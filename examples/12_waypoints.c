@@ -13,7 +13,7 @@
 #ifndef EVERY
 #define EVERY 50 /* print every EVERY-th setpoint */
 #endif
-enum { AXES = 6, SECTIONS = 4, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { AXES = 6, SECTIONS = 4, SIZE = ATRAJ_PATH_SIZE(AXES, SECTIONS) };
 
 static atraj_state const points[SECTIONS + 1][AXES] = {
     {{0, 0, 0}, {-90, 0, 0}, {90, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, /* degrees, and at rest */

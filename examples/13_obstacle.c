@@ -14,7 +14,7 @@
 #define EVERY 100 /* print every EVERY-th setpoint */
 #endif
 enum { X, Y, AXES };
-enum { SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { SECTIONS = 3, SIZE = ATRAJ_PATH_SIZE(AXES, SECTIONS) };
 
 static double const left = 0.4, right = 0.6, top = 0.3; /* the obstacle stands at y = 0, m */
 static atraj_state const points[SECTIONS + 1][AXES] = {

@@ -16,7 +16,7 @@
 static const double CYCLE = 0.001; // s
 enum { EVERY = 50 }; // print every EVERY-th setpoint
 enum { AXES = 2, POINTS = 60, AHEAD = 6, PERIOD = 50, STEPS = 8 };
-enum { MOST = 12, SIZE = MOST * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { MOST = 12, SIZE = ATRAJ_PATH_SIZE(AXES, MOST) };
 
 // The plan. Its first section is under way.
 static atraj::limits limits[AXES];

@@ -14,7 +14,7 @@
 #ifndef EVERY
 #define EVERY 125 /* print every EVERY-th setpoint */
 #endif
-enum { AXES = 2, SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6, EVENTS = 3 };
+enum { AXES = 2, SECTIONS = 3, SIZE = ATRAJ_PATH_SIZE(AXES, SECTIONS), EVENTS = 3 };
 
 int main(void)
 {

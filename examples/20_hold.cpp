@@ -11,7 +11,7 @@
 #include <cstdio>
 
 static const double CYCLE = 0.002; // s
-enum { AXES = 2, SECTIONS = 3, SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6, EVENTS = 3 };
+enum { AXES = 2, SECTIONS = 3, SIZE = ATRAJ_PATH_SIZE(AXES, SECTIONS), EVENTS = 3 };
 
 int main()
 {

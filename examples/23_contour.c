@@ -16,7 +16,7 @@
 #define EVERY 10 /* print every EVERY-th setpoint */
 #endif
 enum { X, Y, AXES };
-enum { ROOM = 200, SIZE = ROOM * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { ROOM = 200, SIZE = ATRAJ_PATH_SIZE(AXES, ROOM) };
 
 static atraj_state states[ROOM + 1][AXES];
 static atraj_move moves[ROOM][AXES];

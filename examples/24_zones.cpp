@@ -13,7 +13,7 @@
 
 static const double CYCLE = 0.004; // s
 enum { EVERY = 50 }; // print every EVERY-th setpoint
-enum { AXES = 6, SECTIONS = 4, SIZE = SECTIONS * (AXES * (9 * AXES + 113) / 2 + 20) + 9 * AXES * (AXES - 1) / 2 - AXES + 12 };
+enum { AXES = 6, SECTIONS = 4, SIZE = ATRAJ_PATH_SIZE_NEAR(AXES, SECTIONS) };
 
 static const double points[SECTIONS + 1][AXES] = {
     {0, -90, 90, 0, 0, 0}, // degrees

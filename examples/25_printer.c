@@ -18,7 +18,7 @@
 #ifndef EVERY
 #define EVERY 100 /* print every EVERY-th tick */
 #endif
-enum { X, Y, E, AXES, SECTIONS = 8, ROOM = 128, SIZE = ROOM * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6, LINE = 200 };
+enum { X, Y, E, AXES, SECTIONS = 8, ROOM = 128, SIZE = ATRAJ_PATH_SIZE(AXES, ROOM), LINE = 200 };
 
 static double const corners[SECTIONS + 1][2] = {{5, 0}, {45, 0}, {50, 5}, {50, 25}, {45, 30}, {5, 30}, {0, 25}, {0, 5}, {5, 0}}; /* mm */
 static double const steps_per_mm[AXES] = {80, 80, 400};

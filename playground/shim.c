@@ -22,7 +22,7 @@ static atraj_move room[3 * AXES];
 static atraj_state from[AXES], to[AXES], own[AXES], now[AXES], states[POINTS * PATH_AXES];
 static a_float durations[POINTS - 1];
 static a_float tolerances[(POINTS - 2) * PATH_AXES];
-static a_float work[(POINTS - 1) * (PATH_AXES * (9 * PATH_AXES + 113) / 2 + 20) + 9 * PATH_AXES * (PATH_AXES - 1) / 2 + 12 - PATH_AXES]; /* atraj_path_size_near */
+static a_float work[ATRAJ_PATH_SIZE_NEAR(PATH_AXES, POINTS - 1)];
 static a_float samples[QUANTITIES][SAMPLES];
 
 int axis_count(void) { return AXES; }

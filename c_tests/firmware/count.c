@@ -380,7 +380,7 @@ static void paths(void) {
 }
 
 /* Longer paths through the same kind of points, and a window of 16 sections that moves on by one. */
-enum { MOST_POINTS = 64, LONG = MOST_POINTS + 1, WIDE = 16, LONG_SIZE = LONG * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { MOST_POINTS = 64, LONG = MOST_POINTS + 1, WIDE = 16, LONG_SIZE = ATRAJ_PATH_SIZE(AXES, LONG) };
 static atraj_state long_states[(LONG + 1) * AXES];
 static a_float long_durations[LONG], long_work[LONG_SIZE];
 static size_t long_sections;

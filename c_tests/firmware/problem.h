@@ -99,7 +99,7 @@ static inline int solve_axes(const axes_problem *q, atraj_move *axes) {
 }
 
 /* Axes that pass 4 waypoints, and a window that moves on: it has the last 2 of these sections and a new one, and 8 steps improve it. */
-enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = SECTIONS * (AXES * (2 * AXES + 34) + 14) + 2 * AXES * (AXES - 1) + 6 };
+enum { PATHS = 8, SECTIONS = 5, WINDOW = 3, STEPS = 8, PATH_SIZE = ATRAJ_PATH_SIZE(AXES, SECTIONS) };
 typedef struct {
     atraj_limits limits[AXES];
     atraj_state states[(SECTIONS + 1) * AXES];

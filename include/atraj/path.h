@@ -21,8 +21,7 @@ extern "C" {
 #endif /* __cplusplus */
 
 /**
- * @brief How many numbers of working memory a path needs:
- * `sections * (axes * (2 * axes + 34) + 14) + 2 * axes * (axes - 1) + 6`.
+ * @brief How many numbers of working memory a path needs: `ATRAJ_PATH_SIZE` for an array.
  * @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 65,536
  */
 A_EXTERN size_t atraj_path_size(size_t axes, size_t sections);
@@ -143,8 +142,7 @@ int atraj_path_moves_zones(atraj_move *moves,
 A_EXTERN a_float atraj_path_deviation(const atraj_move *moves, size_t axes, size_t sections);
 
 /**
- * @brief How many numbers of working memory `atraj_path_plan_near` needs:
- * `sections * (axes * (9 * axes + 113) / 2 + 20) + 9 * axes * (axes - 1) / 2 - axes + 12`.
+ * @brief How many numbers of working memory `atraj_path_plan_near` needs: `ATRAJ_PATH_SIZE_NEAR` for an array.
  * @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 32,768
  */
 A_EXTERN size_t atraj_path_size_near(size_t axes, size_t sections);
@@ -250,5 +248,10 @@ int atraj_path_feed(atraj_limits *limits,
 #if defined(__cplusplus)
 } /* extern "C" */
 #endif /* __cplusplus */
+
+/* `atraj_path_size` and `atraj_path_size_near` of an array whose size is fixed. */
+#define ATRAJ_PATH_SIZE(axes, sections) ((sections) * ((axes) * (2 * (axes) + 36) + 14) + 2 * (axes) * ((axes) - 1) + 6)
+#define ATRAJ_PATH_SIZE_NEAR(axes, sections) \
+    ((sections) * ((axes) * (9 * (axes) + 117) / 2 + 20) + 9 * (axes) * ((axes) - 1) / 2 - (axes) + 12)
 
 #endif /* ATRAJ_PATH_H */

@@ -9,8 +9,7 @@ use crate::path;
 use crate::state::State;
 use core::ffi::{c_int, c_uint};
 
-/// @brief How many numbers of working memory a path needs:
-/// `sections * (axes * (2 * axes + 34) + 14) + 2 * axes * (axes - 1) + 6`.
+/// @brief How many numbers of working memory a path needs: `ATRAJ_PATH_SIZE` for an array.
 /// @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 65,536
 #[unsafe(no_mangle)]
 pub extern "C" fn atraj_path_size(axes: usize, sections: usize) -> usize {
@@ -145,8 +144,7 @@ unsafe fn write_moves(
     })
 }
 
-/// @brief How many numbers of working memory `atraj_path_plan_near` needs:
-/// `sections * (axes * (9 * axes + 113) / 2 + 20) + 9 * axes * (axes - 1) / 2 - axes + 12`.
+/// @brief How many numbers of working memory `atraj_path_plan_near` needs: `ATRAJ_PATH_SIZE_NEAR` for an array.
 /// @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 32,768
 #[unsafe(no_mangle)]
 pub extern "C" fn atraj_path_size_near(axes: usize, sections: usize) -> usize {
