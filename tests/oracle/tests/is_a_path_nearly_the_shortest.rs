@@ -241,6 +241,23 @@ fn an_update_before_a_waypoint_gets_no_longer<R: Original>() {
     assert!(updates > 1_500);
 }
 
+/// A path under way is improved shortly before its first waypoint, as it is without a copy of its start that has next to no time left.
+#[test]
+fn a_repeated_start_changes_no_improvement() {
+    let mut chains = Chains::new(41);
+    for _ in 0..4 {
+        let chain = chains.of::<f64>(Family::Many);
+        let mut rest = under_way(&chain.limits, &Paths.plan(&chain, 1).expect("a plan").0, 1e-3);
+        let (before, mut twice) = (rest.duration(), rest.clone());
+        twice.states.splice(..0, rest.states[..chain.axes].to_vec());
+        twice.durations.insert(0, f64::MIN_POSITIVE);
+        for path in [&mut rest, &mut twice] {
+            Paths.improve(&chain, path, 8).expect("a plan");
+        }
+        assert!(rest.duration() < before && twice.durations[1..] == rest.durations);
+    }
+}
+
 /// A window over a stream of points, 20 times a second: the path under way gets no longer, and waypoints are passed in motion.
 fn a_window_moves_along<R: Original>() {
     let mut random = Random::seeded(13);
@@ -383,6 +400,14 @@ fn the_first_falls_wait_for_the_centre() {
     let chains = (0..276).map(|_| chains.of::<f64>(Family::ToAndFro));
     let duration = Paths.plan(&chains.last().expect("a path"), 0).expect("a plan").0.duration();
     assert!(duration < 5.604, "{duration} s");
+}
+
+/// The axis cannot stop at its waypoint. The steps begin from a slower start, whose plan stops there, and a plan that turns takes 3.3 s. The move
+/// without the waypoint takes 1.3202 s.
+#[test]
+fn an_axis_that_ends_in_motion_does_not_turn() {
+    let duration = duration_of::<f64>([3.0, -3.0, 2.5, -2.5, 5.0, -5.0], &[0.0, 1.0, 3.0], [2.0, 2.0]);
+    assert!(duration < 1.3204, "{duration} s");
 }
 
 /// The axis has to speed up at the end, where its acceleration falls slowly. So the last section must last more than a sixteenth longer before the
@@ -593,6 +618,16 @@ fn narrow_zones_do_not_stall() {
     let chain = Chain { family: Family::Many, axes: 1, limits, states };
     let [default, long] = [0, 400].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
     assert!(default <= 1.005 * long, "{default:.5} s, {long:.5} with 400 steps");
+}
+
+/// The sections are so short that the axis gets nowhere near its highest velocities. The first plan knows that: one step is nearly enough.
+#[test]
+fn short_sections_need_few_steps() {
+    let limits = [100.0, 10.0, 100.0].map(|jerk| Limits::symmetric(jerk, 0.5 * jerk, 10.0 * jerk)).into();
+    let states = [0.0, 1.0, 2.0, 3.0].map(State::at).into();
+    let chain = Chain { family: Family::Zones, axes: 1, limits, states };
+    let [one, long] = [1, 200].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
+    assert!(one < 1.02 * long, "{one} s next to {long} s");
 }
 
 /// Long and short sections in turn along lines in several axes, each with a feed of its own: the default plan over one of 1,000 steps.
