@@ -236,3 +236,26 @@ fn with_errors<R: Real>(limits: &Limits<R>, t: R, all: R, [position, clock]: [R;
         jmin: jmin - more_j,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::with_errors;
+    use crate::limits::Limits;
+
+    /// The quintics that end an error of position, velocity or acceleration have these highest velocities, accelerations and jerks.
+    #[test]
+    fn wider_limits_admit_what_ends_an_error() {
+        let peaks = [[1.875, 1.0, 0.07], [5.78, 3.95, 1.0], [60.0, 36.0, 9.0]];
+        let (t, all, tiny) = (0.0625, 0.125, 1.0 / 1_048_576.0);
+        let limits = Limits { vmax: 64.0, vmin: -32.0, amax: 64.0, amin: -32.0, jmax: 4.0, jmin: -8.0 };
+        let wide = with_errors(&limits, t, all, [tiny, tiny]);
+        // By its jerk of 8 the axis gets to an acceleration of 1 in the whole path, and to a velocity of 0.125.
+        let errors = [(1.0 + 0.125) * tiny / t, 1.0 * tiny, 8.0 * tiny * t];
+        let above = [wide.vmax - limits.vmax, wide.amax - limits.amax, wide.jmax - limits.jmax];
+        let below = [limits.vmin - wide.vmin, limits.amin - wide.amin, limits.jmin - wide.jmin];
+        for (k, time) in [1.0, t, t * t].into_iter().enumerate() {
+            let least: f64 = peaks[k].iter().zip(errors).map(|(peak, error)| peak * error / time).sum();
+            assert!([above[k], below[k]].iter().all(|more| (least..2.0 * least).contains(more)));
+        }
+    }
+}

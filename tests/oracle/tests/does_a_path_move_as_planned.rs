@@ -4,7 +4,7 @@ use atraj::State;
 use atraj::axes::{line, path_deviation, path_moves, synchronise};
 use atraj::online::{Error, Limits, Move, Phase};
 use oracle::judge::path::problems::{Chain, Chains};
-use oracle::judge::path::{Path, Paths, Planner};
+use oracle::judge::path::{Path, Paths, Planner, distance};
 use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
@@ -77,16 +77,10 @@ fn wrong_durations_are_refused<R: Real>() {
     assert!(2 * refused > PATHS);
 }
 
-fn distance<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
-    let mut along = [0.0; 2];
-    let mut of_axis = Vec::new();
-    for axis in moves {
-        let [start, end, now] = [0.0, axis.t.widen(), x].map(|x| axis.position(R::of(x)).widen());
-        along = [along[0] + (now - start) * (end - start), along[1] + (end - start) * (end - start)];
-        of_axis.push([now - start, end - start]);
-    }
-    let part = if along[1] > 0.0 { (along[0] / along[1]).clamp(0.0, 1.0) } else { 0.0 };
-    of_axis.into_iter().map(|[now, end]| (now - part * end) * (now - part * end)).sum::<f64>().sqrt()
+/// How far the axes are from the straight line of their section.
+fn off_line<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
+    let at = |x: &dyn Fn(&Move<R>) -> R| moves.iter().map(|axis| axis.position(x(axis)).widen()).collect::<Vec<_>>();
+    distance(&at(&|_| R::of(x)), [&at(&|_| R::of(0.0)), &at(&|axis| axis.t)])
 }
 
 /// The greatest distance of a section, unit: from samples, and steps uphill from the best of them.
@@ -104,11 +98,11 @@ fn farthest<R: Real>(section: &[Move<R>]) -> f64 {
     });
     let near = borders.iter().flat_map(|x| near.clone().map(move |more| [x + more, more / 2.0]));
     let clamped = grid.chain(within).chain(near).map(|[x, step]| [x.clamp(0.0, t), step]);
-    let samples = clamped.map(|[x, step]| (distance(section, x), x, step));
+    let samples = clamped.map(|[x, step]| (off_line(section, x), x, step));
     let best = samples.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a sample");
     let (mut most, mut x, mut step) = best;
     for _ in 0..40 {
-        let tried = [x - step, x + step].map(|x| x.clamp(0.0, t)).map(|x| (distance(section, x), x));
+        let tried = [x - step, x + step].map(|x| x.clamp(0.0, t)).map(|x| (off_line(section, x), x));
         match tried.into_iter().find(|(distance, _)| *distance > most) {
             Some(farther) => (most, x) = farther,
             None => step /= 2.0,

@@ -4,7 +4,7 @@ use atraj::State;
 use atraj::axes::{Contour, limit_feed, path_deviation, path_moves, path_size, plan_contour};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, wrong};
+use oracle::judge::path::{Path, Paths, Planner, distance, wrong};
 use oracle::liba::abi::Original;
 use support::{Random, Real, test_both_reals};
 
@@ -42,15 +42,6 @@ fn contour<R: Real>(chain: &Chain<R>, tolerance: f64, room: usize, steps: u32) -
     });
     let chain = Chain { family: chain.family, axes, limits, states: given.collect() };
     Planned { answer, chain, path: Path { states, durations }, moves, places }
-}
-
-fn distance(point: &[f64], [from, to]: [&[f64]; 2]) -> f64 {
-    let dot = |x: &dyn Fn(usize) -> f64, y: &dyn Fn(usize) -> f64| (0..point.len()).map(|k| x(k) * y(k)).sum::<f64>();
-    let (line, offset) = (|k: usize| to[k] - from[k], |k: usize| point[k] - from[k]);
-    let square = dot(&line, &line);
-    let part = if square > 0.0 { (dot(&offset, &line) / square).clamp(0.0, 1.0) } else { 0.0 };
-    let off = |k: usize| offset(k) - part * line(k);
-    dot(&off, &off).sqrt()
 }
 
 fn positions<R: Real>(states: &[State<R>], axes: usize, point: usize) -> Vec<f64> {

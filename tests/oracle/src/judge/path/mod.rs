@@ -10,7 +10,7 @@ use super::problems::Kind;
 use super::trial::Trial;
 use crate::liba::abi::Original;
 use atraj::axes::{improve_path, path_size, path_size_near, plan_path, plan_path_near, synchronise};
-use atraj::online::{Error, Move};
+use atraj::online::{Error, Limits, Move};
 use atraj::{Findings, State};
 use problems::Chain;
 use support::{Random, Real};
@@ -53,6 +53,30 @@ pub trait Planner<R: Real> {
 pub struct Paths;
 
 impl<R: Real> Planner<R> for Paths {}
+
+/// What is left of a path that is followed, `left` seconds before the end of its first section.
+pub fn under_way<R: Original>(limits: &[Limits<R>], path: &Path<R>, left: R) -> Path<R> {
+    let axes = limits.len();
+    let mut moves = vec![Move::default(); axes];
+    let (from, to) = (&path.states[..axes], &path.states[axes..2 * axes]);
+    synchronise(&mut moves, limits, from, to, path.durations[0], R::of(0.0)).expect("motions");
+    let now = path.durations[0] - left;
+    let mut rest = path.clone();
+    let at_once = moves.iter().map(|axis| axis.state_at(now));
+    rest.states.splice(..axes, at_once);
+    rest.durations[0] = path.durations[0] - now;
+    rest
+}
+
+/// How far a point is from the straight line between two others.
+pub fn distance(point: &[f64], [from, to]: [&[f64]; 2]) -> f64 {
+    let dot = |x: &dyn Fn(usize) -> f64, y: &dyn Fn(usize) -> f64| (0..point.len()).map(|k| x(k) * y(k)).sum::<f64>();
+    let (line, offset) = (|k: usize| to[k] - from[k], |k: usize| point[k] - from[k]);
+    let square = dot(&line, &line);
+    let part = if square > 0.0 { (dot(&offset, &line) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let off = |k: usize| offset(k) - part * line(k);
+    dot(&off, &off).sqrt()
+}
 
 /// By which part of its promised duration a section may last longer or shorter: 4 ulps.
 pub fn promised<R: Real>() -> f64 {

@@ -1,10 +1,10 @@
 //! A path through a window over a row of points, which moves along and is updated 20 times a second.
 
 use super::problems::{Chain, Family};
-use super::{Path, Paths, Planner};
+use super::{Path, Paths, Planner, under_way};
+use crate::liba::abi::Original;
 use atraj::State;
-use atraj::axes::synchronise;
-use atraj::online::{Limits, Move};
+use atraj::online::Limits;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 use support::Random;
@@ -64,7 +64,7 @@ pub fn through_window(row: &Row, size: usize) -> (f64, Duration) {
     let mut path = plan(&row[..size]);
     let (mut next, mut time, mut longest) = (size, 0.0, Duration::ZERO);
     while next < row.len() {
-        path = after(axes, path, PERIOD);
+        path = after(&vec![LIMITS; axes], path, PERIOD);
         time += PERIOD;
         while path.durations.len() + 1 < size && next < row.len() {
             path.states.extend(states(&row[next..=next]));
@@ -79,15 +79,11 @@ pub fn through_window(row: &Row, size: usize) -> (f64, Duration) {
 }
 
 /// What is left of a path after so many seconds.
-fn after(axes: usize, mut path: Path<f64>, mut time: f64) -> Path<f64> {
-    while path.durations.len() > 1 && path.durations[0] <= time {
-        time -= path.durations.remove(0);
-        path.states.drain(..axes);
+pub fn after<R: Original>(limits: &[Limits<R>], mut path: Path<R>, mut time: f64) -> Path<R> {
+    while path.durations.len() > 1 && path.durations[0].widen() <= time {
+        time -= path.durations.remove(0).widen();
+        path.states.drain(..limits.len());
     }
-    let mut moves = vec![Move::default(); axes];
-    let (from, to) = (&path.states[..axes], &path.states[axes..2 * axes]);
-    synchronise(&mut moves, &vec![LIMITS; axes], from, to, path.durations[0], 0.0).expect("motions");
-    path.states.splice(..axes, moves.iter().map(|axis| axis.state_at(time)));
-    path.durations[0] = (path.durations[0] - time).max(0.0);
-    path
+    let passed = R::of(time.min(path.durations[0].widen()));
+    under_way(limits, &path, path.durations[0] - passed)
 }
