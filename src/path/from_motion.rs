@@ -1,23 +1,28 @@
-//! The first plan of a path that begins in motion: it passes the points of a path with a slower start, and this start becomes faster step by step.
+//! The first plan of a path that begins or ends in motion: it passes the points of a path with slower ends, which become faster step by step.
 //!
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::rows::{nearly_all, stop_length};
+use super::rows::stop_length;
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
 use crate::online::Move;
 use crate::real::Real;
 use crate::state::State;
 
-/// Starts that are tried, each 5/4 times slower than the one before.
-const SLOWER_STARTS: usize = 64;
-/// The steps that speed up the start, in multiples of those of a path.
+/// Ends that are tried, each 5/4 times slower than the ones before.
+const SLOWER_ENDS: usize = 64;
+/// The steps that speed up the ends, in multiples of those of a path.
 const STEPS: u32 = 8;
-/// Steps to the centre before the start becomes faster again.
+/// Steps to the centre before the ends become faster again.
 const STEPS_TO_CENTRE: u32 = 2;
 /// Gains of speed that are tried: the first, its half, its quarter, …
 const MOST_GAINS: u32 = 8;
+
+/// Which share of the highest speeds a row takes that begins in motion. With 31/32 one axis of twenty could not end in motion without turning back.
+fn all_but_rounding<R: Real>() -> R {
+    R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
+}
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
@@ -28,8 +33,8 @@ impl<R: Real> Chain<'_, '_, R> {
         if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
             return Ok(self.come_inside(0));
         }
-        let passes = self.slow_start()?.is_some_and(|times| self.speed_up(times, steps));
-        self.set_start(R::ONE);
+        let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, steps));
+        self.set_ends(R::ONE);
         if passes && self.is_strictly_inside() {
             return Ok(true);
         }
@@ -37,14 +42,16 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(self.come_inside(0))
     }
 
-    /// Plans from a start that is slow enough to pass the points. Returns how many times slower it is than the given one.
-    fn slow_start(&mut self) -> Result<Option<R>, Error> {
+    /// Plans between ends that are slow enough to pass the points. Returns how many times slower they are than the given ones.
+    fn slow_ends(&mut self) -> Result<Option<R>, Error> {
         let mut times = R::ONE;
-        for _ in 0..SLOWER_STARTS {
+        for _ in 0..SLOWER_ENDS {
             times = times + R::HALF * R::HALF * times;
-            self.set_start(R::ONE / times);
-            let duration = self.shortest(0, R::ZERO)?;
-            self.memory.durations.put(0, duration);
+            self.set_ends(R::ONE / times);
+            for section in [0, self.sections - 1] {
+                let duration = self.shortest(section, R::ZERO)?;
+                self.memory.durations.put(section, duration);
+            }
             let passes = if self.swerves() { self.brake_along() } else { self.come_inside(0) };
             if passes {
                 return Ok(Some(times));
@@ -53,27 +60,40 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(None)
     }
 
-    /// Whether an axis would have to turn and come back to stop at the first point, although it moves towards it.
+    /// Whether an axis would have to turn and come back to stop at the first point, or to start at the last one, although it moves ahead.
+    pub fn swerves(&self) -> bool {
+        let last = self.sections - 1;
+        self.rests_at(1) && self.turns(0) || self.rests_at(last) && self.turns(last)
+    }
+
+    /// Whether an axis turns and comes back in a section of which one end rests.
     #[inline(never)] // for its stack
-    fn swerves(&self) -> bool {
+    fn turns(&self, section: usize) -> bool {
         (0..self.axes).any(|axis| {
-            let (from, to) = self.ends(0, axis);
-            let stop = |limits| Move::default().plan(limits, from, State::at(to.position));
-            let found = self.limits(0, axis).and_then(stop).unwrap_or_default();
-            from.velocity * (to.position - from.position) > R::ZERO && found.contains(Findings::OVERSHOOTS)
+            let (from, to) = self.ends(section, axis);
+            let plan = |limits| Move::default().plan(limits, from, to);
+            let found = self.limits(section, axis).and_then(plan).unwrap_or_default();
+            let ahead = (from.velocity + to.velocity) * (to.position - from.position);
+            ahead > R::ZERO && found.contains(Findings::OVERSHOOTS)
         })
     }
 
-    /// Starts at this part of the given velocity, and at its square of the given acceleration.
-    fn set_start(&mut self, part: R) {
+    /// Gives the start and the end this part of their given velocities, and its square of the accelerations.
+    fn set_ends(&mut self, part: R) {
+        self.set_end(0, 0, part);
+        self.set_end(self.sections, self.request.sections, part);
+    }
+
+    /// Gives a point this part of the velocity of the caller's one, and its square of the acceleration.
+    pub fn set_end(&mut self, point: usize, given: usize, part: R) {
         for axis in 0..self.axes {
-            let State { velocity, acceleration, .. } = self.request.state(0, axis);
-            self.memory.states.set(axis, [part * velocity, part * part * acceleration]);
+            let State { velocity, acceleration, .. } = self.request.state(given, axis);
+            self.memory.states.set(point * self.axes + axis, [part * velocity, part * part * acceleration]);
         }
     }
 
-    /// Speeds up a plan whose start is too slow by the factor `times`. Before each gain its states move back to the centre, away from the limits.
-    /// Whether it reaches the given start.
+    /// Speeds up a plan whose ends are too slow by the factor `times`. Before each gain its states move back to the centre, away from the limits.
+    /// Whether it reaches the given ends.
     fn speed_up(&mut self, mut times: R, steps: Steps) -> bool {
         let mut damping = Damping::new();
         for _ in 0..STEPS * steps.most / STEPS_TO_CENTRE {
@@ -103,12 +123,12 @@ impl<R: Real> Chain<'_, '_, R> {
     /// shorter.
     pub fn brake_along(&mut self) -> bool {
         self.measure_axes();
-        let Some(start) = self.start_along() else {
+        let Some(start) = self.along(0, 0).filter(|start| start.velocity > R::ZERO) else {
             return false;
         };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
-        let mut brakes_to = |last| self.rests_at(last) && self.brake(nearly_all(), start, last);
+        let mut brakes_to = |last| self.brake(all_but_rounding(), start, last);
         brakes_to(corner) || brakes_to(end) || self.stop_along(start)
     }
 
@@ -134,14 +154,17 @@ impl<R: Real> Chain<'_, '_, R> {
         reached.map_or(self.sections, |section| section + 1)
     }
 
-    /// The motion of the start in its own direction, if this is ahead.
-    fn start_along(&self) -> Option<State<R>> {
+    /// The motion at the start or at the end of the path in its own direction, if this is the one of its section, or if it rests.
+    pub fn along(&self, point: usize, section: usize) -> Option<State<R>> {
+        if self.rests_at(point) {
+            return Some(State::at(R::ZERO));
+        }
         let [mut square, mut power, mut ahead] = [R::ZERO; 3];
         for axis in 0..self.axes {
-            let [v, a] = self.at(0, axis).map(|of| self.part(axis, of));
+            let [v, a] = self.at(point, axis).map(|of| self.part(axis, of));
             square = square + v * v;
             power = power + v * a;
-            ahead = ahead + v * self.part(axis, self.displacement(0, axis));
+            ahead = ahead + v * self.part(axis, self.displacement(section, axis));
         }
         let velocity = square.sqrt();
         (ahead > R::ZERO).then(|| State { position: R::ZERO, velocity, acceleration: power / velocity })

@@ -225,11 +225,14 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn is_inside(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
-        if passes {
+        if passes && !self.swerves() {
             self.scale_time(R::ONE / nearly_all());
+            self.set_end(self.sections, self.request.sections, R::ONE);
             if self.is_strictly_inside() {
                 return Ok(true);
             }
+        }
+        if passes {
             self.stop_everywhere()?;
         }
         self.bring_inside(steps)

@@ -67,22 +67,22 @@ fn sum<R: Real>(sections: Range<usize>, of: impl Fn(usize) -> R) -> R {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Replaces the plan with stops by a shorter one, if the path begins and ends at rest. Whether there is one.
+    /// Replaces the plan with stops by a shorter one, if the path begins at rest. Whether there is one.
     pub fn pass_rows(&mut self) -> bool {
-        self.rests_at(0) && self.rests_at(self.sections) && self.pass_rows_from(0, R::ONE)
+        self.rests_at(0) && self.pass_rows_from(0, R::ONE)
     }
 
     pub fn rests_at(&self, point: usize) -> bool {
         (0..self.axes).all(|axis| self.at(point, axis) == [R::ZERO; 2])
     }
 
-    /// Stretches the time of the plan by this factor. Its end keeps its state.
+    /// Stretches the time of the plan by this factor, also at its ends.
     pub fn scale_time(&mut self, slower: R) {
         for section in 0..self.sections {
             let duration = self.memory.durations.at(section);
             self.memory.durations.put(section, slower * duration);
         }
-        for row in 0..self.axes * self.sections {
+        for row in 0..self.axes * (self.sections + 1) {
             let [v, a] = self.memory.states.row(row);
             self.memory.states.set(row, [v / slower, a / (slower * slower)]);
         }
@@ -93,7 +93,7 @@ impl<R: Real> Chain<'_, '_, R> {
         sections.all(|section| self.is_possible(section, self.memory.durations.at(section))) && self.points_are_inside()
     }
 
-    /// Passes the points of each row between two rests from a point on, at this share of the highest speeds. Whether there is such a row.
+    /// Passes the points of each row that begins at rest from a point on, at this share of the highest speeds. Whether there is such a row.
     pub fn pass_rows_from(&mut self, mut first: usize, share: R) -> bool {
         self.keep_plan();
         self.measure_axes();
@@ -101,8 +101,9 @@ impl<R: Real> Chain<'_, '_, R> {
         while first < self.sections {
             let row = first..self.next_corner(first);
             first = row.end;
-            let rests = self.rests_at(row.start) && self.rests_at(row.end);
-            passes |= row.len() > 1 && rests && self.pass_row(share, State::at(R::ZERO), row);
+            if row.len() > 1 && self.rests_at(row.start) {
+                passes |= self.pass_row(share, State::at(R::ZERO), row);
+            }
         }
         passes
     }
@@ -110,16 +111,19 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Passes the points of a row as a fast motion along its curve: in parts whose bends limit the speed, or as one move that is slow enough for
     /// its bends, whichever is shorter. Whether this is possible, and shorter than the plan that is kept.
     pub fn pass_row(&mut self, share: R, start: State<R>, row: Range<usize>) -> bool {
+        let Some(end) = self.along(row.end, row.end - 1) else {
+            return false;
+        };
         self.lay_curve(row.clone());
-        let in_parts = self.pass_along(share, start, row.clone(), true);
+        let in_parts = self.pass_along(share, [start, end], row.clone(), true);
         self.ignore_bends(row.clone());
-        let as_one = self.pass_along(share, start, row, false);
+        let as_one = self.pass_along(share, [start, end], row, false);
         in_parts || as_one
     }
 
-    fn pass_along(&mut self, share: R, start: State<R>, row: Range<usize>, has_parts: bool) -> bool {
+    fn pass_along(&mut self, share: R, ends: [State<R>; 2], row: Range<usize>, has_parts: bool) -> bool {
         self.take_share(row.clone(), share);
-        let is_shorter = self.find_pass(start, row.clone(), has_parts);
+        let is_shorter = self.find_pass(ends, row.clone(), has_parts);
         if is_shorter {
             self.keep_row(row);
         } else {
@@ -129,15 +133,15 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Passes the points of a row, slower and slower until this is possible. Whether it is shorter than the plan that is kept.
-    fn find_pass(&mut self, start: State<R>, row: Range<usize>, has_parts: bool) -> bool {
+    fn find_pass(&mut self, ends: [State<R>; 2], row: Range<usize>, has_parts: bool) -> bool {
         let kept = sum(row.clone(), |section| self.memory.tried.at(section));
         for _ in 0..MOST_TRIES {
             let least = sum(row.clone(), |section| self.arc(section) / self.speed(section));
             if least >= kept {
                 break;
             }
-            self.limit_speeds(start, row.clone(), has_parts);
-            if self.pass_parts(start, row.clone()) {
+            self.limit_speeds(ends, row.clone(), has_parts);
+            if self.pass_parts(ends, row.clone()) {
                 return sum(row, |section| self.memory.durations.at(section)) < kept;
             }
         }
@@ -145,15 +149,17 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
-    /// are infinite at the other points, where the start could not stop yet, and along one move.
-    fn limit_speeds(&mut self, start: State<R>, row: Range<usize>, has_parts: bool) {
+    /// are infinite at the other points, where the start could not stop yet or the end could not be reached from rest, and along one move.
+    fn limit_speeds(&mut self, [start, end]: [State<R>; 2], row: Range<usize>, has_parts: bool) {
         let (mut first, mut speed, mut passed) = (row.start, start.velocity, R::ZERO);
         let mut limits = self.limits_along(first..first + 1);
         let uncut = if has_parts { stop_length(&limits, start) } else { R::INFINITY };
+        let back = State { acceleration: -end.acceleration, ..end };
+        let until = self.length(row.clone()) - stop_length(&self.limits_along(row.end - 1..row.end).reversed(), back);
         for point in row.start + 1..row.end {
             let mut highest = R::INFINITY;
             passed = passed + self.arc(point - 1);
-            if passed >= uncut {
+            if passed >= uncut && passed <= until {
                 let next = self.limits_along(point..point + 1);
                 if !are_like(&limits, &next) {
                     speed = reached(&self.limits_along(first..point), self.length(first..point), speed);
@@ -163,7 +169,7 @@ impl<R: Real> Chain<'_, '_, R> {
             self.memory.weights.put(point - 1, highest);
         }
         let mut last = row.end;
-        speed = R::ZERO;
+        speed = end.velocity;
         self.memory.weights.put(last - 1, speed);
         for point in (row.start + 1..row.end).rev() {
             let ahead = self.memory.weights.at(point - 1);
@@ -182,19 +188,20 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Passes the parts of a row between the points where its limits change, each as one move. A part that is impossible becomes slower for
     /// the next try. Whether all are possible.
-    fn pass_parts(&mut self, start: State<R>, row: Range<usize>) -> bool {
+    fn pass_parts(&mut self, [start, end]: [State<R>; 2], row: Range<usize>) -> bool {
         let (mut first, mut state, mut passes) = (row.start, start, true);
         for point in row.start + 1..=row.end {
             let speed = self.memory.weights.at(point - 1);
             if speed.is_finite() {
                 let sections = first..point;
-                let end = State { velocity: speed, ..State::at(self.length(sections.clone())) };
+                let next = if point == row.end { end } else { State { velocity: speed, ..State::at(R::ZERO) } };
+                let to = State { position: self.length(sections.clone()), ..next };
                 let limits = self.limits_along(sections.clone());
-                if self.pass_part(&limits, state, end, sections.clone()).is_none() {
+                if self.pass_part(&limits, state, to, sections.clone()).is_none() {
                     self.ease(sections);
                     passes = false;
                 }
-                (first, state) = (point, State { position: R::ZERO, ..end });
+                (first, state) = (point, next);
             }
         }
         passes
@@ -211,7 +218,7 @@ impl<R: Real> Chain<'_, '_, R> {
             passed = passed + self.arc(section);
             let at = if point == sections.end { run.t } else { run.time_at(passed)? };
             let to = if point == sections.end { end } else { run.state_at(at) };
-            if to.velocity > R::ZERO {
+            if point < self.sections {
                 self.pass(point, to);
             }
             let mut duration = at - time;

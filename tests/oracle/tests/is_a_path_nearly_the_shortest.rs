@@ -472,6 +472,30 @@ fn uneven_rows_do_not_stall() {
     }
 }
 
+/// Points on the way of a move that ends in motion: over the move without points, from rest and from motion. A few of the latter turn back, because a
+/// row gets a little less than the limits.
+#[test]
+fn points_before_an_end_in_motion_cost_little() {
+    let mut random = Random::seeded(50);
+    for (fastest, most) in [(0.0, 0.0), (2.8, 0.01)] {
+        let mut parts = vec![];
+        while parts.len() < 300 {
+            let positions = places(2 + random.below(4), [-1.0, 0.2], &mut random);
+            let ends @ [v0, v1] = [fastest, 2.8].map(|fastest| random.between(0.0, fastest));
+            let [start, end] = [(v0, 0.0), (v1, positions[positions.len() - 1])]
+                .map(|(velocity, position)| State { velocity, ..State::at(position) });
+            let mut alone = Move::default();
+            alone.plan(&Limits::symmetric(3.0, 2.5, 5.0), start, end).expect("a plan");
+            if (0..100).all(|k| alone.velocity(0.01 * f64::from(k) * alone.t) >= 0.0) {
+                parts.push(duration_of::<f64>([5.0, -5.0, 2.5, -2.5, 3.0, -3.0], &positions, ends) / alone.t);
+            }
+        }
+        let long = parts.iter().filter(|part| **part > 1.001).count() as f64 / parts.len() as f64;
+        println!("ends in motion: {long} of {} paths take over 1.001 of the move", parts.len());
+        assert!(long <= most);
+    }
+}
+
 /// Points on a line whose distances differ by factors of 10 and of 100: over the move without points. In binary32 rounding errors close narrow
 /// sections, and the more there are, the slower is the path.
 #[test]
@@ -497,6 +521,31 @@ fn uneven_points_on_a_line_cost_nothing() {
             assert!(mean <= 1.001 && worst <= 1.01 && in_f32[0] <= most_f32);
         }
     }
+}
+
+/// A path that ends in motion takes as long as the same path back in time, which starts in motion.
+#[test]
+fn paths_back_in_time_take_as_long() {
+    let mut random = Random::seeded(51);
+    let mut sums = [0.0; 2];
+    for _ in 0..100 {
+        let coordinates = [(); 2].map(|()| places(4, [-1.0, 0.1], &mut random));
+        let mut points: Vec<_> = (0..5).map(|k| coordinates.iter().map(|places| places[k]).collect()).collect();
+        let mut way = between([3.0, 2.5, 5.0], &points);
+        points.iter_mut().flatten().for_each(|position| *position = -*position);
+        points.reverse();
+        let mut back = between([3.0, 2.5, 5.0], &points);
+        for axis in 0..2 {
+            let velocity = random.between(0.0, 1.5);
+            (way.states[8 + axis].velocity, back.states[axis].velocity) = (velocity, velocity);
+        }
+        for (sum, chain) in sums.iter_mut().zip([way, back]) {
+            *sum += Paths.plan(&chain, 0).expect("a plan").0.duration();
+        }
+    }
+    let part = sums[0] / sums[1];
+    println!("ends in motion: {part:.5} of the paths back in time");
+    assert!((part - 1.0).abs() < 0.002);
 }
 
 /// Distances over a factor of 300 along lines in several axes: over the move without points.
