@@ -49,7 +49,8 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// `states` has a state for each of the `axes`, point by point: one point more than `durations` has sections. Every position is given, and the first and
 /// the last state; the states between are written, and the durations, s. A start outside the limits returns within them in the first section.
 /// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: as many as
-/// the path needs, at most 48. A start that cannot stop before the next point takes up to 8 times as many more. `work` has [`path_size`] numbers.
+/// the path needs, at most 48. A start that cannot stop before the next point, or an end that cannot be reached from the last one at rest, takes up to 8
+/// times as many more. `work` has [`path_size`] numbers.
 ///
 /// [`path_moves`] makes the motions of the sections. A point whose state is given splits a path into two.
 ///
