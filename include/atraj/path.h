@@ -250,8 +250,9 @@ int atraj_path_feed(atraj_limits *limits,
 } /* extern "C" */
 #endif /* __cplusplus */
 
-/* `atraj_path_size` and `atraj_path_size_near` of an array whose size is fixed. */
+/** How many numbers an array of working memory has: `atraj_path_size`. */
 #define ATRAJ_PATH_SIZE(axes, sections) ((sections) * ((axes) * (2 * (axes) + 36) + 14) + 2 * (axes) * ((axes) - 1) + 6)
+/** The same for `atraj_path_plan_near`: `atraj_path_size_near`. */
 #define ATRAJ_PATH_SIZE_NEAR(axes, sections) \
     ((sections) * ((axes) * (9 * (axes) + 117) / 2 + 20) + 9 * (axes) * ((axes) - 1) / 2 - (axes) + 12)
 
