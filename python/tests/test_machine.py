@@ -26,8 +26,9 @@ def test_a_clock_holds_and_goes_on(real):
         held = clock.until
         # `until` is rounded, and may be an ulp before the end of the hold.
         stands = clock.position(held + 0.001).tolist()
-        assert held > 0.5 and clock.position(held + 5).tolist() == stands and not clock.velocity(held).any()
+        assert held > 0.5 and clock.position(held + 5).tolist() == stands and not clock.velocity(held + 0.001).any()
         np.testing.assert_allclose(clock.position(held), stands, atol=rounding)
+        np.testing.assert_allclose(clock.velocity(held), [0, 0], atol=rounding)
         clock.rate(held + 2, 0.5)
         clock.rate(clock.until + 0.1, 1)
         samples = clock.sample(0.005, n=2400)
