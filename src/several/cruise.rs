@@ -161,3 +161,27 @@ impl<R: Real> Side<R> {
         -(shape / self.ramp.peak).negate_if(self.ramp.mirrored)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Cruise;
+    use crate::interval::border::Border;
+    use crate::limits::Limits;
+
+    /// The step is wrong by the third order of its length: it knows the slope of the displacement, and how the slope changes.
+    #[test]
+    fn a_step_fits_a_quadratic() {
+        let limits = Limits { jmin: -2.0, jmax: 3.0, ..Limits::symmetric(9.0, 1.0, 1.0) };
+        let length: f64 = 1e-4;
+        // Ramps without holds and with them, to one side or to both.
+        for [v0, a0, v1, a1] in
+            [[0.0, 0.1, 0.1, 0.2], [-3.0, 0.3, 0.2, 0.1], [3.0, -0.5, 4.0, 0.2], [3.0, 0.2, -3.0, 0.1]]
+        {
+            let border = Border::between([[v0, a0], [v1, a1]], &limits);
+            let at = |v| Cruise::at(&border, &border.reversed(), v, 20.0);
+            let beyond = at(0.4).displacement() - at(0.4 - length).displacement();
+            let error = at(0.4).step(beyond) / length - 1.0;
+            assert!(error.abs() < 1e-8, "{v0} {v1}: {error}");
+        }
+    }
+}
