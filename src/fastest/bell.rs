@@ -117,3 +117,16 @@ impl<R: Real> Bell<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::liba::Bell;
+    use crate::state::Boundary;
+
+    #[test]
+    fn the_shortest_jerk_part_lasts_8_ulps_of_the_duration() {
+        let boundary = Boundary { p0: 0.0, p1: 1.0, v0: 0.0, v1: 0.0 };
+        let bell = Bell::fastest(f64::INFINITY, 1.0, 9.0, boundary).expect("a plan");
+        assert!((bell.taj / (bell.t * f64::EPSILON) - 8.0).abs() < 0.1);
+    }
+}

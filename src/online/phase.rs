@@ -102,3 +102,20 @@ impl<R: Real> Phase<R> {
         if one < other { [one, other] } else { [other, one] }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Phase;
+
+    /// The acceleration steps from 1 down by ulps of it, and the shorter phase takes a part of the duration. A step is rounding up to 16 ulps of the
+    /// accelerations at both ends, 32; what it changes the mean acceleration by is rounding up to 8.
+    #[test]
+    fn phases_with_a_step_of_rounding_are_joined() {
+        let is_joined = |ulps: f64, part: f64| {
+            let phase = Phase { acceleration: 1.0, duration: 1.0 - part, ..Phase::default() };
+            let before = Phase { acceleration: 1.0 - ulps * f64::EPSILON, duration: part, ..Phase::default() };
+            phase.joined(&before, 1.0).is_some()
+        };
+        assert!(is_joined(24.0, 0.25) && !is_joined(24.0, 0.5) && !is_joined(40.0, 1e-6));
+    }
+}

@@ -203,10 +203,24 @@ mod tests {
         }
         // A high velocity takes long to end.
         assert!(!is_ordinary_with(&[(2, 24), (4, 24), (8, 24)]));
-        assert!(!is_ordinary_with(&[(2, 17), (4, -17), (5, -17), (8, 17)]));
+        assert!(!is_ordinary_with(&[(2, 14), (4, -14), (5, -14), (8, 14)]));
+        // It takes the axis far in a second, also where it ends at once.
+        assert!(!is_ordinary_with(&[(2, -99), (3, -99), (4, -99), (5, -99), (8, 60)]));
         // High jerks undo a high acceleration at once. In a long time it takes the axis far.
-        assert!(is_ordinary_with(&[(4, -60), (5, -60), (10, 30)]));
+        assert!(is_ordinary_with(&[(4, -70), (5, -70), (10, 35)]));
         assert!(!is_ordinary_with(&[(4, -60), (5, -60), (10, 30), (12, 40)]));
+        assert!(is_ordinary_with(&[(2, 20), (8, 0), (12, 35)]));
+        // High numbers add up. They do not cancel each other.
+        let sums: [&[_]; 7] = [
+            &[(8, 30), (9, 30)],
+            &[(8, 40), (10, 20)],
+            &[(6, 60), (7, 60)],
+            &[(6, 61), (8, 30)],
+            &[(6, 60), (0, 1), (12, 62)],
+            &[(6, 60), (2, 1)],
+            &[(6, 60), (4, 1)],
+        ];
+        assert!(!sums.into_iter().any(is_ordinary_with));
         // A low limit counts among high ones.
         for limit in 0..6 {
             let limits = [0, 1, 2, 3, 4, 5].map(|number| (number, if number == limit { 60 } else { -60 }));
