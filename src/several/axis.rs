@@ -204,8 +204,9 @@ mod tests {
         // A high velocity takes long to end.
         assert!(!is_ordinary_with(&[(2, 24), (4, 24), (8, 24)]));
         assert!(!is_ordinary_with(&[(2, 14), (4, -14), (5, -14), (8, 14)]));
-        // It takes the axis far in a second, also where it ends at once.
+        // It takes the axis far in a second, also where it ends at once, and in a long time.
         assert!(!is_ordinary_with(&[(2, -99), (3, -99), (4, -99), (5, -99), (8, 60)]));
+        assert!(!is_ordinary_with(&[(0, -99), (1, -99), (2, -99), (3, -99), (4, -99), (5, -99), (8, 60), (12, 50)]));
         // High jerks undo a high acceleration at once. In a long time it takes the axis far.
         assert!(is_ordinary_with(&[(4, -70), (5, -70), (10, 35)]));
         assert!(!is_ordinary_with(&[(4, -60), (5, -60), (10, 30), (12, 40)]));

@@ -167,21 +167,43 @@ mod tests {
     use super::Cruise;
     use crate::interval::border::Border;
     use crate::limits::Limits;
+    use support::Random;
 
     /// The step is wrong by the third order of its length: it knows the slope of the displacement, and how the slope changes.
     #[test]
     fn a_step_fits_a_quadratic() {
-        let limits = Limits { jmin: -2.0, jmax: 3.0, ..Limits::symmetric(9.0, 1.0, 1.0) };
-        let length: f64 = 1e-4;
-        // Ramps without holds and with them, to one side or to both.
-        for [v0, a0, v1, a1] in
-            [[0.0, 0.1, 0.1, 0.2], [-3.0, 0.3, 0.2, 0.1], [3.0, -0.5, 4.0, 0.2], [3.0, 0.2, -3.0, 0.1]]
-        {
-            let border = Border::between([[v0, a0], [v1, a1]], &limits);
-            let at = |v| Cruise::at(&border, &border.reversed(), v, 20.0);
-            let beyond = at(0.4).displacement() - at(0.4 - length).displacement();
-            let error = at(0.4).step(beyond) / length - 1.0;
-            assert!(error.abs() < 1e-8, "{v0} {v1}: {error}");
+        let limits = Limits { jmin: -2.0, jmax: 3.0, ..Limits::symmetric(1.0, 1.0, 9.0) };
+        for [v0, v1] in [[0.0, 0.1], [-3.0, 0.2], [3.0, 4.0]] {
+            let border = Border::between([[v0, 0.3], [v1, 0.1]], &limits);
+            let at = |v: f64| Cruise::at(&border, &border.reversed(), v, 20.0);
+            let beyond = at(0.4).displacement() - at(0.3999).displacement();
+            assert!((1e4 * at(0.4).step(beyond) - 1.0).abs() < 1e-8, "{v0} {v1}");
+        }
+    }
+
+    /// Duration and displacement tell the velocity of each cruise that lasts as long as its ramps.
+    #[test]
+    fn a_long_cruise_is_found() {
+        let mut random = Random::seeded(0);
+        for _ in 0..100_000 {
+            let [vm, am, jm] = [(); 3].map(|()| random.magnitude(-2.0, 2.0));
+            let limits = Limits { jmin: -1.0, ..Limits::symmetric(jm, am, vm) };
+            let mut end = || [vm, am].map(|most| random.pick(&[0.0, most]) * random.between(-1.0, 1.0));
+            let border = Border::between([end(), end()], &limits);
+            let v = random.between(-vm, vm);
+            let at = |t| Cruise::at(&border, &border.reversed(), v, t);
+            let t = -at(0.0).c * (2.0 + random.magnitude(-5.0, 5.0));
+            let found = Cruise::over(&border, at(t).displacement(), t);
+            assert!(found.is_some_and(|found| (found.v - v).abs() < 1e-9), "{border:?} {v} {t}");
+        }
+    }
+
+    /// An axis that comes back to its start has the rounding error of its way there.
+    #[test]
+    fn a_cruise_back_is_found() {
+        for unit in [1e-6, 1.0] {
+            let border = Border::between([[100.0 * unit, 0.0]; 2], &Limits::symmetric(unit, unit, 1e3 * unit));
+            assert!((450..650).all(|t| Cruise::over(&border, 0.0, f64::from(t)).is_some()));
         }
     }
 }
