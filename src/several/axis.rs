@@ -128,7 +128,7 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_ordinary, neighbour, next_duration};
+    use super::{fill, is_ordinary, next_duration, takes};
     use crate::limits::Limits;
     use crate::online::Move;
     use crate::online::problem::Problem;
@@ -142,8 +142,13 @@ mod tests {
         let from = State { position: 0.0, velocity: 1.0, acceleration: 1.0 };
         let to = State { position: 1.375, velocity: 1.75, acceleration: 1.0 };
         let problem = Problem::new(&limits, from, to).with_positions(1e3);
-        let takes = |ulps: f64| neighbour(&problem, 1.0 + ulps * f64::EPSILON).is_some();
-        assert!(takes(170.0) && !takes(260.0));
+        let mut axis = Move::default();
+        problem.write(&mut axis, &problem.fastest()).expect("a plan");
+        let after = |ulps: f64| 1.0 + ulps * f64::EPSILON;
+        assert!(takes(&axis, &problem, after(170.0)) && !takes(&axis, &problem, after(260.0)));
+        // So it is 84 ulps slower. If it were shifted in time instead, it would be 170.
+        fill(&mut axis, &problem, after(170.0));
+        assert!(axis.phase[1].velocity > 1.0 - 120.0 * f64::EPSILON);
     }
 
     /// In the time of the shift the acceleration changes by the rounding errors of both accelerations, and by what changes the velocity by its rounding
@@ -167,9 +172,12 @@ mod tests {
         let limits = Limits { jmin: -1e-9, ..Limits::symmetric(1.0, 1.0, 1.0) };
         let from = State { position: 0.0, velocity: 1.0, acceleration: -0.9 };
         let mut problem = Problem::new(&limits, from, State::at(0.0));
-        problem.reach();
+        let mut axis = Move::default();
+        let fastest = problem.reach();
+        problem.write(&mut axis, &fastest).expect("a plan");
         for t in (2..10).map(f64::from) {
             assert_eq!(next_duration(&problem, t), t);
+            assert!(takes(&axis, &problem, t));
         }
     }
 

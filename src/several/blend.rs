@@ -221,3 +221,20 @@ impl<R: Real> Cursor<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::slower;
+    use crate::interval::border::Border;
+    use crate::limits::Limits;
+
+    /// Twice the mean velocity, those of both ends, and what the accelerations at both ends add.
+    #[test]
+    fn a_slow_motion_has_a_lower_limit_of_its_velocity() {
+        let border = Border::between([[-3.0, 4.0], [5.0, -6.0]], &Limits::symmetric(1.0, 9.0, 99.0));
+        let numbers = |Border { limits, above, below, .. }| [limits.vmax, limits.vmin, above, below];
+        let lower = 7.0 + 7.0 + 3.0 + 5.0 + 8.0 + 18.0;
+        assert_eq!(numbers(slower(&border, -14.0, 2.0)), [lower, -lower, lower + 3.0, lower - 3.0]);
+        assert_eq!(numbers(slower(&border, 98.0, 2.0)), [99.0, -99.0, 102.0, 96.0]);
+    }
+}
