@@ -120,6 +120,12 @@ mod tests {
     }
 
     #[test]
+    fn a_period_that_no_time_can_count_is_none() {
+        let cycle = Cycle::new(0.0, 1e-310).expect("a cycle");
+        assert_eq!(cycle.until_possible(1, 1e10, |t| t), Ok(1e10));
+    }
+
+    #[test]
     fn five_axes_have_ten_gaps() {
         assert_eq!(ANY_TIME.until_possible(5, 0.0, |t: f64| (t + 1.0).min(10.0)), Ok(10.0));
     }
