@@ -196,3 +196,29 @@ fn braking<R: Real>((limits, (from, to)): Axis<R>) -> R {
     let a = limits.amax.at_most(-limits.amin).at_most((speed * j).sqrt());
     if speed > R::ZERO { speed / a + a / j } else { R::ZERO }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Line, braking, highest};
+    use crate::limits::Limits;
+    use crate::state::State;
+
+    const LIMITS: Limits<f64> = Limits { vmax: 16.0, vmin: -8.0, amax: 4.0, amin: -2.0, jmax: 4.0, jmin: -8.0 };
+    const STAND: State<f64> = State { position: 0.0, velocity: 0.0, acceleration: 0.0 };
+
+    #[test]
+    fn limits_tell_how_fast_an_axis_becomes() {
+        let slow = Limits { vmax: 0.0625, vmin: -0.0625, ..LIMITS };
+        let expected = [(LIMITS, 1e6, 16.0, 4.0), (LIMITS, 0.125, 0.5, 2.0), (slow, 1e6, 0.0625, 1.0)];
+        for (limits, distance, v, a) in expected {
+            let found = highest(&limits, distance);
+            assert!((found.0 - v).abs() < 1e-3 && (found.1 - a).abs() < 1e-3, "{found:?}");
+        }
+        let from_speed = |velocity| braking((&LIMITS, (&State { velocity, ..STAND }, &STAND)));
+        assert_eq!([0.0, 0.25, 16.0].map(from_speed), [0.0, 0.5, 8.5]);
+        // An acceleration at an end changes the velocity until it is 0.
+        let end = State { acceleration: 2.0, ..STAND };
+        let line = Line::through([(&LIMITS, (&end, &STAND))].into_iter());
+        assert_eq!(line.map(|line| line.highest), Ok((1.0, 2.0)));
+    }
+}
