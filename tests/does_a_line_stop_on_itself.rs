@@ -103,6 +103,12 @@ fn nonsense_is_refused<R: Real>() {
         assert_eq!(line_stop(&mut bent, &limits, half), Err(Error::Line));
         assert_eq!((axes, bent), (before, [before[0], other]));
     }
+    // Moves without a duration have no states but those of their ends.
+    for (axis, acceleration) in axes.iter_mut().zip([zero, half]) {
+        let here = State { velocity: half, acceleration, ..State::at(zero) };
+        axis.plan(&limits[0], here, here).expect("a plan");
+    }
+    assert_eq!(line_stop(&mut axes, &limits, zero), Err(Error::Line));
 }
 
 /// Axes that stand have no direction, and stop where they are.
