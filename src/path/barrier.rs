@@ -125,8 +125,13 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         self.memory.mixed.clear();
         self.memory.damping.clear();
         self.memory.gradient_t.clear();
+        self.memory.gradient.clear();
+        self.memory.diagonal.clear();
+        self.memory.of_offsets.clear();
         let mut growth = R::ZERO;
-        for section in 0..self.sections {
+        // If a whole step is outside, half of it often is too, in the same section.
+        let first = self.last_assembled;
+        for section in (first..self.sections).chain(0..first) {
             let mut logarithms = Logarithms::none();
             for axis in 0..self.axes {
                 self.last_assembled = section;
@@ -194,10 +199,10 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let coupling = [[v1v0, a1v0, y * hv0], [v1a0, a1a0, y * ha0], [x * hv1, x * ha1, x * y * hh]];
             memory.coupling.set(start, tile(coupling));
         }
-        memory.gradient.set(piece, group([g_v1, g_a1, y * g_h]));
-        memory.diagonal.set(piece, [v1v1, a1v1, a1a1]);
+        memory.gradient.add(piece, group([g_v1, g_a1, y * g_h]));
+        memory.diagonal.add(piece, [v1v1, a1v1, a1a1]);
         if K > 2 {
-            memory.of_offsets.set(piece, [y * hv1, y * ha1, y * y * hh]);
+            memory.of_offsets.add(piece, [y * hv1, y * ha1, y * y * hh]);
         }
         let [was_above, was_below] = memory.tried_slacks.row(piece);
         Some((above.slack / was_above) * (below.slack / was_below))
@@ -280,9 +285,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         self.swap_tried();
         // A section counts as narrow as before until its slacks are known.
         self.memory.slacks.copy(&self.memory.tried_slacks);
-        let last = self.last_assembled;
-        let may_be_inside = self.is_possible(last, self.memory.durations.at(last));
-        let growth = may_be_inside.then(|| self.assemble()).flatten();
+        let growth = self.assemble();
         if growth.is_none() {
             self.swap_tried();
         }

@@ -177,10 +177,14 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         let end = self.request.state(self.request.sections, axis);
         let last = self.request.limits(self.request.sections - 1, axis)?;
         self.findings |= Findings::ENDS_LEAVING.when(last.are_left_after(end));
-        let State { velocity, acceleration, .. } = end;
-        let end = self.sections * self.axes + axis;
-        self.memory.states.set(end, [velocity, acceleration]);
+        self.set_end(axis, R::ONE);
         Ok(())
+    }
+
+    /// Gives an axis this part of its velocity at the end, and the square of it of its acceleration.
+    pub fn set_end(&mut self, axis: usize, part: R) {
+        let State { velocity, acceleration, .. } = self.request.state(self.request.sections, axis);
+        self.memory.states.set(self.sections * self.axes + axis, [part * velocity, part * part * acceleration]);
     }
 
     /// Which section of the caller this one is.

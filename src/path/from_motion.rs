@@ -27,11 +27,9 @@ fn all_but_rounding<R: Real>() -> R {
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
     pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
-        if self.brake_along() {
-            return Ok(true);
-        }
+        let brakes = self.brake_along();
         if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
-            return Ok(self.come_inside(0));
+            return Ok(brakes || self.come_inside(0));
         }
         let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, steps));
         self.set_ends(R::ONE);
@@ -39,7 +37,7 @@ impl<R: Real> Chain<'_, '_, R> {
             return Ok(true);
         }
         self.stop_everywhere()?;
-        Ok(self.come_inside(0))
+        Ok(self.brake_along() || self.come_inside(0))
     }
 
     /// Plans between ends that are slow enough to pass the points. Returns how many times slower they are than the given ones.
@@ -48,11 +46,8 @@ impl<R: Real> Chain<'_, '_, R> {
         for _ in 0..SLOWER_ENDS {
             times = times + R::HALF * R::HALF * times;
             self.set_ends(R::ONE / times);
-            for section in [0, self.sections - 1] {
-                let duration = self.shortest(section, R::ZERO)?;
-                self.memory.durations.put(section, duration);
-            }
-            let passes = if self.swerves() { self.brake_along() } else { self.come_inside(0) };
+            self.stop_everywhere()?;
+            let passes = if self.swerves() { self.brake_along() && !self.swerves() } else { self.come_inside(0) };
             if passes {
                 return Ok(Some(times));
             }
@@ -80,15 +75,10 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Gives the start and the end this part of their given velocities, and its square of the accelerations.
     fn set_ends(&mut self, part: R) {
-        self.set_end(0, 0, part);
-        self.set_end(self.sections, self.request.sections, part);
-    }
-
-    /// Gives a point this part of the velocity of the caller's one, and its square of the acceleration.
-    pub fn set_end(&mut self, point: usize, given: usize, part: R) {
         for axis in 0..self.axes {
-            let State { velocity, acceleration, .. } = self.request.state(given, axis);
-            self.memory.states.set(point * self.axes + axis, [part * velocity, part * part * acceleration]);
+            let State { velocity, acceleration, .. } = self.request.state(0, axis);
+            self.memory.states.set(axis, [part * velocity, part * part * acceleration]);
+            self.set_end(axis, part);
         }
     }
 
@@ -123,7 +113,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// shorter.
     pub fn brake_along(&mut self) -> bool {
         self.measure_axes();
-        let Some(start) = self.along(0, 0).filter(|start| start.velocity > R::ZERO) else {
+        let Some(start) = self.along(0).filter(|start| start.velocity > R::ZERO) else {
             return false;
         };
         self.keep_plan();
@@ -155,10 +145,11 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// The motion at the start or at the end of the path in its own direction, if this is the one of its section, or if it rests.
-    pub fn along(&self, point: usize, section: usize) -> Option<State<R>> {
+    pub fn along(&self, point: usize) -> Option<State<R>> {
         if self.rests_at(point) {
             return Some(State::at(R::ZERO));
         }
+        let section = point.saturating_sub(1);
         let [mut square, mut power, mut ahead] = [R::ZERO; 3];
         for axis in 0..self.axes {
             let [v, a] = self.at(point, axis).map(|of| self.part(axis, of));

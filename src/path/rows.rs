@@ -50,6 +50,9 @@ fn reached<R: Real>(limits: &Limits<R>, length: R, from: R) -> R {
 /// How far a start gets until it stops as early as possible.
 #[inline(never)] // for its stack
 pub(super) fn stop_length<R: Real>(limits: &Limits<R>, start: State<R>) -> R {
+    if start.velocity == R::ZERO {
+        return R::ZERO;
+    }
     let mut run = Move::default();
     let stops = run.stop(limits, start).is_ok();
     if stops { run.end().position } else { R::ZERO }
@@ -111,7 +114,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Passes the points of a row as a fast motion along its curve: in parts whose bends limit the speed, or as one move that is slow enough for
     /// its bends, whichever is shorter. Whether this is possible, and shorter than the plan that is kept.
     pub fn pass_row(&mut self, share: R, start: State<R>, row: Range<usize>) -> bool {
-        let Some(end) = self.along(row.end, row.end - 1) else {
+        let Some(end) = self.along(row.end) else {
             return false;
         };
         self.lay_curve(row.clone());
