@@ -14,9 +14,10 @@ use crate::state::State;
 const SEARCHES: u32 = 32;
 const STEPS: u8 = 12;
 
-/// The first limits of a change are these 64ths of `J/|v|`, and `λ A/|v|`. `λ` is the highest between 1/256 and 2 that passes, by bisection.
+/// The first limits of a change are these 256ths of `J/|v|`, and `λ` times the lower of `A/|v|` and `J/|a|`. `λ` is the first of 2, 1, 1/2, … that
+/// passes, raised by bisection, in so many trials.
 const SHARES: [u8; 5] = [200, 100, 40, 16, 4];
-const HALVES: u32 = 6;
+const TRIALS: u32 = 12;
 
 /// Where no change is found so, its limits are `λ A/V` and `q λ² J/V` with the highest speeds of the whole path: `λ` is halved from 16 down to
 /// `16/2^16`, with one `q` in sixteenths after the other.
@@ -24,7 +25,7 @@ const RATIOS: [u8; 5] = [16, 4, 64, 1, 255];
 const SCALES: u32 = 17;
 
 /// Then each limit is raised alone: by these sixteenths of itself, one after the other.
-const RAISES: [u8; 5] = [64, 32, 24, 20, 20];
+const RAISES: [u8; 6] = [64, 32, 24, 20, 20, 18];
 
 /// The most parts in which a phase of the clock is examined: a power of 2. More parts find no shorter hold.
 const PARTS: i32 = 32;
@@ -83,12 +84,13 @@ impl<'a, R: Real> Change<'a, R> {
         let goes_on = self.keeps(time);
         let mut until = if goes_on && self.is_answer(time.end()) { time.t } else { R::INFINITY };
         let mut is_reached = self.rate == R::ZERO && !self.may_jump(time.end().position);
-        let step = self.free_stop(start.position)? / R::from(STEPS);
+        let stop = self.free_stop(start.position)?;
+        let step = stop / R::from(STEPS);
         let (mut change, mut t) = (Move::default(), R::ZERO);
         // From a standstill the first change is taken: a later one arrives hardly sooner, and each place costs a search.
         let searches = if goes_on && !start.is_at_rest() { SEARCHES } else { 1 };
         for _ in 0..searches {
-            let is_found = self.fastest(time.state_at(t), until - t, &mut change)?;
+            let is_found = self.fastest(time.state_at(t), stop, until - t, &mut change)?;
             // A little gain is not worth a phase.
             let reached = t + change.t;
             if is_found && reached + R::SIXTEENTH * step < until {
@@ -184,41 +186,50 @@ impl<'a, R: Real> Change<'a, R> {
         Axis::new(self.moves, self.limits.len(), index)
     }
 
-    /// The fastest change, and whether one is found: not much longer than `most`.
+    /// The fastest change, which takes about as long as a stop, and whether one is found: not much longer than `most`.
     #[inline(never)] // for its stack
-    fn fastest(&self, from: State<R>, most: R, change: &mut Move<R>) -> Result<bool, Error> {
-        let [slowing, bending] = self.limits_at(from.position);
+    fn fastest(&self, from: State<R>, stop: R, most: R, change: &mut Move<R>) -> Result<bool, Error> {
+        let [slowing, first] = self.limits_at(from.position);
+        // Where the axes get faster meanwhile, the rate must bend less at the end.
+        let [_, last] = self.limits_at(from.position + R::HALF * (from.velocity + self.rate) * stop);
+        let last = last.at_most(first);
+        let [up, down] = if self.rate < from.velocity { [last, first] } else { [first, last] };
         let mut shortest = most + R::HALF * most;
         let (mut time, mut best) = (Move::default(), None);
         for share in SHARES {
-            let bending = R::from(share) * R::SIXTEENTH * R::SIXTEENTH * bending;
-            let (mut low, mut high) = (R::SIXTEENTH * R::SIXTEENTH, R::ONE + R::ONE);
-            for _ in 0..HALVES {
-                let scale = (low * high).sqrt();
-                let limits = [bending, bending, slowing * scale];
+            let share = R::from(share) * R::SIXTEENTH * R::SIXTEENTH;
+            // From above: where the axes get faster, a slow change may be impossible and a fast one possible.
+            let (mut low, mut high) = (None, R::from(4));
+            for _ in 0..TRIALS {
+                let scale = low.map_or(R::HALF * high, |low: R| (low * high).sqrt());
+                let limits = [share * up, share * down, slowing * scale];
                 self.within(from, limits, &mut time)?;
-                let is_better = time.t < shortest && self.is_on_path(&time);
-                if is_better && !self.keeps(&time) {
-                    high = scale;
-                    continue;
-                }
-                low = scale;
-                if is_better {
-                    (shortest, best) = (time.t, Some(limits));
+                let is_shorter = time.t < shortest;
+                if is_shorter && self.is_on_path(&time) && self.keeps(&time) {
+                    (shortest, best, low) = (time.t, Some(limits), Some(scale));
                     *change = time;
+                } else if is_shorter || low.is_some() {
+                    high = scale;
+                } else {
+                    break;
                 }
             }
         }
         best.map(|limits| self.raise(from, change, limits)).transpose().map(|done| done.is_some())
     }
 
-    /// How fast the rate may change at this time of the path: the least `A/|v|` and `J/|v|` of the axes.
+    /// How fast the rate may change at this time of the path: the least `A/|v|`, `J/|a|` and `J/|v|` of the axes.
     fn limits_at(&self, s: R) -> [R; 2] {
-        let speed = |index| self.axis(index).section(s).map_or(R::ZERO, |(of, start)| of.velocity(s - start).abs());
-        let here = slowest(self.limits.iter().enumerate().map(|(index, limits)| (speed(index), limits)));
         let [slowing, bending] = self.least.map(|least| R::from(16) * R::from(16) * R::from(16) * least);
-        let [slowing_here, bending_here] = here;
-        [slowing_here.at_most(slowing), bending_here.at_most(bending)]
+        let here = self.limits.iter().enumerate().map(|(index, limits)| {
+            let state = self.axis(index).section(s).map(|(of, start)| of.state_at(s - start));
+            (state.unwrap_or_default(), limits)
+        });
+        here.fold([slowing, bending], |[slowing, bending], (state, limits)| {
+            let [slowing_here, bending_here] = rates(state.velocity.abs(), limits);
+            let turning = limits.jmax.at_most(-limits.jmin) / state.acceleration.abs();
+            [slowing.at_most(slowing_here).at_most(turning), bending.at_most(bending_here)]
+        })
     }
 
     /// Raises each limit of a change alone, as long as the limits of the axes are kept.
@@ -281,12 +292,15 @@ impl<'a, R: Real> Change<'a, R> {
 
 /// The least `A/|v|` and `J/|v|`.
 fn slowest<'a, R: Real + 'a>(speeds: impl Iterator<Item = (R, &'a Limits<R>)>) -> [R; 2] {
-    let [mut slowing, mut bending] = [R::INFINITY; 2];
-    for (speed, limits) in speeds {
-        slowing = slowing.at_most(limits.amax.at_most(-limits.amin) / speed);
-        bending = bending.at_most(limits.jmax.at_most(-limits.jmin) / speed);
-    }
-    [slowing, bending]
+    speeds.fold([R::INFINITY; 2], |[slowing, bending], (speed, limits)| {
+        let [slowing_here, bending_here] = rates(speed, limits);
+        [slowing.at_most(slowing_here), bending.at_most(bending_here)]
+    })
+}
+
+/// `A/|v|` and `J/|v|`.
+fn rates<R: Real>(speed: R, limits: &Limits<R>) -> [R; 2] {
+    [limits.amax.at_most(-limits.amin) / speed, limits.jmax.at_most(-limits.jmin) / speed]
 }
 
 impl<R: Real> Move<R> {
