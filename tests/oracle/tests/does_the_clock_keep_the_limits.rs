@@ -311,7 +311,7 @@ fn held_path(random: &mut Random, part: f64) -> (Path<f64>, Vec<Limits<f64>>) {
 #[test]
 fn holds_are_short() {
     const HOLDS: usize = if support::BRIEF { 300 } else { 2_000 };
-    for (part, median, highest) in [(0.8, 1.18, 3.5), (0.9, 1.22, 5.5), (0.95, 1.25, 7.0)] {
+    for (part, median, highest) in [(0.8, 1.18, 2.7), (0.9, 1.22, 3.6), (0.95, 1.25, 4.9)] {
         let mut random = Random::seeded(7);
         let (mut ratios, mut late) = (Vec::new(), 0);
         for number in 0..HOLDS {
