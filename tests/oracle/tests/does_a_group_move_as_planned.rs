@@ -2,22 +2,21 @@
 
 use atraj::machine::Group;
 use atraj::online::{Error, Limits, Move, State};
-use oracle::judge::group::{CALLS, program};
+use oracle::judge::group::{CALLS, Counts, program};
 use support::{Random, Real, test_both_reals};
 
 const PROGRAMS: usize = if support::BRIEF { 200 } else { 4_000 };
 
 fn programs<R: Real>() {
     let mut random = Random::seeded(61);
-    let mut refused = [0; 3];
+    let mut counts = Counts::default();
     for _ in 0..PROGRAMS {
-        program::<R>(&mut random, &mut refused);
+        program::<R>(&mut random, &mut counts);
     }
-    let [lines, paths, rates] = refused;
-    println!(
-        "{}: {PROGRAMS} programs of {CALLS} calls; refused: {lines} lines in motion, {paths} paths from elsewhere, {rates} rates",
-        R::NAME
-    );
+    let Counts { refused: [lines, paths, rates], steps } = counts;
+    println!("{}: {PROGRAMS} programs of {CALLS} calls, {steps} steps of motors", R::NAME);
+    println!("refused: {lines} lines in motion, {paths} paths from elsewhere, {rates} rates");
+    assert!(steps > 5_000 * PROGRAMS as u64);
 }
 
 /// A path may be given again while its time runs at another rate, from where the axis is in the next tick, and not from elsewhere.

@@ -153,7 +153,7 @@ fn paths_of_seed<R: Original>(seed: u64) -> Vec<String> {
 fn programs_of_seed<R: Original>(seed: u64) -> Vec<String> {
     let mut random = Random::seeded(seed);
     let judged = (0..CASES_PER_SEED).filter_map(|k| {
-        let run = AssertUnwindSafe(|| group::program::<R>(&mut random, &mut [0; 3]));
+        let run = AssertUnwindSafe(|| group::program::<R>(&mut random, &mut group::Counts::default()));
         catch_unwind(run).err().map(|_| format!("seed {seed}, program {k}"))
     });
     judged.collect()

@@ -1,7 +1,7 @@
 //! A random program of calls to a group, and what is wrong with its ticks and its answers.
 
 use atraj::axes::{path_moves, path_size, plan_path, synchronise};
-use atraj::machine::{Group, GroupPlanner, GroupTicker, Tick};
+use atraj::machine::{Group, GroupPlanner, GroupTicker, StepStream, Tick};
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online};
 
@@ -48,6 +48,45 @@ enum Motion {
     Stop,
 }
 
+/// What programs did.
+#[derive(Debug, Default)]
+pub struct Counts {
+    pub refused: [usize; 3], // lines in motion, paths from elsewhere, and rates
+    pub steps: u64,
+}
+
+/// A motor that follows an axis.
+struct Motor<R> {
+    stream: StepStream<R>,
+    step: f64,
+}
+
+impl<R: Real> Motor<R> {
+    /// At the highest speed of the axis it takes 1 to 100 steps a tick.
+    fn of(now: State<R>, limits: &Limits<R>, period: R, random: &mut Random) -> Self {
+        let fastest = limits.vmax.widen().max(-limits.vmin.widen());
+        let step = R::of((fastest * period.widen() * random.magnitude(-2.0, 0.0)).max(1e-4));
+        let stream = StepStream::new(step, period, now).expect("a motor");
+        Self { stream, step: step.widen() }
+    }
+
+    /// Takes the steps of a tick, which come in order, and lead to the nearest step. Returns how many.
+    fn tick(&mut self, now: State<R>) -> u64 {
+        self.stream.tick(now).expect("a state");
+        let (mut last, mut steps) = (0.0, 0);
+        while let Some(step) = self.stream.next() {
+            let time = step.time.widen();
+            assert!(time >= last, "{time} after {last}");
+            (last, steps) = (time, steps + 1);
+        }
+        let position = now.position.widen();
+        let off = (f64::from(self.stream.count()) * self.step - position).abs();
+        let rounding = 8.0 * R::MACHINE_EPSILON.widen() * position.abs();
+        assert!(off <= 0.5 * self.step + rounding, "a motor is {off:e} from its axis, in steps of {:e}", self.step);
+        steps
+    }
+}
+
 /// A group whose ticks are judged.
 struct Trial<'g, 'a, R> {
     planner: GroupPlanner<'g, 'a, R>,
@@ -59,6 +98,8 @@ struct Trial<'g, 'a, R> {
     has_ended: bool,
     age: u32,     // for how many ticks the motion is in force
     longest: f64, // that a motion of the program takes, s
+    motors: Vec<Motor<R>>,
+    steps: u64,
 }
 
 impl<R: Real> Trial<'_, '_, R> {
@@ -70,6 +111,7 @@ impl<R: Real> Trial<'_, '_, R> {
             let follows = follows(*before, *now, limits, self.period.widen(), self.age, self.longest);
             assert!(follows, "{before:?} {now:?} {limits:?}");
         }
+        self.steps += self.motors.iter_mut().zip(&self.now).map(|(motor, now)| motor.tick(*now)).sum::<u64>();
         assert!(!(tick.ends && self.has_ended && !tick.begins));
         if self.has_ended && !tick.begins && self.stands() {
             assert_eq!(before, self.now, "a group that stands moves on");
@@ -175,8 +217,8 @@ fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
     sections.fold(f64::INFINITY, f64::min)
 }
 
-/// Runs a program, which panics if a tick or an answer is wrong, and counts what is refused: lines in motion, paths from elsewhere, and rates.
-pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
+/// Runs a program, which panics if a tick, a step or an answer is wrong.
+pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
     let n = 1 + random.below(6);
     let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(random)).collect();
     let planned = online::limits_times(&limits, PLANNED);
@@ -187,6 +229,8 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
     let (mut states, mut moves) = (start.clone(), vec![Move::default(); 3 * n]);
     let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
     let (planner, ticker) = group.split();
+    let motor = |(now, limits): (&State<R>, &Limits<R>)| Motor::of(*now, limits, period, random);
+    let motors = start.iter().zip(&limits).map(motor).collect();
     let mut trial = Trial {
         planner,
         ticker,
@@ -197,6 +241,8 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
         has_ended: false,
         age: 0,
         longest: duration,
+        motors,
+        steps: 0,
     };
     let mut motion = Motion::Rest;
     for _ in 0..CALLS {
@@ -232,9 +278,9 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
                 }
             }
             // The axes move on, each for itself or another way.
-            Err(Error::Line) => refused[0] += usize::from(call == 2 && !is_at_rest),
-            Err(Error::Target) if call == 4 => refused[1] += 1,
-            Err(Error::Target) if call == 6 => refused[2] += 1,
+            Err(Error::Line) => counts.refused[0] += usize::from(call == 2 && !is_at_rest),
+            Err(Error::Target) if call == 4 => counts.refused[1] += 1,
+            Err(Error::Target) if call == 6 => counts.refused[2] += 1,
             Err(error) => panic!("{call}: {error}"),
         }
         for _ in 0..random.below(300) {
@@ -246,6 +292,7 @@ pub fn program<R: Real>(random: &mut Random, refused: &mut [usize; 3]) {
     trial.take_over(1);
     assert!(trial.ends() && trial.now == start);
     along_the_path(random, &mut trial, &paths, &planned);
+    counts.steps += trial.steps;
 }
 
 /// The group holds on a path, goes on in the longer one, and arrives.
