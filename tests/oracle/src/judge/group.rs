@@ -70,13 +70,13 @@ impl<R: Real> Motor<R> {
         Self { stream, step: step.widen() }
     }
 
-    /// Takes the steps of a tick, which come in order, and lead to the nearest step. Returns how many.
-    fn tick(&mut self, now: State<R>) -> u64 {
+    /// Takes the steps of a tick, which come in order within it, and lead to the nearest step. Returns how many.
+    fn tick(&mut self, now: State<R>, period: f64) -> u64 {
         self.stream.tick(now).expect("a state");
         let (mut last, mut steps) = (0.0, 0);
         while let Some(step) = self.stream.next() {
             let time = step.time.widen();
-            assert!(time >= last, "{time} after {last}");
+            assert!(time >= last && time <= period, "{time} after {last}");
             (last, steps) = (time, steps + 1);
         }
         let position = now.position.widen();
@@ -111,7 +111,8 @@ impl<R: Real> Trial<'_, '_, R> {
             let follows = follows(*before, *now, limits, self.period.widen(), self.age, self.longest);
             assert!(follows, "{before:?} {now:?} {limits:?}");
         }
-        self.steps += self.motors.iter_mut().zip(&self.now).map(|(motor, now)| motor.tick(*now)).sum::<u64>();
+        let period = self.period.widen();
+        self.steps += self.motors.iter_mut().zip(&self.now).map(|(motor, now)| motor.tick(*now, period)).sum::<u64>();
         assert!(!(tick.ends && self.has_ended && !tick.begins));
         if self.has_ended && !tick.begins && self.stands() {
             assert_eq!(before, self.now, "a group that stands moves on");
