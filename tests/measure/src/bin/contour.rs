@@ -1,6 +1,9 @@
 //! `contour`: paths that stay near their lines: a star of five lines, and a gear wheel of 1,000 segments, as CAM gives it. How long they take, how
 //! far they leave their lines, how many points they need, and how long they are planned. Then the same wheel with tolerances of its points, and
 //! with a feed.
+//!
+//! `contour FILE SCALE JERK ACCELERATION VELOCITY TOLERANCE` plans the contour of the points of a file, two numbers each, times SCALE: with
+//! this velocity of each axis, and with this feed.
 
 use atraj::State;
 use atraj::axes::{
@@ -9,35 +12,58 @@ use atraj::axes::{
 };
 use atraj::online::{Error, Limits, Move};
 use std::f64::consts::PI;
+use std::path::Path;
 use std::time::Instant;
+use std::{env, fs};
 
 type Point = [f64; 2]; // a point, mm
-
-/// mm/s³, mm/s², mm/s
-const LIMITS: [Limits<f64>; 2] =
-    [Limits { vmax: 100.0, vmin: -100.0, amax: 3e3, amin: -3e3, jmax: 6e4, jmin: -6e4 }; 2];
+type Axes = [Limits<f64>; 2]; // mm/s³, mm/s², mm/s
 
 const TEETH: u32 = 20;
 const RADII: [f64; 2] = [18.0, 22.0]; // the circles on which the flanks of a tooth begin and end, mm
 
 fn main() -> Result<(), Error> {
     println!("part,points given,within mm,points,s,largest deviation mm,highest speed mm/s,ms");
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    match &arguments[..] {
+        [file, numbers @ ..] if numbers.len() == 5 => of_a_file(file, numbers),
+        _ => parts(),
+    }
+}
+
+fn parts() -> Result<(), Error> {
+    let limits = [Limits::symmetric(6e4, 3e3, 100.0); 2];
     for (part, points) in [("star", star()), ("gear wheel", gear_wheel())] {
-        println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&points)?);
-        through(part, &points)?;
+        println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&limits, &points)?);
+        through(part, &limits, &points)?;
         for tolerance in [0.1, 0.05, 0.02, 0.01, 0.005] {
-            within(part, &points, tolerance, f64::INFINITY)?;
+            within(part, &limits, &points, tolerance, f64::INFINITY)?;
         }
     }
     let points = gear_wheel();
     for tolerance in [0.05, 0.02, 0.01] {
-        near(&points, tolerance)?;
+        near("gear wheel with tolerances", &limits, &points, tolerance, f64::INFINITY)?;
     }
     for feed in [60.0, 20.0] {
-        within(&format!("gear wheel at {feed} mm/s"), &points, 0.01, feed)?;
-        within(&format!("circle of 314 mm at {feed} mm/s"), &circle(), 0.1, feed)?;
+        within(&format!("gear wheel at {feed} mm/s"), &limits, &points, 0.01, feed)?;
+        within(&format!("circle of 314 mm at {feed} mm/s"), &limits, &circle(), 0.1, feed)?;
     }
     Ok(())
+}
+
+fn of_a_file(file: &str, numbers: &[String]) -> Result<(), Error> {
+    let number = |text: &str| text.trim().parse::<f64>().expect("a number");
+    let [scale, jerk, acceleration, velocity, tolerance] = [0, 1, 2, 3, 4].map(|k| number(&numbers[k]));
+    let text = fs::read_to_string(file).expect("a file of points");
+    let coordinates = text.split(|c: char| c == ',' || c.is_whitespace()).filter(|field| !field.is_empty());
+    let coordinates: Vec<f64> = coordinates.map(|field| scale * number(field)).collect();
+    let points: Vec<Point> = coordinates.chunks_exact(2).map(|point| [point[0], point[1]]).collect();
+    let limits = [Limits::symmetric(jerk, acceleration, velocity); 2];
+    let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy();
+    let part = format!("{name} at {velocity} mm/s");
+    println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&limits, &points)?);
+    within(&part, &limits, &points, tolerance, f64::INFINITY)?;
+    within(&format!("{part} along the path"), &limits, &points, tolerance, velocity)
 }
 
 /// A star: its corners are 15 to 19 mm from one to the next.
@@ -85,41 +111,42 @@ fn states(points: &[Point]) -> Vec<State<f64>> {
     points.iter().flatten().map(|&position| State::at(position)).collect()
 }
 
-fn stopping(points: &[Point]) -> Result<f64, Error> {
+fn stopping(limits: &Axes, points: &[Point]) -> Result<f64, Error> {
     let (mut moves, mut t) = ([Move::default(); 2], 0.0);
     for ends in points.windows(2) {
-        line(&mut moves, &LIMITS, &ends[0].map(State::at), &ends[1].map(State::at), 0.0, 0.0)?;
+        line(&mut moves, limits, &ends[0].map(State::at), &ends[1].map(State::at), 0.0, 0.0)?;
         t += moves[0].t;
     }
     Ok(t)
 }
 
-fn through(part: &str, points: &[Point]) -> Result<(), Error> {
+fn through(part: &str, limits: &Axes, points: &[Point]) -> Result<(), Error> {
     let (sections, start) = (points.len() - 1, Instant::now());
     let (mut states, mut durations) = (states(points), vec![0.0; sections]);
-    plan_path(&mut states, &mut durations, &LIMITS, 2, 0, &mut work(path_size(2, sections)))?;
+    plan_path(&mut states, &mut durations, limits, 2, 0, &mut work(path_size(2, sections)))?;
     let mut moves = vec![Move::default(); 2 * sections];
-    path_moves(&mut moves, &LIMITS, &states, &durations, 2)?;
+    path_moves(&mut moves, limits, &states, &durations, 2)?;
     print(part, points, "", &moves, start);
     Ok(())
 }
 
-fn within(part: &str, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
-    let moves = contour(&states(points), tolerance, feed);
+fn within(part: &str, limits: &Axes, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
+    let moves = contour(limits, &states(points), tolerance, feed);
     let (moves, start) = (moves.0?, moves.1);
     print(part, points, &tolerance.to_string(), &moves, start);
     Ok(())
 }
 
 /// Prints the path whose points are passed within half of a tolerance, and that stays within the other half of their lines.
-fn near(points: &[Point], tolerance: f64) -> Result<(), Error> {
+fn near(part: &str, axes: &Axes, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
     let (sections, start) = (points.len() - 1, Instant::now());
-    let (mut states, mut durations) = (states(points), vec![0.0; sections]);
+    let (mut states, mut durations, mut limits) = (states(points), vec![0.0; sections], axes.repeat(sections));
+    limit_feed(&mut limits, &states, &vec![feed; sections], 2)?;
     let tolerances = vec![0.5 * tolerance / f64::sqrt(2.0); 2 * (sections - 1)];
     let room = path_size_near(2, sections);
-    plan_path_near(&mut states, &mut durations, &LIMITS, &tolerances, 2, 0, &mut work(room))?;
-    let moves = contour(&states, 0.5 * tolerance, f64::INFINITY).0?;
-    print("gear wheel with tolerances", points, &tolerance.to_string(), &moves, start);
+    plan_path_near(&mut states, &mut durations, &limits, &tolerances, 2, 0, &mut work(room))?;
+    let moves = contour(axes, &states, 0.5 * tolerance, feed).0?;
+    print(part, points, &tolerance.to_string(), &moves, start);
     Ok(())
 }
 
@@ -127,7 +154,7 @@ fn work(size: Option<usize>) -> Vec<f64> {
     vec![0.0; size.unwrap_or_default()]
 }
 
-fn contour(given: &[State<f64>], tolerance: f64, feed: f64) -> (Result<Vec<Move<f64>>, Error>, Instant) {
+fn contour(axes: &Axes, given: &[State<f64>], tolerance: f64, feed: f64) -> (Result<Vec<Move<f64>>, Error>, Instant) {
     let sections = given.len() / 2 - 1;
     let room = 4 * sections + 200;
     let mut states = given.to_vec();
@@ -136,7 +163,7 @@ fn contour(given: &[State<f64>], tolerance: f64, feed: f64) -> (Result<Vec<Move<
         (vec![Move::default(); 2 * room], vec![0.0; room], vec![0; sections + 1]);
     let mut work = work(path_size(2, room));
     let start = Instant::now();
-    let mut limits = LIMITS.repeat(sections);
+    let mut limits = axes.repeat(sections);
     let lowered = limit_feed(&mut limits, given, &vec![feed; sections], 2);
     let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
     let planned = lowered.and_then(|()| plan_contour(path, &limits, tolerance, 2, 0, &mut work));
