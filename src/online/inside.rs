@@ -9,7 +9,7 @@ use crate::real::Real;
 use crate::state::State;
 
 /// The recovery back inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Inside<R> {
     /// The acceleration at the end of the recovery.
     acceleration: R,
@@ -36,14 +36,7 @@ impl<R: Real> Inside<R> {
             && v_at_a_zero.at_least(v) <= limits.vmax
             && v_at_a_zero.at_most(v) >= limits.vmin;
         if is_inside {
-            Self {
-                acceleration: a,
-                rises: false,
-                ramp: R::ZERO,
-                hold: R::ZERO,
-                change: Change::default(),
-                starts_outside: false,
-            }
+            Self { acceleration: a, ..Self::default() }
         } else {
             Self::recovery(limits, per_jerk, (v, a), v_at_a_zero)
         }
@@ -79,7 +72,6 @@ impl<R: Real> Inside<R> {
     /// The motions from the end of the recovery on.
     pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>, to: State<R>) -> Border<R> {
         let change = self.change.velocity;
-        let eased = Border::eased(per_jerk, self.acceleration, to.acceleration);
         Border {
             v0: from.velocity + change,
             a0: self.acceleration,
@@ -88,7 +80,7 @@ impl<R: Real> Inside<R> {
             dv: (to.velocity - from.velocity) - change,
             above: (limits.vmax - from.velocity) - change,
             below: (from.velocity - limits.vmin) + change,
-            eased,
+            eased: Border::eased(per_jerk, self.acceleration, to.acceleration),
             limits: *limits,
             per_jerk,
         }
@@ -96,8 +88,7 @@ impl<R: Real> Inside<R> {
 
     /// The segments of the recovery from the acceleration `from`, in order of time.
     pub fn segments(&self, limits: &Limits<R>, from: R) -> [Segment<R>; 2] {
-        let to = self.acceleration;
         let jerk = if self.rises { limits.jmax } else { limits.jmin };
-        [Segment::new(from, jerk, self.ramp), Segment::new(to, R::ZERO, self.hold)]
+        [Segment::new(from, jerk, self.ramp), Segment::new(self.acceleration, R::ZERO, self.hold)]
     }
 }

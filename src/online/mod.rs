@@ -62,15 +62,13 @@ impl<R: Real> Move<R> {
             return Err(Error::NotFinite);
         }
         let mut planned = Self::default();
-        let found = planned.plan(limits, from, to)?;
+        let mut found = planned.plan(limits, from, to)?;
         if lowest >= highest {
             return Err(Error::Limits);
         }
         if planned.leaves(lowest, highest) {
             planned.plan_with_turns(limits, from, to, [lowest, highest])?;
-            let found = Problem::new(limits, from, to).findings(&planned);
-            *self = planned;
-            return Ok(found);
+            found = Problem::new(limits, from, to).findings(&planned);
         }
         *self = planned;
         Ok(found)

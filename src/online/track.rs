@@ -56,12 +56,11 @@ impl<R: Real> Move<R> {
         let State { position, velocity, acceleration } = signal;
         for (acceleration, jerk) in [(acceleration, jerk), (acceleration, R::ZERO), (R::ZERO, R::ZERO)] {
             let signal = Phase { position, velocity, acceleration, jerk, ..Phase::default() };
-            for plan in [Approach::near, Approach::chase] {
-                let found = plan(&Approach { limits, from, signal, horizon });
-                if let Some(planned) = found.filter(|planned| planned.keeps(limits)) {
-                    *self = planned;
-                    return Ok(self.turn_findings());
-                }
+            let approach = Approach { limits, from, signal, horizon };
+            let keeps = |planned: &Self| planned.keeps(limits);
+            if let Some(planned) = Some(approach.near()).filter(keeps).or_else(|| approach.chase().filter(keeps)) {
+                *self = planned;
+                return Ok(self.turn_findings());
             }
         }
         // A signal on a limit, or beyond it, leaves nothing.
@@ -74,9 +73,8 @@ impl<R: Real> Move<R> {
         let few = R::ONE + R::DOUBT;
         let within = |x: R, low: R, high: R| x >= few * low && x <= few * high;
         let reached = self.extremes();
-        let phases = self.phases().iter();
         self.is_finite()
-            && phases.into_iter().all(|phase| within(phase.jerk, limits.jmin, limits.jmax))
+            && self.phases().iter().all(|phase| within(phase.jerk, limits.jmin, limits.jmax))
             && [reached.lowest, reached.highest].into_iter().all(|state| {
                 within(state.velocity, limits.vmin, limits.vmax) && within(state.acceleration, limits.amin, limits.amax)
             })
@@ -106,7 +104,7 @@ impl<R: Real> Approach<'_, R> {
 
     /// The distance comes to rest after the horizon, by three jerks of equal duration. They are linear in the distance, so noise does not switch
     /// them.
-    fn near(&self) -> Option<Move<R>> {
+    fn near(&self) -> Move<R> {
         let distance = self.distance();
         let third = self.horizon / R::from(3);
         // With the time in thirds of the horizon.
@@ -125,7 +123,7 @@ impl<R: Real> Approach<'_, R> {
         writer.end(State::at(R::ZERO));
         planned.end_at(self.horizon);
         planned.add(&self.signal, self.from);
-        Some(planned)
+        planned
     }
 
     /// The distance comes to rest as fast as it can within what the signal leaves of the limits. `None` if it leaves nothing. Where the signal

@@ -31,9 +31,7 @@ impl<R: Real> Turns<R> {
         let mut turns = Self { states: [from; MOST_TURNS], count: 0 };
         let mut last = from;
         while let Some(place) = turns.states.get_mut(turns.count) {
-            let Some(turn) = turn_after(limits, last, positions)? else {
-                break;
-            };
+            let Some(turn) = turn_after(limits, last, positions)? else { break };
             (*place, last) = (turn, turn);
             turns.count += 1;
         }
@@ -46,8 +44,9 @@ impl<R: Real> Turns<R> {
         Ok(Self { states: turns.states.map(State::reversed), ..turns })
     }
 
-    fn as_slice(&self) -> &[State<R>] {
-        self.states.get(..self.count).unwrap_or_default()
+    /// The first turns, as many as `count`.
+    fn first(&self, count: usize) -> &[State<R>] {
+        self.states.get(..count).unwrap_or_default()
     }
 }
 
@@ -109,9 +108,7 @@ impl<R: Real> Move<R> {
         for most in 0..=first.count {
             for rest in 0..=last.count {
                 let mut planned = Self::default();
-                let first = first.as_slice().iter().take(most);
-                let last = last.as_slice().iter().take(rest);
-                let is_planned = planned.turn(limits, from, first, last.rev(), to).is_ok();
+                let is_planned = planned.turn(limits, from, first.first(most), last.first(rest), to).is_ok();
                 let is_better = answer.is_err() || planned.t < self.t;
                 if is_planned && is_better && !planned.leaves(lowest, highest) {
                     *self = planned;
@@ -122,17 +119,13 @@ impl<R: Real> Move<R> {
         answer
     }
 
-    /// Plans the fastest motion by way of these turns.
-    fn turn<'a>(
-        &mut self, limits: &Limits<R>, from: State<R>, first: impl Iterator<Item = &'a State<R>>,
-        last: impl Iterator<Item = &'a State<R>>, to: State<R>,
-    ) -> Result<(), Error>
-    where
-        R: 'a,
-    {
+    /// Plans the fastest motion by way of these turns after the start, and of these before the end, from the last one on.
+    fn turn(
+        &mut self, limits: &Limits<R>, from: State<R>, first: &[State<R>], last: &[State<R>], to: State<R>,
+    ) -> Result<(), Error> {
         let mut now = self.ramps(limits, from, first)?;
         let mut is_ramp = false;
-        for end in last.copied().chain([to]) {
+        for end in last.iter().rev().copied().chain([to]) {
             if is_ramp {
                 self.ramp(limits, now, end)?;
             } else {
@@ -146,17 +139,12 @@ impl<R: Real> Move<R> {
     }
 
     /// Plans the fastest ramps from turn to turn. Answers where they end.
-    fn ramps<'a>(
-        &mut self, limits: &Limits<R>, from: State<R>, turns: impl Iterator<Item = &'a State<R>>,
-    ) -> Result<State<R>, Error>
-    where
-        R: 'a,
-    {
+    fn ramps(&mut self, limits: &Limits<R>, from: State<R>, turns: &[State<R>]) -> Result<State<R>, Error> {
         self.stay(from);
         let mut now = from;
-        for turn in turns {
-            self.ramp(limits, now, *turn)?;
-            now = *turn;
+        for &turn in turns {
+            self.ramp(limits, now, turn)?;
+            now = turn;
         }
         Ok(now)
     }
@@ -164,7 +152,7 @@ impl<R: Real> Move<R> {
     /// Plans the fastest stop, by way of turns if it would leave the positions. [`Error::Position`] if the hardest brake leaves them too.
     pub(crate) fn stop_within(&mut self, limits: &Limits<R>, from: State<R>, positions: [R; 2]) -> Result<(), Error> {
         let turns = Turns::after(limits, from, positions)?;
-        let turn = self.ramps(limits, from, turns.as_slice().iter())?;
+        let turn = self.ramps(limits, from, turns.first(turns.count))?;
         let mut next = Self::default();
         next.stop(limits, turn)?;
         self.append(&next)?;

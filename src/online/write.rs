@@ -173,9 +173,7 @@ impl<R: Real> Move<R> {
     fn join_slivers(&mut self, count: usize, t: R, sliver: R) -> usize {
         let mut kept = 1;
         for index in 1..count {
-            let Some(phase) = self.phase.get(index).copied() else {
-                break;
-            };
+            let Some(phase) = self.phase.get(index).copied() else { break };
             let next = self.phase.get_mut(index + 1).filter(|_| index + 1 < count);
             if let Some(next) = next.filter(|_| phase.duration < sliver) {
                 if let Some(joined) = next.joined(&phase, t) {
@@ -226,9 +224,8 @@ impl<R: Real> Move<R> {
         let count = self.phase_count();
         for (index, state) in [(count, to), (0, from)] {
             if let Some(phase) = self.phase.get_mut(index) {
-                phase.position = state.position;
-                phase.velocity = state.velocity;
-                phase.acceleration = state.acceleration;
+                let State { position, velocity, acceleration } = state;
+                *phase = Phase { position, velocity, acceleration, ..*phase };
             }
         }
     }
