@@ -26,11 +26,11 @@ pub(crate) struct Border<R> {
     pub v1: R,
     /// Acceleration at the end.
     pub a1: R,
-    /// Change of velocity from the start to the end. It is formed once, from the arguments.
+    /// Change of velocity from the start to the end. As `above` and `below` it is formed once, from the arguments.
     pub dv: R,
-    /// From the velocity at the start up to the highest one. It is formed once, from the arguments.
+    /// From the velocity at the start up to the highest one.
     pub above: R,
-    /// From the lowest velocity up to the one at the start. It is formed once, from the arguments.
+    /// From the lowest velocity up to the one at the start.
     pub below: R,
     /// How much the velocity changes while the accelerations at both ends go to 0, in sum.
     pub eased: R,
@@ -106,8 +106,6 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// How much the change of velocity exceeds the one of the straight change of the acceleration. The rounding is the sum of the rounding errors
-    /// of the velocities at both ends, and of the velocities once the acceleration is 0.
     pub fn beyond_straight(&self) -> Excess<R> {
         let Self { a0, a1, .. } = *self;
         let velocity = self.dv - self.per_jerk.straight(a0, a1);
@@ -219,7 +217,6 @@ impl<R: Real> Border<R> {
         Passed { duration, displacement: displacement.negate_if(mirrored) }
     }
 
-    /// The profile of a ramp.
     #[inline(never)] // for its size: it is asked in nine places
     pub fn profile(&self, ramp: &Ramp<R>) -> Profile<R> {
         let Ramp { mirrored, rise, peak, hold, fall } = *ramp;
