@@ -3,7 +3,7 @@
 use super::border::Border;
 use crate::findings::Error;
 use crate::liba::{Bell, Trap};
-use crate::real::Real;
+use crate::real::{Real, target};
 use crate::state::{Boundary, Saturation, dips};
 
 impl<R: Real> Bell<R> {
@@ -34,7 +34,7 @@ impl<R: Real> Bell<R> {
         let boundary = boundary.limit_velocities(vm, Saturation::Numbers);
         let Boundary { p0, p1, v0, v1 } = boundary;
         if p0 == p1 && v0 == v1 {
-            return Ok(Self::nothing(boundary));
+            return Ok(Self { p0, p1, v0, v1, vm: v0, ..Self::default() });
         }
         let mut jm = Self::resolved_jerk(jm, am, vm, boundary);
         let mut bell = Self::default();
@@ -72,15 +72,10 @@ impl<R: Real> Bell<R> {
         trap.map_or(jm, |trap| (am / Self::shortest_part(trap.t)).at_most(jm))
     }
 
-    fn nothing(boundary: Boundary<R>) -> Self {
-        let Boundary { p0, p1, v0, v1 } = boundary;
-        Self { p0, p1, v0, v1, vm: v0, ..Self::default() }
-    }
-
     /// The fastest move; the jerk is finite.
     fn within(jm: R, am: R, vm: R, boundary: Boundary<R>) -> Self {
         let Boundary { p0, p1, v0, v1 } = boundary;
-        let [h, forward_v0, forward_v1] = R::forward(p1 - p0, v0, v1);
+        let [h, forward_v0, forward_v1] = target::forward(p1 - p0, v0, v1);
         // A product takes a fraction of the time of a quotient.
         let per_jerk = R::ONE / jm;
         let border =

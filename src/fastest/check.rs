@@ -26,21 +26,22 @@ impl<R: Real> Bell<R> {
     /// # Ok::<(), atraj::Error>(())
     /// ```
     pub fn check(&self, jerk: R, acceleration: R, velocity: R) -> Result<Findings, Error> {
-        let limits = [jerk, acceleration, velocity].map(|limit| limit.abs());
-        if !(self.fields().iter().all(|x| x.is_finite()) && limits.iter().all(|&x| x >= R::ZERO)) {
+        let Self { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, .. } = *self;
+        let fields = [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, self.vm, self.jm, self.am, self.dm];
+        let limits @ [jm, am, vm] = [jerk, acceleration, velocity].map(|limit| limit.abs());
+        if !(fields.iter().all(|x| x.is_finite()) && limits.iter().all(|&x| x >= R::ZERO)) {
             return Err(Error::NotFinite);
         }
-        let [jm, am, vm] = limits;
         let reached = self.extremes();
         let few = R::DOUBT; // 64 ulps
-        let speed_scale = reached.speed() + reached.acceleration() * self.t;
-        let position_scale = self.p0.abs() + self.p1.abs() + reached.speed() * self.t;
-        let jerk = if self.taj > R::ZERO || self.tdj > R::ZERO { self.jm.abs() } else { R::ZERO };
+        let of_velocity = few * (reached.speed() + reached.acceleration() * t);
+        let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
+        let jerk = if taj > R::ZERO || tdj > R::ZERO { self.jm.abs() } else { R::ZERO };
         Ok(Findings::EXCEEDS_JERK.when(jerk > jm + few * jm)
             | Findings::EXCEEDS_ACCELERATION.when(reached.acceleration() > am + few * am)
-            | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + few * speed_scale)
-            | Findings::JUMPS.when(self.jumps(few * position_scale, few * speed_scale))
-            | Findings::OVERSHOOTS.when(reached.overshoots(self.p0, self.p1, few * position_scale)))
+            | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)
+            | Findings::JUMPS.when(self.jumps(of_position, of_velocity))
+            | Findings::OVERSHOOTS.when(reached.overshoots(p0, p1, of_position)))
     }
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
@@ -102,11 +103,6 @@ impl<R: Real> Bell<R> {
         };
         !(in_order && meetings.all(fits))
     }
-
-    fn fields(&self) -> [R; 14] {
-        let Self { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm } = *self;
-        [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, vm, jm, am, dm]
-    }
 }
 
 impl<R: Real> Trap<R> {
@@ -134,8 +130,7 @@ impl<R: Real> Trap<R> {
         let steepest = self.a0.abs().at_least(self.a1.abs());
         let of_velocity = few * (reached.speed() + steepest * t);
         let of_position = few * (p0.abs() + p1.abs() + reached.speed() * t);
-        let State { acceleration: lowest, .. } = reached.lowest;
-        let State { acceleration: highest, .. } = reached.highest;
+        let (lowest, highest) = (reached.lowest.acceleration, reached.highest.acceleration);
         let steep = highest > rise + few * rise || -lowest > fall + few * fall;
         Ok(Findings::EXCEEDS_ACCELERATION.when(steep)
             | Findings::EXCEEDS_VELOCITY.when(reached.speed() > vm + of_velocity)

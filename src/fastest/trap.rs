@@ -49,19 +49,15 @@ impl<R: Real> Trap<R> {
         let mut up = (vm - v0_up) / first;
         let mut down = (vm - v1_up) / second;
         let by_way_of_vm = R::HALF * (v0_up + vm) * up + R::HALF * (v1_up + vm) * down;
+        // Without a cruise the longer ramp is the unknown: the other one follows without losing digits.
         let (cruise, peak) = if h >= by_way_of_vm {
             ((h - by_way_of_vm) / vm, vm)
+        } else if first < second {
+            [up, down] = meeting_ramps(h, [v0_up, v1_up], first, second);
+            (R::ZERO, v0_up + first * up)
         } else {
-            // The longer ramp is the unknown: the other one follows without losing digits.
-            let peak;
-            if first < second {
-                [up, down] = meeting_ramps(h, [v0_up, v1_up], first, second);
-                peak = v0_up + first * up;
-            } else {
-                [down, up] = meeting_ramps(h, [v1_up, v0_up], second, first);
-                peak = v1_up + second * down;
-            }
-            (R::ZERO, peak)
+            [down, up] = meeting_ramps(h, [v1_up, v0_up], second, first);
+            (R::ZERO, v1_up + second * down)
         };
         let [vc, a0, a1] = [peak, first, -second].map(|x| x.negate_if(down_first));
         let trap = Self {

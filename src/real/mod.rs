@@ -112,11 +112,6 @@ pub trait Operations: Primitives {
         }
     }
 
-    /// The displacement `h` and two velocities in the axis in which the displacement is not below zero.
-    fn forward(h: Self, v0: Self, v1: Self) -> [Self; 3] {
-        target::forward(h, v0, v1)
-    }
-
     /// `self` limited to `-most … most`; `most` is not below zero. NaN becomes `-most`, and so does a zero if `most` is zero.
     fn limit(self, most: Self) -> Self {
         if self.abs() < most {

@@ -60,7 +60,10 @@ impl<R: Real> Bell<R> {
 
     /// Acceleration at time `x`, s. Outside the move and for a NaN it is 0.
     pub fn acceleration(&self, x: R) -> R {
-        self.acceleration_in(self.phase(x, is_not_from), x)
+        match self.phase(x, is_not_from) {
+            Phase::Before | Phase::Cruise | Phase::After => R::ZERO,
+            phase => self.orient(self.forward_acceleration_in(phase, x)),
+        }
     }
 
     /// Jerk at time `x`, s, both ends included. Outside the move and for a NaN it is 0.
@@ -180,15 +183,6 @@ impl<R: Real> Bell<R> {
             Phase::DecelerationHolds => self.vm + self.dm * (x - self.t + self.td - R::HALF * self.tdj),
             Phase::DecelerationFalls => v1 + jerk_velocity(self.jm, x - self.t),
             Phase::After => v1,
-        }
-    }
-
-    /// Acceleration in the caller's axis.
-    #[inline(always)]
-    fn acceleration_in(&self, phase: Phase, x: R) -> R {
-        match phase {
-            Phase::Before | Phase::Cruise | Phase::After => R::ZERO,
-            _ => self.orient(self.forward_acceleration_in(phase, x)),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::Bell;
 use super::search::Fit;
-use crate::real::Real;
+use crate::real::{Real, target};
 use crate::state::{Boundary, Saturation};
 
 impl<R: Real> Bell<R> {
@@ -19,12 +19,10 @@ impl<R: Real> Bell<R> {
         &mut self, jerk: R, acceleration: R, velocity: R, boundary: Boundary<R>, saturation: Saturation,
     ) -> Option<R> {
         let (jm, am, vm) = (jerk.magnitude(), acceleration.magnitude(), velocity.magnitude());
-        let boundary = boundary.limit_velocities(vm, saturation);
-        (self.p0, self.p1) = (boundary.p0, boundary.p1);
-        (self.v0, self.v1) = (boundary.v0, boundary.v1);
+        let Boundary { p0, p1, v0, v1 } = boundary.limit_velocities(vm, saturation);
+        (self.p0, self.p1, self.v0, self.v1) = (p0, p1, v0, v1);
         (self.vm, self.jm) = (vm, jm);
-        let h = boundary.p1 - boundary.p0;
-        let [h, v0, v1] = R::forward(h, boundary.v0, boundary.v1);
+        let [h, v0, v1] = target::forward(p1 - p0, v0, v1);
 
         let full_tj = am / jm;
         (self.taj, self.ta, self.am) = ramp(vm - v0, jm, am, full_tj);

@@ -10,7 +10,7 @@ pub(crate) mod target;
 use crate::findings::{Error, Extremes};
 use crate::real::Real;
 use crate::sampling::{Sweep, states};
-use crate::state::{Boundary, State};
+use crate::state::Boundary;
 
 /// Polynomial of time with `N` coefficients.
 ///
@@ -169,9 +169,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `duration`, s. A polynomial limits none of them.
     pub fn extremes(&self, duration: R) -> Extremes<R> {
-        let at =
-            |x| State { position: self.position(x), velocity: self.velocity(x), acceleration: self.acceleration(x) };
-        let (mut reached, end) = (Extremes::of(at(R::ZERO)), at(duration));
+        let (mut reached, end) = (Extremes::of(self.state_at(R::ZERO)), self.state_at(duration));
         reached.include_position(end.position);
         reached.include_velocity(end.velocity);
         reached.include_acceleration(end.acceleration);
