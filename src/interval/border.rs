@@ -48,8 +48,12 @@ pub(crate) struct Excess<R> {
 
 impl<R: Real> Border<R> {
     /// The motions between velocities and accelerations within the limits.
-    pub fn between([[v0, a0], [v1, a1]]: [[R; 2]; 2], limits: &Limits<R>) -> Self {
-        let per_jerk = PerJerk::of(limits);
+    pub fn between(ends: [[R; 2]; 2], limits: &Limits<R>) -> Self {
+        Self::new(ends, limits, PerJerk::of(limits))
+    }
+
+    /// As [`Border::between`], with the reciprocals of the jerks.
+    pub fn new([[v0, a0], [v1, a1]]: [[R; 2]; 2], limits: &Limits<R>, per_jerk: PerJerk<R>) -> Self {
         Self {
             v0,
             a0,
@@ -58,15 +62,21 @@ impl<R: Real> Border<R> {
             dv: v1 - v0,
             above: limits.vmax - v0,
             below: v0 - limits.vmin,
-            eased: Self::eased(per_jerk, a0, a1),
+            eased: per_jerk.straight(a0, R::ZERO).abs() + per_jerk.straight(R::ZERO, a1).abs(),
             limits: *limits,
             per_jerk,
         }
     }
 
-    /// How much the velocity changes while the accelerations at both ends go to 0, in sum.
-    pub fn eased(per_jerk: PerJerk<R>, a0: R, a1: R) -> R {
-        per_jerk.straight(a0, R::ZERO).abs() + per_jerk.straight(R::ZERO, a1).abs()
+    /// With another velocity at the start.
+    pub fn starting_faster(self, change: R) -> Self {
+        Self {
+            v0: self.v0 + change,
+            dv: self.dv - change,
+            above: self.above - change,
+            below: self.below + change,
+            ..self
+        }
     }
 
     #[inline(never)]
@@ -132,11 +142,6 @@ impl<R: Real> Border<R> {
         of_formula(self.speeds())
     }
 
-    /// The largest change of the velocity at the start that a check of a motion of the duration `t` accepts.
-    pub fn accepted_step(&self, t: R) -> R {
-        of_check(self.speeds() + self.limits.speed_within(t))
-    }
-
     /// The rounding error of a displacement of this duration, from that of the states at both ends: of the positions, whose magnitudes have the
     /// sum `positions`, and of what the velocities and the accelerations travel. It is 0 between standstills, where no rounding error makes an axis overshoot.
     #[inline(never)] // for its size: it is asked in five places
@@ -172,7 +177,7 @@ impl<R: Real> Border<R> {
         let shorter = t - self.passed(&direct).duration;
         let mirrored = direct.mirrored;
         let limit = if mirrored { -self.limits.amin } else { self.limits.amax };
-        let most = self.accepted_step(t);
+        let most = of_check(self.speeds() + self.limits.speed_within(t));
         let fitted = direct.longer(shorter, limit, most, self.per_jerk.mirrored_if(mirrored));
         fitted.filter(|_| shorter < R::ZERO).map_or(R::ZERO, |fitted| -fitted.faster.negate_if(mirrored))
     }
@@ -307,14 +312,8 @@ impl<R: Real> Border<R> {
             // A rise that is longer at one end of the fall and shorter at the other changes the velocity by twice the area of the fall.
             let change = (q + q) * fall;
             let is_rise = |rise: R| rise >= -rounding || change * -rise <= self.rounding_of_area();
-            return (is_rise(first) && is_rise(last)).then_some(Profile {
-                first,
-                peak,
-                fall,
-                trough,
-                last,
-                ..Profile::default()
-            });
+            let profile = Profile { first, peak, fall, trough, last, ..Profile::default() };
+            return (is_rise(first) && is_rise(last)).then_some(profile);
         }
         let both = bu + bd;
         let holds = rest - (q + q) * both;
@@ -355,15 +354,8 @@ impl<R: Real> Border<R> {
         (beyond >= -rounding).then(|| {
             // A rise below 0 by rounding does not exist. Else the hold would have to leave its acceleration.
             let last = larger_root(least, -(beyond.at_least(R::ZERO) / q));
-            Profile {
-                first,
-                peak: bu,
-                top: (t - gu * (first + last) - gd * (least + last)).at_least(R::ZERO),
-                fall: least + last,
-                trough: a1 - last,
-                last,
-                ..Profile::default()
-            }
+            let top = (t - gu * (first + last) - gd * (least + last)).at_least(R::ZERO);
+            Profile { first, peak: bu, top, fall: least + last, trough: a1 - last, last, ..Profile::default() }
         })
     }
 

@@ -71,19 +71,8 @@ impl<R: Real> Inside<R> {
 
     /// The motions from the end of the recovery on.
     pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>, to: State<R>) -> Border<R> {
-        let change = self.change.velocity;
-        Border {
-            v0: from.velocity + change,
-            a0: self.acceleration,
-            v1: to.velocity,
-            a1: to.acceleration,
-            dv: (to.velocity - from.velocity) - change,
-            above: (limits.vmax - from.velocity) - change,
-            below: (from.velocity - limits.vmin) + change,
-            eased: Border::eased(per_jerk, self.acceleration, to.acceleration),
-            limits: *limits,
-            per_jerk,
-        }
+        let ends = [[from.velocity, self.acceleration], [to.velocity, to.acceleration]];
+        Border::new(ends, limits, per_jerk).starting_faster(self.change.velocity)
     }
 
     /// The segments of the recovery from the acceleration `from`, in order of time.

@@ -98,14 +98,7 @@ impl<R: Real> Problem<R> {
 
     /// The problem after the recovery, with another velocity at its start.
     pub fn starting_faster(&self, change: R) -> Self {
-        let border = Border {
-            v0: self.border.v0 + change,
-            dv: self.border.dv - change,
-            above: self.border.above - change,
-            below: self.border.below + change,
-            ..self.border
-        };
-        Self { border, ..*self }
+        Self { border: self.border.starting_faster(change), ..*self }
     }
 
     /// A duration of the move on the clock of the border, s.

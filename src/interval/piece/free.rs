@@ -14,19 +14,11 @@ pub(crate) struct Free<R> {
     u: R,
     /// The slope of the first motion.
     pub(super) s: R,
-    /// The sum of peak and trough in the first motion.
-    r: R,
 }
 
 impl<R: Real> Free<R> {
     pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
-        Self {
-            first: *first,
-            per_jerk: border.per_jerk,
-            u: first.fall,
-            s: border.slope(first),
-            r: first.peak + first.trough,
-        }
+        Self { first: *first, per_jerk: border.per_jerk, u: first.fall, s: border.slope(first) }
     }
 
     pub fn displacement(&self, x: R) -> (R, R) {
@@ -60,7 +52,8 @@ impl<R: Real> Free<R> {
     /// The product of the slope and of the square that the acceleration falls by is a quadratic in this square. In the unit of this formula
     /// nothing is out of range.
     pub fn turning_point(&self) -> Option<R> {
-        let Self { u, s, r, .. } = *self;
+        let Self { u, s, .. } = *self;
+        let r = self.first.peak + self.first.trough;
         let cubic = R::from(3) * self.c();
         let unit = (s.abs() / cubic).sqrt();
         let unit = u.at_least(r.abs()).at_least(unit);
