@@ -229,7 +229,9 @@ impl Profile {
         let distance = direction * (self.final_position - self.start.position);
         let beyond_a = distance - 0.5 * energy / a;
         let beyond_d = distance - 0.5 * energy / d;
-        let tie = self.rounding();
+        // A caller who computes `p + v*v/(2*d)` rounds to the nearest number, which often lies short of the stopping distance. The
+        // motion then ends where braking ends, this far from the target at most.
+        let tie = 8.0 * f64::EPSILON * (self.start.position.abs() + self.final_position.abs());
         if !(beyond_a >= -tie || beyond_d >= -tie) {
             return false;
         }
@@ -249,13 +251,6 @@ impl Profile {
         self.deceleration = -direction * d;
         self.peak_at(t1, direction * switch, limits);
         true
-    }
-
-    /// How far a target may lie short of the stopping distance and still be taken for a target at that distance. A caller who
-    /// computes `p + v*v/(2*d)` rounds to the nearest number, which often lies short. The motion then ends where braking ends,
-    /// this far from the target at most.
-    fn rounding(&self) -> f64 {
-        8.0 * f64::EPSILON * (self.start.position.abs() + self.final_position.abs())
     }
 
     /// Stops beyond the target and comes back, towards `direction`. The axis is too fast to stop before the target, or moves away

@@ -145,8 +145,8 @@ impl<'w> Trajectory<'w> {
     /// Another clock, which shows `instead`, replaces the clock that shows `now`. A motion under way goes on where it is. If no
     /// motion is under way, or if a reading is not finite, the change is a [`Self::reset`].
     pub fn change_clock(&mut self, now: f64, instead: f64) {
-        if self.started && self.elapsed(now).is_finite() && instead.is_finite() {
-            let elapsed = self.elapsed(now);
+        let elapsed = self.elapsed(now);
+        if self.started && elapsed.is_finite() && instead.is_finite() {
             self.restart(instead);
             self.origin -= elapsed;
         } else {
@@ -240,10 +240,7 @@ impl<'w> Trajectory<'w> {
         self.leg_start = 0.0;
         match (&self.route, self.motion_mode) {
             (&Route::Target(target), Mode::Listing) => self.profile.plan_listing(self.departure, target),
-            (route, _) => {
-                let target = route.target(0).unwrap_or_default();
-                self.profile.plan_corrected(self.departure, target)
-            }
+            (route, _) => self.profile.plan_corrected(self.departure, route.target(0).unwrap_or_default()),
         }
     }
 

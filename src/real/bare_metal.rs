@@ -2,7 +2,6 @@
 
 use super::primitives::Primitives;
 
-/// The square root, correctly rounded; NaN below zero.
 pub fn sqrt<R: Primitives>(x: R) -> R {
     x.plain_sqrt()
 }

@@ -38,10 +38,8 @@ pub unsafe extern "C" fn atraj_axis_init(ctx: *mut atraj_axis, period: a_float, 
 /// @param now NULL or the place for the state of the axis in this tick; NaN if `ctx` is NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_state) {
-    // SAFETY: `ctx` is NULL or valid, and there is one interrupt by the contract of this module.
-    let state = unsafe { of(ctx).map(|axis| Ticker::of(axis).tick()) };
-    // SAFETY: `now` is NULL or writable by the contract of this module.
-    unsafe { write_state(now, state) };
+    // SAFETY: the pointers are NULL or valid, and there is one interrupt, by the contract of this module.
+    unsafe { write_state(now, of(ctx).map(|axis| Ticker::of(axis).tick())) };
 }
 
 /// @brief Plan the fastest move to a state, and let it take over some ticks ahead. For the main loop.
@@ -58,11 +56,8 @@ pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_s
 pub unsafe extern "C" fn atraj_axis_go(
     ctx: *mut atraj_axis, limits: *const atraj_limits, to: *const atraj_state, lead: c_uint,
 ) -> c_int {
-    // SAFETY: the pointers are NULL or valid by the contract of this module.
-    answer(|| unsafe {
-        let (limits, to) = (of(limits)?, *of(to)?);
-        Some(planner(ctx)?.go(limits, to, lead))
-    })
+    // SAFETY: the pointers are NULL or valid, and there is one main loop, by the contract of this module.
+    answer(|| unsafe { Some(Planner::of(of(ctx)?).go(of(limits)?, *of(to)?, lead)) })
 }
 
 /// @brief As `atraj_axis_go`, to the velocity `v1`, unit/s, and the acceleration `a1`, unit/s^2. The position is free.
@@ -70,11 +65,8 @@ pub unsafe extern "C" fn atraj_axis_go(
 pub unsafe extern "C" fn atraj_axis_reach(
     ctx: *mut atraj_axis, limits: *const atraj_limits, v1: a_float, a1: a_float, lead: c_uint,
 ) -> c_int {
-    // SAFETY: the pointers are NULL or valid by the contract of this module.
-    answer(|| unsafe {
-        let limits = of(limits)?;
-        Some(planner(ctx)?.reach(limits, v1.into(), a1.into(), lead))
-    })
+    // SAFETY: the pointers are NULL or valid, and there is one main loop, by the contract of this module.
+    answer(|| unsafe { Some(Planner::of(of(ctx)?).reach(of(limits)?, v1.into(), a1.into(), lead)) })
 }
 
 /// @brief As `atraj_axis_go`, to the fastest stop. The position is free.
@@ -98,18 +90,9 @@ pub unsafe extern "C" fn atraj_axis_track(
     ctx: *mut atraj_axis, limits: *const atraj_limits, signal: *const atraj_state, jerk: a_float, horizon: a_float,
     lead: c_uint,
 ) -> c_int {
-    // SAFETY: the pointers are NULL or valid by the contract of this module.
+    // SAFETY: the pointers are NULL or valid, and there is one main loop, by the contract of this module.
     answer(|| unsafe {
-        let (limits, signal, jerk) = (of(limits)?, *of(signal)?, jerk.into());
-        Some(planner(ctx)?.track(limits, signal, jerk, horizon.into(), lead))
+        let mut planner = Planner::of(of(ctx)?);
+        Some(planner.track(of(limits)?, *of(signal)?, jerk.into(), horizon.into(), lead))
     })
-}
-
-/// The half of an axis for the main loop.
-///
-/// # Safety
-/// `ctx` is NULL or valid, and no other planner uses it.
-unsafe fn planner<'a>(ctx: *const atraj_axis) -> Option<Planner<'a, Number>> {
-    // SAFETY: by the contract of this function. The interrupt changes only what is atomic.
-    unsafe { of(ctx).map(|axis| Planner::of(axis)) }
 }
