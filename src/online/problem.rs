@@ -18,8 +18,8 @@ use crate::state::State;
 /// A motion from a state to a state within the limits.
 #[derive(Clone, Copy)]
 pub(crate) struct Problem<R> {
-    from: State<R>,
-    to: State<R>,
+    pub from: State<R>,
+    pub to: State<R>,
     /// The sum of the magnitudes of both positions: their rounding is an ulp of it.
     positions: R,
     inside: Inside<R>,
@@ -177,14 +177,6 @@ impl<R: Real> Problem<R> {
             }
         }
         writer
-    }
-
-    pub fn from(&self) -> State<R> {
-        self.from
-    }
-
-    pub fn to(&self) -> State<R> {
-        self.to
     }
 
     /// What exceeds the limits before or after the move.

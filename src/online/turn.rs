@@ -72,7 +72,7 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
         let to = State { velocity: R::ZERO, acceleration, ..from };
         let mut problem = Problem::new(limits, from, to);
         problem.reach();
-        problem.to()
+        problem.to
     };
     // The accelerations of an axis that eases its brake, and that brakes harder, all the time until it stands, and the one that leads to the lowest
     // velocity after the turn.

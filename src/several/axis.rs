@@ -46,7 +46,7 @@ pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -
 
 /// Whether an axis can wait where it stands.
 fn may_wait<R: Real>(problem: &Problem<R>) -> bool {
-    problem.from().is_at_rest() || problem.to().is_at_rest()
+    problem.from.is_at_rest() || problem.to.is_at_rest()
 }
 
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
@@ -118,7 +118,7 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
         cruise.write(&problem, axis, t);
     } else if let Some(blend) = Blend::of(&problem, t) {
         blend.write(&problem, axis, t);
-    } else if problem.to().is_at_rest() {
+    } else if problem.to.is_at_rest() {
         // Where rounding hides the wait from both, the axis waits at its target.
         axis.wait_until(t);
     } else {

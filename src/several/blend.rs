@@ -86,7 +86,7 @@ impl<R: Real> Blend<R> {
             other.pass(next);
             now = next;
         }
-        writer.end(problem.to());
+        writer.end(problem.to);
         ctx.end_at(duration);
     }
 }

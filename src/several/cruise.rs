@@ -106,7 +106,7 @@ impl<R: Real> Cruise<R> {
         for segment in &self.segments(&problem.border) {
             writer.write(segment);
         }
-        writer.end(problem.to());
+        writer.end(problem.to);
         axis.end_at(duration);
     }
 
