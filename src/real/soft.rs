@@ -102,19 +102,15 @@ impl PartialOrd for Soft64 {
     }
 }
 
+/// The constants of an `f64`.
+macro_rules! constants {
+    ($($NAME:ident)+) => {
+        $(const $NAME: Self = Self(<f64 as Primitives>::$NAME.to_bits());)+
+    };
+}
+
 impl Primitives for Soft64 {
-    const ZERO: Self = Self(0);
-    const SIXTEENTH: Self = Self(0.0625f64.to_bits());
-    const SIXTH: Self = Self((1.0f64 / 6.0).to_bits());
-    const HALF: Self = Self(0.5f64.to_bits());
-    const ONE: Self = Self(1.0f64.to_bits());
-    const EPSILON: Self = Self(f64::EPSILON.to_bits());
-    const DOUBT: Self = Self(<f64 as Primitives>::DOUBT.to_bits());
-    const HUGE: Self = Self(<f64 as Primitives>::HUGE.to_bits());
-    const INFINITY: Self = Self(f64::INFINITY.to_bits());
-    const NAN: Self = Self(f64::NAN.to_bits());
-    const LN_2: Self = Self(core::f64::consts::LN_2.to_bits());
-    const PI: Self = Self(core::f64::consts::PI.to_bits());
+    constants! { ZERO SIXTEENTH SIXTH HALF ONE EPSILON DOUBT HUGE INFINITY NAN LN_2 PI }
     const HAS_UNIT: bool = false;
 
     fn abs(self) -> Self {
