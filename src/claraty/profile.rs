@@ -64,39 +64,31 @@ pub struct Profile {
     cruise_origin: f64,
 }
 
-/// Magnitudes of at least [`EPS`].
-#[derive(Clone, Copy)]
-struct Limits {
-    velocity: f64,
-    acceleration: f64,
-    deceleration: f64,
-}
-
-impl Limits {
-    fn of(target: Target) -> (Self, Warnings) {
-        let mut warnings = Warnings::default();
-        let mut magnitude = |x: f64, warning| {
-            let x = x.abs();
-            if x < EPS {
-                warnings |= warning;
-                EPS
-            } else {
-                x
-            }
-        };
-        let limits = Self {
-            velocity: magnitude(target.velocity, Warnings::VELOCITY),
-            acceleration: magnitude(target.acceleration, Warnings::ACCELERATION),
-            deceleration: magnitude(target.deceleration, Warnings::DECELERATION),
-        };
-        (limits, warnings)
-    }
+/// The target with limits that are magnitudes of at least [`EPS`].
+fn limited(target: Target) -> (Target, Warnings) {
+    let mut warnings = Warnings::default();
+    let mut magnitude = |x: f64, warning| {
+        let x = x.abs();
+        if x < EPS {
+            warnings |= warning;
+            EPS
+        } else {
+            x
+        }
+    };
+    let limits = Target {
+        velocity: magnitude(target.velocity, Warnings::VELOCITY),
+        acceleration: magnitude(target.acceleration, Warnings::ACCELERATION),
+        deceleration: magnitude(target.deceleration, Warnings::DECELERATION),
+        ..target
+    };
+    (limits, warnings)
 }
 
 impl Profile {
     /// The published listing's motion. A move shorter than [`EPS`] leaves `kind` unchanged.
     pub fn plan_listing(&mut self, start: State<f64>, target: Target) -> Warnings {
-        let (limits, mut warnings) = Limits::of(target);
+        let (limits, mut warnings) = limited(target);
         self.start = start;
         self.final_position = target.position;
         let v0 = start.velocity;
@@ -123,7 +115,7 @@ impl Profile {
     /// The right motion from `start` to rest at the target. Its setpoints are finite if no argument exceeds
     /// [`LARGEST`](super::LARGEST).
     pub fn plan_corrected(&mut self, start: State<f64>, target: Target) -> Warnings {
-        let (limits, warnings) = Limits::of(target);
+        let (limits, warnings) = limited(target);
         self.clear_phases(start, target.position);
         let distance = target.position - start.position;
         if distance != 0.0 || start.velocity != 0.0 {
@@ -137,7 +129,7 @@ impl Profile {
 
     /// Brakes at the target's deceleration. The position and the velocity of the target are ignored.
     pub fn plan_stop(&mut self, start: State<f64>, target: Target) -> Warnings {
-        let (limits, warnings) = Limits::of(Target { velocity: EPS, ..target });
+        let (limits, warnings) = limited(Target { velocity: EPS, ..target });
         let v0 = start.velocity;
         let deceleration = limits.deceleration;
         let way = sgn(v0) * (0.5 * sq(v0) / deceleration);
@@ -189,7 +181,7 @@ impl Profile {
 
     /// Goes to the target without turning: a trapezoid, or a triangle if the start velocity is below the limit. The result is false
     /// if no such motion exists.
-    fn advance(&mut self, direction: f64, limits: Limits) -> bool {
+    fn advance(&mut self, direction: f64, limits: Target) -> bool {
         let cruise = self.plan_ramps(direction, limits);
         if cruise > 0.0 {
             self.finish_trapezoid(cruise);
@@ -206,8 +198,8 @@ impl Profile {
 
     /// Joins the phases of a triangle. If the axis hardly accelerates, the root of [`Self::switching_time`] cancels, and the
     /// phases miss each other at `t1`. The peak velocity from the remaining room has no cancellation.
-    fn close_seam(&mut self, direction: f64, limits: Limits) {
-        let Limits { acceleration: a, deceleration: d, .. } = limits;
+    fn close_seam(&mut self, direction: f64, limits: Target) {
+        let Target { acceleration: a, deceleration: d, .. } = limits;
         let State { position: p0, velocity: v0, .. } = self.start;
         let distance = self.final_position - p0;
         let before = 0.5 * self.acceleration * sq(self.t1) + v0 * self.t1 + p0;
@@ -222,8 +214,8 @@ impl Profile {
 
     /// Brakes without room to accelerate: at the acceleration first, then at the deceleration. The rates switch at the velocity
     /// that lands on the target. The result is false if neither rate stops the axis before the target.
-    fn brake(&mut self, direction: f64, limits: Limits) -> bool {
-        let Limits { acceleration: a, deceleration: d, .. } = limits;
+    fn brake(&mut self, direction: f64, limits: Target) -> bool {
+        let Target { acceleration: a, deceleration: d, .. } = limits;
         let speed = self.start.velocity.abs();
         let energy = sq(self.start.velocity);
         let distance = direction * (self.final_position - self.start.position);
@@ -255,7 +247,7 @@ impl Profile {
 
     /// Stops beyond the target and comes back, towards `direction`. The axis is too fast to stop before the target, or moves away
     /// from it.
-    fn return_to_target(&mut self, direction: f64, limits: Limits) {
+    fn return_to_target(&mut self, direction: f64, limits: Target) {
         let cruise = self.plan_ramps(direction, limits);
         let v0 = self.start.velocity;
         if cruise > 0.0 {
@@ -263,7 +255,7 @@ impl Profile {
         } else if let Some(t1) = self.switching_time() {
             self.peak_at(t1, t1 * self.acceleration + v0, limits);
         } else {
-            let Limits { acceleration: a, deceleration: d, .. } = limits;
+            let Target { acceleration: a, deceleration: d, .. } = limits;
             let distance = direction * (self.final_position - self.start.position);
             let way_back = 0.5 * sq(v0) / a + distance;
             let peak = Operations::sqrt(way_back * (2.0 * (a * (d / (a + d)))));
@@ -273,7 +265,7 @@ impl Profile {
 
     /// Signs the limits for a cruise towards `direction` and plans both ramps. The result is the time between the ramps, s. It is
     /// not positive if the ramps meet.
-    fn plan_ramps(&mut self, direction: f64, limits: Limits) -> f64 {
+    fn plan_ramps(&mut self, direction: f64, limits: Target) -> f64 {
         self.velocity = direction * limits.velocity;
         self.acceleration = sgn(self.velocity - self.start.velocity) * limits.acceleration;
         self.deceleration = -sgn(self.velocity - FINAL_VELOCITY) * limits.deceleration;
@@ -304,7 +296,7 @@ impl Profile {
     }
 
     /// Makes a triangle that switches at `t1`. A peak above both the limit and the start velocity is cut to the limit.
-    fn peak_at(&mut self, t1: f64, peak: f64, limits: Limits) {
+    fn peak_at(&mut self, t1: f64, peak: f64, limits: Target) {
         let v0 = self.start.velocity;
         let over_start = peak.abs() > v0.abs() * PEAK_ROUNDING;
         if over_start && peak.abs() > limits.velocity * PEAK_ROUNDING {
