@@ -59,6 +59,28 @@ macro_rules! states {
 }
 pub(crate) use states;
 
+/// What a profile with borders has for its quantities: their number and their names.
+macro_rules! sampled {
+    ($QUANTITIES:literal, $quantities:literal) => {
+        #[doc = concat!($quantities, " at time `x`, s.")]
+        #[inline(always)]
+        pub fn state(&self, x: R) -> [R; $QUANTITIES] {
+            $crate::sampling::Sampled::state(self, x)
+        }
+
+        $crate::sampling::states! { $QUANTITIES }
+
+        /// Writes the quantities of `state` at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the bits of the single calls. Each output is
+        /// filled to its own end and may be empty.
+        ///
+        /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
+        pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; $QUANTITIES]) -> usize {
+            $crate::sampling::Sweep { x0, dt }.sample(self, outputs)
+        }
+    };
+}
+pub(crate) use sampled;
+
 /// Samples are numbered in 32 bits, which processors convert to reals fastest.
 pub(crate) const MOST_SAMPLES: usize = i32::MAX as usize;
 

@@ -3,7 +3,7 @@
 use super::phase::Phase;
 use crate::findings::{Extremes, Findings};
 use crate::real::Real;
-use crate::sampling::{Edge, Run, Sampled, Sweep, states};
+use crate::sampling::{Edge, Run, Sampled, sampled};
 use crate::state::State;
 
 pub(crate) const MOST_PHASES: usize = 15;
@@ -65,18 +65,7 @@ impl<R: Real> Move<R> {
         self.phase_at(x).jerk
     }
 
-    /// Position, velocity, acceleration and jerk at time `x`, s.
-    #[inline(always)]
-    pub fn state(&self, x: R) -> [R; 4] {
-        Sampled::state(self, x)
-    }
-
-    states! { 4 }
-
-    /// Writes positions, velocities, accelerations and jerks, as [`Bell::sample_into`](crate::Bell::sample_into).
-    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
-        Sweep { x0, dt }.sample(self, outputs)
-    }
+    sampled! { 4, "Position, velocity, acceleration and jerk" }
 
     /// The lowest and the highest position, velocity and acceleration between 0 and `t`.
     pub fn extremes(&self) -> Extremes<R> {

@@ -13,7 +13,7 @@ mod search;
 
 use crate::findings::Error;
 use crate::real::Real;
-use crate::sampling::{Sweep, states};
+use crate::sampling::sampled;
 use crate::state::{Boundary, Saturation};
 
 /// Double-S velocity profile: jerk, acceleration and velocity are limited, and seven phases follow each other.
@@ -86,13 +86,5 @@ impl<R: Real> Bell<R> {
         }
     }
 
-    states! { 4 }
-
-    /// Writes positions, velocities, accelerations and jerks at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s, with the
-    /// bits of the single calls. Each output is filled to its own end and may be empty.
-    ///
-    /// Returns the number of samples: the length of the longest output, but at most `i32::MAX`.
-    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 4]) -> usize {
-        Sweep { x0, dt }.sample(self, outputs)
-    }
+    sampled! { 4, "Position, velocity, acceleration and jerk" }
 }

@@ -91,12 +91,6 @@ impl<R: Real> Bell<R> {
         self.orient(jerk)
     }
 
-    /// Position, velocity, acceleration and jerk at time `x`, s.
-    #[inline(always)]
-    pub fn state(&self, x: R) -> [R; 4] {
-        Sampled::state(self, x)
-    }
-
     fn is_backward(&self) -> bool {
         self.p0 > self.p1
     }

@@ -45,9 +45,7 @@ impl<R: Real> Poly3<R> {
     /// Plans a move that lasts `duration`, s. [`Error::Duration`] if `duration` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not
     /// finite.
     pub fn new(duration: R, boundary: Boundary<R>) -> Result<Self, Error> {
-        let mut poly = Self::default();
-        poly.plan(duration, boundary);
-        poly.finite(duration)
+        Self::planned(duration, |poly| poly.plan(duration, boundary))
     }
 
     /// [`Poly3::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -69,9 +67,7 @@ impl<R: Real> Poly3<R> {
 impl<R: Real> Poly5<R> {
     /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]`. It returns the errors of [`Poly3::new`].
     pub fn new(duration: R, boundary: Boundary<R>, acceleration: [R; 2]) -> Result<Self, Error> {
-        let mut poly = Self::default();
-        poly.plan(duration, boundary, acceleration);
-        poly.finite(duration)
+        Self::planned(duration, |poly| poly.plan(duration, boundary, acceleration))
     }
 
     /// [`Poly5::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -98,9 +94,7 @@ impl<R: Real> Poly7<R> {
     /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. It returns the errors of
     /// [`Poly3::new`].
     pub fn new(duration: R, boundary: Boundary<R>, acceleration: [R; 2], jerk: [R; 2]) -> Result<Self, Error> {
-        let mut poly = Self::default();
-        poly.plan(duration, boundary, acceleration, jerk);
-        poly.finite(duration)
+        Self::planned(duration, |poly| poly.plan(duration, boundary, acceleration, jerk))
     }
 
     /// [`Poly7::new`] in place and literally the C function: the coefficients as they come out, finite or not.
@@ -244,10 +238,12 @@ impl<R: Real, const N: usize> Poly<R, N> {
         terms.fold(highest, |y, c| y * x + c)
     }
 
-    /// The polynomial that lasts `duration`, if every coefficient is finite.
-    fn finite(self, duration: R) -> Result<Self, Error> {
-        if self.c.iter().all(|c| c.is_finite()) {
-            Ok(self)
+    /// The polynomial that `plan` makes to last `duration`, if every coefficient is finite.
+    fn planned(duration: R, plan: impl FnOnce(&mut Self)) -> Result<Self, Error> {
+        let mut poly = Self::default();
+        plan(&mut poly);
+        if poly.c.iter().all(|c| c.is_finite()) {
+            Ok(poly)
         } else if duration.abs() > R::ZERO {
             Err(Error::NotFinite)
         } else {

@@ -2,7 +2,7 @@
 
 use super::Trap;
 use crate::real::Real;
-use crate::sampling::{Edge, Run, Sampled, Sweep, in_phase, states};
+use crate::sampling::{Edge, Run, Sampled, in_phase, sampled};
 
 /// The three phases in order of time, each with its interval, and the standstill around them.
 #[derive(Clone, Copy)]
@@ -41,17 +41,7 @@ impl<R: Real> Trap<R> {
         }
     }
 
-    /// Position, velocity and acceleration at time `x`, s.
-    pub fn state(&self, x: R) -> [R; 3] {
-        Sampled::state(self, x)
-    }
-
-    states! { 3 }
-
-    /// Writes positions, velocities and accelerations, as [`Bell::sample_into`](crate::Bell::sample_into).
-    pub fn sample_into(&self, x0: R, dt: R, outputs: [&mut [R]; 3]) -> usize {
-        Sweep { x0, dt }.sample(self, outputs)
-    }
+    sampled! { 3, "Position, velocity and acceleration" }
 
     /// The phase of position and velocity at `x`.
     #[inline(always)]
