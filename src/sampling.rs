@@ -53,7 +53,8 @@ macro_rules! states {
 
         /// The states at the times `x0`, `x0 + dt`, `x0 + 2*dt`, …, s.
         pub fn states(&self, x0: R, dt: R) -> impl Iterator<Item = [R; $QUANTITIES]> {
-            $crate::sampling::Sweep { x0, dt }.states(|x| self.state(x))
+            let sweep = $crate::sampling::Sweep { x0, dt };
+            (0..i32::MAX).map(move |k| self.state(sweep.time(k)))
         }
     };
 }
@@ -98,11 +99,6 @@ impl<R: Real> Sweep<R> {
 
     /// It does not pay to look for runs in fewer samples.
     const FEW: i32 = 32;
-
-    /// The state at each of the times.
-    pub fn states<const N: usize>(self, state: impl Fn(R) -> [R; N]) -> impl Iterator<Item = [R; N]> {
-        (0..i32::MAX).map(move |k| state(self.time(k)))
-    }
 
     /// Fills every output to its end, run by run; the number of samples. Where too few samples are alike for a loop, it takes
     /// them one by one.
@@ -220,7 +216,7 @@ impl<R: Real> Sweep<R> {
 
     /// Time of sample `k`, s.
     #[inline(always)]
-    fn time(self, k: i32) -> R {
+    pub fn time(self, k: i32) -> R {
         self.x0 + R::from_index(k) * self.dt
     }
 }

@@ -143,13 +143,11 @@ impl Handle {
     }
 
     fn set(&mut self, route: Route<'static>) -> Result<(), claraty_result> {
-        let now = self.finite_now()?;
-        self.trajectory.set(route, now).map_err(|OutOfRange| CLARATY_ERR_RANGE)
+        self.trajectory.set(route, self.finite_now()?).map_err(|OutOfRange| CLARATY_ERR_RANGE)
     }
 
     fn setpoint(&mut self) -> Result<State<f64>, claraty_result> {
-        let now = self.finite_now()?;
-        Ok(self.trajectory.setpoint(now))
+        Ok(self.trajectory.setpoint(self.finite_now()?))
     }
 
     /// The listing may plan a motion that ends at a NaN. A look at this time is part of the listing's behaviour.
@@ -305,10 +303,7 @@ unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], c
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c_int {
     // SAFETY: by the contract of this module.
-    warnings_or_code(unsafe { Handle::of(h) }.and_then(|handle| {
-        let now = handle.finite_now()?;
-        Ok(handle.trajectory.start(now))
-    }))
+    warnings_or_code(unsafe { Handle::of(h) }.and_then(|handle| Ok(handle.trajectory.start(handle.finite_now()?))))
 }
 
 /// Brakes a motion under way. The timer is set to 0 also if no motion is under way.
@@ -316,10 +311,7 @@ pub unsafe extern "C" fn claraty_trapezoid_start(h: *mut claraty_trapezoid) -> c
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn claraty_trapezoid_stop(h: *mut claraty_trapezoid) -> c_int {
     // SAFETY: by the contract of this module.
-    warnings_or_code(unsafe { Handle::of(h) }.and_then(|handle| {
-        let now = handle.finite_now()?;
-        Ok(handle.trajectory.stop(now))
-    }))
+    warnings_or_code(unsafe { Handle::of(h) }.and_then(|handle| Ok(handle.trajectory.stop(handle.finite_now()?))))
 }
 
 /// Forgets the motion and sets the timer to 0. The axis does not brake, and the last profile stays readable. If the

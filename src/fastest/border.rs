@@ -1,10 +1,6 @@
 //! The motion of a given duration that covers the largest displacement, and the first such motion that covers the wanted one.
 //!
-//! The displacements that an axis can reach in a duration form an interval, because limits are convex: a mean of two motions within
-//! the limits keeps the limits and travels the mean. So the fastest motion over a displacement lies on the border of the first
-//! interval that holds the displacement. `docs/planner.md` has the theory.
-//!
-//! The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
+//! `docs/planner.md` has the theory: the fastest motion over a displacement lies on such a border. The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
 //! the upper border of the mirrored axis.
 //!
 //! The acceleration is 0 at both ends. An end with an acceleration becomes such an end if the acceleration goes to 0: slid along the

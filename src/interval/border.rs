@@ -1,9 +1,5 @@
-//! The motion of a given duration that covers the largest displacement.
-//!
-//! The displacements that an axis can reach in a duration form an interval, because limits are convex: a mean of two motions within
-//! the limits keeps the limits and travels the mean. The fastest motion over a displacement lies on the border of the first interval that
-//! holds the displacement. `docs/planner.md` has the theory and the letters: `bu` and `bd` are the highest acceleration and the highest
-//! deceleration.
+//! The motion of a given duration that covers the largest displacement. The fastest motion over a displacement lies on the border of the first
+//! interval that holds the displacement. `docs/planner.md` has the letters: `bu` and `bd` are the highest acceleration and the highest deceleration.
 //!
 //! On the upper border the acceleration rises, (holds), falls, (holds) and rises. If the highest velocity is reached, the axis cruises in
 //! the middle of the fall. The lower border is the upper border of the mirrored axis.
@@ -15,16 +11,12 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::roots::larger_root;
 
-/// The ends and the limits of the motions on the border.
+/// The ends and the limits of the motions on the border: velocity and acceleration `v0` and `a0` at the start, `v1` and `a1` at the end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Border<R> {
-    /// Velocity at the start.
     pub v0: R,
-    /// Acceleration at the start.
     pub a0: R,
-    /// Velocity at the end.
     pub v1: R,
-    /// Acceleration at the end.
     pub a1: R,
     /// Change of velocity from the start to the end. As `above` and `below` it is formed once, from the arguments.
     pub dv: R,
@@ -36,14 +28,6 @@ pub(crate) struct Border<R> {
     pub eased: R,
     pub limits: Limits<R>,
     pub per_jerk: PerJerk<R>,
-}
-
-/// How much the change of velocity exceeds the one of the straight change of the acceleration.
-#[derive(Clone, Copy)]
-pub(crate) struct Excess<R> {
-    pub velocity: R,
-    /// Whether it is more than rounding.
-    pub is_real: bool,
 }
 
 impl<R: Real> Border<R> {
@@ -95,7 +79,6 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// The mirrored axis if `mirrored`, else this one.
     pub fn mirrored_if(self, mirrored: bool) -> Self {
         if mirrored { self.mirrored() } else { self }
     }
@@ -116,10 +99,14 @@ impl<R: Real> Border<R> {
         }
     }
 
-    pub fn beyond_straight(&self) -> Excess<R> {
-        let Self { a0, a1, .. } = *self;
-        let velocity = self.dv - self.per_jerk.straight(a0, a1);
-        Excess { velocity, is_real: velocity.abs() > self.rounding_of_velocity() }
+    /// How much the change of velocity exceeds the one of the straight change of the acceleration.
+    pub fn beyond_straight(&self) -> R {
+        self.dv - self.per_jerk.straight(self.a0, self.a1)
+    }
+
+    /// Whether a change of velocity is more than rounding.
+    fn is_real(&self, change: R) -> bool {
+        change.abs() > self.rounding_of_velocity()
     }
 
     /// The sum of the magnitudes of the velocities at both ends, and of `eased`.
@@ -155,10 +142,10 @@ impl<R: Real> Border<R> {
 
     /// The fastest change of velocity: the direct ramp. Its duration allows no other displacement. The argument comes from
     /// [`Border::beyond_straight`].
-    pub fn direct(&self, Excess { velocity: beyond, is_real }: Excess<R>) -> Ramp<R> {
+    pub fn direct(&self, beyond: R) -> Ramp<R> {
         // Where both accelerations point against the ramp, the least ramp is a long one. A rounding is no reason for such a ramp.
         let against = self.a0 * beyond < R::ZERO && self.a1 * beyond < R::ZERO;
-        if beyond == R::ZERO || against && !is_real {
+        if beyond == R::ZERO || against && !self.is_real(beyond) {
             Ramp::straight(self.a0, self.a1)
         } else {
             self.ramp(beyond, beyond < R::ZERO)
@@ -184,7 +171,7 @@ impl<R: Real> Border<R> {
 
     /// The change of velocity after the gap: it turns against both accelerations.
     pub fn after_gap(&self) -> Ramp<R> {
-        self.ramp(self.beyond_straight().velocity, self.a0 >= R::ZERO)
+        self.ramp(self.beyond_straight(), self.a0 >= R::ZERO)
     }
 
     /// The change of velocity by way of a higher acceleration, in the mirrored axis if `mirrored`.
@@ -264,7 +251,7 @@ impl<R: Real> Border<R> {
     pub fn farthest(&self, t: R) -> Option<Profile<R>> {
         let straight = self.profile(&Ramp::straight(self.a0, self.a1));
         let waits = t - straight.duration(self.per_jerk);
-        if !self.beyond_straight().is_real && waits.abs() <= of_state(t) {
+        if !self.is_real(self.beyond_straight()) && waits.abs() <= of_state(t) {
             return Some(straight);
         }
         let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);
@@ -364,7 +351,6 @@ impl<R: Real> Border<R> {
         self.v0 * change.duration + change.displacement
     }
 
-    /// What a motion changes.
     #[inline]
     pub fn change(&self, profile: &Profile<R>) -> Change<R> {
         let Profile { first, peak, top, fall, cruise, trough, bottom, last, .. } = *profile;

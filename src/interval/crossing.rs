@@ -53,16 +53,16 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     if border.a0 == R::ZERO && border.a1 == R::ZERO && border.dv == R::ZERO {
         return from_steady(border, wanted.h, border.rounding_of_displacement(R::ZERO, wanted.positions));
     }
-    let excess = border.beyond_straight();
+    let beyond = border.beyond_straight();
     // What is left of a move may be a straight change of the acceleration, up to rounding.
-    if excess.velocity != R::ZERO && excess.velocity.abs() <= border.rounding_before() {
+    if beyond != R::ZERO && beyond.abs() <= border.rounding_before() {
         let straight = Ramp::straight(border.a0, border.a1);
         let shortfall = shortfall(border, &straight, wanted);
         if shortfall.is_rounding() && shortfall.tie.is_finite() {
             return border.profile(&straight);
         }
     }
-    let direct = border.direct(excess);
+    let direct = border.direct(beyond);
     let of_direct = shortfall(border, &direct, wanted);
     let last_before_gap = match first_from(border, &direct, wanted.h, of_direct) {
         Crossing::At(first) => return without_overshoot(border, first, &direct, of_direct.lacks, wanted),

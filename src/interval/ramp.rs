@@ -21,7 +21,6 @@ impl<R: Real> PerJerk<R> {
         Self { gu: R::ONE / limits.jmax, gd: -(R::ONE / limits.jmin) }
     }
 
-    /// The same jerks in the mirrored axis.
     pub fn mirrored(self) -> Self {
         Self { gu: self.gd, gd: self.gu }
     }
@@ -163,18 +162,14 @@ impl<R: Real> Ramp<R> {
         (exists && (holds || peak <= limit)).then_some(Fitted { ramp, faster })
     }
 
-    /// The ramp as the mirrored axis sees it.
     pub fn mirrored_if(self, mirrored: bool) -> Self {
         Self { mirrored: self.mirrored != mirrored, ..self }
     }
 
     /// What the ramp passes from the velocity `v` and the acceleration `a0` to the acceleration `a1`, in the ramp's own axis.
     pub fn passed(&self, v: R, a0: R, a1: R, per_jerk: PerJerk<R>) -> Passed<R> {
-        let change = Change::of(a0, self.peak, per_jerk.gu * self.rise).hold(self.peak, self.hold).then(
-            self.peak,
-            a1,
-            per_jerk.gd * self.fall,
-        );
+        let rise = Change::of(a0, self.peak, per_jerk.gu * self.rise).hold(self.peak, self.hold);
+        let change = rise.then(self.peak, a1, per_jerk.gd * self.fall);
         Passed { duration: change.duration, displacement: v * change.duration + change.displacement }
     }
 }

@@ -1,9 +1,8 @@
 //! `atraj/axis.h`: an axis between main loop and interrupt.
 
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
-use super::{answer, write_state};
+use super::{answer, done, write_state};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
-use crate::findings::Findings;
 use crate::machine::{Axis, Planner, Ticker};
 use core::ffi::{c_int, c_uint};
 
@@ -27,7 +26,7 @@ assert_same_layout!(atraj_axis, Axis<Number>, words = handover period moves);
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_init(ctx: *mut atraj_axis, period: a_float, now: *const atraj_state) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module, and nobody else uses the axis now.
-    answer(|| unsafe { Some(of_mut(ctx)?.init(period.into(), *of(now)?).map(|()| Findings::default())) })
+    answer(|| unsafe { done(of_mut(ctx)?.init(period.into(), *of(now)?)) })
 }
 
 /// @brief The next setpoint. For the timer interrupt, once in each tick.

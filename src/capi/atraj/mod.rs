@@ -41,6 +41,11 @@ fn answer(plan: impl FnOnce() -> Option<Result<Findings, Error>>) -> c_int {
     }
 }
 
+/// What `answer` takes for a function that finds nothing.
+fn done(result: Result<(), Error>) -> Option<Result<Findings, Error>> {
+    Some(result.map(|()| Findings::default()))
+}
+
 /// Writes what is made; `ATRAJ_ERR_NULL` if `ctx` is NULL, or nothing is made because another pointer is.
 ///
 /// # Safety

@@ -1,7 +1,7 @@
 //! `atraj/path.h`: waypoints without stops.
 
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
-use super::{answer, list, list_mut};
+use super::{answer, done, list, list_mut};
 use crate::capi::{Number, a_float};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -263,8 +263,7 @@ pub unsafe extern "C" fn atraj_path_feed(
     answer(|| unsafe {
         path::path_size(axes, sections)?;
         let (limits, states) = (list_mut(limits, axes * sections)?, list(states, axes * (sections + 1))?);
-        let lowered = path::limit_feed(limits, states, list(feeds, sections)?, axes);
-        Some(lowered.map(|()| Findings::default()))
+        done(path::limit_feed(limits, states, list(feeds, sections)?, axes))
     })
 }
 

@@ -1,7 +1,7 @@
 //! `atraj/shaper.h`: input shapers.
 
 use super::r#move::{atraj_move, atraj_state};
-use super::{answer, list_mut, put, write_state};
+use super::{answer, done, list_mut, put, write_state};
 use crate::capi::a::trajbell::a_trajbell;
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
 use crate::findings::{Error, Findings};
@@ -62,8 +62,7 @@ pub unsafe extern "C" fn atraj_shaper_add(
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     answer(|| unsafe {
         let shaper = of_mut(ctx)?;
-        let added = kind_of(kind).and_then(|kind| shaper.add(kind, frequency.into(), damping.into()));
-        Some(added.map(|()| Findings::default()))
+        done(kind_of(kind).and_then(|kind| shaper.add(kind, frequency.into(), damping.into())))
     })
 }
 
@@ -167,7 +166,7 @@ pub unsafe extern "C" fn atraj_shaper_stream_init(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_shaper_stream_advance(ctx: *mut atraj_shaper_stream, advance: a_float) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    answer(|| unsafe { Some(of_mut(ctx)?.advance(advance.into()).map(|()| Findings::default())) })
+    answer(|| unsafe { done(of_mut(ctx)?.advance(advance.into())) })
 }
 
 /// @brief Take another shaper, while the stream stands.
@@ -181,10 +180,7 @@ pub unsafe extern "C" fn atraj_shaper_stream_change(
     ctx: *mut atraj_shaper_stream, shaper: *const atraj_shaper, line: *mut a_float, size: usize,
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    answer(|| unsafe {
-        let (stream, shaper, line) = (of_mut(ctx)?, of(shaper)?, list_mut(line, size)?);
-        Some(stream.change(shaper, line).map(|()| Findings::default()))
-    })
+    answer(|| unsafe { done(of_mut(ctx)?.change(of(shaper)?, list_mut(line, size)?)) })
 }
 
 /// @brief Take the next state of the stream, and give the shaped one.

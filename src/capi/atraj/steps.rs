@@ -1,9 +1,8 @@
 //! `atraj/steps.h`: the times at which a stepper motor steps.
 
 use super::r#move::{atraj_move, atraj_phase, atraj_state};
-use super::{answer, put};
+use super::{answer, done, put};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
-use crate::findings::Findings;
 use crate::machine::step_stream::StepStream;
 use crate::machine::steps::Steps;
 use core::ffi::{c_int, c_uint};
@@ -47,7 +46,7 @@ pub unsafe extern "C" fn atraj_steps_init(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_steps_follow(ctx: *mut atraj_steps, next: *const atraj_move) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    answer(|| unsafe { Some(of_mut(ctx)?.follow(of(next)?).map(|()| Findings::default())) })
+    answer(|| unsafe { done(of_mut(ctx)?.follow(of(next)?)) })
 }
 
 /// @brief The next step until the end of the move.
@@ -115,7 +114,7 @@ pub unsafe extern "C" fn atraj_step_stream_wait(
     ctx: *mut atraj_step_stream, between: a_float, reversal: a_float,
 ) -> c_int {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    answer(|| unsafe { Some(of_mut(ctx)?.wait(between.into(), reversal.into()).map(|()| Findings::default())) })
+    answer(|| unsafe { done(of_mut(ctx)?.wait(between.into(), reversal.into())) })
 }
 
 /// @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
@@ -124,7 +123,7 @@ pub unsafe extern "C" fn atraj_step_stream_wait(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_step_stream_tick(ctx: *mut atraj_step_stream, now: *const atraj_state) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    answer(|| unsafe { Some(of_mut(ctx)?.tick(*of(now)?).map(|()| Findings::default())) })
+    answer(|| unsafe { done(of_mut(ctx)?.tick(*of(now)?)) })
 }
 
 /// @brief The next step of the tick.
