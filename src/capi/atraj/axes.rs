@@ -2,8 +2,7 @@
 
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
 use super::{answer, list, list_mut};
-use crate::capi::{Number, a_float};
-use crate::online::{Limits, Move, State};
+use crate::capi::a_float;
 use crate::several;
 use core::ffi::c_int;
 
@@ -28,8 +27,8 @@ pub unsafe extern "C" fn atraj_moves_sync(
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
-        let (axes, limits, from, to) = lists(axes, limits, from, to, n)?;
-        Some(several::synchronise(axes, limits, from, to, duration.into(), cycle.into()))
+        let (axes, limits) = (list_mut(axes, n)?, list(limits, n)?);
+        Some(several::synchronise(axes, limits, list(from, n)?, list(to, n)?, duration.into(), cycle.into()))
     })
 }
 
@@ -45,8 +44,8 @@ pub unsafe extern "C" fn atraj_moves_line(
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
-        let (axes, limits, from, to) = lists(axes, limits, from, to, n)?;
-        Some(several::line(axes, limits, from, to, duration.into(), cycle.into()))
+        let (axes, limits) = (list_mut(axes, n)?, list(limits, n)?);
+        Some(several::line(axes, limits, list(from, n)?, list(to, n)?, duration.into(), cycle.into()))
     })
 }
 
@@ -64,8 +63,8 @@ pub unsafe extern "C" fn atraj_moves_sync_within(
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe {
+        let (axes, limits, from, to) = (list_mut(axes, n)?, list(limits, n)?, list(from, n)?, list(to, n)?);
         let positions = [list(lowest, n)?, list(highest, n)?];
-        let (axes, limits, from, to) = lists(axes, limits, from, to, n)?;
         Some(several::synchronise_within(axes, limits, from, to, positions, duration.into(), cycle.into()))
     })
 }
@@ -84,16 +83,4 @@ pub unsafe extern "C" fn atraj_moves_line_stop(
 ) -> c_int {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     answer(|| unsafe { Some(several::line_stop(list_mut(axes, n)?, list(limits, n)?, time.into())) })
-}
-
-/// Moves, limits, and states at start and end.
-type Lists<'a> = (&'a mut [Move<Number>], &'a [Limits<Number>], &'a [State<Number>], &'a [State<Number>]);
-
-/// # Safety
-/// Each pointer is NULL, or points to `n` values that nobody else uses as long as the result lives.
-unsafe fn lists<'a>(
-    axes: *mut atraj_move, limits: *const atraj_limits, from: *const atraj_state, to: *const atraj_state, n: usize,
-) -> Option<Lists<'a>> {
-    // SAFETY: by the contract of this function.
-    unsafe { Some((list_mut(axes, n)?, list(limits, n)?, list(from, n)?, list(to, n)?)) }
 }

@@ -2,7 +2,7 @@
 
 use super::clock::atraj_clock;
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
-use super::{answer, list, list_mut};
+use super::{answer, done, list, list_mut};
 use crate::capi::{Number, a_float, assert_same_layout, of};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn atraj_group_init(
         let (states, moves) = unsafe { (list_mut(states, n)?, list_mut(moves, n.wrapping_mul(3))?) };
         let group = (!ctx.is_null()).then(|| ctx.cast::<Group<'static, Number>>())?;
         let period = period.into();
-        Some(Group::prepare(period, states, moves).map(|(states, moves)| {
+        done(Group::prepare(period, states, moves).map(|(states, moves)| {
             // In place: as a value it would take more stack than any plan.
             // SAFETY: the group is writable. Zeros are numbers, words and moves; the references are written next.
             unsafe {
@@ -77,7 +77,6 @@ pub unsafe extern "C" fn atraj_group_init(
                 }
                 (*group).begin(period);
             }
-            Findings::default()
         }))
     })
 }

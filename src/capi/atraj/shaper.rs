@@ -4,7 +4,7 @@ use super::r#move::{atraj_move, atraj_state};
 use super::{answer, done, list_mut, put, write_state};
 use crate::capi::a::trajbell::a_trajbell;
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
-use crate::findings::{Error, Findings};
+use crate::findings::Error;
 use crate::machine::shaper::{Shaper, ShaperKind};
 use crate::machine::shaper_stream::ShaperStream;
 use core::ffi::{c_int, c_uint};
@@ -196,10 +196,7 @@ pub unsafe extern "C" fn atraj_shaper_stream_tick(
     // SAFETY: the pointers are NULL or valid by the contract of this module.
     let code = answer(|| unsafe {
         let (stream, now, line) = (of_mut(ctx)?, *of(now)?, list_mut(line, size)?);
-        Some(stream.tick(now, line).map(|shaped| {
-            state = Some(shaped);
-            Findings::default()
-        }))
+        done(stream.tick(now, line).map(|shaped| state = Some(shaped)))
     });
     // SAFETY: `shaped` is NULL or writable by the contract of this module.
     unsafe { write_state(shaped, state) };
