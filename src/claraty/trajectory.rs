@@ -20,9 +20,7 @@ const LONGEST_ADVANCE: f64 = 1e6;
 /// The motion of one axis. `now` is always a finite reading of the same clock, in seconds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Trajectory<'w> {
-    /// Of the following starts and stops.
     mode: Mode,
-    /// Of the motion in hand.
     motion_mode: Mode,
     route: Route<'w>,
     /// What the clock showed, advances included, when the timer was at zero, s.

@@ -31,15 +31,13 @@ impl<R: Real> Profile<R> {
     #[inline(never)] // for its size: it is asked in seven places
     pub fn reversed(self) -> Self {
         Self {
-            mirrored: self.mirrored,
             first: self.last,
             peak: -self.trough,
             top: self.bottom,
-            fall: self.fall,
-            cruise: self.cruise,
             trough: -self.peak,
             bottom: self.top,
             last: self.first,
+            ..self
         }
     }
 

@@ -25,7 +25,6 @@ impl<R: Real> PerJerk<R> {
         Self { gu: self.gd, gd: self.gu }
     }
 
-    /// The jerks in the axis of a profile or a ramp.
     pub fn mirrored_if(self, mirrored: bool) -> Self {
         if mirrored { self.mirrored() } else { self }
     }

@@ -15,8 +15,7 @@ struct Scale<R> {
 
 impl<R: Real> Move<R> {
     /// Examines the move against limits: what it exceeds, whether it jumps or ends elsewhere than its phases lead, and what the findings of
-    /// a plan are. A step of the acceleration exceeds a finite jerk. Any struct may be examined. It reads the numbers of the struct alone, so
-    /// it judges a plan by other means than the plan was made.
+    /// a plan are. A step of the acceleration exceeds a finite jerk. Any struct may be examined: its numbers are judged, not its plan.
     ///
     /// A move that starts outside the limits has the finding of what it exceeds, and [`Findings::STARTS_OUTSIDE`]. [`Error::NotFinite`] if
     /// a number of the move is not finite or a limit is NaN, [`Error::Limits`] if the limits are not around 0.

@@ -1,8 +1,5 @@
-//! One axis from any state to any state, planned in motion.
-//!
-//! [`Move::plan`] finds the fastest motion within limits of velocity, acceleration and jerk. It fails for no state that is made of
-//! finite numbers: a start outside the limits returns within them in minimum time, a target behind the axis is reached by turning back. The
-//! programs of `docs/moves.md` plan, and plan again in mid-motion.
+//! One axis from any state to any state, planned in motion: [`Move::plan`] finds the fastest motion within limits of velocity, acceleration and
+//! jerk. The programs of `docs/moves.md` plan, and plan again in mid-motion.
 
 mod check;
 mod inside;

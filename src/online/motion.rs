@@ -263,10 +263,9 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
 
     fn fill(&self, run: Run<'_, R, 4>) {
         let phase = *self.phase_at(run.x);
-        let jerk = self.jerk(run.x);
         run.fill(|x| {
             let z = phase.time(x);
-            [phase.position(z), phase.velocity(z), phase.acceleration(z), jerk]
+            [phase.position(z), phase.velocity(z), phase.acceleration(z), phase.jerk]
         })
     }
 }

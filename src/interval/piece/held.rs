@@ -44,7 +44,7 @@ impl<R: Real> Held<R> {
         (factor * x * sum, factor * (u + x) * slope)
     }
 
-    /// The slope is a quadratic.
+    /// Where the displacement first stops rising, or falling: the slope is a quadratic.
     pub fn turning_point(&self) -> Option<R> {
         let q = self.per_jerk.q();
         first_zero(R::HALF * self.k / q, self.s / q)

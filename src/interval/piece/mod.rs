@@ -72,10 +72,11 @@ impl<R: Real> Piece<R> {
             let (displacement, slope) = self.displacement(x);
             (displacement - lacks, slope)
         };
-        let rises = self.slope() >= R::ZERO;
+        let rises = in_piece!(self, piece => piece.s) >= R::ZERO;
         let mut low = R::ZERO;
         if !(turns && rises) {
-            if let Some(x) = self.turning_point().filter(|x| *x < end) {
+            let turning_point = in_piece!(self, piece => piece.turning_point());
+            if let Some(x) = turning_point.filter(|x| *x < end) {
                 if rises && beyond_at(x).0 >= R::ZERO {
                     return Ok(root_between(R::ZERO, x, beyond_at));
                 }
@@ -94,16 +95,6 @@ impl<R: Real> Piece<R> {
             high = bound.at_most(end);
         }
         Ok(root_between(low, high, beyond_at))
-    }
-
-    /// The derivative of the displacement with respect to the duration, in the first motion.
-    fn slope(&self) -> R {
-        in_piece!(self, piece => piece.s)
-    }
-
-    /// Where the displacement first stops rising, or falling.
-    fn turning_point(&self) -> Option<R> {
-        in_piece!(self, piece => piece.turning_point())
     }
 
     /// The piece from the turning point `x` on, where the slope is 0.
