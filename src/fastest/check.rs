@@ -121,8 +121,7 @@ impl<R: Real> Trap<R> {
         }
         let limits = [vm, rise, fall];
         if !limits.iter().all(|&x| x >= R::ZERO) {
-            let boundary = Boundary { p0, p1, v0, v1 };
-            return Err(Error::of_plan(limits, boundary, Error::Limits));
+            return Err(Error::of_plan(limits, Boundary { p0, p1, v0, v1 }, Error::Limits));
         }
         let reached = self.extremes();
         let few = R::DOUBT; // 64 ulps

@@ -310,16 +310,9 @@ impl<R: Real> Border<R> {
         let is_trapezoid = q == R::ZERO;
         let top_holds = if holds >= R::ZERO { top >= R::ZERO } else { peak > bu };
         if holds >= R::ZERO && (top >= R::ZERO && bottom >= R::ZERO || is_trapezoid) {
-            Some(Profile {
-                first: bu - a0,
-                peak: bu,
-                top: top.at_least(R::ZERO),
-                fall: both,
-                trough: -bd,
-                bottom: bottom.at_least(R::ZERO),
-                last: a1 + bd,
-                ..Profile::default()
-            })
+            let (first, last) = (bu - a0, a1 + bd);
+            let (top, bottom) = (top.at_least(R::ZERO), bottom.at_least(R::ZERO));
+            Some(Profile { first, peak: bu, top, fall: both, trough: -bd, bottom, last, ..Profile::default() })
         } else if top_holds {
             self.top_alone(t)
         } else {

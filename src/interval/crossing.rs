@@ -130,8 +130,7 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
     if distance <= tie {
         return stay;
     }
-    let motion = turning(&border.mirrored_if(mirrored), stay, distance, distance);
-    Profile { mirrored, ..motion }
+    Profile { mirrored, ..turning(&border.mirrored_if(mirrored), stay, distance, distance) }
 }
 
 /// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
