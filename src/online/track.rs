@@ -57,8 +57,9 @@ impl<R: Real> Move<R> {
         for (acceleration, jerk) in [(acceleration, jerk), (acceleration, R::ZERO), (R::ZERO, R::ZERO)] {
             let signal = Phase { position, velocity, acceleration, jerk, ..Phase::default() };
             let approach = Approach { limits, from, signal, horizon };
-            let keeps = |planned: &Self| planned.keeps(limits);
-            if let Some(planned) = Some(approach.near()).filter(keeps).or_else(|| approach.chase().filter(keeps)) {
+            let near = approach.near();
+            let planned = if near.keeps(limits) { Some(near) } else { approach.chase() };
+            if let Some(planned) = planned {
                 *self = planned;
                 return Ok(self.turn_findings());
             }
@@ -126,8 +127,9 @@ impl<R: Real> Approach<'_, R> {
         planned
     }
 
-    /// The distance comes to rest as fast as it can within what the signal leaves of the limits. `None` if it leaves nothing. Where the signal
-    /// accelerates, the axis stops after the horizon: nobody knows what the signal does by then, and a late next plan must not let the axis go on.
+    /// The distance comes to rest as fast as it can within what the signal leaves of the limits. `None` if it leaves nothing, or too
+    /// little. Where the signal accelerates, the axis stops after the horizon: nobody knows what the signal does by then, and a late next plan must
+    /// not let the axis go on.
     fn chase(&self) -> Option<Move<R>> {
         let left = self.left();
         left.are_limits().ok()?;
@@ -144,7 +146,7 @@ impl<R: Real> Approach<'_, R> {
             stop.stop(self.limits, planned.end()).ok()?;
             planned.append(&stop).ok()?;
         }
-        Some(planned)
+        planned.keeps(self.limits).then_some(planned)
     }
 
     /// What the signal leaves of the limits until the horizon, and not all of it: the more the signal needs now, the less, but at least a half of a
