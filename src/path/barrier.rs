@@ -109,7 +109,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     pub fn weigh(&mut self) {
         let mean = self.duration() / R::from_index(self.sections as i32);
         for section in 0..self.sections {
-            let weight = self.memory.durations.at(section) / mean;
+            let weight = self.memory.plan.durations.at(section) / mean;
             self.memory.weights.put(section, weight);
         }
     }
@@ -157,17 +157,16 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let slope = memory.gradient_t.at(section) + per_mu;
             memory.gradient_t.put(section, slope);
             // What the curve of the duration adds.
-            memory.of_durations.add(section, [slope / memory.durations.at(section)]);
+            memory.of_durations.add(section, [slope / memory.plan.durations.at(section)]);
         }
     }
 
     /// How many times as large the product of both slacks is as in the plan before.
     fn assemble_section(&mut self, section: usize, axis: usize) -> Option<R> {
-        let ends = [self.at(section, axis), self.at(section + 1, axis)];
-        let duration = self.memory.durations.at(section);
+        let duration = self.memory.plan.durations.at(section);
         let weight = self.memory.weights.at(section);
         let limits = self.limits(section, axis).ok()?;
-        let upper = self.upper(limits, (section, axis), ends, duration);
+        let upper = self.upper(limits, (section, axis), duration);
         let lower = upper.lower();
         let (above, below) = (upper.farthest()?, lower.farthest()?);
         let slacks = [above.slack, below.slack];
@@ -184,7 +183,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         // What the offsets of both ends change of the displacement.
         let y = memory.tolerances.at(piece);
         let x = piece.checked_sub(self.axes).map_or(R::ZERO, |start| -memory.tolerances.at(start));
-        memory.slacks.set(piece, slacks);
+        memory.plan.slacks.set(piece, slacks);
         memory.gradient_t.add(section, [g_t]);
         memory.of_durations.add(section, [tt]);
         memory.to_duration.set(2 * piece, group([tv0, ta0, x * ht]));
@@ -204,7 +203,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if K > 2 {
             memory.of_offsets.add(piece, [y * hv1, y * ha1, y * y * hh]);
         }
-        let [was_above, was_below] = memory.tried_slacks.row(piece);
+        let [was_above, was_below] = memory.other.slacks.row(piece);
         Some((above.slack / was_above) * (below.slack / was_below))
     }
 
@@ -231,14 +230,15 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     fn assemble_point(&mut self, point: usize, axis: usize, logarithms: &mut Logarithms<R>) -> Option<()> {
         let row = (point - 1) * self.axes + axis;
         let (bounds, state) = (self.bounds(point, axis), self.at(point, axis));
-        let before = self.memory.tried_states.row(point * self.axes + axis);
+        let before = self.memory.other.states.row(point * self.axes + axis);
         logarithms.add(bounds.product(state)? / bounds.product(before)?);
         let weight = self.weight_of_point(point);
         let ([g_v, g_a], hessian) = bounds.barrier(state, weight);
         self.memory.diagonal.add(row, hessian);
         let mut gradient = [g_v, g_a, R::ZERO];
         if K > 2 {
-            let [offset, before] = [&self.memory.offsets, &self.memory.tried_offsets].map(|offsets| offsets.at(row));
+            let [offset, before] =
+                [&self.memory.plan.offsets, &self.memory.other.offsets].map(|offsets| offsets.at(row));
             let left = |offset: R| (R::ONE - offset) * (R::ONE + offset);
             let is_inside = left(offset) > R::ZERO;
             is_inside.then(|| logarithms.add(left(offset) / left(before)))?;
@@ -250,10 +250,10 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if self.is_narrow(point, axis) {
             let gradient = self.memory.gradient.row(row);
             let (g_v, g_a) = (gradient[0], gradient[1]);
-            let parabola = self.parabola(point, axis, &self.memory.durations);
+            let parabola = self.parabola(point, axis, &self.memory.plan.durations);
             let [before, mixed, later] = parabola.bends(g_v, g_a);
             // What the curves of the durations add.
-            let curves = [point - 1, point].map(|section| R::ONE / self.memory.durations.at(section));
+            let curves = [point - 1, point].map(|section| R::ONE / self.memory.plan.durations.at(section));
             let [first, second] = parabola.slopes.map(|[v, a]| g_v * v + g_a * a);
             self.memory.of_durations.add(point - 1, [before + first * curves[0]]);
             self.memory.mixed.add(point - 1, [mixed]);
@@ -266,28 +266,29 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     pub fn try_step(&mut self, part: R, mu: R) -> Option<R> {
         let mut longer = R::ZERO;
         for section in 0..self.sections {
-            let duration = self.memory.durations.at(section);
+            let duration = self.memory.plan.durations.at(section);
             let tried = along_curve(duration, part * self.change(section))?;
-            self.memory.tried.put(section, tried);
+            self.memory.other.durations.put(section, tried);
             longer = longer + (tried - duration);
         }
         for point in 1..self.sections {
             for axis in 0..self.axes {
                 let moved = self.moved(point, axis, part);
                 let row = point * self.axes + axis;
-                self.memory.tried_states.set(row, moved);
+                self.memory.other.states.set(row, moved);
                 if K > 2 {
-                    let offset = self.memory.offsets.at(row - self.axes) + part * self.direction(point, axis)[K - 1];
-                    self.memory.tried_offsets.put(row - self.axes, offset);
+                    let offset =
+                        self.memory.plan.offsets.at(row - self.axes) + part * self.direction(point, axis)[K - 1];
+                    self.memory.other.offsets.put(row - self.axes, offset);
                 }
             }
         }
-        self.swap_tried();
+        self.swap_plans();
         // A section counts as narrow as before until its slacks are known.
-        self.memory.slacks.copy(&self.memory.tried_slacks);
+        self.memory.plan.slacks.copy(&self.memory.other.slacks);
         let growth = self.assemble();
         if growth.is_none() {
-            self.swap_tried();
+            self.swap_plans();
         }
         Some(longer / mu - growth?)
     }
@@ -393,7 +394,7 @@ mod tests {
                 let found = derivatives(chain, step);
                 let mut change = |part| {
                     let change = chain.try_step(part, mu).expect("a plan inside");
-                    chain.swap_tried();
+                    chain.swap_plans();
                     change
                 };
                 let (ahead, back) = (change(little), change(-little));

@@ -65,8 +65,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         if !self.is_narrow(point, axis) {
             return straight;
         }
-        let now = self.parabola(point, axis, &self.memory.durations);
-        let then = self.parabola(point, axis, &self.memory.tried);
+        let now = self.parabola(point, axis, &self.memory.plan.durations);
+        let then = self.parabola(point, axis, &self.memory.other.durations);
         let before = part * self.change(point - 1);
         let after = part * self.change(point);
         let [[v1, a1], [v2, a2]] = now.slopes;
@@ -78,13 +78,13 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// What the durations of both sections change of velocity and acceleration at a point, if it is narrow.
     pub fn slopes(&self, point: usize, axis: usize) -> [[R; 2]; 2] {
         let is_bent = point > 0 && point < self.sections && self.is_narrow(point, axis);
-        if is_bent { self.parabola(point, axis, &self.memory.durations).slopes } else { [[R::ZERO; 2]; 2] }
+        if is_bent { self.parabola(point, axis, &self.memory.plan.durations).slopes } else { [[R::ZERO; 2]; 2] }
     }
 
     /// Whether the possible displacements of a section next to a waypoint spread less than half of its displacement.
     pub fn is_narrow(&self, point: usize, axis: usize) -> bool {
         let is_narrow = |section| {
-            let [above, below] = self.memory.slacks.row(section * self.axes + axis);
+            let [above, below] = self.memory.plan.slacks.row(section * self.axes + axis);
             let h = self.displacement(section, axis);
             above + below < R::HALF * h.abs()
         };

@@ -1,7 +1,7 @@
 //! The sections of a path, one after the other: what is given, and the plan as it stands.
 
 use super::bounds::Bounds;
-use super::memory::{Column, Memory};
+use super::memory::Memory;
 use super::slack::Side;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -147,8 +147,8 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
             section += 1;
         });
         let mut chain = Self { request, axes, sections, memory, findings: Findings::default(), last_assembled: 0 };
-        chain.memory.states.clear();
-        chain.memory.offsets.clear();
+        chain.memory.plan.states.clear();
+        chain.memory.plan.offsets.clear();
         for axis in 0..axes {
             for section in 0..sections {
                 let (from, to) = chain.positions(section, axis);
@@ -170,7 +170,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         let start = self.request.state(0, axis);
         let inside = Problem::new(self.limits(0, axis)?, start, target);
         let (v0, a0) = (inside.border.v0, inside.border.a0);
-        self.memory.states.set(axis, [v0, a0]);
+        self.memory.plan.states.set(axis, [v0, a0]);
         self.memory.inside.put(axis, inside.with_inside(R::ZERO));
         self.memory.displacements.put(axis, inside.displacement().h);
         self.findings |= inside.outside();
@@ -183,8 +183,12 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// Gives an axis this part of its velocity at the end, and the square of it of its acceleration.
     pub fn set_end(&mut self, axis: usize, part: R) {
-        let State { velocity, acceleration, .. } = self.request.state(self.request.sections, axis);
-        self.memory.states.set(self.sections * self.axes + axis, [part * velocity, part * part * acceleration]);
+        self.set_part(self.sections, self.request.state(self.request.sections, axis), axis, part);
+    }
+
+    /// Gives an axis this part of the velocity of a state at a point, and the square of it of the acceleration.
+    pub fn set_part(&mut self, point: usize, of: State<R>, axis: usize, part: R) {
+        self.memory.plan.states.set(point * self.axes + axis, [part * of.velocity, part * part * of.acceleration]);
     }
 
     /// Which section of the caller this one is.
@@ -226,7 +230,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// Velocity and acceleration at a point.
     pub fn at(&self, point: usize, axis: usize) -> [R; 2] {
-        self.memory.states.row(point * self.axes + axis)
+        self.memory.plan.states.row(point * self.axes + axis)
     }
 
     /// The states of an axis at both ends of a section. A start outside the limits is the given one.
@@ -251,30 +255,18 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// How long a section is.
     pub fn displacement(&self, section: usize, axis: usize) -> R {
-        self.displacement_with(&self.memory.offsets, section, axis)
-    }
-
-    /// How long a section is if its ends have these offsets.
-    pub fn displacement_with(&self, offsets: &Column<R>, section: usize, axis: usize) -> R {
         let end = section * self.axes + axis;
         let given = self.memory.displacements.at(end);
         if K == 2 {
             return given;
         }
-        let offset = |row: usize| self.memory.tolerances.at(row) * offsets.at(row);
+        let offset = |row: usize| self.memory.tolerances.at(row) * self.memory.plan.offsets.at(row);
         given + (offset(end) - end.checked_sub(self.axes).map_or(R::ZERO, offset))
     }
 
-    /// How much farther than the section an axis gets to both sides, if the section can last `duration` between these states.
-    pub fn slacks(&self, section: usize, axis: usize, ends: [[R; 2]; 2], duration: R) -> Option<[R; 2]> {
-        let limits = self.limits(section, axis).ok()?;
-        self.upper(limits, (section, axis), ends, duration).slacks()
-    }
-
-    /// The upper side of a section between these states.
-    pub fn upper(
-        &self, limits: &Limits<R>, (section, axis): (usize, usize), ends: [[R; 2]; 2], duration: R,
-    ) -> Side<R> {
+    /// The upper side of a section that lasts `duration`.
+    pub fn upper(&self, limits: &Limits<R>, (section, axis): (usize, usize), duration: R) -> Side<R> {
+        let ends = [self.at(section, axis), self.at(section + 1, axis)];
         let t = self.inside(section, axis, duration);
         let h = self.displacement(section, axis);
         Side::upper(limits, ends, t, h)
@@ -284,8 +276,8 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     pub fn is_possible(&self, section: usize, duration: R) -> bool {
         let mut axes = 0..self.axes;
         axes.all(|axis| {
-            let ends = [self.at(section, axis), self.at(section + 1, axis)];
-            self.slacks(section, axis, ends, duration).is_some()
+            let limits = self.limits(section, axis);
+            limits.is_ok_and(|limits| self.upper(limits, (section, axis), duration).has_slack())
         })
     }
 
@@ -303,7 +295,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// The sum of all durations, s.
     pub fn duration(&self) -> R {
-        let durations = self.memory.durations.rows(self.sections);
+        let durations = self.memory.plan.durations.rows(self.sections);
         durations.fold(R::ZERO, |sum, [t]| sum + t)
     }
 }
@@ -320,7 +312,7 @@ impl<'w, R: Real, const K: usize> Chain<'_, 'w, R, K> {
     /// The plan alone, if its numbers are within the range of the real type.
     pub fn done(self) -> Result<Planned<'w, R, K>, Error> {
         let Self { axes, sections, memory, findings, .. } = self;
-        let is_finite = memory.durations.numbers().iter().all(|t| t.is_finite());
+        let is_finite = memory.plan.durations.numbers().iter().all(|t| t.is_finite());
         let planned = Planned { axes, sections, memory, findings };
         is_finite.then_some(planned).ok_or(Error::NotFinite)
     }
@@ -333,13 +325,13 @@ impl<R: Real, const K: usize> Planned<'_, R, K> {
         let mut point = 0;
         for (place, duration) in durations.iter_mut().enumerate() {
             let lasts = point < sections && memory.places.at(point).to_index() as usize == place;
-            *duration = if lasts { memory.durations.at(point) } else { R::ZERO };
+            *duration = if lasts { memory.plan.durations.at(point) } else { R::ZERO };
             point += usize::from(lasts);
             let end = states.iter_mut().skip((place + 1) * axes).take(axes);
             for (axis, state) in end.enumerate() {
                 let row = point * axes + axis;
                 state.position = memory.moved(state.position, row, axes);
-                [state.velocity, state.acceleration] = memory.states.row(row);
+                [state.velocity, state.acceleration] = memory.plan.states.row(row);
             }
         }
         findings

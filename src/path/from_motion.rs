@@ -27,17 +27,18 @@ fn all_but_rounding<R: Real>() -> R {
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
     pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
-        let brakes = self.brake_along();
-        if !self.swerves() || (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO) {
-            return Ok(brakes || self.come_inside(0));
+        let mut brakes = self.brake_along();
+        let starts_outside = (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO);
+        if self.swerves() && !starts_outside {
+            let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, steps));
+            self.set_ends(R::ONE);
+            if passes && self.is_strictly_inside() {
+                return Ok(true);
+            }
+            self.stop_everywhere()?;
+            brakes = self.brake_along();
         }
-        let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, steps));
-        self.set_ends(R::ONE);
-        if passes && self.is_strictly_inside() {
-            return Ok(true);
-        }
-        self.stop_everywhere()?;
-        Ok(self.brake_along() || self.come_inside(0))
+        Ok(brakes || self.come_inside(0))
     }
 
     /// Plans between ends that are slow enough to pass the points. Returns how many times slower they are than the given ones.
@@ -76,8 +77,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Gives the start and the end this part of their given velocities, and its square of the accelerations.
     fn set_ends(&mut self, part: R) {
         for axis in 0..self.axes {
-            let State { velocity, acceleration, .. } = self.request.state(0, axis);
-            self.memory.states.set(axis, [part * velocity, part * part * acceleration]);
+            self.set_part(0, self.request.state(0, axis), axis, part);
             self.set_end(axis, part);
         }
     }

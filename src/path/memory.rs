@@ -33,8 +33,12 @@ impl<R: Real, const W: usize> Table<'_, R, W> {
         self.0.get_mut(k * W..k * W + W)?.first_chunk_mut()
     }
 
+    pub fn fill(&mut self, number: R) {
+        self.0.fill(number);
+    }
+
     pub fn clear(&mut self) {
-        self.0.fill(R::ZERO);
+        self.fill(R::ZERO);
     }
 
     pub fn copy(&mut self, other: &Self) {
@@ -158,17 +162,24 @@ impl<R: Real, const K: usize> Triangles<'_, R, K> {
     }
 }
 
+pub(super) struct Plan<'a, R> {
+    /// Velocity and acceleration at each point, also at the start and at the end.
+    pub states: Table<'a, R, 2>,
+    /// How far each waypoint is from where it is given, in tolerances. Only with three unknowns.
+    pub offsets: Column<'a, R>,
+    /// The slacks of both borders.
+    pub slacks: Table<'a, R, 2>,
+    /// s
+    pub durations: Column<'a, R>,
+}
+
 /// All tables. A row of a point or of a section stands for one axis: that of axis `i` at point or section `k` is `k * axes + i`. An axis has `K`
 /// unknowns at a point: velocity, acceleration, and as the third one, if the point has a tolerance, the position.
 pub(super) struct Memory<'a, R, const K: usize> {
-    /// Velocity and acceleration at each point, also at the start and at the end.
-    pub states: Table<'a, R, 2>,
-    /// The states of the other plan: the one that is tried or kept, or the one before a step. Also those of the start and of the end.
-    pub tried_states: Table<'a, R, 2>,
-    /// How far each waypoint is from where it is given, in tolerances. Only with three unknowns, as all tables of positions.
-    pub offsets: Column<'a, R>,
-    /// The offsets of the other plan.
-    pub tried_offsets: Column<'a, R>,
+    pub plan: Plan<'a, R>,
+    /// The plan that is tried or kept, or the one before a step.
+    pub other: Plan<'a, R>,
+    /// Only with three unknowns, as all tables of positions.
     pub tolerances: Column<'a, R>,
     /// The step in groups of `K`, section by section: of the state of each axis at its start, and of its duration with zeros. Those of the first
     /// start mean nothing.
@@ -177,10 +188,6 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub displacements: Column<'a, R>,
     /// How long the recovery of each axis lasts in the first section, s.
     pub inside: Column<'a, R>,
-    /// The slacks of both borders.
-    pub slacks: Table<'a, R, 2>,
-    /// The slacks of the other plan.
-    pub tried_slacks: Table<'a, R, 2>,
     /// The limits of the waypoints.
     pub bounds: Table<'a, R, 6>,
     /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps slopes and bends of a curve (`curve.rs`).
@@ -195,10 +202,6 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub gradient: Table<'a, R, K>,
     /// Which section of the caller each one is.
     pub places: Column<'a, R>,
-    /// s
-    pub durations: Column<'a, R>,
-    /// The durations of the other plan, s.
-    pub tried: Column<'a, R>,
     /// The weights of the sections' logarithms. Before the steps the speeds at points of a row (`rows.rs`).
     pub weights: Column<'a, R>,
     /// The gradient by the durations. Before the steps the lengths of a curve.
@@ -242,18 +245,13 @@ fn take<'a, R>(rest: &mut &'a mut [R], count: usize) -> Option<&'a mut [R]> {
 }
 
 impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
-    /// No section counts as narrow until its slacks are known.
-    pub fn forget_slacks(&mut self) {
-        self.slacks.0.fill(R::INFINITY);
-    }
-
     /// The position of the state in row `row`, which is given at `position`. Rounding does not take it out of the tolerance.
     pub fn moved(&self, position: R, row: usize, axes: usize) -> R {
         let Some(row) = row.checked_sub(axes).filter(|_| K > 2) else {
             return position;
         };
         let tolerance = self.tolerances.at(row);
-        let moved = position + tolerance * self.offsets.at(row);
+        let moved = position + tolerance * self.plan.offsets.at(row);
         if (moved - position).abs() <= tolerance { moved } else { position }
     }
 
@@ -265,17 +263,21 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
         let positions = (K - 2) * waypoints;
         let (tile, triangle) = (K * K, K * K * before(groups));
         let mut table = |numbers| take(&mut work, numbers);
+        let mut plan = || {
+            Some(Plan {
+                states: Table(table(2 * points)?),
+                offsets: Table(table(positions)?),
+                slacks: Table(table(2 * pieces)?),
+                durations: Table(table(sections)?),
+            })
+        };
         Some(Self {
-            states: Table(table(2 * points)?),
-            tried_states: Table(table(2 * points)?),
-            offsets: Table(table(positions)?),
-            tried_offsets: Table(table(positions)?),
+            plan: plan()?,
+            other: plan()?,
             tolerances: Table(table(positions)?),
             step: Table(table(K * groups * sections)?),
             displacements: Table(table(pieces)?),
             inside: Table(table(axes)?),
-            slacks: Table(table(2 * pieces)?),
-            tried_slacks: Table(table(2 * pieces)?),
             bounds: Table(table(6 * waypoints)?),
             diagonal: Table(table(3 * waypoints)?),
             of_offsets: Table(table(3 * positions)?),
@@ -283,8 +285,6 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             to_duration: Table(table(2 * K * pieces)?),
             gradient: Table(table(K * waypoints)?),
             places: Table(table(sections)?),
-            durations: Table(table(sections)?),
-            tried: Table(table(sections)?),
             weights: Table(table(sections)?),
             gradient_t: Table(table(sections)?),
             of_durations: Table(table(sections)?),

@@ -5,6 +5,7 @@
 use core::ops::Range;
 
 use super::chain::Chain;
+use super::memory::Memory;
 use crate::findings::Findings;
 use crate::interval::ramp::{PerJerk, Ramp};
 use crate::limits::Limits;
@@ -82,18 +83,19 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Stretches the time of the plan by this factor, also at its ends.
     pub fn scale_time(&mut self, slower: R) {
         for section in 0..self.sections {
-            let duration = self.memory.durations.at(section);
-            self.memory.durations.put(section, slower * duration);
+            let duration = self.memory.plan.durations.at(section);
+            self.memory.plan.durations.put(section, slower * duration);
         }
         for row in 0..self.axes * (self.sections + 1) {
-            let [v, a] = self.memory.states.row(row);
-            self.memory.states.set(row, [v / slower, a / (slower * slower)]);
+            let [v, a] = self.memory.plan.states.row(row);
+            self.memory.plan.states.set(row, [v / slower, a / (slower * slower)]);
         }
     }
 
     pub fn is_strictly_inside(&self) -> bool {
         let mut sections = 0..self.sections;
-        sections.all(|section| self.is_possible(section, self.memory.durations.at(section))) && self.points_are_inside()
+        sections.all(|section| self.is_possible(section, self.memory.plan.durations.at(section)))
+            && self.points_are_inside()
     }
 
     /// Passes the points of each row that begins at rest from a point on, at this share of the highest speeds. Whether there is such a row.
@@ -124,20 +126,21 @@ impl<R: Real> Chain<'_, '_, R> {
         in_parts || as_one
     }
 
+    /// Keeps the pass of a row if it is shorter than the plan that is kept, else takes that one back. Whether it is shorter.
     fn pass_along(&mut self, share: R, ends: [State<R>; 2], row: Range<usize>, has_parts: bool) -> bool {
         self.take_share(row.clone(), share);
         let is_shorter = self.find_pass(ends, row.clone(), has_parts);
-        if is_shorter {
-            self.keep_row(row);
-        } else {
-            self.take_back(row);
-        }
+        let states = (row.start + 1) * self.axes..row.end * self.axes;
+        let Memory { plan, other, .. } = &mut self.memory;
+        let (to, from) = if is_shorter { (other, plan) } else { (plan, other) };
+        to.durations.copy_rows(&from.durations, row);
+        to.states.copy_rows(&from.states, states);
         is_shorter
     }
 
     /// Passes the points of a row, slower and slower until this is possible. Whether it is shorter than the plan that is kept.
     fn find_pass(&mut self, ends: [State<R>; 2], row: Range<usize>, has_parts: bool) -> bool {
-        let kept = sum(row.clone(), |section| self.memory.tried.at(section));
+        let kept = sum(row.clone(), |section| self.memory.other.durations.at(section));
         for _ in 0..MOST_TRIES {
             let least = sum(row.clone(), |section| self.arc(section) / self.speed(section));
             if least >= kept {
@@ -145,7 +148,7 @@ impl<R: Real> Chain<'_, '_, R> {
             }
             self.limit_speeds(ends, row.clone(), has_parts);
             if self.pass_parts(ends, row.clone()) {
-                return sum(row, |section| self.memory.durations.at(section)) < kept;
+                return sum(row, |section| self.memory.plan.durations.at(section)) < kept;
             }
         }
         false
@@ -228,28 +231,11 @@ impl<R: Real> Chain<'_, '_, R> {
             if !self.is_possible(section, duration) {
                 duration = duration_of(self.arc(section), from, to, duration);
             }
-            self.memory.durations.put(section, duration);
+            self.memory.plan.durations.put(section, duration);
             (self.is_possible(section, duration) && self.is_point_inside(point)).then_some(())?;
             (time, from) = (at, to);
         }
         Some(())
-    }
-
-    fn states_of(&self, row: Range<usize>) -> Range<usize> {
-        (row.start + 1) * self.axes..row.end * self.axes
-    }
-
-    fn keep_row(&mut self, row: Range<usize>) {
-        let states = self.states_of(row.clone());
-        self.memory.tried.copy_rows(&self.memory.durations, row);
-        self.memory.tried_states.copy_rows(&self.memory.states, states);
-    }
-
-    /// Takes back the plan of a row that is kept.
-    fn take_back(&mut self, row: Range<usize>) {
-        let states = self.states_of(row.clone());
-        self.memory.durations.copy_rows(&self.memory.tried, row);
-        self.memory.states.copy_rows(&self.memory.tried_states, states);
     }
 
     /// Makes every axis pass a point with this motion along the curve.
@@ -258,7 +244,7 @@ impl<R: Real> Chain<'_, '_, R> {
         for axis in 0..self.axes {
             let [slope, bend] = self.slope_and_bend(point, axis);
             let state = [slope * velocity, bend * velocity * velocity + slope * acceleration];
-            self.memory.states.set(point * self.axes + axis, state);
+            self.memory.plan.states.set(point * self.axes + axis, state);
         }
     }
 }

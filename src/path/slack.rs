@@ -42,9 +42,9 @@ impl<R: Real> Side<R> {
         (slack > R::ZERO).then_some(Farthest { profile, slack })
     }
 
-    /// The slacks of this side and of the lower one, if there are both.
-    pub fn slacks(&self) -> Option<[R; 2]> {
-        Some([self.farthest()?.slack, self.lower().farthest()?.slack])
+    /// Whether this side and the lower one have slack.
+    pub fn has_slack(&self) -> bool {
+        self.farthest().is_some() && self.lower().farthest().is_some()
     }
 
     pub fn derivatives(&self, farthest: &Farthest<R>) -> Derivatives<R> {

@@ -32,44 +32,36 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// Makes every section last until its end can be reached: the planner of the motions decides.
     pub fn promise(&mut self) -> Result<(), Error> {
         for section in 0..self.sections {
-            let duration = self.memory.durations.at(section);
+            let duration = self.memory.plan.durations.at(section);
             let duration = self.shortest(section, duration)?;
-            self.memory.durations.put(section, duration);
+            self.memory.plan.durations.put(section, duration);
         }
         Ok(())
     }
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Makes all axes stop at every waypoint. Returns the duration of the path, s.
-    pub fn stop_everywhere(&mut self) -> Result<R, Error> {
+    /// Makes all axes stop at every waypoint, and every section as short as it can be then.
+    pub fn stop_everywhere(&mut self) -> Result<(), Error> {
         for point in 1..self.sections {
             for axis in 0..self.axes {
-                self.memory.states.set(point * self.axes + axis, [R::ZERO; 2]);
+                self.memory.plan.states.set(point * self.axes + axis, [R::ZERO; 2]);
             }
         }
-        self.last_shortest()
-    }
-
-    /// Makes every section as short as it can be, as the states stand. Returns the duration of the path, s.
-    fn last_shortest(&mut self) -> Result<R, Error> {
-        for section in 0..self.sections {
-            let duration = self.shortest(section, R::ZERO)?;
-            self.memory.durations.put(section, duration);
-        }
-        Ok(self.duration())
+        self.memory.plan.durations.clear();
+        self.promise()
     }
 
     /// Makes the sections from `first` on last a little longer, so that the plan is strictly inside, and passes rows. Whether it is inside.
     pub fn come_inside(&mut self, first: usize) -> bool {
         for section in first..self.sections {
-            let least = self.memory.durations.at(section);
+            let least = self.memory.plan.durations.at(section);
             // 1/16, 1/64, … longer, and then longer and longer.
             let shorter = (2..=12).map(|k| (0..k).fold(R::ONE, |part, _| part * R::HALF * R::HALF));
             let longer = (0..8).map(|k| (0..k).fold(R::SIXTEENTH + R::SIXTEENTH, |part, _| part + part));
             let mut durations = shorter.chain(longer).map(|part| least + part * least);
             match durations.find(|&duration| self.is_possible(section, duration)) {
-                Some(duration) => self.memory.durations.put(section, duration),
+                Some(duration) => self.memory.plan.durations.put(section, duration),
                 None => return false,
             }
         }

@@ -123,7 +123,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     fn begin(&mut self) -> Option<()> {
         self.weigh();
         self.keep_plan();
-        self.memory.forget_slacks();
+        // No section counts as narrow until its slacks are known.
+        self.memory.plan.slacks.fill(R::INFINITY);
         self.assemble().map(|_| ())
     }
 
@@ -183,7 +184,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                     let is_first = halvings == 0;
                     return Some(Taken { is_first, distance: distance / R::from_index(self.logarithms() as i32) });
                 }
-                Some(_) => self.swap_tried(),
+                Some(_) => self.swap_plans(),
                 None => {}
             }
             part = R::HALF * part;
@@ -193,20 +194,15 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(Taken { is_first: false, distance: R::INFINITY })
     }
 
-    /// Keeps the plan as the other one. Returns its duration, s.
-    pub fn keep_plan(&mut self) -> R {
-        self.memory.tried_states.copy(&self.memory.states);
-        self.memory.tried.copy(&self.memory.durations);
-        self.duration()
+    /// Keeps the plan as the other one.
+    pub fn keep_plan(&mut self) {
+        self.memory.other.states.copy(&self.memory.plan.states);
+        self.memory.other.durations.copy(&self.memory.plan.durations);
     }
 
     /// Takes the other plan, and keeps this one in its place.
-    pub fn swap_tried(&mut self) {
-        let memory = &mut self.memory;
-        core::mem::swap(&mut memory.slacks, &mut memory.tried_slacks);
-        core::mem::swap(&mut memory.states, &mut memory.tried_states);
-        core::mem::swap(&mut memory.offsets, &mut memory.tried_offsets);
-        core::mem::swap(&mut memory.durations, &mut memory.tried);
+    pub fn swap_plans(&mut self) {
+        core::mem::swap(&mut self.memory.plan, &mut self.memory.other);
     }
 }
 

@@ -101,7 +101,7 @@ impl<R: Real> Chain<'_, '_, R> {
             let is_kept = duration == R::ZERO || least <= duration + R::DOUBT * duration;
             is_possible = is_possible && (is_kept || section == 0 && self.is_left(given));
             let taken = if duration == R::ZERO { least } else { duration };
-            self.memory.durations.put(section, taken);
+            self.memory.plan.durations.put(section, taken);
         }
         for point in 1..self.sections {
             for axis in 0..self.axes {
@@ -126,10 +126,7 @@ impl<R: Real> Chain<'_, '_, R> {
             let farthest = points.map(|point| self.request.state(point, axis).position.abs());
             let position = R::DOUBT * farthest.fold(R::ZERO, R::at_least);
             let limits = self.limits(0, axis).map(|limits| with_errors(limits, duration, all, [position, clock]));
-            limits.is_ok_and(|limits| {
-                let ends = [self.at(0, axis), self.at(1, axis)];
-                self.upper(&limits, (0, axis), ends, duration).slacks().is_some()
-            })
+            limits.is_ok_and(|limits| self.upper(&limits, (0, axis), duration).has_slack())
         })
     }
 }
@@ -165,7 +162,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             if !(velocity.is_finite() && acceleration.is_finite()) {
                 return Err(Error::NotFinite);
             }
-            self.memory.states.set(point * self.axes + axis, [velocity, acceleration]);
+            self.memory.plan.states.set(point * self.axes + axis, [velocity, acceleration]);
         }
         Ok(())
     }
@@ -203,15 +200,15 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             if section + 1 < self.sections {
                 self.take_state(section + 1, &slow).ok()?;
             }
-            self.memory.durations.put(section, duration + (slow.later - later));
+            self.memory.plan.durations.put(section, duration + (slow.later - later));
             later = slow.later;
         }
         for section in 0..self.sections {
             if self.given(section, given) == Ok(R::ZERO) {
                 let least = self.shortest(section, R::ZERO).ok()?;
-                self.memory.durations.put(section, least + R::SIXTEENTH * least);
+                self.memory.plan.durations.put(section, least + R::SIXTEENTH * least);
             }
-            self.is_possible(section, self.memory.durations.at(section)).then_some(())?;
+            self.is_possible(section, self.memory.plan.durations.at(section)).then_some(())?;
         }
         self.points_are_inside().then_some(())
     }
