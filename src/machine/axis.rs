@@ -1,6 +1,6 @@
 //! An axis that goes on in its move while the next one is planned.
 
-use super::handover::{Handover, Moment, Takeover, at};
+use super::handover::{Handover, Moment, at};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -126,7 +126,7 @@ impl<'a, R: Real> Planner<'a, R> {
         let (in_force, next) =
             unsafe { (&*at(moves, takeover.from.place).get(), &mut *at(moves, takeover.place).get()) };
         let from = in_force.state_at(elapsed(period, takeover.from));
-        let findings = plan(next, from, ahead(period, &takeover))?;
+        let findings = plan(next, from, period * R::from_index(takeover.ticks as i32))?;
         if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
     }
 }
@@ -148,9 +148,4 @@ pub(super) fn elapsed<R: Real>(period: R, moment: Moment) -> R {
     let [upper, lower] = [moment.age >> 30, moment.age % UPPER as u64];
     let ticks = R::from_index(upper as i32) * R::from_index(UPPER) + R::from_index(lower as i32);
     period * ticks
-}
-
-/// The time until the next move takes over, s from the last tick.
-fn ahead<R: Real>(period: R, takeover: &Takeover) -> R {
-    period * R::from_index(takeover.ticks as i32)
 }

@@ -3,7 +3,7 @@
 //! `docs/machine.md` has the theory.
 
 use super::parabola::Parabola;
-use super::sections::{Axis, start_at_rest, state_on_path, time_of_rest};
+use super::sections::{Axis, start_at_rest, time_of_rest};
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::online::{Move, Phase};
@@ -57,8 +57,10 @@ impl<'a, R: Real> Change<'a, R> {
         if rate < R::ZERO && !start_at_rest(moves, limits.len()) {
             return Err(Error::Target);
         }
-        let speeds = moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), limits));
-        Ok(Self { moves, limits, rate, length, least: slowest(speeds), kept_from: R::NAN })
+        let speeds =
+            moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), R::ZERO, limits));
+        let least = slowest([R::INFINITY; 2], speeds);
+        Ok(Self { moves, limits, rate, length, least, kept_from: R::NAN })
     }
 
     /// Writes the law to `time`, which is the motion as it would go on. It does so until a faster change is found.
@@ -218,18 +220,14 @@ impl<'a, R: Real> Change<'a, R> {
         best.map(|limits| self.raise(from, change, limits)).transpose().map(|done| done.is_some())
     }
 
-    /// How fast the rate may change at this time of the path: the least `A/|v|`, `J/|a|` and `J/|v|` of the axes.
+    /// How fast the rate may change at this time of the path.
     fn limits_at(&self, s: R) -> [R; 2] {
-        let [slowing, bending] = self.least.map(|least| R::from(16) * R::from(16) * R::from(16) * least);
+        let most = self.least.map(|least| R::from(16) * R::from(16) * R::from(16) * least);
         let here = self.limits.iter().enumerate().map(|(index, limits)| {
-            let state = self.axis(index).section(s).map(|(of, start)| of.state_at(s - start));
-            (state.unwrap_or_default(), limits)
+            let state = self.axis(index).section(s).map(|(of, start)| of.state_at(s - start)).unwrap_or_default();
+            (state.velocity, state.acceleration, limits)
         });
-        here.fold([slowing, bending], |[slowing, bending], (state, limits)| {
-            let [slowing_here, bending_here] = rates(state.velocity.abs(), limits);
-            let turning = limits.jmax.at_most(-limits.jmin) / state.acceleration.abs();
-            [slowing.at_most(slowing_here).at_most(turning), bending.at_most(bending_here)]
-        })
+        slowest(most, here)
     }
 
     /// Raises each limit of a change alone, as long as the limits of the axes are kept.
@@ -290,17 +288,12 @@ impl<'a, R: Real> Change<'a, R> {
     }
 }
 
-/// The least `A/|v|` and `J/|v|`.
-fn slowest<'a, R: Real + 'a>(speeds: impl Iterator<Item = (R, &'a Limits<R>)>) -> [R; 2] {
-    speeds.fold([R::INFINITY; 2], |[slowing, bending], (speed, limits)| {
-        let [slowing_here, bending_here] = rates(speed, limits);
-        [slowing.at_most(slowing_here), bending.at_most(bending_here)]
+/// The lower of the least `A/|v|` and `J/|a|`, and the least `J/|v|`, of axes with these velocities and accelerations. Both are `most` at most.
+fn slowest<'a, R: Real + 'a>(most: [R; 2], axes: impl Iterator<Item = (R, R, &'a Limits<R>)>) -> [R; 2] {
+    axes.fold(most, |[slowing, bending], (v, a, limits)| {
+        let [most_a, most_j] = [limits.amax.at_most(-limits.amin), limits.jmax.at_most(-limits.jmin)];
+        [slowing.at_most(most_a / v.abs()).at_most(most_j / a.abs()), bending.at_most(most_j / v.abs())]
     })
-}
-
-/// `A/|v|` and `J/|v|`.
-fn rates<R: Real>(speed: R, limits: &Limits<R>) -> [R; 2] {
-    [limits.amax.at_most(-limits.amin) / speed, limits.jmax.at_most(-limits.jmin) / speed]
 }
 
 impl<R: Real> Move<R> {
@@ -395,7 +388,7 @@ impl<R: Real> Trial<'_, R> {
         [1, 31].iter().all(|part| {
             let x = phase.duration * R::SIXTEENTH * R::HALF * R::from(*part);
             let time = [phase.position(x), phase.velocity(x), phase.acceleration(x), phase.jerk];
-            let [_, v, a, j] = state_on_path(self.axis.moves, self.axis.n, time).map(Parabola::constant);
+            let [_, v, a, j] = self.axis.state(time).map(Parabola::constant);
             self.is_within(v, a, j)
         })
     }

@@ -4,7 +4,7 @@
 
 use super::change::Change;
 use super::lead;
-use super::sections::{are_whole, state_on_path};
+use super::sections::{Axis, are_whole};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -172,6 +172,6 @@ impl<R: Real> Clock<R> {
     /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s. The move of the axis in the first section begins `moves`, and its
     /// move in the next section is `n` moves later: axis `i` of `n` axes has `&moves[i..]`. All are NaN if there is no move.
     pub fn state(&self, moves: &[Move<R>], n: usize, x: R) -> [R; 4] {
-        state_on_path(moves, n, self.state_of_time(x))
+        Axis::new(moves, n, 0).state(self.state_of_time(x))
     }
 }

@@ -4,7 +4,7 @@ use super::axis::{are_ticked, elapsed};
 use super::change::Change;
 use super::clock::Clock;
 use super::handover::{Handover, Moment, at};
-use super::sections::{are_whole, duration, state_on_path, time_of_rest};
+use super::sections::{Axis, are_whole, duration, time_of_rest};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -186,7 +186,7 @@ impl<'g, 'a, R: Real> GroupTicker<'g, 'a, R> {
 fn write_states<R: Real>(states: &mut [State<R>], clock: &Clock<R>, moves: &[Move<R>], n: usize, x: R) {
     let time = clock.state_of_time(x);
     for (index, state) in states.iter_mut().enumerate() {
-        let [position, velocity, acceleration, _] = state_on_path(moves.get(index..).unwrap_or_default(), n, time);
+        let [position, velocity, acceleration, _] = Axis::new(moves, n, index).state(time);
         *state = State { position, velocity, acceleration };
     }
 }
@@ -330,8 +330,8 @@ impl<R: Real> InForce<'_, '_, R> {
         let near = |x: R, y: R, slope: R| (x - y).abs() <= R::DOUBT * (y.abs() + slope.abs() * (s + self.x));
         let mut states = self.states.iter().enumerate();
         states.all(|(index, now)| {
-            let axis = moves.get(index..).unwrap_or_default();
-            let [p, v, a, j] = state_on_path(axis, self.states.len(), [s, rate, R::ZERO, R::ZERO]);
+            let axis = Axis::new(moves, self.states.len(), index);
+            let [p, v, a, j] = axis.state([s, rate, R::ZERO, R::ZERO]);
             near(now.position, p, v) && near(now.velocity, v, a) && near(now.acceleration, a, j)
         })
     }

@@ -27,15 +27,14 @@ pub(super) fn time_of_rest<R: Real>(moves: &[Move<R>], n: usize) -> R {
 /// The moves of an axis: the first one, and then each `n` moves after the one before.
 #[derive(Clone, Copy)]
 pub(super) struct Axis<'a, R> {
-    pub moves: &'a [Move<R>],
-    pub n: usize,
+    moves: &'a [Move<R>],
+    n: usize,
 }
 
 impl<'a, R: Real> Axis<'a, R> {
     /// Axis `index` of `n` axes.
     pub fn new(moves: &'a [Move<R>], n: usize, index: usize) -> Self {
-        let moves = moves.get(index..).unwrap_or_default();
-        Self { moves, n }
+        Self { moves: moves.get(index..).unwrap_or_default(), n }
     }
 
     /// The moves, each with the time at which it starts and the time at which the next one does. The last move goes on.
@@ -65,18 +64,17 @@ impl<'a, R: Real> Axis<'a, R> {
     pub fn duration(self) -> R {
         self.sections().last().map_or(R::ZERO, |(of, start, _)| start + of.t)
     }
-}
 
-/// The state of an axis of a path, by the time of the path and its derivatives.
-pub(super) fn state_on_path<R: Real>(moves: &[Move<R>], n: usize, time: [R; 4]) -> [R; 4] {
-    let [s, rate, slowing, bending] = time;
-    let Some((of, start)) = (Axis { moves, n }).section(s) else {
-        return [R::NAN; 4];
-    };
-    // The path is at its end, whatever a difference is rounded to.
-    let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
-    let [position, v, a, j] = of.state(passed);
-    let square = rate * rate;
-    let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
-    [position, v * rate, a * square + v * slowing, jerk]
+    /// Position, velocity, acceleration and jerk by the time of the path and its derivatives. All are NaN if there is no move.
+    pub fn state(self, [s, rate, slowing, bending]: [R; 4]) -> [R; 4] {
+        let Some((of, start)) = self.section(s) else {
+            return [R::NAN; 4];
+        };
+        // The path is at its end, whatever a difference is rounded to.
+        let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
+        let [position, v, a, j] = of.state(passed);
+        let square = rate * rate;
+        let jerk = j * square * rate + R::from(3) * a * rate * slowing + v * bending;
+        [position, v * rate, a * square + v * slowing, jerk]
+    }
 }

@@ -233,6 +233,10 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         self.memory.plan.states.row(point * self.axes + axis)
     }
 
+    pub fn rests_at(&self, point: usize) -> bool {
+        (0..self.axes).all(|axis| self.at(point, axis) == [R::ZERO; 2])
+    }
+
     /// The states of an axis at both ends of a section. A start outside the limits is the given one.
     pub fn ends(&self, section: usize, axis: usize) -> (State<R>, State<R>) {
         let (from, to) = self.positions(section, axis);

@@ -10,8 +10,9 @@ use crate::findings::Error;
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// Which part of the limits the first plan uses at most, so that it is off all of them.
-fn most<R: Real>() -> R {
+/// Which part of the limits the first plan uses at most, so that it is off all of them, and which share of the highest speeds a row takes that begins
+/// in motion. With 31/32 one axis of twenty could not end in motion without turning back.
+pub(super) fn most<R: Real>() -> R {
     R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
 }
 
@@ -124,7 +125,7 @@ impl<R: Real> Chain<'_, '_, R> {
         }
         let mut next = (two * self.mean_slope(row.end - 1, axis) - s) / (R::ONE - e);
         for point in (row.start + 1..row.end).rev() {
-            let [s, e] = self.slope_and_bend(point, axis);
+            let [s, e, _] = self.at_point(point, axis);
             let slope = s - e * next;
             let bend = two * (three * self.mean_slope(point, axis) - two * slope - next) / self.arc(point);
             self.set_slope_and_bend(point, axis, [slope, bend]);
@@ -149,15 +150,9 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Slope, bend, and the bend that limits the speed. All are 0 at the ends of a row.
-    fn at_point(&self, point: usize, axis: usize) -> [R; 3] {
+    pub fn at_point(&self, point: usize, axis: usize) -> [R; 3] {
         let before = point.checked_sub(1);
         before.map_or([R::ZERO; 3], |before| self.memory.diagonal.row(before * self.axes + axis))
-    }
-
-    /// The slope of the curve at a point, and its second derivative.
-    pub fn slope_and_bend(&self, point: usize, axis: usize) -> [R; 2] {
-        let [slope, bend, _] = self.at_point(point, axis);
-        [slope, bend]
     }
 
     /// The largest second derivative of the curve in a section that limits the speed, and the third one, without signs. The third one counts as 0

@@ -3,6 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
+use super::curve::most;
 use super::rows::stop_length;
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
@@ -18,11 +19,6 @@ const STEPS: u32 = 8;
 const STEPS_TO_CENTRE: u32 = 2;
 /// Gains of speed that are tried: the first, its half, its quarter, …
 const MOST_GAINS: u32 = 8;
-
-/// Which share of the highest speeds a row takes that begins in motion. With 31/32 one axis of twenty could not end in motion without turning back.
-fn all_but_rounding<R: Real>() -> R {
-    R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
-}
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
@@ -118,7 +114,7 @@ impl<R: Real> Chain<'_, '_, R> {
         };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
-        let mut brakes_to = |last| self.brake(all_but_rounding(), start, last);
+        let mut brakes_to = |last| self.brake(most(), start, last);
         brakes_to(corner) || brakes_to(end) || self.stop_along(start)
     }
 

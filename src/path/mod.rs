@@ -30,7 +30,6 @@ use crate::state::State;
 use chain::{Chain, Planned, Request, total};
 use rows::nearly_all;
 use steps::Steps;
-use warm::Improved;
 
 pub use contour::{Contour, plan_contour};
 pub use deviation::path_deviation;
@@ -107,7 +106,13 @@ pub fn plan_path_near<R: Real>(
     work: &mut [R],
 ) -> Result<Findings, Error> {
     path_size_near(axes, durations.len()).filter(|&size| size <= work.len()).ok_or(Error::Axes)?;
-    check_tolerances(tolerances, axes * (durations.len() - 1))?;
+    if tolerances.len() != axes * (durations.len() - 1) {
+        return Err(Error::Axes);
+    }
+    for tolerance in tolerances {
+        tolerance.is_finite().then_some(()).ok_or(Error::NotFinite)?;
+        (*tolerance >= R::ZERO).then_some(()).ok_or(Error::Limits)?;
+    }
     let found = plan_path(states, durations, limits, axes, steps, work)?;
     let request = Request { tolerances, ..Request::of(states, durations, limits, axes)? };
     let mut chain = Chain::<R, 3>::of(request, work)?;
@@ -118,21 +123,6 @@ pub fn plan_path_near<R: Real>(
         chain.done().map(|planned| planned.write(states, durations)).ok();
     }
     Ok(found)
-}
-
-fn check_tolerances<R: Real>(tolerances: &[R], count: usize) -> Result<(), Error> {
-    if tolerances.len() != count {
-        return Err(Error::Axes);
-    }
-    for tolerance in tolerances {
-        if !tolerance.is_finite() {
-            return Err(Error::NotFinite);
-        }
-        if *tolerance < R::ZERO {
-            return Err(Error::Limits);
-        }
-    }
-    Ok(())
 }
 
 /// Improves a path that [`plan_path`] has planned, or this function. Call it as long as there is time: a path gets no longer, and is possible after
@@ -172,15 +162,13 @@ fn improve_from<R: Real>(
     let (_, limits) = limits.split_at_checked(first * zones).ok_or(Error::Axes)?;
     let request = Request::of(states, durations, limits, axes)?;
     let lasts = durations.first().is_some_and(|&t| t > R::ZERO);
-    let mut changes = false;
-    for axis in 0..axes {
-        changes |= request.state(0, axis) != request.state(1, axis);
-    }
-    let mut chain = Chain::of(Request { is_begun: lasts && changes, ..request }, work)?;
+    let [start, next] = request.ends(0);
+    let mut chain = Chain::of(Request { is_begun: lasts && start != next, ..request }, work)?;
     let steps = Steps::of(steps, chain.sections);
-    match chain.improve(durations, steps, lasts)? {
-        Improved::Held => Ok((chain.findings, first + 1 + chain.place(0))),
-        Improved::Shorter => Ok((chain.done()?.write(states, durations), 0)),
+    if chain.improve(durations, steps, lasts)? {
+        Ok((chain.done()?.write(states, durations), 0))
+    } else {
+        Ok((chain.findings, first + 1 + chain.place(0)))
     }
 }
 

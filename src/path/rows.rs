@@ -76,10 +76,6 @@ impl<R: Real> Chain<'_, '_, R> {
         self.rests_at(0) && self.pass_rows_from(0, R::ONE)
     }
 
-    pub fn rests_at(&self, point: usize) -> bool {
-        (0..self.axes).all(|axis| self.at(point, axis) == [R::ZERO; 2])
-    }
-
     /// Stretches the time of the plan by this factor, also at its ends.
     pub fn scale_time(&mut self, slower: R) {
         for section in 0..self.sections {
@@ -242,7 +238,7 @@ impl<R: Real> Chain<'_, '_, R> {
     fn pass(&mut self, point: usize, along: State<R>) {
         let State { velocity, acceleration, .. } = along;
         for axis in 0..self.axes {
-            let [slope, bend] = self.slope_and_bend(point, axis);
+            let [slope, bend, _] = self.at_point(point, axis);
             let state = [slope * velocity, bend * velocity * velocity + slope * acceleration];
             self.memory.plan.states.set(point * self.axes + axis, state);
         }

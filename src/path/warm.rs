@@ -49,28 +49,20 @@ impl<R: Real> Slowing<R> {
     }
 }
 
-/// What came of a plan that is there.
-pub(super) enum Improved {
-    /// It is as short as the steps make it.
-    Shorter,
-    /// It stays, because its first section is too short to slow down in.
-    Held,
-}
-
 impl<R: Real> Chain<'_, '_, R> {
-    /// Shortens a plan; if it is impossible, plans again from stops. Its first section may be held.
-    pub fn improve(&mut self, given: &[R], steps: Steps, may_be_held: bool) -> Result<Improved, Error> {
+    /// Shortens a plan; if it is impossible, plans again from stops. `false` if its first section is to be held, which is too short to slow down in.
+    pub fn improve(&mut self, given: &[R], steps: Steps, may_be_held: bool) -> Result<bool, Error> {
         let before = self.take_given(given)?;
         match (self.shorten_any(given, steps, before)?, before) {
             (true, _) => {}
-            (false, Some(_)) if may_be_held && self.sections > 1 => return Ok(Improved::Held),
+            (false, Some(_)) if may_be_held && self.sections > 1 => return Ok(false),
             _ => self.plan(steps)?,
         }
         let is_shorter = before.is_none_or(|before| self.duration() < before);
         if !is_shorter {
             self.take_given(given)?;
         }
-        Ok(Improved::Shorter)
+        Ok(true)
     }
 
     /// Shortens the plan that is there, or one that brakes along the points, if that takes half of the time: the steps do not open many new
@@ -178,11 +170,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let is_new = self.has_new(given);
         // For fewer than 3 steps there is no other.
         let may_be = |thousandths, least| least <= steps && (thousandths > 0 || !is_new || steps < 3);
-        let mut moves = false;
-        for axis in 0..self.axes {
-            moves |= self.at(0, axis) != [R::ZERO; 2];
-        }
-        let ease = if moves { R::HALF * R::HALF * total(given) } else { R::ZERO };
+        let ease = if self.rests_at(0) { R::ZERO } else { R::HALF * R::HALF * total(given) };
         let mut slower = SLOWER.into_iter().filter(|&(thousandths, _, least)| may_be(thousandths, least));
         slower.find_map(|(thousandths, octaves, _)| {
             let factor = R::ONE + R::from(thousandths) / (R::from(250) * R::from(4));
