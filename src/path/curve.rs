@@ -12,7 +12,7 @@ use crate::real::Real;
 
 /// Which part of the limits the first plan uses at most, so that it is off all of them, and which share of the highest speeds a row takes that begins
 /// in motion. With 31/32 one axis of twenty could not end in motion without turning back.
-pub(super) fn most<R: Real>() -> R {
+pub(super) fn all_but_rounding<R: Real>() -> R {
     R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH
 }
 
@@ -202,7 +202,8 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// The limits of a motion along some sections: what their bends leave of acceleration and jerk.
     pub fn limits_along(&self, sections: Range<usize>) -> Limits<R> {
-        let vmax = most::<R>() * sections.clone().map(|section| self.speed(section)).fold(R::INFINITY, R::at_most);
+        let vmax =
+            all_but_rounding::<R>() * sections.clone().map(|section| self.speed(section)).fold(R::INFINITY, R::at_most);
         let (square, cube) = (vmax * vmax, vmax * vmax * vmax);
         let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, vmax);
         for section in sections {
@@ -210,7 +211,7 @@ impl<R: Real> Chain<'_, '_, R> {
             for axis in 0..self.axes {
                 if let Ok(limits) = self.limits_by_slope(section, axis) {
                     let [bend, twist] = self.bend_and_twist(section, axis);
-                    let of_a = most::<R>() * share * share / self.mean_slope(section, axis).abs();
+                    let of_a = all_but_rounding::<R>() * share * share / self.mean_slope(section, axis).abs();
                     let of_j = share * of_a;
                     along.amax = along.amax.at_most(of_a * left(limits.amax, bend, square));
                     along.amin = along.amin.at_least(-of_a * left(-limits.amin, bend, square));

@@ -3,7 +3,7 @@
 //! `docs/path-theory.md` has the reasons, in "A start in motion".
 
 use super::chain::Chain;
-use super::curve::most;
+use super::curve::all_but_rounding;
 use super::rows::stop_length;
 use super::steps::{Damping, Steps};
 use crate::findings::{Error, Findings};
@@ -114,7 +114,7 @@ impl<R: Real> Chain<'_, '_, R> {
         };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
-        let mut brakes_to = |last| self.brake(most(), start, last);
+        let mut brakes_to = |last| self.brake(all_but_rounding(), start, last);
         brakes_to(corner) || brakes_to(end) || self.stop_along(start)
     }
 

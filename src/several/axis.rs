@@ -13,6 +13,10 @@ use crate::state::State;
 /// The limits of an axis, and its states at the start and at the end.
 pub(crate) type Axis<'a, R> = (&'a Limits<R>, (&'a State<R>, &'a State<R>));
 
+pub(super) fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
+    Problem::new(limits, from, to)
+}
+
 /// Limits and states of the axes, if each of them can be planned.
 pub(crate) fn checked<'a, R: Real>(
     count: usize, limits: &'a [Limits<R>], from: &'a [State<R>], to: &'a [State<R>],

@@ -27,16 +27,13 @@ pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
 }
 
 impl<R: Real> Blend<R> {
-    /// A motion of this duration, if one is possible: a slow one if there is one.
+    /// A motion of this duration, if one is possible: a slow one that keeps its limits, if there is one.
     pub fn of(problem: &Problem<R>, duration: R) -> Option<Self> {
-        let (h, t) = (problem.displacement().h, problem.after_recovery(duration));
-        Self::slow(problem, duration).or_else(|| Self::over(&problem.border, h, t))
-    }
-
-    /// A slow motion of this duration, if there is one.
-    fn slow(problem: &Problem<R>, duration: R) -> Option<Self> {
-        let (h, t) = (problem.displacement().h, problem.after_recovery(duration));
-        Self::over(&slower(&problem.border, h, t), h, t).filter(Self::keeps_limits)
+        let (border, h, t) = (&problem.border, problem.displacement().h, problem.after_recovery(duration));
+        let slow = Self::over(&slower(border, h, t), h, t);
+        // Without a negative weight the mean keeps the limits that both motions keep.
+        let slow = slow.filter(|mean| mean.share >= R::ZERO && mean.share <= R::ONE);
+        slow.or_else(|| Self::over(border, h, t))
     }
 
     /// The mean over `h` of the motions of the duration `t`. `None` if the end cannot be reached in this duration.
@@ -52,25 +49,18 @@ impl<R: Real> Blend<R> {
         Some(Self { farthest, nearest, share })
     }
 
-    /// Whether no weight is negative. Then the mean keeps the limits that both motions keep.
-    pub fn keeps_limits(&self) -> bool {
-        self.share >= R::ZERO && self.share <= R::ONE
-    }
-
     /// Writes the recovery and the mean.
     pub fn write(&self, problem: &Problem<R>, ctx: &mut Move<R>, duration: R) {
         let t = problem.after_recovery(duration);
         let share = self.share.at_least(R::ZERO).at_most(R::ONE);
         // The motion with the larger weight comes first. So the mean of equal numbers is exact, and a small one has a small rounding error.
-        let (motions, weight) = if share > R::HALF {
-            ([&self.farthest, &self.nearest], R::ONE - share)
+        let (one, other, weight) = if share > R::HALF {
+            (&self.farthest, &self.nearest, R::ONE - share)
         } else {
-            ([&self.nearest, &self.farthest], share)
+            (&self.nearest, &self.farthest, share)
         };
-        let (mut one, mut other) = (Cursor::new(t), Cursor::new(t));
-        for (cursor, profile) in [&mut one, &mut other].into_iter().zip(motions) {
-            cursor.fill(&problem.border.segments(profile));
-        }
+        let mut one = Cursor::over(t, &problem.border.segments(one));
+        let mut other = Cursor::over(t, &problem.border.segments(other));
         let mean = |x: R, y: R| x + weight * (y - x);
         let mut writer = problem.writer(ctx);
         let mut now = Instant::start(t);
@@ -153,22 +143,20 @@ struct Cursor<R> {
 }
 
 impl<R: Real> Cursor<R> {
-    fn new(t: R) -> Self {
-        Self {
+    fn over(t: R, segments: &[Segment<R>; MOST_SEGMENTS]) -> Self {
+        let mut cursor = Self {
             t,
             segments: [Segment::default(); MOST_SEGMENTS],
             ends: [Instant::end(t); MOST_SEGMENTS],
             count: 0,
             current: 0,
             began: Instant::start(t),
-        }
-    }
-
-    fn fill(&mut self, segments: &[Segment<R>; MOST_SEGMENTS]) {
+        };
         for segment in segments {
-            self.add(segment);
+            cursor.add(segment);
         }
-        self.count_from_end();
+        cursor.count_from_end();
+        cursor
     }
 
     /// Adds a segment, if it has a duration.

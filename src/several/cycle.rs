@@ -105,24 +105,21 @@ mod tests {
         assert!(is_asked(0.75) && !is_asked(1.2));
     }
 
-    /// Four ulps.
+    /// A tick is early by the rounding error of a formula, which is four ulps. A part of a period may be too small for a number, and a period too short
+    /// to be counted.
     #[test]
-    fn a_tick_is_early_by_the_rounding_error_of_a_formula() {
-        let cycle = Cycle::new(0.0, 1.0).expect("a cycle");
-        let tick = |ulps: f64| cycle.until_possible(1, 1024.0 * (1.0 + ulps * f64::EPSILON), |t| t);
-        assert_eq!([3.0, 6.0].map(tick), [Ok(1024.0), Ok(1025.0)]);
-    }
-
-    #[test]
-    fn a_tick_is_not_before_a_duration_that_no_part_of_a_period_shows() {
-        let cycle = Cycle::new(0.0, 1e241).expect("a cycle");
-        assert_eq!([0.0, 1e-102].map(|t| cycle.until_possible(1, t, |t| t)), [Ok(0.0), Ok(1e241)]);
-    }
-
-    #[test]
-    fn a_period_that_no_time_can_count_is_none() {
-        let cycle = Cycle::new(0.0, 1e-310).expect("a cycle");
-        assert_eq!(cycle.until_possible(1, 1e10, |t| t), Ok(1e10));
+    fn axes_arrive_on_the_next_tick() {
+        let after_1024 = |ulps: f64| 1024.0 * (1.0 + ulps * f64::EPSILON);
+        for (period, slowest, tick) in [
+            (1.0, after_1024(3.0), 1024.0),
+            (1.0, after_1024(6.0), 1025.0),
+            (1e241, 0.0, 0.0),
+            (1e241, 1e-102, 1e241),
+            (1e-310, 1e10, 1e10),
+        ] {
+            let cycle = Cycle::new(0.0, period).expect("a cycle");
+            assert_eq!(cycle.until_possible(1, slowest, |t| t), Ok(tick), "{period} {slowest}");
+        }
     }
 
     #[test]

@@ -93,7 +93,7 @@ impl<'a, R: Real + 'a> Line<R> {
 
     /// The distance, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
     fn reach(&self) -> R {
-        self.from.position.abs() + self.braking * self.speeds()
+        self.from.position.abs() + self.braking * (self.from.velocity.abs() + self.to.velocity.abs())
     }
 
     /// The reach without the part that rounding of the positions makes uncertain.
@@ -102,10 +102,6 @@ impl<'a, R: Real + 'a> Line<R> {
         // Both positions and their difference are rounded.
         let part = reach / (reach + of_formula(self.positions));
         if part > R::ZERO { reach * part } else { reach }
-    }
-
-    fn speeds(&self) -> R {
-        self.from.velocity.abs() + self.to.velocity.abs()
     }
 
     /// The slope of the five numbers of the axis (its displacement, and velocity and acceleration at both ends) on those of the lead, by least squares.

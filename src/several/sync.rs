@@ -1,11 +1,10 @@
 //! Several axes in the same time.
 
-use super::axis::{Axis, checked, is_ordinary, next_of_plan, stretch, takes};
+use super::axis::{Axis, checked, is_ordinary, next_of_plan, problem, stretch, takes};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
-use crate::online::problem::Problem;
 use crate::real::Real;
 use crate::state::State;
 use core::borrow::Borrow;
@@ -80,8 +79,4 @@ fn rehearse<'a, R: Real + 'a>(
         stretch(&mut planned(ends)?, &|| problem(ends), t)?;
     }
     Ok(())
-}
-
-fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
-    Problem::new(limits, from, to)
 }

@@ -4,13 +4,12 @@
 //! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position. Then it makes its fastest move and
 //! waits, or it stops, waits and goes.
 
-use super::axis::{Axis, checked, lasts, next_duration, stretch};
+use super::axis::{Axis, checked, lasts, next_duration, problem, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
 use crate::online::Move;
-use crate::online::problem::Problem;
 use crate::real::Real;
 use crate::state::State;
 
@@ -57,7 +56,7 @@ pub fn synchronise_within<R: Real>(
     let mut found = Findings::default();
     for (within, axis) in within.zip(axes) {
         within.plan(axis, t)?;
-        found |= within.problem().findings(axis);
+        found |= problem(within.ends).findings(axis);
     }
     Ok(found)
 }
@@ -68,7 +67,7 @@ fn common_duration<'a, R: Real + 'a>(
 ) -> Result<R, Error> {
     let possible = |t: R| {
         cycle.until_possible(axes.clone().count(), t, |t| {
-            let next = axes.clone().map(|axis| next_duration(&axis.problem(), t));
+            let next = axes.clone().map(|axis| next_duration(&problem(axis.ends), t));
             next.fold(t, R::at_least)
         })
     };
@@ -108,11 +107,6 @@ struct Within<'a, R> {
 }
 
 impl<R: Real> Within<'_, R> {
-    fn problem(&self) -> Problem<R> {
-        let (limits, (&from, &to)) = self.ends;
-        Problem::new(limits, from, to)
-    }
-
     /// The duration of the fastest move, s.
     fn shortest(&self) -> Result<R, Error> {
         let (limits, (&from, &to)) = self.ends;
@@ -125,7 +119,7 @@ impl<R: Real> Within<'_, R> {
     fn plan(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
         let (limits, (&from, &to)) = self.ends;
         axis.plan(limits, from, to)?;
-        stretch(axis, &|| self.problem(), t)?;
+        stretch(axis, &|| problem(self.ends), t)?;
         if axis.leaves(self.lowest, self.highest) {
             self.plan_wait(axis, t)?;
         }
