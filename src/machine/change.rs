@@ -115,8 +115,7 @@ impl<'a, R: Real> Change<'a, R> {
     /// A change within limits for the whole path, which may be so slow that it passes an end before it has the rate. There the path stands.
     #[inline(never)] // for its stack
     fn slow(&self, from: State<R>, time: &mut Move<R>) -> Result<Law<R>, Error> {
-        let limits = self.first_slow(from, time)?;
-        self.raise(from, time, limits)?;
+        self.first_slow(from, time)?;
         if self.is_on_path(time) {
             let until = time.t;
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
@@ -129,7 +128,7 @@ impl<'a, R: Real> Change<'a, R> {
         Ok(Law { until, is_reached: false, lead: None })
     }
 
-    fn first_slow(&self, from: State<R>, time: &mut Move<R>) -> Result<[R; 3], Error> {
+    fn first_slow(&self, from: State<R>, time: &mut Move<R>) -> Result<(), Error> {
         let [slowing, bending] = self.least;
         for ratio in RATIOS {
             let mut scale = R::from(16);
@@ -138,7 +137,7 @@ impl<'a, R: Real> Change<'a, R> {
                 let limits = [bending, bending, slowing * scale];
                 self.within(from, limits, time)?;
                 if self.keeps(time) {
-                    return Ok(limits);
+                    return self.raise(from, time, limits);
                 }
                 scale = R::HALF * scale;
             }
@@ -217,7 +216,9 @@ impl<'a, R: Real> Change<'a, R> {
                 }
             }
         }
-        best.map(|limits| self.raise(from, change, limits)).transpose().map(|done| done.is_some())
+        let Some(limits) = best else { return Ok(false) };
+        self.raise(from, change, limits)?;
+        Ok(true)
     }
 
     /// How fast the rate may change at this time of the path.

@@ -101,7 +101,6 @@ struct InForce<'g, 'a, R> {
 struct Next<'g, 'a, R> {
     course: &'g mut Course<'a, R>,
     moves: &'g mut [Move<R>],
-    period: R,
 }
 
 impl<'a, R: Real> Group<'a, R> {
@@ -289,8 +288,9 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         &mut self, limits: &[Limits<R>], lead: u32,
         plan: impl FnOnce(&mut [Move<R>], &[State<R>], R) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
+        let period = self.0.period;
         self.next(limits, lead, |from, next| {
-            let found = plan(next.moves, from.states, next.period)?;
+            let found = plan(next.moves, from.states, period)?;
             next.course.follow_moves(next.moves);
             Ok(found)
         })
@@ -318,7 +318,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         let x = elapsed(period, takeover.from);
         write_states(states, &course.clock, in_force, limits.len(), x);
         let from = InForce { course, moves: in_force, x, states };
-        let mut next = Next { course: next, moves, period };
+        let mut next = Next { course: next, moves };
         let findings = plan(&from, &mut next)?;
         if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
     }

@@ -114,14 +114,14 @@ mod tests {
     use super::Parabola;
     use crate::online::Phase;
 
+    fn at(Parabola { middle, slope, bend, .. }: Parabola<f64>, e: f64) -> f64 {
+        middle + e * (slope + e * bend)
+    }
+
     /// In a part of the time a parabola goes through the same numbers.
     #[test]
     fn a_part_of_a_parabola_is_on_it() {
         let whole = Parabola { middle: 1.0, slope: -3.0, bend: 5.0, rest: 0.25 };
-        let at = |parabola: Parabola<f64>, e| {
-            let Parabola { middle, slope, bend, .. } = parabola;
-            middle + e * (slope + e * bend)
-        };
         let [c, d] = [0.5, 0.25];
         let part = whole.narrowed([c, d]);
         for e in [-1.0, -0.5, 0.0, 0.5, 1.0] {
@@ -139,9 +139,8 @@ mod tests {
             let x = 2.0 + 0.5 * e;
             let states = [phase.position(x), phase.velocity(x), phase.acceleration(x), phase.jerk];
             for (parabola, number) in quantities.into_iter().zip(states) {
-                let Parabola { middle, slope, bend, rest } = parabola;
-                let off = (number - (middle + slope * e + bend * e * e)).abs();
-                assert!(off <= rest + 1e-12, "{e}: {off} {rest}");
+                let off = (number - at(parabola, e)).abs();
+                assert!(off <= parabola.rest + 1e-12, "{e}: {off} {}", parabola.rest);
             }
         }
         let rests = quantities.map(|parabola| parabola.rest);

@@ -87,7 +87,7 @@ impl<R: Real> Shaper<R> {
         }
         let other = Impulses::of(kind, frequency, damping);
         let mut shaper = Self {
-            duration: self.duration + other.period * other.spacing * other.last(),
+            duration: self.duration + other.period * other.spacing * R::from(other.count as u8 - 1),
             // No product wraps, whatever the bytes of the shaper are.
             count: self.count.min(MOST_IMPULSES as u32 + 1) * other.count,
             ..*self
@@ -240,10 +240,6 @@ impl<R: Real> Impulses<R> {
             // e^(-ζ ω t), where t is the spacing.
             decay: ((R::PI + R::PI) * spacing * damping / swing).exp_of_negative(),
         }
-    }
-
-    fn last(&self) -> R {
-        R::from(self.count as u8 - 1)
     }
 
     /// Weights and delays. Each weight falls as the vibration of the impulses before it does, and the sum is 1.

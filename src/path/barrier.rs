@@ -316,9 +316,24 @@ mod tests {
         }
     }
 
+    /// The first and the second derivative along a step of six states and four durations, from gradient and Hessian.
+    fn derivatives<const K: usize>(chain: &mut Chain<f64, K>, step: &[f64]) -> [f64; 2] {
+        let (states, durations) = step.split_at(6 * K);
+        // Two axes: the groups of a waypoint, and then the duration of the section after it.
+        for (row, state) in states.chunks(K).enumerate() {
+            chain.memory.step.set(3 * (1 + row / 2) + row % 2, core::array::from_fn(|k| state[k]));
+        }
+        for (section, duration) in durations.iter().enumerate() {
+            chain.memory.step.set(3 * section + 2, [*duration; K]);
+        }
+        // The equations miss the gradient, and the Hessian times the step.
+        let missed: f64 = errors(&chain.memory, chain, 0.0).zip(step).map(|(error, step)| error * step).sum();
+        [chain.slope(), missed - chain.slope()]
+    }
+
     /// A path of two axes that differ, with two waypoints close to each other, in which the plan is inside. With three unknowns one position
     /// alone is exact.
-    fn with_path<const K: usize>(judge: impl FnOnce(&mut Chain<f64, K>)) {
+    fn tables_are_derivatives<const K: usize>() {
         let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
         let limits = [symmetric, Limits { vmin: -4.0, amin: -6.0, jmin: -25.0, ..symmetric }];
         let positions = [0.0, 0.0, 3.0, -1.0, 3.05, -1.02, 6.0, 2.0, 5.0, 4.0];
@@ -327,85 +342,37 @@ mod tests {
         let mut durations = [0.0; 4];
         let mut work = [0.0; 2_000];
         plan_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
-        let tolerances = [0.02, 0.1, 0.02, 0.1, 0.0, 0.1];
-        let request = Request {
-            axes: 2,
-            sections: 4,
-            states: &states,
-            limits: &limits,
-            parts: &[],
-            tolerances: &tolerances,
-            is_begun: false,
-        };
-        let mut chain = Chain::of(request, &mut work).expect("room");
+        let request = Request::of(&states, &durations, &limits, 2).expect("a request");
+        let request = Request { tolerances: &[0.02, 0.1, 0.02, 0.1, 0.0, 0.1], ..request };
+        let chain = &mut Chain::<f64, K>::of(request, &mut work).expect("room");
         chain.slow_down(&durations, 48).expect("a plan inside");
         chain.shorten(Steps::of(2, 4), 0);
-        judge(&mut chain);
-    }
-
-    /// Six states and four durations.
-    #[derive(Clone, Copy)]
-    struct Step<const K: usize> {
-        states: [[f64; K]; 6],
-        durations: [f64; 4],
-    }
-
-    impl<const K: usize> Step<K> {
-        fn numbers_mut(&mut self) -> impl Iterator<Item = &mut f64> {
-            self.states.as_flattened_mut().iter_mut().chain(&mut self.durations)
-        }
-    }
-
-    /// The first and the second derivative along a step, from gradient and Hessian.
-    fn derivatives<const K: usize>(chain: &mut Chain<f64, K>, mut step: Step<K>) -> [f64; 2] {
-        // Two axes: the groups of a waypoint, and then the duration of the section after it.
-        for (section, duration) in step.durations.iter().enumerate() {
-            chain.memory.step.set(3 * section + 2, [(); K].map(|()| *duration));
-            if let Some(point) = section.checked_sub(1) {
-                chain.memory.step.set(3 * section, step.states[2 * point]);
-                chain.memory.step.set(3 * section + 1, step.states[2 * point + 1]);
+        let is_narrow = |point| [0, 1].map(|axis| chain.is_narrow(point, axis));
+        let narrow = [[true, false], [true, false], [false; 2]];
+        assert_eq!([1, 2, 3].map(is_narrow), narrow);
+        let (mu, little) = (0.05, 1e-5);
+        let unknowns = 6 * K + 4;
+        for (one, other) in (0..unknowns).flat_map(|one| (0..=one).map(move |other| (one, other))) {
+            let mut step = [0.0; 22];
+            for unknown in [one, other] {
+                step[unknown] += if unknown < 6 * K { 1.0 } else { 0.1 };
+            }
+            chain.assemble().expect("a plan inside");
+            chain.add_durations(mu);
+            let found = derivatives(chain, &step[..unknowns]);
+            let mut change = |part| {
+                let change = chain.try_step(part, mu).expect("a plan inside");
+                chain.swap_plans();
+                change
+            };
+            let (ahead, back) = (change(little), change(-little));
+            let slope = (ahead - back) / (2.0 * little);
+            let curvature = (ahead + back) / (little * little);
+            for (number, expected) in found.into_iter().zip([slope, curvature]) {
+                let off = (number - expected).abs() / (1.0 + expected.abs());
+                assert!(off < 1e-4, "{one} {other}: {number} {expected}");
             }
         }
-        let memory = &chain.memory;
-        let durations = memory.gradient_t.numbers().iter().copied();
-        let gradient = memory.gradient.rows(6).flatten().chain(durations);
-        let product = |(number, step): (f64, &mut f64)| number * *step;
-        let slope: f64 = gradient.zip(step.numbers_mut()).map(product).sum();
-        // The equations miss the gradient, and the Hessian times the step.
-        let missed = errors(memory, chain, 0.0).zip(step.numbers_mut());
-        [slope, missed.map(product).sum::<f64>() - slope]
-    }
-
-    fn tables_are_derivatives<const K: usize>() {
-        with_path::<K>(|chain| {
-            let is_narrow = |point| [0, 1].map(|axis| chain.is_narrow(point, axis));
-            let narrow = [[true, false], [true, false], [false; 2]];
-            assert_eq!([1, 2, 3].map(is_narrow), narrow);
-            let (mu, little) = (0.05, 1e-5);
-            let unknowns = 6 * K + 4;
-            for (one, other) in (0..unknowns).flat_map(|one| (0..=one).map(move |other| (one, other))) {
-                let mut step = Step { states: [[0.0; K]; 6], durations: [0.0; 4] };
-                for unknown in [one, other] {
-                    let more = if unknown < 6 * K { 1.0 } else { 0.1 };
-                    *step.numbers_mut().nth(unknown).expect("an unknown") += more;
-                }
-                chain.assemble().expect("a plan inside");
-                chain.add_durations(mu);
-                let found = derivatives(chain, step);
-                let mut change = |part| {
-                    let change = chain.try_step(part, mu).expect("a plan inside");
-                    chain.swap_plans();
-                    change
-                };
-                let (ahead, back) = (change(little), change(-little));
-                let slope = (ahead - back) / (2.0 * little);
-                let curvature = (ahead + back) / (little * little);
-                for (number, expected) in found.into_iter().zip([slope, curvature]) {
-                    let off = (number - expected).abs() / (1.0 + expected.abs());
-                    assert!(off < 1e-4, "{one} {other}: {number} {expected}");
-                }
-            }
-        });
     }
 
     /// Gradient and Hessian are those of what a step changes, by differences, also where a waypoint is moved along a curve.

@@ -299,8 +299,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// The sum of all durations, s.
     pub fn duration(&self) -> R {
-        let durations = self.memory.plan.durations.rows(self.sections);
-        durations.fold(R::ZERO, |sum, [t]| sum + t)
+        total(self.memory.plan.durations.numbers())
     }
 }
 

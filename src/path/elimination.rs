@@ -456,8 +456,8 @@ pub(super) mod tests {
                 let given = chain::<K>(axes, sections, &mut copy[..room], 20.0).memory;
                 let mut chain = chain::<K>(axes, sections, &mut work[..room], 20.0);
                 assert_eq!(chain.solve(lambda, lambda), Some(()));
-                let rows = given.gradient.rows(axes * (sections - 1)).enumerate();
-                let of_states = rows.map(|(row, g)| dot(g, chain.direction(1 + row / axes, row % axes)));
+                let rows = 0..axes * (sections - 1);
+                let of_states = rows.map(|k| dot(given.gradient.row(k), chain.direction(1 + k / axes, k % axes)));
                 let of_durations = (0..sections).map(|section| given.gradient_t.at(section) * chain.change(section));
                 let slope: f64 = of_states.chain(of_durations).sum();
                 assert!((chain.slope() - slope).abs() < 1e-12, "{axes} {sections}: {slope}");

@@ -50,12 +50,6 @@ impl<R: Real, const W: usize> Table<'_, R, W> {
             self.set(row, other.row(row));
         }
     }
-
-    /// The first `count` rows.
-    pub fn rows(&self, count: usize) -> impl DoubleEndedIterator<Item = [R; W]> + ExactSizeIterator {
-        let rows = self.0.chunks_exact(W).take(count);
-        rows.map(|row| row.first_chunk().copied().unwrap_or([R::ZERO; W]))
-    }
 }
 
 pub(super) type Column<'a, R> = Table<'a, R, 1>;
