@@ -41,28 +41,15 @@ fn take_logarithms<R: Real>(
     [x, z]
 }
 
-/// The derivatives of the sum of both logarithms times `-weight` by the displacement `h`. The gradients of the logarithms are given.
-struct ByDisplacement<R> {
-    first: R,
-    /// By `h` and `v0`, `a0`, `v1`, `a1`, `t`.
-    mixed: [R; 5],
-    second: R,
-}
-
-impl<R: Real> ByDisplacement<R> {
-    /// The slack above falls by what the displacement grows, and the one below grows.
-    fn of([above, below]: [R; 2], [x, z]: [[R; 5]; 2], weight: R) -> Self {
-        let (per_above, per_below) = (R::ONE / above, R::ONE / below);
-        let mut mixed = x;
-        for (x, z) in mixed.iter_mut().zip(z) {
-            *x = weight * (per_below * z - per_above * *x);
-        }
-        Self {
-            first: weight * (per_above - per_below),
-            mixed,
-            second: weight * (per_above * per_above + per_below * per_below),
-        }
+/// The derivatives of the sum of both logarithms times `-weight` by the displacement `h`: the first one, those by `h` and `v0`, `a0`, `v1`, `a1`, `t`,
+/// and the second one. The gradients of the logarithms are given. The slack above falls by what the displacement grows, and the one below grows.
+fn by_displacement<R: Real>([above, below]: [R; 2], [x, z]: [[R; 5]; 2], weight: R) -> (R, [R; 5], R) {
+    let (per_above, per_below) = (R::ONE / above, R::ONE / below);
+    let mut mixed = x;
+    for (x, z) in mixed.iter_mut().zip(z) {
+        *x = weight * (per_below * z - per_above * *x);
     }
+    (weight * (per_above - per_below), mixed, weight * (per_above * per_above + per_below * per_below))
 }
 
 /// The duration `t` changed by `change` on a curve that is `t exp(change/t)` up to the second order and never reaches 0. `None` if it would change
@@ -173,8 +160,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let mut terms = upper.derivatives(&above);
         let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&below), weight);
         self.damp((section, axis), logarithms, weight);
-        let ByDisplacement { first: g_h, mixed: [hv0, ha0, hv1, ha1, ht], second: hh } =
-            ByDisplacement::of(slacks, logarithms, weight);
+        let (g_h, [hv0, ha0, hv1, ha1, ht], hh) = by_displacement(slacks, logarithms, weight);
         let Derivatives { first, second } = &terms;
         let [g_v0, g_a0, g_v1, g_a1, g_t] = *first;
         let [v0v0, a0v0, a0a0, v1v0, v1a0, v1v1, a1v0, a1a0, a1v1, a1a1, tv0, ta0, tv1, ta1, tt] = *second;
@@ -196,7 +182,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                 memory.of_offsets.add(start, [x * hv0, x * ha0, x * x * hh]);
             }
             let coupling = [[v1v0, a1v0, y * hv0], [v1a0, a1a0, y * ha0], [x * hv1, x * ha1, x * y * hh]];
-            memory.coupling.set(start, tile(coupling));
+            memory.coupling.set_tile(start, tile(coupling));
         }
         memory.gradient.add(piece, group([g_v1, g_a1, y * g_h]));
         memory.diagonal.add(piece, [v1v1, a1v1, a1a1]);

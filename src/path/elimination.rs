@@ -372,7 +372,7 @@ pub(super) mod tests {
         for row in 0..axes * (sections - 1) {
             memory.diagonal.set(row, [4.0 + number(), number(), 4.0 + number()]);
             memory.of_offsets.set(row, [number(), number(), 4.0 + number()]);
-            memory.coupling.set(row, [(); K].map(|()| [(); K].map(|()| number())));
+            memory.coupling.set_tile(row, [(); K].map(|()| [(); K].map(|()| number())));
             memory.gradient.set(row, [(); K].map(|()| number()));
         }
         for row in 0..2 * axes * sections {

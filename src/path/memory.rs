@@ -103,22 +103,20 @@ pub(super) fn tile<R: Real, const K: usize>(rows: [[R; 3]; 3]) -> Tile<R, K> {
     tile
 }
 
-pub(super) struct Tiles<'a, R, const K: usize>(Table<'a, R, K>);
-
-impl<R: Real, const K: usize> Tiles<'_, R, K> {
+impl<R: Real, const K: usize> Table<'_, R, K> {
     pub fn tile(&self, k: usize) -> Tile<R, K> {
         let mut tile = [[R::ZERO; K]; K];
-        each!(row: tile[row] = self.0.row(K * k + row));
+        each!(row: tile[row] = self.row(K * k + row));
         tile
     }
 
-    pub fn set(&mut self, k: usize, tile: Tile<R, K>) {
-        each!(row: self.0.set(K * k + row, tile[row]));
+    pub fn set_tile(&mut self, k: usize, tile: Tile<R, K>) {
+        each!(row: self.set(K * k + row, tile[row]));
     }
 }
 
 /// The tiles of a matrix up to its diagonal, row by row.
-pub(super) struct Triangle<'a, R, const K: usize>(Tiles<'a, R, K>);
+pub(super) struct Triangle<'a, R, const K: usize>(Table<'a, R, K>);
 
 /// How many tiles stand before row `k`.
 fn before(k: usize) -> usize {
@@ -131,7 +129,7 @@ impl<R: Real, const K: usize> Triangle<'_, R, K> {
     }
 
     pub fn set(&mut self, row: usize, column: usize, tile: Tile<R, K>) {
-        self.0.set(before(row) + column, tile);
+        self.0.set_tile(before(row) + column, tile);
     }
 }
 
@@ -144,7 +142,7 @@ pub(super) struct Triangles<'a, R, const K: usize> {
 impl<R: Real, const K: usize> Triangles<'_, R, K> {
     pub fn at(&mut self, section: usize) -> Triangle<'_, R, K> {
         let numbers = self.numbers.get_mut(section * self.size..(section + 1) * self.size);
-        Triangle(Tiles(Table(numbers.unwrap_or_default())))
+        Triangle(Table(numbers.unwrap_or_default()))
     }
 
     /// The triangle of a section and that of the next one.
@@ -152,7 +150,7 @@ impl<R: Real, const K: usize> Triangles<'_, R, K> {
         let (before, after) = self.numbers.split_at_mut_checked((section + 1) * self.size).unwrap_or_default();
         let [one, next] =
             [before.get_mut(section * self.size..), after.get_mut(..self.size)].map(Option::unwrap_or_default);
-        (Triangle(Tiles(Table(one))), Triangle(Tiles(Table(next))))
+        (Triangle(Table(one)), Triangle(Table(next)))
     }
 }
 
@@ -189,7 +187,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     /// The rest of `D`, with the offset `x`: `vx`, `ax`, `xx`.
     pub of_offsets: Table<'a, R, 3>,
     /// `E`: the blocks between a waypoint and the next one.
-    pub coupling: Tiles<'a, R, K>,
+    pub coupling: Table<'a, R, K>,
     /// `B`: the blocks between a section's ends and its duration: a row for the start, and one for the end.
     pub to_duration: Table<'a, R, K>,
     /// The gradient by the unknowns of the waypoints.
@@ -232,12 +230,6 @@ pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize
     })
 }
 
-fn take<'a, R>(rest: &mut &'a mut [R], count: usize) -> Option<&'a mut [R]> {
-    let (taken, left) = core::mem::take(rest).split_at_mut_checked(count)?;
-    *rest = left;
-    Some(taken)
-}
-
 impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
     /// The position of the state in row `row`, which is given at `position`. Rounding does not take it out of the tolerance.
     pub fn moved(&self, position: R, row: usize, axes: usize) -> R {
@@ -256,7 +248,11 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
         let (pieces, groups) = (axes * sections, axes + 1);
         let positions = (K - 2) * waypoints;
         let (tile, triangle) = (K * K, K * K * before(groups));
-        let mut table = |numbers| take(&mut work, numbers);
+        let mut table = |numbers| {
+            let (taken, left) = core::mem::take(&mut work).split_at_mut_checked(numbers)?;
+            work = left;
+            Some(taken)
+        };
         let mut plan = || {
             Some(Plan {
                 states: Table(table(2 * points)?),
@@ -275,7 +271,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             bounds: Table(table(6 * waypoints)?),
             diagonal: Table(table(3 * waypoints)?),
             of_offsets: Table(table(3 * positions)?),
-            coupling: Tiles(Table(table(tile * waypoints)?)),
+            coupling: Table(table(tile * waypoints)?),
             to_duration: Table(table(2 * K * pieces)?),
             gradient: Table(table(K * waypoints)?),
             places: Table(table(sections)?),
@@ -285,7 +281,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             mixed: Table(table(sections)?),
             damping: Table(table(sections)?),
             factors: Triangles { numbers: table(triangle * sections)?, size: triangle },
-            front: Triangle(Tiles(Table(table(triangle)?))),
+            front: Triangle(Table(table(triangle)?)),
             product: Table(table(K * groups)?),
         })
     }

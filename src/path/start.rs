@@ -11,18 +11,17 @@ use crate::several::cycle::Cycle;
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// The shortest duration of a section that is not below `least`, as the states stand, s.
     pub fn shortest(&self, section: usize, least: R) -> Result<R, Error> {
+        let problem = |axis| {
+            let (from, to) = self.ends(section, axis);
+            self.limits(section, axis).map(|limits| Problem::new(limits, from, to))
+        };
         let mut slowest = least;
         for axis in 0..self.axes {
-            let (from, to) = self.ends(section, axis);
-            let problem = Problem::new(self.limits(section, axis)?, from, to);
+            let problem = problem(axis)?;
             slowest = slowest.at_least(problem.duration(&problem.fastest()));
         }
         let next_duration = |t| {
-            let next = |axis| {
-                let (from, to) = self.ends(section, axis);
-                let limits = self.limits(section, axis);
-                limits.map_or(t, |limits| next_duration(&Problem::new(limits, from, to), t))
-            };
+            let next = |axis| problem(axis).map_or(t, |problem| next_duration(&problem, t));
             (0..self.axes).map(next).fold(t, R::at_least)
         };
         let any_time = Cycle::new(R::ZERO, R::ZERO)?;

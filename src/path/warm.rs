@@ -13,14 +13,6 @@ use crate::real::Real;
 /// many steps it takes at least to win back what is lost.
 const SLOWER: [(u8, u8, u32); 6] = [(200, 2, 10), (100, 3, 10), (50, 4, 6), (20, 5, 6), (5, 5, 3), (0, 5, 1)];
 
-/// How a plan slows down: at once, or while it eases from its own speed.
-struct Slowing<R> {
-    /// `s` in the end.
-    factor: R,
-    /// How long it eases, s.
-    ease: R,
-}
-
 /// What is left of the speed of a plan at one of its times.
 struct Slow<R> {
     /// `s`
@@ -31,17 +23,17 @@ struct Slow<R> {
     later: R,
 }
 
-impl<R: Real> Slowing<R> {
-    /// `s = 1 + (S - 1) x² (3 - 2x)` with `x = t/ease`.
-    fn at(&self, t: R) -> Slow<R> {
-        let Self { factor, ease } = *self;
+impl<R: Real> Slow<R> {
+    /// At the time `t` of a plan that eases from its own speed for the time `ease`, s: `s = 1 + (S - 1) x² (3 - 2x)` with `x = t/ease`. Then it stays slower
+    /// by `factor`, `S`.
+    fn at(t: R, factor: R, ease: R) -> Self {
         let more = factor - R::ONE;
         if t >= ease {
-            return Slow { factor, rate: R::ZERO, later: more * (t - R::HALF * ease) };
+            return Self { factor, rate: R::ZERO, later: more * (t - R::HALF * ease) };
         }
         let x = t / ease;
         let rest = R::ONE - x;
-        Slow {
+        Self {
             factor: R::ONE + more * x * x * (R::ONE + (rest + rest)),
             rate: R::from(6) * more * x * rest / ease,
             later: more * ease * x * x * x * (R::ONE - R::HALF * x),
@@ -174,17 +166,17 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let mut slower = SLOWER.into_iter().filter(|&(thousandths, _, least)| may_be(thousandths, least));
         slower.find_map(|(thousandths, octaves, _)| {
             let factor = R::ONE + R::from(thousandths) / (R::from(250) * R::from(4));
-            self.take_slower(&Slowing { factor, ease }, given).map(|()| if is_new { 0 } else { octaves })
+            self.take_slower(factor, ease, given).map(|()| if is_new { 0 } else { octaves })
         })
     }
 
-    /// Takes over the plan that is there, slowed down.
-    fn take_slower(&mut self, slowing: &Slowing<R>, given: &[R]) -> Option<()> {
+    /// Takes over the plan that is there, slowed down by `factor`.
+    fn take_slower(&mut self, factor: R, ease: R, given: &[R]) -> Option<()> {
         let (mut time, mut later) = (R::ZERO, R::ZERO);
         for section in 0..self.sections {
             let duration = self.given(section, given).ok()?;
             time = time + duration;
-            let slow = slowing.at(time);
+            let slow = Slow::at(time, factor, ease);
             if section + 1 < self.sections {
                 self.take_state(section + 1, &slow).ok()?;
             }
