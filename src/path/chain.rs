@@ -125,7 +125,6 @@ impl<'a, R: Real> Request<'a, R> {
 pub(super) struct Chain<'a, 'w, R, const K: usize = 2> {
     pub request: Request<'a, R>,
     pub axes: usize,
-    /// How many sections last.
     pub sections: usize,
     pub memory: Memory<'w, R, K>,
     /// Whether an axis starts outside its limits, or will unavoidably exceed them at the end.
@@ -169,8 +168,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         let target = State::at(self.positions(0, axis).1);
         let start = self.request.state(0, axis);
         let inside = Problem::new(self.limits(0, axis)?, start, target);
-        let (v0, a0) = (inside.border.v0, inside.border.a0);
-        self.memory.plan.states.set(axis, [v0, a0]);
+        self.memory.plan.states.set(axis, [inside.border.v0, inside.border.a0]);
         self.memory.inside.put(axis, inside.with_inside(R::ZERO));
         self.memory.displacements.put(axis, inside.displacement().h);
         self.findings |= inside.outside();
@@ -291,13 +289,11 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         points.all(|point| self.is_point_inside(point))
     }
 
-    /// Whether the state of a waypoint is strictly inside its limits.
     pub fn is_point_inside(&self, point: usize) -> bool {
         let mut axes = 0..self.axes;
         point == self.sections || axes.all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some())
     }
 
-    /// The sum of all durations, s.
     pub fn duration(&self) -> R {
         total(self.memory.plan.durations.numbers())
     }

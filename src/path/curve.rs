@@ -69,7 +69,6 @@ impl<R: Real> Chain<'_, '_, R> {
         self.norm(|axis| self.displacement(section, axis))
     }
 
-    /// Lays the curve through the points of a row.
     pub fn lay_curve(&mut self, row: Range<usize>) {
         for section in row.clone() {
             let chord = self.chord(section);

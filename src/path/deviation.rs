@@ -22,15 +22,12 @@ const MOST_HALVES: u32 = 32;
 /// sections, or if a number of theirs is not finite or has no square within the range of the real type.
 pub fn path_deviation<R: Real>(moves: &[Move<R>], axes: usize) -> R {
     let mut reached = Deviation { seen: R::ZERO, most: R::ZERO };
-    let (mut rest, mut sections) = (moves, 0);
-    while axes > 0 && !rest.is_empty() {
-        let followed = rest.split_at_checked(axes).and_then(|(section, later)| {
-            (rest, sections) = (later, sections + 1);
-            reached.follow(&Section::new(section))
-        });
-        if followed.is_none() {
+    let mut sections = 0;
+    for section in moves.chunks(axes.max(1)) {
+        if section.len() != axes || reached.follow(&Section::new(section)).is_none() {
             return R::NAN;
         }
+        sections += 1;
     }
     if memory::size::<2>(axes, sections).is_some() { reached.most } else { R::NAN }
 }

@@ -350,8 +350,8 @@ fn solve_by_rows<R: Real, const K: usize>(
 #[cfg(test)]
 pub(super) mod tests {
     use super::super::chain::{Chain, Request};
-    use super::super::memory::{Memory, Tile, size};
-    use super::{alone, dot, less, row_alone, transposed};
+    use super::super::memory::{Memory, size};
+    use super::dot;
     use crate::findings::Findings;
 
     /// Numbers between -1 and 1 that look random: the parts of the multiples of the golden ratio.
@@ -389,63 +389,49 @@ pub(super) mod tests {
         Chain { request, axes, sections, memory, findings: Findings::default(), last_assembled: 0 }
     }
 
-    /// The step of a state; none at the start and at the end.
-    fn direction<const K: usize>(solved: &Chain<f64, K>, point: usize, axis: usize) -> [f64; K] {
-        if point > 0 && point < solved.sections { solved.direction(point, axis) } else { [0.0; K] }
-    }
-
-    /// What the equations of a state miss. The elimination overwrites the equations, so `given` is a copy of them.
-    fn errors_of_state<const K: usize>(
-        given: &Memory<f64, K>, solved: &Chain<f64, K>, [point, axis]: [usize; 2], lambda: f64,
-    ) -> [f64; K] {
-        let row = (point - 1) * solved.axes + axis;
-        let mut sums = given.gradient.row(row);
-        let mut subtract = |tile: Tile<f64, K>, x: [f64; K]| sums = less(sums, tile, x.map(|x| -x));
-        let mut own = given.diagonal(row);
-        for (k, row) in own.iter_mut().enumerate() {
-            row[k] *= 1.0 + lambda;
-        }
-        subtract(own, direction(solved, point, axis));
-        if let Some(before) = row.checked_sub(solved.axes) {
-            subtract(transposed(given.coupling.tile(before)), direction(solved, point - 1, axis));
-        }
-        subtract(given.coupling.tile(row), direction(solved, point + 1, axis));
-        for (section, row) in [(point - 1, 2 * row + 1), (point, 2 * (row + solved.axes))] {
-            subtract(transposed(row_alone(given.to_duration.row(row))), alone(solved.change(section)));
-        }
-        sums
-    }
-
-    /// What the equation of a duration misses.
-    fn error_of_duration<const K: usize>(
-        given: &Memory<f64, K>, solved: &Chain<f64, K>, section: usize, lambda: f64,
-    ) -> f64 {
-        let change = |section: usize| solved.change(section);
-        let diagonal = given.of_durations.at(section) + lambda * given.damping.at(section);
-        let mut sum = given.gradient_t.at(section) + diagonal * change(section);
-        if section > 0 {
-            sum += given.mixed.at(section - 1) * change(section - 1);
-        }
-        if section + 1 < solved.sections {
-            sum += given.mixed.at(section) * change(section + 1);
-        }
-        for axis in 0..solved.axes {
-            for end in [0, 1] {
-                let row = given.to_duration.row(2 * (section * solved.axes + axis) + end);
-                sum += dot(row, direction(solved, section + end, axis));
-            }
-        }
-        sum
-    }
-
-    /// What all equations miss: those of the states, then those of the durations.
+    /// What all equations miss: those of the states, then those of the durations. The elimination overwrites the equations, so `given` is a copy.
     pub fn errors<const K: usize>(
         given: &Memory<f64, K>, solved: &Chain<f64, K>, lambda: f64,
     ) -> impl Iterator<Item = f64> {
-        let places = (1..solved.sections).flat_map(|point| (0..solved.axes).map(move |axis| [point, axis]));
-        let of_states = places.flat_map(move |place| errors_of_state(given, solved, place, lambda));
-        let of_durations = (0..solved.sections).map(move |section| error_of_duration(given, solved, section, lambda));
-        of_states.chain(of_durations)
+        let (axes, sections) = (solved.axes, solved.sections);
+        let (rows, states) = (axes * (sections - 1), K * axes * (sections - 1));
+        let (mut step, mut sums) = ([0.0; 50], [0.0; 50]);
+        for row in 0..rows {
+            step[K * row..][..K].copy_from_slice(&solved.direction(1 + row / axes, row % axes));
+            sums[K * row..][..K].copy_from_slice(&given.gradient.row(row));
+        }
+        for section in 0..sections {
+            step[states + section] = solved.change(section);
+            sums[states + section] = given.gradient_t.at(section);
+        }
+        // The matrix is symmetric.
+        let mut add = |one: usize, other: usize, number: f64| {
+            sums[one] += number * step[other];
+            if other != one {
+                sums[other] += number * step[one];
+            }
+        };
+        for row in 0..rows {
+            let (own, coupling, section) = (given.diagonal(row), given.coupling.tile(row), states + row / axes);
+            for k in 0..K {
+                let one = K * row + k;
+                add(one, one, lambda * own[k][k]);
+                (0..=k).for_each(|column| add(one, K * row + column, own[k][column]));
+                if row + axes < rows {
+                    (0..K).for_each(|column| add(one, K * (row + axes) + column, coupling[k][column]));
+                }
+                add(one, section, given.to_duration.row(2 * row + 1)[k]);
+                add(one, section + 1, given.to_duration.row(2 * (row + axes))[k]);
+            }
+        }
+        for section in 0..sections {
+            let own = given.of_durations.at(section) + lambda * given.damping.at(section);
+            add(states + section, states + section, own);
+            if section + 1 < sections {
+                add(states + section, states + section + 1, given.mixed.at(section));
+            }
+        }
+        sums.into_iter().take(states + sections)
     }
 
     fn the_step_solves<const K: usize>() {

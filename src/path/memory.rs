@@ -180,7 +180,6 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub displacements: Column<'a, R>,
     /// How long the recovery of each axis lasts in the first section, s.
     pub inside: Column<'a, R>,
-    /// The limits of the waypoints.
     pub bounds: Table<'a, R, 6>,
     /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps slopes and bends of a curve (`curve.rs`).
     pub diagonal: Table<'a, R, 3>,
@@ -190,7 +189,6 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub coupling: Table<'a, R, K>,
     /// `B`: the blocks between a section's ends and its duration: a row for the start, and one for the end.
     pub to_duration: Table<'a, R, K>,
-    /// The gradient by the unknowns of the waypoints.
     pub gradient: Table<'a, R, K>,
     /// Which section of the caller each one is.
     pub places: Column<'a, R>,

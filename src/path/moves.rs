@@ -41,10 +41,7 @@ pub(super) fn write_moves<R: Real>(
     }
     let tolerance = R::EPSILON.sqrt() * total(durations);
     let mut found = Findings::default();
-    let mut rest = moves;
-    for (section, &duration) in durations.iter().enumerate() {
-        let (moves, later) = rest.split_at_mut_checked(axes).ok_or(Error::Axes)?;
-        rest = later;
+    for ((section, &duration), moves) in durations.iter().enumerate().zip(moves.chunks_mut(axes.max(1))) {
         let [from, to] = request.ends(section);
         found |= synchronise(moves, request.zone(section), from, to, duration, R::ZERO)?;
         let lasts = moves.first().map_or(R::ZERO, |first| first.t);
