@@ -373,10 +373,9 @@ fn copy<R: Real>(to: &mut [Move<R>], from: &[Move<R>]) {
 fn is_path<R: Real>(moves: &[Move<R>], n: usize) -> bool {
     let next = moves.get(n..).unwrap_or_default();
     let joins = moves.iter().zip(next).all(|(before, of)| before.end() == of.start());
-    joins
-        && moves
-            .chunks(n.max(1))
-            .all(|section| section.iter().all(|of| section.first().is_some_and(|first| of.t == first.t)))
+    let lasts_as_one =
+        |section: &[Move<R>]| section.iter().all(|of| section.first().is_some_and(|first| of.t == first.t));
+    joins && moves.chunks(n.max(1)).all(lasts_as_one)
 }
 
 impl<R: Real> Course<'_, R> {

@@ -87,7 +87,7 @@ impl<R: Real> Shaper<R> {
         }
         let other = Impulses::of(kind, frequency, damping);
         let mut shaper = Self {
-            duration: self.duration + other.period * other.spacing * R::from(other.count as u8 - 1),
+            duration: self.duration + other.step * R::from(other.count as u8 - 1),
             // No product wraps, whatever the bytes of the shaper are.
             count: self.count.min(MOST_IMPULSES as u32 + 1) * other.count,
             ..*self
@@ -200,10 +200,8 @@ struct Impulses<R> {
     /// Their weights without damping. They are the same in both orders.
     outer: R,
     inner: R,
-    /// The damped period, s.
-    period: R,
-    /// From one impulse to the next, in damped periods.
-    spacing: R,
+    /// From one impulse to the next, s.
+    step: R,
     /// By how much the vibration falls from one impulse to the next.
     decay: R,
 }
@@ -235,8 +233,8 @@ impl<R: Real> Impulses<R> {
             count,
             outer,
             inner,
-            period: R::ONE / (frequency * swing),
-            spacing,
+            // `spacing` damped periods.
+            step: R::ONE / (frequency * swing) * spacing,
             // e^(-ζ ω t), where t is the spacing.
             decay: ((R::PI + R::PI) * spacing * damping / swing).exp_of_negative(),
         }
@@ -250,7 +248,6 @@ impl<R: Real> Impulses<R> {
             (0..k).fold(undamped, |weight, _| weight * self.decay)
         };
         let sum = (0..self.count).fold(R::ZERO, |sum, k| sum + weight(k));
-        let step = self.period * self.spacing;
-        (0..self.count).map(move |k| (weight(k) / sum, step * R::from(k as u8)))
+        (0..self.count).map(move |k| (weight(k) / sum, self.step * R::from(k as u8)))
     }
 }

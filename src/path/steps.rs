@@ -49,9 +49,7 @@ pub(super) struct Damping<R> {
 impl<R: Real> Damping<R> {
     /// 2⁻⁴⁸
     fn least() -> R {
-        let square = R::SIXTEENTH * R::SIXTEENTH;
-        let sixth = square * square * square;
-        sixth * sixth
+        (0..12).fold(R::ONE, |least, _| R::SIXTEENTH * least)
     }
 
     /// 2¹⁰

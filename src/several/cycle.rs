@@ -95,14 +95,14 @@ mod tests {
 
     const ANY_TIME: Cycle<f64> = Cycle { period: 0.0, earliest: 0.0 };
 
-    /// 64 ulps have the root `2⁻²³`.
+    /// An axis is earlier by the rounding error of its duration: 64 ulps have the root `2⁻²³`. A gap of the root of an ulp is none.
     #[test]
-    fn a_duration_is_earlier_by_a_rounding_error() {
-        let is_asked = |ulps: f64| {
-            let duration = 1.0 - ulps * f64::exp2(-23.0);
-            ANY_TIME.earlier(2.0, 1.0, [duration].into_iter(), |_| true) == duration
-        };
-        assert!(is_asked(0.75) && !is_asked(1.2));
+    fn axes_arrive_earlier_by_a_rounding_error() {
+        let earlier = |t: f64, duration: f64| ANY_TIME.earlier(t, 1.0, [duration].into_iter(), |_| true);
+        let is_asked = |duration: f64| earlier(2.0, duration) == duration;
+        assert_eq!([0.75, 1.2].map(|errors| is_asked(1.0 - errors * f64::exp2(-23.0))), [true, false]);
+        let is_gap = |t: f64| earlier(t, 1.0) < t;
+        assert_eq!([0.75, 1.5].map(|errors| is_gap(1.0 + errors * f64::exp2(-26.0))), [false, true]);
     }
 
     /// A tick is early by the rounding error of a formula, which is four ulps. A part of a period may be too small for a number, and a period too short
@@ -125,14 +125,5 @@ mod tests {
     #[test]
     fn five_axes_have_ten_gaps() {
         assert_eq!(ANY_TIME.until_possible(5, 0.0, |t: f64| (t + 1.0).min(10.0)), Ok(10.0));
-    }
-
-    #[test]
-    fn a_gap_of_a_rounding_error_is_none() {
-        let is_gap = |ulps: f64| {
-            let t = 1.0 + ulps * f64::exp2(-26.0);
-            ANY_TIME.earlier(t, 1.0, [].into_iter(), |_| true) < t
-        };
-        assert!(!is_gap(0.75) && is_gap(1.5));
     }
 }
