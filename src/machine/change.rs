@@ -412,7 +412,6 @@ impl<R: Real> Trial<'_, R> {
         true
     }
 
-    /// In a part of a phase of the clock.
     fn keeps_over(&self, of: &Phase<R>, part: Parabola<R>) -> bool {
         let [passed, ..] = part.along(of);
         let [low, high] = passed.range();

@@ -92,7 +92,6 @@ impl<R: Real> Parabola<R> {
         }
     }
 
-    /// The lowest and the highest value.
     pub fn range(self) -> [R; 2] {
         let Self { middle, slope, bend, rest } = self;
         let [one, other] = [middle + bend - slope, middle + bend + slope];

@@ -8,7 +8,6 @@ pub(super) fn are_whole<R>(moves: &[Move<R>], n: usize) -> bool {
     n > 0 && !moves.is_empty() && moves.chunks(n).all(|section| section.len() == n)
 }
 
-/// Whether all axes start at rest.
 pub(super) fn start_at_rest<R: Real>(moves: &[Move<R>], n: usize) -> bool {
     moves.iter().take(n).all(|of| of.start().is_at_rest())
 }

@@ -283,15 +283,17 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         })
     }
 
-    /// Whether the states of all waypoints are strictly inside their limits.
-    pub fn points_are_inside(&self) -> bool {
-        let mut points = 1..self.sections;
-        points.all(|point| self.is_point_inside(point))
+    /// Whether a section can last as long as it does, with slack to both sides, and ends strictly inside the limits of its waypoint.
+    pub fn is_section_inside(&self, section: usize) -> bool {
+        let mut axes = 0..self.axes;
+        let point = section + 1;
+        self.is_possible(section, self.memory.plan.durations.at(section))
+            && (point == self.sections
+                || axes.all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some()))
     }
 
-    pub fn is_point_inside(&self, point: usize) -> bool {
-        let mut axes = 0..self.axes;
-        point == self.sections || axes.all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some())
+    pub fn is_strictly_inside(&self) -> bool {
+        (0..self.sections).all(|section| self.is_section_inside(section))
     }
 
     pub fn duration(&self) -> R {

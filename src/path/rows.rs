@@ -55,8 +55,7 @@ pub(super) fn stop_length<R: Real>(limits: &Limits<R>, start: State<R>) -> R {
         return R::ZERO;
     }
     let mut run = Move::default();
-    let stops = run.stop(limits, start).is_ok();
-    if stops { run.end().position } else { R::ZERO }
+    if run.stop(limits, start).is_ok() { run.end().position } else { R::ZERO }
 }
 
 /// How long a narrow section takes, whose duration rounding makes inaccurate as the difference of two times, s. With a constant jerk its length is
@@ -86,12 +85,6 @@ impl<R: Real> Chain<'_, '_, R> {
             let [v, a] = self.memory.plan.states.row(row);
             self.memory.plan.states.set(row, [v / slower, a / (slower * slower)]);
         }
-    }
-
-    pub fn is_strictly_inside(&self) -> bool {
-        let mut sections = 0..self.sections;
-        sections.all(|section| self.is_possible(section, self.memory.plan.durations.at(section)))
-            && self.points_are_inside()
     }
 
     /// Passes the points of each row that begins at rest from a point on, at this share of the highest speeds. Whether there is such a row.
@@ -228,7 +221,7 @@ impl<R: Real> Chain<'_, '_, R> {
                 duration = duration_of(self.arc(section), from, to, duration);
             }
             self.memory.plan.durations.put(section, duration);
-            (self.is_possible(section, duration) && self.is_point_inside(point)).then_some(())?;
+            self.is_section_inside(section).then_some(())?;
             (time, from) = (at, to);
         }
         Some(())

@@ -188,9 +188,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                 let least = self.shortest(section, R::ZERO).ok()?;
                 self.memory.plan.durations.put(section, least + R::SIXTEENTH * least);
             }
-            self.is_possible(section, self.memory.plan.durations.at(section)).then_some(())?;
         }
-        self.points_are_inside().then_some(())
+        self.is_strictly_inside().then_some(())
     }
 }
 

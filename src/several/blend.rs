@@ -192,8 +192,7 @@ impl<R: Real> Cursor<R> {
     }
 
     fn end(&self) -> Instant<R> {
-        let end = self.ends.get(self.current).copied();
-        end.unwrap_or(Instant::end(self.t))
+        self.ends.get(self.current).copied().unwrap_or(Instant::end(self.t))
     }
 
     fn acceleration(&self, now: Instant<R>) -> R {
