@@ -84,8 +84,11 @@ impl<'a, R: Real> Change<'a, R> {
         let start = time.start();
         time.go_to_the_end(self.length).ok_or(Error::Target)?;
         let goes_on = self.keeps(time);
-        let mut until = if goes_on && self.is_answer(time.end()) { time.t } else { R::INFINITY };
-        let mut is_reached = self.rate == R::ZERO && !self.may_jump(time.end().position);
+        let (end, is_hold) = (time.end(), self.rate == R::ZERO);
+        let ends = self.may_jump(end.position);
+        let stands = end.velocity == R::ZERO && (is_hold || ends);
+        let mut until = if goes_on && stands { time.t } else { R::INFINITY };
+        let mut is_reached = is_hold && !ends;
         let stop = self.free_stop(start.position)?;
         let step = stop / R::from(STEPS);
         let (mut change, mut t) = (Move::default(), R::ZERO);
@@ -162,11 +165,6 @@ impl<'a, R: Real> Change<'a, R> {
         }
         time.go_to_the_end(self.length).ok_or(Error::Target)?;
         Ok(Law { until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None })
-    }
-
-    /// Whether the clock stands where it has to, or where the path ends.
-    fn is_answer(&self, end: State<R>) -> bool {
-        end.velocity == R::ZERO && (self.rate == R::ZERO || self.may_jump(end.position))
     }
 
     /// How long the slowest axis takes for its stop at the time `s` of the path.
@@ -254,8 +252,7 @@ impl<'a, R: Real> Change<'a, R> {
     /// The fastest change within limits of its own.
     fn within(&self, from: State<R>, [up, down, slowing]: [R; 3], time: &mut Move<R>) -> Result<(), Error> {
         let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
-        time.reach(&limits, from, self.rate, R::ZERO)?;
-        Ok(())
+        time.reach(&limits, from, self.rate, R::ZERO).map(drop)
     }
 
     /// Whether the time stays between the ends of the path.

@@ -142,7 +142,6 @@ impl<'a, R: Real> Group<'a, R> {
         (GroupPlanner(self), GroupTicker(self))
     }
 
-    /// The moves at a place.
     fn place(&self, place: usize) -> &[Cell<Move<R>>] {
         let n = self.states.len();
         self.moves.get(place * n..).and_then(|moves| moves.get(..n)).unwrap_or_default()

@@ -15,11 +15,9 @@ pub struct Parabola<R> {
 
 impl<R: Real> Parabola<R> {
     pub fn constant(middle: R) -> Self {
-        let zero = R::ZERO;
-        Self { middle, slope: zero, bend: zero, rest: zero }
+        Self { middle, slope: R::ZERO, bend: R::ZERO, rest: R::ZERO }
     }
 
-    /// From one number to another one.
     pub fn between(from: R, to: R) -> Self {
         Self { slope: R::HALF * (to - from), ..Self::constant(R::HALF * (from + to)) }
     }

@@ -42,8 +42,7 @@ impl<'a, R: Real> Axis<'a, R> {
         core::iter::from_fn(move || {
             let (of, start) = (rest.first()?, end);
             rest = rest.get(self.n.max(1)..).unwrap_or_default();
-            let is_last = rest.is_empty();
-            end = if is_last { R::INFINITY } else { start + of.t };
+            end = if rest.is_empty() { R::INFINITY } else { start + of.t };
             Some((of, start, end))
         })
     }

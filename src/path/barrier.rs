@@ -155,10 +155,10 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let limits = self.limits(section, axis).ok()?;
         let upper = self.upper(limits, (section, axis), duration);
         let lower = upper.lower();
-        let (above, below) = (upper.farthest()?, lower.farthest()?);
-        let slacks = [above.slack, below.slack];
-        let mut terms = upper.derivatives(&above);
-        let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&below), weight);
+        let ((farthest, above), (nearest, below)) = (upper.farthest()?, lower.farthest()?);
+        let slacks = [above, below];
+        let mut terms = upper.derivatives(&farthest);
+        let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&nearest), weight);
         self.damp((section, axis), logarithms, weight);
         let (g_h, [hv0, ha0, hv1, ha1, ht], hh) = by_displacement(slacks, logarithms, weight);
         let Derivatives { first, second } = &terms;
@@ -190,7 +190,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             memory.of_offsets.add(piece, [y * hv1, y * ha1, y * y * hh]);
         }
         let [was_above, was_below] = memory.other.slacks.row(piece);
-        Some((above.slack / was_above) * (below.slack / was_below))
+        Some((above / was_above) * (below / was_below))
     }
 
     /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points next to

@@ -10,17 +10,14 @@ pub(super) struct Bounds<R>(pub [R; 6]);
 
 impl<R: Real> Bounds<R> {
     /// The tightest limits of the sections at a waypoint.
-    pub fn of<'a>(all: impl Iterator<Item = &'a Limits<R>>) -> Self
-    where
-        R: 'a,
-    {
+    pub fn of(all: impl Iterator<Item = Limits<R>>) -> Self {
         let [mut vmax, mut amax] = [R::INFINITY; 2];
         let [mut vmin, mut amin] = [-R::INFINITY; 2];
         let [mut gu, mut gd] = [R::ZERO; 2];
         for limits in all {
             (vmax, vmin) = (vmax.at_most(limits.vmax), vmin.at_least(limits.vmin));
             (amax, amin) = (amax.at_most(limits.amax), amin.at_least(limits.amin));
-            let per_jerk = PerJerk::of(limits);
+            let per_jerk = PerJerk::of(&limits);
             (gu, gd) = (gu.at_least(per_jerk.gu), gd.at_least(per_jerk.gd));
         }
         let [amax, amin, vmax, vmin] = [amax, amin, vmax, vmin].map(|limit| R::ONE / limit);
@@ -79,7 +76,7 @@ mod tests {
     #[test]
     fn a_state_beyond_one_limit_is_outside() {
         let limits = Limits { vmin: -3.0, amin: -5.0, jmin: -20.0, ..Limits::symmetric(10.0, 4.0, 2.0) };
-        let bounds = Bounds::of([limits].iter());
+        let bounds = Bounds::of([limits].into_iter());
         let held = |v, a| (bounds.product([v, a]).is_some(), bounds.hold([v, a]));
         // While an acceleration of 2 falls at a jerk of 20, the velocity rises by 0.1; while one of -2 rises at 10, it falls by 0.2.
         for [v, a] in [[0.0, 4.0], [0.0, -5.0], [2.0, 0.0], [-3.0, 0.0], [1.9, 2.0], [-2.8, -2.0]] {

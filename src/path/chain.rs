@@ -84,8 +84,7 @@ impl<'a, R: Real> Request<'a, R> {
 
     /// Whether the limits of a section admit the states of all axes at a point.
     fn admits(&self, point: usize, section: usize) -> bool {
-        let mut axes = 0..self.axes;
-        axes.all(|axis| {
+        (0..self.axes).all(|axis| {
             let state = self.state(point, axis);
             self.limits(section, axis).is_ok_and(|limits| limits.check(state, state).is_ok())
         })
@@ -175,18 +174,15 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         let end = self.request.state(self.request.sections, axis);
         let last = self.request.limits(self.request.sections - 1, axis)?;
         self.findings |= Findings::ENDS_LEAVING.when(last.are_left_after(end));
-        self.set_end(axis, R::ONE);
+        self.set_end(self.sections, axis, R::ONE);
         Ok(())
     }
 
-    /// Gives an axis this part of its velocity at the end, and the square of it of its acceleration.
-    pub fn set_end(&mut self, axis: usize, part: R) {
-        self.set_part(self.sections, self.request.state(self.request.sections, axis), axis, part);
-    }
-
-    /// Gives an axis this part of the velocity of a state at a point, and the square of it of the acceleration.
-    pub fn set_part(&mut self, point: usize, of: State<R>, axis: usize, part: R) {
-        self.memory.plan.states.set(point * self.axes + axis, [part * of.velocity, part * part * of.acceleration]);
+    /// Gives an axis this part of its given velocity at the start or at the end of the path, and the square of it of its acceleration.
+    pub fn set_end(&mut self, point: usize, axis: usize, part: R) {
+        let given = if point == 0 { 0 } else { self.request.sections };
+        let State { velocity, acceleration, .. } = self.request.state(given, axis);
+        self.memory.plan.states.set(point * self.axes + axis, [part * velocity, part * part * acceleration]);
     }
 
     /// Which section of the caller this one is.
@@ -207,7 +203,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     fn set_bounds(&mut self, point: usize, axis: usize) {
         let places = self.place(point - 1)..=self.place(point);
         let limits = places.flat_map(|place| self.request.limits(place, axis));
-        let Bounds(row) = Bounds::of(limits);
+        let Bounds(row) = Bounds::of(limits.copied());
         self.memory.bounds.set((point - 1) * self.axes + axis, row);
     }
 
@@ -276,8 +272,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// Whether every axis can take `duration` for a section, with slack to both sides.
     pub fn is_possible(&self, section: usize, duration: R) -> bool {
-        let mut axes = 0..self.axes;
-        axes.all(|axis| {
+        (0..self.axes).all(|axis| {
             let limits = self.limits(section, axis);
             limits.is_ok_and(|limits| self.upper(limits, (section, axis), duration).has_slack())
         })
@@ -285,11 +280,10 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// Whether a section can last as long as it does, with slack to both sides, and ends strictly inside the limits of its waypoint.
     pub fn is_section_inside(&self, section: usize) -> bool {
-        let mut axes = 0..self.axes;
         let point = section + 1;
         self.is_possible(section, self.memory.plan.durations.at(section))
             && (point == self.sections
-                || axes.all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some()))
+                || (0..self.axes).all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some()))
     }
 
     pub fn is_strictly_inside(&self) -> bool {
@@ -301,7 +295,6 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     }
 }
 
-/// A plan that is done.
 pub(super) struct Planned<'w, R, const K: usize> {
     axes: usize,
     sections: usize,

@@ -173,7 +173,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         };
         let (axes, first, groups) = (self.axes, self.first(previous), self.groups(section));
         let memory = &mut self.memory;
-        let (before, mut block) = memory.factors.with_next(previous);
+        let [before, mut block] = memory.factors.with_next(previous);
         for index in first..=axes {
             let factors = Factors(before.tile(index, index));
             let solved = memory.step.row(groups - (axes + 1) + index);

@@ -73,8 +73,8 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Gives the start and the end this part of their given velocities, and its square of the accelerations.
     fn set_ends(&mut self, part: R) {
         for axis in 0..self.axes {
-            self.set_part(0, self.request.state(0, axis), axis, part);
-            self.set_end(axis, part);
+            self.set_end(0, axis, part);
+            self.set_end(self.sections, axis, part);
         }
     }
 

@@ -146,11 +146,10 @@ impl<R: Real, const K: usize> Triangles<'_, R, K> {
     }
 
     /// The triangle of a section and that of the next one.
-    pub fn with_next(&mut self, section: usize) -> (Triangle<'_, R, K>, Triangle<'_, R, K>) {
+    pub fn with_next(&mut self, section: usize) -> [Triangle<'_, R, K>; 2] {
         let (before, after) = self.numbers.split_at_mut_checked((section + 1) * self.size).unwrap_or_default();
-        let [one, next] =
-            [before.get_mut(section * self.size..), after.get_mut(..self.size)].map(Option::unwrap_or_default);
-        (Triangle(Table(one)), Triangle(Table(next)))
+        let both = [before.get_mut(section * self.size..), after.get_mut(..self.size)];
+        both.map(|numbers| Triangle(Table(numbers.unwrap_or_default())))
     }
 }
 

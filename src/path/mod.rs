@@ -216,7 +216,7 @@ impl<R: Real> Chain<'_, '_, R> {
     fn is_inside(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
         if passes && !self.swerves() {
             self.scale_time(R::ONE / nearly_all());
-            (0..self.axes).for_each(|axis| self.set_end(axis, R::ONE));
+            (0..self.axes).for_each(|axis| self.set_end(self.sections, axis, R::ONE));
             if self.is_strictly_inside() {
                 return Ok(true);
             }

@@ -17,13 +17,6 @@ pub(super) struct Side<R> {
     sign: R,
 }
 
-/// The motion of a duration with the largest displacement.
-pub(super) struct Farthest<R> {
-    profile: Profile<R>,
-    /// How much larger its displacement is than the section.
-    pub slack: R,
-}
-
 impl<R: Real> Side<R> {
     pub fn upper(limits: &Limits<R>, ends: [[R; 2]; 2], t: R, h: R) -> Self {
         Self { border: Border::between(ends, limits), t, h, sign: R::ONE }
@@ -34,12 +27,12 @@ impl<R: Real> Side<R> {
         Self { border: self.border.mirrored(), t: self.t, h: -self.h, sign: -self.sign }
     }
 
-    /// The farthest motion, if there is one, and if its displacement is larger than the section.
-    pub fn farthest(&self) -> Option<Farthest<R>> {
+    /// The motion with the largest displacement, if there is one, and how much larger this is than the section, if it is.
+    pub fn farthest(&self) -> Option<(Profile<R>, R)> {
         let profile = self.border.farthest_inside(self.t)?;
         let change = self.border.change(&profile);
         let slack = (self.border.v0 * self.t - self.h) + change.displacement;
-        (slack > R::ZERO).then_some(Farthest { profile, slack })
+        (slack > R::ZERO).then_some((profile, slack))
     }
 
     /// Whether this side and the lower one have slack.
@@ -47,8 +40,8 @@ impl<R: Real> Side<R> {
         self.farthest().is_some() && self.lower().farthest().is_some()
     }
 
-    pub fn derivatives(&self, farthest: &Farthest<R>) -> Derivatives<R> {
-        self.border.derivatives(&farthest.profile, self.sign)
+    pub fn derivatives(&self, farthest: &Profile<R>) -> Derivatives<R> {
+        self.border.derivatives(farthest, self.sign)
     }
 }
 
@@ -63,8 +56,8 @@ mod tests {
         let limits = Limits::symmetric(1.0, 2.0, 3.0);
         for (h, slack) in [(2.0, None), (1.75, Some(0.25))] {
             let upper = Side::upper(&limits, [[0.0; 2]; 2], 4.0, h);
-            assert_eq!(upper.farthest().map(|farthest| farthest.slack), slack);
-            assert_eq!(upper.lower().farthest().map(|farthest| farthest.slack), Some(h + 2.0));
+            assert_eq!(upper.farthest().map(|(_, slack)| slack), slack);
+            assert_eq!(upper.lower().farthest().map(|(_, slack)| slack), Some(h + 2.0));
         }
     }
 }

@@ -104,8 +104,7 @@ impl<R: Real> Chain<'_, '_, R> {
         };
         let all = total(given);
         let clock = R::DOUBT * all;
-        let mut axes = 0..self.axes;
-        axes.all(|axis| {
+        (0..self.axes).all(|axis| {
             let points = 0..=self.request.sections;
             let farthest = points.map(|point| self.request.state(point, axis).position.abs());
             let position = R::DOUBT * farthest.fold(R::ZERO, R::at_least);

@@ -152,23 +152,17 @@ impl<R: Real> Cursor<R> {
             current: 0,
             began: Instant::start(t),
         };
-        for segment in segments {
-            cursor.add(segment);
+        // Those that have a duration.
+        let mut passed = R::ZERO;
+        let lasting = segments.iter().filter(|segment| segment.duration > R::ZERO);
+        for (segment, (place, end)) in lasting.zip(cursor.segments.iter_mut().zip(&mut cursor.ends)) {
+            passed = passed + segment.duration;
+            *place = *segment;
+            end.since_start = passed;
+            cursor.count += 1;
         }
         cursor.count_from_end();
         cursor
-    }
-
-    /// Adds a segment, if it has a duration.
-    fn add(&mut self, segment: &Segment<R>) {
-        let before = self.ends.get(self.count.wrapping_sub(1));
-        let began = before.map_or(R::ZERO, |end| end.since_start);
-        let places = self.segments.get_mut(self.count).zip(self.ends.get_mut(self.count));
-        if let Some((place, end)) = places.filter(|_| segment.duration > R::ZERO) {
-            *place = *segment;
-            end.since_start = began + segment.duration;
-            self.count += 1;
-        }
     }
 
     /// Finds when the segments end, seen from the end of the motion.
