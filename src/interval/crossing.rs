@@ -48,6 +48,13 @@ impl<R: Real> Crossing<R> {
     }
 }
 
+/// How the search before a gap ends.
+enum Found<R> {
+    Crossing(Crossing<R>),
+    /// The displacement is not reached, and no gap comes: the last motion of the piece, and what its displacement lacks.
+    Lacking(Profile<R>, R),
+}
+
 /// The fastest motion over a displacement.
 pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> Profile<R> {
     if border.a0 == R::ZERO && border.a1 == R::ZERO && border.dv == R::ZERO {
@@ -194,28 +201,36 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
 /// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in
 /// the middle of the motion.
 fn first_over<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
-    let eased = if base.trough > R::ZERO {
-        easing(border, base, lacks)
-    } else if base.peak < R::ZERO {
-        match easing(&border.reversed(), base.reversed(), lacks) {
-            Ok(crossing) => Ok(crossing.map(Profile::reversed)),
-            Err((last, lacks)) => Err((last.reversed(), lacks)),
+    let (base, lacks) = if base.trough > R::ZERO || base.peak < R::ZERO {
+        match before_gap(border, base, lacks) {
+            Found::Crossing(crossing) => return crossing,
+            Found::Lacking(base, lacks) => (base, lacks),
         }
     } else {
-        Err((base, lacks))
+        (base, lacks)
     };
-    eased.unwrap_or_else(|(base, lacks)| Crossing::At(turning(border, base, h, lacks)))
+    Crossing::At(turning(border, base, h, lacks))
 }
 
-/// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion. If the displacement is
-/// not reached, and no gap comes: the last motion of this part, and what its displacement lacks.
-fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Result<Crossing<R>, (Profile<R>, R)> {
+/// The part of the border in which the acceleration keeps its sign in the middle of the motion.
+fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Found<R> {
+    if base.trough > R::ZERO {
+        return easing(border, base, lacks);
+    }
+    match easing(&border.reversed(), base.reversed(), lacks) {
+        Found::Crossing(crossing) => Found::Crossing(crossing.map(Profile::reversed)),
+        Found::Lacking(profile, lacks) => Found::Lacking(profile.reversed(), lacks),
+    }
+}
+
+/// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
+fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Found<R> {
     // A hold ends once at most.
     for _ in 0..2 {
         let piece = Piece::of(border, &base, base.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
         match piece.first_over(lacks, end, false) {
-            Ok(x) => return Ok(Crossing::At(piece.profile(x))),
+            Ok(x) => return Found::Crossing(Crossing::At(piece.profile(x))),
             Err(beyond) => lacks = beyond,
         }
         base = piece.profile(end);
@@ -224,7 +239,7 @@ fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Re
             Easing::Vanishes => {
                 // Exact, where the digits of high accelerations cancel.
                 (base.peak, base.trough) = (base.fall, R::ZERO);
-                return Err((base, lacks));
+                return Found::Lacking(base, lacks);
             }
             Easing::IsFollowedByGap => {
                 base.last = base.last + base.first;
@@ -234,7 +249,7 @@ fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Re
             }
         }
     }
-    Ok(Crossing::GapAfter(base))
+    Found::Crossing(Crossing::GapAfter(base))
 }
 
 /// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it
