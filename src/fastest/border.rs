@@ -1,7 +1,7 @@
 //! The motion of a given duration that covers the largest displacement, and the first such motion that covers the wanted one.
 //!
-//! `docs/planner.md` has the theory: the fastest motion over a displacement lies on such a border. The motion on the upper border accelerates, then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is
-//! the upper border of the mirrored axis.
+//! `docs/planner.md` has the theory: the fastest motion over a displacement lies on such a border. The motion on the upper border accelerates,
+//! then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is the upper border of the mirrored axis.
 //!
 //! The acceleration is 0 at both ends. An end with an acceleration becomes such an end if the acceleration goes to 0: slid along the
 //! parabola of the jerk to where it is 0. The formulas hold for these ends.

@@ -2,6 +2,7 @@
 
 use super::primitives::Primitives;
 
+/// The square root, correctly rounded; NaN below zero.
 pub fn sqrt<R: Primitives>(x: R) -> R {
     x.plain_sqrt()
 }

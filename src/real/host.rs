@@ -2,6 +2,8 @@
 
 use super::primitives::Primitives;
 
+/// The square root, correctly rounded; NaN below zero.
+///
 /// LLVM emits a bare instruction only if the argument cannot be negative. Any other root comes with a call for negative
 /// arguments, and values have to be saved around the call.
 pub fn sqrt<R: Primitives>(x: R) -> R {

@@ -49,8 +49,8 @@ impl<R: Real> Free<R> {
         R::SIXTH * (R::HALF * self.per_jerk.gu + self.per_jerk.gd)
     }
 
-    /// Where the displacement first stops rising, or falling. The product of the slope and of the square that the acceleration falls by is a quadratic in this square. In the unit of this formula
-    /// nothing is out of range.
+    /// Where the displacement first stops rising, or falling. The product of the slope and of the square that the acceleration falls by is a
+    /// quadratic in this square. In the unit of this formula nothing is out of range.
     pub fn turning_point(&self) -> Option<R> {
         let Self { u, s, .. } = *self;
         let r = self.first.peak + self.first.trough;
