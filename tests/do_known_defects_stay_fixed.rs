@@ -1,6 +1,6 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::axes::{improve_path, line, path_moves, path_size, plan_path, synchronise, synchronise_within};
+use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchronise_within};
 use atraj::machine::{Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
@@ -71,8 +71,7 @@ fn passed_in_motion<R: Real>() {
         let mirrored = |numbers: [f64; 3]| state::<R>(numbers.map(|x| sign * x));
         let (from, to) = (mirrored(from), mirrored(to));
         let replanned = |from| {
-            let mut planned = Move::default();
-            planned.plan(&limits(bounds), from, to).expect("a plan");
+            let planned = online::plan(&limits(bounds), from, to);
             planned
         };
         let first = replanned(from);
@@ -175,8 +174,7 @@ fn times_of_positions<R: Real>() {
         let from: State<R> = online::anywhere(&mut random, &limits);
         let to = online::inside(&mut random, &limits);
         let t = R::of(random.magnitude(-1.0, 2.0));
-        let mut axes = [Move::default()];
-        synchronise(&mut axes, &[limits], &[from], &[to], t, R::of(0.0)).expect("numbers");
+        let axes = online::together(&[limits], &[from], &[to], t);
         for steps in -4..=4 {
             let x = axes[0].time_at(to.position.neighbour(steps));
             assert!(x.is_none_or(|x| x <= axes[0].t), "move {number}: {x:?} {axes:?}");
@@ -463,8 +461,7 @@ fn a_straight_ramp_leads_to_the_target() {
         let [vmax, vmin, amax, amin, jmax, jmin] = within;
         for (sign, within) in [(1.0, within), (-1.0, [-vmin, -vmax, -amin, -amax, -jmin, -jmax])] {
             let [from, to] = [from, to].map(|end: [f64; 3]| state(end.map(|number| sign * number)));
-            let mut axis = Move::default();
-            axis.plan(&limits::<f64>(within), from, to).expect("a plan");
+            let axis = online::plan(&limits::<f64>(within), from, to);
             assert!(axis.t < most, "{} s", axis.t);
             assert_no_jump(&axis);
         }
@@ -502,9 +499,8 @@ fn a_planned_path_is_improved() {
         at(-7.3950593e24), at(-7.376284e24), at(-4.3862787e-32), at(5.9977757e-35), at(0.5552102), at(0.0),
         state([-0.040753532, -1.8863572, 0.09410906]), state([0.01841066, 2.5034626, -0.06502761]),
     ];
-    let mut durations = [0.0; 4];
+    let (mut durations, _) = online::path(&mut states, &limits, 2, 0);
     let mut work = vec![0.0; path_size(2, 4).expect("a size")];
-    plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work).expect("a plan");
     improve_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
     assert!(durations.iter().all(|duration| duration.is_finite()));
 }
@@ -526,12 +522,10 @@ fn a_gap_of_no_width<R: Real>() {
         let limits = [limits([100.0, -100.0, 9.0, -9.0, j, -j])];
         let from = [state([0.0, v0, a0].map(|x| sign * x))];
         let to = [state([displacement + nearly, v1, a1].map(|x| sign * x))];
-        let mut axis = [Move::default()];
-        axis[0].plan(&limits[0], from[0], to[0]).expect("a plan");
-        let fastest = axis[0].t;
-        assert!(worst_jump(&axis[0]) <= 128.0, "{axis:?}");
-        for duration in [R::of(t), fastest * R::of(more)] {
-            synchronise(&mut axis, &limits, &from, &to, duration, R::ZERO).expect("a plan");
+        let fastest = online::plan(&limits[0], from[0], to[0]);
+        assert!(worst_jump(&fastest) <= 128.0, "{fastest:?}");
+        for duration in [R::of(t), fastest.t * R::of(more)] {
+            let axis = online::together(&limits, &from, &to, duration);
             assert!(worst_jump(&axis[0]) <= 128.0, "{axis:?}");
             assert!(axis[0].t >= duration);
         }
@@ -546,8 +540,7 @@ fn a_path_ends_in_motion_where_points_repeat() {
     let at = |position: f64| State::at(position);
     let end = state([-5.5, 0.21625878294708914, 1.7481673456066475]);
     let mut states = [at(-2.7), at(-3.8), at(-5.5), end];
-    let (mut durations, mut work) = ([0.0; 3], vec![0.0; path_size(1, 3).expect("a size")]);
-    let found = plan_path(&mut states, &mut durations, &limits, 1, 0, &mut work).expect("a plan");
+    let (durations, found) = online::path(&mut states, &limits, 1, 0);
     assert_eq!(found, Findings::ENDS_LEAVING);
     let mut moves = [Move::default(); 3];
     path_moves(&mut moves, &limits, &states, &durations, 1).expect("moves");
@@ -565,9 +558,7 @@ fn repeated_points_with_higher_limits_take_no_time() {
         let mut states = vec![State::at(0.0); 2 * sections];
         states[1..].fill(end);
         states.truncate(sections + 1);
-        let (mut durations, mut work) = (vec![0.0; sections], vec![0.0; path_size(1, sections).expect("a size")]);
-        plan_path(&mut states, &mut durations, &limits[..sections], 1, 0, &mut work).expect("a plan");
-        durations
+        online::path(&mut states, &limits[..sections], 1, 0).0
     };
     let (alone, repeated) = (plan(1), plan(3));
     assert_eq!(repeated, [alone[0], 0.0, 0.0]);
@@ -583,9 +574,7 @@ fn a_path_of_close_points_goes_on_from_motion() {
             let angles = (0..=sections).map(|k| k as f64 / sections as f64 * std::f64::consts::TAU);
             let mut states: Vec<_> = angles.flat_map(|x| [5.0 * x.cos(), 5.0 * x.sin()].map(State::at)).collect();
             (states[0].acceleration, states[1].velocity) = (-speed * speed / 5.0, speed);
-            let (mut durations, mut work) = (vec![0.0; sections], vec![0.0; path_size(2, sections).expect("a size")]);
-            plan_path(&mut states, &mut durations, &limits, 2, 0, &mut work).expect("a plan");
-            durations.iter().sum::<f64>()
+            online::path(&mut states, &limits, 2, 0).0.iter().sum::<f64>()
         };
         let durations = [0.0, 20.0, 40.0, 60.0, 80.0, 95.0].map(duration);
         assert!(durations.is_sorted_by(|slower, faster| *faster < slower - 0.004), "{durations:?}");
@@ -712,9 +701,8 @@ fn a_move_from_a_line<R: Real>() {
     for k in 0..1_000 {
         let start = R::of((random.below(21) as f64) - 10.0);
         let way = if k == 0 { R::of(10.0) } else { R::of(random.between(0.5, 20.0)) };
-        let mut axis = Move::default();
         let limits = Limits::symmetric(jerk, acceleration, velocity);
-        axis.plan(&limits, State::at(start), State::at(start + way)).expect("a plan");
+        let axis = online::plan(&limits, State::at(start), State::at(start + way));
         let mut steps = Steps::new(&axis, R::of(0.0), one).expect("steps");
         while let Some(Step { time, direction }) = steps.next(&axis) {
             assert_eq!(direction, 1, "{start:?} {way:?} at {time:?} s");

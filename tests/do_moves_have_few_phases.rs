@@ -1,10 +1,9 @@
 //! Do moves have few phases, and none that is shorter than a few ulps of the duration? How many axes that arrive together need the mean of
 //! two motions, which has more phases?
 
-use atraj::axes::synchronise;
 use atraj::online::{Limits, Move, State};
 use support::online::state_of;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const SETS: u32 = 20_000;
 const AXES: usize = 3;
@@ -41,14 +40,10 @@ fn few<R: Real>() {
         let axes = [(); AXES].map(|()| axis::<R>(&mut random));
         let limits = axes.map(|(limits, ..)| limits);
         let (from, to) = (axes.map(|(_, from, _)| from), axes.map(|(.., to)| to));
-        let mut planned = [Move::default(); AXES];
-        for (planned, (limits, from, to)) in planned.iter_mut().zip(axes) {
-            planned.plan(&limits, from, to).expect("a plan");
-            assert!(phases(planned) <= FEW, "{limits:?} {from:?} {to:?}");
+        for (limits, from, to) in axes {
+            assert!(phases(&online::plan(&limits, from, to)) <= FEW, "{limits:?} {from:?} {to:?}");
         }
-        let none = R::of(0.0);
-        synchronise(&mut planned, &limits, &from, &to, none, none).expect("a plan");
-        for planned in &planned {
+        for planned in &online::together(&limits, &from, &to, R::of(0.0)) {
             axes_by_phases[phases(planned)] += 1;
         }
     }
@@ -77,18 +72,15 @@ fn none_is_a_sliver<R: Real>() {
     for _ in 0..SETS {
         let axes = [(); AXES].map(|()| axis::<R>(&mut random));
         for (limits, from, to) in axes {
-            let (mut planned, mut replanned) = (Move::default(), Move::default());
-            planned.plan(&limits, from, to).expect("a plan");
-            replanned.plan(&limits, planned.state_at(R::of(random.unit()) * planned.t), to).expect("a plan");
+            let planned = online::plan(&limits, from, to);
+            let replanned = online::plan(&limits, planned.state_at(R::of(random.unit()) * planned.t), to);
             slivers[0] += u32::from(has_sliver(&planned));
             slivers[1] += u32::from(has_sliver(&replanned));
             all += 1;
         }
         let limits = axes.map(|(limits, ..)| limits);
         let (from, to) = (axes.map(|(_, from, _)| from), axes.map(|(.., to)| to));
-        let (mut planned, none) = ([Move::default(); AXES], R::of(0.0));
-        synchronise(&mut planned, &limits, &from, &to, none, none).expect("a plan");
-        for planned in &planned {
+        for planned in &online::together(&limits, &from, &to, R::of(0.0)) {
             slivers[2] += u32::from(has_sliver(planned));
         }
     }

@@ -1,6 +1,6 @@
 //! Do axes that stop on a straight line stay on the line, within the limits of each, as fast as the lead can?
 
-use atraj::axes::{line, line_stop};
+use atraj::axes::line_stop;
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online, test_both_reals};
 
@@ -17,8 +17,7 @@ fn stops_stay_on_the_line<R: Real>() {
             (0..n).map(position).collect()
         };
         let (from, to) = (ends(), ends());
-        let mut axes = vec![Move::default(); n];
-        line(&mut axes, &limits, &from, &to, zero, zero).expect("a line");
+        let mut axes = online::straight(&limits, &from, &to);
         let x = R::of(axes[0].t.widen() * random.between(-0.1, 1.1));
         let now: Vec<State<R>> = axes.iter().map(|axis| axis.state_at(x)).collect();
         let speeds: Vec<f64> = axes.iter().map(online::fastest).collect();
@@ -46,8 +45,7 @@ fn stops_stay_on_the_line<R: Real>() {
         }
         // Nothing stops sooner on the line: one axis alone is bound to its limits.
         if n == 1 {
-            let mut stop = Move::default();
-            stop.stop(&limits[0], now[0]).expect("a stop");
+            let stop = online::stop(&limits[0], now[0]);
             assert!((stop.t.widen() - t).abs() <= 64.0 * epsilon * t, "line {number}: {t} {:?}", stop.t);
         }
     }
@@ -67,10 +65,9 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
         let offsets = [(); 3].map(|()| random.between(-10.0, 10.0) * speed);
         let state = |k: usize, way: f64| online::state_of([offsets[k] + shares[k] * way, shares[k] * speed, 0.0]);
         let ends = [0.0, way].map(|way| [0, 1, 2].map(|k| state(k, way)));
-        let mut axes = [Move::default(); 3];
-        line(&mut axes, &limits, &ends[0], &ends[1], zero, zero).expect("a line");
+        let mut axes = online::straight(&limits, &ends[0], &ends[1]);
         let x = R::of(axes[0].t.widen() * random.unit());
-        let now = axes.map(|axis| axis.state_at(x));
+        let now: Vec<_> = axes.iter().map(|axis| axis.state_at(x)).collect();
         let stopped = line_stop(&mut axes, &limits, x);
         assert!(stopped.is_ok(), "line {number}: {stopped:?} {now:?}");
         for (axis, now) in axes.iter().zip(&now) {
@@ -84,16 +81,14 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
 fn nonsense_is_refused<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
     let limits = [30.0, 60.0].map(|j| Limits::symmetric(R::of(j), R::of(10.0), R::of(5.0)));
-    let mut axes = [Move::default(); 2];
     let to = [10.0, -3.0].map(|p| State::at(R::of(p)));
-    line(&mut axes, &limits, &[State::at(zero); 2], &to, zero, zero).expect("a line");
-    let before = axes;
+    let mut axes = online::straight(&limits, &[State::at(zero); 2], &to);
+    let before = axes.clone();
     let no_limits = [limits[0], Limits { vmax: zero, ..limits[1] }];
     assert_eq!(line_stop::<R>(&mut [], &[], half), Err(Error::Axes));
     assert_eq!(line_stop(&mut axes, &limits[..1], half), Err(Error::Axes));
     assert_eq!(line_stop(&mut axes, &no_limits, half), Err(Error::Limits));
-    let mut other = Move::default();
-    other.plan(&limits[0], State::at(zero), State::at(R::of(9.0))).expect("a plan");
+    let other = online::plan(&limits[0], State::at(zero), State::at(R::of(9.0)));
     let mut faster = axes[1];
     for phase in &mut faster.phase {
         phase.velocity = phase.velocity + half;
@@ -101,7 +96,7 @@ fn nonsense_is_refused<R: Real>() {
     for other in [other, faster] {
         let mut bent = [axes[0], other];
         assert_eq!(line_stop(&mut bent, &limits, half), Err(Error::Line));
-        assert_eq!((axes, bent), (before, [before[0], other]));
+        assert_eq!((&axes, bent), (&before, [before[0], other]));
     }
     // Moves without a duration have no states but those of their ends.
     for (axis, acceleration) in axes.iter_mut().zip([zero, half]) {
@@ -116,11 +111,9 @@ fn axes_that_stand_stay<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
     let here = [2.0, -3.0].map(|p| State::at(R::of(p)));
-    let mut axes = [Move::default(); 2];
-    line(&mut axes, &limits, &here, &here, zero, zero).expect("a line");
+    let mut axes = online::straight(&limits, &here, &here);
     line_stop(&mut axes, &limits, half).expect("a stop");
-    assert_eq!(axes.map(|axis| axis.t), [zero; 2]);
-    assert_eq!(axes.map(|axis| axis.state_at(half)), here);
+    assert!(axes.iter().zip(here).all(|(axis, here)| axis.t == zero && axis.state_at(half) == here));
 }
 
 /// No axis has an acceleration, and the first one stands: the second one leads.
@@ -129,13 +122,11 @@ fn a_cruise_stops_on_its_line<R: Real>() {
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
     let moving = |position| State { velocity: one, ..State::at(position) };
     let (from, to) = ([State::at(zero), moving(zero)], [State::at(zero), moving(two)]);
-    let mut axes = [Move::default(); 2];
-    let slow = Limits { vmax: one, ..limits[1] };
-    line(&mut axes, &[limits[0], slow], &from, &to, zero, zero).expect("a line");
+    let mut axes = online::straight(&[limits[0], Limits { vmax: one, ..limits[1] }], &from, &to);
     assert!(axes.iter().all(|axis| axis.phases().iter().all(|phase| phase.jerk == zero)));
     line_stop(&mut axes, &limits, one).expect("a stop");
-    let ends = axes.map(|axis| axis.state_at(axis.t));
-    assert!(axes[1].t > zero && ends[0] == from[0] && ends[1].velocity == zero, "{axes:?}");
+    let end = |axis: &Move<R>| axis.state_at(axis.t);
+    assert!(axes[1].t > zero && end(&axes[0]) == from[0] && end(&axes[1]).velocity == zero, "{axes:?}");
 }
 
 /// Behind its end a line goes on, at last beyond the largest number: an axis stopped at an infinite position.
@@ -145,9 +136,8 @@ fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
     let state = |position, velocity| State { position, velocity, acceleration: zero };
     let from = [State::at(zero); 2];
     let to = [state(one, one), state(three, three)];
-    let mut axes = [Move::default(); 2];
-    line(&mut axes, &limits, &from, &to, zero, zero).expect("a line");
-    let before = axes;
+    let mut axes = online::straight(&limits, &from, &to);
+    let before = axes.clone();
     assert_eq!(line_stop(&mut axes, &limits, R::of(f64::from(R::EXPONENTS.1).exp2())), Err(Error::NotFinite));
     assert_eq!(axes, before);
 }

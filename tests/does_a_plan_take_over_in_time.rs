@@ -1,10 +1,10 @@
 //! Does a plan of an axis take over in its own tick? The package `handover` asks it of every place where an interrupt may come.
 
 use atraj::machine::{Axis, Ticker};
-use atraj::online::{Error, Limits, Move, State};
+use atraj::online::{Error, Limits, State};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
-use support::Random;
+use support::{Random, online};
 
 /// From the tick of its takeover on, the axis has the states of the move that is planned from there.
 #[test]
@@ -16,16 +16,14 @@ fn in_its_own_tick() {
     let (mut planner, mut ticker) = axis.split();
     assert_eq!(planner.go(&limits, target, 0), Err(Error::Late));
     planner.go(&limits, target, 3).expect("a plan");
-    let mut planned = Move::default();
-    planned.plan(&limits, start, target).expect("a plan");
+    let planned = online::plan(&limits, start, target);
     let ticks = [(); 300].map(|()| ticker.tick());
     let expected = |tick: usize| planned.state_at(PERIOD * tick.saturating_sub(2) as f64);
     for (tick, state) in ticks.into_iter().enumerate() {
         assert_eq!(state, expected(tick), "{tick}");
     }
     planner.stop(&limits, 2).expect("a stop");
-    let mut stop = Move::default();
-    stop.stop(&limits, expected(301)).expect("a stop");
+    let stop = online::stop(&limits, expected(301));
     let ticks = [ticker.tick(), ticker.tick(), ticker.tick()];
     let on = |tick: f64| stop.state_at(PERIOD * tick);
     assert_eq!(ticks, [expected(300), on(0.0), on(1.0)]);

@@ -23,8 +23,7 @@ impl<R: Real> Source<R> {
         let limits = online::limits(random);
         let period = R::of(random.pick(&[1.25e-4, 1e-3, 4e-3]));
         let start = State::at(R::of(random.between(-1.0, 1.0)));
-        let mut move_in_force = Move::default();
-        move_in_force.plan(&limits, start, start).expect("a plan");
+        let move_in_force = online::plan(&limits, start, start);
         Self { limits, period, move_in_force, ticks: 0 }
     }
 
@@ -170,8 +169,7 @@ fn a_retarget_leaves_a_load_at_rest<R: Real>() {
         let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
         let mut now = rest;
         for target in [0.5, -0.3, 0.1] {
-            let mut planned = Move::default();
-            planned.plan(&limits, now, State::at(R::of(target))).expect("a plan");
+            let planned = online::plan(&limits, now, State::at(R::of(target)));
             let ticks = if target == 0.1 { 3_000 } else { 50 + random.below(300) };
             for tick in 1..=ticks {
                 now = planned.state_at(R::of(tick as f64 * period));
@@ -236,8 +234,7 @@ fn an_extruder_is_advanced<R: Real>() {
         [0, 1].map(|k| ShaperStream::new(&shaper, period, rest, &mut lines[k]).expect("a stream"));
     advanced.advance(advance).expect("it stands");
     let limits = Limits::symmetric(R::of(500.0), R::of(20.0), R::of(2.0));
-    let mut planned = Move::default();
-    planned.plan(&limits, rest, State::at(R::of(1.0))).expect("a plan");
+    let planned = online::plan(&limits, rest, State::at(R::of(1.0)));
     let [a, b] = &mut lines;
     let mut before = [0.0; 3];
     for tick in 1..1_500 {

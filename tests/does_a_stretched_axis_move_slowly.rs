@@ -2,7 +2,6 @@
 //! is possible? `tests/oracle` judges all else.
 
 use atraj::State;
-use atraj::axes::synchronise;
 use atraj::online::{Limits, Move, Phase};
 use support::{Random, Real, online, test_both_reals};
 
@@ -19,9 +18,7 @@ fn from_rest_to_rest<R: Real>() {
         let mut state = |_| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5)));
         let [from, to] = [(); 2].map(|()| (0..count).map(&mut state).collect::<Vec<_>>());
         let duration = R::of(random.pick(&[0.0, 0.01, 1.0, 100.0]));
-        let mut axes = vec![Move::default(); count];
-        let planned = synchronise(&mut axes, &limits, &from, &to, duration, R::of(0.0));
-        assert!(planned.is_ok(), "{planned:?}: {limits:?} {from:?} {to:?}");
+        let axes = online::together(&limits, &from, &to, duration);
         for ((axis, from), to) in axes.iter().zip(&from).zip(&to) {
             let distance = (to.position.widen() - from.position.widen()).abs();
             let rounding = 1.0 + 64.0 * R::MACHINE_EPSILON.widen();
@@ -37,12 +34,9 @@ fn in_slow_motion<R: Real>() {
     for _ in 0..SETS / 10 {
         let limits = online::limits::<R>(&mut random);
         let [from, to] = [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5))));
-        let mut fastest = Move::default();
-        fastest.plan(&limits, from, to).expect("a plan");
+        let fastest = online::plan(&limits, from, to);
         let duration = fastest.t * R::of(1.0 + random.magnitude(-2.0, 3.0));
-        let mut axes = [Move::default()];
-        let planned = synchronise(&mut axes, &[limits], &[from], &[to], duration, R::of(0.0));
-        assert!(planned.is_ok(), "{planned:?}: {limits:?} {from:?} {to:?}");
+        let axes = online::together(&[limits], &[from], &[to], duration);
         let size = from.position.widen().abs() + to.position.widen().abs();
         for _ in 0..8 {
             let part = R::of(random.unit());
@@ -93,15 +87,10 @@ fn in_motion<R: Real>() {
         let ends = [(); 2].map(|()| online::inside(&mut random, &limits));
         let [from, to] = ends;
         let is_at_rest = |state: State<R>| state == State::at(state.position);
-        let mut axes = [Move::default()];
-        let fastest = axes[0].plan(&limits, from, to);
-        assert!(fastest.is_ok(), "{fastest:?}: {limits:?} {from:?} {to:?}");
-        let duration = axes[0].t * R::of(1.0 + random.magnitude(-2.0, 1.0));
-        let planned = synchronise(&mut axes, &[limits], &[from], &[to], duration, R::of(0.0));
-        assert!(planned.is_ok(), "{planned:?}: {limits:?} {from:?} {to:?}");
+        let duration = online::plan(&limits, from, to).t * R::of(1.0 + random.magnitude(-2.0, 1.0));
+        let axis = online::together(&[limits], &[from], &[to], duration)[0];
         let widened = online::limits_of(online::numbers_of(&limits).map(R::widen));
         let [start, end] = ends.map(|end| online::state_of::<f64>(online::numbers_of_state(end)));
-        let [axis] = axes;
         if is_at_rest(from) && is_at_rest(to) || axis.t != duration {
             continue;
         }

@@ -3,7 +3,7 @@
 use atraj::online::{Error, Limits, Move, Phase};
 use atraj::{Bell, Boundary, Findings, State, Trap};
 use support::online::state_of;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = 2_000;
 
@@ -82,10 +82,9 @@ fn clean<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
         jmin: -number(random),
         ..Limits::symmetric(number(random), number(random), number(random))
     };
-    let mut planned = Move::default();
     let start: State<R> = state_of([random.between(-5.0, 5.0), random.between(-0.5, 0.5), 0.0]);
     let far = R::of(start.position.widen() + random.sign() * 50.0);
-    planned.plan(&limits, start, State::at(far)).expect("a plan");
+    let planned = online::plan(&limits, start, State::at(far));
     (limits, planned)
 }
 

@@ -99,8 +99,7 @@ fn delays(kind: ShaperKind, [frequency, damping]: [f64; 2]) -> Vec<f64> {
 fn rest_to_rest<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
     let limits = online::limits(random);
     let [from, to] = [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.0))));
-    let mut planned = Move::default();
-    planned.plan(&limits, from, to).expect("a plan");
+    let planned = online::plan(&limits, from, to);
     (limits, planned)
 }
 
@@ -138,8 +137,7 @@ fn loads_are_left_as_published<R: Real>() {
 fn insensitivities_are_those_of_the_curves() {
     // A short move shows the impulses alone.
     let limits = Limits::symmetric(f64::INFINITY, 1e4, 1e4);
-    let mut planned = Move::default();
-    planned.plan(&limits, State::at(0.0), State::at(0.25)).expect("a plan");
+    let planned = online::plan(&limits, State::at(0.0), State::at(0.25));
     let borders = [0.0, 0.5 * planned.t, planned.t];
     let page = std::fs::read_to_string(root().join("docs/machine.md")).expect("the page");
     for kind in KINDS {
@@ -230,8 +228,7 @@ fn a_bell_is_shaped_as_a_move<R: Real>() {
     for ends in [[0.0, 0.0], [1.0, 2.0]] {
         let ([p0, p1], [v0, v1]) = ([1.0, 11.0].map(R::of), ends.map(R::of));
         let bell = Bell::fastest(jerk, acceleration, velocity, Boundary { p0, p1, v0, v1 }).expect("a plan");
-        let mut planned = Move::default();
-        planned.plan(&limits, moving(p0, v0), moving(p1, v1)).expect("a plan");
+        let planned = online::plan(&limits, moving(p0, v0), moving(p1, v1));
         for (kind, smoothing) in KINDS.into_iter().zip([0.0, 0.1, 0.5, 2.0, 5.0]) {
             let mut shaper = Shaper::smooth(R::of(smoothing)).expect("a time");
             shaper.add(kind, R::of(3.0), R::of(0.1)).expect("a shaper");
@@ -248,8 +245,7 @@ fn a_bell_is_shaped_as_a_move<R: Real>() {
 
 /// The axis of `python/examples/vibration.py`: its fastest move with this jerk, and what it leaves of a vibration in m.
 fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
-    let mut planned = Move::default();
-    planned.plan(&Limits::symmetric(jerk, 4.0, 1.0), State::at(0.0), State::at(0.5)).expect("a plan");
+    let planned = online::plan(&Limits::symmetric(jerk, 4.0, 1.0), State::at(0.0), State::at(0.5));
     let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start).collect();
     borders.push(planned.t);
     let delays = shaper_delays(shaper);
@@ -293,9 +289,8 @@ fn a_lower_jerk_costs_more() {
 fn before_its_start_an_axis_keeps_its_velocity<R: Real>() {
     let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(R::of);
     let moving = State { position: R::of(0.0), velocity: R::of(1.0), acceleration: R::of(4.0) };
-    let mut planned = Move::default();
     let limits = Limits::symmetric(jerk, acceleration, velocity);
-    planned.plan(&limits, moving, State::at(R::of(10.0))).expect("a plan");
+    let planned = online::plan(&limits, moving, State::at(R::of(10.0)));
     let shaper = Shaper::new(ShaperKind::Zv, R::of(2.0), R::of(0.0)).expect("a shaper");
     // The mean of the start and of the axis a quarter of a second before it.
     let shaped = State { position: R::of(-0.125), acceleration: R::of(2.0), ..moving };

@@ -10,6 +10,7 @@ use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
 use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
+use support::online::PlannerOfAxes as Plan;
 use support::{Random, Real, test_both_reals};
 
 const PROBLEMS: usize = 20_000;
@@ -151,8 +152,6 @@ fn bad_states<R: Real>() {
         }
     }
 }
-
-type Plan<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
 
 fn refuses<R: Real>(plan: Plan<R>, set: &Set<R>, error: Error) {
     let (limits, from, to) = set.columns();

@@ -1,8 +1,6 @@
 //! Do several axes arrive together, as early as they can, or stay on a straight line, in 20,000 sets of axes per real type?
 
-use atraj::axes::synchronise;
-use atraj::online::{Limits, Move, State};
-use atraj::{Error, Findings};
+use atraj::online::Move;
 use oracle::judge::axes::faults::Fault;
 use oracle::judge::axes::problems::{Family, Set, Sets};
 use oracle::judge::axes::several::{self, Planner, Together};
@@ -12,7 +10,7 @@ use oracle::judge::problems::Kind;
 use oracle::judge::tally::Tallies;
 use oracle::liba::abi::Original;
 use std::time::Instant;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 5_000 };
@@ -97,12 +95,17 @@ fn the_finest_axis_leads() {
     assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
 }
 
+fn of_line(set: &Set<f64>) -> f64 {
+    let (limits, from, to) = set.columns();
+    online::straight(&limits, &from, &to)[0].t
+}
+
 /// The first axis goes a little farther. So far from 0 rounding changes its displacement, and it must not lead.
 #[test]
 fn an_uncertain_axis_does_not_lead() {
     for far in [1e15_f64, 1e16, 3e16] {
         let row = |from, velocity, to| [8.0, -8.0, 20.0, -20.0, 100.0, -100.0, from, velocity, 0.0, to, 0.0, 0.0];
-        let t = duration_of(atraj::axes::line, &axes(0.0, &[row(far, 3.55, far + 7.1), row(0.0, 3.195, 6.39)]));
+        let t = of_line(&axes(0.0, &[row(far, 3.55, far + 7.1), row(0.0, 3.195, 6.39)]));
         assert!((t - 1.3050078125).abs() < 1e-9, "{far}: {t} s");
     }
 }
@@ -113,7 +116,7 @@ fn an_uncertain_axis_does_not_lead() {
 fn of_two_axes_that_go_as_far_the_finer_one_leads() {
     let (jerk, way) = (f64::INFINITY, 0.625 - 128.0 * f64::EPSILON);
     let row = |from| [9.0, -9.0, 1.0, -1.0 / 64.0, jerk, -jerk, from, 1.0, 0.0, from + way, 1.5, 0.0];
-    let t = duration_of(atraj::axes::line, &axes(0.0, &[row(7.0), row(0.0)]));
+    let t = of_line(&axes(0.0, &[row(7.0), row(0.0)]));
     assert!(t > 130.0, "{t} s");
 }
 
@@ -160,19 +163,12 @@ fn each_gap_leads_to_the_next_one() {
     }).into();
     let set = axes::<f64>(0.0, &rows);
     assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
-    let [alone, all] = [&rows[3..], &rows].map(|rows| duration_of(synchronise, &axes(0.0, rows)));
+    let [alone, all] = [&rows[3..], &rows].map(|rows| {
+        let (limits, from, to) = axes(0.0, rows).columns();
+        online::together(&limits, &from, &to, 0.0)[0].t
+    });
     // The gap of the slowest axis: its moves last up to 0.82 of the times, and from 1.21 on.
     assert!(alone < 0.41 * 2.197 && all > 1.21 * 2.197, "{alone} {all}");
-}
-
-type Plan = fn(&mut [Move<f64>], &[Limits<f64>], &[State<f64>], &[State<f64>], f64, f64) -> Result<Findings, Error>;
-
-fn duration_of(plan: Plan, set: &Set<f64>) -> f64 {
-    let [from, to] = [0, 1].map(|end| set.axes.iter().map(|axis| [axis.from, axis.to][end]).collect::<Vec<_>>());
-    let limits: Vec<_> = set.axes.iter().map(|axis| axis.limits).collect();
-    let mut planned = vec![Move::default(); limits.len()];
-    plan(&mut planned, &limits, &from, &to, 0.0, 0.0).expect("a plan");
-    planned[0].t
 }
 
 test_both_reals!(axes_arrive_together, every_fault_is_seen, phases_follow_each_other);

@@ -3,7 +3,7 @@
 use atraj::machine::Group;
 use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::group::{CALLS, Counts, program};
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const PROGRAMS: usize = if support::BRIEF { 200 } else { 4_000 };
 
@@ -24,10 +24,8 @@ fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
     let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
     let planned = [0.5, 1.5].map(|speed| {
-        let mut path = Move::default();
         let slow = Limits::symmetric(R::of(2.0), R::of(1.0), R::of(speed));
-        path.plan(&slow, State::at(zero), State::at(R::of(20.0))).expect("a plan");
-        path
+        online::plan(&slow, State::at(zero), State::at(R::of(20.0)))
     });
     let [slow, path] = &planned;
     let next_time = |of: &Move<R>, now: &State<R>, rate: f64| {

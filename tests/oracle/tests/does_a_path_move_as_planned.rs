@@ -1,7 +1,7 @@
 //! Are the motions of a path those of its sections, and is the bound of their deviation from the straight lines right and close?
 
 use atraj::State;
-use atraj::axes::{line, path_deviation, path_moves, synchronise};
+use atraj::axes::{path_deviation, path_moves, synchronise};
 use atraj::online::{Error, Limits, Move, Phase};
 use oracle::judge::path::problems::{Chain, Chains};
 use oracle::judge::path::{Path, Paths, Planner, distance};
@@ -155,8 +155,7 @@ fn a_straight_line_is_kept<R: Real>() {
             let limits = vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); axes];
             let [from, to] =
                 [(); 2].map(|()| (0..axes).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect::<Vec<_>>());
-            let mut moves = vec![Move::default(); axes];
-            line(&mut moves, &limits, &from, &to, R::of(0.0), R::of(0.0)).expect("a line");
+            let moves = online::straight(&limits, &from, &to);
             let bound = path_deviation(&moves, axes).widen();
             assert!(bound <= 16.0 * R::MACHINE_EPSILON.widen() * axes as f64, "{axes} axes: {bound:e}");
         }

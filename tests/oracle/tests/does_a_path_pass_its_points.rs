@@ -10,7 +10,7 @@ use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
 use support::online::state_of;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 200 } else { 2_000 };
 
@@ -164,8 +164,7 @@ fn hardly_in_time<R: Original>() {
         let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
         let limits = Limits::symmetric(R::of(jerk), R::of(acceleration), R::of(velocity));
         let start = State { velocity: R::of(velocity * random.between(0.5, 1.0)), ..State::at(R::of(0.0)) };
-        let mut axis = Move::default();
-        axis.stop(&limits, start).expect("a stop");
+        let axis = online::stop(&limits, start);
         let stop = axis.state_at(axis.t).position.widen();
         let (place, slower) = (random.between(0.1, 0.9), random.magnitude(-1.0, 0.0));
         let ways = [[0.0; 2], [place, slower * place], [2.0, slower], [3.0, 0.0]];

@@ -2,10 +2,11 @@
 
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
-use atraj::online::{Error, Limits, Move, State};
+use atraj::online::{Limits, Move};
 use oracle::judge::axes::problems::Sets;
 use oracle::judge::planner::{Fastest, Planner};
 use oracle::judge::problems::Problems;
+use support::online::PlannerOfAxes;
 use support::{Real, test_both_reals};
 
 const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
@@ -45,13 +46,11 @@ fn plans_of_one_axis_pass<R: Real>() {
     assert!(passed * 100 > PROBLEMS * 99);
 }
 
-type Together<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
-
 fn plans_of_several_axes_pass<R: Real>() {
     let (mut passed, mut steps) = (0, 0);
     let step = Findings::JUMPS | Findings::EXCEEDS_JERK;
-    let apart = Sets::<R>::new(13).map(|set| (synchronise::<R> as Together<R>, set));
-    let on_lines = Sets::<R>::on_lines(13).map(|set| (line::<R> as Together<R>, set));
+    let apart = Sets::<R>::new(13).map(|set| (synchronise::<R> as PlannerOfAxes<R>, set));
+    let on_lines = Sets::<R>::on_lines(13).map(|set| (line::<R> as PlannerOfAxes<R>, set));
     for (plan, set) in apart.take(SETS).chain(on_lines.take(SETS)) {
         let (limits, from, to) = set.columns();
         let mut axes = vec![Move::default(); limits.len()];

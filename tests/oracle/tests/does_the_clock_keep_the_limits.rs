@@ -1,7 +1,6 @@
 //! Do axes that hold, slow down, speed up or go back along their path stay on the path, within their limits, without a jump?
 
 use atraj::Findings;
-use atraj::axes::{path_size, plan_path, synchronise};
 use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online, test_both_reals};
@@ -24,20 +23,9 @@ impl<R: Real> Path<R> {
         let sections = random.pick(&[1, 1, 1, 2, 3, 9]);
         let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(random)).collect();
         let position = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
-        let mut states: Vec<State<R>> = (0..n * (sections + 1)).map(position).collect();
-        let zero = R::of(0.0);
-        let mut durations = vec![zero; sections];
-        if sections > 1 {
-            let mut work = vec![zero; path_size(n, sections).expect("a size")];
-            plan_path(&mut states, &mut durations, &limits, n, 6, &mut work).expect("a path");
-        }
-        let mut moves = vec![Move::default(); n * sections];
-        for (section, moves) in moves.chunks_mut(n).enumerate() {
-            let [from, to] = [section, section + 1].map(|point| &states[point * n..][..n]);
-            synchronise(moves, &limits, from, to, durations[section], zero).expect("a plan");
-        }
-        let to = states[n * sections..].to_vec();
-        Self { moves, limits, to }
+        let points: Vec<_> = (0..n * (sections + 1)).map(position).collect();
+        let to = points[n * sections..].to_vec();
+        Self { moves: online::motions(points, &limits, n, 6), limits, to }
     }
 
     fn axes(&self) -> usize {
@@ -79,8 +67,7 @@ impl<R: Real> Path<R> {
 
     fn free_stop(&self, limits: &[Limits<R>], x: R) -> f64 {
         let stop = |(axis, limits): (usize, &Limits<R>)| {
-            let mut stop = Move::default();
-            stop.stop(limits, self.state(axis, x)).expect("a stop");
+            let stop = online::stop(limits, self.state(axis, x));
             stop.t.widen()
         };
         limits.iter().enumerate().map(stop).fold(0.0, f64::max)
@@ -234,8 +221,7 @@ fn short_move<R: Real>() -> ([Move<R>; 1], [Limits<R>; 1]) {
         let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(|limit| R::of(part * limit));
         Limits::symmetric(jerk, acceleration, velocity)
     });
-    let mut axis = Move::default();
-    axis.plan(&planned, State::at(R::of(0.0)), State::at(R::of(2.0))).expect("a plan");
+    let axis = online::plan(&planned, State::at(R::of(0.0)), State::at(R::of(2.0)));
     ([axis], [limits])
 }
 
@@ -247,16 +233,14 @@ fn a_line_stops_exactly() {
         let planned = Limits::symmetric(30.0 * part, 10.0 * part, 5.0 * part);
         let (from, to) = ([State::at(0.0); 3], [2.0, -1.0, 0.5].map(State::at));
         for n in [1, 3] {
-            let (mut moves, limits) = ([Move::default(); 3], [full; 3]);
-            atraj::axes::line(&mut moves[..n], &[planned; 3][..n], &from[..n], &to[..n], 0.0, 0.0).expect("a line");
-            let t: f64 = moves[0].t;
+            let (moves, limits) = (online::straight(&[planned; 3][..n], &from[..n], &to[..n]), [full; 3]);
+            let t = moves[0].t;
             for press in 1..1000 {
                 let x = t * f64::from(press) / 1000.0;
                 let mut clock = Clock::new();
                 let found = clock.rate(&moves[..n], &limits[..n], x, 0.0).expect("a hold");
                 assert!(found.is_empty() || part == 1.0);
-                let mut stop = Move::default();
-                stop.stop(&full, moves[0].state_at(x)).expect("a stop");
+                let stop = online::stop(&full, moves[0].state_at(x));
                 assert!((clock.until() - x - stop.t).abs() < 1e-8 && clock.until() < t + 1e-8, "{n} {part} {x}");
                 for k in 0..=20 {
                     let y = x + stop.t * f64::from(k) / 20.0;
@@ -297,14 +281,9 @@ fn held_path(random: &mut Random, part: f64) -> (Path<f64>, Vec<Limits<f64>>) {
     let limits = vec![Limits::symmetric(30.0, 10.0, 5.0); n];
     let planned = vec![Limits::symmetric(30.0 * part, 10.0 * part, 5.0 * part); n];
     let position = |_| State::at(random.between(-4.0, 4.0));
-    let mut states: Vec<State<f64>> = (0..n * (sections + 1)).map(position).collect();
-    let mut durations = vec![0.0; sections];
-    let mut work = vec![0.0; path_size(n, sections).expect("a size")];
-    plan_path(&mut states, &mut durations, &planned, n, 2, &mut work).expect("a path");
-    let mut moves = vec![Move::default(); n * sections];
-    atraj::axes::path_moves(&mut moves, &planned, &states, &durations, n).expect("moves");
-    let to = states[n * sections..].to_vec();
-    (Path { moves, limits: planned, to }, limits)
+    let points: Vec<_> = (0..n * (sections + 1)).map(position).collect();
+    let to = points[n * sections..].to_vec();
+    (Path { moves: online::motions(points, &planned, n, 2), limits: planned, to }, limits)
 }
 
 /// Holds of random paths of 2 to 5 axes, in stops of the slowest axis: the median, and what 99 % keep. No hold ends after the path.
@@ -416,9 +395,7 @@ fn infinite_jerks_hold<R: Real>() {
             .map(|_| Limits::symmetric(endless, R::of(random.between(2.0, 8.0)), R::of(random.between(1.0, 4.0))))
             .collect();
         let to: Vec<_> = (0..n).map(|_| State::at(R::of(random.between(-3.0, 3.0)))).collect();
-        let mut moves = vec![Move::default(); n];
-        synchronise(&mut moves, &planned, &vec![State::at(R::of(0.0)); n], &to, R::of(0.0), R::of(0.0))
-            .expect("a plan");
+        let moves = online::together(&planned, &vec![State::at(R::of(0.0)); n], &to, R::of(0.0));
         let path = Path { moves, limits: planned, to };
         let limits: Vec<Limits<R>> = path.wider(0.2);
         let x = R::of(path.duration().widen() * random.between(0.05, 0.9));

@@ -2,13 +2,17 @@
 
 use atraj::State;
 use atraj::axes::limit_feed;
-use atraj::online::{Limits, Move};
+use atraj::online::Limits;
 use oracle::judge::path::problems::{Chain, Chains, Family};
 use oracle::judge::path::{Path, Paths, Planner, under_way, windows, wrong};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use oracle::liba::abi::Original;
 use support::online::{limits_of, state_of};
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
+
+fn duration<R: Real>(chain: &Chain<R>, steps: u32) -> f64 {
+    Paths.plan(chain, steps).expect("a plan").0.duration()
+}
 
 /// Waypoints that the documentation of Ruckig plans in its example 3.
 fn example_of_ruckig<R: Real>() -> Chain<R> {
@@ -26,11 +30,8 @@ fn example_of_ruckig<R: Real>() -> Chain<R> {
 /// Ruckig's own plan takes 7.832 s, by the picture next to the example.
 #[test]
 fn compared_with_the_example_of_ruckig() {
-    fn duration<R: Real>() -> f64 {
-        Paths.plan(&example_of_ruckig::<R>(), 0).expect("a plan").0.duration()
-    }
     let theirs = ruckig_path(&example_of_ruckig::<f64>());
-    let ours = [duration::<f64>(), duration::<f32>()];
+    let ours = [duration(&example_of_ruckig::<f64>(), 0), duration(&example_of_ruckig::<f32>(), 0)];
     println!("{ours:.4?} s, rsruckig {theirs:.4?}");
     assert!(ours.iter().all(|&duration| duration < 7.74 && duration > 7.73));
     assert!(theirs.is_some_and(|theirs| theirs > 8.0));
@@ -53,7 +54,7 @@ fn compared_with_rsruckig() {
             refused += 1;
             continue;
         };
-        let ours = Paths.plan(&chain, 0).expect("a plan").0.duration();
+        let ours = duration(&chain, 0);
         let part = theirs / ours;
         shorter += usize::from(part < 1.0);
         (most, least, sum) = (f64::max(most, part), f64::min(least, part), sum + part);
@@ -115,7 +116,7 @@ fn sixteen_steps_are_nearly_enough() {
     let mut parts: Vec<_> = (0..400)
         .map(|k| {
             let chain = chains.of::<f64>(SAMPLED[k % SAMPLED.len()]);
-            let [few, many, most] = [16, 100, 400].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
+            let [few, many, most] = [16, 100, 400].map(|steps| duration(&chain, steps));
             few / few.min(many).min(most)
         })
         .collect();
@@ -131,9 +132,8 @@ fn compared_with_more_steps<R: Original>() {
     let mut sum = 0.0;
     for family in Family::ALL {
         let part = |chain: Chain<R>| {
-            let duration = |steps| Paths.plan(&chain, steps).expect("a plan").0.duration();
-            let default = duration(0);
-            let best = [96, 200].map(duration).into_iter().fold(default, f64::min);
+            let [default, more, most] = [0, 96, 200].map(|steps| duration(&chain, steps));
+            let best = default.min(more).min(most);
             if best == 0.0 { 1.0 } else { default / best }
         };
         let parts: Vec<_> = (0..40).map(|_| part(chains.of(family))).collect();
@@ -315,8 +315,7 @@ fn compared_with_the_move<R: Original>() {
         let forward = random.sign();
         let speed = forward * velocity * random.between(0.5, 1.0);
         let start = state_of([random.between(-1.0, 1.0), speed, 0.0]);
-        let mut axis = Move::default();
-        axis.stop(&limits[0], start).expect("a stop");
+        let axis = online::stop(&limits[0], start);
         let [p, end] = [start, axis.state_at(axis.t)].map(|state| state.position.widen());
         let stop = end - p;
         let places = [random.between(0.1, 0.4), random.between(0.5, 0.9), random.between(2.0, 8.0)];
@@ -326,11 +325,10 @@ fn compared_with_the_move<R: Original>() {
             states.push(State::at(R::of(p + place * stop)));
             states.push(State::at(R::of(place_of_other + 1e-3 * side * stop)));
         }
-        axis.plan(&limits[0], start, states[6]).expect("a plan");
+        let fastest = online::plan(&limits[0], start, states[6]).t.widen();
         let chain = Chain { family: Family::InMotion, axes: 2, limits: limits.into(), states };
         for (worst, steps) in worst.iter_mut().zip([0, 200]) {
-            let path = Paths.plan(&chain, steps).expect("a plan").0;
-            *worst = f64::max(*worst, path.duration() / axis.t.widen());
+            *worst = f64::max(*worst, duration(&chain, steps) / fastest);
         }
     }
     println!("{}: at most {worst:.5?} of the move, by default and with 200 steps", R::NAME);
@@ -390,7 +388,7 @@ fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64;
     states[0].velocity = R::of(v0);
     states[positions.len() - 1].velocity = R::of(v1);
     let chain = Chain { family: Family::InMotion, axes: 1, limits: vec![limits_of(limits.map(R::of))], states };
-    Paths.plan(&chain, 0).expect("a plan").0.duration()
+    duration(&chain, 0)
 }
 
 /// While the weight of the logarithms is large, the plan must stay near the centre: this path ends in 5.6233 s otherwise.
@@ -398,7 +396,7 @@ fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64;
 fn the_first_falls_wait_for_the_centre() {
     let mut chains = Chains::new(3);
     let chains = (0..276).map(|_| chains.of::<f64>(Family::ToAndFro));
-    let duration = Paths.plan(&chains.last().expect("a path"), 0).expect("a plan").0.duration();
+    let duration = duration(&chains.last().expect("a path"), 0);
     assert!(duration < 5.604, "{duration} s");
 }
 
@@ -441,7 +439,7 @@ fn an_axis_that_brakes_passes_two_waypoints() {
     let points = [0.210_609_364_306_674_32, -1.0721902479940006, 0.657_636_754_210_661_5, 0.43416238842824006];
     let states = [start].into_iter().chain(points.map(State::at)).collect();
     let chain = Chain { family: Family::InMotion, axes: 1, limits, states };
-    let [default, long] = [0, 48].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
+    let [default, long] = [0, 48].map(|steps| duration(&chain, steps));
     println!("{default} s by default, {long} s in 48 steps");
     assert!(default < 6.6 && long < 6.516);
 }
@@ -455,7 +453,7 @@ fn between([jerk, acceleration, velocity]: [f64; 3], points: &[Vec<f64>]) -> Cha
 }
 
 fn duration_between(limits: [f64; 3], points: &[Vec<f64>]) -> f64 {
-    Paths.plan(&between(limits, points), 0).expect("a plan").0.duration()
+    duration(&between(limits, points), 0)
 }
 
 /// Long sections with short ones between them: the bars are the best known durations and a little, s.
@@ -486,8 +484,7 @@ fn points_before_an_end_in_motion_cost_little() {
             let ends @ [v0, v1] = [fastest, 2.8].map(|fastest| random.between(0.0, fastest));
             let [start, end] = [(v0, 0.0), (v1, positions[positions.len() - 1])]
                 .map(|(velocity, position)| State { velocity, ..State::at(position) });
-            let mut alone = Move::default();
-            alone.plan(&Limits::symmetric(3.0, 2.5, 5.0), start, end).expect("a plan");
+            let alone = online::plan(&Limits::symmetric(3.0, 2.5, 5.0), start, end);
             if (0..100).all(|k| alone.velocity(0.01 * f64::from(k) * alone.t) >= 0.0) {
                 parts.push(duration_of::<f64>([5.0, -5.0, 2.5, -2.5, 3.0, -3.0], &positions, ends) / alone.t);
             }
@@ -510,9 +507,8 @@ fn uneven_points_on_a_line_cost_nothing() {
             let mut parts = [vec![], vec![]];
             for _ in 0..rows {
                 let positions = places(sections, [-4.0, factor - 4.0], &mut random);
-                let mut alone = Move::default();
                 let end = State::at(positions[sections]);
-                alone.plan(&Limits::symmetric(jerk, acceleration, velocity), State::at(0.0), end).expect("a plan");
+                let alone = online::plan(&Limits::symmetric(jerk, acceleration, velocity), State::at(0.0), end);
                 parts[0].push(duration_of::<f64>(limits, &positions, [0.0; 2]) / alone.t);
                 parts[1].push(duration_of::<f32>(limits, &positions, [0.0; 2]) / alone.t);
             }
@@ -542,7 +538,7 @@ fn paths_back_in_time_take_as_long() {
             (way.states[8 + axis].velocity, back.states[axis].velocity) = (velocity, velocity);
         }
         for (sum, chain) in sums.iter_mut().zip([way, back]) {
-            *sum += Paths.plan(&chain, 0).expect("a plan").0.duration();
+            *sum += duration(&chain, 0);
         }
     }
     let part = sums[0] / sums[1];
@@ -572,7 +568,7 @@ fn motion_at_both_ends_costs_little_more_than_at_each() {
                     let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
                     (0..axes).for_each(|axis| chain.states[at * axes + axis].velocity = speed * way[axis] / length);
                 }
-                Paths.plan(&chain, 0).expect("a plan").0.duration()
+                duration(&chain, 0)
             };
             let at_rest = duration([0.0; 2]);
             let [more_at_start, more_at_end, more] =
@@ -595,9 +591,8 @@ fn uneven_points_on_a_line_in_space_cost_nothing() {
         let steepest = direction.iter().copied().map(f64::abs).fold(0.0, f64::max);
         let places = places(sections, [-3.0, -0.5], &mut random);
         let points: Vec<Vec<_>> = places.iter().map(|s| direction.iter().map(|slope| slope * s).collect()).collect();
-        let mut alone = Move::default();
         let end = State::at(steepest * places[places.len() - 1]);
-        alone.plan(&Limits::symmetric(50.0, 10.0, 5.0), State::at(0.0), end).expect("a plan");
+        let alone = online::plan(&Limits::symmetric(50.0, 10.0, 5.0), State::at(0.0), end);
         parts.push(duration_between([50.0, 10.0, 5.0], &points) / alone.t);
     }
     let [mean, worst] = mean_and_worst(&parts);
@@ -629,7 +624,6 @@ fn uneven_points_with_bends_cost_little() {
         let mut parts = [vec![], vec![]];
         for _ in 0..40 {
             let chain = between([64.0, 6.4, 1.6], &points_of(&mut random));
-            let duration = |chain: &Chain<f64>, steps| Paths.plan(chain, steps).expect("a plan").0.duration();
             parts[0].push(duration(&chain, 0) / duration(&chain, 1_000));
             let mut path = Paths.plan(&chain, 0).expect("a plan").0;
             let passed = 2 * chain.sections() / 5;
@@ -702,7 +696,7 @@ fn narrow_zones_do_not_stall() {
     }
     let states = positions.iter().map(|&p| State::at(p)).collect();
     let chain = Chain { family: Family::Many, axes: 1, limits, states };
-    let [default, long] = [0, 400].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
+    let [default, long] = [0, 400].map(|steps| duration(&chain, steps));
     println!("40 sections with zones between them: {default:.5} s, {long:.5} with 400 steps");
     assert!(default <= 1.005 * long);
 }
@@ -713,7 +707,7 @@ fn short_sections_need_few_steps() {
     let limits = [100.0, 10.0, 100.0].map(|jerk| Limits::symmetric(jerk, 0.5 * jerk, 10.0 * jerk)).into();
     let states = [0.0, 1.0, 2.0, 3.0].map(State::at).into();
     let chain = Chain { family: Family::Zones, axes: 1, limits, states };
-    let [one, long] = [1, 200].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
+    let [one, long] = [1, 200].map(|steps| duration(&chain, steps));
     assert!(one < 1.02 * long, "{one} s next to {long} s");
 }
 
@@ -734,7 +728,7 @@ fn feeds_along_lines_in_space_do_not_stall() {
         let mut limits = vec![Limits::symmetric(50.0, 10.0, 5.0); axes * sections];
         limit_feed(&mut limits, &states, &feeds, axes).expect("limits");
         let chain = Chain { family: Family::Many, axes, limits, states };
-        let [default, long] = [0, 1_000].map(|steps| Paths.plan(&chain, steps).expect("a plan").0.duration());
+        let [default, long] = [0, 1_000].map(|steps| duration(&chain, steps));
         parts.push(default / long);
     }
     let [mean, worst] = mean_and_worst(&parts);
@@ -746,7 +740,7 @@ fn feeds_along_lines_in_space_do_not_stall() {
 fn with_tolerance(chain: &Chain<f64>, tolerance: f64) -> [f64; 2] {
     let tolerances = vec![tolerance; chain.axes * (chain.sections() - 1)];
     let near = Paths.plan_near(chain, &tolerances, 0).expect("a plan").0;
-    [near.duration(), Paths.plan(chain, 0).expect("a plan").0.duration()]
+    [near.duration(), duration(chain, 0)]
 }
 
 /// Random points in a cube of side 1: the table of `docs/path.md`. The bars are what is measured, and a little.

@@ -2,8 +2,9 @@
 
 use crate::random::Random;
 use crate::real::Real;
-use atraj::State;
+use atraj::axes::{line, path_moves, path_size, plan_path, synchronise};
 use atraj::online::{Limits, Move, Phase};
+use atraj::{Error, Findings, State};
 
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
@@ -80,6 +81,61 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     State { velocity: v, acceleration: a, ..state }
 }
 
+#[track_caller]
+pub fn plan<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Move<R> {
+    let mut planned = Move::default();
+    let result = planned.plan(limits, from, to);
+    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
+    planned
+}
+
+#[track_caller]
+pub fn stop<R: Real>(limits: &Limits<R>, from: State<R>) -> Move<R> {
+    let mut planned = Move::default();
+    let result = planned.stop(limits, from);
+    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?}");
+    planned
+}
+
+/// `synchronise` or `line`: moves, limits, starts and targets, the least duration and the cycle.
+pub type PlannerOfAxes<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
+
+/// Axes that arrive together, at the duration or later.
+#[track_caller]
+pub fn together<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], duration: R) -> Vec<Move<R>> {
+    let mut axes = vec![Move::default(); limits.len()];
+    let result = synchronise(&mut axes, limits, from, to, duration, R::of(0.0));
+    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?} {duration:?}");
+    axes
+}
+
+#[track_caller]
+pub fn straight<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>]) -> Vec<Move<R>> {
+    let mut axes = vec![Move::default(); limits.len()];
+    let result = line(&mut axes, limits, from, to, R::of(0.0), R::of(0.0));
+    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
+    axes
+}
+
+/// Plans a path through the states, point by point. Gives the durations of its sections, and what the plan finds.
+#[track_caller]
+pub fn path<R: Real>(states: &mut [State<R>], limits: &[Limits<R>], axes: usize, steps: u32) -> (Vec<R>, Findings) {
+    let sections = states.len() / axes - 1;
+    let mut durations = vec![R::of(f64::NAN); sections];
+    let mut work = vec![R::of(f64::NAN); path_size(axes, sections).expect("a size")];
+    let found = plan_path(states, &mut durations, limits, axes, steps, &mut work).expect("a path");
+    (durations, found)
+}
+
+/// The motions of a path through these points, section by section.
+#[track_caller]
+pub fn motions<R: Real>(mut points: Vec<State<R>>, limits: &[Limits<R>], axes: usize, steps: u32) -> Vec<Move<R>> {
+    let (durations, _) = path(&mut points, limits, axes, steps);
+    let mut moves = vec![Move::default(); axes * durations.len()];
+    path_moves(&mut moves, limits, &points, &durations, axes).expect("moves");
+    moves
+}
+
 /// The highest speed of a move in either direction.
 pub fn fastest<R: Real>(planned: &Move<R>) -> f64 {
     let reached = planned.extremes();
@@ -98,9 +154,7 @@ pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
         1 => planned.meet(&limits, from, part),
         _ => planned.plan(&limits, from, to),
     };
-    if let Err(error) = result {
-        panic!("{error:?}: {limits:?} {from:?} {to:?}");
-    }
+    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
     (limits, from, planned)
 }
 

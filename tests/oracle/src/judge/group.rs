@@ -1,6 +1,5 @@
 //! A random program of calls to a group, and what is wrong with its ticks and its answers.
 
-use atraj::axes::{path_moves, path_size, plan_path, synchronise};
 use atraj::machine::{Group, GroupPlanner, GroupTicker, StepStream, Tick};
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online};
@@ -17,16 +16,11 @@ struct Paths<R> {
 
 impl<R: Real> Paths<R> {
     fn random(random: &mut Random, limits: &[Limits<R>]) -> Self {
-        let (n, sections, zero) = (limits.len(), 1 + random.below(4), R::of(0.0));
+        let (n, sections) = (limits.len(), 1 + random.below(4));
         let position = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
-        let mut states: Vec<State<R>> = (0..n * (sections + 1)).map(position).collect();
-        let mut durations = vec![zero; sections];
-        let mut work = vec![zero; path_size(n, sections).expect("a size")];
-        plan_path(&mut states, &mut durations, limits, n, 6, &mut work).expect("a path");
-        let mut there = vec![Move::default(); n * sections];
-        path_moves(&mut there, limits, &states, &durations, n).expect("its moves");
-        let mut back = vec![Move::default(); n];
-        synchronise(&mut back, limits, &states[n * sections..], &states[..n], zero, zero).expect("a way back");
+        let points: Vec<_> = (0..n * (sections + 1)).map(position).collect();
+        let back = online::together(limits, &points[n * sections..], &points[..n], R::of(0.0));
+        let there = online::motions(points, limits, n, 6);
         let there_and_back = [&there[..], &back].concat();
         let torn = [&there[..], &there].concat();
         Self { there, there_and_back, torn }
@@ -139,8 +133,7 @@ impl<R: Real> Trial<'_, '_, R> {
     /// A motion of the program may last as long as an axis takes to this target.
     fn may_go_to(&mut self, to: &[State<R>]) {
         for ((now, to), limits) in self.now.iter().zip(to).zip(self.limits) {
-            let mut alone = Move::default();
-            alone.plan(limits, *now, *to).expect("a plan");
+            let alone = online::plan(limits, *now, *to);
             self.longest = self.longest.max(alone.t.widen());
         }
     }
@@ -155,8 +148,7 @@ impl<R: Real> Trial<'_, '_, R> {
     /// Ticks until the axes stand, which takes at most twice as long as the stop of the slowest axis.
     fn stops_in_time(&mut self) {
         let stop = |(now, limits): (&State<R>, &Limits<R>)| {
-            let mut stop = Move::default();
-            stop.stop(limits, *now).expect("a stop");
+            let stop = online::stop(limits, *now);
             stop.t.widen()
         };
         let slowest = self.now.iter().zip(self.limits).map(stop).fold(0.0, f64::max);

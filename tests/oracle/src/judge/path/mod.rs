@@ -13,7 +13,7 @@ use atraj::axes::{improve_path, path_size, path_size_near, plan_path, plan_path_
 use atraj::online::{Error, Limits, Move};
 use atraj::{Findings, State};
 use problems::Chain;
-use support::{Random, Real};
+use support::{Random, Real, online};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<R> {
@@ -57,9 +57,8 @@ impl<R: Real> Planner<R> for Paths {}
 /// What is left of a path that is followed, `left` seconds before the end of its first section.
 pub fn under_way<R: Original>(limits: &[Limits<R>], path: &Path<R>, left: R) -> Path<R> {
     let axes = limits.len();
-    let mut moves = vec![Move::default(); axes];
     let (from, to) = (&path.states[..axes], &path.states[axes..2 * axes]);
-    synchronise(&mut moves, limits, from, to, path.durations[0], R::of(0.0)).expect("motions");
+    let moves = online::together(limits, from, to, path.durations[0]);
     let now = path.durations[0] - left;
     let mut rest = path.clone();
     let at_once = moves.iter().map(|axis| axis.state_at(now));
