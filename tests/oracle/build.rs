@@ -48,7 +48,7 @@ fn main() {
 
 /// The tests of `brief.rs` that take longest. They run last, because most mutants are found before.
 const LONG: [&str; 8] = [
-    "do_axes_arrive_together", "do_axes_stay_inside", "does_a_loop_arrive_in_time", "does_the_clock_keep_the_limits",
+    "do_axes_arrive_together", "do_axes_stay_inside", "do_loops_arrive", "does_the_clock_keep_the_limits",
     "is_a_corrected_motion_wrong", "is_a_path_nearly_the_shortest", "is_an_extreme_missed",
     "is_the_fastest_motion_right",
 ];

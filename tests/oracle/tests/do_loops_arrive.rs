@@ -1,13 +1,14 @@
-//! Do loops that plan at every tick arrive when their first plan said? `LOOPS=20000` runs as many of each family.
+//! Do loops that plan at every tick arrive when their first plan said, and is every state of their own motion accepted? `LOOPS=20000` runs as many
+//! of each family. An axis that is late by a rounding before a target in motion has a detour before it: it turns and comes again.
 
-use atraj::axes::synchronise;
-use atraj::online::Move;
-use oracle::judge::axes::loops::{Family, Loops};
-use support::online::{limits_of, state_of};
-use support::{Real, test_both_reals};
+use atraj::online::{Limits, Move, State};
+use oracle::judge::axes::loops::{Family, Loops, Outcome, Set, Way, run};
+use support::online::{limits_of, numbers_of_state, state_of};
+use support::{Random, Real, online, test_both_reals};
 
-const LOOPS: u64 = 300; // loops of each family
+const LOOPS: u64 = 420; // loops of each family
 const ONE_LATE_OF: u64 = 1000; // one loop in so many may be late by more than two ticks: of 2,000, up to 2 are
+const TICK: f64 = 1e-3; // s
 
 fn loops_arrive<R: Real>() {
     let loops = std::env::var("LOOPS").map_or(LOOPS, |loops| loops.parse().expect("a number of loops"));
@@ -19,7 +20,119 @@ fn loops_arrive<R: Real>() {
     }
 }
 
-test_both_reals!(loops_arrive);
+/// How long the first plan of one axis takes, s. Its loop arrives then.
+fn arrival<R: Real>(way: Way, [j, a, v]: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
+    let family = Family { way, on_ticks: way != Way::Alone, ..LINE };
+    let limits = vec![Limits::symmetric(R::of(j), R::of(a), R::of(v))];
+    let mut set = Set { limits, from: vec![state_of(from)], to: vec![state_of(to)], tick: TICK };
+    let mut axes = [Move::default()];
+    family.plan(&set, &mut axes).expect("a plan");
+    let t = axes[0].t.widen();
+    let outcome = run(&family, &mut set, &mut axes);
+    assert!(matches!(outcome, Outcome::InTime), "{outcome:?} {set:?}");
+    t
+}
+
+/// The axis holds its lowest acceleration. A rise before the hold came out below 0 by rounding, and the setpoint stepped by 5e-5 m.
+fn a_hold_stays_at_its_limit<R: Real>() {
+    let [from, to] = [[0.818601, -0.16690297, -6.353302], [0.4556823, -1.8287257, 0.0]];
+    arrival::<R>(Way::Together, [54.896553, 6.366892, 2.268614], from, to);
+}
+
+/// From rest, past a position with the velocity 1 m/s: 17,071 ticks were taken instead of 858.
+fn from_rest_past_a_position<R: Real>() {
+    for way in [Way::Alone, Way::Together, Way::Straight] {
+        let t = arrival::<R>(way, [30.0, 10.0, 5.0], [0.0; 3], [1.0, 1.0, 0.0]);
+        assert!(t > 0.857 && t < 0.8591, "{t} s");
+    }
+}
+
+const LINE: Family = Family { way: Way::Straight, on_ticks: true, is_general: true, at_zero: false };
+
+/// Three axes on a line, which pass their targets in motion. Their positions may be far from 0.
+fn line<R: Real>(random: &mut Random) -> Set<R> {
+    let limits = online::limits::<R>(random);
+    let mut moving =
+        || std::iter::repeat_with(|| online::inside(random, &limits)).find(|end| end.velocity != R::of(0.0));
+    let ends = [(); 2].map(|()| numbers_of_state(moving().expect("a state")));
+    let offset = random.pick(&[0.0, 10.0, 1e4]);
+    let axes = [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)].map(|share| {
+        let offset = random.sign() * offset;
+        ends.map(|[p, v, a]| state_of([offset + share * p, share * v, share * a]))
+    });
+    let [from, to] = [0, 1].map(|end| axes.iter().map(|axis| axis[end]).collect());
+    Set { limits: vec![limits; 3], from, to, tick: TICK }
+}
+
+/// Plans again, a tick later.
+fn go_on<R: Real>(set: &mut Set<R>, axes: &mut [Move<R>; 3]) {
+    set.from = axes.iter().map(|axis| axis.state_at(R::of(TICK))).collect();
+    let planned = LINE.plan(set, axes);
+    assert!(planned.is_ok(), "{planned:?}: {set:?}");
+}
+
+/// A loop on a line was refused after some thousand ticks: each tick turned the way by a rounding, until the target's velocity pointed off it.
+fn long_lines_go_on<R: Real>() {
+    let mut random = Random::seeded(24);
+    let mut lines = 0;
+    while lines < 30 {
+        let (mut set, mut axes) = (line::<R>(&mut random), [Move::default(); 3]);
+        let planned = LINE.plan(&set, &mut axes);
+        let t = axes[0].t.widen();
+        if planned.is_ok() && (6.0..30.0).contains(&t) {
+            (100..(t / TICK) as usize).for_each(|_| go_on(&mut set, &mut axes));
+            lines += 1;
+        }
+    }
+}
+
+/// The same, where the end has hardly a velocity, or an acceleration alone. Velocities that are roundings of higher ones are accepted, too.
+fn slow_ends_tell_the_direction<R: Real>() {
+    let states = |p: f64, v: f64, a: f64| {
+        [1.0, 0.712_345_678_9, -0.321_7].map(|share| state_of([p, v, a].map(|x| share * x))).to_vec()
+    };
+    let limits = vec![Limits::symmetric(R::of(20.0), R::of(5.0), R::of(1.0)); 3];
+    let mut set = Set { limits, from: vec![], to: vec![], tick: TICK };
+    let mut axes = [Move::default(); 3];
+    for (velocity, acceleration) in [(0.0, -0.5), (0.001, -0.3), (-0.1, 0.0)] {
+        (set.from, set.to) = (states(-13.37, 0.0, 0.0), states(0.123, velocity, acceleration));
+        LINE.plan(&set, &mut axes).expect("a line");
+        (0..13_800).for_each(|_| go_on(&mut set, &mut axes));
+    }
+    let mut random = Random::seeded(24);
+    for _ in 0..1000 {
+        let mut small = |_| R::of(R::MACHINE_EPSILON.widen() * random.between(-1.0, 1.0));
+        let end = states(0.123, 0.0, 0.0).into_iter();
+        set.to = end.map(|end| State { velocity: small(()), acceleration: small(()), ..end }).collect();
+        set.from = states(-13.37, 0.0, 0.0);
+        let planned = LINE.plan(&set, &mut axes);
+        assert!(planned.is_ok(), "{planned:?}: {set:?}");
+    }
+}
+
+/// States in the middle of a line's own motion were refused: of 2,000 lines all.
+fn states_of_a_line_lie_on_it<R: Real>() {
+    let mut random = Random::seeded(24);
+    let mut lines = 0;
+    while lines < 600 {
+        let (mut set, mut axes) = (line::<R>(&mut random), [Move::default(); 3]);
+        if LINE.plan(&set, &mut axes).is_err() {
+            continue;
+        }
+        lines += 1;
+        for _ in 0..20 {
+            let x = R::of(random.unit()) * axes[0].t;
+            set.from = axes.iter().map(|axis| axis.state_at(x)).collect();
+            let planned = LINE.plan(&set, &mut [Move::default(); 3]);
+            assert!(planned.is_ok(), "{planned:?}: {set:?}");
+        }
+    }
+}
+
+test_both_reals!(
+    loops_arrive, a_hold_stays_at_its_limit, from_rest_past_a_position, long_lines_go_on, slow_ends_tell_the_direction,
+    states_of_a_line_lie_on_it
+);
 
 /// In this state of a loop 0.188 s were left, and 0.696 s were planned.
 #[test]
@@ -35,7 +148,7 @@ fn the_slowest_axis_takes_the_duration_of_another_one() {
     ];
     let to = [[-0.16704241250641094, 0.0, 0.0], [0.0, 0.12512074760657954, 0.0]];
     let mut axes = [Move::default(); 2];
-    synchronise(&mut axes, &limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0, 4e-3).expect("a plan");
+    atraj::axes::synchronise(&mut axes, &limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0, 4e-3).expect("a plan");
     assert!(axes[0].t < 0.188 + 1e-9, "{}", axes[0].t);
 }
 
@@ -53,7 +166,6 @@ fn the_last_part_of_a_tick_is_short() {
         [0.2400544331791675, 5.207314339034029e-7, -0.0033288722960675976],
     ];
     let to = [[0.013342700226573134, -0.31155214708633727, 0.0], [0.24005443323347242, 0.0, 0.0]];
-    let mut axes = [Move::default(); 2];
-    synchronise(&mut axes, &limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0, 0.0).expect("a plan");
+    let axes = online::together(&limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0);
     assert!(axes[0].t < 0.0004, "{}", axes[0].t);
 }
