@@ -2,12 +2,12 @@
 
 use atraj::State;
 use atraj::online::Limits;
-use oracle::judge::path::problems::{Chain, Family};
+use oracle::judge::path::problems::{Chain, Family, example_of_ruckig};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
 pub struct Case {
-    pub name: &'static str, // what they are
+    pub name: &'static str,      // what they are
     pub chains: Vec<Chain<f64>>, // one, or several, of which the table has the mean
 }
 
@@ -23,17 +23,6 @@ pub fn cases() -> [Case; 5] {
 
 fn chain(limits: Vec<Limits<f64>>, positions: impl Iterator<Item = f64>) -> Chain<f64> {
     Chain { family: Family::Many, axes: limits.len(), limits, states: positions.map(State::at).collect() }
-}
-
-fn example_of_ruckig() -> Chain<f64> {
-    let points =
-        [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
-    let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]].map(|[j, a, v]| Limits::symmetric(j, a, v));
-    let mut chain = chain(limits.into(), points.into_iter().flatten());
-    for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
-        (chain.states[k].velocity, chain.states[k].acceleration) = (velocity, acceleration);
-    }
-    chain
 }
 
 fn at_rest(chain: Chain<f64>) -> Chain<f64> {

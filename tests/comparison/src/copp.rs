@@ -49,7 +49,7 @@ fn points(chain: &Chain<f64>, s: &[f64]) -> DMatrix<f64> {
 }
 
 /// A spline through a row would run back and forth.
-fn is_curve(chain: &Chain<f64>) -> bool {
+pub fn is_curve(chain: &Chain<f64>) -> bool {
     chain.axes > 1 && chain.states.iter().all(|state| *state == State::at(state.position))
 }
 

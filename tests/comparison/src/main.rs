@@ -5,11 +5,10 @@ mod copp;
 mod toppra;
 mod two_passes;
 
-use atraj::axes::{path_deviation, path_moves, synchronise};
-use atraj::online::Move;
+use atraj::axes::path_deviation;
 use cases::{Case, cases};
 use oracle::judge::path::problems::Chain;
-use oracle::judge::path::{Paths, Planner};
+use oracle::judge::path::{Paths, Planner, stopping};
 use oracle::judge::rivals::ruckig_path;
 use std::time::Instant;
 
@@ -18,7 +17,7 @@ type Duration = f64; // s
 fn main() {
     println!("points,planner,jerk,s,ms");
     for case in cases() {
-        case.print("a stop at each point", true, stopping);
+        case.print("a stop at each point", true, |chain| Some(stopping(chain)));
         case.print("atraj", true, ours);
         case.print("rsruckig 3.0.1", true, theirs);
         case.print("two passes with a = 0", true, two_passes::duration);
@@ -64,9 +63,7 @@ impl Case {
 
 fn deviation(chain: &Chain<f64>) -> f64 {
     let (path, _) = Paths.plan(chain, 0).expect("a plan");
-    let mut moves = vec![Move::default(); chain.axes * chain.sections()];
-    path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes).expect("motions");
-    path_deviation(&moves, chain.axes)
+    path_deviation(&path.moves(chain).expect("motions").0, chain.axes)
 }
 
 fn ours(chain: &Chain<f64>) -> Option<Duration> {
@@ -76,17 +73,4 @@ fn ours(chain: &Chain<f64>) -> Option<Duration> {
 /// rsruckig has one limit of the jerk.
 fn theirs(chain: &Chain<f64>) -> Option<Duration> {
     chain.limits.iter().all(|limits| limits.jmax == -limits.jmin).then(|| ruckig_path(chain)).flatten()
-}
-
-/// The axes arrive together, and rest.
-fn stopping(chain: &Chain<f64>) -> Option<Duration> {
-    let mut moves = vec![Move::default(); chain.axes];
-    let points: Vec<_> = chain.states.chunks(chain.axes).collect();
-    points
-        .windows(2)
-        .map(|ends| {
-            synchronise(&mut moves, &chain.limits, ends[0], ends[1], 0.0, 0.0).ok()?;
-            Some(moves[0].t)
-        })
-        .sum()
 }

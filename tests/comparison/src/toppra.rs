@@ -1,13 +1,12 @@
 //! toppra plans in Python, and is asked where it is installed.
 
 use crate::cases::Case;
-use atraj::State;
+use crate::copp::is_curve;
 use oracle::judge::path::problems::Chain;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
 pub fn print(case: &Case) {
-    let is_curve = |chain: &Chain<f64>| chain.axes > 1 && chain.states.iter().all(|s| *s == State::at(s.position));
     if !case.chains.iter().all(is_curve) {
         return;
     }

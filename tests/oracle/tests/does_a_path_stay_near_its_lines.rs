@@ -1,47 +1,18 @@
 //! Does a contour stay within its tolerance of the lines between the given points, in its room, within all limits and its feed?
 
 use atraj::State;
-use atraj::axes::{Contour, limit_feed, path_deviation, path_moves, path_size, plan_contour};
+use atraj::axes::{limit_feed, path_deviation};
 use atraj::online::{Error, Limits, Move};
+use oracle::judge::path::contour::{Planned, contour};
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, distance, wrong};
+use oracle::judge::path::{Paths, Planner, distance, wrong};
 use oracle::liba::abi::Original;
 use support::{Random, Real, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 
-struct Planned<R: Real> {
-    answer: Result<atraj::Findings, Error>,
-    chain: Chain<R>,
-    path: Path<R>,
-    moves: Vec<Move<R>>,
-    places: Vec<usize>,
-}
-
 fn zones<R: Real>(chain: &Chain<R>) -> Vec<Limits<R>> {
     (0..chain.sections()).flat_map(|section| chain.limits(section).to_vec()).collect()
-}
-
-fn contour<R: Real>(chain: &Chain<R>, tolerance: f64, room: usize, steps: u32) -> Planned<R> {
-    let (axes, mut states) = (chain.axes, chain.states.clone());
-    states.resize(axes * (room + 1), State::at(R::of(f64::NAN)));
-    let (mut moves, mut durations) = (vec![Move::default(); axes * room], vec![R::of(f64::NAN); room]);
-    let mut places = vec![0; chain.sections() + 1];
-    let mut work = vec![R::of(f64::NAN); path_size(axes, room).expect("a size")];
-    let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
-    let answer = plan_contour(path, &chain.limits, R::of(tolerance), axes, steps, &mut work);
-    let sections = places[chain.sections()];
-    moves.truncate(axes * sections);
-    states.truncate(axes * (sections + 1));
-    durations.truncate(sections);
-    let parts = places.windows(2).enumerate().flat_map(|(part, ends)| vec![part; ends[1] - ends[0]]);
-    let limits = parts.flat_map(|part| chain.limits(part).to_vec()).collect();
-    let given = states.iter().enumerate().map(|(k, &state)| {
-        let is_end = k < axes || k >= axes * sections;
-        if is_end { state } else { State::at(state.position) }
-    });
-    let chain = Chain { family: chain.family, axes, limits, states: given.collect() };
-    Planned { answer, chain, path: Path { states, durations }, moves, places }
 }
 
 fn positions<R: Real>(states: &[State<R>], axes: usize, point: usize) -> Vec<f64> {
@@ -54,9 +25,8 @@ fn wrong_contour<R: Original>(
 ) -> Option<String> {
     let Planned { answer, chain, path, moves, places } = planned;
     let axes = given.axes;
-    let mut again = vec![Move::default(); moves.len()];
-    let found = match path_moves(&mut again, &chain.limits, &path.states, &path.durations, axes) {
-        Ok(found) => found,
+    let (again, found) = match path.moves(chain) {
+        Ok(again) => again,
         Err(error) => return Some(format!("no moves: {error:?}")),
     };
     let phases = |moves: &[Move<R>]| moves.iter().flat_map(|axis| axis.phases().to_vec()).collect::<Vec<_>>();
@@ -181,9 +151,7 @@ fn feeds_are_kept<R: Original>() {
         let each: Vec<_> = (0..=chain.sections()).collect();
         let tolerances = vec![R::of(0.125); axes * (chain.sections() - 1)];
         for planned in [Paths.plan(&chain, 0), Paths.plan_near(&chain, &tolerances, 0)] {
-            let (path, _) = planned.expect("a path");
-            let mut moves = vec![Move::default(); axes * chain.sections()];
-            path_moves(&mut moves, &chain.limits, &path.states, &path.durations, axes).expect("moves");
+            let (moves, _) = planned.expect("a path").0.moves(&chain).expect("moves");
             judge(&moves, &each);
         }
         let planned = contour(&chain, 0.05, 5 * chain.sections() + 40, 16);
@@ -201,9 +169,7 @@ fn a_line_has_its_feed<R: Original>() {
         let states: Vec<_> = (0..2 * axes).map(|_| State::at(R::of(random.between(-50.0, 50.0)))).collect();
         let mut chain = Chain { family: Family::NoPoint, axes, limits, states };
         limit_feed(&mut chain.limits, &chain.states, &[R::of(2.0)], axes).expect("limits");
-        let mut moves = vec![Move::default(); axes];
         let (path, _) = Paths.plan(&chain, 0).expect("a path");
-        path_moves(&mut moves, &chain.limits, &path.states, &path.durations, axes).expect("moves");
         let [from, to] = [0, 1].map(|point| positions(&chain.states, axes, point));
         let length = from.iter().zip(&to).map(|(from, to)| (to - from) * (to - from)).sum::<f64>().sqrt();
         let part = length / (2.0 * path.duration());

@@ -3,7 +3,7 @@
 use atraj::State;
 use atraj::axes::limit_feed;
 use atraj::online::Limits;
-use oracle::judge::path::problems::{Chain, Chains, Family};
+use oracle::judge::path::problems::{Chain, Chains, Family, example_of_ruckig};
 use oracle::judge::path::{Path, Paths, Planner, under_way, windows, wrong};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use oracle::liba::abi::Original;
@@ -12,19 +12,6 @@ use support::{Random, Real, online, test_both_reals};
 
 fn duration<R: Real>(chain: &Chain<R>, steps: u32) -> f64 {
     Paths.plan(chain, steps).expect("a plan").0.duration()
-}
-
-/// Waypoints that the documentation of Ruckig plans in its example 3.
-fn example_of_ruckig<R: Real>() -> Chain<R> {
-    let points =
-        [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
-    let mut states: Vec<_> = points.iter().flatten().map(|&p| State::at(R::of(p))).collect();
-    for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
-        (states[k].velocity, states[k].acceleration) = (R::of(velocity), R::of(acceleration));
-    }
-    let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]];
-    let limits = limits.map(|[j, a, v]| Limits::symmetric(R::of(j), R::of(a), R::of(v)));
-    Chain { family: Family::InMotion, axes: 3, limits: limits.into(), states }
 }
 
 /// Ruckig's own plan takes 7.832 s, by the picture next to the example.

@@ -6,11 +6,11 @@
 //! this velocity of each axis, and with this feed.
 
 use atraj::State;
-use atraj::axes::{
-    Contour, limit_feed, line, path_deviation, path_moves, path_size, path_size_near, plan_contour, plan_path,
-    plan_path_near,
-};
+use atraj::axes::{limit_feed, path_deviation};
 use atraj::online::{Error, Limits, Move};
+use oracle::judge::path::contour::contour;
+use oracle::judge::path::problems::{Chain, Family};
+use oracle::judge::path::{Paths, Planner, stopping};
 use std::f64::consts::PI;
 use std::path::Path;
 use std::time::Instant;
@@ -34,7 +34,7 @@ fn main() -> Result<(), Error> {
 fn parts() -> Result<(), Error> {
     let limits = [Limits::symmetric(6e4, 3e3, 100.0); 2];
     for (part, points) in [("star", star()), ("gear wheel", gear_wheel())] {
-        println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&limits, &points)?);
+        println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&chain(&limits, &points)));
         through(part, &limits, &points)?;
         for tolerance in [0.1, 0.05, 0.02, 0.01, 0.005] {
             within(part, &limits, &points, tolerance, f64::INFINITY)?;
@@ -42,7 +42,7 @@ fn parts() -> Result<(), Error> {
     }
     let points = gear_wheel();
     for tolerance in [0.05, 0.02, 0.01] {
-        near("gear wheel with tolerances", &limits, &points, tolerance, f64::INFINITY)?;
+        near(&limits, &points, tolerance)?;
     }
     for feed in [60.0, 20.0] {
         within(&format!("gear wheel at {feed} mm/s"), &limits, &points, 0.01, feed)?;
@@ -61,7 +61,7 @@ fn of_a_file(file: &str, numbers: &[String]) -> Result<(), Error> {
     let limits = [Limits::symmetric(jerk, acceleration, velocity); 2];
     let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy();
     let part = format!("{name} at {velocity} mm/s");
-    println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&limits, &points)?);
+    println!("{part} with a stop at each point,{},,,{:.3},0,,", points.len(), stopping(&chain(&limits, &points)));
     within(&part, &limits, &points, tolerance, f64::INFINITY)?;
     within(&format!("{part} along the path"), &limits, &points, tolerance, velocity)
 }
@@ -107,68 +107,40 @@ fn gear_wheel() -> Vec<Point> {
     points
 }
 
-fn states(points: &[Point]) -> Vec<State<f64>> {
-    points.iter().flatten().map(|&position| State::at(position)).collect()
-}
-
-fn stopping(limits: &Axes, points: &[Point]) -> Result<f64, Error> {
-    let (mut moves, mut t) = ([Move::default(); 2], 0.0);
-    for ends in points.windows(2) {
-        line(&mut moves, limits, &ends[0].map(State::at), &ends[1].map(State::at), 0.0, 0.0)?;
-        t += moves[0].t;
-    }
-    Ok(t)
+fn chain(limits: &Axes, points: &[Point]) -> Chain<f64> {
+    let states = points.iter().flatten().map(|&position| State::at(position)).collect();
+    Chain { family: Family::AtRest, axes: 2, limits: limits.to_vec(), states }
 }
 
 fn through(part: &str, limits: &Axes, points: &[Point]) -> Result<(), Error> {
-    let (sections, start) = (points.len() - 1, Instant::now());
-    let (mut states, mut durations) = (states(points), vec![0.0; sections]);
-    plan_path(&mut states, &mut durations, limits, 2, 0, &mut work(path_size(2, sections)))?;
-    let mut moves = vec![Move::default(); 2 * sections];
-    path_moves(&mut moves, limits, &states, &durations, 2)?;
+    let (chain, start) = (chain(limits, points), Instant::now());
+    let (moves, _) = Paths.plan(&chain, 0)?.0.moves(&chain)?;
     print(part, points, "", &moves, start);
     Ok(())
 }
 
 fn within(part: &str, limits: &Axes, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
-    let moves = contour(limits, &states(points), tolerance, feed);
-    let (moves, start) = (moves.0?, moves.1);
-    print(part, points, &tolerance.to_string(), &moves, start);
+    let (mut chain, start) = (chain(limits, points), Instant::now());
+    chain.limits = limits.repeat(chain.sections());
+    let feeds = vec![feed; chain.sections()];
+    limit_feed(&mut chain.limits, &chain.states, &feeds, 2)?;
+    print(part, points, &tolerance.to_string(), &near_lines(&chain, tolerance)?, start);
     Ok(())
 }
 
 /// Prints the path whose points are passed within half of a tolerance, and that stays within the other half of their lines.
-fn near(part: &str, axes: &Axes, points: &[Point], tolerance: f64, feed: f64) -> Result<(), Error> {
-    let (sections, start) = (points.len() - 1, Instant::now());
-    let (mut states, mut durations, mut limits) = (states(points), vec![0.0; sections], axes.repeat(sections));
-    limit_feed(&mut limits, &states, &vec![feed; sections], 2)?;
-    let tolerances = vec![0.5 * tolerance / f64::sqrt(2.0); 2 * (sections - 1)];
-    let room = path_size_near(2, sections);
-    plan_path_near(&mut states, &mut durations, &limits, &tolerances, 2, 0, &mut work(room))?;
-    let moves = contour(axes, &states, 0.5 * tolerance, feed).0?;
-    print(part, points, &tolerance.to_string(), &moves, start);
+fn near(limits: &Axes, points: &[Point], tolerance: f64) -> Result<(), Error> {
+    let (chain, start) = (chain(limits, points), Instant::now());
+    let tolerances = vec![0.5 * tolerance / f64::sqrt(2.0); 2 * (chain.sections() - 1)];
+    let states = Paths.plan_near(&chain, &tolerances, 0)?.0.states;
+    let moves = near_lines(&Chain { states, ..chain }, 0.5 * tolerance)?;
+    print("gear wheel with tolerances", points, &tolerance.to_string(), &moves, start);
     Ok(())
 }
 
-fn work(size: Option<usize>) -> Vec<f64> {
-    vec![0.0; size.unwrap_or_default()]
-}
-
-fn contour(axes: &Axes, given: &[State<f64>], tolerance: f64, feed: f64) -> (Result<Vec<Move<f64>>, Error>, Instant) {
-    let sections = given.len() / 2 - 1;
-    let room = 4 * sections + 200;
-    let mut states = given.to_vec();
-    states.resize(2 * (room + 1), State::at(0.0));
-    let (mut moves, mut durations, mut places) =
-        (vec![Move::default(); 2 * room], vec![0.0; room], vec![0; sections + 1]);
-    let mut work = work(path_size(2, room));
-    let start = Instant::now();
-    let mut limits = axes.repeat(sections);
-    let lowered = limit_feed(&mut limits, given, &vec![feed; sections], 2);
-    let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
-    let planned = lowered.and_then(|()| plan_contour(path, &limits, tolerance, 2, 0, &mut work));
-    moves.truncate(2 * places[sections]);
-    (planned.map(|_| moves), start)
+fn near_lines(chain: &Chain<f64>, tolerance: f64) -> Result<Vec<Move<f64>>, Error> {
+    let planned = contour(chain, tolerance, 4 * chain.sections() + 200, 0);
+    planned.answer.map(|_| planned.moves)
 }
 
 fn print(part: &str, points: &[Point], tolerance: &str, moves: &[Move<f64>], start: Instant) {

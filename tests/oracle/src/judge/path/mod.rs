@@ -1,5 +1,6 @@
 //! The judge of paths: are all sections possible in their durations, and is the path not longer than one that stops?
 
+pub mod contour;
 pub mod faults;
 pub mod problems;
 pub mod windows;
@@ -9,7 +10,7 @@ use super::problem::{Problem, Request};
 use super::problems::Kind;
 use super::trial::Trial;
 use crate::liba::abi::Original;
-use atraj::axes::{improve_path, path_size, path_size_near, plan_path, plan_path_near, synchronise};
+use atraj::axes::{improve_path, path_moves, path_size, path_size_near, plan_path, plan_path_near, synchronise};
 use atraj::online::{Error, Limits, Move};
 use atraj::{Findings, State};
 use problems::Chain;
@@ -24,6 +25,13 @@ pub struct Path<R> {
 impl<R: Real> Path<R> {
     pub fn duration(&self) -> f64 {
         self.durations.iter().map(|t| t.widen()).sum()
+    }
+
+    /// Its motions, section by section, and what they find.
+    pub fn moves(&self, chain: &Chain<R>) -> Result<(Vec<Move<R>>, Findings), Error> {
+        let mut moves = vec![Move::default(); chain.axes * self.durations.len()];
+        let found = path_moves(&mut moves, &chain.limits, &self.states, &self.durations, chain.axes)?;
+        Ok((moves, found))
     }
 }
 

@@ -85,6 +85,19 @@ pub fn scale<R: Real>(state: &State<R>, [p, v, a]: [R; 3]) -> State<R> {
     State { position: position * p, velocity: velocity * v, acceleration: acceleration * a }
 }
 
+/// Waypoints that the documentation of Ruckig plans in its example 3.
+pub fn example_of_ruckig<R: Real>() -> Chain<R> {
+    let points =
+        [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
+    let mut states: Vec<_> = points.iter().flatten().map(|&p| State::at(R::of(p))).collect();
+    for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
+        (states[k].velocity, states[k].acceleration) = (R::of(velocity), R::of(acceleration));
+    }
+    let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]];
+    let limits = limits.map(|[j, a, v]| Limits::symmetric(R::of(j), R::of(a), R::of(v)));
+    Chain { family: Family::InMotion, axes: 3, limits: limits.into(), states }
+}
+
 /// An endless sequence of paths. The families take turns.
 pub struct Chains {
     random: Random,
