@@ -1,8 +1,8 @@
 //! Does an axis follow a signal by `track`: how near, how smoothly, and never beyond its limits?
 
+use atraj::State;
 use atraj::machine::Axis;
 use atraj::online::{Limits, Move};
-use atraj::{Findings, State};
 use support::{Random, Real, online, test_both_reals};
 
 const TICK: f64 = 1e-3; // s
@@ -280,10 +280,7 @@ fn any_signal_is_followed<R: Real>() {
             assert_eq!(axis.state_at(R::of(0.0)), from, "{what}");
         }
         let checked = axis.check(&limits).expect("an answer");
-        let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
-        let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
-        let allowed = if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends };
-        assert!(allowed.contains(checked), "{checked:?} {what}");
+        assert!(online::allowed(found).contains(checked), "{checked:?} {what}");
         on_time += u32::from(axis.t == horizon);
     }
     assert!(on_time > 400, "{on_time}");

@@ -9,7 +9,7 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Problems;
 use oracle::judge::trial::{Scale, doubt};
 use oracle::liba::abi::Original;
-use support::online::state_of;
+use support::online::{allowed, state_of};
 use support::{Random, test_both_reals};
 
 const PROBLEMS: usize = 60_000;
@@ -129,10 +129,7 @@ fn moves_stay_inside<R: Original>() {
                 let reached = span(from, &planned);
                 assert!(!leaves(reached, slack + 4.0 * doubt::<R>() * longer), "{low} {high} {reached:?} {problem}");
                 let checked = planned.check(&limits).expect("numbers");
-                let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
-                let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
-                let allowed = if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends };
-                assert!(allowed.contains(checked), "{checked:?} {low} {high} {problem}");
+                assert!(allowed(found).contains(checked), "{checked:?} {low} {high} {problem}");
                 let [start, end] = [R::of(0.0), planned.t].map(|x| planned.state_at(x));
                 assert_eq!((start, end), (from, to), "{problem}");
                 let stays = |axis: &Move<R>, from| !leaves(span(from, axis), 0.0);

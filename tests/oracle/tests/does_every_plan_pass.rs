@@ -6,7 +6,7 @@ use atraj::online::{Limits, Move};
 use oracle::judge::axes::problems::Sets;
 use oracle::judge::planner::{Fastest, Planner};
 use oracle::judge::problems::Problems;
-use support::online::PlannerOfAxes;
+use support::online::{PlannerOfAxes, allowed};
 use support::{Real, test_both_reals};
 
 const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
@@ -14,13 +14,6 @@ const SETS: usize = if support::BRIEF { 1_000 } else { 4_000 };
 
 /// An axis that is shifted by rounding errors, so that all arrive together, may step: 6 of 52,245 axes in binary64, 71 in binary32. One of so many may.
 const ONE_STEP_OF: usize = 500;
-
-/// What a check may find in a plan. A start outside the limits exceeds them, but never their jerks, and makes no step.
-fn allowed(found: Findings) -> Findings {
-    let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
-    let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
-    if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends }
-}
 
 fn check<R: Real>(planned: &Move<R>, limits: &Limits<R>, found: Findings, what: &str) {
     let checked = planned.check(limits).unwrap_or_else(|error| panic!("{error:?} {what}"));

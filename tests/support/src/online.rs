@@ -136,6 +136,13 @@ pub fn motions<R: Real>(mut points: Vec<State<R>>, limits: &[Limits<R>], axes: u
     moves
 }
 
+/// What a check may find in a plan that finds this. A start outside the limits exceeds them, but never their jerks, and makes no step.
+pub fn allowed(found: Findings) -> Findings {
+    let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
+    let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
+    if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends }
+}
+
 /// The highest speed of a move in either direction.
 pub fn fastest<R: Real>(planned: &Move<R>) -> f64 {
     let reached = planned.extremes();

@@ -4,6 +4,8 @@ use super::path::problems::Chain;
 use super::problem::{Problem, Request, parts, widened};
 use super::trial::{Trial, Verdict, tolerance};
 use crate::liba::abi::Original;
+use atraj::State;
+use atraj::online::Limits;
 use rsruckig::prelude::*;
 use std::fmt::{Display, Formatter, Result as Written};
 use support::Real;
@@ -21,26 +23,33 @@ pub fn fits_ruckig<R: Real>(axes: &[Problem<R>]) -> bool {
 
 /// The duration that rsruckig finds for these axes: at least this one, a multiple of the cycle if that is not 0.
 pub fn ruckig<R: Real>(axes: &[Problem<R>], least: f64, cycle: f64) -> Option<f64> {
-    let count = axes.len();
-    let mut input = InputParameter::<0>::new(Some(count));
-    let zeros = || DataArrayOrVec::<f64, 0>::new(Some(count), 0.0);
-    let (mut vmins, mut amins) = (zeros(), zeros());
-    for (k, axis) in axes.iter().enumerate() {
-        let [vmax, vmin, amax, amin, jmax, _] = widened(&axis.limits);
-        let [[p0, v0, a0], [p1, v1, a1]] = [axis.from, axis.to].map(|end| parts(end).map(R::widen));
-        (input.max_velocity[k], vmins[k]) = (vmax, vmin);
-        (input.max_acceleration[k], amins[k]) = (amax, amin);
-        input.max_jerk[k] = jmax;
-        (input.current_position[k], input.target_position[k]) = (p0, p1);
-        (input.current_velocity[k], input.target_velocity[k]) = (v0, v1);
-        (input.current_acceleration[k], input.target_acceleration[k]) = (a0, a1);
-    }
-    (input.min_velocity, input.min_acceleration) = (Some(vmins), Some(amins));
+    let columns = axes.iter().map(|axis| (axis.limits, axis.from, axis.to));
+    let (limits, from, to): (Vec<_>, Vec<_>, Vec<_>) = columns.collect();
+    let mut input = input(&limits, [&from, &to]);
     input.minimum_duration = (least > 0.0).then_some(least);
     if cycle > 0.0 {
         input.duration_discretization = DurationDiscretization::Discrete;
     }
-    calculated(&input, count, cycle.max(1e-9))
+    calculated(&input, axes.len(), cycle.max(1e-9))
+}
+
+fn row(numbers: impl ExactSizeIterator<Item = f64>) -> DataArrayOrVec<f64, 0> {
+    let mut row = DataArrayOrVec::new(Some(numbers.len()), 0.0);
+    numbers.enumerate().for_each(|(axis, number)| row[axis] = number);
+    row
+}
+
+fn input<R: Real>(limits: &[Limits<R>], [from, to]: [&[State<R>]; 2]) -> InputParameter<0> {
+    let limit = |which: usize| row(limits.iter().map(|limits| widened(limits)[which]));
+    let part = |states: &[State<R>], which: usize| row(states.iter().map(|state| parts(*state)[which].widen()));
+    let mut input = InputParameter::new(Some(limits.len()));
+    (input.current_position, input.target_position) = (part(from, 0), part(to, 0));
+    (input.current_velocity, input.target_velocity) = (part(from, 1), part(to, 1));
+    (input.current_acceleration, input.target_acceleration) = (part(from, 2), part(to, 2));
+    (input.max_velocity, input.min_velocity) = (limit(0), Some(limit(1)));
+    (input.max_acceleration, input.min_acceleration) = (limit(2), Some(limit(3)));
+    input.max_jerk = limit(4);
+    input
 }
 
 fn calculated(input: &InputParameter<0>, axes: usize, cycle: f64) -> Option<f64> {
@@ -53,8 +62,8 @@ fn calculated(input: &InputParameter<0>, axes: usize, cycle: f64) -> Option<f64>
 
 pub fn path_fits_ruckig<R: Real>(chain: &Chain<R>) -> bool {
     let moderate = |x: f64| x.abs() < 1e3 && (x.abs() > 1e-3 || x == 0.0);
-    let of_states = |state: &atraj::State<R>| parts(*state).map(R::widen).into_iter().all(moderate);
-    let of_limits = |limits: &atraj::online::Limits<R>| {
+    let of_states = |state: &State<R>| parts(*state).map(R::widen).into_iter().all(moderate);
+    let of_limits = |limits: &Limits<R>| {
         let limits = widened(limits);
         limits.into_iter().all(moderate) && limits[4] == -limits[5]
     };
@@ -63,22 +72,11 @@ pub fn path_fits_ruckig<R: Real>(chain: &Chain<R>) -> bool {
 
 pub fn ruckig_path<R: Real>(chain: &Chain<R>) -> Option<f64> {
     let axes = chain.axes;
-    let row = |number: &dyn Fn(usize) -> f64| {
-        let mut row = DataArrayOrVec::<f64, 0>::new(Some(axes), 0.0);
-        (0..axes).for_each(|axis| row[axis] = number(axis));
-        row
-    };
-    let of_point = |point: usize, part: usize| row(&|axis| parts(chain.states[point * axes + axis])[part].widen());
-    let limit = |which: usize| row(&|axis| widened(&chain.limits[axis])[which]);
-    let mut input = InputParameter::<0>::new(Some(axes));
-    let last = chain.sections();
-    (input.current_position, input.target_position) = (of_point(0, 0), of_point(last, 0));
-    (input.current_velocity, input.target_velocity) = (of_point(0, 1), of_point(last, 1));
-    (input.current_acceleration, input.target_acceleration) = (of_point(0, 2), of_point(last, 2));
-    (input.max_velocity, input.min_velocity) = (limit(0), Some(limit(1)));
-    (input.max_acceleration, input.min_acceleration) = (limit(2), Some(limit(3)));
-    input.max_jerk = limit(4);
-    input.intermediate_positions = (1..last).map(|point| of_point(point, 0)).collect();
+    let points: Vec<_> = chain.states.chunks(axes).collect();
+    let (from, inner, to) = (points[0], &points[1..chain.sections()], points[chain.sections()]);
+    let mut input = input(&chain.limits, [from, to]);
+    input.intermediate_positions =
+        inner.iter().map(|point| row(point.iter().map(|state| state.position.widen()))).collect();
     calculated(&input, axes, 1e-3)
 }
 
