@@ -10,6 +10,25 @@ pub trait Handover {
     fn places(takeover: &Self::Takeover) -> (usize, u64, usize);
 }
 
+/// What a planner knows of a move: the one that it goes on from, and the age of that one then.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Plan {
+    pub id: usize,
+    pub from: (usize, u64),
+    pub is_whole: bool,
+}
+
+impl Plan {
+    /// The state after one that was followed: the same move goes on, or a move that was planned from this very state.
+    pub fn follows(&self, (id, age): (usize, u64), next: u64) {
+        if self.id == id {
+            assert_eq!(next, age + 1, "a jump in a move");
+        } else {
+            assert_eq!((self.from, next), ((id, age + 1), 0), "a jump between two moves");
+        }
+    }
+}
+
 macro_rules! variants {
     ($($name:ident)+) => {$(
         #[allow(clippy::all, dead_code, unused)]

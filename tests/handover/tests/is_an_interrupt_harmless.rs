@@ -1,18 +1,10 @@
 //! Does each plan take over in its own tick or never, wherever the interrupt comes? On one processor, all places are tried.
 
-use handover::Handover;
 use handover::one_processor::{self, atomic};
+use handover::{Handover, Plan};
 use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
-
-/// What a planner knows of a move: the one that it goes on from, and the age of that one then.
-#[derive(Clone, Copy, Debug, Default)]
-struct Plan {
-    id: usize,
-    from: (usize, u64),
-    is_whole: bool,
-}
 
 struct Axis<H> {
     words: H,
@@ -32,16 +24,14 @@ impl<H: Handover> Axis<H> {
         }
     }
 
-    /// The interrupt. The next state follows from the last one: the same move goes on, or a move that was planned from this very state.
+    /// The interrupt. The next state follows from the last one.
     fn tick(&self) {
-        let (id, age) = self.now.get();
+        let now = self.now.get();
         let (place, next) = self.words.tick();
         let plan = self.plans[place].get();
         assert!(plan.is_whole, "half a plan");
-        if plan.id == id {
-            assert_eq!(next, age + 1, "a jump in a move");
-        } else {
-            assert_eq!((plan.from, next), ((id, age + 1), 0), "a jump between two moves");
+        plan.follows(now, next);
+        if plan.id != now.0 {
             self.taken.borrow_mut().push(plan.id);
         }
         self.now.set((plan.id, next));
