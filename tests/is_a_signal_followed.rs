@@ -149,28 +149,26 @@ fn a_late_loop_keeps_the_limits() {
 /// A signal that makes a step is met again, and one that is too fast is followed with the highest velocity.
 #[test]
 fn a_far_or_fast_signal_is_followed_as_well_as_can_be() {
-    [Limits::symmetric(150.0, 15.0, 3.0), UNEQUAL].iter().for_each(as_well_as_can_be);
-}
-
-fn as_well_as_can_be(limits: &Limits<f64>) {
-    let (mut axis, mut now) = (Move::default(), State::at(0.0));
-    for tick in 0..4000 {
-        let step = if tick < 1000 { 0.0 } else { 2.0 };
-        axis.track(limits, now, State::at(step), 0.0, 0.05).expect("a plan");
-        now = axis.state_at(TICK);
-        assert!(now.velocity <= 3.0 * (1.0 + 1e-12));
-    }
-    assert!((now.position - 2.0).abs() < 1e-7 && now.velocity.abs() < 1e-7, "{now:?}");
-    for velocity in [3.0, 5.0, -1e3] {
-        for tick in 0..3000 {
-            let position = 2.0 + velocity * f64::from(tick) * TICK;
-            let signal = State { position, velocity, acceleration: 0.0 };
-            axis.track(limits, now, signal, 0.0, 0.05).expect("a plan");
+    for limits in &[Limits::symmetric(150.0, 15.0, 3.0), UNEQUAL] {
+        let (mut axis, mut now) = (Move::default(), State::at(0.0));
+        for tick in 0..4000 {
+            let step = if tick < 1000 { 0.0 } else { 2.0 };
+            axis.track(limits, now, State::at(step), 0.0, 0.05).expect("a plan");
             now = axis.state_at(TICK);
+            assert!(now.velocity <= 3.0 * (1.0 + 1e-12));
         }
-        let fastest = if velocity > 0.0 { limits.vmax } else { limits.vmin };
-        assert!((now.velocity - fastest).abs() < 1e-6, "{velocity}: {now:?}");
-        now = State::at(2.0);
+        assert!((now.position - 2.0).abs() < 1e-7 && now.velocity.abs() < 1e-7, "{now:?}");
+        for velocity in [3.0, 5.0, -1e3] {
+            for tick in 0..3000 {
+                let position = 2.0 + velocity * f64::from(tick) * TICK;
+                let signal = State { position, velocity, acceleration: 0.0 };
+                axis.track(limits, now, signal, 0.0, 0.05).expect("a plan");
+                now = axis.state_at(TICK);
+            }
+            let fastest = if velocity > 0.0 { limits.vmax } else { limits.vmin };
+            assert!((now.velocity - fastest).abs() < 1e-6, "{velocity}: {now:?}");
+            now = State::at(2.0);
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use atraj::State;
 use atraj::online::Limits;
-use oracle::judge::path::problems::{Chain, Family, example_of_ruckig};
+use oracle::judge::path::problems::{Chain, example_of_ruckig};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
@@ -21,23 +21,19 @@ pub fn cases() -> [Case; 5] {
     ]
 }
 
-fn chain(limits: Vec<Limits<f64>>, positions: impl Iterator<Item = f64>) -> Chain<f64> {
-    Chain { family: Family::Many, axes: limits.len(), limits, states: positions.map(State::at).collect() }
-}
-
 fn at_rest(chain: Chain<f64>) -> Chain<f64> {
     Chain { states: chain.states.iter().map(|state| State::at(state.position)).collect(), ..chain }
 }
 
 /// mm
 fn uneven() -> Chain<f64> {
-    chain(vec![Limits::symmetric(6e4, 3e3, 100.0)], [0.0, 10.0, 10.01, 20.01, 20.02, 30.02].into_iter())
+    Chain::at_rest(vec![Limits::symmetric(6e4, 3e3, 100.0)], [0.0, 10.0, 10.01, 20.01, 20.02, 30.02].into_iter())
 }
 
 /// mm
 fn linuxcnc() -> Chain<f64> {
     let points = [0.0, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 2.0, 5.0, 8.0, 20.0, 50.0, 100.0, 200.0];
-    chain(vec![Limits::symmetric(1e4, 1e3, 266.67)], points.into_iter())
+    Chain::at_rest(vec![Limits::symmetric(1e4, 1e3, 266.67)], points.into_iter())
 }
 
 /// The 100 paths of `test_random_spline.rs` in COPP, from the same seed.
@@ -52,5 +48,5 @@ fn random_spline(random: &mut StdRng) -> Chain<f64> {
     let [vmax, vmin, amax, amin, jmax, jmin] = [1.0, -1.0, 5.0, -5.0, 50.0, -50.0].map(&mut seven);
     let limits =
         |k: usize| Limits { vmax: vmax[k], vmin: vmin[k], amax: amax[k], amin: amin[k], jmax: jmax[k], jmin: jmin[k] };
-    chain((0..7).map(limits).collect(), (0..350).map(|k| points[k % 7][k / 7]))
+    Chain::at_rest((0..7).map(limits).collect(), (0..350).map(|k| points[k % 7][k / 7]))
 }

@@ -11,7 +11,7 @@ use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
 use support::online::PlannerOfAxes as Plan;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const PROBLEMS: usize = 20_000;
 
@@ -482,9 +482,8 @@ fn bad_motions<R: Real>() {
             |axis, bad| axis.phase[1].jerk = bad,
         ];
         for change in changes {
-            let mut moves = [Move::default(); AXES];
             let [from, to] = [[0.0, 0.0], [1.0, 2.0]].map(|point| point.map(|p| State::at(R::of(p))));
-            synchronise(&mut moves, &[good; AXES], &from, &to, zero, zero).expect("moves");
+            let mut moves = online::together(&[good; AXES], &from, &to, zero);
             assert!(path_deviation(&moves, AXES).widen().is_finite());
             change(&mut moves[1], bad);
             assert!(path_deviation(&moves, AXES).widen().is_nan());
@@ -532,9 +531,8 @@ fn bad_clocks<R: Real>() {
         assert_eq!(clock.rate(moves, limits, zero, zero), Err(error));
         assert_eq!(clock, Clock::new());
     };
-    let mut planned = Move::default();
-    assert_eq!(Clock::new().rate(&[planned], &[limits], zero, zero), Ok(Findings::default()));
-    planned.plan(&limits, State::at(zero), State::at(one)).expect("a plan");
+    assert_eq!(Clock::new().rate(&[Move::default()], &[limits], zero, zero), Ok(Findings::default()));
+    let planned = online::plan(&limits, State::at(zero), State::at(one));
     refused(&[], &[limits], Error::Axes);
     refused(&[planned], &[], Error::Axes);
     refused(&[planned], &[limits, limits], Error::Axes);
@@ -592,11 +590,7 @@ fn bad_axes_and_motors<R: Real>() {
     let fast = State { velocity: -most, ..State::at(most) };
     assert_eq!(ShaperStream::new(&shaper, one, fast, &mut line).err(), Some(Error::NotFinite));
 
-    let mut there = [Move::default(); 2];
-    for (planned, p) in there.iter_mut().zip([0.0, 2e9]) {
-        planned.plan(&limits, still, State::at(R::of(p))).expect("a plan");
-    }
-    let [near, far] = &there;
+    let [near, far] = &[0.0, 2e9].map(|p| online::plan(&limits, still, State::at(R::of(p))));
     for step in [zero, -zero, -one, -zero.neighbour(1), -endless] {
         assert_eq!(Steps::new(near, zero, step).err(), Some(Error::Limits));
     }

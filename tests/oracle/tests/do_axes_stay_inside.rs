@@ -11,7 +11,7 @@ use oracle::judge::problem::Problem;
 use oracle::judge::trial::{Scale, Trial, doubt};
 use oracle::liba::abi::Original;
 use std::fmt;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const SETS: usize = 20_000;
 
@@ -67,10 +67,8 @@ impl<R: Original> Bounded<R> {
 
     fn with_a_stop(&self) -> f64 {
         let Problem { limits, from, to, .. } = self.problem;
-        let [mut before, mut behind] = [Move::default(); 2];
-        before.stop(&limits, from).expect("a stop");
-        behind.plan(&limits, State::at(before.position(before.t)), to).expect("a plan");
-        before.t.widen() + behind.t.widen()
+        let before = online::stop(&limits, from);
+        before.t.widen() + online::plan(&limits, State::at(before.position(before.t)), to).t.widen()
     }
 }
 

@@ -13,10 +13,6 @@ use support::{Random, online};
 
 const TOLERANCE: f64 = 1e-9; // relative to the largest number that a value is computed from
 
-fn size(numbers: &[f64]) -> f64 {
-    numbers.iter().fold(0.0, |most, x| x.abs().max(most))
-}
-
 /// Other units of length and time, and perhaps the other direction. A power of two scales without rounding.
 #[derive(Clone, Copy, Debug)]
 struct Units {
@@ -118,7 +114,7 @@ fn assert_alike(near: &[Move<f64>], far: &[Move<f64>]) {
     for (one, other) in near.iter().zip(far) {
         assert_eq!(one.t, other.t);
         let phases = one.phases().iter();
-        let most = |number: fn(&Phase<f64>) -> f64| size(&phases.clone().map(number).collect::<Vec<_>>());
+        let most = |number: fn(&Phase<f64>) -> f64| phases.clone().map(|x| number(x).abs()).fold(0.0, f64::max);
         let (jerk, a, v) = (most(|phase| phase.jerk), most(|phase| phase.acceleration), most(|phase| phase.velocity));
         let a = a + jerk * one.t;
         let v = v + a * one.t;

@@ -57,8 +57,7 @@ fn infinite_limits_are_planned<R: Original>() {
                 Limits { vmax, vmin, amax, amin, jmax, jmin }
             };
             let limits = (0..axes).map(|_| of_axis()).collect();
-            let states = (0..axes * (sections + 1)).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect();
-            let chain = Chain { family: Family::Unlimited, axes, limits, states };
+            let chain = Chain::at_rest(limits, (0..axes * (sections + 1)).map(|_| random.between(-1.0, 1.0)));
             let judged = judge(&Paths, &chain, &mut Random::seeded(mask as u64));
             assert!(judged.is_ok(), "{mask:06b}: {judged:?} {chain:?}");
         }
@@ -72,8 +71,7 @@ fn long_paths_are_planned<R: Original>() {
         let size = |sections| path_size(axes, sections).expect("a size");
         assert_eq!(size(65_536) - size(65_535), size(2) - size(1));
         let limits = vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(2.0)); axes];
-        let states = (0..axes * 1_001).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect();
-        let chain = Chain { family: Family::Many, axes, limits, states };
+        let chain = Chain::at_rest(limits, (0..axes * 1_001).map(|_| random.between(-1.0, 1.0)));
         let part = judge(&Paths, &chain, &mut random).expect("a path");
         println!("{}, {axes} axes: {part:.3} of the path with stops", R::NAME);
         assert!(part < 0.95);

@@ -166,8 +166,7 @@ fn a_line_has_its_feed<R: Original>() {
     let mut random = Random::seeded(34);
     for axes in 1..=6 {
         let limits = vec![Limits::symmetric(R::of(1e4), R::of(1e3), R::of(100.0)); axes];
-        let states: Vec<_> = (0..2 * axes).map(|_| State::at(R::of(random.between(-50.0, 50.0)))).collect();
-        let mut chain = Chain { family: Family::NoPoint, axes, limits, states };
+        let mut chain = Chain::at_rest(limits, (0..2 * axes).map(|_| random.between(-50.0, 50.0)));
         limit_feed(&mut chain.limits, &chain.states, &[R::of(2.0)], axes).expect("limits");
         let (path, _) = Paths.plan(&chain, 0).expect("a path");
         let [from, to] = [0, 1].map(|point| positions(&chain.states, axes, point));

@@ -210,8 +210,7 @@ fn an_update_before_a_waypoint_gets_no_longer<R: Original>() {
         };
         let limits: Vec<_> = (0..axes).map(|_| limits(&mut random)).collect();
         let points = 4 + random.below(4);
-        let states = (0..points * axes).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect();
-        let mut chain = Chain { family: Family::AtRest, axes, limits, states };
+        let mut chain = Chain::at_rest(limits, (0..points * axes).map(|_| random.between(-1.0, 1.0)));
         let mut path = Paths.plan(&chain, 0).expect("a plan").0;
         while path.durations.len() > 1 {
             for left in [5e-5, 2e-4, 1e-3, 3e-3, 2e-2] {
@@ -371,10 +370,9 @@ fn ten_sections_get_all_steps() {
 
 /// How long the default plan of one axis through these positions takes, s. It is in motion at both ends.
 fn duration_of<R: Original>(limits: [f64; 6], positions: &[f64], [v0, v1]: [f64; 2]) -> f64 {
-    let mut states: Vec<_> = positions.iter().map(|&position| State::at(R::of(position))).collect();
-    states[0].velocity = R::of(v0);
-    states[positions.len() - 1].velocity = R::of(v1);
-    let chain = Chain { family: Family::InMotion, axes: 1, limits: vec![limits_of(limits.map(R::of))], states };
+    let mut chain = Chain::at_rest(vec![limits_of(limits.map(R::of))], positions.iter().copied());
+    chain.states[0].velocity = R::of(v0);
+    chain.states[positions.len() - 1].velocity = R::of(v1);
     duration(&chain, 0)
 }
 
@@ -433,10 +431,8 @@ fn an_axis_that_brakes_passes_two_waypoints() {
 
 /// A path of one limit from rest to rest.
 fn between([jerk, acceleration, velocity]: [f64; 3], points: &[Vec<f64>]) -> Chain<f64> {
-    let axes = points[0].len();
-    let limits = vec![Limits::symmetric(jerk, acceleration, velocity); axes];
-    let states = points.iter().flatten().map(|&p| State::at(p)).collect();
-    Chain { family: Family::Many, axes, limits, states }
+    let limits = vec![Limits::symmetric(jerk, acceleration, velocity); points[0].len()];
+    Chain::at_rest(limits, points.iter().flatten().copied())
 }
 
 fn duration_between(limits: [f64; 3], points: &[Vec<f64>]) -> f64 {

@@ -5,11 +5,10 @@
 //! `contour FILE SCALE JERK ACCELERATION VELOCITY TOLERANCE` plans the contour of the points of a file, two numbers each, times SCALE: with
 //! this velocity of each axis, and with this feed.
 
-use atraj::State;
 use atraj::axes::{limit_feed, path_deviation};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::contour::contour;
-use oracle::judge::path::problems::{Chain, Family};
+use oracle::judge::path::problems::Chain;
 use oracle::judge::path::{Paths, Planner, stopping};
 use std::f64::consts::PI;
 use std::path::Path;
@@ -108,8 +107,7 @@ fn gear_wheel() -> Vec<Point> {
 }
 
 fn chain(limits: &Axes, points: &[Point]) -> Chain<f64> {
-    let states = points.iter().flatten().map(|&position| State::at(position)).collect();
-    Chain { family: Family::AtRest, axes: 2, limits: limits.to_vec(), states }
+    Chain::at_rest(limits.to_vec(), points.iter().flatten().copied())
 }
 
 fn through(part: &str, limits: &Axes, points: &[Point]) -> Result<(), Error> {

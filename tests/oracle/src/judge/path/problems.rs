@@ -38,6 +38,12 @@ pub struct Chain<R> {
 }
 
 impl<R: Real> Chain<R> {
+    /// A path through these positions, point by point, from rest to rest.
+    pub fn at_rest(limits: Vec<Limits<R>>, positions: impl Iterator<Item = f64>) -> Self {
+        let states = positions.map(|position| State::at(R::of(position))).collect();
+        Self { family: Family::AtRest, axes: limits.len(), limits, states }
+    }
+
     pub fn sections(&self) -> usize {
         self.states.len() / self.axes - 1
     }
@@ -89,13 +95,13 @@ pub fn scale<R: Real>(state: &State<R>, [p, v, a]: [R; 3]) -> State<R> {
 pub fn example_of_ruckig<R: Real>() -> Chain<R> {
     let points =
         [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
-    let mut states: Vec<_> = points.iter().flatten().map(|&p| State::at(R::of(p))).collect();
-    for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
-        (states[k].velocity, states[k].acceleration) = (R::of(velocity), R::of(acceleration));
-    }
     let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]];
     let limits = limits.map(|[j, a, v]| Limits::symmetric(R::of(j), R::of(a), R::of(v)));
-    Chain { family: Family::InMotion, axes: 3, limits: limits.into(), states }
+    let mut chain = Chain::at_rest(limits.into(), points.into_iter().flatten());
+    for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
+        (chain.states[k].velocity, chain.states[k].acceleration) = (R::of(velocity), R::of(acceleration));
+    }
+    chain
 }
 
 /// An endless sequence of paths. The families take turns.

@@ -1,6 +1,6 @@
 //! A path through a window over a row of points, which moves along and is updated 20 times a second.
 
-use super::problems::{Chain, Family};
+use super::problems::Chain;
 use super::{Path, Paths, Planner, under_way};
 use crate::liba::abi::Original;
 use atraj::State;
@@ -41,16 +41,12 @@ pub fn rows(count: usize) -> [(&'static str, Row); 5] {
     ]
 }
 
-fn chain(axes: usize, states: Vec<State<f64>>) -> Chain<f64> {
-    Chain { family: Family::Many, axes, limits: vec![LIMITS; axes], states }
-}
-
-fn states(row: &[Vec<f64>]) -> Vec<State<f64>> {
-    row.iter().flatten().map(|&position| State::at(position)).collect()
+fn chain(row: &[Vec<f64>]) -> Chain<f64> {
+    Chain::at_rest(vec![LIMITS; row[0].len()], row.iter().flatten().copied())
 }
 
 fn plan(row: &[Vec<f64>]) -> Path<f64> {
-    Paths.plan(&chain(row[0].len(), states(row)), 0).expect("a plan").0
+    Paths.plan(&chain(row), 0).expect("a plan").0
 }
 
 /// How long the whole path takes, s.
@@ -60,19 +56,19 @@ pub fn whole(row: &Row) -> f64 {
 
 /// How long the path takes through a window of so many points, s, and how long its longest update.
 pub fn through_window(row: &Row, size: usize) -> (f64, Duration) {
-    let axes = row[0].len();
-    let mut path = plan(&row[..size]);
+    let (mut chain, mut path) = (chain(&row[..size]), plan(&row[..size]));
     let (mut next, mut time, mut longest) = (size, 0.0, Duration::ZERO);
     while next < row.len() {
-        path = after(&vec![LIMITS; axes], path, PERIOD);
+        path = after(&chain.limits, path, PERIOD);
         time += PERIOD;
         while path.durations.len() + 1 < size && next < row.len() {
-            path.states.extend(states(&row[next..=next]));
+            path.states.extend(row[next].iter().map(|&position| State::at(position)));
             path.durations.push(0.0);
             next += 1;
         }
+        chain.states.clone_from(&path.states);
         let start = Instant::now();
-        Paths.improve(&chain(axes, path.states.clone()), &mut path, 0).expect("a plan");
+        Paths.improve(&chain, &mut path, 0).expect("a plan");
         longest = longest.max(start.elapsed());
     }
     (time + path.duration(), longest)
