@@ -70,10 +70,7 @@ fn passed_in_motion<R: Real>() {
     for sign in [1.0, -1.0] {
         let mirrored = |numbers: [f64; 3]| state::<R>(numbers.map(|x| sign * x));
         let (from, to) = (mirrored(from), mirrored(to));
-        let replanned = |from| {
-            let planned = online::plan(&limits(bounds), from, to);
-            planned
-        };
+        let replanned = |from| online::plan(&limits(bounds), from, to);
         let first = replanned(from);
         let t = first.t.widen();
         assert!((t - 0.83).abs() < 1e-3, "{t} s");
