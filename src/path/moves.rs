@@ -41,7 +41,10 @@ pub(super) fn write_moves<R: Real>(
     }
     let tolerance = R::EPSILON.sqrt() * total(durations);
     let mut found = Findings::default();
-    for ((section, &duration), moves) in durations.iter().enumerate().zip(moves.chunks_mut(axes.max(1))) {
+    let mut rest = moves;
+    for (section, &duration) in durations.iter().enumerate() {
+        let (moves, later) = rest.split_at_mut_checked(axes).ok_or(Error::Axes)?;
+        rest = later;
         let [from, to] = request.ends(section);
         found |= synchronise(moves, request.zone(section), from, to, duration, R::ZERO)?;
         let lasts = moves.first().map_or(R::ZERO, |first| first.t);
