@@ -351,6 +351,7 @@ fn solve_by_rows<R: Real, const K: usize>(
 pub(super) mod tests {
     use super::super::chain::{Chain, Request};
     use super::super::memory::{Memory, size};
+    use super::dot;
     use crate::findings::Findings;
     use support::Random;
 
@@ -434,6 +435,11 @@ pub(super) mod tests {
                 let given = chain::<K>(axes, sections, &mut copy[..room], 20.0).memory;
                 let mut chain = chain::<K>(axes, sections, &mut work[..room], 20.0);
                 assert_eq!(chain.solve(lambda, lambda), Some(()));
+                let of_states = (0..axes * (sections - 1))
+                    .map(|row| dot(given.gradient.row(row), chain.direction(1 + row / axes, row % axes)));
+                let of_durations = (0..sections).map(|section| given.gradient_t.at(section) * chain.change(section));
+                let slope: f64 = of_states.chain(of_durations).sum();
+                assert!((chain.slope() - slope).abs() < 1e-12, "{axes} {sections}: {slope}");
                 assert!(
                     errors(&given, &chain, lambda).all(|error| error.abs() < 1e-12),
                     "{K} unknowns, {axes} axes, {sections} sections, {lambda}"

@@ -26,4 +26,5 @@ mod tests {
     mod is_the_fastest_motion_right;
     mod is_the_original_golden;
     mod is_the_solver_right;
+    mod what_does_the_original_break;
 }

@@ -1,0 +1,66 @@
+//! What do the judge of plans and the planner of the fastest moves say of the original's plans for moving ends?
+
+use atraj::{Bell, Boundary, Findings};
+use oracle::liba::abi::Original;
+use support::profiles::bell;
+use support::{Family, Implementation, Random, Real, test_both_reals};
+
+const MOVES: u64 = 1_000_000;
+
+#[derive(Debug, Default)]
+struct Counts {
+    refused: u64,
+    too_steep: u64,
+    steepest: f64,
+    longer: u64,
+    longest: f64,
+}
+
+fn arguments<R: Real>(random: &mut Random) -> [R; 7] {
+    let jm = random.between(1.0, 100.0);
+    let am = random.between(1.0, 20.0);
+    let vm = random.between(0.5, 10.0);
+    let p1 = random.between(-10.0, 10.0);
+    let [v0, v1] = [(); 2].map(|()| vm * random.between(-1.0, 1.0));
+    [jm, am, vm, 0.0, p1, v0, v1].map(R::of)
+}
+
+fn count<R: Original>() -> Counts {
+    let mut random = Random::seeded(7);
+    let mut counts = Counts::default();
+    for _ in 0..MOVES {
+        let arguments = arguments::<R>(&mut random);
+        let [jm, am, vm, p0, p1, v0, v1] = arguments;
+        let mut fields = [R::of(0.0); 14];
+        let fastest = Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).expect("numbers");
+        assert!(fastest.check(jm, am, vm).expect("numbers").bits() & 15 == 0, "{arguments:?}");
+        let planned = R::ORIGINAL.plan(Family::Bell, &arguments, &mut fields);
+        if planned == R::of(0.0) {
+            counts.refused += 1;
+            continue;
+        }
+        let plan = bell(&fields);
+        let Ok(found) = plan.check(jm, am, vm) else { continue };
+        if found.contains(Findings::EXCEEDS_ACCELERATION) {
+            counts.too_steep += 1;
+            let reached = plan.extremes();
+            let highest = reached.highest.acceleration.widen();
+            let steep = highest.max(-reached.lowest.acceleration.widen()) / am.widen();
+            counts.steepest = counts.steepest.max(steep);
+        } else if found.bits() & 15 == 0 {
+            let factor = plan.t.widen() / fastest.t.widen();
+            counts.longer += u64::from(factor > 1.001);
+            counts.longest = counts.longest.max(factor);
+        }
+    }
+    counts
+}
+
+fn the_judge_sees_it<R: Original>() {
+    let counts = count::<R>();
+    assert!(counts.refused > MOVES / 100, "{counts:?}");
+    assert!(counts.too_steep > MOVES / 100 && counts.steepest > 2.0, "{counts:?}");
+    assert!(counts.longer > MOVES / 100 && counts.longest > 2.0, "{counts:?}");
+}
+
+test_both_reals!(the_judge_sees_it);
