@@ -201,6 +201,18 @@ impl<R: Real> Border<R> {
         Some(Fitted { ramp, faster: faster.negate_if(mirrored) })
     }
 
+    /// The straight change of the acceleration that lasts until its displacement is what it `lacks` farther. `None` if it has no such duration, or if the acceleration at its
+    /// end is off by more than rounding.
+    pub fn timed(&self, straight: &Ramp<R>, lacks: R) -> Option<Ramp<R>> {
+        let longer = lacks / self.v0;
+        let PerJerk { gu, gd } = self.per_jerk;
+        let (rises, falls) = if straight.rise > R::ZERO { (longer / gu, R::ZERO) } else { (R::ZERO, longer / gd) };
+        let is_rounding = (rises + falls).abs() <= of_state(self.a0.abs() + self.a1.abs());
+        let (rise, fall) = (straight.rise + rises, straight.fall + falls);
+        let is_ramp = rise >= R::ZERO && fall >= R::ZERO;
+        (is_rounding && is_ramp).then_some(Ramp { rise, fall, ..*straight })
+    }
+
     pub fn passed(&self, ramp: &Ramp<R>) -> Passed<R> {
         let mirrored = ramp.mirrored;
         let [v0, a0, a1] = seen([self.v0, self.a0, self.a1], mirrored);

@@ -68,6 +68,9 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
         if shortfall.is_rounding() && shortfall.tie.is_finite() {
             return border.profile(&straight);
         }
+        if let Some(timed) = border.timed(&straight, shortfall.lacks) {
+            return border.profile(&timed);
+        }
     }
     let direct = border.direct(beyond);
     let of_direct = shortfall(border, &direct, wanted);

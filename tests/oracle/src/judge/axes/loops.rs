@@ -55,7 +55,8 @@ impl Family {
         match self.at_zero {
             AtZero::None => false,
             AtZero::Passed => self.way == Way::Together && !self.on_ticks,
-            AtZero::Accelerated | AtZero::AtRest => true,
+            AtZero::Accelerated => self.way == Way::Together,
+            AtZero::AtRest => self.way != Way::Alone,
         }
     }
 }
