@@ -104,13 +104,9 @@ impl<R: Real> ShaperStream<R> {
     /// finite, or one that it is taken to have had.
     pub fn new(shaper: &Shaper<R>, period: R, now: State<R>, line: &mut [R]) -> Result<Self, Error> {
         let [ticks, means] = shaper.ticks(period).ok_or(Error::Duration)?;
-        if line.len() < N * (ticks + means) {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(line.len() >= N * (ticks + means))?;
         let longest = R::from_index((ticks + means) as i32) * period;
-        if !(now.is_finite() && (now.position - longest * now.velocity).is_finite()) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(now.is_finite() && (now.position - longest * now.velocity).is_finite())?;
         let mut in_ticks = *shaper;
         for delay in &mut in_ticks.delays {
             *delay = *delay / period;
@@ -138,9 +134,7 @@ impl<R: Real> ShaperStream<R> {
     /// Adds `advance` times the velocity to the position, before it is shaped: the pressure advance of an extruder, s. The derivatives follow; the
     /// acceleration has the mean jerk over the smoothing. [`Error::NotFinite`] if it is not finite; [`Error::Moving`] as in [`ShaperStream::change`].
     pub fn advance(&mut self, advance: R) -> Result<(), Error> {
-        if !advance.is_finite() {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(advance.is_finite())?;
         self.stands()?;
         self.ahead = advance;
         Ok(())
@@ -159,18 +153,14 @@ impl<R: Real> ShaperStream<R> {
     fn stands(&self) -> Result<(), Error> {
         // The oldest mean is of the oldest states.
         let past = self.ticks.saturating_add(self.means).saturating_sub(1);
-        (self.still >= past).then_some(()).ok_or(Error::Moving)
+        Error::Moving.unless(self.still >= past)
     }
 
     /// Takes the next state of the stream, and gives the shaped one. [`Error::NotFinite`] if the state is not finite; [`Error::Axes`] if the line is
     /// shorter than it was. Then the stream stays as it is.
     pub fn tick(&mut self, now: State<R>, line: &mut [R]) -> Result<State<R>, Error> {
-        if self.size() == 0 || line.len() < self.size() {
-            return Err(Error::Axes);
-        }
-        if !now.is_finite() {
-            return Err(Error::NotFinite);
-        }
+        Error::Axes.unless(self.size() > 0 && line.len() >= self.size())?;
+        Error::NotFinite.unless(now.is_finite())?;
         let mean = self.smoothed(now, line);
         self.at_mean = after(self.at_mean, self.means);
         set(line, (self.ticks + self.at_mean) as usize, mean);

@@ -68,12 +68,8 @@ impl<R: Real> Steps<R> {
 
     /// No steps yet, of a motor at line 0. It returns the errors of the arguments alone.
     pub(super) fn at(offset: R, step: R) -> Result<Self, Error> {
-        if !(offset.is_finite() && step < R::INFINITY) {
-            return Err(Error::NotFinite);
-        }
-        if step <= R::ZERO {
-            return Err(Error::Limits);
-        }
+        Error::NotFinite.unless(offset.is_finite() && step < R::INFINITY)?;
+        Error::Limits.unless(step > R::ZERO)?;
         Ok(Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 })
     }
 
@@ -88,7 +84,7 @@ impl<R: Real> Steps<R> {
     pub fn follow(&mut self, next: &Move<R>) -> Result<(), Error> {
         let Extremes { lowest, highest } = next.extremes();
         let positions = [next.position(R::ZERO), lowest.position, highest.position];
-        positions.into_iter().all(|position| self.is_countable(position)).then_some(()).ok_or(Error::NotFinite)?;
+        Error::NotFinite.unless(positions.into_iter().all(|position| self.is_countable(position)))?;
         self.begin_at(0);
         Ok(())
     }

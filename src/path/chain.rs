@@ -74,7 +74,7 @@ impl<'a, R: Real> Request<'a, R> {
         }
         let mut ways = self.states.iter().zip(self.states.iter().skip(self.axes));
         let is_finite = ways.all(|(from, to)| (to.position - from.position).is_finite());
-        is_finite.then_some(()).ok_or(Error::NotFinite)
+        Error::NotFinite.unless(is_finite)
     }
 
     fn moves(&self, section: usize) -> bool {
