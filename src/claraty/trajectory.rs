@@ -167,7 +167,7 @@ impl<'w> Trajectory<'w> {
     pub fn setpoint(&mut self, now: f64) -> State<f64> {
         let t = self.elapsed(now);
         let setpoint = self.look(t);
-        self.end_at(t);
+        self.started &= !self.leg_is_over(t);
         setpoint
     }
 
@@ -176,7 +176,7 @@ impl<'w> Trajectory<'w> {
     pub fn setpoint_at(&mut self, t: f64) -> State<f64> {
         let setpoint = self.look(t);
         if self.motion_mode == Mode::Listing {
-            self.end_at(t);
+            self.started &= !self.leg_is_over(t);
         }
         setpoint
     }
@@ -210,12 +210,6 @@ impl<'w> Trajectory<'w> {
         }
         self.seek(t);
         self.profile.setpoint(t - self.leg_start)
-    }
-
-    fn end_at(&mut self, t: f64) {
-        if self.leg_is_over(t) {
-            self.started = false;
-        }
     }
 
     fn leg_is_over(&self, t: f64) -> bool {
