@@ -168,9 +168,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 
     /// Subtracts what the section before adds to the block and to the right side.
     fn subtract(&mut self, section: usize) {
-        let Some(previous) = section.checked_sub(1) else {
-            return;
-        };
+        let Some(previous) = section.checked_sub(1) else { return };
         let (axes, first, groups) = (self.axes, self.first(previous), self.groups(section));
         let memory = &mut self.memory;
         let [before, mut block] = memory.factors.with_next(previous);

@@ -230,9 +230,7 @@ pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize
 impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
     /// The position of the state in row `row`, which is given at `position`. Rounding does not take it out of the tolerance.
     pub fn moved(&self, position: R, row: usize, axes: usize) -> R {
-        let Some(row) = row.checked_sub(axes).filter(|_| K > 2) else {
-            return position;
-        };
+        let Some(row) = row.checked_sub(axes).filter(|_| K > 2) else { return position };
         let tolerance = self.tolerances.at(row);
         let moved = position + tolerance * self.plan.offsets.at(row);
         if (moved - position).abs() <= tolerance { moved } else { position }

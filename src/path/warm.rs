@@ -99,9 +99,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Whether the first section is what is left of a section of a possible plan. The state under way has rounding errors: those of the
     /// positions, and those of the clock. A little more jerk makes up for them.
     fn is_left(&self, given: &[R]) -> bool {
-        let Ok(duration) = self.given(0, given) else {
-            return false;
-        };
+        let Ok(duration) = self.given(0, given) else { return false };
         let all = total(given);
         let clock = R::DOUBT * all;
         (0..self.axes).all(|axis| {
@@ -117,9 +115,7 @@ impl<R: Real> Chain<'_, '_, R> {
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// Shortens a plan that is there, if a slower one is strictly inside. Whether one is.
     pub fn shorten_given(&mut self, given: &[R], steps: Steps) -> Result<bool, Error> {
-        let Some(octaves) = self.slow_down(given, steps.most) else {
-            return Ok(false);
-        };
+        let Some(octaves) = self.slow_down(given, steps.most) else { return Ok(false) };
         self.shorten(steps, octaves);
         self.promise()?;
         Ok(true)
