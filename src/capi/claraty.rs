@@ -173,10 +173,7 @@ fn code(result: Result<(), claraty_result>) -> c_int {
 }
 
 fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
-    match result {
-        Ok(warnings) => warnings.bits().into(),
-        Err(error) => error as c_int,
-    }
+    result.map_or_else(|error| error as c_int, |warnings| warnings.bits().into())
 }
 
 /// Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`.
