@@ -40,7 +40,8 @@ impl<R: Real> StepStream<R> {
         let mut steps = Steps::at(-R::HALF * step, step)?;
         Error::Duration.unless(period > R::ZERO && period < R::INFINITY)?;
         Error::NotFinite.unless(now.is_finite() && steps.is_countable(now.position))?;
-        steps.stand_at(now.position);
+        steps.count = steps.line_below(now.position);
+        steps.begin_at(0);
         let (between, reversal, last) = (R::ZERO, R::ZERO, -period);
         Ok(Self { period, between, reversal, last, direction: 0, steps, phase: Phase::default(), end: now })
     }

@@ -61,8 +61,8 @@ impl<R: Real> Steps<R> {
     /// than `1/ε` steps (8,388,608 in `f32`) or 1,000,000,000 steps away from the offset.
     pub fn new(of: &Move<R>, offset: R, step: R) -> Result<Self, Error> {
         let mut steps = Self::at(offset, step)?;
+        steps.count = steps.line_below(of.position(R::ZERO));
         steps.follow(of)?;
-        steps.stand_at(of.position(R::ZERO));
         Ok(steps)
     }
 
@@ -71,12 +71,6 @@ impl<R: Real> Steps<R> {
         Error::NotFinite.unless(offset.is_finite() && step < R::INFINITY)?;
         Error::Limits.unless(step > R::ZERO)?;
         Ok(Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 })
-    }
-
-    /// Puts the motor at the last line that is not above the position.
-    pub(super) fn stand_at(&mut self, position: R) {
-        self.count = self.line_below(position);
-        self.far = self.count;
     }
 
     /// Goes on with another move from its start, and keeps the motor where it is. So no step is lost where the moves meet: a line between
@@ -163,7 +157,7 @@ impl<R: Real> Steps<R> {
     }
 
     /// The last line that is not above a position.
-    fn line_below(&self, position: R) -> i32 {
+    pub(super) fn line_below(&self, position: R) -> i32 {
         let steps = (position - self.offset) / self.step;
         let towards_0 = steps.to_index();
         if steps < R::from_index(towards_0) { towards_0.saturating_sub(1) } else { towards_0 }

@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use super::chain::Chain;
-use super::memory::{Memory, Table, Tile, Triangle, each, tile};
+use super::memory::{Table, Tile, Triangle, each};
 use crate::real::Real;
 
 /// `a - x y`
@@ -88,14 +88,6 @@ impl<R: Real, const K: usize> Factors<R, K> {
     fn solve_rows(self, mut rows: Tile<R, K>) -> Tile<R, K> {
         each!(row: rows[row] = self.solve(rows[row]));
         rows
-    }
-}
-
-impl<R: Real, const K: usize> Memory<'_, R, K> {
-    /// The block of a waypoint: `D`.
-    fn diagonal(&self, row: usize) -> Tile<R, K> {
-        let ([vv, va, aa], [vx, ax, xx]) = (self.diagonal.row(row), self.of_offsets.row(row));
-        tile([[vv, va, vx], [va, aa, ax], [vx, ax, xx]])
     }
 }
 

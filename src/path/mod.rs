@@ -34,6 +34,7 @@ use steps::Steps;
 pub use contour::{Contour, plan_contour};
 pub use deviation::path_deviation;
 pub use feed::limit_feed;
+pub(crate) use memory::Table;
 pub use moves::path_moves;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `sections (axes (2 axes + 36) + 14) + 2 axes (axes - 1) + 6`.

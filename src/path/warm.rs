@@ -138,9 +138,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let state = self.request.state(self.place(point), axis);
             let velocity = state.velocity / slow.factor;
             let acceleration = (state.acceleration - velocity * slow.rate) / (slow.factor * slow.factor);
-            if !(velocity.is_finite() && acceleration.is_finite()) {
-                return Err(Error::NotFinite);
-            }
+            Error::NotFinite.unless(velocity.is_finite() && acceleration.is_finite())?;
             self.memory.plan.states.set(point * self.axes + axis, [velocity, acceleration]);
         }
         Ok(())
