@@ -103,12 +103,10 @@ impl<'w> Trajectory<'w> {
         self.started = true;
         self.on_route = false;
         self.leg_start = 0.0;
+        let here = Target { position: state.position, velocity: state.velocity, ..limits };
         let warnings = match self.mode {
-            Mode::Listing => {
-                let here = Target { position: state.position, velocity: state.velocity, ..limits };
-                self.profile.plan_listing(state, here)
-            }
-            Mode::Corrected => self.profile.plan_stop(state, limits),
+            Mode::Listing => self.profile.plan_listing(state, here),
+            Mode::Corrected => self.profile.plan_stop(state, here),
         };
         self.duration = self.profile.tf;
         warnings

@@ -3,13 +3,11 @@
 //! The struct of liba 0.1.15 stores the coefficients of position and, up to the level of the build, the coefficients of its derivatives, one
 //! array after the other. The struct of liba since 2025-03 stores the coefficients of position alone.
 
-#[cfg(feature = "poly-compact")]
-use crate::capi::value;
 use crate::capi::{Number, a_float};
-#[cfg(feature = "poly-compact")]
-use crate::liba::Poly;
 #[cfg(not(feature = "poly-compact"))]
 use crate::liba::poly::target;
+#[cfg(feature = "poly-compact")]
+use crate::{capi::value, liba::Poly};
 #[cfg(not(feature = "poly-compact"))]
 use core::slice;
 
