@@ -120,8 +120,7 @@ mod tests {
             2 => direct,
             _ => random.sign() * random.magnitude(-decades, decades),
         };
-        let p0 = 0.0;
-        ([jm, am, vm], Boundary { p0, p1, v0, v1 })
+        ([jm, am, vm], Boundary { p0: 0.0, p1, v0, v1 })
     }
 
     /// The most rounds of a root in these plans.

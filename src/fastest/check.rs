@@ -72,9 +72,8 @@ impl<R: Real> Bell<R> {
     /// its jerk parts `tj`, and reaches the acceleration `a`.
     fn turn(&self, v: R, a: R, tj: R, duration: R) -> Option<R> {
         let two = R::from(2);
-        if !(v < R::ZERO && self.vm > R::ZERO || v > R::ZERO && self.vm < R::ZERO) {
-            return None;
-        }
+        let passes_0 = v < R::ZERO && self.vm > R::ZERO || v > R::ZERO && self.vm < R::ZERO;
+        passes_0.then_some(())?;
         let in_jerk_part = (-two * v / self.jm).sqrt();
         let in_hold = R::HALF * tj - v / a;
         if in_jerk_part <= tj {

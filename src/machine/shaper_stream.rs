@@ -87,9 +87,7 @@ impl<R: Real> Shaper<R> {
     /// Of how many states the mean of its smoothing is, and how many means its impulses look back to.
     fn ticks(&self, period: R) -> Option<[usize; 2]> {
         let is_period = period > R::ZERO && period < R::INFINITY;
-        if !(is_period && self.duration / period <= R::from_index(MOST_TICKS as i32)) {
-            return None;
-        }
+        (is_period && self.duration / period <= R::from_index(MOST_TICKS as i32)).then_some(())?;
         let last = self.impulses().fold(R::ZERO, |last, (_, delay)| last.at_least(delay));
         let smoothing = (self.smoothing / period + R::HALF).to_index();
         let last = (last / period).to_index();

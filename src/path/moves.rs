@@ -46,9 +46,7 @@ pub(super) fn write_moves<R: Real>(
         let [from, to] = request.ends(section);
         found |= synchronise(moves, request.zone(section), from, to, duration, R::ZERO)?;
         let lasts = moves.first().map_or(R::ZERO, |first| first.t);
-        if lasts > duration + tolerance {
-            return Err(Error::Duration);
-        }
+        Error::Duration.unless(lasts <= duration + tolerance)?;
     }
     Ok(found)
 }

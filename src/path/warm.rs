@@ -148,9 +148,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// path of one section needs no step. A plan that begins in motion eases over a quarter of its duration. From the given plan itself no step
     /// opens new sections.
     pub fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
-        if self.sections == 1 {
-            return None;
-        }
+        (self.sections > 1).then_some(())?;
         // New sections begin with stops, far from the best plan.
         let is_new = self.has_new(given);
         // For fewer than 3 steps there is no other.
