@@ -284,8 +284,12 @@ pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
 /// `values` is NULL or points to `n` numbers that nobody changes until the next set.
 unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], claraty_result> {
     let is_count = n > 0 && n <= isize::MAX as usize / size_of::<f64>();
-    is_count.then_some(()).ok_or(CLARATY_ERR_WAYPOINTS)?;
-    (!values.is_null()).then_some(()).ok_or(CLARATY_ERR_NULL)?;
+    if !is_count {
+        return Err(CLARATY_ERR_WAYPOINTS);
+    }
+    if values.is_null() {
+        return Err(CLARATY_ERR_NULL);
+    }
     // SAFETY: `values` is not NULL, and the size does not overflow; the caller promises `n` numbers.
     let values = unsafe { slice::from_raw_parts(values, n) };
     all_finite(values)?;

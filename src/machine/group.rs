@@ -120,9 +120,7 @@ impl<'a, R: Real> Group<'a, R> {
     pub(crate) fn prepare(
         period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>],
     ) -> Result<Memory<'a, R>, Error> {
-        if states.is_empty() || moves.len() != 3 * states.len() {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(!states.is_empty() && moves.len() == 3 * states.len())?;
         are_ticked(period, states)?;
         // All three places, because moves are copied whole.
         for (axis, state) in moves.iter_mut().zip(states.iter().cycle()) {
@@ -209,16 +207,10 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     pub fn within(&mut self, positions: [&'a [R]; 2]) -> Result<(), Error> {
         let [lowest, highest] = positions;
         let count = lowest.len();
-        if count != highest.len() || count != 0 && count != self.0.states.len() {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(count == highest.len() && (count == 0 || count == self.0.states.len()))?;
         for (lowest, highest) in lowest.iter().zip(highest) {
-            if lowest.partial_cmp(highest).is_none() {
-                return Err(Error::NotFinite);
-            }
-            if lowest >= highest {
-                return Err(Error::Limits);
-            }
+            Error::NotFinite.unless(lowest.partial_cmp(highest).is_some())?;
+            Error::Limits.unless(lowest < highest)?;
         }
         self.0.positions.set(positions);
         Ok(())
@@ -230,9 +222,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         let positions = self.0.positions.get();
         self.plan(limits, lead, |moves, from, _| {
             let mut found = Findings::default();
-            if to.len() != moves.len() {
-                return Err(Error::Axes);
-            }
+            Error::Axes.unless(to.len() == moves.len())?;
             for (index, (((axis, limits), from), to)) in moves.iter_mut().zip(limits).zip(from).zip(to).enumerate() {
                 found |= match of_axis(positions, index) {
                     Some([lowest, highest]) => axis.within(limits, *from, *to, lowest, highest)?,
@@ -260,7 +250,8 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         let positions = self.0.positions.get();
         self.plan(limits, lead, |moves, from, period| {
             let found = line(moves, limits, from, to, R::ZERO, period)?;
-            if stay(moves, positions) { Ok(found) } else { Err(Error::Position) }
+            Error::Position.unless(stay(moves, positions))?;
+            Ok(found)
         })
     }
 
@@ -273,16 +264,10 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     pub fn path(&mut self, limits: &[Limits<R>], moves: &'a [Move<R>], s: R, lead: u32) -> Result<Findings, Error> {
         let positions = self.0.positions.get();
         self.next(limits, lead, |from, next| {
-            if !are_whole(moves, limits.len()) {
-                return Err(Error::Axes);
-            }
+            Error::Axes.unless(are_whole(moves, limits.len()))?;
             let is_on_path = s >= R::ZERO && s <= duration(moves, limits.len());
-            if !(is_on_path && is_path(moves, limits.len())) {
-                return Err(Error::Target);
-            }
-            if !stay(moves, positions) {
-                return Err(Error::Position);
-            }
+            Error::Target.unless(is_on_path && is_path(moves, limits.len()))?;
+            Error::Position.unless(stay(moves, positions))?;
             let [_, rate, slowing, _] = from.course.clock.state_of_time(from.x);
             let steady = if slowing == R::ZERO { rate } else { R::ONE };
             let length = time_of_rest(moves, limits.len());
@@ -348,9 +333,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         plan: impl FnOnce(&InForce<'_, 'a, R>, &mut Next<'_, 'a, R>) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         let Group { ref handover, period, states, ref courses, .. } = *self.0;
-        if limits.len() != states.len() {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(limits.len() == states.len())?;
         let takeover = handover.prepare(lead).ok_or(Error::Late)?;
         let place = self.0.place(takeover.place);
         // SAFETY: nobody writes to what is in force. Nobody else uses the place of the takeover, which is another one, or the states.
@@ -403,9 +386,7 @@ impl<'a, R: Real> Next<'_, 'a, R> {
 
     /// Goes on in the moves in force, by a clock that changes its rate.
     fn change(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>], rate: R) -> Result<Findings, Error> {
-        if !is_path(from.moves, limits.len()) {
-            return Err(Error::Target);
-        }
+        Error::Target.unless(is_path(from.moves, limits.len()))?;
         self.course.path = from.course.path;
         copy(self.moves, from.moves);
         let clock = &mut self.course.clock;
