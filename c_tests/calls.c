@@ -445,7 +445,7 @@ static int clock_of_a_path(void) {
 /* Two axes on a line: a hold, the rest of it, a path there and back, and each axis for itself. */
 static int group(void) {
     const atraj_state way[3][2] = {{{5, 0, 0}, {-1, 0, 0}}, {{6, 1, 0}, {-3, 1, 0}}, {{5, 0, 0}, {-1, 0, 0}}};
-    const a_float period = A_FLOAT_C(0.0078125);
+    const a_float period = A_FLOAT_C(0.0078125), low[2] = {-1, -2}, high[2] = {7, 1}, odd[2] = {none, 0};
     atraj_state states[2] = {{0, 0, 0}, {0, 0, 0}}, now[2];
     atraj_move room[6], path[2][2];
     atraj_group ctx;
@@ -467,6 +467,11 @@ static int group(void) {
     PROMISE(atraj_group_path(&ctx, reserve, *path, 2, 1, 1) == ATRAJ_ERR_TARGET && atraj_group_path(&ctx, reserve, *path, 2, 0, 1) == 0);
     for (n = 0; n != 60; ++n) { atraj_group_tick(&ctx, now); }
     PROMISE(is(now[1], atraj_move_pos(&path[0][1], period * 59), atraj_move_vel(&path[0][1], period * 59), atraj_move_acc(&path[0][1], period * 59)));
+    PROMISE(atraj_group_within(NULL, low, high) == ATRAJ_ERR_NULL && atraj_group_within(&ctx, low, NULL) == ATRAJ_ERR_NULL);
+    PROMISE(atraj_group_within(&ctx, high, low) == ATRAJ_ERR_LIMITS && atraj_group_within(&ctx, odd, high) == ATRAJ_ERR_NOT_FINITE);
+    PROMISE(atraj_group_within(&ctx, low, high) == 0 && atraj_group_go(&ctx, reserve, way[1], 1) == ATRAJ_ERR_POSITION);
+    PROMISE(atraj_group_sync(&ctx, reserve, way[1], 1) == ATRAJ_ERR_POSITION && atraj_group_stop(&ctx, reserve, 1) == 0);
+    PROMISE(atraj_group_within(&ctx, NULL, NULL) == 0);
     PROMISE(atraj_group_go(&ctx, reserve, way[1], 1) >= 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
     PROMISE(atraj_group_sync(&ctx, reserve, way[2], 1) >= 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);
     PROMISE(atraj_group_stop(&ctx, reserve, 1) == 0 && atraj_group_tick(&ctx, now) == ATRAJ_TICK_BEGINS);

@@ -303,7 +303,9 @@ void group() {
     atraj::move room[2][6], path[2];
     atraj::group method;
     atraj_group function;
+    const a_float low[2] = {-1, -6}, high[2] = {11, 1};
     PROMISE(method.init(0.001f, states[0], room[0], 2) == 0 && atraj_group_init(&function, 0.001f, states[1], room[1], 2) == 0);
+    PROMISE(method.within(low, high) == 0 && atraj_group_within(&function, low, high) == 0);
     PROMISE(method.line(limits, to, 1) == 0 && atraj_group_line(&function, limits, to, 1) == 0);
     for (int i = 0; i < 500; ++i) { PROMISE(method.tick(one) == atraj_group_tick(&function, other) && same(one[1], other[1])); }
     PROMISE(method.rate(limits, 0, 1) == 0 && atraj_group_rate(&function, limits, 0, 1) == 0 && method.stop(limits, 0) == ATRAJ_ERR_LATE);

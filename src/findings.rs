@@ -193,6 +193,11 @@ impl Error {
             otherwise
         }
     }
+
+    /// This error, unless a condition holds.
+    pub(crate) fn unless(self, holds: bool) -> Result<(), Self> {
+        if holds { Ok(()) } else { Err(self) }
+    }
 }
 
 impl fmt::Display for Error {

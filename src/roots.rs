@@ -5,18 +5,18 @@ use crate::real::Real;
 /// More rounds than the root of a convex function takes, as `docs/planner.md` shows.
 const MOST_ROUNDS: u32 = 16;
 
-/// The root of an increasing convex function, `(value, derivative)`, from `x` on downwards but not below `least`. `x` is not below
-/// the root.
+/// Where an increasing convex function, `(value, derivative)`, has the value `target`: from `x` on downwards but not below `least`.
+/// The function is not below `target` at `x`.
 ///
 /// Near the root a step is as large as the square of the step before, up to a factor. So two steps foretell the third one. If the
 /// third one would have no effect, it is not taken.
-pub(crate) fn convex_root<R: Real>(least: R, mut x: R, f: impl Fn(R) -> (R, R)) -> R {
+pub(crate) fn convex_root<R: Real>(least: R, mut x: R, target: R, f: impl Fn(R) -> (R, R)) -> R {
     let mut before = R::ZERO;
     for _round in 1..=MOST_ROUNDS {
         #[cfg(test)]
         tests::note(_round);
         let (value, derivative) = f(x);
-        let step = value / derivative;
+        let step = (value - target) / derivative;
         let next = x - step;
         if next < x {
             x = next;
@@ -120,8 +120,7 @@ mod tests {
             2 => direct,
             _ => random.sign() * random.magnitude(-decades, decades),
         };
-        let p0 = 0.0;
-        ([jm, am, vm], Boundary { p0, p1, v0, v1 })
+        ([jm, am, vm], Boundary { p0: 0.0, p1, v0, v1 })
     }
 
     /// The most rounds of a root in these plans.

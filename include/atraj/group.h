@@ -63,6 +63,19 @@ int atraj_group_init(struct atraj_group *ctx,
 A_EXTERN int atraj_group_tick(struct atraj_group *ctx, atraj_state *states);
 
 /**
+ * @brief Keep each motion that is planned from now on between two positions of each axis until its end, up to 128 ulps.
+ * For the main loop.
+ *
+ * A line or path that would leave them is `ATRAJ_ERR_POSITION`, and so is a target if no motion to it stays between
+ * them. An axis that cannot stop between them stops as fast as it can.
+ * @param lowest points to the lowest positions of the `n` axes, unit, `highest` to the highest; an infinite one is no
+ * limit. Both stay the caller's, and must stay as they are. Both NULL: any positions, as after `atraj_group_init`.
+ * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE` if a position is not a number, or
+ * `ATRAJ_ERR_LIMITS` if the lowest is not below the highest. Then the positions stay as they were.
+ */
+A_EXTERN int atraj_group_within(struct atraj_group *ctx, const a_float *lowest, const a_float *highest);
+
+/**
  * @brief Plan the fastest move of each axis to its state, each for itself. For the main loop, while the interrupt ticks.
  * @param limits points to the limits of the `n` axes, `to` to their states at the end
  * @param lead number of ticks until the plan takes over: as many as a plan takes, rounded up, and one more
@@ -182,6 +195,10 @@ struct atraj_group {
      */
     void *moves[2];
     /**
+     * the positions of the caller
+     */
+    void *positions[2][2];
+    /**
      * one is in force, one may wait for its tick, one is planned
      */
     struct atraj_course courses[3];
@@ -191,6 +208,7 @@ struct atraj_group {
         return atraj_group_init(this, period_, states_, moves_, n);
     }
     int tick(atraj_state *now) { return atraj_group_tick(this, now); }
+    int within(const a_float *lowest, const a_float *highest) { return atraj_group_within(this, lowest, highest); }
     int go(const atraj_limits *limits, const atraj_state *to, unsigned lead) { return atraj_group_go(this, limits, to, lead); }
     int sync(const atraj_limits *limits, const atraj_state *to, unsigned lead) { return atraj_group_sync(this, limits, to, lead); }
     int line(const atraj_limits *limits, const atraj_state *to, unsigned lead) { return atraj_group_line(this, limits, to, lead); }

@@ -624,6 +624,9 @@ class Group:
     @property
     def done(self) -> bool:
         """Whether the motion is at its end, at the targets or in a hold, and no plan waits for its tick."""
+    def within(self, lowest: _Numbers, highest: _Numbers) -> None:
+        """Keeps each motion that is planned from now on between the positions: `lowest` and `highest` have an item for each axis, and `-inf` and `inf`
+        are no limits. ValueError if the lowest is not below the highest. An axis that cannot stop between them stops as fast as it can."""
     def go(self, limits: _LimitsOfAxes, targets: _States, *, lead: int = 1) -> Findings:
         """Each axis goes to its state by its fastest move. `limits` and `targets` have an item for each axis."""
     def synchronise(self, limits: _LimitsOfAxes, targets: _States, *, lead: int = 1) -> Findings:

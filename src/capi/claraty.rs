@@ -173,10 +173,7 @@ fn code(result: Result<(), claraty_result>) -> c_int {
 }
 
 fn warnings_or_code(result: Result<Warnings, claraty_result>) -> c_int {
-    match result {
-        Ok(warnings) => warnings.bits().into(),
-        Err(error) => error as c_int,
-    }
+    result.map_or_else(|error| error as c_int, |warnings| warnings.bits().into())
 }
 
 /// Makes a handle out of storage, which need not be initialised: at rest at 0, timer at 0, in mode `CLARATY_CORRECTED`.
@@ -286,7 +283,8 @@ pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
 /// # Safety
 /// `values` is NULL or points to `n` numbers that nobody changes until the next set.
 unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], claraty_result> {
-    if n == 0 || n > isize::MAX as usize / size_of::<f64>() {
+    let is_count = n > 0 && n <= isize::MAX as usize / size_of::<f64>();
+    if !is_count {
         return Err(CLARATY_ERR_WAYPOINTS);
     }
     if values.is_null() {

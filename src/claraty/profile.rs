@@ -107,7 +107,7 @@ impl Profile {
             }
             self.finish_triangle(self.t1 * self.acceleration + v0);
         } else {
-            self.finish_trapezoid(cruise);
+            self.finish(Kind::Trapezoidal, cruise);
         }
         warnings
     }
@@ -170,13 +170,8 @@ impl Profile {
 
     /// Makes a motion without phases, at rest at `final_position` from the first instant.
     fn clear_phases(&mut self, start: State<f64>, final_position: f64) {
-        self.start = start;
-        self.final_position = final_position;
-        self.kind = Kind::Triangular;
-        (self.t1, self.t2, self.tf) = (0.0, 0.0, 0.0);
-        (self.velocity, self.acceleration, self.deceleration) = (0.0, 0.0, 0.0);
-        (self.p_at_t1, self.p_at_t2) = (start.position, start.position);
-        self.cruise_origin = start.position;
+        let [p_at_t1, p_at_t2, cruise_origin] = [start.position; 3];
+        *self = Self { start, final_position, p_at_t1, p_at_t2, cruise_origin, ..Self::default() };
     }
 
     /// Goes to the target without turning: a trapezoid, or a triangle if the start velocity is below the limit. The result is false
@@ -184,7 +179,7 @@ impl Profile {
     fn advance(&mut self, direction: f64, limits: Target) -> bool {
         let cruise = self.plan_ramps(direction, limits);
         if cruise > 0.0 {
-            self.finish_trapezoid(cruise);
+            self.finish(Kind::Trapezoidal, cruise);
             return true;
         }
         if direction * self.acceleration <= 0.0 {
@@ -230,10 +225,10 @@ impl Profile {
         let (mut t1, mut switch) = (0.0, speed);
         if a > d {
             let left = beyond_a * (2.0 * (a * (d / (a - d))));
-            switch = if left > 0.0 { lower(Operations::sqrt(left), speed) } else { 0.0 };
+            switch = if left > 0.0 { Operations::sqrt(left).at_most(speed) } else { 0.0 };
             t1 = (speed - switch) / a;
         } else if a < d {
-            let lost = lower(beyond_d * (2.0 * (a * (d / (d - a)))), energy);
+            let lost = (beyond_d * (2.0 * (a * (d / (d - a))))).at_most(energy);
             if lost > 0.0 {
                 switch = Operations::sqrt(energy - lost);
                 t1 = lost / (a * (speed + switch));
@@ -251,7 +246,7 @@ impl Profile {
         let cruise = self.plan_ramps(direction, limits);
         let v0 = self.start.velocity;
         if cruise > 0.0 {
-            self.finish_trapezoid(cruise);
+            self.finish(Kind::Trapezoidal, cruise);
         } else if let Some(t1) = self.switching_time() {
             self.peak_at(t1, t1 * self.acceleration + v0, limits);
         } else {
@@ -296,33 +291,26 @@ impl Profile {
     }
 
     /// Makes a triangle that switches at `t1`. A peak above both the limit and the start velocity is cut to the limit.
-    fn peak_at(&mut self, t1: f64, peak: f64, limits: Target) {
+    fn peak_at(&mut self, t1: f64, mut peak: f64, limits: Target) {
         let v0 = self.start.velocity;
         let over_start = peak.abs() > v0.abs() * PEAK_ROUNDING;
+        self.t1 = t1;
         if over_start && peak.abs() > limits.velocity * PEAK_ROUNDING {
-            let cut = sgn(peak) * limits.velocity;
-            self.t1 = (cut - v0) / self.acceleration;
-            self.finish_triangle(cut);
-        } else {
-            self.t1 = t1;
-            self.finish_triangle(peak);
+            peak = sgn(peak) * limits.velocity;
+            self.t1 = (peak - v0) / self.acceleration;
         }
+        self.finish_triangle(peak);
     }
 
     fn finish_triangle(&mut self, peak: f64) {
-        self.kind = Kind::Triangular;
         self.velocity = peak;
         self.p_at_t1 = self.position_at(peak);
         self.p_at_t2 = self.p_at_t1;
-        self.finish(0.0);
+        self.finish(Kind::Triangular, 0.0);
     }
 
-    fn finish_trapezoid(&mut self, cruise: f64) {
-        self.kind = Kind::Trapezoidal;
-        self.finish(cruise);
-    }
-
-    fn finish(&mut self, cruise: f64) {
+    fn finish(&mut self, kind: Kind, cruise: f64) {
+        self.kind = kind;
         self.t2 = self.t1 + cruise;
         self.tf = self.t2 - (self.velocity - FINAL_VELOCITY) / self.deceleration;
         self.cruise_origin = self.p_at_t1 - self.velocity * self.t1;
@@ -336,9 +324,4 @@ fn sgn(x: f64) -> f64 {
 
 fn sq(x: f64) -> f64 {
     x * x
-}
-
-/// `f64::min` would be a library call on a processor without a floating-point unit.
-fn lower(x: f64, y: f64) -> f64 {
-    if x < y { x } else { y }
 }

@@ -103,12 +103,10 @@ impl<'w> Trajectory<'w> {
         self.started = true;
         self.on_route = false;
         self.leg_start = 0.0;
+        let here = Target { position: state.position, velocity: state.velocity, ..limits };
         let warnings = match self.mode {
-            Mode::Listing => {
-                let here = Target { position: state.position, velocity: state.velocity, ..limits };
-                self.profile.plan_listing(state, here)
-            }
-            Mode::Corrected => self.profile.plan_stop(state, limits),
+            Mode::Listing => self.profile.plan_listing(state, here),
+            Mode::Corrected => self.profile.plan_stop(state, here),
         };
         self.duration = self.profile.tf;
         warnings
@@ -167,7 +165,7 @@ impl<'w> Trajectory<'w> {
     pub fn setpoint(&mut self, now: f64) -> State<f64> {
         let t = self.elapsed(now);
         let setpoint = self.look(t);
-        self.end_at(t);
+        self.started &= !self.leg_is_over(t);
         setpoint
     }
 
@@ -176,7 +174,7 @@ impl<'w> Trajectory<'w> {
     pub fn setpoint_at(&mut self, t: f64) -> State<f64> {
         let setpoint = self.look(t);
         if self.motion_mode == Mode::Listing {
-            self.end_at(t);
+            self.started &= !self.leg_is_over(t);
         }
         setpoint
     }
@@ -210,12 +208,6 @@ impl<'w> Trajectory<'w> {
         }
         self.seek(t);
         self.profile.setpoint(t - self.leg_start)
-    }
-
-    fn end_at(&mut self, t: f64) {
-        if self.leg_is_over(t) {
-            self.started = false;
-        }
     }
 
     fn leg_is_over(&self, t: f64) -> bool {

@@ -89,10 +89,7 @@ impl<R: Real> Border<R> {
     /// the direct ramp, is at most `most`.
     fn without_hold(&self, beyond: R, apart: R, most: R) -> [Ramp<R>; 2] {
         let bound = self.no_hold_bound(beyond, apart).at_most(most);
-        let y = convex_root(R::ZERO, bound, |y| {
-            let (displacement, slope) = self.no_hold(apart, y);
-            (displacement - beyond, slope)
-        });
+        let y = convex_root(R::ZERO, bound, beyond, |y| self.no_hold(apart, y));
         let u = apart + y;
         let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
         [u + ratio, u - ratio].map(|twice| {
@@ -177,10 +174,7 @@ impl<R: Real> Hold<R> {
     /// The ramp that holds and the other one, over a displacement beyond the least one.
     fn ramps(&self, beyond: R) -> [Ramp<R>; 2] {
         let bound = self.bound(beyond).at_most(self.limit);
-        let w = convex_root(self.begins(), bound, |w| {
-            let (displacement, slope) = self.displacement(w);
-            (displacement - beyond, slope)
-        });
+        let w = convex_root(self.begins(), bound, beyond, |w| self.displacement(w));
         let held = Ramp { tj: self.limit, t: self.limit + (w * w + self.dv) / self.limit };
         [held, Ramp { tj: w, t: w + w }]
     }

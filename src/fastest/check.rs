@@ -29,9 +29,7 @@ impl<R: Real> Bell<R> {
         let Self { t, tv, ta, td, taj, tdj, p0, p1, v0, v1, .. } = *self;
         let fields = [t, tv, ta, td, taj, tdj, p0, p1, v0, v1, self.vm, self.jm, self.am, self.dm];
         let limits @ [jm, am, vm] = [jerk, acceleration, velocity].map(|limit| limit.abs());
-        if !(fields.iter().all(|x| x.is_finite()) && limits.iter().all(|&x| x >= R::ZERO)) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(fields.iter().all(|x| x.is_finite()) && limits.iter().all(|&x| x >= R::ZERO))?;
         let reached = self.extremes();
         let few = R::DOUBT; // 64 ulps
         let of_velocity = few * (reached.speed() + reached.acceleration() * t);
@@ -74,9 +72,8 @@ impl<R: Real> Bell<R> {
     /// its jerk parts `tj`, and reaches the acceleration `a`.
     fn turn(&self, v: R, a: R, tj: R, duration: R) -> Option<R> {
         let two = R::from(2);
-        if !(v < R::ZERO && self.vm > R::ZERO || v > R::ZERO && self.vm < R::ZERO) {
-            return None;
-        }
+        let passes_0 = v < R::ZERO && self.vm > R::ZERO || v > R::ZERO && self.vm < R::ZERO;
+        passes_0.then_some(())?;
         let in_jerk_part = (-two * v / self.jm).sqrt();
         let in_hold = R::HALF * tj - v / a;
         if in_jerk_part <= tj {
@@ -116,9 +113,7 @@ impl<R: Real> Trap<R> {
         let [rise, fall] = rise_and_fall(acceleration, deceleration);
         let vm = velocity.abs();
         let fields = [t, p0, p1, v0, v1, vc, ta, cruise_end, pa, pd, self.a0, self.a1];
-        if !fields.iter().all(|x| x.is_finite()) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(fields.iter().all(|x| x.is_finite()))?;
         let limits = [vm, rise, fall];
         if !limits.iter().all(|&x| x >= R::ZERO) {
             return Err(Error::of_plan(limits, Boundary { p0, p1, v0, v1 }, Error::Limits));

@@ -9,7 +9,7 @@ use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
-use crate::several::{line, line_stop, synchronise};
+use crate::several::{line, line_stop, synchronise, synchronise_within};
 use crate::state::State;
 use core::cell::{Cell, UnsafeCell};
 
@@ -47,6 +47,8 @@ pub struct Group<'a, R> {
     pub(crate) states: &'a [Cell<State<R>>],
     /// The moves of all axes at the first place, then at the next one.
     pub(crate) moves: &'a [Cell<Move<R>>],
+    /// The planner's: the lowest positions of the axes and the highest ones; empty: any.
+    pub(crate) positions: Cell<[&'a [R]; 2]>,
     /// The motions at their places. The handover says who may use which one.
     pub(crate) courses: [UnsafeCell<Course<'a, R>>; 3],
 }
@@ -82,7 +84,7 @@ pub struct GroupTicker<'g, 'a, R>(&'g Group<'a, R>);
 
 // SAFETY: as long as there are no halves, the group alone uses its memory, and nobody writes to a path.
 unsafe impl<R: Send + Sync> Send for Group<'_, R> {}
-// SAFETY: as for the halves of an axis. The states of the group are the planner's alone, and nobody writes to a path.
+// SAFETY: as for the halves of an axis. The states and positions of the group are the planner's alone, and nobody writes to a path.
 unsafe impl<R: Send + Sync> Send for GroupPlanner<'_, '_, R> {}
 // SAFETY: as above.
 unsafe impl<R: Send + Sync> Send for GroupTicker<'_, '_, R> {}
@@ -110,16 +112,15 @@ impl<'a, R: Real> Group<'a, R> {
     pub fn new(period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>]) -> Result<Self, Error> {
         let (states, moves) = Self::prepare(period, states, moves)?;
         let course = || UnsafeCell::new(Course { path: &[], end: R::ZERO, clock: Clock::new() });
-        Ok(Self { handover: Handover::new(), period, states, moves, courses: [course(), course(), course()] })
+        let courses = [course(), course(), course()];
+        Ok(Self { handover: Handover::new(), period, states, moves, positions: Cell::new([&[]; 2]), courses })
     }
 
     /// Checks the arguments, and makes the axes go on as they are.
     pub(crate) fn prepare(
         period: R, states: &'a mut [State<R>], moves: &'a mut [Move<R>],
     ) -> Result<Memory<'a, R>, Error> {
-        if states.is_empty() || moves.len() != 3 * states.len() {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(!states.is_empty() && moves.len() == 3 * states.len())?;
         are_ticked(period, states)?;
         // All three places, because moves are copied whole.
         for (axis, state) in moves.iter_mut().zip(states.iter().cycle()) {
@@ -197,16 +198,36 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         Self(group)
     }
 
+    /// Each motion that is planned from now on stays between two positions of each axis until its end, up to 128 ulps: the lowest ones and the
+    /// highest ones. An infinite position is no limit, and empty lists are none. A line or path that would leave them is [`Error::Position`], and so
+    /// is a target if no motion to it stays between them. An axis that cannot stop between them stops as fast as it can.
+    ///
+    /// [`Error::Axes`] if a list does not have one element for each axis; [`Error::NotFinite`] if a position is not a number; [`Error::Limits`] if the
+    /// lowest is not below the highest. Then the positions stay as they are.
+    pub fn within(&mut self, positions: [&'a [R]; 2]) -> Result<(), Error> {
+        let [lowest, highest] = positions;
+        let count = lowest.len();
+        Error::Axes.unless(count == highest.len() && (count == 0 || count == self.0.states.len()))?;
+        for (lowest, highest) in lowest.iter().zip(highest) {
+            Error::NotFinite.unless(lowest.partial_cmp(highest).is_some())?;
+            Error::Limits.unless(lowest < highest)?;
+        }
+        self.0.positions.set(positions);
+        Ok(())
+    }
+
     /// Each axis goes to its state by its fastest move, [`Move::plan`], after `lead` ticks. It returns the findings and errors of [`Move::plan`];
     /// [`Error::Axes`] if a list does not have one element for each axis; [`Error::Late`] as for an axis. On an error the motion goes on.
     pub fn go(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
+        let positions = self.0.positions.get();
         self.plan(limits, lead, |moves, from, _| {
             let mut found = Findings::default();
-            if to.len() != moves.len() {
-                return Err(Error::Axes);
-            }
-            for (((axis, limits), from), to) in moves.iter_mut().zip(limits).zip(from).zip(to) {
-                found |= axis.plan(limits, *from, *to)?;
+            Error::Axes.unless(to.len() == moves.len())?;
+            for (index, (((axis, limits), from), to)) in moves.iter_mut().zip(limits).zip(from).zip(to).enumerate() {
+                found |= match of_axis(positions, index) {
+                    Some([lowest, highest]) => axis.within(limits, *from, *to, lowest, highest)?,
+                    None => axis.plan(limits, *from, *to)?,
+                };
             }
             Ok(found)
         })
@@ -214,12 +235,24 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
 
     /// All axes arrive in the same tick, by [`synchronise`] with the period as its cycle. It returns the findings and errors of both.
     pub fn sync(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
-        self.plan(limits, lead, |moves, from, period| synchronise(moves, limits, from, to, R::ZERO, period))
+        let positions = self.0.positions.get();
+        self.plan(limits, lead, |moves, from, period| {
+            if positions[0].is_empty() {
+                synchronise(moves, limits, from, to, R::ZERO, period)
+            } else {
+                synchronise_within(moves, limits, from, to, positions, R::ZERO, period)
+            }
+        })
     }
 
     /// The axes move on the straight line to their states, by [`line`](crate::axes::line) with the period as its cycle. It returns the findings and errors of both.
     pub fn line(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
-        self.plan(limits, lead, |moves, from, period| line(moves, limits, from, to, R::ZERO, period))
+        let positions = self.0.positions.get();
+        self.plan(limits, lead, |moves, from, period| {
+            let found = line(moves, limits, from, to, R::ZERO, period)?;
+            Error::Position.unless(stay(moves, positions))?;
+            Ok(found)
+        })
     }
 
     /// Follows a path from its time `s` on, s: 0 from its start. `moves` has the moves of all axes for the first section, then for the second one, as
@@ -229,14 +262,12 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     /// [`Error::Axes`] if the moves are no whole sections; [`Error::Target`] if the moves of a section have several durations, if a section does not
     /// begin where the one before ends, if `s` is not on the path, or if the path does not have the state of the axes there. Then the motion goes on.
     pub fn path(&mut self, limits: &[Limits<R>], moves: &'a [Move<R>], s: R, lead: u32) -> Result<Findings, Error> {
+        let positions = self.0.positions.get();
         self.next(limits, lead, |from, next| {
-            if !are_whole(moves, limits.len()) {
-                return Err(Error::Axes);
-            }
+            Error::Axes.unless(are_whole(moves, limits.len()))?;
             let is_on_path = s >= R::ZERO && s <= duration(moves, limits.len());
-            if !(is_on_path && is_path(moves, limits.len())) {
-                return Err(Error::Target);
-            }
+            Error::Target.unless(is_on_path && is_path(moves, limits.len()))?;
+            Error::Position.unless(stay(moves, positions))?;
             let [_, rate, slowing, _] = from.course.clock.state_of_time(from.x);
             let steady = if slowing == R::ZERO { rate } else { R::ONE };
             let length = time_of_rest(moves, limits.len());
@@ -263,8 +294,9 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     /// Stops on the line or path, if all axes then stand within twice the time of the slowest axis' own stop; else on a line that is in force as
     /// planned, by [`line_stop`]; else each axis at once. It returns the findings and errors of [`Move::stop`], and [`Error::Late`].
     pub fn stop(&mut self, limits: &[Limits<R>], lead: u32) -> Result<Findings, Error> {
+        let positions = self.0.positions.get();
         self.next(limits, lead, |from, next| {
-            next.stop_each(from, limits)?;
+            next.stop_each(from, limits, positions)?;
             let slowest = next.moves.iter().fold(R::ZERO, |t, axis| t.at_least(axis.t));
             if next.change(from, limits, R::ZERO).is_ok() && next.course.end <= slowest + slowest {
                 return Ok(Findings::default());
@@ -272,13 +304,14 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             let [s, rate, slowing, _] = from.course.clock.state_of_time(from.x);
             if from.moves.len() == limits.len() && rate == R::ONE && slowing == R::ZERO {
                 copy(next.moves, from.moves);
-                if let Ok(found) = line_stop(next.moves, limits, s) {
+                let stop = line_stop(next.moves, limits, s);
+                if stop.is_ok() && stay(next.moves, positions) {
                     next.course.follow_moves(next.moves);
-                    return Ok(found);
+                    return stop;
                 }
             }
             // The moves in force stand in the place of the stops.
-            next.stop_each(from, limits)
+            next.stop_each(from, limits, positions)
         })
     }
 
@@ -300,9 +333,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         plan: impl FnOnce(&InForce<'_, 'a, R>, &mut Next<'_, 'a, R>) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         let Group { ref handover, period, states, ref courses, .. } = *self.0;
-        if limits.len() != states.len() {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(limits.len() == states.len())?;
         let takeover = handover.prepare(lead).ok_or(Error::Late)?;
         let place = self.0.place(takeover.place);
         // SAFETY: nobody writes to what is in force. Nobody else uses the place of the takeover, which is another one, or the states.
@@ -337,10 +368,17 @@ impl<R: Real> InForce<'_, '_, R> {
 }
 
 impl<'a, R: Real> Next<'_, 'a, R> {
-    fn stop_each(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>]) -> Result<Findings, Error> {
+    fn stop_each(
+        &mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>], positions: [&[R]; 2],
+    ) -> Result<Findings, Error> {
         let mut found = Findings::default();
-        for ((axis, limits), from) in self.moves.iter_mut().zip(limits).zip(from.states) {
+        for (index, ((axis, limits), from)) in self.moves.iter_mut().zip(limits).zip(from.states).enumerate() {
             found |= axis.stop(limits, *from)?;
+            let left = of_axis(positions, index).filter(|[lowest, highest]| axis.leaves(*lowest, *highest));
+            let mut inside = Move::default();
+            if left.is_some_and(|positions| inside.stop_within(limits, *from, positions).is_ok()) {
+                *axis = inside;
+            }
         }
         self.course.follow_moves(self.moves);
         Ok(found)
@@ -348,9 +386,7 @@ impl<'a, R: Real> Next<'_, 'a, R> {
 
     /// Goes on in the moves in force, by a clock that changes its rate.
     fn change(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>], rate: R) -> Result<Findings, Error> {
-        if !is_path(from.moves, limits.len()) {
-            return Err(Error::Target);
-        }
+        Error::Target.unless(is_path(from.moves, limits.len()))?;
         self.course.path = from.course.path;
         copy(self.moves, from.moves);
         let clock = &mut self.course.clock;
@@ -359,6 +395,17 @@ impl<'a, R: Real> Next<'_, 'a, R> {
         self.course.set_end(from.moves, limits.len());
         Ok(found)
     }
+}
+
+/// The lowest position of an axis and its highest one, if the group has positions.
+fn of_axis<R: Real>([lowest, highest]: [&[R]; 2], index: usize) -> Option<[R; 2]> {
+    Some([*lowest.get(index)?, *highest.get(index)?])
+}
+
+/// Whether the moves of whole sections stay between the positions.
+fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: [&[R]; 2]) -> bool {
+    let positions = lowest.iter().zip(highest).cycle();
+    moves.iter().zip(positions).all(|(axis, (lowest, highest))| !axis.leaves(*lowest, *highest))
 }
 
 /// Copies the moves of the first section.

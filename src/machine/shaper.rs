@@ -82,9 +82,7 @@ impl<R: Real> Shaper<R> {
     /// [`Error::Duration`] if the frequency is not above 0 or has no finite period; [`Error::Limits`] if the damping is not from 0 to below 1,
     /// or if there are more than 16 impulses. On an error the shaper stays as it is.
     pub fn add(&mut self, kind: ShaperKind, frequency: R, damping: R) -> Result<(), Error> {
-        if !(damping >= R::ZERO && damping < R::ONE) {
-            return Err(Error::Limits);
-        }
+        Error::Limits.unless(damping >= R::ZERO && damping < R::ONE)?;
         let other = Impulses::of(kind, frequency, damping);
         let mut shaper = Self {
             duration: self.duration + other.step * R::from(other.count as u8 - 1),
@@ -92,12 +90,8 @@ impl<R: Real> Shaper<R> {
             count: self.count.min(MOST_IMPULSES as u32 + 1) * other.count,
             ..*self
         };
-        if !(frequency > R::ZERO && frequency < R::INFINITY && shaper.duration < R::INFINITY) {
-            return Err(Error::Duration);
-        }
-        if shaper.count as usize > MOST_IMPULSES {
-            return Err(Error::Limits);
-        }
+        Error::Duration.unless(frequency > R::ZERO && frequency < R::INFINITY && shaper.duration < R::INFINITY)?;
+        Error::Limits.unless(shaper.count as usize <= MOST_IMPULSES)?;
         let places = shaper.weights.iter_mut().zip(&mut shaper.delays);
         let pairs = other.each().flat_map(|other| self.impulses().map(move |own| (own, other)));
         for ((weight, delay), (own, other)) in places.zip(pairs) {
@@ -113,9 +107,7 @@ impl<R: Real> Shaper<R> {
     ///
     /// [`Error::Duration`] if the time is negative or not finite.
     pub fn smooth(time: R) -> Result<Self, Error> {
-        if !(time >= R::ZERO && time < R::INFINITY) {
-            return Err(Error::Duration);
-        }
+        Error::Duration.unless(time >= R::ZERO && time < R::INFINITY)?;
         Ok(Self { duration: time, smoothing: time, ..Self::default() })
     }
 

@@ -2,6 +2,7 @@
 
 use super::shaper::Shaper;
 use crate::findings::Error;
+use crate::path::Table;
 use crate::real::Real;
 use crate::state::State;
 
@@ -86,9 +87,7 @@ impl<R: Real> Shaper<R> {
     /// Of how many states the mean of its smoothing is, and how many means its impulses look back to.
     fn ticks(&self, period: R) -> Option<[usize; 2]> {
         let is_period = period > R::ZERO && period < R::INFINITY;
-        if !(is_period && self.duration / period <= R::from_index(MOST_TICKS as i32)) {
-            return None;
-        }
+        (is_period && self.duration / period <= R::from_index(MOST_TICKS as i32)).then_some(())?;
         let last = self.impulses().fold(R::ZERO, |last, (_, delay)| last.at_least(delay));
         let smoothing = (self.smoothing / period + R::HALF).to_index();
         let last = (last / period).to_index();
@@ -104,13 +103,10 @@ impl<R: Real> ShaperStream<R> {
     /// finite, or one that it is taken to have had.
     pub fn new(shaper: &Shaper<R>, period: R, now: State<R>, line: &mut [R]) -> Result<Self, Error> {
         let [ticks, means] = shaper.ticks(period).ok_or(Error::Duration)?;
-        if line.len() < N * (ticks + means) {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(line.len() >= N * (ticks + means))?;
         let longest = R::from_index((ticks + means) as i32) * period;
-        if !(now.is_finite() && (now.position - longest * now.velocity).is_finite()) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(now.is_finite() && (now.position - longest * now.velocity).is_finite())?;
+        let mut line = Table(line);
         let mut in_ticks = *shaper;
         for delay in &mut in_ticks.delays {
             *delay = *delay / period;
@@ -121,12 +117,12 @@ impl<R: Real> ShaperStream<R> {
         let mut mean = Mean::of(earlier(now.position, 0));
         for k in 0..ticks {
             let state = earlier(now.position, ticks - 1 - k);
-            set(line, k, state);
+            line.set(k, state);
             mean.add(state);
         }
         let [position, ..] = mean.mean(R::from_index(ticks as i32));
         for k in 0..means {
-            set(line, ticks + k, earlier(position, means - 1 - k));
+            line.set(ticks + k, earlier(position, means - 1 - k));
         }
         let (ticks, means) = (ticks as u32, means as u32);
         let growing = Mean::of(earlier(now.position, 0));
@@ -138,9 +134,7 @@ impl<R: Real> ShaperStream<R> {
     /// Adds `advance` times the velocity to the position, before it is shaped: the pressure advance of an extruder, s. The derivatives follow; the
     /// acceleration has the mean jerk over the smoothing. [`Error::NotFinite`] if it is not finite; [`Error::Moving`] as in [`ShaperStream::change`].
     pub fn advance(&mut self, advance: R) -> Result<(), Error> {
-        if !advance.is_finite() {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(advance.is_finite())?;
         self.stands()?;
         self.ahead = advance;
         Ok(())
@@ -159,21 +153,18 @@ impl<R: Real> ShaperStream<R> {
     fn stands(&self) -> Result<(), Error> {
         // The oldest mean is of the oldest states.
         let past = self.ticks.saturating_add(self.means).saturating_sub(1);
-        (self.still >= past).then_some(()).ok_or(Error::Moving)
+        Error::Moving.unless(self.still >= past)
     }
 
     /// Takes the next state of the stream, and gives the shaped one. [`Error::NotFinite`] if the state is not finite; [`Error::Axes`] if the line is
     /// shorter than it was. Then the stream stays as it is.
     pub fn tick(&mut self, now: State<R>, line: &mut [R]) -> Result<State<R>, Error> {
-        if self.size() == 0 || line.len() < self.size() {
-            return Err(Error::Axes);
-        }
-        if !now.is_finite() {
-            return Err(Error::NotFinite);
-        }
+        Error::Axes.unless(self.size() > 0 && line.len() >= self.size())?;
+        Error::NotFinite.unless(now.is_finite())?;
+        let line = &mut Table(line);
         let mean = self.smoothed(now, line);
         self.at_mean = after(self.at_mean, self.means);
-        set(line, (self.ticks + self.at_mean) as usize, mean);
+        line.set((self.ticks + self.at_mean) as usize, mean);
         Ok(self.shaped(line))
     }
 
@@ -185,14 +176,14 @@ impl<R: Real> ShaperStream<R> {
     }
 
     /// The mean of the last states, with the advance.
-    fn smoothed(&mut self, now: State<R>, line: &mut [R]) -> [R; N] {
+    fn smoothed(&mut self, now: State<R>, line: &mut Table<R, N>) -> [R; N] {
         let state = [now.position, now.velocity, now.acceleration];
         let oldest = self.at as usize;
-        let old = row(line, oldest);
-        let newest = row(line, earlier(self.at, 1, self.ticks) as usize);
+        let old = line.row(oldest);
+        let newest = line.row(earlier(self.at, 1, self.ticks) as usize);
         self.still = if newest == state { self.still.saturating_add(1) } else { 1 };
         self.still = if now.is_at_rest() { self.still } else { 0 };
-        set(line, oldest, state);
+        line.set(oldest, state);
         self.mean.replace(old, state);
         self.growing.add(state);
         self.at = after(self.at, self.ticks);
@@ -208,8 +199,8 @@ impl<R: Real> ShaperStream<R> {
     }
 
     /// The mean over the impulses, counted from the newest state: where all are equal, it is exact.
-    fn shaped(&self, line: &[R]) -> State<R> {
-        let mean = |back: i32| row(line, (self.ticks + earlier(self.at_mean, back as u32, self.means)) as usize);
+    fn shaped(&self, line: &Table<R, N>) -> State<R> {
+        let mean = |back: i32| line.row((self.ticks + earlier(self.at_mean, back as u32, self.means)) as usize);
         let newest = mean(0);
         let mut shaped = newest;
         for (weight, delay) in self.shaper.impulses() {
@@ -233,16 +224,4 @@ fn after(k: u32, count: u32) -> u32 {
 /// The place so many places before `k`, in a ring.
 fn earlier(k: u32, back: u32, count: u32) -> u32 {
     if back <= k { k - back } else { (k + count).saturating_sub(back) }
-}
-
-/// State `k` of a delay line.
-fn row<R: Real>(line: &[R], k: usize) -> [R; N] {
-    let row = line.get(N * k..).and_then(<[R]>::first_chunk);
-    row.copied().unwrap_or([R::ZERO; N])
-}
-
-fn set<R: Real>(line: &mut [R], k: usize, state: [R; N]) {
-    if let Some(row) = line.get_mut(N * k..).and_then(<[R]>::first_chunk_mut) {
-        *row = state;
-    }
 }

@@ -38,13 +38,10 @@ impl<R: Real> StepStream<R> {
     /// number is not finite, or if the position is more than `1/ε` steps (8,388,608 in `f32`) or 1,000,000,000 steps away from 0.
     pub fn new(step: R, period: R, now: State<R>) -> Result<Self, Error> {
         let mut steps = Steps::at(-R::HALF * step, step)?;
-        if !(period > R::ZERO && period < R::INFINITY) {
-            return Err(Error::Duration);
-        }
-        if !(now.is_finite() && steps.is_countable(now.position)) {
-            return Err(Error::NotFinite);
-        }
-        steps.stand_at(now.position);
+        Error::Duration.unless(period > R::ZERO && period < R::INFINITY)?;
+        Error::NotFinite.unless(now.is_finite() && steps.is_countable(now.position))?;
+        steps.count = steps.line_below(now.position);
+        steps.begin_at(0);
         let (between, reversal, last) = (R::ZERO, R::ZERO, -period);
         Ok(Self { period, between, reversal, last, direction: 0, steps, phase: Phase::default(), end: now })
     }
@@ -53,9 +50,7 @@ impl<R: Real> StepStream<R> {
     /// needs. A step for which there is no time in its tick waits for the next one. [`Error::Duration`] if a time is negative or not finite.
     pub fn wait(&mut self, between: R, reversal: R) -> Result<(), Error> {
         let is_time = |time: R| time >= R::ZERO && time < R::INFINITY;
-        if !(is_time(between) && is_time(reversal)) {
-            return Err(Error::Duration);
-        }
+        Error::Duration.unless(is_time(between) && is_time(reversal))?;
         (self.between, self.reversal) = (between, reversal.at_least(between));
         Ok(())
     }
@@ -63,9 +58,7 @@ impl<R: Real> StepStream<R> {
     /// Begins a tick, at whose end the axis is in the state `now`. Steps of the tick before that nobody asked for come at its start.
     /// [`Error::NotFinite`] as in [`StepStream::new`]; then the tick does not begin.
     pub fn tick(&mut self, now: State<R>) -> Result<(), Error> {
-        if !(now.is_finite() && self.steps.is_countable(now.position)) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(now.is_finite() && self.steps.is_countable(now.position))?;
         self.phase = between(self.end, now, self.period);
         self.end = now;
         // A step that is long over has no effect.

@@ -61,26 +61,16 @@ impl<R: Real> Steps<R> {
     /// than `1/ε` steps (8,388,608 in `f32`) or 1,000,000,000 steps away from the offset.
     pub fn new(of: &Move<R>, offset: R, step: R) -> Result<Self, Error> {
         let mut steps = Self::at(offset, step)?;
+        steps.count = steps.line_below(of.position(R::ZERO));
         steps.follow(of)?;
-        steps.stand_at(of.position(R::ZERO));
         Ok(steps)
     }
 
     /// No steps yet, of a motor at line 0. It returns the errors of the arguments alone.
     pub(super) fn at(offset: R, step: R) -> Result<Self, Error> {
-        if !(offset.is_finite() && step < R::INFINITY) {
-            return Err(Error::NotFinite);
-        }
-        if step <= R::ZERO {
-            return Err(Error::Limits);
-        }
+        Error::NotFinite.unless(offset.is_finite() && step < R::INFINITY)?;
+        Error::Limits.unless(step > R::ZERO)?;
         Ok(Self { offset, step, from: R::ZERO, to: R::ZERO, count: 0, far: 0, phase: 0 })
-    }
-
-    /// Puts the motor at the last line that is not above the position.
-    pub(super) fn stand_at(&mut self, position: R) {
-        self.count = self.line_below(position);
-        self.far = self.count;
     }
 
     /// Goes on with another move from its start, and keeps the motor where it is. So no step is lost where the moves meet: a line between
@@ -88,7 +78,7 @@ impl<R: Real> Steps<R> {
     pub fn follow(&mut self, next: &Move<R>) -> Result<(), Error> {
         let Extremes { lowest, highest } = next.extremes();
         let positions = [next.position(R::ZERO), lowest.position, highest.position];
-        positions.into_iter().all(|position| self.is_countable(position)).then_some(()).ok_or(Error::NotFinite)?;
+        Error::NotFinite.unless(positions.into_iter().all(|position| self.is_countable(position)))?;
         self.begin_at(0);
         Ok(())
     }
@@ -167,7 +157,7 @@ impl<R: Real> Steps<R> {
     }
 
     /// The last line that is not above a position.
-    fn line_below(&self, position: R) -> i32 {
+    pub(super) fn line_below(&self, position: R) -> i32 {
         let steps = (position - self.offset) / self.step;
         let towards_0 = steps.to_index();
         if steps < R::from_index(towards_0) { towards_0.saturating_sub(1) } else { towards_0 }

@@ -74,7 +74,7 @@ impl<'a, R: Real> Request<'a, R> {
         }
         let mut ways = self.states.iter().zip(self.states.iter().skip(self.axes));
         let is_finite = ways.all(|(from, to)| (to.position - from.position).is_finite());
-        is_finite.then_some(()).ok_or(Error::NotFinite)
+        Error::NotFinite.unless(is_finite)
     }
 
     fn moves(&self, section: usize) -> bool {
@@ -293,6 +293,13 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     pub fn duration(&self) -> R {
         total(self.memory.plan.durations.numbers())
     }
+
+    /// The plan alone, if its numbers are within the range of the real type.
+    pub fn done(self) -> Result<Planned<'w, R, K>, Error> {
+        let Self { axes, sections, memory, findings, .. } = self;
+        Error::NotFinite.unless(memory.plan.durations.numbers().iter().all(|t| t.is_finite()))?;
+        Ok(Planned { axes, sections, memory, findings })
+    }
 }
 
 pub(super) struct Planned<'w, R, const K: usize> {
@@ -300,16 +307,6 @@ pub(super) struct Planned<'w, R, const K: usize> {
     sections: usize,
     memory: Memory<'w, R, K>,
     findings: Findings,
-}
-
-impl<'w, R: Real, const K: usize> Chain<'_, 'w, R, K> {
-    /// The plan alone, if its numbers are within the range of the real type.
-    pub fn done(self) -> Result<Planned<'w, R, K>, Error> {
-        let Self { axes, sections, memory, findings, .. } = self;
-        let is_finite = memory.plan.durations.numbers().iter().all(|t| t.is_finite());
-        let planned = Planned { axes, sections, memory, findings };
-        is_finite.then_some(planned).ok_or(Error::NotFinite)
-    }
 }
 
 impl<R: Real, const K: usize> Planned<'_, R, K> {

@@ -47,11 +47,9 @@ pub fn plan_contour<R: Real>(
     let Contour { moves, states, durations, places } = path;
     let room = durations.len();
     path_size(axes, room).filter(|&size| size <= work.len()).ok_or(Error::Axes)?;
-    if moves.len() != axes * room || states.len() != axes * (room + 1) {
-        return Err(Error::Axes);
-    }
-    tolerance.is_finite().then_some(()).ok_or(Error::NotFinite)?;
-    (tolerance > R::ZERO).then_some(()).ok_or(Error::Limits)?;
+    Error::Axes.unless(moves.len() == axes * room && states.len() == axes * (room + 1))?;
+    Error::NotFinite.unless(tolerance.is_finite())?;
+    Error::Limits.unless(tolerance > R::ZERO)?;
     let given = places.len().saturating_sub(1);
     let points = states.get(..axes * (given + 1)).ok_or(Error::Axes)?;
     Request::of(points, durations.get(..given).ok_or(Error::Axes)?, limits, axes)?;

@@ -67,9 +67,7 @@ impl<R: Real> Deviation<R> {
             let [start, one, other, end] = section.distances([from, to]);
             self.seen = self.seen.at_least(start.at_least(end));
             let most = start.at_least(end).at_least(one).at_least(other);
-            if !(start + one + other + end).is_finite() {
-                return None;
-            }
+            (start + one + other + end).is_finite().then_some(())?;
             let rounding = R::from(16) * R::EPSILON * (section.size + most);
             if halves < MOST_HALVES && part > 1 && most > self.seen + R::SIXTEENTH * R::SIXTEENTH * self.seen + rounding
             {

@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use super::chain::Chain;
-use super::memory::{Memory, Table, Tile, Triangle, each, tile};
+use super::memory::{Table, Tile, Triangle, each};
 use crate::real::Real;
 
 /// `a - x y`
@@ -91,14 +91,6 @@ impl<R: Real, const K: usize> Factors<R, K> {
     }
 }
 
-impl<R: Real, const K: usize> Memory<'_, R, K> {
-    /// The block of a waypoint: `D`.
-    fn diagonal(&self, row: usize) -> Tile<R, K> {
-        let ([vv, va, aa], [vx, ax, xx]) = (self.diagonal.row(row), self.of_offsets.row(row));
-        tile([[vv, va, vx], [va, aa, ax], [vx, ax, xx]])
-    }
-}
-
 /// A group with a number and zeros.
 fn alone<R: Real, const K: usize>(number: R) -> [R; K] {
     let mut group = [R::ZERO; K];
@@ -168,9 +160,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 
     /// Subtracts what the section before adds to the block and to the right side.
     fn subtract(&mut self, section: usize) {
-        let Some(previous) = section.checked_sub(1) else {
-            return;
-        };
+        let Some(previous) = section.checked_sub(1) else { return };
         let (axes, first, groups) = (self.axes, self.first(previous), self.groups(section));
         let memory = &mut self.memory;
         let [before, mut block] = memory.factors.with_next(previous);

@@ -36,12 +36,10 @@ pub fn limit_feed<R: Real>(
 ) -> Result<(), Error> {
     for &feed in feeds {
         feed.partial_cmp(&feed).ok_or(Error::NotFinite)?;
-        (feed > R::ZERO).then_some(()).ok_or(Error::Limits)?;
+        Error::Limits.unless(feed > R::ZERO)?;
     }
     Request::of(states, feeds, limits, axes)?;
-    if limits.len() != axes * feeds.len() {
-        return Err(Error::Axes);
-    }
+    Error::Axes.unless(limits.len() == axes * feeds.len())?;
     for (section, &feed) in feeds.iter().enumerate() {
         let of = section * axes..(section + 1) * axes;
         let line = states.get(of.start..).unwrap_or_default();

@@ -109,9 +109,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// shorter.
     pub fn brake_along(&mut self) -> bool {
         self.measure_axes();
-        let Some(start) = self.along(0).filter(|start| start.velocity > R::ZERO) else {
-            return false;
-        };
+        let Some(start) = self.along(0).filter(|start| start.velocity > R::ZERO) else { return false };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
         let mut brakes_to = |last| self.brake(all_but_rounding(), start, last);

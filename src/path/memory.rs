@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::real::Real;
 
 /// A table with `W` numbers a row. A row that is not there has zeros, and is not written.
-pub(super) struct Table<'a, R, const W: usize>(&'a mut [R]);
+pub(crate) struct Table<'a, R, const W: usize>(pub(crate) &'a mut [R]);
 
 impl<R: Real, const W: usize> Table<'_, R, W> {
     pub fn row(&self, k: usize) -> [R; W] {
@@ -228,11 +228,15 @@ pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize
 }
 
 impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
+    /// The block of a waypoint: `D`.
+    pub fn diagonal(&self, row: usize) -> Tile<R, K> {
+        let ([vv, va, aa], [vx, ax, xx]) = (self.diagonal.row(row), self.of_offsets.row(row));
+        tile([[vv, va, vx], [va, aa, ax], [vx, ax, xx]])
+    }
+
     /// The position of the state in row `row`, which is given at `position`. Rounding does not take it out of the tolerance.
     pub fn moved(&self, position: R, row: usize, axes: usize) -> R {
-        let Some(row) = row.checked_sub(axes).filter(|_| K > 2) else {
-            return position;
-        };
+        let Some(row) = row.checked_sub(axes).filter(|_| K > 2) else { return position };
         let tolerance = self.tolerances.at(row);
         let moved = position + tolerance * self.plan.offsets.at(row);
         if (moved - position).abs() <= tolerance { moved } else { position }

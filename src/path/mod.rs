@@ -34,6 +34,7 @@ use steps::Steps;
 pub use contour::{Contour, plan_contour};
 pub use deviation::path_deviation;
 pub use feed::limit_feed;
+pub(crate) use memory::Table;
 pub use moves::path_moves;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `sections (axes (2 axes + 36) + 14) + 2 axes (axes - 1) + 6`.
@@ -106,12 +107,10 @@ pub fn plan_path_near<R: Real>(
     work: &mut [R],
 ) -> Result<Findings, Error> {
     path_size_near(axes, durations.len()).filter(|&size| size <= work.len()).ok_or(Error::Axes)?;
-    if tolerances.len() != axes * (durations.len() - 1) {
-        return Err(Error::Axes);
-    }
+    Error::Axes.unless(tolerances.len() == axes * (durations.len() - 1))?;
     for tolerance in tolerances {
-        tolerance.is_finite().then_some(()).ok_or(Error::NotFinite)?;
-        (*tolerance >= R::ZERO).then_some(()).ok_or(Error::Limits)?;
+        Error::NotFinite.unless(tolerance.is_finite())?;
+        Error::Limits.unless(*tolerance >= R::ZERO)?;
     }
     let found = plan_path(states, durations, limits, axes, steps, work)?;
     let request = Request { tolerances, ..Request::of(states, durations, limits, axes)? };
@@ -184,9 +183,7 @@ impl<'a, R: Real> Request<'a, R> {
         path_size(axes, sections).ok_or(Error::Axes)?;
         let zones = parts.len().checked_sub(1).unwrap_or(sections);
         let has_limits = limits.len() == axes || limits.len() == axes * zones;
-        if states.len() != axes * (sections + 1) || !has_limits {
-            return Err(Error::Axes);
-        }
+        Error::Axes.unless(states.len() == axes * (sections + 1) && has_limits)?;
         let request = Self { axes, sections, states, limits, parts, tolerances: &[], is_begun: false };
         request.check()?;
         Ok(request)

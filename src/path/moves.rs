@@ -31,9 +31,7 @@ pub(super) fn write_moves<R: Real>(
     moves: &mut [Move<R>], request: Request<R>, durations: &[R],
 ) -> Result<Findings, Error> {
     let axes = request.axes;
-    if moves.len() != axes * durations.len() {
-        return Err(Error::Axes);
-    }
+    Error::Axes.unless(moves.len() == axes * durations.len())?;
     for (section, &duration) in durations.iter().enumerate() {
         let [from, to] = request.ends(section);
         checked(axes, request.zone(section), from, to).map(drop)?;
@@ -48,9 +46,7 @@ pub(super) fn write_moves<R: Real>(
         let [from, to] = request.ends(section);
         found |= synchronise(moves, request.zone(section), from, to, duration, R::ZERO)?;
         let lasts = moves.first().map_or(R::ZERO, |first| first.t);
-        if lasts > duration + tolerance {
-            return Err(Error::Duration);
-        }
+        Error::Duration.unless(lasts <= duration + tolerance)?;
     }
     Ok(found)
 }

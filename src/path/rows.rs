@@ -105,9 +105,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Passes the points of a row as a fast motion along its curve: in parts whose bends limit the speed, or as one move that is slow enough for
     /// its bends, whichever is shorter. Whether this is possible, and shorter than the plan that is kept.
     pub fn pass_row(&mut self, share: R, start: State<R>, row: Range<usize>) -> bool {
-        let Some(end) = self.along(row.end) else {
-            return false;
-        };
+        let Some(end) = self.along(row.end) else { return false };
         self.lay_curve(row.clone());
         let in_parts = self.pass_along(share, [start, end], row.clone(), true);
         self.ignore_bends(row.clone());

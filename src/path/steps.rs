@@ -104,9 +104,7 @@ fn fallen<R: Real>(base: R, octaves: R) -> R {
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// Moves the states of the plan to the centre, where they are far from the limits.
     pub fn centre(&mut self, steps: u32, damping: &mut Damping<R>) {
-        if self.begin().is_none() {
-            return;
-        }
+        let Some(()) = self.begin() else { return };
         // The more weight the logarithms have, the longer the sections last, and few long ones may last long enough to turn back.
         let weight = if self.sections < MANY_SECTIONS { R::HALF } else { R::ONE };
         for _ in 0..steps {
@@ -138,9 +136,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let mut mu = fallen(per_logarithm * self.duration(), octaves);
         let mut damping = Damping::new();
         let mut is_done = false;
-        if self.begin().is_none() {
-            return;
-        }
+        let Some(()) = self.begin() else { return };
         for step in 0..most {
             let left = most - step;
             // After a short step the weight waits, but not in the last two fifths of the steps.

@@ -99,9 +99,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Whether the first section is what is left of a section of a possible plan. The state under way has rounding errors: those of the
     /// positions, and those of the clock. A little more jerk makes up for them.
     fn is_left(&self, given: &[R]) -> bool {
-        let Ok(duration) = self.given(0, given) else {
-            return false;
-        };
+        let Ok(duration) = self.given(0, given) else { return false };
         let all = total(given);
         let clock = R::DOUBT * all;
         (0..self.axes).all(|axis| {
@@ -117,9 +115,7 @@ impl<R: Real> Chain<'_, '_, R> {
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// Shortens a plan that is there, if a slower one is strictly inside. Whether one is.
     pub fn shorten_given(&mut self, given: &[R], steps: Steps) -> Result<bool, Error> {
-        let Some(octaves) = self.slow_down(given, steps.most) else {
-            return Ok(false);
-        };
+        let Some(octaves) = self.slow_down(given, steps.most) else { return Ok(false) };
         self.shorten(steps, octaves);
         self.promise()?;
         Ok(true)
@@ -142,9 +138,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let state = self.request.state(self.place(point), axis);
             let velocity = state.velocity / slow.factor;
             let acceleration = (state.acceleration - velocity * slow.rate) / (slow.factor * slow.factor);
-            if !(velocity.is_finite() && acceleration.is_finite()) {
-                return Err(Error::NotFinite);
-            }
+            Error::NotFinite.unless(velocity.is_finite() && acceleration.is_finite())?;
             self.memory.plan.states.set(point * self.axes + axis, [velocity, acceleration]);
         }
         Ok(())
@@ -154,9 +148,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// path of one section needs no step. A plan that begins in motion eases over a quarter of its duration. From the given plan itself no step
     /// opens new sections.
     pub fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
-        if self.sections == 1 {
-            return None;
-        }
+        (self.sections > 1).then_some(())?;
         // New sections begin with stops, far from the best plan.
         let is_new = self.has_new(given);
         // For fewer than 3 steps there is no other.

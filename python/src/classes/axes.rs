@@ -404,7 +404,7 @@ fn together(
 }
 
 /// ValueError if the lists, each with its name, have different lengths.
-fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
+pub fn are_as_long(lists: &[(&str, usize)]) -> PyResult<()> {
     if lists.iter().all(|(_, length)| *length == lists[0].1) {
         return Ok(());
     }

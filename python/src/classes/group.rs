@@ -12,7 +12,7 @@ use pyo3::types::PyList;
 use self_cell::{MutBorrow, self_cell};
 
 use super::Real;
-use super::axes::{ANYWHERE, Axes};
+use super::axes::{ANYWHERE, Axes, are_as_long};
 use crate::values::{GivenLimits, GivenState, error, to_findings, to_state};
 use crate::why::{each_alone, no_part};
 
@@ -21,16 +21,18 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Group>()
 }
 
-/// What a group of the library borrows. Paths stay until the group goes.
+/// What a group of the library borrows. Paths and positions stay until the group goes.
 struct Memory {
     states: Vec<State<Real>>,
     moves: Vec<Planned<Real>>,
     paths: FrozenVec<Vec<Planned<Real>>>,
+    positions: FrozenVec<Vec<Real>>,
 }
 
 struct Borrowed<'a> {
     group: machine::Group<'a, Real>,
     paths: &'a FrozenVec<Vec<Planned<Real>>>,
+    positions: &'a FrozenVec<Vec<Real>>,
 }
 
 self_cell!(
@@ -128,11 +130,11 @@ impl Group {
     #[new]
     fn new(period: Real, states: Vec<GivenState<Real>>) -> PyResult<Self> {
         let now: Vec<_> = states.iter().map(|state| state.0).collect();
-        let memory =
-            Memory { states: now.clone(), moves: vec![Planned::default(); 3 * now.len()], paths: FrozenVec::new() };
+        let moves = vec![Planned::default(); 3 * now.len()];
+        let memory = Memory { states: now.clone(), moves, paths: FrozenVec::new(), positions: FrozenVec::new() };
         let owned = Owned::try_new(MutBorrow::new(memory), |memory| {
-            let Memory { states, moves, paths } = memory.borrow_mut();
-            Ok(Borrowed { group: machine::Group::new(period, states, moves)?, paths })
+            let Memory { states, moves, paths, positions } = memory.borrow_mut();
+            Ok(Borrowed { group: machine::Group::new(period, states, moves)?, paths, positions })
         });
         let owned = owned.map_err(|why| match why {
             Error::Axes => error("there is no axis: states is empty"),
@@ -157,6 +159,17 @@ impl Group {
     #[getter]
     fn done(&self) -> bool {
         self.is_at_end && !self.waits
+    }
+
+    /// Keeps each motion that is planned from now on between the positions: `lowest` and `highest` have an item for each axis, and `-inf` and `inf`
+    /// are no limits. ValueError if the lowest is not below the highest. An axis that cannot stop between them stops as fast as it can.
+    fn within(&mut self, lowest: Vec<Real>, highest: Vec<Real>) -> PyResult<()> {
+        are_as_long(&[("lowest", lowest.len()), ("highest", highest.len()), ("the group", self.now.len())])?;
+        let kept = self.act(|borrowed| {
+            let positions = [lowest, highest].map(|list| borrowed.positions.push_get(list));
+            borrowed.group.split().0.within(positions)
+        });
+        kept.map_err(|why| error(&why.to_string()))
     }
 
     /// Each axis goes to its state by its fastest move. `limits` and `targets` have an item for each axis.

@@ -3,13 +3,11 @@
 //! The struct of liba 0.1.15 stores the coefficients of position and, up to the level of the build, the coefficients of its derivatives, one
 //! array after the other. The struct of liba since 2025-03 stores the coefficients of position alone.
 
-#[cfg(feature = "poly-compact")]
-use crate::capi::nan;
 use crate::capi::{Number, a_float};
-#[cfg(feature = "poly-compact")]
-use crate::liba::Poly;
 #[cfg(not(feature = "poly-compact"))]
 use crate::liba::poly::target;
+#[cfg(feature = "poly-compact")]
+use crate::{capi::value, liba::Poly};
 #[cfg(not(feature = "poly-compact"))]
 use core::slice;
 
@@ -67,10 +65,7 @@ unsafe fn evaluate_at(ctx: *const Number, place: Place, x: a_float) -> a_float {
 #[cfg(feature = "poly-compact")]
 pub unsafe fn evaluate<const N: usize, const ORDER: usize>(ctx: *const Number, x: a_float) -> a_float {
     // SAFETY: by the contract of this function.
-    match unsafe { ctx.cast::<Poly<Number, N>>().as_ref() } {
-        Some(poly) => poly.derivative_at(ORDER, x.into()).into(),
-        None => nan(),
-    }
+    value(unsafe { ctx.cast::<Poly<Number, N>>().as_ref() }, |poly| poly.derivative_at(ORDER, x.into()))
 }
 
 /// Writes the coefficients of the derivative of order `ORDER + 1` from the coefficients of order `ORDER`; nothing for a NULL context.

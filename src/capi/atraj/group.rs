@@ -8,6 +8,7 @@ use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::machine::group::Course;
 use crate::machine::{Group, GroupPlanner, GroupTicker};
+use core::cell::Cell;
 use core::ffi::{c_int, c_uint, c_void};
 
 /// What is new in a tick of a group.
@@ -43,10 +44,12 @@ pub struct atraj_group {
     pub states: [*mut c_void; 2],
     /// the moves of the caller
     pub moves: [*mut c_void; 2],
+    /// the positions of the caller
+    pub positions: [[*mut c_void; 2]; 2],
     /// one is in force, one may wait for its tick, one is planned
     pub courses: [atraj_course; 3],
 }
-assert_same_layout!(atraj_group, Group<'static, Number>, words = handover period states moves courses);
+assert_same_layout!(atraj_group, Group<'static, Number>, words = handover period states moves positions courses);
 
 /// @brief Put `n` axes in their states. Those in motion go on until a plan takes over. Neither main loop nor
 /// interrupt may use the group meanwhile.
@@ -71,6 +74,7 @@ pub unsafe extern "C" fn atraj_group_init(
                 group.write_bytes(0, 1);
                 (&raw mut (*group).states).write(states);
                 (&raw mut (*group).moves).write(moves);
+                (&raw mut (*group).positions).write(Cell::new([&[]; 2]));
                 for place in 0..3 {
                     let course = (&raw mut (*group).courses).cast::<Course<'static, Number>>().add(place);
                     (&raw mut (*course).path).write(&[]);
@@ -93,6 +97,29 @@ pub unsafe extern "C" fn atraj_group_tick(ctx: *mut atraj_group, states: *mut at
         unsafe { of(ctx).and_then(|group| Some(GroupTicker::of(group).tick(list_mut(states, group.states.len())?))) };
     let word = |is: bool, word: atraj_tick| if is { word as c_int } else { 0 };
     ticked.map_or(Error::Axes as c_int, |tick| word(tick.begins, ATRAJ_TICK_BEGINS) + word(tick.ends, ATRAJ_TICK_ENDS))
+}
+
+/// @brief Keep each motion that is planned from now on between two positions of each axis until its end, up to 128 ulps.
+/// For the main loop.
+///
+/// A line or path that would leave them is `ATRAJ_ERR_POSITION`, and so is a target if no motion to it stays between
+/// them. An axis that cannot stop between them stops as fast as it can.
+/// @param lowest points to the lowest positions of the `n` axes, unit, `highest` to the highest; an infinite one is no
+/// limit. Both stay the caller's, and must stay as they are. Both NULL: any positions, as after `atraj_group_init`.
+/// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE` if a position is not a number, or
+/// `ATRAJ_ERR_LIMITS` if the lowest is not below the highest. Then the positions stay as they were.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_group_within(
+    ctx: *mut atraj_group, lowest: *const a_float, highest: *const a_float,
+) -> c_int {
+    // SAFETY: the pointers are NULL or valid by the contract of this module. The interrupt changes only what is atomic.
+    answer(|| unsafe {
+        let group: &Group<'static, Number> = of(ctx)?;
+        let n = group.states.len();
+        let are_given = !(lowest.is_null() && highest.is_null());
+        let positions = if are_given { [list(lowest, n)?, list(highest, n)?] } else { [&[][..]; 2] };
+        done(GroupPlanner::of(group).within(positions))
+    })
 }
 
 /// @brief Plan the fastest move of each axis to its state, each for itself. For the main loop, while the interrupt ticks.

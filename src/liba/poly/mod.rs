@@ -240,15 +240,11 @@ impl<R: Real, const N: usize> Poly<R, N> {
 
     /// The polynomial that `plan` makes to last `duration`, if every coefficient is finite.
     fn planned(duration: R, plan: impl FnOnce(&mut Self)) -> Result<Self, Error> {
+        Error::Duration.unless(duration.abs() > R::ZERO)?;
         let mut poly = Self::default();
         plan(&mut poly);
-        if poly.c.iter().all(|c| c.is_finite()) {
-            Ok(poly)
-        } else if duration.abs() > R::ZERO {
-            Err(Error::NotFinite)
-        } else {
-            Err(Error::Duration)
-        }
+        Error::NotFinite.unless(poly.c.iter().all(|c| c.is_finite()))?;
+        Ok(poly)
     }
 }
 

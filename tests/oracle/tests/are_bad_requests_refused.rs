@@ -662,6 +662,15 @@ fn bad_groups<R: Real>() {
         planner.path(&limits, &[], zero, 1),
     ];
     assert_eq!(refused, [Err(Error::Axes); 11]);
+    for (lowest, highest, error) in [
+        (&[zero][..], &[one; 2][..], Error::Axes),
+        (&[], &[one; 2], Error::Axes),
+        (&[zero; 3], &[one; 3], Error::Axes),
+        (&[zero, none], &[one; 2], Error::NotFinite),
+        (&[zero, one], &[one; 2], Error::Limits),
+    ] {
+        assert_eq!(planner.within([lowest, highest]), Err(error));
+    }
     for lead in [0, 1 << 27, u32::MAX] {
         assert_eq!([planner.go(&limits, &to, lead), planner.stop(&limits, lead)], [Err(Error::Late); 2]);
     }

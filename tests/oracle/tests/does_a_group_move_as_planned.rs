@@ -13,10 +13,12 @@ fn programs<R: Real>() {
     for _ in 0..PROGRAMS {
         program::<R>(&mut random, &mut counts);
     }
-    let Counts { refused: [lines, paths, rates], steps } = counts;
+    let Counts { refused: [lines, paths, rates, outside], steps } = counts;
     println!("{}: {PROGRAMS} programs of {CALLS} calls, {steps} steps of motors", R::NAME);
-    println!("refused: {lines} lines in motion, {paths} paths from elsewhere, {rates} rates");
-    assert!(steps > 5_000 * PROGRAMS as u64);
+    println!(
+        "refused: {lines} lines in motion, {paths} paths from elsewhere, {rates} rates, {outside} motions that would leave their positions"
+    );
+    assert!(steps > 5_000 * PROGRAMS as u64 && outside > PROGRAMS);
 }
 
 /// A path may be given again while its time runs at another rate, from where the axis is in the next tick, and not from elsewhere.

@@ -31,6 +31,17 @@ impl<R: Real> Paths<R> {
     }
 }
 
+/// Between which positions the axes stay: around their starts, with an infinite one for every fourth.
+fn walls<R: Real>(random: &mut Random, start: &[State<R>]) -> [Vec<R>; 2] {
+    [-1.0, 1.0].map(|side| {
+        let mut wall = |now: &State<R>| {
+            let away = if random.one_in(4) { f64::INFINITY } else { random.magnitude(-1.0, 1.0) };
+            R::of(now.position.widen() + side * away)
+        };
+        start.iter().map(&mut wall).collect()
+    })
+}
+
 /// What the group is asked to do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Motion {
@@ -45,7 +56,7 @@ enum Motion {
 /// What programs did.
 #[derive(Debug, Default)]
 pub struct Counts {
-    pub refused: [usize; 3], // lines in motion, paths from elsewhere, and rates
+    pub refused: [usize; 4], // lines in motion, paths from elsewhere, rates, and motions that would leave their positions
     pub steps: u64,
 }
 
@@ -86,6 +97,7 @@ struct Trial<'g, 'a, R> {
     planner: GroupPlanner<'g, 'a, R>,
     ticker: GroupTicker<'g, 'a, R>,
     limits: &'g [Limits<R>],
+    walls: [Vec<R>; 2],
     period: R,
     now: Vec<State<R>>,
     line: Option<[Vec<State<R>>; 2]>, // where the motion was planned to begin and to end, if it is to be a line
@@ -105,6 +117,7 @@ impl<R: Real> Trial<'_, '_, R> {
             let follows = follows(*before, *now, limits, self.period.widen(), self.age, self.longest);
             assert!(follows, "{before:?} {now:?} {limits:?}");
         }
+        assert!(self.stays_inside(), "{:?} {:?}", self.now, self.walls);
         let period = self.period.widen();
         self.steps += self.motors.iter_mut().zip(&self.now).map(|(motor, now)| motor.tick(*now, period)).sum::<u64>();
         assert!(!(tick.ends && self.has_ended && !tick.begins));
@@ -124,6 +137,17 @@ impl<R: Real> Trial<'_, '_, R> {
             }
         }
         tick
+    }
+
+    /// Whether each axis is between its positions, if there are some.
+    fn stays_inside(&self) -> bool {
+        let walls = self.walls[0].iter().zip(&self.walls[1]);
+        self.now.iter().zip(self.limits).zip(walls).all(|((now, limits), (lowest, highest))| {
+            let [p, low, high] = [now.position, *lowest, *highest].map(R::widen);
+            let speed = limits.vmax.widen().max(-limits.vmin.widen());
+            let rounding = 256.0 * R::MACHINE_EPSILON.widen() * (p.abs() + 10.0 + speed * self.longest);
+            p >= low - rounding && p <= high + rounding
+        })
     }
 
     fn stands(&self) -> bool {
@@ -210,6 +234,16 @@ fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
     sections.fold(f64::INFINITY, f64::min)
 }
 
+/// Whether the moves of whole sections stay between the positions.
+fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: &[Vec<R>; 2]) -> bool {
+    let walls = lowest.iter().zip(highest).cycle();
+    moves
+        .iter()
+        .map(Move::extremes)
+        .zip(walls)
+        .all(|(reached, (lowest, highest))| reached.lowest.position >= *lowest && reached.highest.position <= *highest)
+}
+
 /// Runs a program, which panics if a tick, a step or an answer is wrong.
 pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
     let n = 1 + random.below(6);
@@ -219,15 +253,18 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
     let duration: f64 = paths.there.iter().step_by(n).map(|of| of.t.widen()).sum();
     let period = R::of(duration / random.between(50.0, 500.0));
     let start = paths.start(n);
+    let walls = if random.one_in(2) { walls(random, &start) } else { [vec![], vec![]] };
     let (mut states, mut moves) = (start.clone(), vec![Move::default(); 3 * n]);
     let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
-    let (planner, ticker) = group.split();
+    let (mut planner, ticker) = group.split();
+    planner.within([&walls[0], &walls[1]]).expect("positions");
     let motor = |(now, limits): (&State<R>, &Limits<R>)| Motor::of(*now, limits, period, random);
     let motors = start.iter().zip(&limits).map(motor).collect();
     let mut trial = Trial {
         planner,
         ticker,
         limits: &limits,
+        walls: walls.clone(),
         period,
         now: start.clone(),
         line: None,
@@ -243,7 +280,14 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
         let is_at_rest = trial.has_ended && trial.stands();
         let within = if is_at_rest { &planned } else { &limits };
         let anywhere = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
-        let to: Vec<State<R>> = (0..n).map(anywhere).collect();
+        let mut to: Vec<State<R>> = (0..n).map(anywhere).collect();
+        if !random.one_in(4) {
+            // Most targets are between the positions.
+            for (to, (lowest, highest)) in to.iter_mut().zip(walls[0].iter().zip(&walls[1])) {
+                to.position = R::of(to.position.widen().clamp(lowest.widen(), highest.widen()));
+            }
+        }
+        let targets: Vec<_> = to.iter().map(|to| online::plan(&limits[0], *to, *to)).collect();
         trial.may_go_to(&to);
         assert_eq!(trial.planner.sync(within, &to, 0), Err(Error::Late));
         let call = random.below(7);
@@ -259,6 +303,7 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
         let from = trial.now.clone();
         match next {
             Ok(next) => {
+                assert!(call > 2 || stay(&targets, &walls), "{to:?} {walls:?}");
                 trial.line = trial.line.take().filter(|_| call == 6);
                 trial.take_over(lead);
                 assert!(!is_at_rest || trial.stands(), "a motion from rest does not begin at rest");
@@ -266,7 +311,7 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
                     trial.stops_in_time();
                 }
                 motion = next;
-                if next == Motion::Line && call == 2 && is_at_rest {
+                if next == Motion::Line && call == 2 && is_at_rest && from != to {
                     trial.line = Some([from, to]);
                 }
             }
@@ -274,6 +319,11 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
             Err(Error::Line) => counts.refused[0] += usize::from(call == 2 && !is_at_rest),
             Err(Error::Target) if call == 4 => counts.refused[1] += 1,
             Err(Error::Target) if call == 6 => counts.refused[2] += 1,
+            Err(Error::Position) if call < 5 => {
+                let stays = if call == 4 { stay(&paths.there, &walls) } else { stay(&targets, &walls) };
+                assert!(!stays || call == 2 && !is_at_rest, "{call}: {to:?} {walls:?}");
+                counts.refused[3] += 1;
+            }
             Err(error) => panic!("{call}: {error}"),
         }
         for _ in 0..random.below(300) {
@@ -284,6 +334,8 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
     trial.planner.go(&limits, &start, 1).expect("a plan");
     trial.take_over(1);
     assert!(trial.ends() && trial.now == start);
+    trial.planner.within([&[], &[]]).expect("any positions");
+    trial.walls = [vec![], vec![]];
     along_the_path(random, &mut trial, &paths, &planned);
     counts.steps += trial.steps;
 }
