@@ -32,13 +32,13 @@ impl<R: Real> Paths<R> {
 }
 
 /// Between which positions the axes stay: around their starts, with an infinite one for every fourth.
-fn walls<R: Real>(random: &mut Random, start: &[State<R>]) -> [Vec<R>; 2] {
+fn positions<R: Real>(random: &mut Random, start: &[State<R>]) -> [Vec<R>; 2] {
     [-1.0, 1.0].map(|side| {
-        let mut wall = |now: &State<R>| {
+        let mut limit = |now: &State<R>| {
             let away = if random.one_in(4) { f64::INFINITY } else { random.magnitude(-1.0, 1.0) };
             R::of(now.position.widen() + side * away)
         };
-        start.iter().map(&mut wall).collect()
+        start.iter().map(&mut limit).collect()
     })
 }
 
@@ -97,7 +97,7 @@ struct Trial<'g, 'a, R> {
     planner: GroupPlanner<'g, 'a, R>,
     ticker: GroupTicker<'g, 'a, R>,
     limits: &'g [Limits<R>],
-    walls: [Vec<R>; 2],
+    positions: [Vec<R>; 2],
     period: R,
     now: Vec<State<R>>,
     line: Option<[Vec<State<R>>; 2]>, // where the motion was planned to begin and to end, if it is to be a line
@@ -117,7 +117,7 @@ impl<R: Real> Trial<'_, '_, R> {
             let follows = follows(*before, *now, limits, self.period.widen(), self.age, self.longest);
             assert!(follows, "{before:?} {now:?} {limits:?}");
         }
-        assert!(self.stays_inside(), "{:?} {:?}", self.now, self.walls);
+        assert!(self.stays_inside(), "{:?} {:?}", self.now, self.positions);
         let period = self.period.widen();
         self.steps += self.motors.iter_mut().zip(&self.now).map(|(motor, now)| motor.tick(*now, period)).sum::<u64>();
         assert!(!(tick.ends && self.has_ended && !tick.begins));
@@ -141,8 +141,8 @@ impl<R: Real> Trial<'_, '_, R> {
 
     /// Whether each axis is between its positions, if there are some.
     fn stays_inside(&self) -> bool {
-        let walls = self.walls[0].iter().zip(&self.walls[1]);
-        self.now.iter().zip(self.limits).zip(walls).all(|((now, limits), (lowest, highest))| {
+        let positions = self.positions[0].iter().zip(&self.positions[1]);
+        self.now.iter().zip(self.limits).zip(positions).all(|((now, limits), (lowest, highest))| {
             let [p, low, high] = [now.position, *lowest, *highest].map(R::widen);
             let speed = limits.vmax.widen().max(-limits.vmin.widen());
             let rounding = 256.0 * R::MACHINE_EPSILON.widen() * (p.abs() + 10.0 + speed * self.longest);
@@ -236,11 +236,11 @@ fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
 
 /// Whether the moves of whole sections stay between the positions.
 fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: &[Vec<R>; 2]) -> bool {
-    let walls = lowest.iter().zip(highest).cycle();
+    let positions = lowest.iter().zip(highest).cycle();
     moves
         .iter()
         .map(Move::extremes)
-        .zip(walls)
+        .zip(positions)
         .all(|(reached, (lowest, highest))| reached.lowest.position >= *lowest && reached.highest.position <= *highest)
 }
 
@@ -253,18 +253,18 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
     let duration: f64 = paths.there.iter().step_by(n).map(|of| of.t.widen()).sum();
     let period = R::of(duration / random.between(50.0, 500.0));
     let start = paths.start(n);
-    let walls = if random.one_in(2) { walls(random, &start) } else { [vec![], vec![]] };
+    let positions = if random.one_in(2) { positions(random, &start) } else { [vec![], vec![]] };
     let (mut states, mut moves) = (start.clone(), vec![Move::default(); 3 * n]);
     let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
     let (mut planner, ticker) = group.split();
-    planner.within([&walls[0], &walls[1]]).expect("positions");
+    planner.within([&positions[0], &positions[1]]).expect("positions");
     let motor = |(now, limits): (&State<R>, &Limits<R>)| Motor::of(*now, limits, period, random);
     let motors = start.iter().zip(&limits).map(motor).collect();
     let mut trial = Trial {
         planner,
         ticker,
         limits: &limits,
-        walls: walls.clone(),
+        positions: positions.clone(),
         period,
         now: start.clone(),
         line: None,
@@ -283,7 +283,7 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
         let mut to: Vec<State<R>> = (0..n).map(anywhere).collect();
         if !random.one_in(4) {
             // Most targets are between the positions.
-            for (to, (lowest, highest)) in to.iter_mut().zip(walls[0].iter().zip(&walls[1])) {
+            for (to, (lowest, highest)) in to.iter_mut().zip(positions[0].iter().zip(&positions[1])) {
                 to.position = R::of(to.position.widen().clamp(lowest.widen(), highest.widen()));
             }
         }
@@ -303,7 +303,7 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
         let from = trial.now.clone();
         match next {
             Ok(next) => {
-                assert!(call > 2 || stay(&targets, &walls), "{to:?} {walls:?}");
+                assert!(call > 2 || stay(&targets, &positions), "{to:?} {positions:?}");
                 trial.line = trial.line.take().filter(|_| call == 6);
                 trial.take_over(lead);
                 assert!(!is_at_rest || trial.stands(), "a motion from rest does not begin at rest");
@@ -320,8 +320,8 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
             Err(Error::Target) if call == 4 => counts.refused[1] += 1,
             Err(Error::Target) if call == 6 => counts.refused[2] += 1,
             Err(Error::Position) if call < 5 => {
-                let stays = if call == 4 { stay(&paths.there, &walls) } else { stay(&targets, &walls) };
-                assert!(!stays || call == 2 && !is_at_rest, "{call}: {to:?} {walls:?}");
+                let stays = if call == 4 { stay(&paths.there, &positions) } else { stay(&targets, &positions) };
+                assert!(!stays || call == 2 && !is_at_rest, "{call}: {to:?} {positions:?}");
                 counts.refused[3] += 1;
             }
             Err(error) => panic!("{call}: {error}"),
@@ -335,7 +335,7 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
     trial.take_over(1);
     assert!(trial.ends() && trial.now == start);
     trial.planner.within([&[], &[]]).expect("any positions");
-    trial.walls = [vec![], vec![]];
+    trial.positions = [vec![], vec![]];
     along_the_path(random, &mut trial, &paths, &planned);
     counts.steps += trial.steps;
 }
