@@ -4,9 +4,8 @@ use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchr
 use atraj::machine::{Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
-use std::fs;
 use support::online::state_of as state;
-use support::repository::root;
+use support::repository::read;
 use support::{Random, Real, online, test_both_reals};
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
@@ -323,7 +322,7 @@ fn at_the_border_of_the_range<R: Real>() {
 
 /// `OVERSHOOTS` had a tolerance that no header named.
 fn named_tolerance<R: Real>() {
-    let header = fs::read_to_string(root().join("include/atraj/codes.h")).expect("a header");
+    let header = read("include/atraj/codes.h");
     assert!(header.contains("128 ulps in a plan"), "{header}");
     let (one, start) = (R::of(1.0), State::at(R::of(1.0)));
     let limits = Limits::symmetric(one, one, one);

@@ -4,7 +4,7 @@ use atraj::machine::{Shaper, ShaperKind};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, State};
 use std::f64::consts::PI;
-use support::repository::root;
+use support::repository::read;
 use support::{Random, Real, online, test_both_reals};
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
@@ -139,7 +139,7 @@ fn insensitivities_are_those_of_the_curves() {
     let limits = Limits::symmetric(f64::INFINITY, 1e4, 1e4);
     let planned = online::plan(&limits, State::at(0.0), State::at(0.25));
     let borders = [0.0, 0.5 * planned.t, planned.t];
-    let page = std::fs::read_to_string(root().join("docs/machine.md")).expect("the page");
+    let page = read("docs/machine.md");
     for kind in KINDS {
         let shaper = Shaper::new(kind, 1.0, 0.0).expect("a shaper");
         let times = corners(&borders, &delays(kind, [1.0, 0.0]));

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::golden;
-use support::repository::root;
+use support::repository::{names, read, root};
 use support::tools::{Language, compilers, has_tool, lines, run};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, VARIANTS, Variant, headers};
 
@@ -82,11 +82,10 @@ fn replay_changed(source: &str, table: &str, change: impl Fn(&str) -> Option<Str
     let program = build(&DOUBLE, "cc", &["-std=c99"], source);
     let copy = DOUBLE.scratch().join("golden");
     fs::create_dir_all(&copy).unwrap();
-    for entry in fs::read_dir(golden::directory()).unwrap() {
-        let from = entry.unwrap().path();
-        fs::copy(&from, copy.join(from.file_name().unwrap())).unwrap();
+    for name in names(golden::directory()) {
+        fs::copy(golden::directory().join(&name), copy.join(name)).unwrap();
     }
-    let csv = fs::read_to_string(copy.join(table)).unwrap();
+    let csv = read(copy.join(table));
     match change(&csv) {
         Some(changed) => fs::write(copy.join(table), changed).unwrap(),
         None => fs::remove_file(copy.join(table)).unwrap(),

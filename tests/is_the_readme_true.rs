@@ -6,13 +6,9 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::documents::blocks;
-use support::repository::root;
+use support::repository::{names, read, root};
 use support::tools::{Language, compilers, run};
 use support::variant::DOUBLE;
-
-fn read(file: &str) -> String {
-    fs::read_to_string(root().join(file)).unwrap()
-}
 
 /// The width counts characters. The words are those of `wc -w`, code and tables included.
 #[test]
@@ -36,9 +32,7 @@ fn measured_pages_are_short() {
 
 /// README.md and the pages in `docs`, each with its name. `do_the_guides_run` follows the pages for one kind of reader.
 fn documents() -> Vec<(String, String)> {
-    let names = fs::read_dir(root().join("docs")).unwrap();
-    let names = names.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let pages = names.filter(|name| name.ends_with(".md") && !name.starts_with("for-"));
+    let pages = names("docs").into_iter().filter(|name| name.ends_with(".md") && !name.starts_with("for-"));
     let paths = pages.map(|name| format!("docs/{name}"));
     paths.chain(["README.md".to_owned()]).map(|path| (path.clone(), read(&path))).collect()
 }
