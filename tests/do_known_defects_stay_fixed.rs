@@ -234,10 +234,9 @@ fn beyond_the_range<R: Real>() {
     assert_eq!(planned, Ok(Findings::default()));
     // The axis turns 0.6 % of the largest number behind its target, and 0.3 % behind it a phase ends, beyond the largest number.
     let largest = largest::<R>();
-    let none = R::of(f64::INFINITY);
     let target = State::at(R::of(0.999 * largest));
     let fast = State { velocity: R::of(largest.sqrt()), ..target };
-    let weak = Limits::symmetric(none, R::of(83.0), none);
+    let weak = Limits::symmetric(R::INFINITY, R::of(83.0), R::INFINITY);
     let refused = finite_or_untouched(|planned| planned.meet(&weak, fast, target));
     assert_eq!(refused, Err(Error::NotFinite));
     let (limits, near) = ([Limits::symmetric(one, one, one), limits], State::at(one));

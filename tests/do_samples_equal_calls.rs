@@ -57,10 +57,9 @@ fn check_profile<R: Real, const N: usize>(
 }
 
 fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
-    let zero = R::of(0.0);
     let of_length = |n: u8| {
         let dt = end / R::of(f64::from(n.max(2) - 1));
-        let sweeps = [(zero, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
+        let sweeps = [(R::ZERO, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
         sweeps.map(|(x0, dt)| Sweep { x0, dt, n: n.into() })
     };
     [0, 1, 2, 3, 9, 70].into_iter().flat_map(of_length).collect()
@@ -68,17 +67,16 @@ fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
 
 /// By single roundings across each border, standing at it, and from zero to it.
 fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
-    let zero = R::of(0.0);
     let around = |&border: &R| {
         let ulp = border * R::MACHINE_EPSILON;
         let [before, after] = [-6.0, 6.0].map(|ulps| border + R::of(ulps) * ulp);
         let sweeps = [
             (before, ulp, 12),
             (after, -ulp, 12),
-            (border, zero, 2),
-            (border, -zero, 2),
-            (zero, border, 3),
-            (-zero, -border, 3),
+            (border, R::ZERO, 2),
+            (border, -R::ZERO, 2),
+            (R::ZERO, border, 3),
+            (-R::ZERO, -border, 3),
         ];
         sweeps.map(|(x0, dt, n)| Sweep { x0, dt, n })
     };

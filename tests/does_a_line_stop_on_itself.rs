@@ -54,7 +54,6 @@ fn stops_stay_on_the_line<R: Real>() {
 /// The way is so short compared with the positions that roundings hide its direction, and the velocities tell it. The stop was refused.
 fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
     let mut random = Random::seeded(7);
-    let zero = R::of(0.0);
     for number in 0..LINES {
         let limits = online::limits::<R>(&mut random);
         let limits = [limits; 3].map(|limits| Limits::symmetric(limits.jmax, limits.amax, limits.vmax));
@@ -71,9 +70,9 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
         let stopped = line_stop(&mut axes, &limits, x);
         assert!(stopped.is_ok(), "line {number}: {stopped:?} {now:?}");
         for (axis, now) in axes.iter().zip(&now) {
-            let off = (axis.state_at(zero).velocity - now.velocity).widen().abs();
+            let off = (axis.state_at(R::ZERO).velocity - now.velocity).widen().abs();
             assert!(off <= 1e-3 * speed, "line {number}: {off} of {speed}");
-            assert_eq!(axis.state_at(axis.t).velocity, zero, "line {number}");
+            assert_eq!(axis.state_at(axis.t).velocity, R::ZERO, "line {number}");
         }
     }
 }

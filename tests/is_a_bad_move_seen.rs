@@ -120,8 +120,7 @@ fn what_is_no_number_is_refused<R: Real>() {
             }
         }
     }
-    let zero = R::of(0.0);
-    let no_limits = [Limits { vmax: zero, ..limits }, Limits { jmin: limits.jmax, ..limits }];
+    let no_limits = [Limits { vmax: R::ZERO, ..limits }, Limits { jmin: limits.jmax, ..limits }];
     for within in no_limits {
         assert_eq!(planned.check(&within), Err(Error::Limits));
     }

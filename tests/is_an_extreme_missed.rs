@@ -113,8 +113,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     let even = (0..=SAMPLES).map(|k| R::of(k as f64 / SAMPLES as f64) * the_move.duration);
     let borders = the_move.borders.iter();
     let borders = borders.flat_map(|x| [x.neighbour(-1), *x, x.neighbour(1)]);
-    let start = R::of(0.0);
-    let within = |x: &R| *x >= start && *x <= the_move.duration;
+    let within = |x: &R| *x >= R::ZERO && *x <= the_move.duration;
     let times: Vec<R> = even.chain(borders).filter(within).collect();
     let mut worst = 0.0_f64;
     for quantity in 0..3 {

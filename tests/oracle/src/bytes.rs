@@ -71,8 +71,7 @@ fn plan_as<R: Original>(_: u8, mut bytes: &[u8]) {
     for request in [Request::Bell, Request::Trap] {
         let problem = Problem::of_arguments(request, arguments);
         let plan = Fastest.plan(&problem); // any bits must not panic
-        let zero = R::of(0.0);
-        if !fits || problem.limits.amax <= zero || problem.limits.amin >= zero {
+        if !fits || problem.limits.amax <= R::ZERO || problem.limits.amin >= R::ZERO {
             continue;
         }
         let plan = plan.unwrap_or_else(|error| panic!("{problem}: {error:?}"));
@@ -91,7 +90,6 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     let [from, to] = [(); 2].map(|()| state(&mut bytes));
     let before = Move::default();
     let mut planned = before;
-    let zero = R::of(0.0);
     let [one, other] = [(); 2].map(|()| number::<R>(&mut bytes));
     let planner = planner % PLANNERS;
     let result = match planner {
@@ -107,7 +105,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         assert!(planned == before, "{problem}: touched, {result:?}");
         return;
     }
-    assert!(planned.t >= zero && planned.t < R::of(f64::INFINITY), "{problem}: {planned:?}");
+    assert!(planned.t >= R::ZERO && planned.t < R::of(f64::INFINITY), "{problem}: {planned:?}");
     assert_order(&planned, &problem);
     // A move without duration is at its start at 0.
     let end = planned.state_at(R::of(f64::INFINITY));
@@ -131,8 +129,8 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     let _ = planned.time_at(reached.highest.position);
     let _ = planned.time_at(to.position);
     let _ = planned.check(&limits);
-    let mut positions = [zero; 16];
-    planned.sample_into(zero, planned.t / R::of(15.0), [&mut positions, &mut [], &mut [], &mut []]);
+    let mut positions = [R::ZERO; 16];
+    planned.sample_into(R::ZERO, planned.t / R::of(15.0), [&mut positions, &mut [], &mut [], &mut []]);
 }
 
 fn assert_order<R: Real>(planned: &Move<R>, problem: &str) {
@@ -172,7 +170,6 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         }
     }
     let ([from, to], [lowest, highest]) = (ends, bounds);
-    let zero = R::of(0.0);
     let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut moves = vec![before; count];
     let result = match planner {
@@ -186,14 +183,14 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         return;
     }
     let t = moves[0].t;
-    assert!(t >= zero && t < R::of(f64::INFINITY), "{problem}: {t:?}");
+    assert!(t >= R::ZERO && t < R::of(f64::INFINITY), "{problem}: {t:?}");
     for (axis, (from, to)) in moves.iter().zip(from.iter().zip(&to)) {
         assert!(axis.t.low_bits() == t.low_bits(), "{problem}: {axis:?}");
         assert_order(axis, &problem);
         let end = axis.state_at(R::of(f64::INFINITY));
         assert!(end == *to, "{problem}: ends at {end:?}");
         let start = axis.state_at(R::of(-1.0));
-        assert!(start == *from || t == zero, "{problem}: starts at {start:?}");
+        assert!(start == *from || t == R::ZERO, "{problem}: starts at {start:?}");
         let _ = axis.time_at(axis.extremes().highest.position); // nothing here may panic
     }
 }
@@ -401,10 +398,9 @@ fn are_promises_kept<R: Real>(problem: &str, states: &[State<R>], durations: &[R
     let is_ordinary = are_ordinary(limits, states);
     let mut moves = vec![Move::default(); limits.len()];
     for (section, &duration) in durations.iter().enumerate() {
-        let zero = R::of(0.0);
-        assert!(duration >= zero && duration < R::of(f64::INFINITY), "{problem}: {duration:?}");
+        assert!(duration >= R::ZERO && duration < R::of(f64::INFINITY), "{problem}: {duration:?}");
         let [from, to] = [section, section + 1].map(|point| &states[point * limits.len()..][..limits.len()]);
-        let taken = axes::synchronise(&mut moves, limits, from, to, duration, zero);
+        let taken = axes::synchronise(&mut moves, limits, from, to, duration, R::ZERO);
         let t = moves[0].t.widen();
         let tolerance = if size_of::<R>() == 8 { 1e-6 } else { 1e-3 };
         let is_kept = taken.is_ok() && t <= duration.widen() * (1.0 + tolerance);

@@ -119,16 +119,15 @@ fn beside_plans<R: Real>() {
         let p = to.position;
         let before = Move { t: R::of(-1.0), ..Move::default() };
         let mut planned = before;
-        let infinite = R::of(f64::INFINITY);
         let none = R::of(f64::NAN);
         let is_planned = Move::default().plan(&limits, from, to).is_ok();
         for (lowest, highest, error) in [
             (p, p, Error::Limits),
-            (infinite, -infinite, Error::Limits),
+            (R::INFINITY, -R::INFINITY, Error::Limits),
             (none, p, Error::NotFinite),
             (p, none, Error::NotFinite),
-            (p + R::of(1.0 + p.widen().abs()), infinite, Error::Position), // the target is outside
-            (-infinite, p - R::of(1.0 + p.widen().abs()), Error::Position),
+            (p + R::of(1.0 + p.widen().abs()), R::INFINITY, Error::Position), // the target is outside
+            (-R::INFINITY, p - R::of(1.0 + p.widen().abs()), Error::Position),
         ] {
             let within = planned.within(&limits, from, to, lowest, highest).err();
             assert!(within == Some(error) || !is_planned, "{within:?} {problem}");

@@ -390,9 +390,8 @@ fn infinite_jerks_hold<R: Real>() {
     let mut random = Random::seeded(55);
     for number in 0..200 {
         let n = 1 + random.below(4);
-        let endless = R::of(f64::INFINITY);
         let planned: Vec<Limits<R>> = (0..n)
-            .map(|_| Limits::symmetric(endless, R::of(random.between(2.0, 8.0)), R::of(random.between(1.0, 4.0))))
+            .map(|_| Limits::symmetric(R::INFINITY, R::of(random.between(2.0, 8.0)), R::of(random.between(1.0, 4.0))))
             .collect();
         let to: Vec<_> = (0..n).map(|_| State::at(R::of(random.between(-3.0, 3.0)))).collect();
         let moves = online::together(&planned, &vec![State::at(R::of(0.0)); n], &to, R::of(0.0));

@@ -46,14 +46,13 @@ pub fn limits<R: Real>(random: &mut Random) -> Limits<R> {
 /// The limits without one of them or without two. A jerk or both accelerations stay finite.
 pub fn fewer_limits<R: Real>(random: &mut Random, limits: Limits<R>) -> Limits<R> {
     let mut fewer = limits;
-    let none = R::of(f64::INFINITY);
     match random.below(6) {
-        0 => (fewer.vmax, fewer.vmin) = (none, -none),
-        1 => fewer.vmax = none,
-        2 => (fewer.amax, fewer.amin) = (none, -none),
-        3 => fewer.amin = -none,
-        4 => (fewer.jmax, fewer.jmin) = (none, -none),
-        _ => fewer.jmax = none,
+        0 => (fewer.vmax, fewer.vmin) = (R::INFINITY, -R::INFINITY),
+        1 => fewer.vmax = R::INFINITY,
+        2 => (fewer.amax, fewer.amin) = (R::INFINITY, -R::INFINITY),
+        3 => fewer.amin = -R::INFINITY,
+        4 => (fewer.jmax, fewer.jmin) = (R::INFINITY, -R::INFINITY),
+        _ => fewer.jmax = R::INFINITY,
     }
     fewer
 }

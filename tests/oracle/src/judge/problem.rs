@@ -74,13 +74,12 @@ impl<R: Real> Problem<R> {
 
     pub fn of_arguments(request: Request, arguments: [R; 7]) -> Self {
         let [x, y, z, p0, p1, v0, v1] = arguments;
-        let zero = R::of(0.0);
         let [v, high, low, j] = match request {
-            Request::Bell => [z.abs(), y.abs(), zero, x.abs()],
-            _ if y > z => [x.abs(), y, z, zero],
-            _ => [x.abs(), z, y, zero],
+            Request::Bell => [z.abs(), y.abs(), R::ZERO, x.abs()],
+            _ if y > z => [x.abs(), y, z, R::ZERO],
+            _ => [x.abs(), z, y, R::ZERO],
         };
-        Self::of(Kind::TinyAgainstHuge, request, [v, zero, high, low, j, zero, p0, v0, zero, p1, v1, zero])
+        Self::of(Kind::TinyAgainstHuge, request, [v, R::ZERO, high, low, j, R::ZERO, p0, v0, R::ZERO, p1, v1, R::ZERO])
     }
 
     /// The arguments of the profile's `gen`: limits in the direction of the way, and of a trapezoid the other acceleration behind it.

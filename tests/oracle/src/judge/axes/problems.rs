@@ -110,7 +110,6 @@ impl<R: Real> Sets<R> {
     /// Axes on a straight line, within limits that are as wide as those of the lead, or wider.
     fn line(&mut self, family: Family, count: usize) -> Vec<Problem<R>> {
         let mut lead = self.axis(family);
-        let zero = R::of(0.0);
         if lead.to.position == lead.from.position {
             (lead.from, lead.to) = (State::at(lead.from.position), State::at(lead.from.position));
         }
@@ -118,7 +117,7 @@ impl<R: Real> Sets<R> {
         axes.insert(self.random.below(count), lead);
         if lead.to.position == lead.from.position {
             for axis in &mut axes {
-                (axis.from.velocity, axis.from.acceleration) = (zero, zero);
+                (axis.from.velocity, axis.from.acceleration) = (R::ZERO, R::ZERO);
                 axis.to = axis.from;
             }
         }

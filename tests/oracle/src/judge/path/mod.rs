@@ -171,8 +171,7 @@ pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
     let duration = |section: usize| {
         let [from, to] = [section, section + 1].map(|point| &states[point * axes..][..axes]);
         let mut moves = vec![Move::default(); axes];
-        let zero = R::of(0.0);
-        let planned = synchronise(&mut moves, chain.limits(section), from, to, zero, zero);
+        let planned = synchronise(&mut moves, chain.limits(section), from, to, R::ZERO, R::ZERO);
         planned.map_or(f64::INFINITY, |_| moves[0].t.widen())
     };
     (0..sections).map(duration).sum()
