@@ -17,8 +17,6 @@ fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
 
 /// The farthest jump of the position between two phases, in ulps of the positions and of speed times duration.
 fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
-    let reached = planned.extremes();
-    let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
     let (mut position, mut jump) = (0.0_f64, 0.0_f64);
     for (phase, next) in planned.phases().iter().zip(&planned.phase[1..]) {
         let [p, v, a] = [phase.position, phase.velocity, phase.acceleration].map(R::widen);
@@ -27,7 +25,7 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
         jump = jump.max((next.position.widen() - end).abs());
         position = position.max(end.abs());
     }
-    let scale = position + speeds[0].max(speeds[1]) * planned.t.widen();
+    let scale = position + online::fastest(planned) * planned.t.widen();
     jump / (R::MACHINE_EPSILON.widen() * scale)
 }
 

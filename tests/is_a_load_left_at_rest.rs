@@ -114,8 +114,7 @@ fn loads_are_left_as_published<R: Real>() {
         let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start.widen()).collect();
         borders.push(planned.t.widen());
         let unshaped = residual(&borders, |x| planned.acceleration(R::of(x)).widen(), load);
-        let reached = planned.extremes();
-        let peak = reached.highest.acceleration.widen().max(-reached.lowest.acceleration.widen());
+        let [_, _, peak] = online::largest(planned.extremes());
         for (worst, kind) in worst.iter_mut().zip(KINDS) {
             let shaper = Shaper::new(kind, R::of(designed[0]), R::of(designed[1])).expect("a shaper");
             let times = corners(&borders, &delays(kind, designed));
@@ -189,16 +188,11 @@ fn limits_are_kept<R: Real>() {
         assert_eq!(shaper.state(&planned, R::of(f64::INFINITY)), end, "move {number}");
         assert_eq!(shaper.state(&planned, R::of(f64::NEG_INFINITY)), start, "move {number}");
         let reached = planned.extremes();
-        let size = |low: R, high: R| low.widen().abs().max(high.widen().abs());
-        let (low, high) = (reached.lowest, reached.highest);
-        let scale = [
-            size(low.position, high.position) + size(low.velocity, high.velocity) * last.widen(),
-            size(low.velocity, high.velocity),
-            size(low.acceleration, high.acceleration),
-        ];
+        let [p, v, a] = online::largest(reached);
+        let scale = [p + v * last.widen(), v, a];
         let jerk = planned.phases().iter().map(|phase| phase.jerk.widen().abs()).fold(0.0, f64::max);
         let parts = online::numbers_of_state::<R>;
-        let (lowest, highest) = (parts(low), parts(high));
+        let (lowest, highest) = (parts(reached.lowest), parts(reached.highest));
         let slack = scale.map(|scale| 64.0 * epsilon * scale);
         for _ in 0..40 {
             let x = last.widen() * random.between(0.0, 1.0);

@@ -21,11 +21,8 @@ fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
 
 /// How wrong a position may be by rounding: the whole way, and what the rounding of a velocity adds up to.
 fn rounding<R: Real>(planned: &Move<R>) -> f64 {
-    let reached = planned.extremes();
-    let State { position, velocity, .. } = reached.highest;
-    let size = |x: R, y: R| x.widen().abs().max(y.widen().abs());
-    let way = size(position, reached.lowest.position) + size(velocity, reached.lowest.velocity) * planned.t.widen();
-    16.0 * R::MACHINE_EPSILON.widen() * way
+    let [position, velocity, _] = online::largest(planned.extremes());
+    16.0 * R::MACHINE_EPSILON.widen() * (position + velocity * planned.t.widen())
 }
 
 /// Asks for the positions of samples, for the extremes and for what lies beyond. The first sample at a position, or the first pair of

@@ -119,8 +119,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
     assert!(end == there, "{problem}: ends at {end:?}");
     // Nothing here may panic.
     let reached = planned.extremes();
-    let [low, high] = [reached.lowest, reached.highest];
-    let speed = low.velocity.widen().abs().max(high.velocity.widen().abs());
+    let [_, speed, _] = online::largest(reached);
     let [p0, p1] = [from, end].map(|state| state.position.widen());
     let rounding = 1e3 * R::MACHINE_EPSILON.widen() * (p0.abs() + p1.abs());
     let jumps = (p1 - p0).abs() > 1.01 * speed * planned.t.widen() + rounding;

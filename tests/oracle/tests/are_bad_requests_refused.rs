@@ -6,7 +6,7 @@ use atraj::axes::{
 };
 use atraj::machine::{Axis, Clock, Group, Shaper, ShaperKind, ShaperStream, Steps};
 use atraj::online::{Error, Limits, Move, State};
-use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
+use atraj::{Bell, Boundary, Findings, Poly3, Trap};
 use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
@@ -229,23 +229,22 @@ fn off_the_line<R: Real>() {
         if !has_other || planned.is_err() {
             continue;
         }
-        let Extremes { lowest, highest } = axes[k].extremes();
+        let [_, reached_velocity, reached_acceleration] = online::largest(axes[k].extremes());
         let most = |low: R, high: R| f64::max(-low.widen(), high.widen());
         // A motion may have passed the largest numbers within its limits, and has their roundings. Without a limit they are below 1e3 roundings of 1e3.
         let within = |reached: f64, limit: f64| {
             if limit.is_finite() { reached.max(limit) } else { reached.max(1e3) }
         };
         let own = &limits[k];
-        let velocity = within(most(lowest.velocity, highest.velocity), most(own.vmin, own.vmax));
-        let acceleration = within(most(lowest.acceleration, highest.acceleration), most(own.amin, own.amax));
+        let velocity = within(reached_velocity, most(own.vmin, own.vmax));
+        let acceleration = within(reached_acceleration, most(own.amin, own.amax));
         // A short way between far positions has a rounded direction, and so has a long way there and back.
         let ways = from.iter().zip(&to).map(|(from, to)| (to.position - from.position).widen().abs());
         let longest = ways.fold(0.0, f64::max);
         let mut roundings = 1e4;
         for (axis, (from, to)) in axes.iter().zip(from.iter().zip(&to)) {
             let [p0, p1] = [from, to].map(|end| end.position.widen());
-            let Extremes { lowest, highest } = axis.extremes();
-            let largest = most(lowest.position, highest.position);
+            let [largest, ..] = online::largest(axis.extremes());
             let way = if p0 == p1 { longest } else { (p1 - p0).abs() };
             roundings += 256.0 * largest / way;
         }

@@ -60,9 +60,7 @@ impl<R: Original> Bounded<R> {
 
     /// What a move may leave the bounds by: 128 ulps of its positions and of speed times duration, and those of the hull.
     fn rounding(&self, axis: &Move<R>) -> f64 {
-        let reached = axis.extremes();
-        let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
-        2.0 * doubt::<R>() * speeds[0].max(speeds[1]) * axis.t.widen() + self.slack
+        2.0 * doubt::<R>() * online::fastest(axis) * axis.t.widen() + self.slack
     }
 
     fn with_a_stop(&self) -> f64 {

@@ -9,7 +9,7 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Problems;
 use oracle::judge::trial::{Scale, doubt};
 use oracle::liba::abi::Original;
-use support::online::{allowed, state_of};
+use support::online::{allowed, largest, state_of};
 use support::{Random, test_both_reals};
 
 const PROBLEMS: usize = 60_000;
@@ -62,8 +62,7 @@ fn faster_by_way_of<R: Original>(
         }
         let t = one.t + other.t;
         // At a turn the root of a rounding of the position is time.
-        let reached = planned.extremes();
-        let steepest = reached.highest.acceleration.widen().max(-reached.lowest.acceleration.widen());
+        let [_, _, steepest] = largest(planned.extremes());
         let rounding = 4.0 * (slack / steepest).sqrt() + 16.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
         let is_faster = t.widen() < planned.t.widen().min(eased.t.widen()) - rounding;
         (is_faster && stays(&one, from) && stays(&other, via)).then_some((t, via))

@@ -117,9 +117,7 @@ fn sampled<R: Real>(moves: &[Move<R>], axes: usize) -> [f64; 2] {
     for section in moves.chunks_exact(axes) {
         most = most.max(farthest(section));
         let sizes = section.iter().map(|axis| {
-            let reached = axis.extremes();
-            let position = reached.lowest.position.widen().abs().max(reached.highest.position.widen().abs());
-            let velocity = reached.lowest.velocity.widen().abs().max(reached.highest.velocity.widen().abs());
+            let [position, velocity, _] = online::largest(axis.extremes());
             position + velocity * axis.t.widen()
         });
         size = size.max(sizes.sum());

@@ -4,7 +4,7 @@ use crate::random::Random;
 use crate::real::Real;
 use atraj::axes::{line, path_moves, path_size, plan_path, synchronise};
 use atraj::online::{Limits, Move, Phase};
-use atraj::{Error, Findings, State};
+use atraj::{Error, Extremes, Findings, State};
 
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
@@ -142,10 +142,15 @@ pub fn allowed(found: Findings) -> Findings {
     if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends }
 }
 
+/// The largest position, velocity and acceleration of a motion in either direction.
+pub fn largest<R: Real>(Extremes { lowest, highest }: Extremes<R>) -> [f64; 3] {
+    let [lowest, highest] = [lowest, highest].map(|state| numbers_of_state(state).map(f64::abs));
+    std::array::from_fn(|k| lowest[k].max(highest[k]))
+}
+
 /// The highest speed of a move in either direction.
 pub fn fastest<R: Real>(planned: &Move<R>) -> f64 {
-    let reached = planned.extremes();
-    f64::max(reached.highest.velocity.widen(), -reached.lowest.velocity.widen())
+    largest(planned.extremes())[1]
 }
 
 pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
