@@ -76,8 +76,8 @@ fn plan_as<R: Original>(_: u8, mut bytes: &[u8]) {
         }
         let plan = plan.unwrap_or_else(|error| panic!("{problem}: {error:?}"));
         let trial = Trial::new(problem);
-        let wrong = trial.wrong_motion(&plan, &mut random);
-        assert!(wrong.is_none(), "{problem}: {wrong:?}");
+        let checked = trial.check_motion(&plan, &mut random);
+        assert!(checked.is_ok(), "{problem}: {checked:?}");
         let duration = trial.duration(plan.planned.t.widen());
         assert!(matches!(duration, Verdict::Good { .. }), "{problem}: {duration:?}");
     }

@@ -4,7 +4,7 @@
 use atraj::axes::synchronise_within;
 use atraj::online::{Error, Move, State};
 use oracle::judge::axes::problems::{Set, Sets};
-use oracle::judge::axes::several::{time_shift, wrong_motions};
+use oracle::judge::axes::several::{check_motions, time_shift};
 use oracle::judge::inside::{launch, stop};
 use oracle::judge::planner::Plan;
 use oracle::judge::problem::Problem;
@@ -124,8 +124,8 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let moves = set.axes.iter().zip(&planned);
     let shifts: Vec<_> = moves.map(|(problem, axis)| time_shift(problem, axis)).collect();
-    let wrong = wrong_motions(&trials, &shifts, &planned, random);
-    assert!(wrong.is_none(), "{wrong:?} {}", what());
+    let checked = check_motions(&trials, &shifts, &planned, random);
+    assert!(checked.is_ok(), "{checked:?} {}", what());
     let mut free = vec![before; axes.len()];
     let none = [R::of(f64::NEG_INFINITY), R::of(f64::INFINITY)].map(|bound| vec![bound; axes.len()]);
     let no_bounds = [&none[0][..], &none[1]];

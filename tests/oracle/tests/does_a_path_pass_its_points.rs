@@ -5,7 +5,7 @@ use atraj::axes::{path_size, synchronise};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::faults::Fault;
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, judge, judge_near, promised, stopping, wrong_near};
+use oracle::judge::path::{Path, Paths, Planner, check_near, judge, judge_near, promised, stopping};
 use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -104,7 +104,7 @@ fn zones_are_kept<R: Original>() {
         // Zones that are half as wide again: most paths leave the given ones.
         let wider: Vec<_> = tolerances.iter().map(|&r| R::of(1.5) * r).collect();
         let (path, found) = Paths.plan_near(&chain, &wider, 0).expect("a plan");
-        let leaves = wrong_near(&chain, &tolerances, &path, found, &mut random).is_some();
+        let leaves = check_near(&chain, &tolerances, &path, found, &mut random).is_err();
         unseen += usize::from(!leaves && wider.iter().any(|r| r.widen() > 0.0));
     }
     let mean = parts / (PATHS / 2) as f64;
