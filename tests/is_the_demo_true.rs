@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 use support::golden;
 use support::repository::{names, read, root};
+use support::tools::printed;
 
 /// What `make demo` printed. It runs once for all tests of this file.
 static DEMO: LazyLock<String> = LazyLock::new(|| {
@@ -17,10 +18,6 @@ static DEMO: LazyLock<String> = LazyLock::new(|| {
     assert!(output.status.success(), "{}", printed(&output));
     printed(&output)
 });
-
-fn printed(output: &Output) -> String {
-    [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
-}
 
 fn line<'a>(table: &'a str, function: &str) -> Vec<&'a str> {
     let mut lines = table.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());

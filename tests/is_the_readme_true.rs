@@ -63,14 +63,10 @@ fn its_lines_build_its_program() {
 }
 
 fn built_and_run(compiler: &str, source: &Path, flags: &[&str]) -> String {
-    let dist = DOUBLE.dist();
-    let program = source.with_extension(compiler);
     let mut compile = Command::new(compiler);
     compile.args(["-Wall", "-Wextra", "-Werror"]).args(flags);
-    compile.arg("-I").arg(dist.join("include"));
-    compile.arg("-I").arg(dist.join("include/claraty"));
-    compile.arg(source).arg(dist.join("lib/libatraj.a"));
-    run(compile.arg("-lm").arg("-o").arg(&program));
+    compile.arg("-I").arg(DOUBLE.include().join("claraty")).arg(source);
+    let program = DOUBLE.link(&mut compile, source.with_extension(compiler));
     String::from_utf8(run(&mut Command::new(program)).stdout).unwrap()
 }
 

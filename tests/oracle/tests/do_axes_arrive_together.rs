@@ -9,23 +9,13 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Kind;
 use oracle::judge::tally::Tallies;
 use oracle::liba::abi::Original;
-use std::time::Instant;
 use support::{Random, Real, online, test_both_reals};
 
 const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 5_000 };
 
 fn axes_arrive_together<R: Original>() {
-    let start = Instant::now();
-    let mut tallies = Tallies::default();
-    for seed in 0..SEEDS {
-        tallies.add(&of_seed::<R>(&Together, seed, SETS));
-    }
-    let seconds = start.elapsed().as_secs_f64();
-    println!("{}: seeds 0..{SEEDS}, {seconds:.0} s\n{tallies}", R::NAME);
-    let total = tallies.total();
-    assert_eq!(total.problems, SEEDS * SETS as u64);
-    assert_eq!(total.bad(), 0, "see the examples above");
+    Tallies::assert_good(R::NAME, SEEDS, SETS, |seed, sets| of_seed::<R>(&Together, seed, sets));
 }
 
 fn every_fault_is_seen<R: Original>() {

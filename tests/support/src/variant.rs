@@ -52,6 +52,17 @@ impl Variant {
         self.dist().join(format!("lib/lib{}.so", self.name()))
     }
 
+    pub fn include(&self) -> PathBuf {
+        self.dist().join("include")
+    }
+
+    /// Lets a compiler build a program with the headers and the archive of this build.
+    pub fn link(&self, compiler: &mut Command, program: PathBuf) -> PathBuf {
+        compiler.arg("-I").arg(self.include()).arg(self.archive());
+        run(compiler.arg("-lm").arg("-o").arg(&program));
+        program
+    }
+
     /// A folder for what tests make of this build. `make dist` replaces its own.
     pub fn scratch(&self) -> PathBuf {
         let folder = root().join("target/tests").join(self.directory);
