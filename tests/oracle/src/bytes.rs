@@ -311,10 +311,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let [offset, step, frequency, damping, smoothing] = [(); 5].map(|()| number::<R>(&mut bytes));
     let limits = limits_from(&mut bytes);
     let [from, to] = [(); 2].map(|()| state(&mut bytes));
-    let mut planned = Move::default();
-    if planned.plan(&limits, from, to).is_err() {
-        return;
-    }
+    let Ok((planned, _)) = online::tried(&limits, from, to) else { return };
     let problem = format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
     if let Ok(mut steps) = Steps::new(&planned, offset, step) {
         let (mut count, mut last) = (steps.count(), R::of(0.0));

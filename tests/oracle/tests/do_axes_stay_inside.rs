@@ -26,8 +26,7 @@ impl<R: Original> Bounded<R> {
     /// Bounds at the positions that the axis cannot avoid, or somewhere near them.
     fn new(problem: Problem<R>, random: &mut Random) -> Option<Self> {
         let Problem { limits, from, to, .. } = problem;
-        let mut fastest = Move::default();
-        let found = fastest.plan(&limits, from, to).ok()?;
+        let (fastest, found) = online::tried(&limits, from, to).ok()?;
         let spans = [stop(&limits, from)?, launch(&limits, to)?, [from, to].map(|end| end.position.widen())];
         let positions = || spans.iter().flatten().copied();
         let hull = [positions().fold(f64::INFINITY, f64::min), positions().fold(f64::NEG_INFINITY, f64::max)];

@@ -9,7 +9,7 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Problems;
 use oracle::judge::trial::{Scale, doubt};
 use oracle::liba::abi::Original;
-use support::online::{allowed, largest, state_of};
+use support::online::{allowed, largest, state_of, tried};
 use support::{Random, test_both_reals};
 
 const PROBLEMS: usize = 60_000;
@@ -103,9 +103,7 @@ fn moves_stay_inside<R: Original>() {
             binding = bind(&mut random, &mut problem);
         }
         let Problem { limits, from, to, .. } = problem;
-        let mut fastest = Move::default();
-        let found = fastest.plan(&limits, from, to);
-        let (Ok(findings), Request::Plan) = (found, problem.request) else { continue };
+        let (Ok((fastest, findings)), Request::Plan) = (tried(&limits, from, to), problem.request) else { continue };
         let of_plan = span(from, &fastest);
         let (of_stop, of_launch) = stop(&limits, from).zip(launch(&limits, to)).expect("a stop and a launch");
         let spans = [of_plan, of_stop, of_launch];
@@ -137,7 +135,7 @@ fn moves_stay_inside<R: Original>() {
                 turned += 1;
             }
             Ok(_) => {
-                assert_eq!((result, planned), (found, fastest), "{problem}");
+                assert_eq!((result, planned), (Ok(findings), fastest), "{problem}");
                 assert!(!leaves(of_plan, slack), "{low} {high} {of_plan:?} {problem}");
                 inside += 1;
             }

@@ -80,12 +80,16 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     State { velocity: v, acceleration: a, ..state }
 }
 
+/// A plan and what it finds, if there is one.
+pub fn tried<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<(Move<R>, Findings), Error> {
+    let mut planned = Move::default();
+    let found = planned.plan(limits, from, to)?;
+    Ok((planned, found))
+}
+
 #[track_caller]
 pub fn plan<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Move<R> {
-    let mut planned = Move::default();
-    let result = planned.plan(limits, from, to);
-    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
-    planned
+    tried(limits, from, to).unwrap_or_else(|error| panic!("{error:?}: {limits:?} {from:?} {to:?}")).0
 }
 
 #[track_caller]

@@ -6,6 +6,7 @@ use atraj::Findings;
 use atraj::axes::synchronise;
 use atraj::online::{Error, Limits, Move, Phase, State};
 use support::Real;
+use support::online::tried;
 
 listed! {
     pub enum Fault {
@@ -60,9 +61,8 @@ impl Fault {
                 axis.phase[count].start = axis.t;
             }
             Self::Waits if problem.from == State::at(problem.from.position) => {
-                let mut fastest = Move::default();
-                let planned = fastest.plan(&problem.limits, problem.from, problem.to);
-                if planned.is_ok() && fastest.t < axis.t && fastest.count < 15 {
+                let Ok((fastest, _)) = tried(&problem.limits, problem.from, problem.to) else { return };
+                if fastest.t < axis.t && fastest.count < 15 {
                     *axis = after(&fastest, axis.t - fastest.t, axis.t, problem.from);
                 }
             }

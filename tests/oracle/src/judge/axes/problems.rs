@@ -2,7 +2,8 @@
 
 use crate::judge::problem::{Problem, Request};
 use crate::judge::problems::{Kind, Problems};
-use atraj::online::{Limits, Move, State};
+use atraj::online::{Limits, State};
+use support::online::tried;
 use support::{Random, Real};
 
 macro_rules! families {
@@ -164,11 +165,7 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
 
 fn fastest_duration<R: Real>(axis: &Problem<R>) -> f64 {
     debug_assert_eq!(axis.request, Request::Plan);
-    let mut planned = Move::default();
-    match planned.plan(&axis.limits, axis.from, axis.to) {
-        Ok(_) => planned.t.widen(),
-        Err(_) => 0.0,
-    }
+    tried(&axis.limits, axis.from, axis.to).map_or(0.0, |(planned, _)| planned.t.widen())
 }
 
 impl<R: Real> Iterator for Sets<R> {

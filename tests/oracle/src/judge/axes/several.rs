@@ -9,6 +9,7 @@ use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Move};
+use support::online::tried;
 use support::{Random, Real};
 
 pub trait Planner<R: Real> {
@@ -79,12 +80,11 @@ pub fn scale_of_a_shift<R: Original>(planned: &Trial<R>, axis: &Move<R>, shift: 
 /// not. A shift keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one. On a line, the planner
 /// counts the positions from the end, and the shares of the axes are rounded. So the phases are the same up to rounding.
 pub fn time_shift<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
-    let mut fastest = Move::default();
-    let planned = fastest.plan(&problem.limits, problem.from, problem.to);
+    let Ok((fastest, _)) = tried(&problem.limits, problem.from, problem.to) else { return 0.0 };
     let t = axis.t.widen();
     let shift = fastest.t.widen() - t;
     let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
-    let is_shifted = planned.is_ok() && shift.abs() > rounding && (shift > 0.0 || keeps_way(problem, axis, &fastest));
+    let is_shifted = shift.abs() > rounding && (shift > 0.0 || keeps_way(problem, axis, &fastest));
     if is_shifted { shift } else { 0.0 }
 }
 
@@ -204,10 +204,9 @@ pub fn check_motions<R: Original>(
 /// Whether an axis whose fastest move takes as long does not make its fastest move.
 fn check_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Check<Bad> {
     for (k, (problem, axis)) in set.axes.iter().zip(axes).enumerate() {
-        let mut fastest = Move::default();
-        let planned = fastest.plan(&problem.limits, problem.from, problem.to);
+        let Ok((mut fastest, _)) = tried(&problem.limits, problem.from, problem.to) else { continue };
         // An axis that is shifted begins and ends next to its fastest move by rounding errors, and is judged like any other.
-        let is_slowest = planned.is_ok() && fastest.t >= axis.t && time_shift(problem, axis) == 0.0;
+        let is_slowest = fastest.t >= axis.t && time_shift(problem, axis) == 0.0;
         // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
         for phase in &mut fastest.phase {
             phase.start = if phase.start > axis.t { axis.t } else { phase.start };
