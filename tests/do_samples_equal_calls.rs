@@ -84,7 +84,7 @@ fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
 }
 
 fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
-    let huge = R::of(1.0) / (R::MACHINE_EPSILON * R::MACHINE_EPSILON);
+    let huge = R::ONE / (R::MACHINE_EPSILON * R::MACHINE_EPSILON);
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
     let special = [zero, one, infinity, huge, nan].into_iter();
     let special = special.flat_map(|x| [x, -x]);
@@ -155,7 +155,7 @@ fn any_move<R: Real>(random: &mut Random) -> Move<R> {
         Phase { start, duration, position, velocity, acceleration, jerk }
     });
     let mut planned = Move { t, count, phase };
-    planned.phase[0].start = R::of(0.0);
+    planned.phase[0].start = R::ZERO;
     planned
 }
 

@@ -79,7 +79,7 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
         Move::new(bell, bell.t, bell.extremes(), scales, Family::Bell.borders(&[], &bell_fields(&bell)))
     } else {
         let trap = Trap::fastest(x, y, -z, boundary).expect("numbers");
-        let scales = scales(trap.t, R::of(0.0), if y > z { y } else { z }, x);
+        let scales = scales(trap.t, R::ZERO, if y > z { y } else { z }, x);
         Move::new(trap, trap.t, trap.extremes(), scales, Family::Trap.borders(&[], &trap_fields(&trap)))
     }
 }
@@ -135,7 +135,7 @@ fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
     let mut most = 0.0_f64;
     for _ in 0..MOVES {
         let the_move = of(&mut random);
-        if the_move.duration > R::of(0.0) {
+        if the_move.duration > R::ZERO {
             most = most.max(worst(&the_move));
         }
     }

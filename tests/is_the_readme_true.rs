@@ -25,7 +25,7 @@ fn it_is_short() {
 #[test]
 fn measured_pages_are_short() {
     for page in MEASURED {
-        let words = read(&format!("docs/{page}.md")).split_whitespace().count();
+        let words = read(format!("docs/{page}.md")).split_whitespace().count();
         assert!(words <= 1200, "{page}: {words} words");
     }
 }

@@ -105,10 +105,10 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
         assert!(planned == before, "{problem}: touched, {result:?}");
         return;
     }
-    assert!(planned.t >= R::ZERO && planned.t < R::of(f64::INFINITY), "{problem}: {planned:?}");
+    assert!(planned.t >= R::ZERO && planned.t < R::INFINITY, "{problem}: {planned:?}");
     assert_order(&planned, &problem);
     // A move without duration is at its start at 0.
-    let end = planned.state_at(R::of(f64::INFINITY));
+    let end = planned.state_at(R::INFINITY);
     let there = match planner {
         0 | 4 => to,
         1 => State { position: end.position, ..to },
@@ -133,7 +133,7 @@ fn move_as<R: Real>(planner: u8, mut bytes: &[u8]) {
 }
 
 fn assert_order<R: Real>(planned: &Move<R>, problem: &str) {
-    let (zero, count) = (R::of(0.0), planned.count as usize);
+    let (zero, count) = (R::ZERO, planned.count as usize);
     assert!(count <= 15, "{problem}: {count} phases");
     let phases = &planned.phase[..=count];
     let in_order = phases.windows(2).all(|pair| pair[0].start <= pair[1].start && pair[0].duration >= zero);
@@ -182,11 +182,11 @@ fn axes_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         return;
     }
     let t = moves[0].t;
-    assert!(t >= R::ZERO && t < R::of(f64::INFINITY), "{problem}: {t:?}");
+    assert!(t >= R::ZERO && t < R::INFINITY, "{problem}: {t:?}");
     for (axis, (from, to)) in moves.iter().zip(from.iter().zip(&to)) {
         assert!(axis.t.low_bits() == t.low_bits(), "{problem}: {axis:?}");
         assert_order(axis, &problem);
-        let end = axis.state_at(R::of(f64::INFINITY));
+        let end = axis.state_at(R::INFINITY);
         assert!(end == *to, "{problem}: ends at {end:?}");
         let start = axis.state_at(R::of(-1.0));
         assert!(start == *from || t == R::ZERO, "{problem}: starts at {start:?}");
@@ -233,7 +233,7 @@ impl<R: Real> Model<R> {
         let mut planned = Move::default();
         let found = plan(&mut planned, from, self.period * R::of(f64::from(ticks)))?;
         // A move that takes no time is at its end.
-        let begins = planned.t == R::of(0.0) || planned.state_at(R::of(0.0)) == from;
+        let begins = planned.t == R::ZERO || planned.state_at(R::ZERO) == from;
         assert!(begins, "{planned:?} does not begin at {from:?}");
         self.next = Some((planned, ticks));
         Ok(found)
@@ -286,7 +286,7 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
             _ => {
                 for _ in 0..lead {
                     let (now, expected) = (ticker.tick(), model.tick());
-                    let is_number = expected.position * R::of(0.0) == R::of(0.0);
+                    let is_number = expected.position * R::ZERO == R::ZERO;
                     assert!(now == expected || !is_number, "{now:?} is not {expected:?}");
                 }
                 continue;
@@ -314,7 +314,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     let Ok((planned, _)) = online::tried(&limits, from, to) else { return };
     let problem = format!("{offset:?} {step:?} {frequency:?} {damping:?} {smoothing:?} {planned:?}");
     if let Ok(mut steps) = Steps::new(&planned, offset, step) {
-        let (mut count, mut last) = (steps.count(), R::of(0.0));
+        let (mut count, mut last) = (steps.count(), R::ZERO);
         let taken = (0..STEPS).map_while(|_| steps.next(&planned).map(|taken| (taken, steps.count())));
         for (Step { time, direction }, now) in taken {
             count += direction;
@@ -322,7 +322,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
             last = time;
         }
         if steps.next(&planned).is_none() {
-            let end = planned.position(R::of(f64::INFINITY));
+            let end = planned.position(R::INFINITY);
             let there = Move { phase: [Phase { position: end, ..Phase::default() }; 16], ..Move::default() };
             let wanted = Steps::new(&there, offset, step).map(|steps| steps.count());
             assert_eq!(wanted, Ok(steps.count()), "{problem}");
@@ -349,8 +349,8 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
     let _ = [0, 1, 2].map(|axes| clock.state(&path, axes, smoothing)); // nothing here may panic
     let _ = shaper.state(&planned, frequency);
-    if to.velocity == R::of(0.0) && to.acceleration == R::of(0.0) {
-        let end = shaper.state(&planned, R::of(f64::INFINITY));
+    if to.velocity == R::ZERO && to.acceleration == R::ZERO {
+        let end = shaper.state(&planned, R::INFINITY);
         assert!(end == to, "{problem}: ends at {end:?}");
     }
 }
@@ -368,7 +368,7 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
     }
     let problem = format!("{limits:?} {states:?}");
     let mut durations = vec![R::of(-1.0); sections];
-    let mut work = vec![R::of(f64::NAN); axes::path_size(axes, sections).expect("a size")];
+    let mut work = vec![R::NAN; axes::path_size(axes, sections).expect("a size")];
     let before = (states.clone(), durations.clone());
     let planned = axes::plan_path(&mut states, &mut durations, &limits, axes, 0, &mut work);
     if planned.is_err() {
@@ -377,14 +377,14 @@ fn path_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         return;
     }
     let is_ordinary = are_promises_kept(&problem, &states, &durations, &limits);
-    let before = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
+    let before = durations.iter().fold(R::ZERO, |sum, t| sum + *t);
     let given = (states.clone(), durations.clone());
     let improved = axes::improve_path(&mut states, &mut durations, &limits, axes, 4, &mut work);
     // A path whose powers are beyond the range may be refused as such. Then it stays.
     let stays = !is_ordinary && improved == Err(Error::NotFinite) && (&states, &durations) == (&given.0, &given.1);
     assert!(improved.is_ok() || stays, "{problem}: {improved:?}");
     are_promises_kept(&problem, &states, &durations, &limits);
-    let after = durations.iter().fold(R::of(0.0), |sum, t| sum + *t);
+    let after = durations.iter().fold(R::ZERO, |sum, t| sum + *t);
     let is_longer = after > before && is_ordinary;
     assert!(!is_longer, "{problem}: {after:?} after {before:?}");
 }
@@ -394,7 +394,7 @@ fn are_promises_kept<R: Real>(problem: &str, states: &[State<R>], durations: &[R
     let is_ordinary = are_ordinary(limits, states);
     let mut moves = vec![Move::default(); limits.len()];
     for (section, &duration) in durations.iter().enumerate() {
-        assert!(duration >= R::ZERO && duration < R::of(f64::INFINITY), "{problem}: {duration:?}");
+        assert!(duration >= R::ZERO && duration < R::INFINITY, "{problem}: {duration:?}");
         let [from, to] = [section, section + 1].map(|point| &states[point * limits.len()..][..limits.len()]);
         let taken = axes::synchronise(&mut moves, limits, from, to, duration, R::ZERO);
         let t = moves[0].t.widen();
@@ -406,7 +406,7 @@ fn are_promises_kept<R: Real>(problem: &str, states: &[State<R>], durations: &[R
 }
 
 fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
-    let mut arguments = [R::of(0.0); MOST_ARGUMENTS];
+    let mut arguments = [R::ZERO; MOST_ARGUMENTS];
     arguments[..family.arguments().len()].fill_with(|| number(&mut bytes));
     let mut moment = || {
         let kind = take(&mut bytes, 1) as usize;
@@ -418,7 +418,7 @@ fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
         }
     };
     let moments = [(); MOMENTS].map(|()| moment());
-    Case { family, arguments, before: [R::of(0.0); MOST_FIELDS], planned: true, moments }
+    Case { family, arguments, before: [R::ZERO; MOST_FIELDS], planned: true, moments }
 }
 
 fn number<R: Real>(bytes: &mut &[u8]) -> R {

@@ -119,13 +119,12 @@ fn beside_plans<R: Real>() {
         let p = to.position;
         let before = Move { t: R::of(-1.0), ..Move::default() };
         let mut planned = before;
-        let none = R::of(f64::NAN);
         let is_planned = Move::default().plan(&limits, from, to).is_ok();
         for (lowest, highest, error) in [
             (p, p, Error::Limits),
             (R::INFINITY, -R::INFINITY, Error::Limits),
-            (none, p, Error::NotFinite),
-            (p, none, Error::NotFinite),
+            (R::NAN, p, Error::NotFinite),
+            (p, R::NAN, Error::NotFinite),
             (p + R::of(1.0 + p.widen().abs()), R::INFINITY, Error::Position), // the target is outside
             (-R::INFINITY, p - R::of(1.0 + p.widen().abs()), Error::Position),
         ] {
@@ -154,7 +153,7 @@ fn bad_states<R: Real>() {
 
 fn refuses<R: Real>(plan: Plan<R>, set: &Set<R>, error: Error) {
     let (limits, from, to) = set.columns();
-    let written = Move { t: R::of(1.0), ..Move::default() };
+    let written = Move { t: R::ONE, ..Move::default() };
     let mut axes = vec![written; from.len()];
     let returned = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle);
     assert_eq!(returned.err(), Some(error), "{}", set.show());
@@ -178,7 +177,7 @@ fn bad_numbers<R: Real>() {
             }
             refuses(&|set| set.axes[k].from.position = nan, Error::NotFinite);
             refuses(&|set| set.axes[k].to.velocity = infinity, Error::NotFinite);
-            refuses(&|set| set.axes[k].limits.amax = R::of(0.0), Error::Limits);
+            refuses(&|set| set.axes[k].limits.amax = R::ZERO, Error::Limits);
             let vmax = set.axes[k].limits.vmax;
             if vmax.widen().is_finite() {
                 refuses(&|set| set.axes[k].to.velocity = vmax + vmax, Error::Target);
@@ -224,7 +223,7 @@ fn off_the_line<R: Real>() {
         let has_other = (0..set.axes.len()).any(|axis| axis != k && moves(axis));
         let (limits, from, to) = set.columns();
         let mut axes = vec![Move::default(); from.len()];
-        let any = R::of(0.0); // the fastest motion has the largest numbers
+        let any = R::ZERO; // the fastest motion has the largest numbers
         let planned = line(&mut axes, &limits, &from, &to, any, any);
         if !has_other || planned.is_err() {
             continue;
@@ -404,7 +403,7 @@ fn bad_tolerances<R: Real>() {
     let answer = |tolerances: &[R], size: usize| {
         let (mut states, mut durations) = ([0.0, 1.0, 0.5].map(|p| State::at(R::of(p))), [R::of(3.0); 2]);
         let before = (states, durations);
-        let mut work = vec![R::of(f64::NAN); size];
+        let mut work = vec![R::NAN; size];
         let planned = plan_path_near(&mut states, &mut durations, &limits, tolerances, 1, 0, &mut work);
         assert_eq!(planned.is_err(), (states, durations) == before);
         planned.err()
@@ -535,7 +534,7 @@ fn bad_clocks<R: Real>() {
     refused(&[planned], &[], Error::Axes);
     refused(&[planned], &[limits, limits], Error::Axes);
     refused(&[planned], &[Limits { amax: zero, ..limits }], Error::Limits);
-    refused(&[planned], &[Limits { vmax: R::of(f64::NAN), ..limits }], Error::NotFinite);
+    refused(&[planned], &[Limits { vmax: R::NAN, ..limits }], Error::NotFinite);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::of) {
         assert_eq!(clock.rate(&[planned], &[limits], bad, zero), Err(Error::NotFinite));
         assert_eq!(clock.rate(&[planned], &[limits], zero, bad), Err(Error::NotFinite));
@@ -607,7 +606,7 @@ fn bad_lists<R: Real>() {
     let (mut limits, points) = ([Limits::symmetric(one, one, one); 2], [0.0, 1.0, 0.5].map(|p| State::at(R::of(p))));
     let before = limits;
     assert_eq!(limit_feed(&mut limits[..1], &points, &[one; 2], 1), Err(Error::Axes));
-    assert_eq!(limit_feed(&mut limits, &points, &[one, R::of(f64::NAN)], 1), Err(Error::NotFinite));
+    assert_eq!(limit_feed(&mut limits, &points, &[one, R::NAN], 1), Err(Error::NotFinite));
     assert_eq!(limit_feed(&mut limits, &points, &[one, zero], 1), Err(Error::Limits));
     assert_eq!(limits, before);
 

@@ -60,7 +60,7 @@ type Row = [f64; 12]; // an axis: its limits, its start and its end
 
 fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     let axis = |row: &Row| Problem::of(Kind::Moving, Request::Plan, row.map(R::of));
-    Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }
+    Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::ZERO, cycle: R::of(cycle) }
 }
 
 /// A line is counted from its end, so an axis that is shifted in time has the phases of its fastest move up to rounding: the judge saw a jump.

@@ -126,7 +126,7 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
     let checked = check_motions(&trials, &shifts, &planned, random);
     assert!(checked.is_ok(), "{checked:?} {}", what());
     let mut free = vec![before; axes.len()];
-    let none = [R::of(f64::NEG_INFINITY), R::of(f64::INFINITY)].map(|bound| vec![bound; axes.len()]);
+    let none = [-R::INFINITY, R::INFINITY].map(|bound| vec![bound; axes.len()]);
     let no_bounds = [&none[0][..], &none[1]];
     synchronise_within(&mut free, &limits, &from, &to, no_bounds, duration, cycle).expect("plans");
     let [t, least] = [&planned, &free].map(|axes| axes[0].t.widen());

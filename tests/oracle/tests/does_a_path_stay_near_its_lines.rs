@@ -8,7 +8,7 @@ use oracle::judge::path::problems::{Chain, Chains, Family};
 use oracle::judge::path::{Paths, Planner, check, distance};
 use oracle::judge::trial::Check;
 use oracle::liba::abi::Original;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 
@@ -161,7 +161,7 @@ fn feeds_are_kept<R: Original>() {
 fn a_line_has_its_feed<R: Original>() {
     let mut random = Random::seeded(34);
     for axes in 1..=6 {
-        let limits = vec![Limits::symmetric(R::of(1e4), R::of(1e3), R::of(100.0)); axes];
+        let limits = vec![online::symmetric(1e4, 1e3, 100.0); axes];
         let mut chain = Chain::at_rest(limits, (0..2 * axes).map(|_| random.between(-50.0, 50.0)));
         limit_feed(&mut chain.limits, &chain.states, &[R::of(2.0)], axes).expect("limits");
         let (path, _) = Paths.plan(&chain, 0).expect("a path");

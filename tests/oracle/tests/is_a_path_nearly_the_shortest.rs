@@ -164,9 +164,9 @@ fn goes_on<R: Original>(mut chain: Chain<R>, mut path: Path<R>, found: atraj::Fi
     for axis in 0..axes {
         let last = path.states[path.states.len() - axes];
         let way = R::of(random.between(-1.0, 1.0));
-        path.states.push(State::at(last.position + if axis == 0 { way } else { R::of(0.0) }));
+        path.states.push(State::at(last.position + if axis == 0 { way } else { R::ZERO }));
     }
-    path.durations.push(R::of(0.0));
+    path.durations.push(R::ZERO);
     chain.states.clone_from(&path.states);
     let improved = Paths.improve(&chain, &mut path, 4).expect("a plan");
     let what = check(&chain, &path, improved, random);
@@ -248,7 +248,7 @@ fn a_repeated_start_changes_no_improvement() {
 fn a_window_moves_along<R: Original>() {
     let mut random = Random::seeded(13);
     for axes in [1, 2, 3, 6] {
-        let limits: Vec<_> = (0..axes).map(|_| Limits::symmetric(R::of(100.0), R::of(5.0), R::of(1.0))).collect();
+        let limits: Vec<_> = (0..axes).map(|_| online::symmetric(100.0, 5.0, 1.0)).collect();
         let mut point = || (0..axes).map(|_| State::at(R::of(random.between(-0.2, 0.2)))).collect::<Vec<_>>();
         let states = (0..8).flat_map(|_| point()).collect();
         let chain = Chain { family: Family::AtRest, axes, limits: limits.clone(), states };
@@ -264,7 +264,7 @@ fn a_window_moves_along<R: Original>() {
                 for (axis, state) in next.iter().enumerate() {
                     path.states.push(State::at(path.states[last + axis].position + state.position));
                 }
-                path.durations.push(R::of(0.0));
+                path.durations.push(R::ZERO);
                 let chain = Chain { states: path.states.clone(), ..chain.clone() };
                 Paths.improve(&chain, &mut path, 1).expect("a plan");
             }
@@ -296,8 +296,7 @@ fn compared_with_the_move<R: Original>() {
     let mut worst = [1.0; 2];
     for _ in 0..200 {
         let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
-        let limits =
-            [1.0, 1e3].map(|more| Limits::symmetric(R::of(more * jerk), R::of(more * acceleration), R::of(velocity)));
+        let limits = [1.0, 1e3].map(|more| online::symmetric::<R>(more * jerk, more * acceleration, velocity));
         let forward = random.sign();
         let speed = forward * velocity * random.between(0.5, 1.0);
         let start = state_of([random.between(-1.0, 1.0), speed, 0.0]);

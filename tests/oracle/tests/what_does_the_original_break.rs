@@ -31,11 +31,11 @@ fn count<R: Original>() -> Counts {
     for _ in 0..MOVES {
         let arguments = arguments::<R>(&mut random);
         let [jm, am, vm, p0, p1, v0, v1] = arguments;
-        let mut fields = [R::of(0.0); 14];
+        let mut fields = [R::ZERO; 14];
         let fastest = Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).expect("numbers");
         assert!(fastest.check(jm, am, vm).expect("numbers").bits() & 15 == 0, "{arguments:?}");
         let planned = R::ORIGINAL.plan(Family::Bell, &arguments, &mut fields);
-        if planned == R::of(0.0) {
+        if planned == R::ZERO {
             counts.refused += 1;
             continue;
         }

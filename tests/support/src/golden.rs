@@ -80,7 +80,7 @@ pub fn compare_plans<R: Real>(
 fn compare_plan<R: Real>(
     comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family, golden: &Move<R>,
 ) -> Vec<R> {
-    let mut fields = vec![R::of(0.0); family.fields().len()];
+    let mut fields = vec![R::ZERO; family.fields().len()];
     let duration = implementation.plan(family, &golden.arguments, &mut fields);
     if let Some(want) = golden.duration {
         comparison.check(&golden.place, "duration", duration, want);

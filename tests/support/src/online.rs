@@ -10,6 +10,11 @@ pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
+/// Limits that are the same in both directions.
+pub fn symmetric<R: Real>(jerk: f64, acceleration: f64, velocity: f64) -> Limits<R> {
+    Limits::symmetric(R::of(jerk), R::of(acceleration), R::of(velocity))
+}
+
 pub fn state_of<R: Real>(numbers: [f64; 3]) -> State<R> {
     let [position, velocity, acceleration] = numbers.map(R::of);
     State { position, velocity, acceleration }
@@ -107,7 +112,7 @@ pub type PlannerOfAxes<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[Stat
 #[track_caller]
 pub fn together<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], duration: R) -> Vec<Move<R>> {
     let mut axes = vec![Move::default(); limits.len()];
-    let result = synchronise(&mut axes, limits, from, to, duration, R::of(0.0));
+    let result = synchronise(&mut axes, limits, from, to, duration, R::ZERO);
     assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?} {duration:?}");
     axes
 }
@@ -115,7 +120,7 @@ pub fn together<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>
 #[track_caller]
 pub fn straight<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>]) -> Vec<Move<R>> {
     let mut axes = vec![Move::default(); limits.len()];
-    let result = line(&mut axes, limits, from, to, R::of(0.0), R::of(0.0));
+    let result = line(&mut axes, limits, from, to, R::ZERO, R::ZERO);
     assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
     axes
 }
@@ -124,8 +129,8 @@ pub fn straight<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>
 #[track_caller]
 pub fn path<R: Real>(states: &mut [State<R>], limits: &[Limits<R>], axes: usize, steps: u32) -> (Vec<R>, Findings) {
     let sections = states.len() / axes - 1;
-    let mut durations = vec![R::of(f64::NAN); sections];
-    let mut work = vec![R::of(f64::NAN); path_size(axes, sections).expect("a size")];
+    let mut durations = vec![R::NAN; sections];
+    let mut work = vec![R::NAN; path_size(axes, sections).expect("a size")];
     let found = plan_path(states, &mut durations, limits, axes, steps, &mut work).expect("a path");
     (durations, found)
 }
@@ -162,8 +167,7 @@ pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
     let limits = if random.one_in(4) { fewer_limits(random, limits) } else { limits };
     let (from, to) = (anywhere(random, &limits), inside(random, &limits));
     let mut planned = Move::default();
-    let half = R::of(0.5);
-    let part = State { velocity: half * to.velocity, acceleration: R::of(0.0), ..to };
+    let part = State { velocity: R::HALF * to.velocity, acceleration: R::ZERO, ..to };
     let result = match random.below(5) {
         0 => planned.reach(&limits, from, to.velocity, to.acceleration),
         1 => planned.meet(&limits, from, part),

@@ -60,11 +60,11 @@ impl<R: Real> Problem<R> {
         let [p0, v0, mut a0, p1, v1, mut a1] = ends;
         if let Some(profile) = request.profile() {
             vmin = -vmax;
-            (a0, a1) = (R::of(0.0), R::of(0.0));
+            (a0, a1) = (R::ZERO, R::ZERO);
             if profile == Family::Bell {
                 (amin, jmin) = (-amax, -jmax);
             } else {
-                (jmax, jmin) = (R::of(f64::INFINITY), R::of(f64::NEG_INFINITY));
+                (jmax, jmin) = (R::INFINITY, -R::INFINITY);
             }
         }
         let state = |position, velocity, acceleration| State { position, velocity, acceleration };
@@ -140,7 +140,7 @@ impl<R: Real> Problem<R> {
             for index in ORDER {
                 let x = numbers[index];
                 let digits = [0, 1, 2, 3, 4, 6].map(|digits| rounded(x, digits));
-                let candidates = [R::of(0.0), R::of(1.0f64.copysign(x.widen()))].into_iter().chain(digits);
+                let candidates = [R::ZERO, R::of(1.0f64.copysign(x.widen()))].into_iter().chain(digits);
                 for candidate in candidates.take_while(|candidate| *candidate != x) {
                     let mut tried = numbers;
                     tried[index] = candidate;

@@ -282,7 +282,7 @@ impl<R: Original> Trial<R> {
     }
 
     fn check_ends(&self, plan: &Plan<R>) -> Check {
-        let zero = R::of(0.0);
+        let zero = R::ZERO;
         let [from, to] = self.problem.ends();
         let request = self.problem.request;
         let (v1, a1) = match request {
@@ -524,7 +524,7 @@ fn check_evaluation<R: Original>(plan: &Plan<R>, walk: &Walk, scale: &Scale, ran
     let times: Vec<R> = near.chain(within).filter(|x| !is_over(x)).collect();
     times.into_iter().try_for_each(|x| {
         let under_way = phases.iter().rposition(|phase| phase.start <= x); // phase 0 is the start
-        let index = under_way.filter(|_| x > R::of(0.0) || t == 0.0).unwrap_or(0);
+        let index = under_way.filter(|_| x > R::ZERO || t == 0.0).unwrap_or(0);
         let phase = &phases[index];
         let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());
         let [p, v, _] = walk.borders[index];
@@ -534,7 +534,7 @@ fn check_evaluation<R: Original>(plan: &Plan<R>, walk: &Walk, scale: &Scale, ran
         let expected = p + z * (v + z * (0.5 * a + z * jerk / 6.0));
         let [dv, da] = [speed - (v + z * (a + 0.5 * z * jerk)), accelerated - (a + z * jerk)];
         // At its ends a profile stands still, and rounding may make the borders of its phases cross.
-        let stands = is_profile && (x <= R::of(0.0) || x >= planned.t);
+        let stands = is_profile && (x <= R::ZERO || x >= planned.t);
         let mut others = other_evaluation(plan, x).into_iter().zip(state);
         none_of([
             ((position - expected).abs() > doubt * scale.position, "a position is not where the jerk leads"),

@@ -21,7 +21,7 @@ impl<R: Real> Implementation<R> for Fault {
         match (self, family) {
             (Self::OperandOrder, Family::Bell) => {
                 let mut bell = bell(fields);
-                if duration > R::of(0.0) {
+                if duration > R::ZERO {
                     bell.t = bell.ta + (bell.tv + bell.td);
                 }
                 fields.copy_from_slice(&bell_fields(&bell));
@@ -37,7 +37,7 @@ impl<R: Real> Implementation<R> for Fault {
             (Self::ProductWithSixth, Family::Bell, _) => {
                 let b = bell(fields);
                 if b.p0 <= b.p1 && R::ZERO < x && x < b.taj && x < b.ta {
-                    let sixth = R::of(1.0) / R::of(6.0);
+                    let sixth = R::ONE / R::of(6.0);
                     position = b.p0 + b.v0 * x + b.jm * x * x * x * sixth;
                 }
             }

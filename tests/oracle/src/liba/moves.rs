@@ -112,13 +112,13 @@ impl<R: Real> Moves<R> {
             }
         };
         if self.random.one_in(2) {
-            arguments[3] = R::of(0.0);
+            arguments[3] = R::ZERO;
         }
         arguments[4] = R::of(arguments[3].widen() + distance).neighbour(self.random.steps(3));
     }
 
     fn before(&mut self, distribution: Distribution, read: bool) -> [R; MOST_FIELDS] {
-        let mut before = [R::of(0.0); MOST_FIELDS];
+        let mut before = [R::ZERO; MOST_FIELDS];
         if read || self.random.one_in(2) {
             for field in &mut before {
                 *field = self.value(distribution);

@@ -33,7 +33,7 @@ impl Fault {
         match self {
             Self::Late => changed.duration = R::of(2.0) * least,
             Self::OffTheClock => {
-                changed.cycle = R::of(0.0);
+                changed.cycle = R::ZERO;
                 changed.duration = least * R::of(1.0 + little);
             }
             Self::TooShort => changed.duration = set.duration * R::of(1.0 - little),
@@ -90,7 +90,7 @@ fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
 }
 
 fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
-    let (zero, t) = (R::of(0.0), axes[0].t - set.cycle);
+    let (zero, t) = (R::ZERO, axes[0].t - set.cycle);
     if set.cycle == zero || t < set.duration || t <= zero {
         return;
     }

@@ -41,7 +41,7 @@ fn lead_of<R: Real>(set: &Set<R>, shares: &[R], lead: usize) -> Problem<R> {
 }
 
 fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
-    let mut tightest = [R::of(f64::INFINITY), R::of(f64::NEG_INFINITY)].repeat(3);
+    let mut tightest = [R::INFINITY, -R::INFINITY].repeat(3);
     for (axis, &share) in set.axes.iter().zip(shares) {
         if share.widen() == 0.0 {
             continue;

@@ -135,7 +135,7 @@ impl<R: Real> Sets<R> {
         if (p1 - p0).widen().abs() > way.widen().abs() {
             p1 = p0;
         }
-        let share = if way == R::of(0.0) { way } else { (p1 - p0) / way };
+        let share = if way == R::ZERO { way } else { (p1 - p0) / way };
         let state = |position, lead: State<R>| State {
             position,
             velocity: share * lead.velocity,

@@ -37,23 +37,23 @@ impl<R: Real> Path<R> {
 
 pub trait Planner<R: Real> {
     fn plan(&self, chain: &Chain<R>, steps: u32) -> Result<(Path<R>, Findings), Error> {
-        let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
-        let mut work = vec![R::of(f64::NAN); path_size(chain.axes, chain.sections()).expect("a size")];
+        let mut path = Path { states: chain.states.clone(), durations: vec![R::NAN; chain.sections()] };
+        let mut work = vec![R::NAN; path_size(chain.axes, chain.sections()).expect("a size")];
         let found = plan_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)?;
         Ok((path, found))
     }
 
     /// The path through zones around the points.
     fn plan_near(&self, chain: &Chain<R>, tolerances: &[R], steps: u32) -> Result<(Path<R>, Findings), Error> {
-        let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
-        let mut work = vec![R::of(f64::NAN); path_size_near(chain.axes, chain.sections()).expect("a size")];
+        let mut path = Path { states: chain.states.clone(), durations: vec![R::NAN; chain.sections()] };
+        let mut work = vec![R::NAN; path_size_near(chain.axes, chain.sections()).expect("a size")];
         let Path { states, durations } = &mut path;
         let found = plan_path_near(states, durations, &chain.limits, tolerances, chain.axes, steps, &mut work)?;
         Ok((path, found))
     }
 
     fn improve(&self, chain: &Chain<R>, path: &mut Path<R>, steps: u32) -> Result<Findings, Error> {
-        let mut work = vec![R::of(f64::NAN); path_size(chain.axes, chain.sections()).expect("a size")];
+        let mut work = vec![R::NAN; path_size(chain.axes, chain.sections()).expect("a size")];
         improve_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)
     }
 }
@@ -92,7 +92,7 @@ pub fn promised<R: Real>() -> f64 {
 
 /// What is wrong with a path, if something is.
 pub fn check<R: Original>(chain: &Chain<R>, path: &Path<R>, found: Findings, random: &mut Random) -> Check<String> {
-    let exact = vec![R::of(0.0); chain.axes * (chain.sections() - 1)];
+    let exact = vec![R::ZERO; chain.axes * (chain.sections() - 1)];
     check_near(chain, &exact, path, found, random)
 }
 
@@ -107,7 +107,7 @@ pub fn check_near<R: Original>(
         return Err("an end is not the given one".into());
     }
     let positions = path.states.iter().zip(&chain.states).map(|(x, y)| [x.position, y.position]);
-    let none = vec![R::of(0.0); axes];
+    let none = vec![R::ZERO; axes];
     let tolerances = none.iter().chain(tolerances).chain(&none);
     for ([x, y], tolerance) in positions.zip(tolerances) {
         let is_exact = x.low_bits() == y.low_bits();
