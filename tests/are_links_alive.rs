@@ -1,10 +1,9 @@
 //! Does every link in the documents lead somewhere, in the repository and in the packaged crate?
 
 use std::collections::HashSet;
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::process::Command;
-use support::repository::root;
+use support::repository::{names, read, root};
 use support::tools::lines;
 
 /// A link of a document that is no address: the file it names and the heading in it.
@@ -15,21 +14,20 @@ struct Link {
 }
 
 fn documents() -> Vec<PathBuf> {
-    let mut documents = Vec::new();
-    for directory in ["", "docs"] {
-        for entry in fs::read_dir(root().join(directory)).unwrap() {
-            let path = Path::new(directory).join(entry.unwrap().file_name());
-            if path.extension().is_some_and(|e| e == "md") {
-                documents.push(path);
-            }
-        }
-    }
+    let paths =
+        ["", "docs"].into_iter().flat_map(|folder| names(folder).into_iter().map(|name| Path::new(folder).join(name)));
+    let documents: Vec<_> = paths.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
     assert!(documents.len() > 5);
     documents
 }
 
+/// A document without its blocks of code.
+fn prose(document: &Path) -> String {
+    read(document).split("```").step_by(2).collect()
+}
+
 fn links(document: &Path) -> Vec<Link> {
-    let prose: String = fs::read_to_string(root().join(document)).unwrap().split("```").step_by(2).collect();
+    let prose = prose(document);
     let targets = prose.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
     targets
         .filter(|target| !target.contains("://") && !target.starts_with("mailto:"))
@@ -55,7 +53,7 @@ fn plain(path: &Path) -> PathBuf {
 
 /// The names under which a page can be entered: its headings in small letters, without punctuation, with hyphens.
 fn headings(file: &Path) -> HashSet<String> {
-    let prose: String = fs::read_to_string(root().join(file)).unwrap().split("```").step_by(2).collect();
+    let prose = prose(file);
     let headings = prose.lines().filter(|line| line.starts_with('#'));
     headings
         .map(|line| {
@@ -83,14 +81,13 @@ fn in_the_repository() {
 /// The site draws a table where a line is nothing but a link to it.
 #[test]
 fn each_table_is_drawn() {
-    let pages: String = documents().iter().map(|page| fs::read_to_string(root().join(page)).unwrap()).collect();
-    let mut tables = 0;
-    for entry in fs::read_dir(root().join("docs/data")).unwrap() {
-        let end = format!("](data/{})", entry.unwrap().file_name().to_str().unwrap());
+    let pages: String = documents().iter().map(read).collect();
+    let tables = names("docs/data");
+    for table in &tables {
+        let end = format!("](data/{table})");
         assert!(pages.lines().any(|line| line.starts_with('[') && line.ends_with(&end)), "no page draws {end}");
-        tables += 1;
     }
-    assert!(tables > 10);
+    assert!(tables.len() > 10);
 }
 
 #[test]

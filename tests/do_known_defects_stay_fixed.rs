@@ -4,9 +4,8 @@ use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchr
 use atraj::machine::{Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
-use std::fs;
 use support::online::state_of as state;
-use support::repository::root;
+use support::repository::read;
 use support::{Random, Real, online, test_both_reals};
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
@@ -18,8 +17,6 @@ fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
 
 /// The farthest jump of the position between two phases, in ulps of the positions and of speed times duration.
 fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
-    let reached = planned.extremes();
-    let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
     let (mut position, mut jump) = (0.0_f64, 0.0_f64);
     for (phase, next) in planned.phases().iter().zip(&planned.phase[1..]) {
         let [p, v, a] = [phase.position, phase.velocity, phase.acceleration].map(R::widen);
@@ -28,7 +25,7 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
         jump = jump.max((next.position.widen() - end).abs());
         position = position.max(end.abs());
     }
-    let scale = position + speeds[0].max(speeds[1]) * planned.t.widen();
+    let scale = position + online::fastest(planned) * planned.t.widen();
     jump / (R::MACHINE_EPSILON.widen() * scale)
 }
 
@@ -46,9 +43,7 @@ const PLANNED_WITHOUT_A_JUMP: [Row; 3] = [
 
 fn planned_without_a_jump<R: Real>() {
     for (bounds, from, to) in PLANNED_WITHOUT_A_JUMP {
-        let mut planned = Move::default();
-        let result = planned.plan(&limits(bounds), state(from), state::<R>(to));
-        assert!(result.is_ok(), "{result:?}: {bounds:?} {from:?} {to:?}");
+        let planned = online::plan(&limits(bounds), state(from), state::<R>(to));
         assert_eq!(planned.state_at(planned.t), state(to));
         assert_no_jump(&planned);
     }
@@ -138,18 +133,16 @@ fn the_ramp_just_reaches_the_limit<R: Real>() {
         let fastest = v + R::of(2.0 * velocity.widen().abs());
         let limits = Limits { amin: -R::of(1.1) * a, ..Limits::symmetric(j, a, fastest) };
         let position = R::of(random.sign() * random.magnitude(-2.0, 3.0));
-        let (mut from, mut to) = (State { position, velocity, acceleration: begun }, State::at(R::of(0.0)));
+        let (mut from, mut to) = (State { position, velocity, acceleration: begun }, State::at(R::ZERO));
         if random.one_in(2) {
             (from, to) = (to, from); // the same motion in the other order of time
             (from.velocity, to.velocity) = (-from.velocity, -to.velocity);
         }
-        let mut planned = Move::default();
-        let result = planned.plan(&limits, from, to);
-        let found = planned.check(&limits).unwrap();
+        let found = online::plan(&limits, from, to).check(&limits).unwrap();
         let wrong =
             [Findings::EXCEEDS_VELOCITY, Findings::EXCEEDS_ACCELERATION, Findings::EXCEEDS_JERK, Findings::JUMPS];
         let is_wrong = wrong.into_iter().any(|one| found.contains(one));
-        assert!(result.is_ok() && !is_wrong, "{found:?}: {limits:?} {from:?} {to:?}");
+        assert!(!is_wrong, "{found:?}: {limits:?} {from:?} {to:?}");
     }
 }
 
@@ -164,7 +157,7 @@ fn times_of_positions<R: Real>() {
         let (low, high) = if start < first { (start, first) } else { (first, start) };
         if low < next && next < high {
             gaps += 1;
-            assert_eq!(planned.time_at(next), Some(R::of(0.0)), "move {number}: {planned:?}");
+            assert_eq!(planned.time_at(next), Some(R::ZERO), "move {number}: {planned:?}");
         }
         // An axis with time to spare.
         let limits = online::limits(&mut random);
@@ -188,11 +181,10 @@ fn from_a_state_to_itself<R: Real>() {
         let limits = online::limits(&mut random);
         let mut state: State<R> = online::inside(&mut random, &limits);
         let a = state.acceleration;
-        let (limit, jerk) = if a > R::of(0.0) { (limits.vmax, limits.jmin) } else { (limits.vmin, limits.jmax) };
+        let (limit, jerk) = if a > R::ZERO { (limits.vmax, limits.jmin) } else { (limits.vmin, limits.jmax) };
         state.velocity = limit + R::of(0.5) * a * a / jerk;
-        let mut planned = Move::default();
-        if planned.plan(&limits, state, state).is_ok() {
-            assert_eq!(planned.t, R::of(0.0), "{limits:?} {state:?}");
+        if let Ok((planned, _)) = online::tried(&limits, state, state) {
+            assert_eq!(planned.t, R::ZERO, "{limits:?} {state:?}");
         }
     }
 }
@@ -222,31 +214,29 @@ fn largest<R: Real>() -> f64 {
 /// The largest positions, velocities and durations overflowed, and the move was accepted.
 fn beyond_the_range<R: Real>() {
     let far = R::of(f64::from(R::EXPONENTS.1 * 17 / 32).exp2()); // 1e160 in binary64, 1e20 in binary32
-    let (one, zero) = (R::of(1.0), R::of(0.0));
-    let limits = Limits::symmetric(one, one, far * far * far);
-    let moving = State { velocity: far, ..State::at(zero) };
-    let refused = finite_or_untouched(|planned| planned.plan(&limits, moving, State::at(zero)));
+    let limits = Limits::symmetric(R::ONE, R::ONE, far * far * far);
+    let moving = State { velocity: far, ..State::at(R::ZERO) };
+    let refused = finite_or_untouched(|planned| planned.plan(&limits, moving, State::at(R::ZERO)));
     assert_eq!(refused, Err(Error::NotFinite));
-    let refused = finite_or_untouched(|planned| planned.meet(&limits, State::at(zero), moving));
+    let refused = finite_or_untouched(|planned| planned.meet(&limits, State::at(R::ZERO), moving));
     assert_eq!(refused, Err(Error::NotFinite));
     // Far, but within the range: the product of way and duration is beyond it.
-    let unit = Limits::symmetric(one, one, one);
-    let planned = finite_or_untouched(|planned| planned.plan(&unit, State::at(zero), State::at(far)));
+    let unit = Limits::symmetric(R::ONE, R::ONE, R::ONE);
+    let planned = finite_or_untouched(|planned| planned.plan(&unit, State::at(R::ZERO), State::at(far)));
     assert_eq!(planned, Ok(Findings::default()));
     // The axis turns 0.6 % of the largest number behind its target, and 0.3 % behind it a phase ends, beyond the largest number.
     let largest = largest::<R>();
-    let none = R::of(f64::INFINITY);
     let target = State::at(R::of(0.999 * largest));
     let fast = State { velocity: R::of(largest.sqrt()), ..target };
-    let weak = Limits::symmetric(none, R::of(83.0), none);
+    let weak = Limits::symmetric(R::INFINITY, R::of(83.0), R::INFINITY);
     let refused = finite_or_untouched(|planned| planned.meet(&weak, fast, target));
     assert_eq!(refused, Err(Error::NotFinite));
-    let (limits, near) = ([Limits::symmetric(one, one, one), limits], State::at(one));
+    let (limits, near) = ([Limits::symmetric(R::ONE, R::ONE, R::ONE), limits], State::at(R::ONE));
     let mut axes = [Move::default(); 2];
-    let from = [State::at(zero), moving];
-    let behind = State { position: -one, ..moving };
+    let from = [State::at(R::ZERO), moving];
+    let behind = State { position: -R::ONE, ..moving };
     for end in [near, behind] {
-        assert_eq!(synchronise(&mut axes, &limits, &from, &[near, end], zero, zero), Err(Error::NotFinite));
+        assert_eq!(synchronise(&mut axes, &limits, &from, &[near, end], R::ZERO, R::ZERO), Err(Error::NotFinite));
         assert_eq!(axes, [Move::default(); 2]);
     }
 }
@@ -323,19 +313,18 @@ fn at_the_border_of_the_range<R: Real>() {
 
 /// `OVERSHOOTS` had a tolerance that no header named.
 fn named_tolerance<R: Real>() {
-    let header = fs::read_to_string(root().join("include/atraj/codes.h")).expect("a header");
+    let header = read("include/atraj/codes.h");
     assert!(header.contains("128 ulps in a plan"), "{header}");
-    let (one, start) = (R::of(1.0), State::at(R::of(1.0)));
+    let (one, start) = (R::ONE, State::at(R::ONE));
     let limits = Limits::symmetric(one, one, one);
     let (mut within, mut beyond) = (0, 0);
     for exponent in 0..R::SIGNIFICAND_BITS {
         let velocity = R::of((-f64::from(exponent)).exp2());
-        let mut planned = Move::default();
-        let found = planned.plan(&limits, State { velocity, ..start }, start);
+        let (planned, found) = online::tried(&limits, State { velocity, ..start }, start).expect("numbers");
         let passes = planned.extremes().highest.position.widen() - 1.0;
         let rounding = 2.0 + velocity.widen() * planned.t.widen();
         let roundings = passes / (R::MACHINE_EPSILON.widen() * rounding);
-        let overshoots = found.expect("numbers").contains(Findings::OVERSHOOTS);
+        let overshoots = found.contains(Findings::OVERSHOOTS);
         if roundings < 127.0 {
             within += 1;
             assert!(!overshoots, "{roundings} ulps");
@@ -652,8 +641,7 @@ fn infinite_limits_of_every_kind_leave_a_common_duration() {
     let rows = std::iter::once((row, 1.1)).chain(rows.map(|row| (row, 0.0)));
     for (n, (row, duration)) in rows.enumerate() {
         let (limits, from, to) = (limits::<f64>(row.0), state(row.1), state(row.2));
-        let mut alone = Move::default();
-        let Ok(of_plan) = alone.plan(&limits, from, to) else { continue };
+        let Ok((alone, of_plan)) = online::tried(&limits, from, to) else { continue };
         asked += 1;
         let longer = [1.0001, 1.04, 1.5, 4.0][n % 4];
         let duration = if duration > 0.0 { duration } else { longer * alone.t };
@@ -693,14 +681,12 @@ fn a_coarse_axis_spares_a_fine_one() {
 
 /// A move that begins on a line begins a rounding next to it, and one in ten such moves stepped down and up again in float.
 fn a_move_from_a_line<R: Real>() {
-    let [jerk, acceleration, velocity, one] = [24.0, 8.0, 4.0, 1.0].map(R::of);
-    let mut random = Random::seeded(8);
+    let (limits, mut random) = (online::symmetric(24.0, 8.0, 4.0), Random::seeded(8));
     for k in 0..1_000 {
         let start = R::of((random.below(21) as f64) - 10.0);
         let way = if k == 0 { R::of(10.0) } else { R::of(random.between(0.5, 20.0)) };
-        let limits = Limits::symmetric(jerk, acceleration, velocity);
         let axis = online::plan(&limits, State::at(start), State::at(start + way));
-        let mut steps = Steps::new(&axis, R::of(0.0), one).expect("steps");
+        let mut steps = Steps::new(&axis, R::ZERO, R::ONE).expect("steps");
         while let Some(Step { time, direction }) = steps.next(&axis) {
             assert_eq!(direction, 1, "{start:?} {way:?} at {time:?} s");
         }

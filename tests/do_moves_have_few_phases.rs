@@ -14,7 +14,7 @@ const FEW: usize = 9;
 /// At rest, or moving with an acceleration at both ends. The start may be outside the limits.
 fn axis<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
     let [j, a, v] = [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
-    let limits = Limits::symmetric(R::of(j), R::of(a), R::of(v));
+    let limits = online::symmetric(j, a, v);
     let is_at_rest = random.one_in(4);
     let mut state = |most: f64| {
         let mut part = || {
@@ -43,7 +43,7 @@ fn few<R: Real>() {
         for (limits, from, to) in axes {
             assert!(phases(&online::plan(&limits, from, to)) <= FEW, "{limits:?} {from:?} {to:?}");
         }
-        for planned in &online::together(&limits, &from, &to, R::of(0.0)) {
+        for planned in &online::together(&limits, &from, &to, R::ZERO) {
             axes_by_phases[phases(planned)] += 1;
         }
     }
@@ -80,7 +80,7 @@ fn none_is_a_sliver<R: Real>() {
         }
         let limits = axes.map(|(limits, ..)| limits);
         let (from, to) = (axes.map(|(_, from, _)| from), axes.map(|(.., to)| to));
-        for planned in &online::together(&limits, &from, &to, R::of(0.0)) {
+        for planned in &online::together(&limits, &from, &to, R::ZERO) {
             slivers[2] += u32::from(has_sliver(planned));
         }
     }

@@ -14,13 +14,13 @@ use atraj::{Bell, Error, Extremes, Findings, Poly3, Poly5, Poly7, State, Trap, a
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use support::repository::root;
+use support::repository::{read, root};
 
 /// What a row names, and its name in C, C++, Rust and Python; empty without one. Other profiles have the names of the double-S.
 struct Row([String; 5]);
 
 fn rows() -> Vec<Row> {
-    let table = fs::read_to_string(root().join("tests/names.csv")).unwrap();
+    let table = read("tests/names.csv");
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some("what,C,C++,Rust,Python"));
     let rows: Vec<_> = lines
@@ -39,7 +39,7 @@ fn column(k: usize) -> BTreeSet<String> {
 
 fn headers(directory: &Path) -> String {
     let paths = fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
-    paths.map(|path| if path.is_dir() { headers(&path) } else { fs::read_to_string(path).unwrap() }).collect()
+    paths.map(|path| if path.is_dir() { headers(&path) } else { read(path) }).collect()
 }
 
 fn has_word(text: &str, word: &str) -> bool {
@@ -59,7 +59,7 @@ fn last(name: &str) -> &str {
 
 #[test]
 fn c_has_the_names() {
-    let symbols = fs::read_to_string(root().join("tests/symbols.txt")).unwrap();
+    let symbols = read("tests/symbols.txt");
     let headers = headers(&root().join("include"));
     for name in column(1) {
         // A type or a constant is no symbol.
@@ -70,7 +70,7 @@ fn c_has_the_names() {
         assert!(declared || is_function, "{name}");
     }
     // Every error has a row, and every function that is not liba's or CLARAty's.
-    let codes = fs::read_to_string(root().join("include/atraj/codes.h")).unwrap();
+    let codes = read("include/atraj/codes.h");
     let errors = codes.lines().filter_map(|line| line.trim().split_once(" = ")).map(|(name, _)| name);
     let ours = errors.chain(symbols.lines()).filter(|name| name.starts_with("atraj_") || name.starts_with("ATRAJ_ERR"));
     for name in ours {
@@ -85,7 +85,7 @@ fn c_has_the_names() {
 
 /// Whether Python's class has just the members that the core's set has, given as text: `Set(NAME)` for each bit alone.
 fn python_has_members(class: &str, shown: impl Fn(u8) -> String) {
-    let text = fs::read_to_string(root().join("python/atraj/values.py")).unwrap();
+    let text = read("python/atraj/values.py");
     let body = between(&text, &format!("class {class}(IntFlag):"), "\nclass ");
     let in_python: Vec<_> = body.lines().filter(|line| line.contains(" = ")).map(str::trim).collect();
     let bits = (0..8).map(|k| 1 << k).map(|bit| (bit, shown(bit)));
@@ -172,7 +172,7 @@ fn rust_has_the_names() {
 fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for file in files {
-        let text = fs::read_to_string(root().join("python/atraj").join(file)).unwrap();
+        let text = read(Path::new("python/atraj").join(file));
         let mut class = String::new();
         let mut is_docstring = false;
         for line in text.lines() {
@@ -236,7 +236,6 @@ fn the_rule_for_infinite_limits_has_one_wording() {
         "src/limits.rs", "src/fastest/bell.rs", "src/capi/atraj/bell.rs", "src/capi/atraj/move.rs", "include/atraj.h",
         "include/atraj/move.h", "python/atraj/values.py", "python/src/classes/profiles.rs",
     ] {
-        let text = fs::read_to_string(root().join(file)).unwrap();
-        assert!(text.contains("A jerk, or both accelerations, are finite."), "{file}");
+        assert!(read(file).contains("A jerk, or both accelerations, are finite."), "{file}");
     }
 }

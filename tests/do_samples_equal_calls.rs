@@ -57,10 +57,9 @@ fn check_profile<R: Real, const N: usize>(
 }
 
 fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
-    let zero = R::of(0.0);
     let of_length = |n: u8| {
         let dt = end / R::of(f64::from(n.max(2) - 1));
-        let sweeps = [(zero, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
+        let sweeps = [(R::ZERO, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
         sweeps.map(|(x0, dt)| Sweep { x0, dt, n: n.into() })
     };
     [0, 1, 2, 3, 9, 70].into_iter().flat_map(of_length).collect()
@@ -68,17 +67,16 @@ fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
 
 /// By single roundings across each border, standing at it, and from zero to it.
 fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
-    let zero = R::of(0.0);
     let around = |&border: &R| {
         let ulp = border * R::MACHINE_EPSILON;
         let [before, after] = [-6.0, 6.0].map(|ulps| border + R::of(ulps) * ulp);
         let sweeps = [
             (before, ulp, 12),
             (after, -ulp, 12),
-            (border, zero, 2),
-            (border, -zero, 2),
-            (zero, border, 3),
-            (-zero, -border, 3),
+            (border, R::ZERO, 2),
+            (border, -R::ZERO, 2),
+            (R::ZERO, border, 3),
+            (-R::ZERO, -border, 3),
         ];
         sweeps.map(|(x0, dt, n)| Sweep { x0, dt, n })
     };
@@ -86,7 +84,7 @@ fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
 }
 
 fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
-    let huge = R::of(1.0) / (R::MACHINE_EPSILON * R::MACHINE_EPSILON);
+    let huge = R::ONE / (R::MACHINE_EPSILON * R::MACHINE_EPSILON);
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
     let special = [zero, one, infinity, huge, nan].into_iter();
     let special = special.flat_map(|x| [x, -x]);
@@ -157,7 +155,7 @@ fn any_move<R: Real>(random: &mut Random) -> Move<R> {
         Phase { start, duration, position, velocity, acceleration, jerk }
     });
     let mut planned = Move { t, count, phase };
-    planned.phase[0].start = R::of(0.0);
+    planned.phase[0].start = R::ZERO;
     planned
 }
 

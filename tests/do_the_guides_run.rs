@@ -5,7 +5,7 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::documents::blocks;
-use support::repository::root;
+use support::repository::{read, root};
 use support::tools::{has_tool, run};
 
 /// One after the other, because `make dist` replaces the directory that the next page uses.
@@ -26,7 +26,7 @@ fn each() {
 
 /// Does what the page for `reader` says, in an empty directory next to the repository; what the commands print.
 fn followed(reader: &str) -> String {
-    let page = fs::read_to_string(root().join(format!("docs/for-{reader}.md"))).unwrap();
+    let page = read(format!("docs/for-{reader}.md"));
     assert!(page.lines().count() <= 90, "{reader}: the page is long");
     let directory = empty_directory(reader);
     symlink(root(), directory.join("atraj")).unwrap();
@@ -70,10 +70,10 @@ fn steps(job: &str) -> Vec<String> {
 /// CONTRIBUTING.md names a file and an expression in it, whose change a test must see.
 #[test]
 fn the_first_change_can_be_made() {
-    let page = fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();
+    let page = read("CONTRIBUTING.md");
     let (file, expression) = ("src/liba/bell/motion.rs", "j * z * z * z / R::from(6)");
     assert!(page.contains(file) && page.contains(expression));
-    assert!(fs::read_to_string(root().join(file)).unwrap().contains(expression), "{file}: no {expression}");
+    assert!(read(file).contains(expression), "{file}: no {expression}");
 }
 
 /// Outside the repository, because a package in it would belong to its workspace.

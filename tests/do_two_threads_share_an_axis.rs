@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use support::repository::root;
-use support::tools::{lines, run};
+use support::tools::{lines, printed, run};
 use support::variant::{DOUBLE, FLOAT, Variant};
 
 const EARLY: &str = "-DPUBLISHED_EARLY";
@@ -15,21 +15,13 @@ const GROUP: &str = "-DGROUP";
 fn compiler(variant: &Variant, flags: &[&str]) -> Command {
     let mut command = Command::new("cc");
     command.args(["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-pthread"]);
-    command.arg("-I").arg(variant.dist().join("include"));
-    command.arg(root().join("c_tests/threads.c")).args(flags);
+    command.arg("-I").arg(variant.include()).arg(root().join("c_tests/threads.c")).args(flags);
     command
 }
 
 fn program(variant: &Variant, flags: &[&str]) -> Output {
     let program = variant.scratch().join(format!("threads{}", flags.concat()));
-    let mut command = compiler(variant, flags);
-    command.arg(variant.archive()).arg("-lm");
-    run(command.arg("-o").arg(&program));
-    Command::new(program).output().unwrap()
-}
-
-fn text(output: &Output) -> String {
-    String::from_utf8_lossy(&[&output.stdout[..], &output.stderr].concat()).into_owned()
+    Command::new(variant.link(&mut compiler(variant, flags), program)).output().unwrap()
 }
 
 #[test]
@@ -37,8 +29,8 @@ fn without_a_jump() {
     for variant in [&DOUBLE, &FLOAT] {
         for flags in [&[][..], &[GROUP]] {
             let output = program(variant, flags);
-            println!("{flags:?} {}", text(&output));
-            assert!(output.status.success(), "{flags:?} {}", text(&output));
+            println!("{flags:?} {}", printed(&output));
+            assert!(output.status.success(), "{flags:?} {}", printed(&output));
         }
     }
     assert!(!program(&DOUBLE, &[EARLY]).status.success());
@@ -86,9 +78,9 @@ fn without_a_data_race() {
     let archive = watched_archive();
     for flags in [&[][..], &[GROUP]] {
         let output = watched_program(&archive, &library, flags);
-        println!("watched: {flags:?} {}", text(&output));
-        assert!(output.status.success(), "{flags:?} {}", text(&output));
+        println!("watched: {flags:?} {}", printed(&output));
+        assert!(output.status.success(), "{flags:?} {}", printed(&output));
     }
-    let early = text(&watched_program(&archive, &library, &[EARLY]));
+    let early = printed(&watched_program(&archive, &library, &[EARLY]));
     assert!(early.contains("data race"), "{early}");
 }

@@ -8,7 +8,7 @@ const LINES: usize = 10_000;
 
 fn stops_stay_on_the_line<R: Real>() {
     let mut random = Random::seeded(5);
-    let (epsilon, zero) = (R::MACHINE_EPSILON.widen(), R::of(0.0));
+    let (epsilon, zero) = (R::MACHINE_EPSILON.widen(), R::ZERO);
     for number in 0..LINES {
         let n = 1 + random.below(6);
         let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(&mut random)).collect();
@@ -54,7 +54,6 @@ fn stops_stay_on_the_line<R: Real>() {
 /// The way is so short compared with the positions that roundings hide its direction, and the velocities tell it. The stop was refused.
 fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
     let mut random = Random::seeded(7);
-    let zero = R::of(0.0);
     for number in 0..LINES {
         let limits = online::limits::<R>(&mut random);
         let limits = [limits; 3].map(|limits| Limits::symmetric(limits.jmax, limits.amax, limits.vmax));
@@ -71,16 +70,16 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
         let stopped = line_stop(&mut axes, &limits, x);
         assert!(stopped.is_ok(), "line {number}: {stopped:?} {now:?}");
         for (axis, now) in axes.iter().zip(&now) {
-            let off = (axis.state_at(zero).velocity - now.velocity).widen().abs();
+            let off = (axis.state_at(R::ZERO).velocity - now.velocity).widen().abs();
             assert!(off <= 1e-3 * speed, "line {number}: {off} of {speed}");
-            assert_eq!(axis.state_at(axis.t).velocity, zero, "line {number}");
+            assert_eq!(axis.state_at(axis.t).velocity, R::ZERO, "line {number}");
         }
     }
 }
 
 fn nonsense_is_refused<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
-    let limits = [30.0, 60.0].map(|j| Limits::symmetric(R::of(j), R::of(10.0), R::of(5.0)));
+    let limits = [30.0, 60.0].map(|j| online::symmetric(j, 10.0, 5.0));
     let to = [10.0, -3.0].map(|p| State::at(R::of(p)));
     let mut axes = online::straight(&limits, &[State::at(zero); 2], &to);
     let before = axes.clone();
@@ -109,7 +108,7 @@ fn nonsense_is_refused<R: Real>() {
 /// Axes that stand have no direction, and stop where they are.
 fn axes_that_stand_stay<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
-    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
+    let limits = [online::symmetric(30.0, 10.0, 5.0); 2];
     let here = [2.0, -3.0].map(|p| State::at(R::of(p)));
     let mut axes = online::straight(&limits, &here, &here);
     line_stop(&mut axes, &limits, half).expect("a stop");
@@ -119,7 +118,7 @@ fn axes_that_stand_stay<R: Real>() {
 /// No axis has an acceleration, and the first one stands: the second one leads.
 fn a_cruise_stops_on_its_line<R: Real>() {
     let [zero, one, two] = [0.0, 1.0, 2.0].map(R::of);
-    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
+    let limits = [online::symmetric(30.0, 10.0, 5.0); 2];
     let moving = |position| State { velocity: one, ..State::at(position) };
     let (from, to) = ([State::at(zero), moving(zero)], [State::at(zero), moving(two)]);
     let mut axes = online::straight(&[limits[0], Limits { vmax: one, ..limits[1] }], &from, &to);
@@ -132,7 +131,7 @@ fn a_cruise_stops_on_its_line<R: Real>() {
 /// Behind its end a line goes on, at last beyond the largest number: an axis stopped at an infinite position.
 fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
     let [zero, one, three] = [0.0, 1.0, 3.0].map(R::of);
-    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2];
+    let limits = [online::symmetric(30.0, 10.0, 5.0); 2];
     let state = |position, velocity| State { position, velocity, acceleration: zero };
     let from = [State::at(zero); 2];
     let to = [state(one, one), state(three, three)];

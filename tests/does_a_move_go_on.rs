@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use atraj::State;
-use atraj::online::{Limits, Move};
+use atraj::online::Move;
 use support::{Random, Real, online, test_both_reals};
 
 const MOVES: usize = 2_000;
@@ -32,8 +32,8 @@ fn from_the_start<R: Real>() {
     let mut random = Random::seeded(2);
     for _ in 0..MOVES {
         let (_, _, planned) = online::planned::<R>(&mut random);
-        let [start, end] = [R::of(0.0), planned.t].map(|x| planned.state(x));
-        if planned.t > R::of(0.0) {
+        let [start, end] = [R::ZERO, planned.t].map(|x| planned.state(x));
+        if planned.t > R::ZERO {
             for x in [-0.0, -1.0, -1e30, f64::NEG_INFINITY] {
                 assert_eq!(planned.state(R::of(x))[..3], start[..3]);
             }
@@ -41,7 +41,7 @@ fn from_the_start<R: Real>() {
         for x in [f64::NAN, f64::INFINITY] {
             assert_eq!(planned.state(R::of(x)), end);
         }
-        if end[1..3] == [R::of(0.0); 2] {
+        if end[1..3] == [R::ZERO; 2] {
             for later in [1e-3, 1.0, 1e30] {
                 assert_eq!(planned.state(planned.t + R::of(later)), end);
             }
@@ -51,14 +51,14 @@ fn from_the_start<R: Real>() {
 
 /// A jog is stopped long after it got its velocity, and a retarget long after a moving end begins where the axis is.
 fn another_plan_begins_there<R: Real>() {
-    let limits = Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0));
+    let limits = online::symmetric(30.0, 10.0, 5.0);
     let mut axis = Move::default();
-    assert!(axis.reach(&limits, State::at(R::of(0.0)), R::of(2.0), R::of(0.0)).is_ok());
+    assert!(axis.reach(&limits, State::at(R::ZERO), R::of(2.0), R::ZERO).is_ok());
     let now = axis.state_at(axis.t + R::of(3.0));
-    assert_eq!((now.velocity, now.acceleration), (R::of(2.0), R::of(0.0)));
+    assert_eq!((now.velocity, now.acceleration), (R::of(2.0), R::ZERO));
     let mut stop = Move::default();
     assert_eq!(stop.stop(&limits, now).map(|found| found.bits()), Ok(0));
-    assert_eq!(stop.state_at(R::of(0.0)), now);
+    assert_eq!(stop.state_at(R::ZERO), now);
     assert!(stop.position(stop.t) > now.position);
 }
 

@@ -2,17 +2,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-use support::repository::root;
-use support::tools::{has_tool, lines, run};
+use std::process::Command;
+use support::tools::{has_tool, identify, lines, run};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, Variant};
-
-fn identify(file: &Path) -> Output {
-    let mut make = Command::new("make");
-    make.current_dir(root()).args(["-s", "identify"]);
-    make.arg(format!("FILE={}", file.display()));
-    make.output().unwrap()
-}
 
 fn identity(file: &Path) -> String {
     let output = identify(file);
@@ -42,7 +34,7 @@ fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
     fs::write(&source, text).unwrap();
     let program = tests.join(name);
     let mut cc = Command::new("cc");
-    cc.arg("-O2").args(flags).arg("-I").arg(DOUBLE.dist().join("include"));
+    cc.arg("-O2").args(flags).arg("-I").arg(DOUBLE.include());
     cc.arg(source).arg(archive).arg("-lm");
     run(cc.arg("-o").arg(&program));
     program
@@ -114,7 +106,7 @@ fn the_preprocessor_knows_the_version() {
     let version = env!("CARGO_PKG_VERSION");
     let mut macros = Command::new("cc");
     macros.args(["-dM", "-E", "-x", "c", "-include", "atraj.h", "/dev/null", "-I"]);
-    let macros = lines(macros.arg(DOUBLE.dist().join("include")));
+    let macros = lines(macros.arg(DOUBLE.include()));
     let numbers = version.split(['.', '-']);
     let names = ["MAJOR", "MINOR", "PATCH"].map(|part| format!("ATRAJ_VERSION_{part}"));
     let mut wanted = vec![format!("#define ATRAJ_VERSION \"{version}\"")];

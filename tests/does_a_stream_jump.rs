@@ -43,11 +43,10 @@ impl<R: Real> Source<R> {
     fn plan_again(&mut self, random: &mut Random) {
         let (from, limits) = (self.now(), self.limits);
         let to = online::inside(random, &limits);
-        let [half, zero] = [0.5, 0.0].map(R::of);
         let next = &mut self.move_in_force;
         match random.below(4) {
             0 => next.stop(&limits, from),
-            1 => next.reach(&limits, from, half * to.velocity, zero),
+            1 => next.reach(&limits, from, R::HALF * to.velocity, R::ZERO),
             _ => next.plan(&limits, from, State::at(to.position)),
         }
         .expect("a plan");
@@ -74,9 +73,9 @@ fn shaper<R: Real>(random: &mut Random, period: f64) -> Shaper<R> {
 
 /// The impulses of a shaper, from what it makes of a step of the velocity: an axis that starts at a velocity of 1 at once.
 fn impulses<R: Real>(shaper: &Shaper<R>, period: f64) -> Vec<f64> {
-    let mut line = vec![R::of(f64::NAN); shaper.size(R::of(period)).expect("a short shaper")];
-    let mut stream = ShaperStream::new(shaper, R::of(period), State::at(R::of(0.0)), &mut line).expect("a stream");
-    let one = State { velocity: R::of(1.0), ..State::at(R::of(0.0)) };
+    let mut line = vec![R::NAN; shaper.size(R::of(period)).expect("a short shaper")];
+    let mut stream = ShaperStream::new(shaper, R::of(period), State::at(R::ZERO), &mut line).expect("a stream");
+    let one = State { velocity: R::ONE, ..State::at(R::ZERO) };
     let mut before = 0.0;
     let response = line.clone().into_iter().map(|_| {
         let velocity = stream.tick(one, &mut line).expect("a state").velocity.widen();
@@ -101,7 +100,7 @@ fn a_shaped_state_is_the_mean_of_the_past<R: Real>() {
         let last = weights.iter().rposition(|w| *w > 64.0 * epsilon).expect("a weight");
         assert!((last as f64 - shaper.duration().widen() / period).abs() <= 1.5, "{number}: {last} {shaper:?}");
 
-        let mut line = vec![R::of(f64::NAN); shaper.size(source.period).expect("a short shaper")];
+        let mut line = vec![R::NAN; shaper.size(source.period).expect("a short shaper")];
         let mut stream = ShaperStream::new(&shaper, source.period, source.now(), &mut line).expect("a stream");
         let mut past = vec![numbers(source.now()); weights.len()];
         let [v, a, j] = source.highest();
@@ -159,12 +158,12 @@ fn a_retarget_leaves_a_load_at_rest<R: Real>() {
     let mut random = Random::seeded(382);
     let (mut left, mut swung) = (0.0, 0.0);
     for _ in 0..50 {
-        let limits = Limits::symmetric(R::of(2_000.0), R::of(10.0), R::of(1.0));
+        let limits = online::symmetric(2_000.0, 10.0, 1.0);
         let (period, frequency) = (1e-3, random.between(3.0, 30.0));
         let kind = random.pick(&[ShaperKind::Zv, ShaperKind::Zvd, ShaperKind::Mzv]);
-        let shaper = Shaper::new(kind, R::of(frequency), R::of(0.0)).expect("a shaper");
-        let mut line = vec![R::of(0.0); shaper.size(R::of(period)).expect("a short shaper")];
-        let rest = State::at(R::of(0.0));
+        let shaper = Shaper::new(kind, R::of(frequency), R::ZERO).expect("a shaper");
+        let mut line = vec![R::ZERO; shaper.size(R::of(period)).expect("a short shaper")];
+        let rest = State::at(R::ZERO);
         let mut stream = ShaperStream::new(&shaper, R::of(period), rest, &mut line).expect("a stream");
         let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
         let mut now = rest;
@@ -228,13 +227,13 @@ fn a_shaper_changes_at_rest_only<R: Real>() {
 fn an_extruder_is_advanced<R: Real>() {
     let [period, advance] = [0.001, 0.05].map(R::of);
     let shaper = Shaper::smooth(R::of(0.02)).expect("a time");
-    let mut lines = [(); 2].map(|()| vec![R::of(0.0); shaper.size(period).expect("a short shaper")]);
-    let rest = State::at(R::of(0.0));
+    let mut lines = [(); 2].map(|()| vec![R::ZERO; shaper.size(period).expect("a short shaper")]);
+    let rest = State::at(R::ZERO);
     let [mut plain, mut advanced] =
         [0, 1].map(|k| ShaperStream::new(&shaper, period, rest, &mut lines[k]).expect("a stream"));
     advanced.advance(advance).expect("it stands");
-    let limits = Limits::symmetric(R::of(500.0), R::of(20.0), R::of(2.0));
-    let planned = online::plan(&limits, rest, State::at(R::of(1.0)));
+    let limits = online::symmetric(500.0, 20.0, 2.0);
+    let planned = online::plan(&limits, rest, State::at(R::ONE));
     let [a, b] = &mut lines;
     let mut before = [0.0; 3];
     for tick in 1..1_500 {
@@ -248,7 +247,7 @@ fn an_extruder_is_advanced<R: Real>() {
         }
         before = one;
     }
-    assert_eq!(advanced.tick(State::at(R::of(1.0)), b), Ok(State::at(R::of(1.0))));
+    assert_eq!(advanced.tick(State::at(R::ONE), b), Ok(State::at(R::ONE)));
 }
 
 /// At each tick the motor is within half a step of the axis, each step comes when the axis passes its line, and steps are in order.
@@ -338,16 +337,16 @@ fn a_tick_without_questions_loses_nothing<R: Real>() {
     assert!(all.len() == 10 && all.iter().all(|step| step.time == zero && step.direction == 1), "{all:?}");
     let before = motor;
     let moving = |velocity| State { velocity, ..State::at(one) };
-    for bad in [moving(R::of(f64::NAN)), State::at(R::of(f64::INFINITY)), State::at(R::of(2e8))] {
+    for bad in [moving(R::NAN), State::at(R::INFINITY), State::at(R::of(2e8))] {
         assert_eq!(motor.tick(bad), Err(Error::NotFinite));
     }
     assert_eq!(motor.wait(-one, zero), Err(Error::Duration));
-    assert_eq!(motor.wait(zero, R::of(f64::NAN)), Err(Error::Duration));
+    assert_eq!(motor.wait(zero, R::NAN), Err(Error::Duration));
     assert_eq!(motor, before);
     assert_eq!(StepStream::new(zero, period, State::at(zero)), Err(Error::Limits));
-    assert_eq!(StepStream::new(R::of(f64::NAN), period, State::at(zero)), Err(Error::NotFinite));
+    assert_eq!(StepStream::new(R::NAN, period, State::at(zero)), Err(Error::NotFinite));
     assert_eq!(StepStream::new(tenth, zero, State::at(zero)), Err(Error::Duration));
-    assert_eq!(StepStream::new(tenth, period, State::at(R::of(f64::NAN))), Err(Error::NotFinite));
+    assert_eq!(StepStream::new(tenth, period, State::at(R::NAN)), Err(Error::NotFinite));
 }
 
 /// An axis that creeps over a line in one direction steps over it once, though the positions of two ticks differs by rounding.

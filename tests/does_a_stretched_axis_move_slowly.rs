@@ -97,9 +97,8 @@ fn in_motion<R: Real>() {
         let Some([v, lasts]) = cruise(&widened, start, end, duration.widen()) else { continue };
         let rounding = R::MACHINE_EPSILON.widen().sqrt();
         let is_cruise = |phase: &Phase<R>| {
-            let none = R::of(0.0);
-            phase.acceleration == none
-                && phase.jerk == none
+            phase.acceleration == R::ZERO
+                && phase.jerk == R::ZERO
                 && (phase.velocity.widen() - v).abs() <= rounding * (widened.vmax - widened.vmin)
                 && (phase.duration.widen() - lasts).abs() <= rounding * duration.widen()
         };

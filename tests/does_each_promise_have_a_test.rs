@@ -1,9 +1,8 @@
 //! Does each test file begin with its question, and has each promise to safety engineers a test, and a fault that the test has seen?
 
 use std::collections::HashMap;
-use std::fs;
 use std::process::Command;
-use support::repository::root;
+use support::repository::{read, root};
 use support::tools::lines;
 
 fn questions() -> HashMap<String, String> {
@@ -26,14 +25,14 @@ fn each_file_begins_with_its_question() {
 #[test]
 fn each_promise_has_a_test_and_a_fault() {
     let questions = questions();
-    let table = fs::read_to_string(root().join("docs/data/audit.csv")).unwrap();
+    let table = read("docs/data/audit.csv");
     let (mut promises, mut tried) = (0, 0);
     for row in table.lines().skip(1) {
         let [promise, test, file, code, fault, seen] = row.split(',').collect::<Vec<_>>()[..] else {
             panic!("not six cells: {row}");
         };
         assert!(questions.contains_key(&format!("{test}.rs")) || root().join(test).is_file(), "no such test: {row}");
-        assert_eq!(fs::read_to_string(root().join(file)).unwrap().matches(code).count(), 1, "{code} in {file}");
+        assert_eq!(read(file).matches(code).count(), 1, "{code} in {file}");
         assert!(promise.len() > 10 && code != fault, "{row}");
         // An empty cell: the fault was not planted since it changed.
         let is_date = seen.len() == "2026-11-25".len() && seen.starts_with("20");

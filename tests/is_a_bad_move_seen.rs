@@ -63,9 +63,9 @@ fn faults<R: Real>() -> Vec<Fault<R>> {
         }),
         ("a missing phase", jumps, |planned, _| planned.count -= 1),
         ("too many phases", jumps, |planned, _| planned.count = 16),
-        ("an end that lasts", jumps, |planned, _| end(planned).duration = R::of(1.0)),
-        ("a jerk after the end", jumps, |planned, _| end(planned).jerk = R::of(1.0)),
-        ("a start that lasts", jumps, |planned, _| planned.phase[0].duration = R::of(1.0)),
+        ("an end that lasts", jumps, |planned, _| end(planned).duration = R::ONE),
+        ("a jerk after the end", jumps, |planned, _| end(planned).jerk = R::ONE),
+        ("a start that lasts", jumps, |planned, _| planned.phase[0].duration = R::ONE),
         ("a start a rounding before 0", jumps, |planned, _| planned.phase[0].start = -R::MACHINE_EPSILON * planned.t),
         ("a start that lasts a rounding", jumps, |planned, _| {
             planned.phase[0].duration = R::MACHINE_EPSILON * planned.t
@@ -120,12 +120,11 @@ fn what_is_no_number_is_refused<R: Real>() {
             }
         }
     }
-    let zero = R::of(0.0);
-    let no_limits = [Limits { vmax: zero, ..limits }, Limits { jmin: limits.jmax, ..limits }];
+    let no_limits = [Limits { vmax: R::ZERO, ..limits }, Limits { jmin: limits.jmax, ..limits }];
     for within in no_limits {
         assert_eq!(planned.check(&within), Err(Error::Limits));
     }
-    let no_number = Limits { amin: R::of(f64::NAN), ..limits };
+    let no_number = Limits { amin: R::NAN, ..limits };
     assert_eq!(planned.check(&no_number), Err(Error::NotFinite));
 }
 
@@ -138,7 +137,7 @@ fn spoiled_profiles_are_seen<R: Real>() {
         assert_eq!((found.contains(Findings::JUMPS), found.is_empty()), (index > 0, index == 0), "{index} {found:?}");
     };
     for way in [20.0, -20.0] {
-        let boundary = Boundary::rest_to_rest(R::of(0.0), R::of(way));
+        let boundary = Boundary::rest_to_rest(R::ZERO, R::of(way));
         let bell = Bell::fastest(R::ONE, acceleration, velocity, boundary).expect("a plan");
         let trap = Trap::fastest(velocity, acceleration, -acceleration, boundary).expect("a plan");
         let bells: [fn(&mut Bell<R>); 6] = [
@@ -182,7 +181,7 @@ fn a_cruise_needs_no_acceleration<R: Real>() {
         assert_eq!(cruise.check(one, zero, -sign), clean);
         assert_eq!(cruise.check(one, -sign, zero), clean);
         assert_eq!(cruise.check(one, sign, sign), Err(Error::Limits));
-        assert_eq!(cruise.check(one, R::of(f64::NAN), -sign), Err(Error::NotFinite));
+        assert_eq!(cruise.check(one, R::NAN, -sign), Err(Error::NotFinite));
         assert_eq!(Bell::fastest(one, one, one, boundary).expect("a plan").check(zero, zero, one), clean);
         let beyond = Trap { cruise_end: cruise.t + one, pd: cruise.p1 + sign, a1: zero, ..cruise };
         let found = beyond.check(one, one, -one).expect("numbers");
@@ -238,7 +237,7 @@ fn a_phase_of_no_duration_has_no_gap<R: Real>() {
         [gap + 0.1, 999.9 - gap, 0.05, 0.0, 0.0, 0.0],
         [1000.0, 0.0, 0.05, 0.0, 0.0, 0.0],
     ]);
-    let found = planned.check(&Limits::symmetric(R::of(f64::INFINITY), R::of(10.0), R::ONE));
+    let found = planned.check(&Limits::symmetric(R::INFINITY, R::of(10.0), R::ONE));
     assert!(found.is_ok_and(|found| found.contains(Findings::JUMPS)), "{found:?}");
 }
 

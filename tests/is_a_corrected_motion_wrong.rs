@@ -98,11 +98,11 @@ fn sample_times([t1, t2, tf]: [f64; 3], random: &mut Random) -> Vec<f64> {
     times
 }
 
-/// What is wrong with a motion, judged from its setpoints alone. `None` if it is right. No phase border lies between two times.
-fn fault(order: &Order, times: &[f64], duration: f64, mut at: impl FnMut(f64) -> State<f64>) -> Option<&'static str> {
-    if !(duration >= 0.0 && duration.is_finite()) {
-        return Some("no duration");
-    }
+/// What is wrong with a motion, judged from its setpoints alone, if something is. No phase border lies between two times.
+fn check(
+    order: &Order, times: &[f64], duration: f64, mut at: impl FnMut(f64) -> State<f64>,
+) -> Result<(), &'static str> {
+    all_of([(duration >= 0.0 && duration.is_finite(), "no duration")])?;
     let Order { start, target } = *order;
     let rates = [target.acceleration, target.deceleration];
     let (side, ahead, ways) = (order.side(), order.ahead(), order.stopping_distances());
@@ -123,32 +123,29 @@ fn fault(order: &Order, times: &[f64], duration: f64, mut at: impl FnMut(f64) ->
         let turns = before.velocity * v < 0.0;
         let turning = before.position - 0.5 * before.velocity * before.velocity / a;
         let is_turn_allowed = !turns || is_allowed(turning);
-        let fault = first_fault([
+        all_of([
             (near(now.position, position, dp), "position jumps"),
             (near(v, before.velocity + a * passed, dv), "velocity jumps"),
             (v.abs() <= top_speed + dv, "too fast"),
             (a == 0.0 || rates.contains(&a.abs()), "another acceleration"),
             (!avoidable || side * v >= -dv, "needless turn"),
             (is_allowed(now.position) && is_turn_allowed, "overshoot"),
-        ]);
-        if fault.is_some() {
-            return fault;
-        }
+        ])?;
         (before, then) = (now, t);
     }
     let rest = at(just_after(duration));
     let is_near = |position| near(position, rest.position, dp);
     let is_slow = before.velocity.abs() <= dv;
-    first_fault([
+    all_of([
         (rest == State::at(rest.position), "does not end at rest"),
         (is_near(target.position), "ends elsewhere"),
         (is_near(before.position) && is_slow, "jumps to rest"),
     ])
 }
 
-fn first_fault<const N: usize>(checks: [(bool, &'static str); N]) -> Option<&'static str> {
-    let mut faults = checks.into_iter().filter(|(right, _)| !right);
-    faults.next().map(|(_, fault)| fault)
+fn all_of<const N: usize>(checks: [(bool, &'static str); N]) -> Result<(), &'static str> {
+    let first = checks.into_iter().find(|(right, _)| !right);
+    first.map_or(Ok(()), |(_, fault)| Err(fault))
 }
 
 #[derive(Default)]
@@ -173,7 +170,7 @@ impl Tally {
         let [wrong, listing_wrong] = [&mut *axis, &mut listed].map(|axis| {
             let warnings = if request == STOP { axis.stop(now) } else { axis.start(now) };
             let times = sample_times(borders(axis.profile()), random);
-            let fault = fault(order, &times, axis.duration(), |t| axis.setpoint_at(t));
+            let fault = check(order, &times, axis.duration(), |t| axis.setpoint_at(t)).err();
             all_times.push(times);
             warnings.contains(Warnings::SWITCH).then_some("gave up").or(fault)
         });
@@ -340,7 +337,7 @@ fn no_seam_where_the_switching_time_cancels() {
         let order = Order { start, target };
         let (profile, _) = corrected(start, target);
         let times = sample_times(borders(&profile), &mut Random(2));
-        assert_eq!(fault(&order, &times, profile.tf, |t| profile.setpoint(t)), None, "{order:?}");
+        assert_eq!(check(&order, &times, profile.tf, |t| profile.setpoint(t)), Ok(()), "{order:?}");
     }
 }
 

@@ -4,7 +4,7 @@ use atraj::machine::{Shaper, ShaperKind};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, State};
 use std::f64::consts::PI;
-use support::repository::root;
+use support::repository::read;
 use support::{Random, Real, online, test_both_reals};
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
@@ -114,8 +114,7 @@ fn loads_are_left_as_published<R: Real>() {
         let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start.widen()).collect();
         borders.push(planned.t.widen());
         let unshaped = residual(&borders, |x| planned.acceleration(R::of(x)).widen(), load);
-        let reached = planned.extremes();
-        let peak = reached.highest.acceleration.widen().max(-reached.lowest.acceleration.widen());
+        let [_, _, peak] = online::largest(planned.extremes());
         for (worst, kind) in worst.iter_mut().zip(KINDS) {
             let shaper = Shaper::new(kind, R::of(designed[0]), R::of(designed[1])).expect("a shaper");
             let times = corners(&borders, &delays(kind, designed));
@@ -139,7 +138,7 @@ fn insensitivities_are_those_of_the_curves() {
     let limits = Limits::symmetric(f64::INFINITY, 1e4, 1e4);
     let planned = online::plan(&limits, State::at(0.0), State::at(0.25));
     let borders = [0.0, 0.5 * planned.t, planned.t];
-    let page = std::fs::read_to_string(root().join("docs/machine.md")).expect("the page");
+    let page = read("docs/machine.md");
     for kind in KINDS {
         let shaper = Shaper::new(kind, 1.0, 0.0).expect("a shaper");
         let times = corners(&borders, &delays(kind, [1.0, 0.0]));
@@ -170,7 +169,7 @@ fn insensitivities_are_those_of_the_curves() {
 
 fn limits_are_kept<R: Real>() {
     let mut random = Random::seeded(7);
-    let (zero, epsilon) = (R::of(0.0), R::MACHINE_EPSILON.widen());
+    let (zero, epsilon) = (R::ZERO, R::MACHINE_EPSILON.widen());
     for number in 0..2_000 {
         let (_, planned) = rest_to_rest::<R>(&mut random);
         let time = planned.t.widen() * random.magnitude(-3.0, 0.5);
@@ -185,20 +184,15 @@ fn limits_are_kept<R: Real>() {
         let last = R::of((planned.t.widen() + shaper.duration().widen()) * (1.0 + 4.0 * epsilon));
         assert_eq!(shaper.state(&planned, zero), start, "move {number}");
         assert_eq!(shaper.state(&planned, last), end, "move {number}");
-        assert_eq!(shaper.state(&planned, R::of(f64::NAN)), end, "move {number}");
-        assert_eq!(shaper.state(&planned, R::of(f64::INFINITY)), end, "move {number}");
-        assert_eq!(shaper.state(&planned, R::of(f64::NEG_INFINITY)), start, "move {number}");
+        assert_eq!(shaper.state(&planned, R::NAN), end, "move {number}");
+        assert_eq!(shaper.state(&planned, R::INFINITY), end, "move {number}");
+        assert_eq!(shaper.state(&planned, -R::INFINITY), start, "move {number}");
         let reached = planned.extremes();
-        let size = |low: R, high: R| low.widen().abs().max(high.widen().abs());
-        let (low, high) = (reached.lowest, reached.highest);
-        let scale = [
-            size(low.position, high.position) + size(low.velocity, high.velocity) * last.widen(),
-            size(low.velocity, high.velocity),
-            size(low.acceleration, high.acceleration),
-        ];
+        let [p, v, a] = online::largest(reached);
+        let scale = [p + v * last.widen(), v, a];
         let jerk = planned.phases().iter().map(|phase| phase.jerk.widen().abs()).fold(0.0, f64::max);
         let parts = online::numbers_of_state::<R>;
-        let (lowest, highest) = (parts(low), parts(high));
+        let (lowest, highest) = (parts(reached.lowest), parts(reached.highest));
         let slack = scale.map(|scale| 64.0 * epsilon * scale);
         for _ in 0..40 {
             let x = last.widen() * random.between(0.0, 1.0);
@@ -287,14 +281,12 @@ fn a_lower_jerk_costs_more() {
 
 /// An impulse that has not begun sees an axis that goes on with its velocity, so it adds no acceleration: at the start, one of two has begun.
 fn before_its_start_an_axis_keeps_its_velocity<R: Real>() {
-    let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(R::of);
-    let moving = State { position: R::of(0.0), velocity: R::of(1.0), acceleration: R::of(4.0) };
-    let limits = Limits::symmetric(jerk, acceleration, velocity);
-    let planned = online::plan(&limits, moving, State::at(R::of(10.0)));
-    let shaper = Shaper::new(ShaperKind::Zv, R::of(2.0), R::of(0.0)).expect("a shaper");
+    let moving = State { position: R::ZERO, velocity: R::ONE, acceleration: R::of(4.0) };
+    let planned = online::plan(&online::symmetric(30.0, 10.0, 5.0), moving, State::at(R::of(10.0)));
+    let shaper = Shaper::new(ShaperKind::Zv, R::of(2.0), R::ZERO).expect("a shaper");
     // The mean of the start and of the axis a quarter of a second before it.
     let shaped = State { position: R::of(-0.125), acceleration: R::of(2.0), ..moving };
-    assert_eq!(shaper.state(&planned, R::of(0.0)), shaped);
+    assert_eq!(shaper.state(&planned, R::ZERO), shaped);
 }
 
 /// A refusal leaves the shaper.
@@ -302,11 +294,11 @@ fn nonsense_is_refused<R: Real>() {
     let before = Shaper::new(ShaperKind::Ei2, R::of(2.0), R::of(0.1)).expect("a shaper");
     let mut shaper = before;
     let [good, none, endless] = [0.1, f64::NAN, f64::INFINITY].map(R::of);
-    for frequency in [R::of(0.0), R::of(-1.0), none, endless, -endless, R::of(1e-320)] {
+    for frequency in [R::ZERO, R::of(-1.0), none, endless, -endless, R::of(1e-320)] {
         assert_eq!(shaper.add(ShaperKind::Zv, frequency, good), Err(Error::Duration), "{frequency:e}");
     }
-    for damping in [R::of(-0.1), R::of(1.0), none, endless, -endless] {
-        assert_eq!(shaper.add(ShaperKind::Zv, R::of(1.0), damping), Err(Error::Limits), "{damping:e}");
+    for damping in [R::of(-0.1), R::ONE, none, endless, -endless] {
+        assert_eq!(shaper.add(ShaperKind::Zv, R::ONE, damping), Err(Error::Limits), "{damping:e}");
     }
     for time in [-good, none, endless, -endless] {
         assert_eq!(Shaper::smooth(time), Err(Error::Duration), "{time:e}");

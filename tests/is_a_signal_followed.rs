@@ -268,14 +268,14 @@ fn any_signal_is_followed<R: Real>() {
         // Near the axis, or anywhere.
         let signal = State { position: from.position + any(1.0), velocity: any(2.0), acceleration: any(3.0) };
         let jerk = any(3.0);
-        let jerk = if random.one_in(2) { R::of(0.0) } else { jerk };
+        let jerk = if random.one_in(2) { R::ZERO } else { jerk };
         let signal = if random.one_in(2) { from } else { signal };
         let mut axis = Move::default();
         let what = format!("{limits:?} {from:?} {signal:?} {jerk:?} {horizon:?}");
         let found = axis.track(&limits, from, signal, jerk, horizon).expect(&what);
-        assert!(axis.t >= R::of(0.0) && axis.t.widen().is_finite(), "{what}");
-        if axis.t > R::of(0.0) {
-            assert_eq!(axis.state_at(R::of(0.0)), from, "{what}");
+        assert!(axis.t >= R::ZERO && axis.t.widen().is_finite(), "{what}");
+        if axis.t > R::ZERO {
+            assert_eq!(axis.state_at(R::ZERO), from, "{what}");
         }
         let checked = axis.check(&limits).expect("an answer");
         assert!(online::allowed(found).contains(checked), "{checked:?} {what}");

@@ -79,7 +79,7 @@ fn fastest<R: Real>(random: &mut Random) -> Move<R> {
         Move::new(bell, bell.t, bell.extremes(), scales, Family::Bell.borders(&[], &bell_fields(&bell)))
     } else {
         let trap = Trap::fastest(x, y, -z, boundary).expect("numbers");
-        let scales = scales(trap.t, R::of(0.0), if y > z { y } else { z }, x);
+        let scales = scales(trap.t, R::ZERO, if y > z { y } else { z }, x);
         Move::new(trap, trap.t, trap.extremes(), scales, Family::Trap.borders(&[], &trap_fields(&trap)))
     }
 }
@@ -113,8 +113,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     let even = (0..=SAMPLES).map(|k| R::of(k as f64 / SAMPLES as f64) * the_move.duration);
     let borders = the_move.borders.iter();
     let borders = borders.flat_map(|x| [x.neighbour(-1), *x, x.neighbour(1)]);
-    let start = R::of(0.0);
-    let within = |x: &R| *x >= start && *x <= the_move.duration;
+    let within = |x: &R| *x >= R::ZERO && *x <= the_move.duration;
     let times: Vec<R> = even.chain(borders).filter(within).collect();
     let mut worst = 0.0_f64;
     for quantity in 0..3 {
@@ -136,7 +135,7 @@ fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
     let mut most = 0.0_f64;
     for _ in 0..MOVES {
         let the_move = of(&mut random);
-        if the_move.duration > R::of(0.0) {
+        if the_move.duration > R::ZERO {
             most = most.max(worst(&the_move));
         }
     }

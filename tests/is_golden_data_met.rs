@@ -1,5 +1,6 @@
 //! Does the Rust API give the bits of both generations of the original C library on every golden row?
 
+use support::repository::{names, read};
 use support::{Comparison, Family, Ours, OursNewest, Real, golden, test_both_reals, test_each_family};
 
 fn meets_golden_data<R: Real>(family: Family) {
@@ -29,11 +30,9 @@ test_both_reals!(newest);
 /// A stranger compares without reading our code.
 #[test]
 fn each_file_is_described() {
-    let folder = support::repository::root().join("tests/golden");
-    let page = std::fs::read_to_string(folder.join("README.md")).unwrap();
+    let page = read("tests/golden/README.md");
     let mut files = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
+    for name in names("tests/golden") {
         let Some(table) = name.strip_suffix(".csv") else { continue };
         let (table, _) = table.rsplit_once("_f").unwrap();
         assert!(page.contains(&format!("`{table}`")), "{name}");

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::golden;
-use support::repository::root;
+use support::repository::{names, read, root};
 use support::tools::{Language, compilers, has_tool, lines, run};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, VARIANTS, Variant, headers};
 
@@ -15,18 +15,13 @@ const C: [&str; 3] = ["c99", "c11", "c17"];
 const CPP: [&str; 4] = ["c++98", "c++11", "c++17", "c++20"];
 
 fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> PathBuf {
-    let dist = variant.dist();
     let options = flags.concat().replace('/', "-");
     // The tests run in threads, and some need the same program.
     let own = format!("{source}-{compiler}{options}-{:?}", std::thread::current().id());
     let program = variant.scratch().join(own.replace(['(', ')'], ""));
     let mut command = Command::new(compiler);
-    command.args(STRICT).arg("-O2").args(flags);
-    command.arg("-I").arg(dist.join("include"));
-    command.arg(root().join("c_tests").join(source));
-    command.arg(variant.archive()).arg("-lm");
-    run(command.arg("-o").arg(&program));
-    program
+    command.args(STRICT).arg("-O2").args(flags).arg(root().join("c_tests").join(source));
+    variant.link(&mut command, program)
 }
 
 /// Compiles `c_tests/{source}` with each compiler of the language and each of these standards, and hands the programs over.
@@ -82,11 +77,10 @@ fn replay_changed(source: &str, table: &str, change: impl Fn(&str) -> Option<Str
     let program = build(&DOUBLE, "cc", &["-std=c99"], source);
     let copy = DOUBLE.scratch().join("golden");
     fs::create_dir_all(&copy).unwrap();
-    for entry in fs::read_dir(golden::directory()).unwrap() {
-        let from = entry.unwrap().path();
-        fs::copy(&from, copy.join(from.file_name().unwrap())).unwrap();
+    for name in names(golden::directory()) {
+        fs::copy(golden::directory().join(&name), copy.join(name)).unwrap();
     }
-    let csv = fs::read_to_string(copy.join(table)).unwrap();
+    let csv = read(copy.join(table));
     match change(&csv) {
         Some(changed) => fs::write(copy.join(table), changed).unwrap(),
         None => fs::remove_file(copy.join(table)).unwrap(),
@@ -132,7 +126,7 @@ fn layout_by_tcc() {
     for variant in VARIANTS.iter().filter(|_| has_tool("tcc")) {
         let [object, program] = ["abi-tcc.o", "abi-tcc"].map(|file| variant.scratch().join(file));
         let mut compile = Command::new("tcc");
-        compile.args(["-c", "-Wall", "-Werror", "-I"]).arg(variant.dist().join("include"));
+        compile.args(["-c", "-Wall", "-Werror", "-I"]).arg(variant.include());
         run(compile.arg(root().join("c_tests/abi.c")).arg("-o").arg(&object));
         let mut link = Command::new("cc");
         link.args(["-z", "noexecstack"]).arg(&object).arg(variant.archive());
@@ -162,10 +156,8 @@ fn a_c_program_calls_every_function() {
         .flat_map(|source| {
             let object = DOUBLE.scratch().join(source).with_extension("o");
             let mut compile = Command::new("cc");
-            compile.args(["-std=c99", "-c", "-I"]);
-            compile.arg(DOUBLE.dist().join("include"));
-            compile.arg(root().join("c_tests").join(source));
-            run(compile.arg("-o").arg(&object));
+            compile.args(["-std=c99", "-c", "-I"]).arg(DOUBLE.include());
+            run(compile.arg(root().join("c_tests").join(source)).arg("-o").arg(&object));
             lines(Command::new("nm").args(["-u", "-j"]).arg(object))
         })
         .collect();
@@ -274,10 +266,8 @@ fn headers_compile_clean_in_every_configuration() {
 
 #[test]
 fn headers_are_strict_c90() {
-    let include = DOUBLE.dist().join("include");
     for compiler in compilers(Language::C) {
-        let flags = ["-std=c90", "-pedantic-errors"];
-        assert!(accepts(compiler, "c", &include, &flags), "{compiler}");
+        assert!(accepts(compiler, "c", &DOUBLE.include(), &["-std=c90", "-pedantic-errors"]), "{compiler}");
     }
 }
 
@@ -308,7 +298,7 @@ fn the_class_compiles_under_the_warnings_of_careful_users() {
         for standard in CPP {
             let mut command = Command::new(compiler);
             command.args(STRICT).args(warnings).args(["-fsyntax-only", &format!("-std={standard}"), "-I"]);
-            run(command.arg(DOUBLE.dist().join("include")).arg(&source));
+            run(command.arg(DOUBLE.include()).arg(&source));
         }
     }
 }
@@ -328,7 +318,7 @@ fn headers_refuse_what_the_archive_is_not() {
         (&COMPACT, &["-DA_TRAJPOLY5=2"]),
     ];
     for (variant, flags) in refused {
-        let include = variant.dist().join("include");
+        let include = variant.include();
         assert!(accepts("cc", "c", &include, &[]), "{}", variant.directory);
         assert!(!accepts("cc", "c", &include, flags), "{} {flags:?}", variant.directory);
     }

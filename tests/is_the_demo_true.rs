@@ -5,7 +5,8 @@ use std::fs;
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 use support::golden;
-use support::repository::root;
+use support::repository::{names, read, root};
+use support::tools::printed;
 
 /// What `make demo` printed. It runs once for all tests of this file.
 static DEMO: LazyLock<String> = LazyLock::new(|| {
@@ -17,10 +18,6 @@ static DEMO: LazyLock<String> = LazyLock::new(|| {
     assert!(output.status.success(), "{}", printed(&output));
     printed(&output)
 });
-
-fn printed(output: &Output) -> String {
-    [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
-}
 
 fn line<'a>(table: &'a str, function: &str) -> Vec<&'a str> {
     let mut lines = table.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());
@@ -34,7 +31,7 @@ fn every_golden_row_passes_the_servo_program() {
         assert_eq!(line(&DEMO, function), [&*rows.to_string(), "0"], "{function}");
     };
     for table in ["bell", "trap", "poly7"] {
-        let csv = |kind| fs::read_to_string(golden::directory().join(format!("{table}_{kind}_f64.csv"))).unwrap();
+        let csv = |kind| read(golden::directory().join(format!("{table}_{kind}_f64.csv")));
         assert_parity(&format!("a_traj{table}_gen"), csv("gen").lines().count() - 1);
         let evaluations = csv("eval");
         for column in evaluations.lines().next().unwrap().split(',').skip(2) {
@@ -72,7 +69,7 @@ fn one_wrong_bit_fails_and_so_do_missing_answers() {
 #[test]
 fn the_originals_fail_where_ours_do_not() {
     let (_, table) = DEMO.split_once("of 100000 moves").unwrap();
-    let page = fs::read_to_string(root().join("docs/migrating.md")).unwrap().replace(',', "");
+    let page = read("docs/migrating.md").replace(',', "");
     // Refused, broken, missed and lengthened moves. A trapezoid of the original that exists is the fastest.
     for planner in ["a_trajbell_gen", "atraj_bell_gen", "a_trajtrap_gen", "atraj_trap_gen"] {
         let counts = line(table, planner);
@@ -81,19 +78,14 @@ fn the_originals_fail_where_ours_do_not() {
     }
 }
 
-fn examples() -> Vec<String> {
-    let files = fs::read_dir(root().join("examples/expected")).unwrap();
-    let names = files.map(|file| file.unwrap().file_name().into_string().unwrap().replace(".txt", ""));
-    names.collect::<BTreeSet<_>>().into_iter().collect()
-}
-
 /// `examples/expected` has the ends of the motions, and the programs fail if they miss them. A picture is drawn from all setpoints.
 #[test]
 fn each_example_has_its_picture_and_the_pages_show_it() {
     // python/examples/vibration.py draws the first two. The third is a screenshot of the playground, whose bits depend on the browser.
     let mut known = BTreeSet::from(["vibration.svg", "shaper-or-jerk.svg", "playground.png"].map(str::to_owned));
-    let readme = fs::read_to_string(root().join("examples/README.md")).unwrap();
-    for name in examples().iter().map(|name| &**name).chain(["sensitivity"]) {
+    let readme = read("examples/README.md");
+    let examples = names("examples/expected").into_iter().map(|file| file.replace(".txt", ""));
+    for name in examples.collect::<BTreeSet<_>>().iter().map(|name| &**name).chain(["sensitivity"]) {
         let start = format!("{name}: ");
         let picture =
             DEMO.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or_else(|| panic!("no picture of {name}"));
@@ -107,18 +99,16 @@ fn each_example_has_its_picture_and_the_pages_show_it() {
                 .lines()
                 .filter(|line| line.starts_with(&row) && line.ends_with(&format!("(../docs/img/{file}) |")));
             assert_eq!(rows.count(), 1, "{row}");
-            let text = fs::read_to_string(root().join(format!("target/demo/{name}.txt"))).unwrap();
-            let expected = fs::read_to_string(root().join(format!("examples/expected/{name}.txt"))).unwrap();
+            let text = read(format!("target/demo/{name}.txt"));
+            let expected = read(format!("examples/expected/{name}.txt"));
             let mut printed = text.lines();
             assert!(expected.lines().all(|line| printed.any(|other| other == line)), "{name} prints other setpoints");
         }
     }
-    let arm = fs::read_to_string(root().join("examples/expected/12_waypoints.txt")).unwrap();
+    let arm = read("examples/expected/12_waypoints.txt");
     let saved = arm.trim_end().rsplit(": ").next().unwrap().replace(" saved", "");
-    let pages = fs::read_to_string(root().join("README.md")).unwrap();
-    assert!(pages.contains(&format!("an arm arrives {saved} sooner")), "{saved}");
-    for file in fs::read_dir(root().join("docs/img")).unwrap() {
-        let name = file.unwrap().file_name().into_string().unwrap();
+    assert!(read("README.md").contains(&format!("an arm arrives {saved} sooner")), "{saved}");
+    for name in names("docs/img") {
         assert!(known.contains(&name), "nothing draws {name}");
     }
 }

@@ -11,7 +11,7 @@ const SAMPLES: usize = 400;
 fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
     let phases = &planned.phase[..=planned.count as usize];
     let part = |x: R, duration: R, k: usize, of: usize| x + R::of(k as f64 / of as f64) * duration;
-    let whole = (0..=SAMPLES).map(|k| part(R::of(0.0), planned.t, k, SAMPLES));
+    let whole = (0..=SAMPLES).map(|k| part(R::ZERO, planned.t, k, SAMPLES));
     let each = phases.iter().flat_map(|phase| (0..=40).map(|k| part(phase.start, phase.duration, k, 40)));
     let mut times: Vec<R> = whole.chain(each).collect();
     times.retain(|x| *x <= planned.t);
@@ -21,11 +21,8 @@ fn times<R: Real>(planned: &Move<R>) -> Vec<R> {
 
 /// How wrong a position may be by rounding: the whole way, and what the rounding of a velocity adds up to.
 fn rounding<R: Real>(planned: &Move<R>) -> f64 {
-    let reached = planned.extremes();
-    let State { position, velocity, .. } = reached.highest;
-    let size = |x: R, y: R| x.widen().abs().max(y.widen().abs());
-    let way = size(position, reached.lowest.position) + size(velocity, reached.lowest.velocity) * planned.t.widen();
-    16.0 * R::MACHINE_EPSILON.widen() * way
+    let [position, velocity, _] = online::largest(planned.extremes());
+    16.0 * R::MACHINE_EPSILON.widen() * (position + velocity * planned.t.widen())
 }
 
 /// Asks for the positions of samples, for the extremes and for what lies beyond. The first sample at a position, or the first pair of
@@ -40,8 +37,8 @@ fn in_random_moves<R: Real>() {
         let times = times(&planned);
         let positions: Vec<R> = times.iter().map(|x| planned.position(*x)).collect();
         let rounding = rounding(&planned);
-        let [start, end] = [R::of(0.0), planned.t].map(|x| planned.time_at(planned.position(x)));
-        assert_eq!(start, Some(R::of(0.0)), "the start of move {number}");
+        let [start, end] = [R::ZERO, planned.t].map(|x| planned.time_at(planned.position(x)));
+        assert_eq!(start, Some(R::ZERO), "the start of move {number}");
         assert!(end.is_some(), "the end of move {number}");
         for _ in 0..8 {
             let wanted = match random.below(3) {
@@ -53,7 +50,7 @@ fn in_random_moves<R: Real>() {
             // Every position from the lowest to the highest is reached, whatever is rounded.
             let x = planned.time_at(wanted).unwrap_or_else(|| panic!("nothing found, {place}"));
             found += 1;
-            assert!(x >= R::of(0.0) && x <= planned.t, "{x:e}, {place}");
+            assert!(x >= R::ZERO && x <= planned.t, "{x:e}, {place}");
             let [there, asked] = [planned.position(x), wanted].map(R::widen);
             assert!(abs_diff_eq!(there, asked, epsilon = rounding), "{there:e} at {x:e}, {place}");
             // Before the first time the axis is on one side.
@@ -63,7 +60,7 @@ fn in_random_moves<R: Real>() {
             assert!(sides.iter().all(|side| side * sides[0] > 0.0), "passed before {x:e}, {place}");
         }
         let beyond = R::of(rounding + 1e-3);
-        for wanted in [low - beyond, high + beyond, R::of(f64::NAN)] {
+        for wanted in [low - beyond, high + beyond, R::NAN] {
             assert_eq!(planned.time_at(wanted), None, "move {number}");
             never += 1;
         }
@@ -74,7 +71,7 @@ fn in_random_moves<R: Real>() {
 
 /// A move that is shifted in time may have a phase of no duration, which begins one ulp from the next phase.
 fn next_to_a_phase_of_no_duration<R: Real>() {
-    let [zero, one] = [R::of(0.0), R::of(1.0)];
+    let [zero, one] = [R::ZERO, R::ONE];
     let next = zero.neighbour(2);
     let mut shifted = Move::<R>::default();
     shifted.phase[2] = Phase { position: next, velocity: one, duration: one, ..Phase::default() };

@@ -6,13 +6,9 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::documents::blocks;
-use support::repository::root;
+use support::repository::{names, read, root};
 use support::tools::{Language, compilers, run};
 use support::variant::DOUBLE;
-
-fn read(file: &str) -> String {
-    fs::read_to_string(root().join(file)).unwrap()
-}
 
 /// The width counts characters. The words are those of `wc -w`, code and tables included.
 #[test]
@@ -29,16 +25,14 @@ fn it_is_short() {
 #[test]
 fn measured_pages_are_short() {
     for page in MEASURED {
-        let words = read(&format!("docs/{page}.md")).split_whitespace().count();
+        let words = read(format!("docs/{page}.md")).split_whitespace().count();
         assert!(words <= 1200, "{page}: {words} words");
     }
 }
 
 /// README.md and the pages in `docs`, each with its name. `do_the_guides_run` follows the pages for one kind of reader.
 fn documents() -> Vec<(String, String)> {
-    let names = fs::read_dir(root().join("docs")).unwrap();
-    let names = names.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let pages = names.filter(|name| name.ends_with(".md") && !name.starts_with("for-"));
+    let pages = names("docs").into_iter().filter(|name| name.ends_with(".md") && !name.starts_with("for-"));
     let paths = pages.map(|name| format!("docs/{name}"));
     paths.chain(["README.md".to_owned()]).map(|path| (path.clone(), read(&path))).collect()
 }
@@ -69,14 +63,10 @@ fn its_lines_build_its_program() {
 }
 
 fn built_and_run(compiler: &str, source: &Path, flags: &[&str]) -> String {
-    let dist = DOUBLE.dist();
-    let program = source.with_extension(compiler);
     let mut compile = Command::new(compiler);
     compile.args(["-Wall", "-Wextra", "-Werror"]).args(flags);
-    compile.arg("-I").arg(dist.join("include"));
-    compile.arg("-I").arg(dist.join("include/claraty"));
-    compile.arg(source).arg(dist.join("lib/libatraj.a"));
-    run(compile.arg("-lm").arg("-o").arg(&program));
+    compile.arg("-I").arg(DOUBLE.include().join("claraty")).arg(source);
+    let program = DOUBLE.link(&mut compile, source.with_extension(compiler));
     String::from_utf8(run(&mut Command::new(program)).stdout).unwrap()
 }
 

@@ -102,7 +102,7 @@ fn same_bits_as_the_literal_search<R: Range>() {
     let mut long = 0;
     for _ in 0..MOVES {
         let arguments = arguments::<R>(&mut random);
-        let mut ours = [R::of(0.0); Family::Bell.fields().len()];
+        let mut ours = [R::ZERO; Family::Bell.fields().len()];
         let mut literal = ours;
         let duration = Ours.plan(Family::Bell, &arguments, &mut ours);
         let plan = reference::plan(&arguments, &mut literal);

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::repository::root;
+use support::repository::{read, root};
 
 const WORDS: [(&str, &str); 17] = [
     ("anew", "again"),
@@ -68,13 +68,11 @@ fn every_text_is() {
         directories.iter().for_each(|directory| texts(&root().join(directory), &mut paths));
         assert!(paths.len() > 50, "{directories:?}");
         for path in paths {
-            let text = fs::read_to_string(&path).unwrap();
-            wrong.extend(faults(&text, words).into_iter().map(|fault| format!("{}:{fault}", path.display())));
+            wrong.extend(faults(&read(&path), words).into_iter().map(|fault| format!("{}:{fault}", path.display())));
         }
     }
     for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"] {
-        let text = fs::read_to_string(root().join(page)).unwrap();
-        wrong.extend(faults(&text, &every).into_iter().map(|fault| format!("{page}:{fault}")));
+        wrong.extend(faults(&read(page), &every).into_iter().map(|fault| format!("{page}:{fault}")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

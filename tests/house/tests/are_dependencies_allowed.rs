@@ -3,9 +3,8 @@
 
 use spdx::{Expression, ParseMode};
 use std::collections::BTreeSet;
-use std::fs;
 use std::process::Command;
-use support::repository::root;
+use support::repository::{read, root};
 use support::tools::lines;
 
 /// Licences that ask for no more than their text with the code. A dependency offers at least one of them.
@@ -53,7 +52,7 @@ fn licences() {
 
 #[test]
 fn every_locked_version_comes_from_crates_io_with_a_checksum() {
-    let lock = fs::read_to_string(root().join("Cargo.lock")).unwrap();
+    let lock = read("Cargo.lock");
     let outside: Vec<_> = lock.split("[[package]]").filter(|package| package.contains("\nsource = ")).collect();
     assert!(outside.len() > 30);
     for package in outside {
@@ -65,7 +64,7 @@ fn every_locked_version_comes_from_crates_io_with_a_checksum() {
 /// npm compares every package with its hash. The page holds what `dependencies` names; the rest builds and tests it.
 #[test]
 fn the_playground_depends_on_allowed_packages() {
-    let lock = fs::read_to_string(root().join("playground/package-lock.json")).unwrap();
+    let lock = read("playground/package-lock.json");
     let packages: Vec<_> = lock.split("\n    \"node_modules/").skip(1).collect();
     assert!(packages.len() > 3);
     for package in packages {

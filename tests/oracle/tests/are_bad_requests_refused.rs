@@ -6,7 +6,7 @@ use atraj::axes::{
 };
 use atraj::machine::{Axis, Clock, Group, Shaper, ShaperKind, ShaperStream, Steps};
 use atraj::online::{Error, Limits, Move, State};
-use atraj::{Bell, Boundary, Extremes, Findings, Poly3, Trap};
+use atraj::{Bell, Boundary, Findings, Poly3, Trap};
 use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
 use oracle::judge::problems::{Kind, Problems};
@@ -119,16 +119,14 @@ fn beside_plans<R: Real>() {
         let p = to.position;
         let before = Move { t: R::of(-1.0), ..Move::default() };
         let mut planned = before;
-        let infinite = R::of(f64::INFINITY);
-        let none = R::of(f64::NAN);
         let is_planned = Move::default().plan(&limits, from, to).is_ok();
         for (lowest, highest, error) in [
             (p, p, Error::Limits),
-            (infinite, -infinite, Error::Limits),
-            (none, p, Error::NotFinite),
-            (p, none, Error::NotFinite),
-            (p + R::of(1.0 + p.widen().abs()), infinite, Error::Position), // the target is outside
-            (-infinite, p - R::of(1.0 + p.widen().abs()), Error::Position),
+            (R::INFINITY, -R::INFINITY, Error::Limits),
+            (R::NAN, p, Error::NotFinite),
+            (p, R::NAN, Error::NotFinite),
+            (p + R::of(1.0 + p.widen().abs()), R::INFINITY, Error::Position), // the target is outside
+            (-R::INFINITY, p - R::of(1.0 + p.widen().abs()), Error::Position),
         ] {
             let within = planned.within(&limits, from, to, lowest, highest).err();
             assert!(within == Some(error) || !is_planned, "{within:?} {problem}");
@@ -155,7 +153,7 @@ fn bad_states<R: Real>() {
 
 fn refuses<R: Real>(plan: Plan<R>, set: &Set<R>, error: Error) {
     let (limits, from, to) = set.columns();
-    let written = Move { t: R::of(1.0), ..Move::default() };
+    let written = Move { t: R::ONE, ..Move::default() };
     let mut axes = vec![written; from.len()];
     let returned = plan(&mut axes, &limits, &from, &to, set.duration, set.cycle);
     assert_eq!(returned.err(), Some(error), "{}", set.show());
@@ -179,7 +177,7 @@ fn bad_numbers<R: Real>() {
             }
             refuses(&|set| set.axes[k].from.position = nan, Error::NotFinite);
             refuses(&|set| set.axes[k].to.velocity = infinity, Error::NotFinite);
-            refuses(&|set| set.axes[k].limits.amax = R::of(0.0), Error::Limits);
+            refuses(&|set| set.axes[k].limits.amax = R::ZERO, Error::Limits);
             let vmax = set.axes[k].limits.vmax;
             if vmax.widen().is_finite() {
                 refuses(&|set| set.axes[k].to.velocity = vmax + vmax, Error::Target);
@@ -225,28 +223,27 @@ fn off_the_line<R: Real>() {
         let has_other = (0..set.axes.len()).any(|axis| axis != k && moves(axis));
         let (limits, from, to) = set.columns();
         let mut axes = vec![Move::default(); from.len()];
-        let any = R::of(0.0); // the fastest motion has the largest numbers
+        let any = R::ZERO; // the fastest motion has the largest numbers
         let planned = line(&mut axes, &limits, &from, &to, any, any);
         if !has_other || planned.is_err() {
             continue;
         }
-        let Extremes { lowest, highest } = axes[k].extremes();
+        let [_, reached_velocity, reached_acceleration] = online::largest(axes[k].extremes());
         let most = |low: R, high: R| f64::max(-low.widen(), high.widen());
         // A motion may have passed the largest numbers within its limits, and has their roundings. Without a limit they are below 1e3 roundings of 1e3.
         let within = |reached: f64, limit: f64| {
             if limit.is_finite() { reached.max(limit) } else { reached.max(1e3) }
         };
         let own = &limits[k];
-        let velocity = within(most(lowest.velocity, highest.velocity), most(own.vmin, own.vmax));
-        let acceleration = within(most(lowest.acceleration, highest.acceleration), most(own.amin, own.amax));
+        let velocity = within(reached_velocity, most(own.vmin, own.vmax));
+        let acceleration = within(reached_acceleration, most(own.amin, own.amax));
         // A short way between far positions has a rounded direction, and so has a long way there and back.
         let ways = from.iter().zip(&to).map(|(from, to)| (to.position - from.position).widen().abs());
         let longest = ways.fold(0.0, f64::max);
         let mut roundings = 1e4;
         for (axis, (from, to)) in axes.iter().zip(from.iter().zip(&to)) {
             let [p0, p1] = [from, to].map(|end| end.position.widen());
-            let Extremes { lowest, highest } = axis.extremes();
-            let largest = most(lowest.position, highest.position);
+            let [largest, ..] = online::largest(axis.extremes());
             let way = if p0 == p1 { longest } else { (p1 - p0).abs() };
             roundings += 256.0 * largest / way;
         }
@@ -406,7 +403,7 @@ fn bad_tolerances<R: Real>() {
     let answer = |tolerances: &[R], size: usize| {
         let (mut states, mut durations) = ([0.0, 1.0, 0.5].map(|p| State::at(R::of(p))), [R::of(3.0); 2]);
         let before = (states, durations);
-        let mut work = vec![R::of(f64::NAN); size];
+        let mut work = vec![R::NAN; size];
         let planned = plan_path_near(&mut states, &mut durations, &limits, tolerances, 1, 0, &mut work);
         assert_eq!(planned.is_err(), (states, durations) == before);
         planned.err()
@@ -537,7 +534,7 @@ fn bad_clocks<R: Real>() {
     refused(&[planned], &[], Error::Axes);
     refused(&[planned], &[limits, limits], Error::Axes);
     refused(&[planned], &[Limits { amax: zero, ..limits }], Error::Limits);
-    refused(&[planned], &[Limits { vmax: R::of(f64::NAN), ..limits }], Error::NotFinite);
+    refused(&[planned], &[Limits { vmax: R::NAN, ..limits }], Error::NotFinite);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::of) {
         assert_eq!(clock.rate(&[planned], &[limits], bad, zero), Err(Error::NotFinite));
         assert_eq!(clock.rate(&[planned], &[limits], zero, bad), Err(Error::NotFinite));
@@ -609,7 +606,7 @@ fn bad_lists<R: Real>() {
     let (mut limits, points) = ([Limits::symmetric(one, one, one); 2], [0.0, 1.0, 0.5].map(|p| State::at(R::of(p))));
     let before = limits;
     assert_eq!(limit_feed(&mut limits[..1], &points, &[one; 2], 1), Err(Error::Axes));
-    assert_eq!(limit_feed(&mut limits, &points, &[one, R::of(f64::NAN)], 1), Err(Error::NotFinite));
+    assert_eq!(limit_feed(&mut limits, &points, &[one, R::NAN], 1), Err(Error::NotFinite));
     assert_eq!(limit_feed(&mut limits, &points, &[one, zero], 1), Err(Error::Limits));
     assert_eq!(limits, before);
 

@@ -9,23 +9,13 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Kind;
 use oracle::judge::tally::Tallies;
 use oracle::liba::abi::Original;
-use std::time::Instant;
 use support::{Random, Real, online, test_both_reals};
 
 const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 5_000 };
 
 fn axes_arrive_together<R: Original>() {
-    let start = Instant::now();
-    let mut tallies = Tallies::default();
-    for seed in 0..SEEDS {
-        tallies.add(&of_seed::<R>(&Together, seed, SETS));
-    }
-    let seconds = start.elapsed().as_secs_f64();
-    println!("{}: seeds 0..{SEEDS}, {seconds:.0} s\n{tallies}", R::NAME);
-    let total = tallies.total();
-    assert_eq!(total.problems, SEEDS * SETS as u64);
-    assert_eq!(total.bad(), 0, "see the examples above");
+    Tallies::assert_good(R::NAME, SEEDS, SETS, |seed, sets| of_seed::<R>(&Together, seed, sets));
 }
 
 fn every_fault_is_seen<R: Original>() {
@@ -70,7 +60,7 @@ type Row = [f64; 12]; // an axis: its limits, its start and its end
 
 fn axes<R: Real>(cycle: f64, rows: &[Row]) -> Set<R> {
     let axis = |row: &Row| Problem::of(Kind::Moving, Request::Plan, row.map(R::of));
-    Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::of(0.0), cycle: R::of(cycle) }
+    Set { family: Family::Moves, axes: rows.iter().map(axis).collect(), duration: R::ZERO, cycle: R::of(cycle) }
 }
 
 /// A line is counted from its end, so an axis that is shifted in time has the phases of its fastest move up to rounding: the judge saw a jump.
@@ -81,7 +71,7 @@ fn a_shift_on_a_line_is_known() {
         [570.6762, -683.005, 0.0015765755, -0.34183756, 0.00022960664, -0.00011802478, 5.1351995, -64.6683, 0.0, 5.118261, -64.6683, 0.0],
         [100.61523, -100.61523, 0.053813163, -0.00036121882, 0.00011307208, -0.00010227046, 4.1300793, 64.6683, 0.0, 4.147018, 64.6683, 0.0],
     ]);
-    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
 }
 
 /// Of two axes that go as far, the judge let the one lead whose positions are far from 0, and its fastest move had large roundings.
@@ -92,7 +82,7 @@ fn the_finest_axis_leads() {
         [1.5089617, -0.9301958, 0.56556946, -0.56556946, 680.40674, -80.83802, 0.29599607, 0.049285777, 0.019426448, 0.29599616, 0.049285777, 0.019426448],
         [8.086602, -6.000829, 1.6318153, -1.3454347, 885.46893, -179.05002, 0.0, 0.049285777, 0.019426448, 8.940697e-8, 0.049285777, 0.019426448],
     ]);
-    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
 }
 
 fn of_line(set: &Set<f64>) -> f64 {
@@ -128,7 +118,7 @@ fn both_ends_are_shifted() {
         [0.07560695002629314, -0.1960165993807255, 0.2177562829843771, -0.2177562829843771, 0.07902598402106711, -0.07902598402106711,
          -5.314358103161447, 0.024209434683268152, -0.034392874159650484, -5.314358103153544, 0.02420943467204031, -0.0343928741510563],
     ]);
-    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
 }
 
 /// A ramp joins both ends up to rounding. The reference solver tries some of these ends only, and the judge called its duration impossible.
@@ -139,7 +129,7 @@ fn a_ramp_is_possible() {
         [28.391020588992827, -28.391020588992827, 161.6011401515295, -37.45933811048514, 33.247303717053164, -11.378379200431727,
          0.0, 11.9558487703089, -0.7271642198254368, 5.127720470454733e-10, 11.955848770277713, -0.7271642198254368],
     ]);
-    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
 }
 
 /// An axis has 1,000 times as long as it needs. In the mean of motions at its limits rounding errors let its position jump.
@@ -150,7 +140,7 @@ fn a_long_motion_is_slow() {
         [2.1137054399908717, -2.1137054399908717, 0.38359803842883605, -0.38359803842883605, 74.70198582519306, -74.70198582519306,
          0.0, 0.0, -0.10913559403318034, -1.1646755558612535e-25, -1.5944124849433836e-13, -0.10913559403318034],
     ]);
-    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
 }
 
 /// Each of four axes is a slower copy of the one before, and the end of its gap lies in the gap of the next one. So four gaps are passed.
@@ -162,7 +152,7 @@ fn each_gap_leads_to_the_next_one() {
         [50.0 * v, -50.0 * v, 100.0 * a, -a, 1e4 * j, -1e4 * j, 0.0, v, 0.0, 0.49, v, 0.0]
     }).into();
     let set = axes::<f64>(0.0, &rows);
-    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), None);
+    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
     let [alone, all] = [&rows[3..], &rows].map(|rows| {
         let (limits, from, to) = axes(0.0, rows).columns();
         online::together(&limits, &from, &to, 0.0)[0].t

@@ -4,7 +4,7 @@
 use atraj::axes::synchronise_within;
 use atraj::online::{Error, Move, State};
 use oracle::judge::axes::problems::{Set, Sets};
-use oracle::judge::axes::several::{time_shift, wrong_motions};
+use oracle::judge::axes::several::{check_motions, time_shift};
 use oracle::judge::inside::{launch, stop};
 use oracle::judge::planner::Plan;
 use oracle::judge::problem::Problem;
@@ -26,8 +26,7 @@ impl<R: Original> Bounded<R> {
     /// Bounds at the positions that the axis cannot avoid, or somewhere near them.
     fn new(problem: Problem<R>, random: &mut Random) -> Option<Self> {
         let Problem { limits, from, to, .. } = problem;
-        let mut fastest = Move::default();
-        let found = fastest.plan(&limits, from, to).ok()?;
+        let (fastest, found) = online::tried(&limits, from, to).ok()?;
         let spans = [stop(&limits, from)?, launch(&limits, to)?, [from, to].map(|end| end.position.widen())];
         let positions = || spans.iter().flatten().copied();
         let hull = [positions().fold(f64::INFINITY, f64::min), positions().fold(f64::NEG_INFINITY, f64::max)];
@@ -60,9 +59,7 @@ impl<R: Original> Bounded<R> {
 
     /// What a move may leave the bounds by: 128 ulps of its positions and of speed times duration, and those of the hull.
     fn rounding(&self, axis: &Move<R>) -> f64 {
-        let reached = axis.extremes();
-        let speeds = [reached.lowest, reached.highest].map(|state| state.velocity.widen().abs());
-        2.0 * doubt::<R>() * speeds[0].max(speeds[1]) * axis.t.widen() + self.slack
+        2.0 * doubt::<R>() * online::fastest(axis) * axis.t.widen() + self.slack
     }
 
     fn with_a_stop(&self) -> f64 {
@@ -126,10 +123,10 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let moves = set.axes.iter().zip(&planned);
     let shifts: Vec<_> = moves.map(|(problem, axis)| time_shift(problem, axis)).collect();
-    let wrong = wrong_motions(&trials, &shifts, &planned, random);
-    assert!(wrong.is_none(), "{wrong:?} {}", what());
+    let checked = check_motions(&trials, &shifts, &planned, random);
+    assert!(checked.is_ok(), "{checked:?} {}", what());
     let mut free = vec![before; axes.len()];
-    let none = [R::of(f64::NEG_INFINITY), R::of(f64::INFINITY)].map(|bound| vec![bound; axes.len()]);
+    let none = [-R::INFINITY, R::INFINITY].map(|bound| vec![bound; axes.len()]);
     let no_bounds = [&none[0][..], &none[1]];
     synchronise_within(&mut free, &limits, &from, &to, no_bounds, duration, cycle).expect("plans");
     let [t, least] = [&planned, &free].map(|axes| axes[0].t.widen());

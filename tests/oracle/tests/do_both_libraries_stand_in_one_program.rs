@@ -3,20 +3,14 @@
 use oracle::liba::original::{build, directory};
 use std::path::Path;
 use std::process::{Command, Output};
-use support::tools::{Language, compilers, run};
+use support::tools::{Language, compilers};
 use support::variant::{FLOAT_PREFIXED, PREFIXED, Variant};
 
 fn compare(variant: &Variant, compiler: &str, liba: &Path, flags: &[&str]) -> Output {
-    let dist = variant.dist();
-    let program = directory("both").join("program");
     let mut link = Command::new(compiler);
-    link.args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror"]);
-    link.args(flags).arg("-I").arg(dist.join("include"));
-    link.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/both.c"));
-    link.arg(liba.join("liba.a"));
-    link.arg(variant.archive());
-    run(link.arg("-lm").arg("-o").arg(&program));
-    Command::new(program).output().unwrap()
+    link.args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror"]).args(flags);
+    link.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/both.c")).arg(liba.join("liba.a"));
+    Command::new(variant.link(&mut link, directory("both").join("program"))).output().unwrap()
 }
 
 #[test]

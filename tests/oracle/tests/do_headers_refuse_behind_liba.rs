@@ -53,7 +53,7 @@ fn the_real_type() {
         (&FLOAT, &["-DA_SIZE_FLOAT=4"], ""),
     ];
     for (variant, flags, expected) in flags {
-        let ours = variant.dist().join("include");
+        let ours = variant.include();
         for compiler in compilers(Language::C) {
             for header in headers() {
                 let said = says(compiler, &ours, LIBA, &header, flags);
@@ -67,10 +67,9 @@ fn the_real_type() {
 
 #[test]
 fn levels_and_generation() {
-    let ours = DOUBLE.dist().join("include");
     for flag in ["-DA_TRAJPOLY3=2", "-DA_TRAJPOLY5=1", "-DA_TRAJPOLY7=3", "-DA_TRAJPOLY_COMPACT"] {
         for header in headers() {
-            let said = says("cc", &ours, LIBA, &header, &[flag]);
+            let said = says("cc", &DOUBLE.include(), LIBA, &header, &[flag]);
             assert!(said.contains("leave"), "{flag} {header}: {said}");
         }
     }
@@ -79,10 +78,7 @@ fn levels_and_generation() {
 #[test]
 fn newer_liba() {
     for header in headers() {
-        let says = |variant: &Variant| {
-            let ours = variant.dist().join("include");
-            says("cc", &ours, NEWER_LIBA, &header, &[])
-        };
+        let says = |variant: &Variant| says("cc", &variant.include(), NEWER_LIBA, &header, &[]);
         assert_eq!(says(&DOUBLE), "");
         assert!(says(&FLOAT).contains("A_SIZE_REAL"));
     }
@@ -91,12 +87,11 @@ fn newer_liba() {
 /// `atraj.h` serves liba's own structs too. Its C++ members belong to ours.
 #[test]
 fn libas_own_structs() {
-    let ours = DOUBLE.dist().join("include");
     let theirs: String = Family::ALL
         .map(|family| include().join(format!("a/{}.h", family.c_name())))
         .map(|header| format!("#include \"{}\"\n", header.display()))
         .concat();
     for compiler in compilers(Language::Cpp) {
-        assert_eq!(says(compiler, &ours, &theirs, "atraj.h", &["-xc++"]), "");
+        assert_eq!(says(compiler, &DOUBLE.include(), &theirs, "atraj.h", &["-xc++"]), "");
     }
 }

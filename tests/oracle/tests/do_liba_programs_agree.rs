@@ -33,8 +33,7 @@ fn the_originals_own_programs_print_the_same() {
     for (variant, size) in REALS {
         let [ours, theirs] = ["programs-ours", "programs-theirs"].map(directory);
         build(&theirs, &[], &[size]);
-        let dist = variant.dist();
-        let ours = |name, cpp| compile(&ours, name, cpp, size, &dist.join("include"), &variant.archive());
+        let ours = |name, cpp| compile(&ours, name, cpp, size, &variant.include(), &variant.archive());
         let theirs = |name, cpp| compile(&theirs, name, cpp, size, &include(), &theirs.join("liba.a"));
         for name in Family::ALL.map(Family::c_name) {
             let mut printed = [0, 0];

@@ -9,7 +9,7 @@ use oracle::judge::problem::{Problem, Request};
 use oracle::judge::problems::Problems;
 use oracle::judge::trial::{Scale, doubt};
 use oracle::liba::abi::Original;
-use support::online::{allowed, state_of};
+use support::online::{allowed, largest, state_of, tried};
 use support::{Random, test_both_reals};
 
 const PROBLEMS: usize = 60_000;
@@ -44,7 +44,7 @@ fn faster_by_way_of<R: Original>(
     random: &mut Random, limits: &Limits<R>, planned: &Move<R>, to: State<R>, bounds: [R; 2], slack: f64,
     stays: impl Fn(&Move<R>, State<R>) -> bool,
 ) -> Option<(R, State<R>)> {
-    let from = planned.state_at(R::of(0.0));
+    let from = planned.state_at(R::ZERO);
     let mut eased = Move::default(); // between bounds that are farther apart by a rounding error, which may be worth much
     eased.within(limits, from, to, bounds[0] - R::of(slack), bounds[1] + R::of(slack)).expect("a plan");
     (0..20).find_map(|_| {
@@ -53,7 +53,7 @@ fn faster_by_way_of<R: Original>(
         let mut near = |x: R| x * R::of(1.0 + by * random.between(-1.0, 1.0));
         let acceleration = near(acceleration);
         let near = State { position: near(position), velocity: near(velocity), acceleration };
-        let turn = State { position: random.pick(&bounds), velocity: R::of(0.0), acceleration };
+        let turn = State { position: random.pick(&bounds), velocity: R::ZERO, acceleration };
         let via = random.pick(&[near, turn]);
         let [mut one, mut other] = [Move::default(); 2];
         let found = one.plan(limits, from, via).and(other.plan(limits, via, to)).ok()?;
@@ -62,8 +62,7 @@ fn faster_by_way_of<R: Original>(
         }
         let t = one.t + other.t;
         // At a turn the root of a rounding of the position is time.
-        let reached = planned.extremes();
-        let steepest = reached.highest.acceleration.widen().max(-reached.lowest.acceleration.widen());
+        let [_, _, steepest] = largest(planned.extremes());
         let rounding = 4.0 * (slack / steepest).sqrt() + 16.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
         let is_faster = t.widen() < planned.t.widen().min(eased.t.widen()) - rounding;
         (is_faster && stays(&one, from) && stays(&other, via)).then_some((t, via))
@@ -81,9 +80,9 @@ fn cannot_stop<R: Original>(limits: &Limits<R>, mut from: State<R>, [lowest, hig
         let Some(of_stop) = stop(limits, from) else { return false };
         let far = R::of(10.0 * (of_stop[1] - of_stop[0] + high - low));
         let (bound, bounds, inwards) = if of_stop[1] > high {
-            (highest, [R::of(f64::NEG_INFINITY), highest], -far)
+            (highest, [-R::INFINITY, highest], -far)
         } else if of_stop[0] < low {
-            (lowest, [lowest, R::of(f64::INFINITY)], far)
+            (lowest, [lowest, R::INFINITY], far)
         } else {
             return false;
         };
@@ -104,9 +103,7 @@ fn moves_stay_inside<R: Original>() {
             binding = bind(&mut random, &mut problem);
         }
         let Problem { limits, from, to, .. } = problem;
-        let mut fastest = Move::default();
-        let found = fastest.plan(&limits, from, to);
-        let (Ok(findings), Request::Plan) = (found, problem.request) else { continue };
+        let (Ok((fastest, findings)), Request::Plan) = (tried(&limits, from, to), problem.request) else { continue };
         let of_plan = span(from, &fastest);
         let (of_stop, of_launch) = stop(&limits, from).zip(launch(&limits, to)).expect("a stop and a launch");
         let spans = [of_plan, of_stop, of_launch];
@@ -130,7 +127,7 @@ fn moves_stay_inside<R: Original>() {
                 assert!(!leaves(reached, slack + 4.0 * doubt::<R>() * longer), "{low} {high} {reached:?} {problem}");
                 let checked = planned.check(&limits).expect("numbers");
                 assert!(allowed(found).contains(checked), "{checked:?} {low} {high} {problem}");
-                let [start, end] = [R::of(0.0), planned.t].map(|x| planned.state_at(x));
+                let [start, end] = [R::ZERO, planned.t].map(|x| planned.state_at(x));
                 assert_eq!((start, end), (from, to), "{problem}");
                 let stays = |axis: &Move<R>, from| !leaves(span(from, axis), 0.0);
                 let faster = faster_by_way_of(&mut random, &limits, &planned, to, [lowest, highest], slack, stays);
@@ -138,7 +135,7 @@ fn moves_stay_inside<R: Original>() {
                 turned += 1;
             }
             Ok(_) => {
-                assert_eq!((result, planned), (found, fastest), "{problem}");
+                assert_eq!((result, planned), (Ok(findings), fastest), "{problem}");
                 assert!(!leaves(of_plan, slack), "{low} {high} {of_plan:?} {problem}");
                 inside += 1;
             }
@@ -206,7 +203,7 @@ fn axes_turn_at_both_bounds<R: Original>() {
         let [jerk, other, a, amax, vmax] = [jerk, other, a, amax, 1e4].map(R::of);
         let limits = Limits { vmax, vmin: -vmax, amax, amin: -amax, jmax: jerk, jmin: -other };
         let least = 2.0 * a.widen().powi(3) / (3.0 * jerk.widen().powi(2));
-        let from = State { position: R::of(0.0), velocity: R::of(0.0), acceleration: -a };
+        let from = State { position: R::ZERO, velocity: R::ZERO, acceleration: -a };
         for (sign, is_possible) in [(1.0, true), (-1.0, false)] {
             let bound = R::of(-least * (1.0 + sign * random.magnitude(finest, -0.01)));
             let to = State::at(bound * R::of(random.unit()));
@@ -218,7 +215,7 @@ fn axes_turn_at_both_bounds<R: Original>() {
             let velocity = R::of(0.1 * a.widen().powi(2) / other.widen());
             let to = State { position: bound * R::of(0.5), velocity, ..to };
             let (bounds, duration) = ([&[bound][..], &[from.position]], R::of(100.0) * a / jerk);
-            let answer = synchronise_within(&mut [axis], &[limits], &[from], &[to], bounds, duration, R::of(0.0));
+            let answer = synchronise_within(&mut [axis], &[limits], &[from], &[to], bounds, duration, R::ZERO);
             assert_eq!(answer.is_ok(), is_possible, "{what}");
         }
     }

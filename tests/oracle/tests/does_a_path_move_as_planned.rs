@@ -2,7 +2,7 @@
 
 use atraj::State;
 use atraj::axes::{path_deviation, path_moves, synchronise};
-use atraj::online::{Error, Limits, Move, Phase};
+use atraj::online::{Error, Move, Phase};
 use oracle::judge::path::problems::{Chain, Chains};
 use oracle::judge::path::{Path, Paths, Planner, distance};
 use support::{Random, Real, online, test_both_reals};
@@ -39,12 +39,12 @@ fn sections_are_those_planned_by_hand<R: Real>() {
         for (section, moves) in moves.chunks_exact(chain.axes).enumerate() {
             let [from, to] = [section, section + 1].map(|point| at(&chain, &path, point));
             let limits = chain.limits(section);
-            found |= synchronise(&mut by_hand, limits, &from, &to, path.durations[section], R::of(0.0)).expect("moves");
+            found |= synchronise(&mut by_hand, limits, &from, &to, path.durations[section], R::ZERO).expect("moves");
             let what = format!("{k} {:?}, section {section}", chain.family);
             assert_eq!(bits(moves), bits(&by_hand), "{what}");
-            let starts = moves.iter().map(|axis| axis.state_at(R::of(0.0)));
+            let starts = moves.iter().map(|axis| axis.state_at(R::ZERO));
             let ends = moves.iter().map(|axis| axis.state_at(axis.t));
-            assert!(starts.eq(from) || path.durations[section] == R::of(0.0), "{what}");
+            assert!(starts.eq(from) || path.durations[section] == R::ZERO, "{what}");
             assert!(ends.eq(to), "{what}");
         }
         assert_eq!(made, Ok(found));
@@ -80,7 +80,7 @@ fn wrong_durations_are_refused<R: Real>() {
 /// How far the axes are from the straight line of their section.
 fn off_line<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
     let at = |x: &dyn Fn(&Move<R>) -> R| moves.iter().map(|axis| axis.position(x(axis)).widen()).collect::<Vec<_>>();
-    distance(&at(&|_| R::of(x)), [&at(&|_| R::of(0.0)), &at(&|axis| axis.t)])
+    distance(&at(&|_| R::of(x)), [&at(&|_| R::ZERO), &at(&|axis| axis.t)])
 }
 
 /// The greatest distance of a section, unit: from samples, and steps uphill from the best of them.
@@ -117,9 +117,7 @@ fn sampled<R: Real>(moves: &[Move<R>], axes: usize) -> [f64; 2] {
     for section in moves.chunks_exact(axes) {
         most = most.max(farthest(section));
         let sizes = section.iter().map(|axis| {
-            let reached = axis.extremes();
-            let position = reached.lowest.position.widen().abs().max(reached.highest.position.widen().abs());
-            let velocity = reached.lowest.velocity.widen().abs().max(reached.highest.velocity.widen().abs());
+            let [position, velocity, _] = online::largest(axis.extremes());
             position + velocity * axis.t.widen()
         });
         size = size.max(sizes.sum());
@@ -152,7 +150,7 @@ fn a_straight_line_is_kept<R: Real>() {
     let mut random = Random::seeded(24);
     for axes in 1..=6 {
         for _ in 0..50 {
-            let limits = vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); axes];
+            let limits = vec![online::symmetric(30.0, 10.0, 5.0); axes];
             let [from, to] =
                 [(); 2].map(|()| (0..axes).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect::<Vec<_>>());
             let moves = online::straight(&limits, &from, &to);

@@ -5,7 +5,7 @@ use atraj::axes::{path_size, synchronise};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::faults::Fault;
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, judge, judge_near, promised, stopping, wrong_near};
+use oracle::judge::path::{Path, Paths, Planner, check_near, judge, judge_near, promised, stopping};
 use oracle::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -70,7 +70,7 @@ fn long_paths_are_planned<R: Original>() {
     for axes in [1, 2, 3] {
         let size = |sections| path_size(axes, sections).expect("a size");
         assert_eq!(size(65_536) - size(65_535), size(2) - size(1));
-        let limits = vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(2.0)); axes];
+        let limits = vec![online::symmetric::<R>(30.0, 10.0, 2.0); axes];
         let chain = Chain::at_rest(limits, (0..axes * 1_001).map(|_| random.between(-1.0, 1.0)));
         let part = judge(&Paths, &chain, &mut random).expect("a path");
         println!("{}, {axes} axes: {part:.3} of the path with stops", R::NAME);
@@ -82,7 +82,7 @@ fn bits<R: Real>(path: &Path<R>) -> Vec<u64> {
     let states = path.states.iter().flat_map(|s| [s.position, s.velocity, s.acceleration]);
     let numbers = states.chain(path.durations.iter().copied());
     // 0 has no direction.
-    numbers.map(|x| (x + R::of(0.0)).low_bits()).collect()
+    numbers.map(|x| (x + R::ZERO).low_bits()).collect()
 }
 
 fn tolerances<R: Real>(chain: &Chain<R>, random: &mut Random) -> Vec<R> {
@@ -104,7 +104,7 @@ fn zones_are_kept<R: Original>() {
         // Zones that are half as wide again: most paths leave the given ones.
         let wider: Vec<_> = tolerances.iter().map(|&r| R::of(1.5) * r).collect();
         let (path, found) = Paths.plan_near(&chain, &wider, 0).expect("a plan");
-        let leaves = wrong_near(&chain, &tolerances, &path, found, &mut random).is_some();
+        let leaves = check_near(&chain, &tolerances, &path, found, &mut random).is_err();
         unseen += usize::from(!leaves && wider.iter().any(|r| r.widen() > 0.0));
     }
     let mean = parts / (PATHS / 2) as f64;
@@ -149,7 +149,7 @@ fn there_and_back<R: Original>() {
     let chain = Chain {
         family: Family::InMotion,
         axes: 2,
-        limits: vec![Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0)); 2],
+        limits: vec![online::symmetric::<R>(30.0, 10.0, 5.0); 2],
         states: start.into_iter().chain(behind).map(state_of).collect(),
     };
     to_both_sides_alike(&chain);
@@ -160,8 +160,8 @@ fn hardly_in_time<R: Original>() {
     let mut random = Random::seeded(7);
     for _ in 0..200 {
         let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
-        let limits = Limits::symmetric(R::of(jerk), R::of(acceleration), R::of(velocity));
-        let start = State { velocity: R::of(velocity * random.between(0.5, 1.0)), ..State::at(R::of(0.0)) };
+        let limits = online::symmetric(jerk, acceleration, velocity);
+        let start = State { velocity: R::of(velocity * random.between(0.5, 1.0)), ..State::at(R::ZERO) };
         let axis = online::stop(&limits, start);
         let stop = axis.state_at(axis.t).position.widen();
         let (place, slower) = (random.between(0.1, 0.9), random.magnitude(-1.0, 0.0));
@@ -198,7 +198,7 @@ fn repeated_points_take_no_time<R: Original>() {
         for point in 0..chain.states.len() / chain.axes {
             let mut durations = durations(&with_a_copy(&chain, point));
             let of_copy = durations.remove(point.min(plain.len()));
-            assert_eq!((of_copy, durations), (R::of(0.0), plain.clone()), "{point}");
+            assert_eq!((of_copy, durations), (R::ZERO, plain.clone()), "{point}");
         }
     }
 }
@@ -223,7 +223,7 @@ fn of_size<R: Real>(random: &mut Random, most: f64) -> Chain<R> {
     let number = |random: &mut Random| R::of(random.sign() * random.magnitude(-most, most));
     let limit = |random: &mut Random, one_endless_in| {
         let limit = R::of(random.magnitude(-most, most));
-        if random.one_in(one_endless_in) { R::of(f64::INFINITY) } else { limit }
+        if random.one_in(one_endless_in) { R::INFINITY } else { limit }
     };
     let limits = (0..axes).map(|_| {
         let acceleration = R::of(random.magnitude(-most, most));
@@ -256,7 +256,7 @@ fn refused<R: Original>(most: f64) -> [usize; 2] {
         for (section, &t) in path.durations.iter().enumerate() {
             let [from, to] = [section, section + 1].map(|point| &path.states[point * chain.axes..][..chain.axes]);
             let mut moves = vec![Move::default(); chain.axes];
-            match synchronise(&mut moves, &chain.limits, from, to, t, R::of(0.0)) {
+            match synchronise(&mut moves, &chain.limits, from, to, t, R::ZERO) {
                 Ok(_) => {
                     let off = moves[0].t.widen() / t.widen() - 1.0;
                     assert!(off.abs() <= promised::<R>(), "{k}: {off}");

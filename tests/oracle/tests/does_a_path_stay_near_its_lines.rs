@@ -5,9 +5,10 @@ use atraj::axes::{limit_feed, path_deviation};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::contour::{Planned, contour};
 use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Paths, Planner, distance, wrong};
+use oracle::judge::path::{Paths, Planner, check, distance};
+use oracle::judge::trial::Check;
 use oracle::liba::abi::Original;
-use support::{Random, Real, test_both_reals};
+use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 
@@ -20,33 +21,28 @@ fn positions<R: Real>(states: &[State<R>], axes: usize, point: usize) -> Vec<f64
 }
 
 /// What is wrong with a contour through the points of `given`, if something is.
-fn wrong_contour<R: Original>(
+fn check_contour<R: Original>(
     given: &Chain<R>, planned: &Planned<R>, tolerance: f64, random: &mut Random,
-) -> Option<String> {
+) -> Check<String> {
     let Planned { answer, chain, path, moves, places } = planned;
     let axes = given.axes;
-    let (again, found) = match path.moves(chain) {
-        Ok(again) => again,
-        Err(error) => return Some(format!("no moves: {error:?}")),
-    };
+    let (again, found) = path.moves(chain).map_err(|error| format!("no moves: {error:?}"))?;
     let phases = |moves: &[Move<R>]| moves.iter().flat_map(|axis| axis.phases().to_vec()).collect::<Vec<_>>();
     if phases(&again) != phases(moves) || answer.is_ok_and(|answer| answer != found) {
-        return Some("the moves are not those of the path".into());
+        return Err("the moves are not those of the path".into());
     }
-    if let Some(what) = wrong(chain, path, found, random) {
-        return Some(what);
-    }
+    check(chain, path, found, random)?;
     let farthest = path.states.iter().map(|state| state.position.widen().abs()).fold(0.0, f64::max);
     let rounding = 64.0 * axes as f64 * R::MACHINE_EPSILON.widen() * farthest;
     for (part, places) in places.windows(2).enumerate() {
         let ends = [part, part + 1].map(|point| positions(&given.states, axes, point));
         let ends = [&ends[0][..], &ends[1][..]];
         if positions(&path.states, axes, places[0]) != ends[0] || positions(&path.states, axes, places[1]) != ends[1] {
-            return Some(format!("part {part} has other ends"));
+            return Err(format!("part {part} has other ends"));
         }
         for section in places[0]..places[1] {
             if distance(&positions(&path.states, axes, section), ends) > rounding {
-                return Some(format!("point {section} is off its line"));
+                return Err(format!("point {section} is off its line"));
             }
             let moves = &moves[section * axes..][..axes];
             for k in (0..=200).filter(|_| answer.is_ok()) {
@@ -54,12 +50,12 @@ fn wrong_contour<R: Original>(
                 let now: Vec<_> = moves.iter().map(|axis| axis.position(t).widen()).collect();
                 let off = distance(&now, ends);
                 if off > tolerance + rounding {
-                    return Some(format!("it is {off:e} off the line in section {section}"));
+                    return Err(format!("it is {off:e} off the line in section {section}"));
                 }
             }
         }
     }
-    None
+    Ok(())
 }
 
 /// Contours of all families: most end within their tolerance, and the others say so and are paths all the same.
@@ -86,7 +82,7 @@ fn contours_stay_near<R: Original>() {
             }
             Err(error) => Some(format!("{error:?}")),
         };
-        let what = what.or_else(|| wrong_contour(&chain, &planned, tolerance, &mut random));
+        let what = what.or_else(|| check_contour(&chain, &planned, tolerance, &mut random).err());
         bad.extend(what.map(|what| format!("{k} {:?}: {what}, within {tolerance:e}", chain.family)));
     }
     println!("{}: {near} of {PATHS} are near, with {added} points more", R::NAME);
@@ -108,7 +104,7 @@ fn the_room_counts<R: Original>() {
             let short = contour(&chain, 0.05, sections - 1, 16);
             assert_eq!(short.answer, Err(Error::Position), "{k}");
             assert!(short.chain.sections() < sections && path_deviation(&short.moves, chain.axes).widen() > 0.049);
-            assert_eq!(wrong_contour(&chain, &short, 0.05, &mut random), None, "{k}");
+            assert_eq!(check_contour(&chain, &short, 0.05, &mut random), Ok(()), "{k}");
         }
     }
 }
@@ -165,7 +161,7 @@ fn feeds_are_kept<R: Original>() {
 fn a_line_has_its_feed<R: Original>() {
     let mut random = Random::seeded(34);
     for axes in 1..=6 {
-        let limits = vec![Limits::symmetric(R::of(1e4), R::of(1e3), R::of(100.0)); axes];
+        let limits = vec![online::symmetric(1e4, 1e3, 100.0); axes];
         let mut chain = Chain::at_rest(limits, (0..2 * axes).map(|_| random.between(-50.0, 50.0)));
         limit_feed(&mut chain.limits, &chain.states, &[R::of(2.0)], axes).expect("limits");
         let (path, _) = Paths.plan(&chain, 0).expect("a path");

@@ -37,11 +37,11 @@ impl<R: Real> Path<R> {
     }
 
     fn duration(&self) -> R {
-        self.moves.iter().step_by(self.axes()).map(|of| of.t).fold(R::of(0.0), |sum, t| sum + t)
+        self.moves.iter().step_by(self.axes()).map(|of| of.t).fold(R::ZERO, |sum, t| sum + t)
     }
 
     fn state(&self, axis: usize, s: R) -> State<R> {
-        let (mut start, last) = (R::of(0.0), self.moves.len() / self.axes() - 1);
+        let (mut start, last) = (R::ZERO, self.moves.len() / self.axes() - 1);
         let mut sections = self.axis(axis).iter().step_by(self.axes()).enumerate();
         let found = sections.find_map(|(section, of)| {
             let local = s - start;
@@ -149,7 +149,7 @@ fn limits_are_kept<R: Real>() {
         let end = R::of(x + clock.until().widen() + 2.0 * t - clock.time(R::of(x)).widen().min(0.0));
         if clock.time(end).widen() >= t {
             for (axis, to) in path.to.iter().enumerate() {
-                assert_eq!(clock.state(path.axis(axis), n, end)[..2], [to.position, R::of(0.0)], "path {number}");
+                assert_eq!(clock.state(path.axis(axis), n, end)[..2], [to.position, R::ZERO], "path {number}");
             }
         }
     }
@@ -217,11 +217,8 @@ fn states_are_derivatives() {
 }
 
 fn short_move<R: Real>() -> ([Move<R>; 1], [Limits<R>; 1]) {
-    let [limits, planned] = [1.0, 0.9].map(|part| {
-        let [jerk, acceleration, velocity] = [30.0, 10.0, 5.0].map(|limit| R::of(part * limit));
-        Limits::symmetric(jerk, acceleration, velocity)
-    });
-    let axis = online::plan(&planned, State::at(R::of(0.0)), State::at(R::of(2.0)));
+    let [limits, planned] = [1.0, 0.9].map(|part| online::symmetric(30.0 * part, 10.0 * part, 5.0 * part));
+    let axis = online::plan(&planned, State::at(R::ZERO), State::at(R::of(2.0)));
     ([axis], [limits])
 }
 
@@ -338,20 +335,19 @@ fn a_later_press_is_hardly_sooner() {
 /// The time of a path stands at its ends, and the axes with it. It sets off from there at once.
 fn the_time_stands_at_its_ends<R: Real>() {
     let (axis, limits) = short_move::<R>();
-    let (zero, one) = (R::of(0.0), R::of(1.0));
     let t = axis[0].t;
     let mut clock = Clock::new();
     let of = |clock: &Clock<R>, x: f64| clock.state(&axis, 1, R::of(x));
-    assert_eq!(clock.rate(&axis, &limits, R::of(60.0), -one), Ok(Findings::default()));
+    assert_eq!(clock.rate(&axis, &limits, R::of(60.0), -R::ONE), Ok(Findings::default()));
     assert_eq!((clock.until(), clock.time(R::of(60.0))), (R::of(60.0), t));
     assert!(of(&clock, 60.5)[0] < R::of(2.0) && clock.time(R::of(60.5)) == t - R::of(0.5));
-    assert_eq!((clock.time(R::of(99.0)), of(&clock, 99.0)), (zero, [zero; 4]));
+    assert_eq!((clock.time(R::of(99.0)), of(&clock, 99.0)), (R::ZERO, [R::ZERO; 4]));
     // It is at its start: no way is left.
-    assert_eq!(clock.rate(&axis, &limits, R::of(100.0), -one), Ok(Findings::RATE_NOT_REACHED));
+    assert_eq!(clock.rate(&axis, &limits, R::of(100.0), -R::ONE), Ok(Findings::RATE_NOT_REACHED));
     assert_eq!(clock.until(), R::of(100.0));
-    assert_eq!(clock.rate(&axis, &limits, R::of(110.0), one), Ok(Findings::default()));
+    assert_eq!(clock.rate(&axis, &limits, R::of(110.0), R::ONE), Ok(Findings::default()));
     assert_eq!(clock.time(R::of(110.5)), R::of(0.5));
-    assert_eq!((clock.time(R::of(119.0)), of(&clock, 119.0)), (t, [R::of(2.0), zero, zero, zero]));
+    assert_eq!((clock.time(R::of(119.0)), of(&clock, 119.0)), (t, [R::of(2.0), R::ZERO, R::ZERO, R::ZERO]));
     // A rate that is not reached before the end.
     let mut clock = Clock::new();
     assert_eq!(clock.rate(&axis, &limits, R::of(0.5), R::of(1e9)), Ok(Findings::RATE_NOT_REACHED));
@@ -381,7 +377,7 @@ fn a_change_waits<R: Real>() {
             }
         }
         let changed = clock;
-        assert_eq!(clock.rate(&path.moves, &limits, first, R::of(1.0)), Err(Error::Late));
+        assert_eq!(clock.rate(&path.moves, &limits, first, R::ONE), Err(Error::Late));
         assert_eq!(clock, changed);
     }
 }
@@ -390,17 +386,16 @@ fn infinite_jerks_hold<R: Real>() {
     let mut random = Random::seeded(55);
     for number in 0..200 {
         let n = 1 + random.below(4);
-        let endless = R::of(f64::INFINITY);
         let planned: Vec<Limits<R>> = (0..n)
-            .map(|_| Limits::symmetric(endless, R::of(random.between(2.0, 8.0)), R::of(random.between(1.0, 4.0))))
+            .map(|_| Limits::symmetric(R::INFINITY, R::of(random.between(2.0, 8.0)), R::of(random.between(1.0, 4.0))))
             .collect();
         let to: Vec<_> = (0..n).map(|_| State::at(R::of(random.between(-3.0, 3.0)))).collect();
-        let moves = online::together(&planned, &vec![State::at(R::of(0.0)); n], &to, R::of(0.0));
+        let moves = online::together(&planned, &vec![State::at(R::ZERO); n], &to, R::ZERO);
         let path = Path { moves, limits: planned, to };
         let limits: Vec<Limits<R>> = path.wider(0.2);
         let x = R::of(path.duration().widen() * random.between(0.05, 0.9));
         let mut clock = Clock::new();
-        clock.rate(&path.moves, &limits, x, R::of(0.0)).expect("a hold");
+        clock.rate(&path.moves, &limits, x, R::ZERO).expect("a hold");
         assert!(clock.until() <= path.duration() * R::of(1.0 + 1e-5), "path {number}");
         for _ in 0..SAMPLES {
             let y = R::of(random.between(x.widen(), clock.until().widen() + 0.1));

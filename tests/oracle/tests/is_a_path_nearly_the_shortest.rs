@@ -4,7 +4,7 @@ use atraj::State;
 use atraj::axes::limit_feed;
 use atraj::online::Limits;
 use oracle::judge::path::problems::{Chain, Chains, Family, example_of_ruckig};
-use oracle::judge::path::{Path, Paths, Planner, under_way, windows, wrong};
+use oracle::judge::path::{Path, Paths, Planner, check, under_way, windows};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use oracle::liba::abi::Original;
 use support::online::{limits_of, state_of};
@@ -142,9 +142,9 @@ fn improvements_shorten<R: Original>() {
         for steps in [1, 2, 4, 8] {
             let before = path.duration();
             found = Paths.improve(&chain, &mut path, steps).expect("a plan");
-            let (after, what) = (path.duration(), wrong(&chain, &path, found, &mut random));
+            let (after, what) = (path.duration(), check(&chain, &path, found, &mut random));
             let is_no_longer = after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen());
-            assert!(what.is_none() && is_no_longer, "{k} {:?}: {what:?}, {after} after {before}", chain.family);
+            assert!(what.is_ok() && is_no_longer, "{k} {:?}: {what:?}, {after} after {before}", chain.family);
             shorter += usize::from(after < before);
         }
         goes_on(chain, path, found, &mut random);
@@ -164,13 +164,13 @@ fn goes_on<R: Original>(mut chain: Chain<R>, mut path: Path<R>, found: atraj::Fi
     for axis in 0..axes {
         let last = path.states[path.states.len() - axes];
         let way = R::of(random.between(-1.0, 1.0));
-        path.states.push(State::at(last.position + if axis == 0 { way } else { R::of(0.0) }));
+        path.states.push(State::at(last.position + if axis == 0 { way } else { R::ZERO }));
     }
-    path.durations.push(R::of(0.0));
+    path.durations.push(R::ZERO);
     chain.states.clone_from(&path.states);
     let improved = Paths.improve(&chain, &mut path, 4).expect("a plan");
-    let what = wrong(&chain, &path, improved, random);
-    assert!(what.is_none(), "{:?} {found:?}: {what:?}", chain.family);
+    let what = check(&chain, &path, improved, random);
+    assert!(what.is_ok(), "{:?} {found:?}: {what:?}", chain.family);
 }
 
 fn after_first<R: Original>(chain: &Chain<R>, path: &Path<R>) -> (Chain<R>, Path<R>) {
@@ -187,8 +187,8 @@ fn follow<R: Original>(limits: &[Limits<R>], path: &mut Path<R>, random: &mut Ra
     let after = path.duration();
     assert!(after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen()), "{after} after {before}: {chain:?}");
     let (chain, rest) = after_first(&chain, path);
-    let what = wrong(&chain, &rest, found, random);
-    assert!(what.is_none(), "{what:?}: {chain:?}");
+    let what = check(&chain, &rest, found, random);
+    assert!(what.is_ok(), "{what:?}: {chain:?}");
     after < before
 }
 
@@ -248,7 +248,7 @@ fn a_repeated_start_changes_no_improvement() {
 fn a_window_moves_along<R: Original>() {
     let mut random = Random::seeded(13);
     for axes in [1, 2, 3, 6] {
-        let limits: Vec<_> = (0..axes).map(|_| Limits::symmetric(R::of(100.0), R::of(5.0), R::of(1.0))).collect();
+        let limits: Vec<_> = (0..axes).map(|_| online::symmetric(100.0, 5.0, 1.0)).collect();
         let mut point = || (0..axes).map(|_| State::at(R::of(random.between(-0.2, 0.2)))).collect::<Vec<_>>();
         let states = (0..8).flat_map(|_| point()).collect();
         let chain = Chain { family: Family::AtRest, axes, limits: limits.clone(), states };
@@ -264,7 +264,7 @@ fn a_window_moves_along<R: Original>() {
                 for (axis, state) in next.iter().enumerate() {
                     path.states.push(State::at(path.states[last + axis].position + state.position));
                 }
-                path.durations.push(R::of(0.0));
+                path.durations.push(R::ZERO);
                 let chain = Chain { states: path.states.clone(), ..chain.clone() };
                 Paths.improve(&chain, &mut path, 1).expect("a plan");
             }
@@ -296,8 +296,7 @@ fn compared_with_the_move<R: Original>() {
     let mut worst = [1.0; 2];
     for _ in 0..200 {
         let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
-        let limits =
-            [1.0, 1e3].map(|more| Limits::symmetric(R::of(more * jerk), R::of(more * acceleration), R::of(velocity)));
+        let limits = [1.0, 1e3].map(|more| online::symmetric::<R>(more * jerk, more * acceleration, velocity));
         let forward = random.sign();
         let speed = forward * velocity * random.between(0.5, 1.0);
         let start = state_of([random.between(-1.0, 1.0), speed, 0.0]);
@@ -338,8 +337,8 @@ fn a_path_planned_again_under_way_gets_no_longer<R: Original>() {
         let rest = under_way(&slow.limits, &path, left);
         let again = Chain { states: rest.states.clone(), ..chain };
         let (planned, found) = Paths.plan(&again, 0).expect("a plan");
-        let what = wrong(&again, &planned, found, &mut random);
-        assert!(what.is_none(), "{what:?}: {again:?}");
+        let what = check(&again, &planned, found, &mut random);
+        assert!(what.is_ok(), "{what:?}: {again:?}");
         let part = planned.duration() / rest.duration();
         longer += usize::from(part > 1.0);
         sum += part;

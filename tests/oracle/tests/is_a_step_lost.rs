@@ -55,7 +55,7 @@ fn starts_on_lines<R: Real>() {
         for (offset, expected) in [(0.0, line), (1e-3, line - 1), (-1e-3, line)] {
             let mut there = Move::default();
             there.phase[0].position = start;
-            let motor = Steps::new(&there, R::of(offset), R::of(1.0)).expect("a line");
+            let motor = Steps::new(&there, R::of(offset), R::ONE).expect("a line");
             assert_eq!(motor.count(), expected.into(), "{line} {offset}");
         }
     }

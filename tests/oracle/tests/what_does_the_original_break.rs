@@ -3,7 +3,7 @@
 use atraj::{Bell, Boundary, Findings};
 use oracle::liba::abi::Original;
 use support::profiles::bell;
-use support::{Family, Implementation, Random, Real, test_both_reals};
+use support::{Family, Implementation, Random, Real, online, test_both_reals};
 
 const MOVES: u64 = 1_000_000;
 
@@ -31,11 +31,11 @@ fn count<R: Original>() -> Counts {
     for _ in 0..MOVES {
         let arguments = arguments::<R>(&mut random);
         let [jm, am, vm, p0, p1, v0, v1] = arguments;
-        let mut fields = [R::of(0.0); 14];
+        let mut fields = [R::ZERO; 14];
         let fastest = Bell::fastest(jm, am, vm, Boundary { p0, p1, v0, v1 }).expect("numbers");
         assert!(fastest.check(jm, am, vm).expect("numbers").bits() & 15 == 0, "{arguments:?}");
         let planned = R::ORIGINAL.plan(Family::Bell, &arguments, &mut fields);
-        if planned == R::of(0.0) {
+        if planned == R::ZERO {
             counts.refused += 1;
             continue;
         }
@@ -43,10 +43,8 @@ fn count<R: Original>() -> Counts {
         let Ok(found) = plan.check(jm, am, vm) else { continue };
         if found.contains(Findings::EXCEEDS_ACCELERATION) {
             counts.too_steep += 1;
-            let reached = plan.extremes();
-            let highest = reached.highest.acceleration.widen();
-            let steep = highest.max(-reached.lowest.acceleration.widen()) / am.widen();
-            counts.steepest = counts.steepest.max(steep);
+            let [_, _, steepest] = online::largest(plan.extremes());
+            counts.steepest = counts.steepest.max(steepest / am.widen());
         } else if found.bits() & 15 == 0 {
             let factor = plan.t.widen() / fastest.t.widen();
             counts.longer += u64::from(factor > 1.001);

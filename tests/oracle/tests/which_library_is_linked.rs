@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use support::Family;
 use support::repository::root;
-use support::tools::{abidiff, has_tool, lines, run};
+use support::tools::{self, abidiff, has_tool, lines, run};
 use support::variant::DOUBLE;
 
 /// Functions that the program calls: of the trajectories, of the original's other parts, and of the system.
@@ -72,10 +72,7 @@ fn make_identify_shows_that_a_relink_took() {
         relink.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/mixed.c"));
         relink.args(line).arg("-lm").arg("-o");
         run(relink.arg(directory.join("program")));
-        let mut make = Command::new("make");
-        make.current_dir(root()).args(["-s", "identify"]);
-        make.arg(format!("FILE={}", directory.join("program").display()));
-        let Output { stdout, stderr, .. } = make.output().unwrap();
+        let Output { stdout, stderr, .. } = tools::identify(&directory.join("program"));
         [stdout, stderr].map(|text| String::from_utf8(text).unwrap())
     };
     let [told, _] = identify(&[&ours, &theirs]);

@@ -117,7 +117,7 @@ impl Family {
     }
 
     pub fn borders<R: Real>(self, arguments: &[R], fields: &[R]) -> Vec<R> {
-        let start = R::of(0.0);
+        let start = R::ZERO;
         match self {
             Self::Bell => {
                 let Bell { t, tv, ta, td, taj, tdj, .. } = bell(fields);

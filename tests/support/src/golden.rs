@@ -4,7 +4,7 @@ use crate::comparison::Comparison;
 use crate::family::Family;
 use crate::implementation::Implementation;
 use crate::real::Real;
-use crate::repository::root;
+use crate::repository::{read, root};
 use std::path::PathBuf;
 
 pub struct Move<R> {
@@ -80,7 +80,7 @@ pub fn compare_plans<R: Real>(
 fn compare_plan<R: Real>(
     comparison: &mut Comparison, implementation: &impl Implementation<R>, family: Family, golden: &Move<R>,
 ) -> Vec<R> {
-    let mut fields = vec![R::of(0.0); family.fields().len()];
+    let mut fields = vec![R::ZERO; family.fields().len()];
     let duration = implementation.plan(family, &golden.arguments, &mut fields);
     if let Some(want) = golden.duration {
         comparison.check(&golden.place, "duration", duration, want);
@@ -112,9 +112,7 @@ pub fn rows<R: Real>(table: &str, words: usize, numbers: usize) -> Vec<Row<R>> {
 
 /// File and line of each row of a golden file, and its `columns` cells. Panics if the file is missing, has no rows or a row of another length.
 pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
-    let path = directory().join(name);
-    let csv = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-    let rows: Vec<_> = csv
+    let rows: Vec<_> = read(directory().join(name))
         .lines()
         .enumerate()
         .skip(1)
@@ -125,7 +123,7 @@ pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
             (place, cells)
         })
         .collect();
-    assert!(!rows.is_empty(), "{}: no rows", path.display());
+    assert!(!rows.is_empty(), "{name}: no rows");
     rows
 }
 

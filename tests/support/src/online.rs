@@ -4,10 +4,15 @@ use crate::random::Random;
 use crate::real::Real;
 use atraj::axes::{line, path_moves, path_size, plan_path, synchronise};
 use atraj::online::{Limits, Move, Phase};
-use atraj::{Error, Findings, State};
+use atraj::{Error, Extremes, Findings, State};
 
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }
+}
+
+/// Limits that are the same in both directions.
+pub fn symmetric<R: Real>(jerk: f64, acceleration: f64, velocity: f64) -> Limits<R> {
+    Limits::symmetric(R::of(jerk), R::of(acceleration), R::of(velocity))
 }
 
 pub fn state_of<R: Real>(numbers: [f64; 3]) -> State<R> {
@@ -46,14 +51,13 @@ pub fn limits<R: Real>(random: &mut Random) -> Limits<R> {
 /// The limits without one of them or without two. A jerk or both accelerations stay finite.
 pub fn fewer_limits<R: Real>(random: &mut Random, limits: Limits<R>) -> Limits<R> {
     let mut fewer = limits;
-    let none = R::of(f64::INFINITY);
     match random.below(6) {
-        0 => (fewer.vmax, fewer.vmin) = (none, -none),
-        1 => fewer.vmax = none,
-        2 => (fewer.amax, fewer.amin) = (none, -none),
-        3 => fewer.amin = -none,
-        4 => (fewer.jmax, fewer.jmin) = (none, -none),
-        _ => fewer.jmax = none,
+        0 => (fewer.vmax, fewer.vmin) = (R::INFINITY, -R::INFINITY),
+        1 => fewer.vmax = R::INFINITY,
+        2 => (fewer.amax, fewer.amin) = (R::INFINITY, -R::INFINITY),
+        3 => fewer.amin = -R::INFINITY,
+        4 => (fewer.jmax, fewer.jmin) = (R::INFINITY, -R::INFINITY),
+        _ => fewer.jmax = R::INFINITY,
     }
     fewer
 }
@@ -81,12 +85,16 @@ pub fn anywhere<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     State { velocity: v, acceleration: a, ..state }
 }
 
+/// A plan and what it finds, if there is one.
+pub fn tried<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<(Move<R>, Findings), Error> {
+    let mut planned = Move::default();
+    let found = planned.plan(limits, from, to)?;
+    Ok((planned, found))
+}
+
 #[track_caller]
 pub fn plan<R: Real>(limits: &Limits<R>, from: State<R>, to: State<R>) -> Move<R> {
-    let mut planned = Move::default();
-    let result = planned.plan(limits, from, to);
-    assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
-    planned
+    tried(limits, from, to).unwrap_or_else(|error| panic!("{error:?}: {limits:?} {from:?} {to:?}")).0
 }
 
 #[track_caller]
@@ -104,7 +112,7 @@ pub type PlannerOfAxes<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[Stat
 #[track_caller]
 pub fn together<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], duration: R) -> Vec<Move<R>> {
     let mut axes = vec![Move::default(); limits.len()];
-    let result = synchronise(&mut axes, limits, from, to, duration, R::of(0.0));
+    let result = synchronise(&mut axes, limits, from, to, duration, R::ZERO);
     assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?} {duration:?}");
     axes
 }
@@ -112,7 +120,7 @@ pub fn together<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>
 #[track_caller]
 pub fn straight<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>]) -> Vec<Move<R>> {
     let mut axes = vec![Move::default(); limits.len()];
-    let result = line(&mut axes, limits, from, to, R::of(0.0), R::of(0.0));
+    let result = line(&mut axes, limits, from, to, R::ZERO, R::ZERO);
     assert!(result.is_ok(), "{result:?}: {limits:?} {from:?} {to:?}");
     axes
 }
@@ -121,8 +129,8 @@ pub fn straight<R: Real>(limits: &[Limits<R>], from: &[State<R>], to: &[State<R>
 #[track_caller]
 pub fn path<R: Real>(states: &mut [State<R>], limits: &[Limits<R>], axes: usize, steps: u32) -> (Vec<R>, Findings) {
     let sections = states.len() / axes - 1;
-    let mut durations = vec![R::of(f64::NAN); sections];
-    let mut work = vec![R::of(f64::NAN); path_size(axes, sections).expect("a size")];
+    let mut durations = vec![R::NAN; sections];
+    let mut work = vec![R::NAN; path_size(axes, sections).expect("a size")];
     let found = plan_path(states, &mut durations, limits, axes, steps, &mut work).expect("a path");
     (durations, found)
 }
@@ -143,10 +151,15 @@ pub fn allowed(found: Findings) -> Findings {
     if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends }
 }
 
+/// The largest position, velocity and acceleration of a motion in either direction.
+pub fn largest<R: Real>(Extremes { lowest, highest }: Extremes<R>) -> [f64; 3] {
+    let [lowest, highest] = [lowest, highest].map(|state| numbers_of_state(state).map(f64::abs));
+    std::array::from_fn(|k| lowest[k].max(highest[k]))
+}
+
 /// The highest speed of a move in either direction.
 pub fn fastest<R: Real>(planned: &Move<R>) -> f64 {
-    let reached = planned.extremes();
-    f64::max(reached.highest.velocity.widen(), -reached.lowest.velocity.widen())
+    largest(planned.extremes())[1]
 }
 
 pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
@@ -154,8 +167,7 @@ pub fn planned<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, Move<R>) {
     let limits = if random.one_in(4) { fewer_limits(random, limits) } else { limits };
     let (from, to) = (anywhere(random, &limits), inside(random, &limits));
     let mut planned = Move::default();
-    let half = R::of(0.5);
-    let part = State { velocity: half * to.velocity, acceleration: R::of(0.0), ..to };
+    let part = State { velocity: R::HALF * to.velocity, acceleration: R::ZERO, ..to };
     let result = match random.below(5) {
         0 => planned.reach(&limits, from, to.velocity, to.acceleration),
         1 => planned.meet(&limits, from, part),

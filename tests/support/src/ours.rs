@@ -32,7 +32,7 @@ impl<R: Real> Implementation<R> for OursNewest {
             }
             _ => return Ours.plan(family, arguments, fields),
         };
-        planned.unwrap_or(R::of(0.0))
+        planned.unwrap_or(R::ZERO)
     }
 
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
@@ -47,13 +47,13 @@ impl<R: Real> Implementation<R> for Ours {
                 let mut bell = bell(fields);
                 let duration = bell.plan(jm, am, vm, Boundary { p0, p1, v0, v1 });
                 fields.copy_from_slice(&bell_fields(&bell));
-                return duration.unwrap_or(R::of(0.0));
+                return duration.unwrap_or(R::ZERO);
             }
             (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
                 let mut trap = trap(fields);
                 let duration = trap.plan(vm, ac, de, Boundary { p0, p1, v0, v1 });
                 fields.copy_from_slice(&trap_fields(&trap));
-                return duration.unwrap_or(R::of(0.0));
+                return duration.unwrap_or(R::ZERO);
             }
             (Family::Poly3, &[ts, p0, p1, v0, v1]) => {
                 let mut p = poly3(fields);
@@ -79,7 +79,7 @@ impl<R: Real> Implementation<R> for Ours {
             }
             _ => panic!("{family:?} has not {} arguments", arguments.len()),
         }
-        R::of(0.0)
+        R::ZERO
     }
 
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
@@ -103,7 +103,7 @@ fn write<R: Real>(mut fields: &mut [R], arrays: &[&[R]]) {
 }
 
 fn padded<R: Real, const N: usize>(quantities: [R; N]) -> [R; 4] {
-    let mut all = [R::of(0.0); 4];
+    let mut all = [R::ZERO; 4];
     all[..N].copy_from_slice(&quantities);
     all
 }

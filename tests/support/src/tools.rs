@@ -1,5 +1,6 @@
 //! Compilers and other programs that a test runs.
 
+use crate::repository::root;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -30,14 +31,20 @@ pub fn has_tool(tool: &str) -> bool {
 
 pub fn run(command: &mut Command) -> Output {
     let output = command.output().unwrap_or_else(|e| panic!("{command:?}: {e}"));
-    assert!(
-        output.status.success(),
-        "{command:?}: {}\n{}{}",
-        output.status,
-        String::from_utf8_lossy(&output.stdout),
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(output.status.success(), "{command:?}: {}\n{}", output.status, printed(&output));
     output
+}
+
+/// What a program printed, and its complaints behind it.
+pub fn printed(output: &Output) -> String {
+    [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
+}
+
+/// Asks `make identify` which library is in a program.
+pub fn identify(program: &Path) -> Output {
+    let mut make = Command::new("make");
+    make.current_dir(root()).args(["-s", "identify"]);
+    make.arg(format!("FILE={}", program.display())).output().unwrap()
 }
 
 pub fn lines(command: &mut Command) -> Vec<String> {

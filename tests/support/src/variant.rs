@@ -1,6 +1,6 @@
 //! The builds of the archive and the symbols that each documents.
 
-use crate::repository::root;
+use crate::repository::{read, root};
 use crate::tools::run;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -52,6 +52,17 @@ impl Variant {
         self.dist().join(format!("lib/lib{}.so", self.name()))
     }
 
+    pub fn include(&self) -> PathBuf {
+        self.dist().join("include")
+    }
+
+    /// Lets a compiler build a program with the headers and the archive of this build.
+    pub fn link(&self, compiler: &mut Command, program: PathBuf) -> PathBuf {
+        compiler.arg("-I").arg(self.include()).arg(self.archive());
+        run(compiler.arg("-lm").arg("-o").arg(&program));
+        program
+    }
+
     /// A folder for what tests make of this build. `make dist` replaces its own.
     pub fn scratch(&self) -> PathBuf {
         let folder = root().join("target/tests").join(self.directory);
@@ -62,11 +73,10 @@ impl Variant {
     pub fn symbols(&self) -> Vec<String> {
         let compact = self.choices.contains(&"POLY=compact");
         let file = if compact { "tests/symbols-compact.txt" } else { "tests/symbols.txt" };
-        let list = std::fs::read_to_string(root().join(file)).unwrap();
         let mut choices = self.choices.iter();
         let prefix = choices.find_map(|choice| choice.strip_prefix("SYMBOL_PREFIX="));
         let prefix = prefix.unwrap_or_default();
-        list.lines().map(|name| format!("{prefix}{name}")).collect()
+        read(file).lines().map(|name| format!("{prefix}{name}")).collect()
     }
 }
 
@@ -79,7 +89,7 @@ pub fn headers(size_float: u8, compact: bool, levels: [u8; 3]) -> PathBuf {
     std::fs::create_dir_all(&include).unwrap();
     run(Command::new("cp").arg("-R").arg(dist.join("include/.")).arg(&include));
     let config = include.join("a/atraj_config.h");
-    let mut text = std::fs::read_to_string(&config).unwrap();
+    let mut text = read(&config);
     for (field, built, wanted) in [
         ("SIZE_FLOAT", 8, size_float),
         ("TRAJPOLY_COMPACT", 0, u8::from(compact)),

@@ -119,13 +119,12 @@ fn of_move<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
 /// Problems of each planner of one to three axes: the first byte holds both above the real type. At rest every line can be planned.
 fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let [planner, more] = [case % PLANNERS_OF_AXES, case / PLANNERS_OF_AXES % 3];
-    let zero = R::of(0.0);
-    let mut numbers = vec![zero, R::of(random.pick(&[0.0, 0.001]))];
+    let mut numbers = vec![R::ZERO, R::of(random.pick(&[0.0, 0.001]))];
     for _ in 0..=more {
         let (limits, from, to) = problem::<R>(random);
         numbers.extend(online::numbers_of(&limits));
         for state in [from, to] {
-            let of = |x: R| if planner == 1 { zero } else { x };
+            let of = |x: R| if planner == 1 { R::ZERO } else { x };
             numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);
         }
         let (p0, p1) = (from.position, to.position);

@@ -145,7 +145,7 @@ fn drop_shortest<R: Real>(planned: &mut Move<R>) {
     };
     let shortest = (0..count).min_by(shorter).expect("phases");
     phases.copy_within(shortest + 1.., shortest);
-    let mut t = R::of(0.0);
+    let mut t = R::ZERO;
     for phase in &mut phases[..count] {
         phase.start = t;
         t = t + phase.duration;

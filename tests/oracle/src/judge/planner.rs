@@ -30,7 +30,7 @@ pub struct Profile<R> {
 
 impl<R: Real> Profile<R> {
     pub fn new(family: Family, own: &[R]) -> Self {
-        let mut fields = [R::of(0.0); 14];
+        let mut fields = [R::ZERO; 14];
         fields[..own.len()].copy_from_slice(own);
         Self { family, fields }
     }
@@ -55,7 +55,7 @@ impl<R: Real> Profile<R> {
 
     /// Start, duration, acceleration at the start, and jerk of each phase. Rounding may make neighbouring starts cross.
     fn phases(&self) -> Vec<[R; 4]> {
-        let zero = R::of(0.0);
+        let zero = R::ZERO;
         if self.family == Family::Trap {
             let Trap { t, ta, cruise_end: td, a0: ac, a1: de, .. } = trap(&self.fields[..12]);
             return vec![
@@ -89,11 +89,11 @@ impl<R: Real> Plan<R> {
     pub fn of_profile(problem: &Problem<R>, profile: Profile<R>) -> Self {
         let phases = profile.phases();
         let mut planned = Move { t: profile.fields[0], count: phases.len() as u32 - 1, ..Move::default() };
-        let mut begin = R::of(0.0);
+        let mut begin = R::ZERO;
         for (phase, [t, duration, acceleration, jerk]) in planned.phase.iter_mut().zip(phases) {
             begin = if t < begin { begin } else { t };
             let [position, velocity, ..] = profile.evaluate(&Ours, begin);
-            let duration = if duration < R::of(0.0) { R::of(0.0) } else { duration };
+            let duration = if duration < R::ZERO { R::ZERO } else { duration };
             *phase = Phase { start: begin, duration, position, velocity, acceleration, jerk };
         }
         Self { planned, profile: Some(profile), findings: profile.check(problem) }

@@ -60,11 +60,11 @@ impl<R: Real> Problem<R> {
         let [p0, v0, mut a0, p1, v1, mut a1] = ends;
         if let Some(profile) = request.profile() {
             vmin = -vmax;
-            (a0, a1) = (R::of(0.0), R::of(0.0));
+            (a0, a1) = (R::ZERO, R::ZERO);
             if profile == Family::Bell {
                 (amin, jmin) = (-amax, -jmax);
             } else {
-                (jmax, jmin) = (R::of(f64::INFINITY), R::of(f64::NEG_INFINITY));
+                (jmax, jmin) = (R::INFINITY, -R::INFINITY);
             }
         }
         let state = |position, velocity, acceleration| State { position, velocity, acceleration };
@@ -74,13 +74,12 @@ impl<R: Real> Problem<R> {
 
     pub fn of_arguments(request: Request, arguments: [R; 7]) -> Self {
         let [x, y, z, p0, p1, v0, v1] = arguments;
-        let zero = R::of(0.0);
         let [v, high, low, j] = match request {
-            Request::Bell => [z.abs(), y.abs(), zero, x.abs()],
-            _ if y > z => [x.abs(), y, z, zero],
-            _ => [x.abs(), z, y, zero],
+            Request::Bell => [z.abs(), y.abs(), R::ZERO, x.abs()],
+            _ if y > z => [x.abs(), y, z, R::ZERO],
+            _ => [x.abs(), z, y, R::ZERO],
         };
-        Self::of(Kind::TinyAgainstHuge, request, [v, zero, high, low, j, zero, p0, v0, zero, p1, v1, zero])
+        Self::of(Kind::TinyAgainstHuge, request, [v, R::ZERO, high, low, j, R::ZERO, p0, v0, R::ZERO, p1, v1, R::ZERO])
     }
 
     /// The arguments of the profile's `gen`: limits in the direction of the way, and of a trapezoid the other acceleration behind it.
@@ -141,7 +140,7 @@ impl<R: Real> Problem<R> {
             for index in ORDER {
                 let x = numbers[index];
                 let digits = [0, 1, 2, 3, 4, 6].map(|digits| rounded(x, digits));
-                let candidates = [R::of(0.0), R::of(1.0f64.copysign(x.widen()))].into_iter().chain(digits);
+                let candidates = [R::ZERO, R::of(1.0f64.copysign(x.widen()))].into_iter().chain(digits);
                 for candidate in candidates.take_while(|candidate| *candidate != x) {
                     let mut tried = numbers;
                     tried[index] = candidate;

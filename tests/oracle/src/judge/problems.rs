@@ -381,7 +381,7 @@ impl<R: Real> Problems<R> {
             to.acceleration = R::of(to.acceleration.widen() * 0.999);
         }
         if beyond_legal(&limits, *to) > R::MACHINE_EPSILON.widen() * to.velocity.widen().abs() {
-            (to.velocity, to.acceleration) = (R::of(0.0), R::of(0.0));
+            (to.velocity, to.acceleration) = (R::ZERO, R::ZERO);
         }
         problem
     }
@@ -429,11 +429,11 @@ impl<R: Real> Problems<R> {
             return;
         }
         if random.one_in(2) {
-            problem.from.position = R::of(0.0);
+            problem.from.position = R::ZERO;
         }
         let p1 = R::of(problem.from.position.widen() + displacement);
         // The neighbours of 0 are too small to compute with.
-        let steps = if p1 == R::of(0.0) { 0 } else { random.steps(4) };
+        let steps = if p1 == R::ZERO { 0 } else { random.steps(4) };
         problem.to.position = p1.neighbour(steps);
     }
 
@@ -448,7 +448,7 @@ impl<R: Real> Problems<R> {
         };
         let [position, velocity, mut acceleration, _] = plan.state(x);
         if self.of_profiles {
-            acceleration = R::of(0.0);
+            acceleration = R::ZERO;
         }
         let from = State { position, velocity, acceleration };
         if parts(from).iter().all(|x| x.widen().is_finite()) {

@@ -3,7 +3,7 @@
 use atraj::machine::{Step, Steps};
 use atraj::online::Move;
 use support::Real;
-use support::online::numbers_of_phase;
+use support::online::{largest, numbers_of_phase};
 
 unsafe extern "C" {
     fn steps_wrong(
@@ -26,10 +26,7 @@ pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]
     let phases: Vec<_> = of.phase[..=of.phases().len()].iter().map(|p| numbers_of_phase(p).map(R::widen)).collect();
     let times: Vec<f64> = steps.iter().map(|step| step.time.widen()).collect();
     let directions: Vec<i32> = steps.iter().map(|step| step.direction).collect();
-    let reached = of.extremes();
-    let [far, fast] =
-        [[reached.lowest.position, reached.highest.position], [reached.lowest.velocity, reached.highest.velocity]]
-            .map(|ends| ends.map(|x| x.widen().abs()).into_iter().fold(0.0, f64::max));
+    let [far, fast, _] = largest(of.extremes());
     let [offset, step] = lines.map(R::widen);
     let (t, rounding) = (of.t.widen(), ROUNDINGS * R::MACHINE_EPSILON.widen());
     let roundings = [rounding * t, rounding * (far + offset.abs() + fast * t)];

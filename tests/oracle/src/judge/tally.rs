@@ -6,6 +6,7 @@ use super::trial::{Trial, Verdict};
 use crate::liba::abi::Original;
 use std::collections::BTreeMap;
 use std::fmt::{Display, Formatter, Result as Written};
+use std::time::Instant;
 use support::{Family, Random};
 
 #[derive(Clone, Debug, Default)]
@@ -93,6 +94,16 @@ impl Tallies {
             tally.note(&verdict, || trial.simple_example(planner, &verdict));
         }
         tallies
+    }
+
+    /// Counts `problems` of each of these seeds, prints what was found, and asserts that nothing is bad.
+    pub fn assert_good(real: &str, seeds: u64, problems: usize, of_seed: impl Fn(u64, usize) -> Self) {
+        let start = Instant::now();
+        let mut tallies = Self::default();
+        (0..seeds).for_each(|seed| tallies.add(&of_seed(seed, problems)));
+        println!("{real}: seeds 0..{seeds}, {:.0} s\n{tallies}", start.elapsed().as_secs_f64());
+        let total = tallies.total();
+        assert_eq!((total.problems, total.bad()), (seeds * problems as u64, 0), "see the examples above");
     }
 
     pub fn row(&mut self, key: [usize; 2], name: impl FnOnce() -> String) -> &mut Tally {

@@ -19,6 +19,9 @@ pub fn are_of_a_move(findings: Findings) -> bool {
     all.is_some_and(|all| all.contains(findings))
 }
 
+/// `Ok` if nothing is wrong, else the first thing that is.
+pub type Check<Wrong = &'static str> = Result<(), Wrong>;
+
 /// The verdict if the finding is missing that the axis will unavoidably exceed its limits after the target.
 pub const LEAVES: &str = "it leaves the limits afterwards";
 
@@ -252,27 +255,24 @@ impl<R: Original> Trial<R> {
         }
     }
 
-    pub fn wrong_motion(&self, plan: &Plan<R>, random: &mut Random) -> Option<&'static str> {
+    pub fn check_motion(&self, plan: &Plan<R>, random: &mut Random) -> Check {
         let own = Scale::default();
-        self.wrong_states(plan, &own, random).or_else(|| self.wrong_findings(plan, plan.findings, &own))
+        self.check_states(plan, &own, random)?;
+        self.check_findings(plan, plan.findings, &own)
     }
 
     /// What is wrong with the states of the motion, if something is. Its numbers may be larger than its own scale by `more`.
-    pub fn wrong_states(&self, plan: &Plan<R>, more: &Scale, random: &mut Random) -> Option<&'static str> {
+    pub fn check_states(&self, plan: &Plan<R>, more: &Scale, random: &mut Random) -> Check {
         let planned = &plan.planned;
-        wrong_phases(planned).or_else(|| self.wrong_ends(plan)).or_else(|| {
-            let (walk, scale) = self.walk(plan, more);
-            self.jumps(planned, &walk, &scale)
-                .or_else(|| self.leaves_limits(planned, &walk, &scale))
-                .or_else(|| wrong_evaluation(plan, &walk, &scale, random))
-                .or_else(|| self.misses(plan, more, random))
-        })
-    }
-
-    /// Whether the exact motion jumps or misses its end. Exact arithmetic takes long, so one motion in 16 is asked.
-    fn misses(&self, plan: &Plan<R>, more: &Scale, random: &mut Random) -> Option<&'static str> {
+        check_phases(planned)?;
+        self.check_ends(plan)?;
+        let (walk, scale) = self.walk(plan, more);
+        self.check_borders(planned, &walk, &scale)?;
+        self.check_limits(planned, &walk, &scale)?;
+        check_evaluation(plan, &walk, &scale, random)?;
+        // Exact arithmetic takes long, so one motion in 16 is asked.
         let jumps = || Misses::of(&self.problem, plan, more).jump() > 64.0;
-        (random.one_in(16) && jumps()).then_some("the exact motion jumps or misses its end")
+        none_of([(random.one_in(16) && jumps(), "the exact motion jumps or misses its end")])
     }
 
     fn walk(&self, plan: &Plan<R>, more: &Scale) -> (Walk, Scale) {
@@ -281,8 +281,8 @@ impl<R: Original> Trial<R> {
         (walk, scale)
     }
 
-    fn wrong_ends(&self, plan: &Plan<R>) -> Option<&'static str> {
-        let zero = R::of(0.0);
+    fn check_ends(&self, plan: &Plan<R>) -> Check {
+        let zero = R::ZERO;
         let [from, to] = self.problem.ends();
         let request = self.problem.request;
         let (v1, a1) = match request {
@@ -295,7 +295,7 @@ impl<R: Original> Trial<R> {
         let [start, speed, ..] = plan.state(zero);
         // A trapezoid ends with its acceleration, and one ramp alone of a double-S is counted from its end.
         let is_move = plan.profile.is_none();
-        first_fault([
+        none_of([
             (has_position && position != to.position, "the end is not p1"),
             (velocity != v1, "the final velocity is not v1"),
             (is_move && acceleration != a1, "the final acceleration is not a1"),
@@ -303,7 +303,7 @@ impl<R: Original> Trial<R> {
         ])
     }
 
-    fn jumps(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
+    fn check_borders(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Check {
         let [.., jmax, jmin] = self.motion.limits;
         let doubt = doubt::<R>();
         let borders = planned.phase.iter().zip(&walk.borders);
@@ -311,34 +311,32 @@ impl<R: Original> Trial<R> {
             let [dp, dv] = [phase.position.widen() - p, phase.velocity.widen() - v];
             let jump = phase.acceleration.widen() - a;
             let may_jump = if jump > 0.0 { jmax } else { jmin }.is_infinite();
-            let fault = first_fault([
+            none_of([
                 (dp.abs() > doubt * scale.position, "the position jumps"),
                 (dv.abs() > doubt * scale.velocity, "the velocity jumps"),
                 (!may_jump && jump.abs() > doubt * scale.acceleration, "the acceleration jumps"),
-            ]);
-            if fault.is_some() {
-                return fault;
-            }
+            ])?;
         }
         let end = planned.state_at(planned.t).position.widen();
-        let Request::Meet = self.problem.request else { return None };
+        let Request::Meet = self.problem.request else { return Ok(()) };
         let [p1, v1, _] = self.motion.target;
         let met = p1 + v1 * planned.t.widen();
-        ((end - met).abs() > doubt * (scale.position + p1.abs())).then_some("the target is missed")
+        none_of([((end - met).abs() > doubt * (scale.position + p1.abs()), "the target is missed")])
     }
 
-    fn leaves_limits(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Option<&'static str> {
+    fn check_limits(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Check {
         let [vmax, vmin, amax, amin, jmax, jmin] = self.motion.limits;
         let [_, v0, a0] = self.motion.start;
         let above =
             Side { sign: 1.0, velocity: vmax, acceleration: amax, unavoidable: v0 - 0.5 * a0.max(0.0) * a0 / jmin };
         let below =
             Side { sign: -1.0, velocity: -vmin, acceleration: -amin, unavoidable: -v0 + 0.5 * a0.min(0.0) * a0 / jmax };
-        let left = [above, below].into_iter().find_map(|side| side.left(&walk.knots, scale, doubt::<R>()));
+        above.check(&walk.knots, scale, doubt::<R>())?;
+        below.check(&walk.knots, scale, doubt::<R>())?;
         let slack = 1.0 + doubt::<R>();
         let mut jerks = planned.phases().iter().map(|phase| phase.jerk.widen());
         let is_beyond = jerks.any(|jerk| jerk > jmax * slack || jerk < jmin * slack);
-        left.or(is_beyond.then_some("a jerk is beyond its limit"))
+        none_of([(is_beyond, "a jerk is beyond its limit")])
     }
 
     /// Whether the axis will unavoidably exceed its limits after the target; `None` if roundings decide.
@@ -352,7 +350,7 @@ impl<R: Original> Trial<R> {
     }
 
     /// What is wrong with the findings, if they are not those of the motion. Its numbers may be larger than its own scale by `more`.
-    pub fn wrong_findings(&self, plan: &Plan<R>, findings: Findings, more: &Scale) -> Option<&'static str> {
+    pub fn check_findings(&self, plan: &Plan<R>, findings: Findings, more: &Scale) -> Check {
         let (walk, scale) = self.walk(plan, more);
         let found = |finding: Findings| findings.bits() & finding.bits() != 0;
         let leaves = self.leaves_after();
@@ -364,15 +362,15 @@ impl<R: Original> Trial<R> {
         let slack = doubt * (v0.abs() + at_zero_a.abs());
         let accelerated = a0 > amax || a0 < amin;
         let [outside, leaving] = [Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING].map(found);
-        let fault = first_fault([
+        none_of([
             (!are_of_a_move(findings), "a finding is none of a move"),
             (leaves == Some(true) && !leaving, LEAVES),
             (leaves == Some(false) && leaving, "it does not leave the limits afterwards"),
             (outside && !accelerated && beyond < -slack, "it does not start outside"),
             (!outside && (accelerated || beyond > slack), "it starts outside"),
-        ]);
-        if fault.is_some() || matches!(self.problem.request, Request::Meet) {
-            return fault;
+        ])?;
+        if matches!(self.problem.request, Request::Meet) {
+            return Ok(());
         }
         let [p1, ..] = plan.state(plan.planned.t).map(R::widen);
         let excess = walk.knots.iter().map(|&[_, p, ..]| (p - p0.max(p1)).max(p0.min(p1) - p));
@@ -384,32 +382,29 @@ impl<R: Original> Trial<R> {
         let way = p1 - p0;
         let against = way == 0.0 || [v0, at_zero_a, v1, before].iter().any(|v| way * v < 0.0);
         // Compared with the velocities that an acceleration leads to afterwards, those of the move may be as small as roundings.
-        first_fault([
+        none_of([
             (overshoots && excess == 0.0 && !(against || leaves == Some(true)), "it does not overshoot"),
             (!overshoots && excess > 4.0 * doubt * scale.position, "it overshoots"),
         ])
     }
 
     /// Whether the mirrored motion, the motion in other units, or the trapezoid with its accelerations in the other order takes another time.
-    fn wrong_relative(&self, planner: &impl Planner<R>, t: R, random: &mut Random) -> Option<&'static str> {
+    fn check_relatives(&self, planner: &impl Planner<R>, t: R, random: &mut Random) -> Check {
         let problem = &self.problem;
         let takes = |problem: &Problem<R>| planner.plan(problem).ok().map(|plan| plan.planned.t);
-        if takes(&problem.mirrored()) != Some(t) {
-            return Some("the mirrored motion takes another time");
-        }
+        none_of([(takes(&problem.mirrored()) != Some(t), "the mirrored motion takes another time")])?;
         let [length, time] = [(); 2].map(|()| random.steps(3));
         let expected = t.widen() * f64::from(time).exp2();
         // Near the border of the range a product is infinite in some units only. Then the motion is found in another way, up to rounding.
         let is_extreme = problem.kind == Kind::ExtremeScale;
         let rounding = if is_extreme { 4.0 * R::MACHINE_EPSILON.widen() * expected } else { 0.0 };
         let is_expected = |t: R| (t.widen() - expected).abs() <= rounding;
-        if !takes(&problem.scaled(length, time)).is_some_and(is_expected) {
-            return Some("the units change the time");
-        }
+        let is_right = takes(&problem.scaled(length, time)).is_some_and(is_expected);
+        none_of([(!is_right, "the units change the time")])?;
         let mut other = *problem;
         (other.limits.amax, other.limits.amin) = (problem.limits.amin, problem.limits.amax);
-        (problem.request == Request::Trap && takes(&other) != Some(t))
-            .then_some("the order of the accelerations changes the time")
+        let differs = problem.request == Request::Trap && takes(&other) != Some(t);
+        none_of([(differs, "the order of the accelerations changes the time")])
     }
 
     pub fn judge(&self, planner: &impl Planner<R>, random: &mut Random) -> Verdict {
@@ -418,8 +413,8 @@ impl<R: Original> Trial<R> {
             Err(error) => return Verdict::Refused(error),
         };
         let t = plan.planned.t;
-        let wrong = self.wrong_motion(&plan, random);
-        if let Some(what) = wrong.or_else(|| self.wrong_relative(planner, t, random)) {
+        let motion = self.check_motion(&plan, random);
+        if let Err(what) = motion.and_then(|()| self.check_relatives(planner, t, random)) {
             return Verdict::Wrong(what);
         }
         match self.duration(t.widen()) {
@@ -467,62 +462,53 @@ struct Side {
 
 impl Side {
     /// Whether the motion leaves the limits on this side. A start outside may return within them, but not go further out.
-    fn left(&self, knots: &[Knot], scale: &Scale, doubt: f64) -> Option<&'static str> {
+    fn check(&self, knots: &[Knot], scale: &Scale, doubt: f64) -> Check {
         let mut velocity = self.velocity.max(self.unavoidable);
         let mut acceleration = self.acceleration.max(self.sign * knots[0][3]);
         for &[_, _, v, a] in knots {
             let (v, a) = (self.sign * v, self.sign * a);
-            let fault = first_fault([
+            none_of([
                 (v > velocity + doubt * scale.velocity, "a velocity is beyond its limit"),
                 (a > acceleration + doubt * scale.acceleration, "an acceleration is beyond its limit"),
-            ]);
-            if fault.is_some() {
-                return fault;
-            }
+            ])?;
             if a <= 0.0 {
                 velocity = velocity.min(v.max(self.velocity));
             }
             acceleration = acceleration.min(a.max(self.acceleration));
         }
-        None
+        Ok(())
     }
 }
 
-fn wrong_phases<R: Real>(planned: &Move<R>) -> Option<&'static str> {
+fn check_phases<R: Real>(planned: &Move<R>) -> Check {
     let count = planned.count as usize;
-    if count > 15 {
-        return Some("there are too many phases");
-    }
+    none_of([(count > 15, "there are too many phases")])?;
     let phases = &planned.phase[..=count];
     let mut t = 0.0;
     for phase in phases {
         let rounding = 8.0 * R::MACHINE_EPSILON.widen() * planned.t.widen();
         let follows = (phase.start.widen() - t).abs() <= rounding && phase.duration.widen() >= 0.0;
-        let fault = first_fault([
+        none_of([
             (!numbers_of_phase(phase).iter().all(|x| x.widen().is_finite()), "a number of a phase is not finite"),
             (!follows, "a phase does not follow the one before it"),
-        ]);
-        if fault.is_some() {
-            return fault;
-        }
+        ])?;
         t = phase.start.widen() + phase.duration.widen();
     }
     let end = &phases[count];
     let is_end = end.start == planned.t && end.duration.widen() == 0.0 && end.jerk.widen() == 0.0;
-    first_fault([
+    none_of([
         (phases.windows(2).any(|pair| pair[0].start > pair[1].start), "the phases are not in order"),
         (!is_end, "the last phase is not the end"),
     ])
 }
 
-fn first_fault<const N: usize>(faults: [(bool, &'static str); N]) -> Option<&'static str> {
-    faults.into_iter().find_map(|(is_there, what)| is_there.then_some(what))
+fn none_of<const N: usize>(faults: [(bool, &'static str); N]) -> Check {
+    let first = faults.into_iter().find(|(is_there, _)| *is_there);
+    first.map_or(Ok(()), |(_, what)| Err(what))
 }
 
 /// Whether the evaluation differs from the integrated motion somewhere, or one of another kind has other bits.
-fn wrong_evaluation<R: Original>(
-    plan: &Plan<R>, walk: &Walk, scale: &Scale, random: &mut Random,
-) -> Option<&'static str> {
+fn check_evaluation<R: Original>(plan: &Plan<R>, walk: &Walk, scale: &Scale, random: &mut Random) -> Check {
     let planned = &plan.planned;
     let phases = &planned.phase[..=planned.count as usize];
     let t = planned.t.widen();
@@ -536,9 +522,9 @@ fn wrong_evaluation<R: Original>(
     let near = phases.iter().map(|phase| phase.start.neighbour(random.steps(2)));
     let is_over = |x: &R| !is_profile && *x > planned.t; // `does_a_move_go_on.rs` asks what comes after the end
     let times: Vec<R> = near.chain(within).filter(|x| !is_over(x)).collect();
-    times.into_iter().find_map(|x| {
+    times.into_iter().try_for_each(|x| {
         let under_way = phases.iter().rposition(|phase| phase.start <= x); // phase 0 is the start
-        let index = under_way.filter(|_| x > R::of(0.0) || t == 0.0).unwrap_or(0);
+        let index = under_way.filter(|_| x > R::ZERO || t == 0.0).unwrap_or(0);
         let phase = &phases[index];
         let z = (x.widen() - phase.start.widen()).min(phase.duration.widen());
         let [p, v, _] = walk.borders[index];
@@ -548,9 +534,9 @@ fn wrong_evaluation<R: Original>(
         let expected = p + z * (v + z * (0.5 * a + z * jerk / 6.0));
         let [dv, da] = [speed - (v + z * (a + 0.5 * z * jerk)), accelerated - (a + z * jerk)];
         // At its ends a profile stands still, and rounding may make the borders of its phases cross.
-        let stands = is_profile && (x <= R::of(0.0) || x >= planned.t);
+        let stands = is_profile && (x <= R::ZERO || x >= planned.t);
         let mut others = other_evaluation(plan, x).into_iter().zip(state);
-        first_fault([
+        none_of([
             ((position - expected).abs() > doubt * scale.position, "a position is not where the jerk leads"),
             (dv.abs() > velocity, "a velocity is not where the jerk leads"),
             (!stands && da.abs() > acceleration, "an acceleration is not where the jerk leads"),

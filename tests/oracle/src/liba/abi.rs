@@ -55,12 +55,12 @@ impl<R: Real> Implementation<R> for Abi<R> {
             }
         }
         self.derive(family, fields);
-        R::of(0.0)
+        R::ZERO
     }
 
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
         assert_eq!(fields.len(), family.fields().len());
-        let mut values = [R::of(0.0); 4];
+        let mut values = [R::ZERO; 4];
         for (value, function) in values.iter_mut().zip(self.evaluations[family as usize]) {
             // SAFETY: `fields` has as many reals as the family's struct.
             *value = unsafe { function(fields.as_ptr(), x) };

@@ -21,7 +21,7 @@ impl<R: Real> Implementation<R> for Fault {
         match (self, family) {
             (Self::OperandOrder, Family::Bell) => {
                 let mut bell = bell(fields);
-                if duration > R::of(0.0) {
+                if duration > R::ZERO {
                     bell.t = bell.ta + (bell.tv + bell.td);
                 }
                 fields.copy_from_slice(&bell_fields(&bell));
@@ -32,13 +32,12 @@ impl<R: Real> Implementation<R> for Fault {
     }
 
     fn evaluate(&self, family: Family, fields: &[R], x: R) -> [R; 4] {
-        let zero = R::of(0.0);
         let [mut position, velocity, mut acceleration, jerk] = Ours.evaluate(family, fields, x);
         match (self, family, fields) {
             (Self::ProductWithSixth, Family::Bell, _) => {
                 let b = bell(fields);
-                if b.p0 <= b.p1 && zero < x && x < b.taj && x < b.ta {
-                    let sixth = R::of(1.0) / R::of(6.0);
+                if b.p0 <= b.p1 && R::ZERO < x && x < b.taj && x < b.ta {
+                    let sixth = R::ONE / R::of(6.0);
                     position = b.p0 + b.v0 * x + b.jm * x * x * x * sixth;
                 }
             }
@@ -47,7 +46,7 @@ impl<R: Real> Implementation<R> for Fault {
             }
             (Self::LessOrEqual, Family::Trap, _) => {
                 let trap = trap(fields);
-                if x == trap.ta && x >= zero {
+                if x == trap.ta && x >= R::ZERO {
                     acceleration = trap.a0;
                 }
             }

@@ -54,15 +54,14 @@ impl<R: Real> Moves<R> {
     }
 
     fn arguments(&mut self, family: Family, distribution: Distribution) -> [R; MOST_ARGUMENTS] {
-        let zero = R::of(0.0);
         let names = family.arguments();
-        let mut arguments = [zero; MOST_ARGUMENTS];
+        let mut arguments = [R::ZERO; MOST_ARGUMENTS];
         for (argument, name) in arguments.iter_mut().zip(names) {
             let limit = matches!(*name, "jm" | "am" | "vm" | "ts" | "ac" | "de");
             let value = self.value(distribution);
             *argument = if limit || self.random.one_in(2) { value } else { -value };
             if matches!(*name, "v0" | "v1") && self.random.one_in(4) {
-                *argument = zero;
+                *argument = R::ZERO;
             }
         }
         if let (Family::Trap, [_, ac, de, p0, p1, ..]) = (family, &mut arguments) {
@@ -113,13 +112,13 @@ impl<R: Real> Moves<R> {
             }
         };
         if self.random.one_in(2) {
-            arguments[3] = R::of(0.0);
+            arguments[3] = R::ZERO;
         }
         arguments[4] = R::of(arguments[3].widen() + distance).neighbour(self.random.steps(3));
     }
 
     fn before(&mut self, distribution: Distribution, read: bool) -> [R; MOST_FIELDS] {
-        let mut before = [R::of(0.0); MOST_FIELDS];
+        let mut before = [R::ZERO; MOST_FIELDS];
         if read || self.random.one_in(2) {
             for field in &mut before {
                 *field = self.value(distribution);

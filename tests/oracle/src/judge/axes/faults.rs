@@ -6,6 +6,7 @@ use atraj::Findings;
 use atraj::axes::synchronise;
 use atraj::online::{Error, Limits, Move, Phase, State};
 use support::Real;
+use support::online::tried;
 
 listed! {
     pub enum Fault {
@@ -32,7 +33,7 @@ impl Fault {
         match self {
             Self::Late => changed.duration = R::of(2.0) * least,
             Self::OffTheClock => {
-                changed.cycle = R::of(0.0);
+                changed.cycle = R::ZERO;
                 changed.duration = least * R::of(1.0 + little);
             }
             Self::TooShort => changed.duration = set.duration * R::of(1.0 - little),
@@ -60,9 +61,8 @@ impl Fault {
                 axis.phase[count].start = axis.t;
             }
             Self::Waits if problem.from == State::at(problem.from.position) => {
-                let mut fastest = Move::default();
-                let planned = fastest.plan(&problem.limits, problem.from, problem.to);
-                if planned.is_ok() && fastest.t < axis.t && fastest.count < 15 {
+                let Ok((fastest, _)) = tried(&problem.limits, problem.from, problem.to) else { return };
+                if fastest.t < axis.t && fastest.count < 15 {
                     *axis = after(&fastest, axis.t - fastest.t, axis.t, problem.from);
                 }
             }
@@ -90,7 +90,7 @@ fn after<R: Real>(planned: &Move<R>, wait: R, t: R, from: State<R>) -> Move<R> {
 }
 
 fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
-    let (zero, t) = (R::of(0.0), axes[0].t - set.cycle);
+    let (zero, t) = (R::ZERO, axes[0].t - set.cycle);
     if set.cycle == zero || t < set.duration || t <= zero {
         return;
     }

@@ -1,9 +1,9 @@
 //! What is wrong with axes on a straight line.
 
 use super::problems::Set;
-use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_shift, scale_of_short_ramps, time_shift};
+use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_shift, scale_of_short_ramps, time_shift, wrong};
 use crate::judge::problem::{Problem, parts, widened};
-use crate::judge::trial::{Scale, Trial, Verdict, doubt};
+use crate::judge::trial::{Check, Scale, Trial, Verdict, doubt};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::online::Move;
@@ -41,7 +41,7 @@ fn lead_of<R: Real>(set: &Set<R>, shares: &[R], lead: usize) -> Problem<R> {
 }
 
 fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
-    let mut tightest = [R::of(f64::INFINITY), R::of(f64::NEG_INFINITY)].repeat(3);
+    let mut tightest = [R::INFINITY, -R::INFINITY].repeat(3);
     for (axis, &share) in set.axes.iter().zip(shares) {
         if share.widen() == 0.0 {
             continue;
@@ -56,12 +56,9 @@ fn tightest<R: Real>(set: &Set<R>, shares: &[R]) -> [R; 6] {
     tightest.try_into().expect("six limits")
 }
 
-pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Option<Bad> {
+pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Check<Bad> {
     let mut axes = vec![Move::default(); set.axes.len()];
-    let found = match planner.line(set, &mut axes) {
-        Ok(found) => found,
-        Err(error) => return Some((0, Verdict::Refused(error))),
-    };
+    let found = planner.line(set, &mut axes).map_err(|error| (0, Verdict::Refused(error)))?;
     // The lead recovers within the tightest limits. So an axis may go further out than its own limits make unavoidable.
     let outside = found.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
     let is_excused =
@@ -72,37 +69,34 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
     let shift = time_shift(of_lead.problem(), &axes[lead]);
     let scale = scale_of_a_shift(&of_lead, &axes[lead], shift);
     let timing = Timing { axes: &[of_lead], shifts: &[shift], planned: &axes[lead..=lead], duration, cycle };
-    wrong_motions(set, &scale, (&shares, lead), &axes, random)
-        .filter(|bad| !is_excused(bad))
-        .or_else(|| timing.wrong(axes[0].t.widen(), || None))
+    match check_motions(set, &scale, (&shares, lead), &axes, random) {
+        Err(bad) if !is_excused(&bad) => Err(bad),
+        _ => timing.check(axes[0].t.widen(), || None),
+    }
 }
 
-fn wrong_motions<R: Original>(
+fn check_motions<R: Original>(
     set: &Set<R>, of_lead: &Scale, (shares, lead): (&[R], usize), axes: &[Move<R>], random: &mut Random,
-) -> Option<Bad> {
+) -> Check<Bad> {
     let t = axes[lead].t;
     let [p0, p1] = [set.axes[lead].from, set.axes[lead].to].map(|end| end.position.widen().abs());
     for (k, problem) in set.axes.iter().enumerate() {
         if axes[k].t.low_bits() != t.low_bits() {
-            return Some((k, Verdict::Wrong("the axes do not arrive together")));
+            return wrong(k, "the axes do not arrive together");
         }
         let trial = Trial::new(*problem);
         let positions = Scale { position: p0 + p1, ..Scale::default() }; // the positions of the lead are rounded too
         let more = of_lead.and(&positions).times(shares[k].widen().abs());
         let more = scale_of_short_ramps(&trial, t.widen()).and(&more);
-        let what = trial
-            .wrong_states(&plan_of(&axes[k]), &more, random)
-            .or_else(|| leaves_line(set, [lead, k], shares[k], axes, random));
-        if let Some(what) = what {
-            return Some((k, Verdict::Wrong(what)));
+        trial.check_states(&plan_of(&axes[k]), &more, random).or_else(|what| wrong(k, what))?;
+        if leaves_line(set, [lead, k], shares[k], axes, random) {
+            return wrong(k, "it leaves the line");
         }
     }
-    None
+    Ok(())
 }
 
-fn leaves_line<R: Real>(
-    set: &Set<R>, [lead, k]: [usize; 2], share: R, axes: &[Move<R>], random: &mut Random,
-) -> Option<&'static str> {
+fn leaves_line<R: Real>(set: &Set<R>, [lead, k]: [usize; 2], share: R, axes: &[Move<R>], random: &mut Random) -> bool {
     let end = |k: usize| set.axes[k].to.position.widen();
     let phases = |k: usize| &axes[k].phase[..=axes[k].count as usize];
     let borders = phases(lead).iter().map(|phase| phase.start);
@@ -121,5 +115,5 @@ fn leaves_line<R: Real>(
         let off = own - end(k) - share.widen() * (led - end(lead));
         off.abs() > doubt::<R>() * scale
     };
-    times.any(is_off).then_some("it leaves the line")
+    times.any(is_off)
 }

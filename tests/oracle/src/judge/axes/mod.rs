@@ -23,10 +23,10 @@ pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, sets: usize) -
     let together = Sets::<R>::new(seed).take(sets - on_lines);
     let lines = Sets::<R>::on_lines(seed).take(on_lines);
     for (is_line, set) in together.map(|set| (false, set)).chain(lines.map(|set| (true, set))) {
-        let bad =
+        let judged =
             if is_line { line::judge(planner, &set, &mut random) } else { several::judge(planner, &set, &mut random) };
         let good = Verdict::Good { error: 0.0, detour: false };
-        let (axis, verdict) = bad.unwrap_or((0, good));
+        let (axis, verdict) = judged.err().unwrap_or((0, good));
         let way = if is_line { "line" } else { "together" };
         let key = [usize::from(is_line), set.family as usize];
         let tally = tallies.row(key, || format!("{way} {:?}", set.family));

@@ -2,7 +2,8 @@
 
 use crate::judge::problem::{Problem, Request};
 use crate::judge::problems::{Kind, Problems};
-use atraj::online::{Limits, Move, State};
+use atraj::online::{Limits, State};
+use support::online::tried;
 use support::{Random, Real};
 
 macro_rules! families {
@@ -110,7 +111,6 @@ impl<R: Real> Sets<R> {
     /// Axes on a straight line, within limits that are as wide as those of the lead, or wider.
     fn line(&mut self, family: Family, count: usize) -> Vec<Problem<R>> {
         let mut lead = self.axis(family);
-        let zero = R::of(0.0);
         if lead.to.position == lead.from.position {
             (lead.from, lead.to) = (State::at(lead.from.position), State::at(lead.from.position));
         }
@@ -118,7 +118,7 @@ impl<R: Real> Sets<R> {
         axes.insert(self.random.below(count), lead);
         if lead.to.position == lead.from.position {
             for axis in &mut axes {
-                (axis.from.velocity, axis.from.acceleration) = (zero, zero);
+                (axis.from.velocity, axis.from.acceleration) = (R::ZERO, R::ZERO);
                 axis.to = axis.from;
             }
         }
@@ -135,7 +135,7 @@ impl<R: Real> Sets<R> {
         if (p1 - p0).widen().abs() > way.widen().abs() {
             p1 = p0;
         }
-        let share = if way == R::of(0.0) { way } else { (p1 - p0) / way };
+        let share = if way == R::ZERO { way } else { (p1 - p0) / way };
         let state = |position, lead: State<R>| State {
             position,
             velocity: share * lead.velocity,
@@ -165,11 +165,7 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
 
 fn fastest_duration<R: Real>(axis: &Problem<R>) -> f64 {
     debug_assert_eq!(axis.request, Request::Plan);
-    let mut planned = Move::default();
-    match planned.plan(&axis.limits, axis.from, axis.to) {
-        Ok(_) => planned.t.widen(),
-        Err(_) => 0.0,
-    }
+    tried(&axis.limits, axis.from, axis.to).map_or(0.0, |(planned, _)| planned.t.widen())
 }
 
 impl<R: Real> Iterator for Sets<R> {

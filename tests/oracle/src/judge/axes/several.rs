@@ -4,11 +4,12 @@ use super::problems::Set;
 use crate::judge::planner::Plan;
 use crate::judge::problem::Problem;
 use crate::judge::rivals::{fits_ruckig, ruckig};
-use crate::judge::trial::{LEAVES, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};
+use crate::judge::trial::{Check, LEAVES, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};
 use crate::liba::abi::Original;
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Move};
+use support::online::tried;
 use support::{Random, Real};
 
 pub trait Planner<R: Real> {
@@ -29,6 +30,10 @@ impl<R: Real> Planner<R> for Together {}
 
 /// What the judge says of planned axes: the number of the bad axis, and what is wrong with it. 0 stands for the whole set too.
 pub type Bad = (usize, Verdict);
+
+pub fn wrong(axis: usize, what: &'static str) -> Check<Bad> {
+    Err((axis, Verdict::Wrong(what)))
+}
 
 /// How much larger the numbers of a stretched motion may be than its own way tells.
 ///
@@ -75,12 +80,11 @@ pub fn scale_of_a_shift<R: Original>(planned: &Trial<R>, axis: &Move<R>, shift: 
 /// not. A shift keeps the way, so an axis that arrives later has the phases of its fastest move behind the first one. On a line, the planner
 /// counts the positions from the end, and the shares of the axes are rounded. So the phases are the same up to rounding.
 pub fn time_shift<R: Real>(problem: &Problem<R>, axis: &Move<R>) -> f64 {
-    let mut fastest = Move::default();
-    let planned = fastest.plan(&problem.limits, problem.from, problem.to);
+    let Ok((fastest, _)) = tried(&problem.limits, problem.from, problem.to) else { return 0.0 };
     let t = axis.t.widen();
     let shift = fastest.t.widen() - t;
     let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
-    let is_shifted = planned.is_ok() && shift.abs() > rounding && (shift > 0.0 || keeps_way(problem, axis, &fastest));
+    let is_shifted = shift.abs() > rounding && (shift > 0.0 || keeps_way(problem, axis, &fastest));
     if is_shifted { shift } else { 0.0 }
 }
 
@@ -111,24 +115,23 @@ const TRIED: u32 = 128; // durations that the judge tries between the least one 
 impl<R: Original> Timing<'_, R> {
     /// What is wrong with the duration, if something is. `other` gives a duration that another library finds.
     /// It is asked only if an axis alone would arrive before: a shorter duration than that of the slowest axis is impossible.
-    pub fn wrong(&self, t: f64, other: impl Fn() -> Option<f64>) -> Option<Bad> {
+    pub fn check(&self, t: f64, other: impl Fn() -> Option<f64>) -> Check<Bad> {
         // 4 ulps of the number of the tick, and those of the division and of the product.
         let rounding = 6.0 * R::MACHINE_EPSILON.widen() * t;
         if t < self.duration - rounding {
-            return Some((0, Verdict::Wrong("the duration is too short")));
+            return wrong(0, "the duration is too short");
         }
         let ticks = (t / self.cycle).round();
         if self.cycle > 0.0 && (ticks * self.cycle - t).abs() > rounding {
-            return Some((0, Verdict::Wrong("the duration is not a multiple of the cycle")));
+            return wrong(0, "the duration is not a multiple of the cycle");
         }
         // The states of an axis that is shifted are judged by themselves, and so are those of a ramp.
         let mut axes = self.axes.iter().zip(self.shifts).zip(self.planned);
         let impossible = axes.position(|((axis, by), planned)| !axis.is_possible(t + by) && !axis.is_ramp(planned));
         if let Some(axis) = impossible {
-            return Some((axis, Verdict::Impossible));
+            return Err((axis, Verdict::Impossible));
         }
-        let earlier = self.earlier(t, other)?;
-        Some((0, Verdict::Longer(t / earlier)))
+        self.earlier(t, other).map_or(Ok(()), |earlier| Err((0, Verdict::Longer(t / earlier))))
     }
 
     fn least(&self) -> f64 {
@@ -166,86 +169,77 @@ impl<R: Original> Timing<'_, R> {
     }
 }
 
-pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Option<Bad> {
+pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut Random) -> Check<Bad> {
     let mut axes = vec![Move::default(); set.axes.len()];
-    let found = match planner.synchronise(set, &mut axes) {
-        Ok(found) => found,
-        Err(error) => return Some((0, Verdict::Refused(error))),
-    };
+    let found = planner.synchronise(set, &mut axes).map_err(|error| (0, Verdict::Refused(error)))?;
     let trials: Vec<_> = set.axes.iter().map(|axis| Trial::new(*axis)).collect();
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
     let shifts: Vec<_> = set.axes.iter().zip(&axes).map(|(problem, axis)| time_shift(problem, axis)).collect();
     let timing = Timing { axes: &trials, shifts: &shifts, planned: &axes, duration, cycle };
-    wrong_motions(&trials, &shifts, &axes, random)
-        .or_else(|| wrong_fastest(set, &axes))
-        .or_else(|| wrong_findings(&trials, &axes, found))
-        .or_else(|| {
-            timing.wrong(axes[0].t.widen(), || {
-                fits_ruckig(&set.axes).then(|| ruckig(&set.axes, duration, cycle)).flatten()
-            })
-        })
+    check_motions(&trials, &shifts, &axes, random)?;
+    check_fastest(set, &axes)?;
+    check_findings(&trials, &axes, found)?;
+    let other = || fits_ruckig(&set.axes).then(|| ruckig(&set.axes, duration, cycle)).flatten();
+    timing.check(axes[0].t.widen(), other)
 }
 
 pub fn plan_of<R: Real>(axis: &Move<R>) -> Plan<R> {
     Plan::of_move(*axis, Findings::default())
 }
 
-pub fn wrong_motions<R: Original>(
+pub fn check_motions<R: Original>(
     trials: &[Trial<R>], shifts: &[f64], axes: &[Move<R>], random: &mut Random,
-) -> Option<Bad> {
+) -> Check<Bad> {
     let t = axes[0].t;
     for (k, (trial, axis)) in trials.iter().zip(axes).enumerate() {
         if axis.t.low_bits() != t.low_bits() {
-            return Some((k, Verdict::Wrong("the axes do not arrive together")));
+            return wrong(k, "the axes do not arrive together");
         }
         let more = scale_of_a_shift(trial, axis, shifts[k]);
-        if let Some(what) = trial.wrong_states(&plan_of(axis), &more, random) {
-            return Some((k, Verdict::Wrong(what)));
-        }
+        trial.check_states(&plan_of(axis), &more, random).or_else(|what| wrong(k, what))?;
     }
-    None
+    Ok(())
 }
 
 /// Whether an axis whose fastest move takes as long does not make its fastest move.
-fn wrong_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Option<Bad> {
+fn check_fastest<R: Real>(set: &Set<R>, axes: &[Move<R>]) -> Check<Bad> {
     for (k, (problem, axis)) in set.axes.iter().zip(axes).enumerate() {
-        let mut fastest = Move::default();
-        let planned = fastest.plan(&problem.limits, problem.from, problem.to);
+        let Ok((mut fastest, _)) = tried(&problem.limits, problem.from, problem.to) else { continue };
         // An axis that is shifted begins and ends next to its fastest move by rounding errors, and is judged like any other.
-        let is_slowest = planned.is_ok() && fastest.t >= axis.t && time_shift(problem, axis) == 0.0;
+        let is_slowest = fastest.t >= axis.t && time_shift(problem, axis) == 0.0;
         // A tick may lie a rounding before the end. Then a last phase that is as short starts there.
         for phase in &mut fastest.phase {
             phase.start = if phase.start > axis.t { axis.t } else { phase.start };
         }
         let count = fastest.count as usize;
         if is_slowest && fastest.phase[..count] != axis.phase[..axis.count as usize] {
-            return Some((k, Verdict::Wrong("the slowest axis does not make its fastest move")));
+            return wrong(k, "the slowest axis does not make its fastest move");
         }
     }
-    None
+    Ok(())
 }
 
-fn wrong_findings<R: Original>(trials: &[Trial<R>], axes: &[Move<R>], found: Findings) -> Option<Bad> {
+fn check_findings<R: Original>(trials: &[Trial<R>], axes: &[Move<R>], found: Findings) -> Check<Bad> {
     let of = |k: usize, findings| {
         let more = scale_of_short_ramps(&trials[k], axes[k].t.widen());
-        trials[k].wrong_findings(&plan_of(&axes[k]), findings, &more)
+        trials[k].check_findings(&plan_of(&axes[k]), findings, &more)
     };
     let count = trials.len();
     if !are_of_a_move(found) {
-        return Some((0, Verdict::Wrong("a finding is none of a move")));
+        return wrong(0, "a finding is none of a move");
     }
     for k in 0..count {
-        if let Some(what @ ("it overshoots" | "it starts outside" | LEAVES)) = of(k, found) {
-            return Some((k, Verdict::Wrong(what)));
+        if let Err(what @ ("it overshoots" | "it starts outside" | LEAVES)) = of(k, found) {
+            return wrong(k, what);
         }
     }
     // A stretched axis may turn by a rounding of the mean, so a groundless `OVERSHOOTS` is not looked for.
     let leaves = found.bits() & Findings::ENDS_LEAVING.bits() != 0;
     if leaves && trials.iter().all(|trial| trial.leaves_after() == Some(false)) {
-        return Some((0, Verdict::Wrong("no axis leaves its limits afterwards")));
+        return wrong(0, "no axis leaves its limits afterwards");
     }
     let groundless = "it does not start outside";
     let outside = found.bits() & Findings::STARTS_OUTSIDE.bits() != 0;
-    let nobody = || (0..count).all(|k| of(k, Findings::STARTS_OUTSIDE) == Some(groundless));
-    (outside && nobody()).then_some((0, Verdict::Wrong(groundless)))
+    let nobody = || (0..count).all(|k| of(k, Findings::STARTS_OUTSIDE) == Err(groundless));
+    if outside && nobody() { wrong(0, groundless) } else { Ok(()) }
 }

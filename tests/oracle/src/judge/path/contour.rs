@@ -18,10 +18,10 @@ pub struct Planned<R: Real> {
 /// The contour through the points of `chain`, in room for so many sections.
 pub fn contour<R: Real>(chain: &Chain<R>, tolerance: f64, room: usize, steps: u32) -> Planned<R> {
     let (axes, mut states) = (chain.axes, chain.states.clone());
-    states.resize(axes * (room + 1), State::at(R::of(f64::NAN)));
-    let (mut moves, mut durations) = (vec![Move::default(); axes * room], vec![R::of(f64::NAN); room]);
+    states.resize(axes * (room + 1), State::at(R::NAN));
+    let (mut moves, mut durations) = (vec![Move::default(); axes * room], vec![R::NAN; room]);
     let mut places = vec![0; chain.sections() + 1];
-    let mut work = vec![R::of(f64::NAN); path_size(axes, room).expect("a size")];
+    let mut work = vec![R::NAN; path_size(axes, room).expect("a size")];
     let path = Contour { moves: &mut moves, states: &mut states, durations: &mut durations, places: &mut places };
     let answer = plan_contour(path, &chain.limits, R::of(tolerance), axes, steps, &mut work);
     let sections = places[chain.sections()];

@@ -41,7 +41,7 @@ impl<R: Real> Planner<R> for Fault {
             Self::Waits => {
                 let waypoints = chain.axes..sections * chain.axes;
                 for state in &mut path.states[waypoints] {
-                    (state.velocity, state.acceleration) = (R::of(0.0), R::of(0.0));
+                    (state.velocity, state.acceleration) = (R::ZERO, R::ZERO);
                 }
                 path.durations.iter_mut().for_each(|t| *t = R::of(1.01) * *t);
             }

@@ -8,7 +8,7 @@ pub mod windows;
 use super::axes::several::{plan_of, scale_of_short_ramps};
 use super::problem::{Problem, Request};
 use super::problems::Kind;
-use super::trial::Trial;
+use super::trial::{Check, Trial};
 use crate::liba::abi::Original;
 use atraj::axes::{improve_path, path_moves, path_size, path_size_near, plan_path, plan_path_near, synchronise};
 use atraj::online::{Error, Limits, Move};
@@ -37,23 +37,23 @@ impl<R: Real> Path<R> {
 
 pub trait Planner<R: Real> {
     fn plan(&self, chain: &Chain<R>, steps: u32) -> Result<(Path<R>, Findings), Error> {
-        let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
-        let mut work = vec![R::of(f64::NAN); path_size(chain.axes, chain.sections()).expect("a size")];
+        let mut path = Path { states: chain.states.clone(), durations: vec![R::NAN; chain.sections()] };
+        let mut work = vec![R::NAN; path_size(chain.axes, chain.sections()).expect("a size")];
         let found = plan_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)?;
         Ok((path, found))
     }
 
     /// The path through zones around the points.
     fn plan_near(&self, chain: &Chain<R>, tolerances: &[R], steps: u32) -> Result<(Path<R>, Findings), Error> {
-        let mut path = Path { states: chain.states.clone(), durations: vec![R::of(f64::NAN); chain.sections()] };
-        let mut work = vec![R::of(f64::NAN); path_size_near(chain.axes, chain.sections()).expect("a size")];
+        let mut path = Path { states: chain.states.clone(), durations: vec![R::NAN; chain.sections()] };
+        let mut work = vec![R::NAN; path_size_near(chain.axes, chain.sections()).expect("a size")];
         let Path { states, durations } = &mut path;
         let found = plan_path_near(states, durations, &chain.limits, tolerances, chain.axes, steps, &mut work)?;
         Ok((path, found))
     }
 
     fn improve(&self, chain: &Chain<R>, path: &mut Path<R>, steps: u32) -> Result<Findings, Error> {
-        let mut work = vec![R::of(f64::NAN); path_size(chain.axes, chain.sections()).expect("a size")];
+        let mut work = vec![R::NAN; path_size(chain.axes, chain.sections()).expect("a size")];
         improve_path(&mut path.states, &mut path.durations, &chain.limits, chain.axes, steps, &mut work)
     }
 }
@@ -91,74 +91,67 @@ pub fn promised<R: Real>() -> f64 {
 }
 
 /// What is wrong with a path, if something is.
-pub fn wrong<R: Original>(chain: &Chain<R>, path: &Path<R>, found: Findings, random: &mut Random) -> Option<String> {
-    let exact = vec![R::of(0.0); chain.axes * (chain.sections() - 1)];
-    wrong_near(chain, &exact, path, found, random)
+pub fn check<R: Original>(chain: &Chain<R>, path: &Path<R>, found: Findings, random: &mut Random) -> Check<String> {
+    let exact = vec![R::ZERO; chain.axes * (chain.sections() - 1)];
+    check_near(chain, &exact, path, found, random)
 }
 
 /// What is wrong with a path through zones around the points, if something is.
-pub fn wrong_near<R: Original>(
+pub fn check_near<R: Original>(
     chain: &Chain<R>, tolerances: &[R], path: &Path<R>, found: Findings, random: &mut Random,
-) -> Option<String> {
+) -> Check<String> {
     let axes = chain.axes;
     let last = chain.sections() * axes;
     let ends = |states: &[State<R>]| [states[..axes].to_vec(), states[last..].to_vec()];
     if ends(&path.states) != ends(&chain.states) {
-        return Some("an end is not the given one".into());
+        return Err("an end is not the given one".into());
     }
     let positions = path.states.iter().zip(&chain.states).map(|(x, y)| [x.position, y.position]);
-    let none = vec![R::of(0.0); axes];
+    let none = vec![R::ZERO; axes];
     let tolerances = none.iter().chain(tolerances).chain(&none);
     for ([x, y], tolerance) in positions.zip(tolerances) {
         let is_exact = x.low_bits() == y.low_bits();
         let is_near = (x.widen() - y.widen()).abs() <= tolerance.widen();
         if !(is_exact || is_near && tolerance.widen() > 0.0) {
-            return Some(format!("a position is {x:?} instead of {y:?}, and the tolerance is {tolerance:?}"));
+            return Err(format!("a position is {x:?} instead of {y:?}, and the tolerance is {tolerance:?}"));
         }
     }
     for section in 0..chain.sections() {
-        if let Some(what) = wrong_section(chain, path, section, found, random) {
-            return Some(format!("section {section}: {what}"));
-        }
+        check_section(chain, path, section, found, random).map_err(|what| format!("section {section}: {what}"))?;
     }
-    None
+    Ok(())
 }
 
-fn wrong_section<R: Original>(
+fn check_section<R: Original>(
     chain: &Chain<R>, path: &Path<R>, section: usize, found: Findings, random: &mut Random,
-) -> Option<String> {
+) -> Check<String> {
     let axes = chain.axes;
     let limits = chain.limits(section);
     let [from, to] = [section, section + 1].map(|point| &path.states[point * axes..][..axes]);
     let promise = path.durations[section];
     let mut moves = vec![Move::default(); axes];
-    let planned = match synchronise(&mut moves, limits, from, to, promise, R::of(0.0)) {
-        Ok(planned) => planned,
-        Err(error) => return Some(format!("{error:?}")),
-    };
+    let planned = synchronise(&mut moves, limits, from, to, promise, R::ZERO).map_err(|error| format!("{error:?}"))?;
     let outside = |found: Findings| found.contains(Findings::STARTS_OUTSIDE);
     if outside(planned) != (section == 0 && outside(found)) && (section > 0 || !outside(found)) {
-        return Some("STARTS_OUTSIDE is not what it finds".into());
+        return Err("STARTS_OUTSIDE is not what it finds".into());
     }
     let leaves = |found: Findings| found.contains(Findings::ENDS_LEAVING);
     let is_last = section + 1 == chain.sections();
     if leaves(planned) != (is_last && leaves(found)) {
-        return Some("ENDS_LEAVING is not what it finds".into());
+        return Err("ENDS_LEAVING is not what it finds".into());
     }
     let (t, promise) = (moves[0].t.widen(), promise.widen());
     let tolerance = promised::<R>();
     if !(t <= promise * (1.0 + tolerance) && t >= promise * (1.0 - tolerance)) {
-        return Some(format!("it takes {t:e} instead of {promise:e}"));
+        return Err(format!("it takes {t:e} instead of {promise:e}"));
     }
     for (axis, planned) in moves.iter().enumerate() {
         let (limits, from, to) = (limits[axis], from[axis], to[axis]);
         let trial = Trial::new(Problem { kind: Kind::Accelerated, request: Request::Plan, limits, from, to });
         let more = scale_of_short_ramps(&trial, t);
-        if let Some(what) = trial.wrong_states(&plan_of(planned), &more, random) {
-            return Some(format!("axis {axis}: {what}"));
-        }
+        trial.check_states(&plan_of(planned), &more, random).map_err(|what| format!("axis {axis}: {what}"))?;
     }
-    None
+    Ok(())
 }
 
 /// How long the path takes that stops at every waypoint, s. A section in which nothing moves takes no time.
@@ -171,8 +164,7 @@ pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
     let duration = |section: usize| {
         let [from, to] = [section, section + 1].map(|point| &states[point * axes..][..axes]);
         let mut moves = vec![Move::default(); axes];
-        let zero = R::of(0.0);
-        let planned = synchronise(&mut moves, chain.limits(section), from, to, zero, zero);
+        let planned = synchronise(&mut moves, chain.limits(section), from, to, R::ZERO, R::ZERO);
         planned.map_or(f64::INFINITY, |_| moves[0].t.widen())
     };
     (0..sections).map(duration).sum()
@@ -181,9 +173,7 @@ pub fn stopping<R: Real>(chain: &Chain<R>) -> f64 {
 /// What is wrong with the plan of a path, and how long it takes compared with stops.
 pub fn judge<R: Original>(planner: &impl Planner<R>, chain: &Chain<R>, random: &mut Random) -> Result<f64, String> {
     let (path, found) = planner.plan(chain, 0).map_err(|error| format!("{error:?}"))?;
-    if let Some(what) = wrong(chain, &path, found, random) {
-        return Err(what);
-    }
+    check(chain, &path, found, random)?;
     let part = path.duration() / stopping(chain);
     // Sums have roundings, and the shortest duration of a section is known up to some.
     let roundings = 64.0 * R::MACHINE_EPSILON.widen();
@@ -196,9 +186,7 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, chain: &Chain<R>, random: &
 /// What is wrong with the plan of a path through zones around the points, and how long it takes compared with the path through the points.
 pub fn judge_near<R: Original>(chain: &Chain<R>, tolerances: &[R], random: &mut Random) -> Result<f64, String> {
     let (path, found) = Paths.plan_near(chain, tolerances, 0).map_err(|error| format!("{error:?}"))?;
-    if let Some(what) = wrong_near(chain, tolerances, &path, found, random) {
-        return Err(what);
-    }
+    check_near(chain, tolerances, &path, found, random)?;
     let (exact, expected) = Paths.plan(chain, 0).map_err(|error| format!("{error:?}"))?;
     // The sums have other roundings here.
     let longest = exact.duration() * (1.0 + 4.0 * R::MACHINE_EPSILON.widen());

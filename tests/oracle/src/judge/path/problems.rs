@@ -2,7 +2,7 @@
 
 use atraj::State;
 use atraj::online::Limits;
-use support::online::{limits_of, numbers_of, numbers_of_state, state_of};
+use support::online::{limits_of, numbers_of, numbers_of_state, state_of, symmetric};
 use support::{Random, Real};
 
 listed! {
@@ -96,7 +96,7 @@ pub fn example_of_ruckig<R: Real>() -> Chain<R> {
     let points =
         [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
     let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]];
-    let limits = limits.map(|[j, a, v]| Limits::symmetric(R::of(j), R::of(a), R::of(v)));
+    let limits = limits.map(|[j, a, v]| symmetric(j, a, v));
     let mut chain = Chain::at_rest(limits.into(), points.into_iter().flatten());
     for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
         (chain.states[k].velocity, chain.states[k].acceleration) = (R::of(velocity), R::of(acceleration));
