@@ -642,6 +642,13 @@ fn bad_groups<R: Real>() {
         assert_eq!(Group::new(bad, &mut states, &mut moves).err(), Some(Error::Duration));
     }
     assert_eq!(Group::new(one, &mut [State::at(none); 2], &mut moves).err(), Some(Error::NotFinite));
+    let positions = [
+        (vec![zero], vec![one; 2], Error::Axes),
+        (vec![], vec![one; 2], Error::Axes),
+        (vec![zero; 3], vec![one; 3], Error::Axes),
+        (vec![zero, none], vec![one; 2], Error::NotFinite),
+        (vec![zero, one], vec![one; 2], Error::Limits),
+    ];
     let mut group = Group::new(one, &mut states, &mut moves).expect("a group");
     let (mut planner, mut ticker) = group.split();
     let path = [Move::default(); 3];
@@ -659,14 +666,8 @@ fn bad_groups<R: Real>() {
         planner.path(&limits, &[], zero, 1),
     ];
     assert_eq!(refused, [Err(Error::Axes); 11]);
-    for (lowest, highest, error) in [
-        (&[zero][..], &[one; 2][..], Error::Axes),
-        (&[], &[one; 2], Error::Axes),
-        (&[zero; 3], &[one; 3], Error::Axes),
-        (&[zero, none], &[one; 2], Error::NotFinite),
-        (&[zero, one], &[one; 2], Error::Limits),
-    ] {
-        assert_eq!(planner.within([lowest, highest]), Err(error));
+    for (lowest, highest, error) in &positions {
+        assert_eq!(planner.within([lowest, highest]), Err(*error));
     }
     for lead in [0, 1 << 27, u32::MAX] {
         assert_eq!([planner.go(&limits, &to, lead), planner.stop(&limits, lead)], [Err(Error::Late); 2]);
