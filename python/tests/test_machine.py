@@ -190,6 +190,11 @@ def test_a_group_works_in_a_cell(real):
     states = run(cell)
     np.testing.assert_allclose(states[:, :, 0], path.position(period * np.arange(len(states))), atol=rounding)
     assert abs(np.diff(states[:, :, 1], axis=0)).max() <= 5 * period * (1 + rounding)
+    cell.within([-2, -2], [2, math.inf])
+    with pytest.raises(ValueError, match="leaves the positions"):
+        cell.synchronise(PLANNED, [0, -2.5])
+    cell.synchronise(PLANNED, [2, 2.5])
+    assert run(cell)[-1][:, 0].tolist() == [2, 2.5]
 
 
 def test_a_group_says_why_not():
@@ -202,6 +207,8 @@ def test_a_group_says_why_not():
         "^there is no axis": lambda: atraj.Group(0.002, []),
         "^period = 0 is not a time above 0": lambda: atraj.Group(0, [0]),
         "^states: ": lambda: atraj.Group(0.002, [math.nan]),
+        "have different lengths": lambda: cell.within([0], [1]),
+        "^axis 1: lowest = 1 is not below highest = 1": lambda: cell.within([0, 1], [1, 1]),
         "^limits has 1 items, and the group 2 axes": lambda: cell.stop(LIMITS[:1]),
         "^targets has 1 items, and the group 2 axes": lambda: cell.go(LIMITS, [1]),
         "^axis 1: limits.jmax = -1 has the wrong sign": lambda: cell.stop([LIMITS[0], LIMITS[0]._replace(jmax=-1)]),

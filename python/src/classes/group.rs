@@ -165,6 +165,11 @@ impl Group {
     /// are no limits. ValueError if the lowest is not below the highest. An axis that cannot stop between them stops as fast as it can.
     fn within(&mut self, lowest: Vec<Real>, highest: Vec<Real>) -> PyResult<()> {
         are_as_long(&[("lowest", lowest.len()), ("highest", highest.len()), ("the group", self.now.len())])?;
+        for (axis, (low, high)) in lowest.iter().zip(&highest).enumerate() {
+            if low.partial_cmp(high).is_none_or(|order| order.is_ge()) {
+                return Err(error(&format!("axis {axis}: lowest = {low} is not below highest = {high}")));
+            }
+        }
         let kept = self.act(|borrowed| {
             let positions = [lowest, highest].map(|list| borrowed.positions.push_get(list));
             borrowed.group.split().0.within(positions)
