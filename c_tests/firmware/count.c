@@ -144,6 +144,7 @@ WEAK(atraj_move_acc) WEAK(atraj_move_jer) WEAK(atraj_limits_init) WEAK(atraj_mov
 WEAK(atraj_moves_sync_within) WEAK(atraj_axis_init) WEAK(atraj_axis_tick) WEAK(atraj_axis_go) WEAK(atraj_axis_track)
 WEAK(atraj_steps_init) WEAK(atraj_steps_next) WEAK(atraj_clock_start) WEAK(atraj_clock_rate) WEAK(atraj_clock_state)
 WEAK(atraj_shaper_init) WEAK(atraj_shaper_smooth) WEAK(atraj_shaper_add) WEAK(atraj_shaper_state)
+WEAK(atraj_shaper_stream_init) WEAK(atraj_shaper_stream_tick)
 WEAK(atraj_group_init) WEAK(atraj_group_tick) WEAK(atraj_group_sync) WEAK(atraj_group_line) WEAK(atraj_group_rate)
 WEAK(atraj_group_stop) WEAK(atraj_path_plan) WEAK(atraj_path_improve) WEAK(atraj_path_size)
 
@@ -359,6 +360,30 @@ static void machine(void) {
     print_costs("atraj_clock_state", held);
 }
 
+enum { DELAYS = 192 }; /* numbers of a delay line: 49 ms at 1 kHz, and more */
+static atraj_shaper_stream posed_stream;
+static a_float posed_line[DELAYS];
+
+POSE(pose_stream, (atraj_shaper_stream *, const atraj_state *, a_float *, size_t, atraj_state *), &posed.from, posed_line, DELAYS, &posed.to)
+
+/* 100 ticks of an axis behind a shaper of 16 impulses, for a load with two frequencies. */
+static void stream(void) {
+    a_float const period = (a_float)1 / 1000;
+    costs shaped = {0};
+    posed = problem_of(fastest_move[0]);
+    solve(&posed, &posed_move);
+    atraj_shaper_init(&posed_shaper, ATRAJ_SHAPER_EI2, 50, 0);
+    atraj_shaper_add(&posed_shaper, ATRAJ_SHAPER_EI2, 80, 0);
+    if (atraj_shaper_stream_init(&posed_stream, &posed_shaper, period, &posed.from, posed_line, DELAYS) != 0) { return; }
+    for (int k = 1; k <= 100; ++k) {
+        posed.from.p = atraj_move_pos(&posed_move, period * (a_float)k);
+        posed.from.v = atraj_move_vel(&posed_move, period * (a_float)k);
+        posed.from.a = atraj_move_acc(&posed_move, period * (a_float)k);
+        add(&shaped, measure_planner(pose_stream, (void (*)(void))atraj_shaper_stream_tick, &posed_stream));
+    }
+    print_costs("atraj_shaper_stream_tick", shaped);
+}
+
 static path_problem posed_path;
 
 static a_float plan_posed_path(void) { return (a_float)plan_path(&posed_path); }
@@ -457,6 +482,7 @@ int main(void) {
     if (atraj_axis_tick) { axis(); }
     if (atraj_group_tick) { group(); }
     if (atraj_steps_next) { machine(); }
+    if (atraj_shaper_stream_tick) { stream(); }
     if (atraj_path_plan) { paths(); }
     if (atraj_path_plan && HAS_UNIT) { long_paths(); }
     return 0;
