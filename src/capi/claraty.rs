@@ -283,8 +283,7 @@ pub unsafe extern "C" fn claraty_trapezoid_set_uniform_waypoints(
 /// # Safety
 /// `values` is NULL or points to `n` numbers that nobody changes until the next set.
 unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], claraty_result> {
-    let is_count = n > 0 && n <= isize::MAX as usize / size_of::<f64>();
-    if !is_count {
+    if n == 0 || n > isize::MAX as usize / size_of::<f64>() {
         return Err(CLARATY_ERR_WAYPOINTS);
     }
     if values.is_null() {

@@ -201,8 +201,8 @@ impl<R: Real> Border<R> {
         Some(Fitted { ramp, faster: faster.negate_if(mirrored) })
     }
 
-    /// The straight change of the acceleration that lasts until its displacement is what it `lacks` farther. `None` if it has no such duration, or if the acceleration at its
-    /// end is off by more than rounding.
+    /// The straight change of the acceleration that lasts until its displacement is what it `lacks` farther. `None` if it has no such duration, or
+    /// if the acceleration at its end is off by more than rounding.
     pub fn timed(&self, straight: &Ramp<R>, lacks: R) -> Option<Ramp<R>> {
         let longer = lacks / self.v0;
         let PerJerk { gu, gd } = self.per_jerk;

@@ -34,11 +34,8 @@ impl<R: Real> Paths<R> {
 /// Between which positions the axes stay: around their starts, with an infinite one for every fourth.
 fn positions<R: Real>(random: &mut Random, start: &[State<R>]) -> [Vec<R>; 2] {
     [-1.0, 1.0].map(|side| {
-        let mut limit = |now: &State<R>| {
-            let away = if random.one_in(4) { f64::INFINITY } else { random.magnitude(-1.0, 1.0) };
-            R::of(now.position.widen() + side * away)
-        };
-        start.iter().map(&mut limit).collect()
+        let mut away = || if random.one_in(4) { f64::INFINITY } else { random.magnitude(-1.0, 1.0) };
+        start.iter().map(|now| R::of(now.position.widen() + side * away())).collect()
     })
 }
 
@@ -56,7 +53,7 @@ enum Motion {
 /// What programs did.
 #[derive(Debug, Default)]
 pub struct Counts {
-    pub refused: [usize; 4], // lines in motion, paths from elsewhere, rates, and motions that would leave their positions
+    pub outside: usize, // motions that are refused because they would leave their positions
     pub steps: u64,
 }
 
@@ -236,12 +233,10 @@ fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
 
 /// Whether the moves of whole sections stay between the positions.
 fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: &[Vec<R>; 2]) -> bool {
-    let positions = lowest.iter().zip(highest).cycle();
-    moves
-        .iter()
-        .map(Move::extremes)
-        .zip(positions)
-        .all(|(reached, (lowest, highest))| reached.lowest.position >= *lowest && reached.highest.position <= *highest)
+    moves.iter().zip(lowest.iter().zip(highest).cycle()).all(|(of, (lowest, highest))| {
+        let reached = of.extremes();
+        reached.lowest.position >= *lowest && reached.highest.position <= *highest
+    })
 }
 
 /// Runs a program, which panics if a tick, a step or an answer is wrong.
@@ -281,11 +276,10 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
         let within = if is_at_rest { &planned } else { &limits };
         let anywhere = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
         let mut to: Vec<State<R>> = (0..n).map(anywhere).collect();
-        if !random.one_in(4) {
-            // Most targets are between the positions.
-            for (to, (lowest, highest)) in to.iter_mut().zip(positions[0].iter().zip(&positions[1])) {
-                to.position = R::of(to.position.widen().clamp(lowest.widen(), highest.widen()));
-            }
+        let are_inside = !random.one_in(4); // most targets are between the positions
+        for (to, (lowest, highest)) in to.iter_mut().zip(positions[0].iter().zip(&positions[1])).filter(|_| are_inside)
+        {
+            to.position = R::of(to.position.widen().clamp(lowest.widen(), highest.widen()));
         }
         let targets: Vec<_> = to.iter().map(|to| online::plan(&limits[0], *to, *to)).collect();
         trial.may_go_to(&to);
@@ -316,13 +310,12 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
                 }
             }
             // The axes move on, each for itself or another way.
-            Err(Error::Line) => counts.refused[0] += usize::from(call == 2 && !is_at_rest),
-            Err(Error::Target) if call == 4 => counts.refused[1] += 1,
-            Err(Error::Target) if call == 6 => counts.refused[2] += 1,
+            Err(Error::Line) => {}
+            Err(Error::Target) if call == 4 || call == 6 => {}
             Err(Error::Position) if call < 5 => {
                 let stays = if call == 4 { stay(&paths.there, &positions) } else { stay(&targets, &positions) };
                 assert!(!stays || call == 2 && !is_at_rest, "{call}: {to:?} {positions:?}");
-                counts.refused[3] += 1;
+                counts.outside += 1;
             }
             Err(error) => panic!("{call}: {error}"),
         }
