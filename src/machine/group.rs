@@ -7,7 +7,7 @@ use super::handover::{Handover, Moment, at};
 use super::sections::{Axis, are_whole, duration, time_of_rest};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
-use crate::online::Move;
+use crate::online::{Move, are_in_order};
 use crate::real::Real;
 use crate::several::{line, line_stop, synchronise, synchronise_within};
 use crate::state::State;
@@ -97,6 +97,8 @@ struct InForce<'g, 'a, R> {
     x: R,
     /// Where the axes are then.
     states: &'g [State<R>],
+    /// Between which positions the next motion has to stay.
+    positions: [&'a [R]; 2],
 }
 
 /// The place of the next motion.
@@ -209,8 +211,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         let count = lowest.len();
         Error::Axes.unless(count == highest.len() && (count == 0 || count == self.0.states.len()))?;
         for (lowest, highest) in lowest.iter().zip(highest) {
-            Error::NotFinite.unless(lowest.partial_cmp(highest).is_some())?;
-            Error::Limits.unless(lowest < highest)?;
+            are_in_order(*lowest, *highest)?;
         }
         self.0.positions.set(positions);
         Ok(())
@@ -219,14 +220,14 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     /// Each axis goes to its state by its fastest move, [`Move::plan`], after `lead` ticks. It returns the findings and errors of [`Move::plan`];
     /// [`Error::Axes`] if a list does not have one element for each axis; [`Error::Late`] as for an axis. On an error the motion goes on.
     pub fn go(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
-        let positions = self.0.positions.get();
-        self.plan(limits, lead, |moves, from, _| {
+        self.plan(limits, lead, |moves, from| {
             let mut found = Findings::default();
             Error::Axes.unless(to.len() == moves.len())?;
-            for (index, (((axis, limits), from), to)) in moves.iter_mut().zip(limits).zip(from).zip(to).enumerate() {
-                found |= match of_axis(positions, index) {
-                    Some([lowest, highest]) => axis.within(limits, *from, *to, lowest, highest)?,
-                    None => axis.plan(limits, *from, *to)?,
+            let axes = moves.iter_mut().zip(limits).zip(from.states).zip(to).enumerate();
+            for (index, (((axis, limits), state), to)) in axes {
+                found |= match of_axis(from.positions, index) {
+                    Some([lowest, highest]) => axis.within(limits, *state, *to, lowest, highest)?,
+                    None => axis.plan(limits, *state, *to)?,
                 };
             }
             Ok(found)
@@ -235,22 +236,22 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
 
     /// All axes arrive in the same tick, by [`synchronise`] with the period as its cycle. It returns the findings and errors of both.
     pub fn sync(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
-        let positions = self.0.positions.get();
-        self.plan(limits, lead, |moves, from, period| {
-            if positions[0].is_empty() {
-                synchronise(moves, limits, from, to, R::ZERO, period)
+        let period = self.0.period;
+        self.plan(limits, lead, |moves, from| {
+            if from.positions[0].is_empty() {
+                synchronise(moves, limits, from.states, to, R::ZERO, period)
             } else {
-                synchronise_within(moves, limits, from, to, positions, R::ZERO, period)
+                synchronise_within(moves, limits, from.states, to, from.positions, R::ZERO, period)
             }
         })
     }
 
     /// The axes move on the straight line to their states, by [`line`](crate::axes::line) with the period as its cycle. It returns the findings and errors of both.
     pub fn line(&mut self, limits: &[Limits<R>], to: &[State<R>], lead: u32) -> Result<Findings, Error> {
-        let positions = self.0.positions.get();
-        self.plan(limits, lead, |moves, from, period| {
-            let found = line(moves, limits, from, to, R::ZERO, period)?;
-            Error::Position.unless(stay(moves, positions))?;
+        let period = self.0.period;
+        self.plan(limits, lead, |moves, from| {
+            let found = line(moves, limits, from.states, to, R::ZERO, period)?;
+            Error::Position.unless(stay(moves, from.positions))?;
             Ok(found)
         })
     }
@@ -262,12 +263,11 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     /// [`Error::Axes`] if the moves are no whole sections; [`Error::Target`] if the moves of a section have several durations, if a section does not
     /// begin where the one before ends, if `s` is not on the path, or if the path does not have the state of the axes there. Then the motion goes on.
     pub fn path(&mut self, limits: &[Limits<R>], moves: &'a [Move<R>], s: R, lead: u32) -> Result<Findings, Error> {
-        let positions = self.0.positions.get();
         self.next(limits, lead, |from, next| {
             Error::Axes.unless(are_whole(moves, limits.len()))?;
             let is_on_path = s >= R::ZERO && s <= duration(moves, limits.len());
             Error::Target.unless(is_on_path && is_path(moves, limits.len()))?;
-            Error::Position.unless(stay(moves, positions))?;
+            Error::Position.unless(stay(moves, from.positions))?;
             let [_, rate, slowing, _] = from.course.clock.state_of_time(from.x);
             let steady = if slowing == R::ZERO { rate } else { R::ONE };
             let length = time_of_rest(moves, limits.len());
@@ -294,9 +294,8 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     /// Stops on the line or path, if all axes then stand within twice the time of the slowest axis' own stop; else on a line that is in force as
     /// planned, by [`line_stop`]; else each axis at once. It returns the findings and errors of [`Move::stop`], and [`Error::Late`].
     pub fn stop(&mut self, limits: &[Limits<R>], lead: u32) -> Result<Findings, Error> {
-        let positions = self.0.positions.get();
         self.next(limits, lead, |from, next| {
-            next.stop_each(from, limits, positions)?;
+            next.stop_each(from, limits)?;
             let slowest = next.moves.iter().fold(R::ZERO, |t, axis| t.at_least(axis.t));
             if next.change(from, limits, R::ZERO).is_ok() && next.course.end <= slowest + slowest {
                 return Ok(Findings::default());
@@ -305,24 +304,23 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             if from.moves.len() == limits.len() && rate == R::ONE && slowing == R::ZERO {
                 copy(next.moves, from.moves);
                 let stop = line_stop(next.moves, limits, s);
-                if stop.is_ok() && stay(next.moves, positions) {
+                if stop.is_ok() && stay(next.moves, from.positions) {
                     next.course.follow_moves(next.moves);
                     return stop;
                 }
             }
             // The moves in force stand in the place of the stops.
-            next.stop_each(from, limits, positions)
+            next.stop_each(from, limits)
         })
     }
 
-    /// `plan` gets the moves to write, the states from which they start, and the period.
+    /// `plan` gets the moves to write, and what is in force.
     fn plan(
         &mut self, limits: &[Limits<R>], lead: u32,
-        plan: impl FnOnce(&mut [Move<R>], &[State<R>], R) -> Result<Findings, Error>,
+        plan: impl FnOnce(&mut [Move<R>], &InForce<'_, 'a, R>) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
-        let period = self.0.period;
         self.next(limits, lead, |from, next| {
-            let found = plan(next.moves, from.states, period)?;
+            let found = plan(next.moves, from)?;
             next.course.follow_moves(next.moves);
             Ok(found)
         })
@@ -332,7 +330,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         &mut self, limits: &[Limits<R>], lead: u32,
         plan: impl FnOnce(&InForce<'_, 'a, R>, &mut Next<'_, 'a, R>) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
-        let Group { ref handover, period, states, ref courses, .. } = *self.0;
+        let Group { ref handover, period, states, ref positions, ref courses, .. } = *self.0;
         Error::Axes.unless(limits.len() == states.len())?;
         let takeover = handover.prepare(lead).ok_or(Error::Late)?;
         let place = self.0.place(takeover.place);
@@ -347,7 +345,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         };
         let x = elapsed(period, takeover.from);
         write_states(states, &course.clock, in_force, limits.len(), x);
-        let from = InForce { course, moves: in_force, x, states };
+        let from = InForce { course, moves: in_force, x, states, positions: positions.get() };
         let mut next = Next { course: next, moves };
         let findings = plan(&from, &mut next)?;
         if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
@@ -368,15 +366,13 @@ impl<R: Real> InForce<'_, '_, R> {
 }
 
 impl<'a, R: Real> Next<'_, 'a, R> {
-    fn stop_each(
-        &mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>], positions: [&[R]; 2],
-    ) -> Result<Findings, Error> {
+    fn stop_each(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>]) -> Result<Findings, Error> {
         let mut found = Findings::default();
-        for (index, ((axis, limits), from)) in self.moves.iter_mut().zip(limits).zip(from.states).enumerate() {
-            found |= axis.stop(limits, *from)?;
-            let left = of_axis(positions, index).filter(|[lowest, highest]| axis.leaves(*lowest, *highest));
+        for (index, ((axis, limits), state)) in self.moves.iter_mut().zip(limits).zip(from.states).enumerate() {
+            found |= axis.stop(limits, *state)?;
+            let left = of_axis(from.positions, index).filter(|[lowest, highest]| axis.leaves(*lowest, *highest));
             let mut inside = Move::default();
-            if left.is_some_and(|positions| inside.stop_within(limits, *from, positions).is_ok()) {
+            if left.is_some_and(|positions| inside.stop_within(limits, *state, positions).is_ok()) {
                 *axis = inside;
             }
         }

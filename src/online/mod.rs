@@ -20,6 +20,12 @@ use crate::findings::Findings;
 use crate::real::Real;
 use problem::Problem;
 
+/// [`Error::NotFinite`] if one of two positions is not a number, [`Error::Limits`] if the lowest is not below the highest.
+pub(crate) fn are_in_order<R: Real>(lowest: R, highest: R) -> Result<(), Error> {
+    Error::NotFinite.unless(lowest.partial_cmp(&highest).is_some())?;
+    Error::Limits.unless(lowest < highest)
+}
+
 impl<R: Real> Move<R> {
     /// Plans the fastest motion to a state, from any state. If the start violates the limits, the axis returns within them in minimum time and
     /// then stays within them. The target may be behind the axis, or nearer than it can stop.
@@ -55,14 +61,9 @@ impl<R: Real> Move<R> {
     pub fn within(
         &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, lowest: R, highest: R,
     ) -> Result<Findings, Error> {
-        if lowest.partial_cmp(&highest).is_none() {
-            return Err(Error::NotFinite);
-        }
+        are_in_order(lowest, highest)?;
         let mut planned = Self::default();
         let mut found = planned.plan(limits, from, to)?;
-        if lowest >= highest {
-            return Err(Error::Limits);
-        }
         if planned.leaves(lowest, highest) {
             planned.plan_with_turns(limits, from, to, [lowest, highest])?;
             found = Problem::new(limits, from, to).findings(&planned);
