@@ -91,7 +91,7 @@ HWCAPS ?= $(if $(TARGET)$(CPU),,$(if $(filter x86_64-%-linux-gnu,$(HOST)),x86-64
 .PHONY: help setup dist install uninstall identify demo examples doc playground python deb release \
     check consumers firmware-check playground-check python-check miri coverage mutants fuzz soak bench instructions
 # Steps of these.
-.PHONY: rust dist-locked where site-tool
+.PHONY: rust dist-locked where site-tool check-programs check-motions
 
 help:
 	@sed '/^$$/,$$d; s/^# \{0,1\}//' Makefile
@@ -282,10 +282,22 @@ examples: dist
 ORACLE := --locked --profile oracle -p oracle
 # The tests of the oracle that are not part of its program `whole`.
 APART := $(filter-out $(shell sed -n 's/^ *mod \(.*\);/\1/p' tests/oracle/whole.rs),$(basename $(notdir $(wildcard tests/oracle/tests/*.rs))))
-# The default build runs every test of the oracle, each other build the tests of its C functions.
+# The tests of one list call compilers and `make dist` and often wait. So those of the other list run beside them.
 check:
-	$(CARGO) test --locked -p atraj -p house
-	$(CARGO) test $(ORACLE) --lib $(addprefix --test ,whole $(APART)) -- --nocapture
+	$(MAKE) --no-print-directory -j2 check-programs check-motions
+
+# Their own calls of make are not parts of this one.
+check-programs check-motions: export MAKEFLAGS =
+
+PROGRAMS_LOG := target/check-programs.log
+check-programs:
+	mkdir -p target
+	{ $(CARGO) test --locked -p atraj -p house && $(CARGO) test $(ORACLE) $(addprefix --test ,$(APART)) -- --nocapture; } \
+	    > $(PROGRAMS_LOG) 2>&1; answer=$$?; cat $(PROGRAMS_LOG); exit $$answer
+
+# The default build runs every test of the oracle, each other build the tests of its C functions.
+check-motions:
+	$(CARGO) test $(ORACLE) --lib --test whole -- --nocapture
 	$(CARGO) run --quiet --locked --profile oracle -p measure --bin every_float 1009
 	$(CARGO) test --locked --profile oracle -p handover -p pointers -- --nocapture
 	for features in float poly-compact float,poly-compact; do \
