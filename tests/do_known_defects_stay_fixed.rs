@@ -1,7 +1,7 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
 use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchronise_within};
-use atraj::machine::{Step, Steps};
+use atraj::machine::{Clock, Group, GroupTicker, Step, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use support::online::state_of as state;
@@ -550,6 +550,133 @@ fn repeated_points_with_higher_limits_take_no_time() {
     assert_eq!(repeated, [alone[0], 0.0, 0.0]);
 }
 
+/// The start is repeated, and slows down in the next section alone. The repeated point had the state after that.
+#[test]
+fn a_repeated_start_in_motion_keeps_its_state() {
+    let limits = [5.0, 1.0].map(|speed| Limits::symmetric(60.0, 10.0, speed));
+    let mut states = [state([0.0, 2.0, 0.0]), State::at(0.0), State::at(3.0)];
+    let (durations, _) = online::path(&mut states, &limits, 1, 0);
+    assert_eq!(states[1], states[0]);
+    path_moves(&mut [Move::default(); 2], &limits, &states, &durations, 1).expect("moves");
+}
+
+/// What is left of a section as it goes, or a tenth too short. With an infinite jerk the first was planned again, up to 4 times as long, and with
+/// a high one the second was taken for possible.
+fn the_rest_of_a_section<R: Real>() {
+    for jerk in [60.0, 1e6, f64::INFINITY] {
+        let limits = [online::symmetric::<R>(jerk, 10.0, 5.0)];
+        let (mut states, mut moves) = ([0.0, 10.0, 20.0].map(|x| State::at(R::of(x))), [Move::default(); 2]);
+        let (durations, _) = online::path(&mut states, &limits, 1, 0);
+        path_moves(&mut moves, &limits, &states, &durations, 1).expect("moves");
+        let first = moves[0];
+        let mut work = vec![R::ZERO; path_size(1, 2).expect("a size")];
+        for (k, part) in (1..90).flat_map(|k| [(k, R::ONE), (k, R::of(0.9))]) {
+            let t = R::of(0.01 * f64::from(k)) * durations[0];
+            states[0] = first.state_at(t);
+            let (mut rest, mut left) = (states, [part * (durations[0] - t), durations[1]]);
+            let before = left[0] + left[1];
+            improve_path(&mut rest, &mut left, &limits, 1, 1, &mut work).expect("a path");
+            assert!(part < R::ONE || left[0] + left[1] <= before * R::of(1.001), "{jerk} {t:?} {left:?}");
+            path_moves(&mut moves, &limits, &rest, &left, 1).expect("moves");
+        }
+    }
+}
+
+/// The states in so many ticks.
+fn after<const AXES: usize>(ticks: u32, ticker: &mut GroupTicker<f64>) -> [State<f64>; AXES] {
+    let mut now = [State::at(0.0); AXES];
+    (0..ticks).for_each(|_| drop(ticker.tick(&mut now)));
+    now
+}
+
+/// An axis goes back at 1.5 m/s. Its path that begins in motion was taken over, and it stood at once where this begins.
+#[test]
+fn no_path_goes_back_to_a_start_in_motion() {
+    let (planned, limits) = (Limits::symmetric(20.0, 7.0, 3.0), [Limits::symmetric(30.0, 10.0, 5.0)]);
+    let middle = state([10.0, 3.0, 0.0]);
+    let moves =
+        [(State::at(0.0), middle), (middle, State::at(20.0))].map(|(from, to)| online::plan(&planned, from, to));
+    let (mut states, mut room) = ([State::at(0.0)], [Move::default(); 3]);
+    let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
+    let (mut planner, mut ticker) = group.split();
+    planner.path(&limits, &moves, 0.0, 1).expect("a path");
+    after::<1>(4400, &mut ticker);
+    planner.rate(&limits, -0.5, 1).expect("a rate");
+    let [now] = after(900, &mut ticker);
+    assert!(now.velocity == -1.5 && now.acceleration == 0.0, "{now:?}");
+    let s = moves[1].time_at(now.position).expect("a time") - 0.0005;
+    assert_eq!(planner.path(&limits, &moves[1..], s, 1), Err(Error::Target));
+}
+
+/// A hold that begins later was forgotten when the path was continued: the axis went to its end.
+#[test]
+fn a_hold_outlives_the_next_path() {
+    let (planned, limits) = (Limits::symmetric(24.0, 8.0, 4.0), [Limits::symmetric(30.0, 10.0, 5.0)]);
+    let moves = online::motions([0.0, 1.0, -3.0, -3.0].map(State::at).to_vec(), &[planned], 1, 0);
+    for is_held in [false, true] {
+        let (mut states, mut room) = ([State::at(0.0)], [Move::default(); 3]);
+        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        planner.path(&limits, &moves, 0.0, 1).expect("a path");
+        after::<1>(200, &mut ticker);
+        if is_held {
+            planner.rate(&limits, 0.0, 1).expect("a hold");
+        }
+        after::<1>(5, &mut ticker);
+        let next = planner.path(&limits, &moves, 0.205, 1);
+        assert_eq!(next, if is_held { Err(Error::Target) } else { Ok(Findings::default()) });
+    }
+}
+
+/// The target is passed in motion, next to the highest position. A stop and a hold went on by it to a place outside, where a stop alone would
+/// have stayed inside.
+#[test]
+fn a_stop_and_a_hold_stay_between_the_positions() {
+    let (planned, limits) = ([Limits::symmetric(24.0, 8.0, 4.0); 2], [Limits::symmetric(30.0, 10.0, 5.0); 2]);
+    for ticks in 2860..2980 {
+        let (mut states, mut room) = ([State::at(0.0); 2], [Move::default(); 6]);
+        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        planner.within([&[-1.0; 2], &[10.02; 2]]).expect("positions");
+        planner.sync(&planned, &[state([10.0, 1.0, 0.0]), State::at(3.0)], 1).expect("a motion");
+        let [now, _] = after(ticks, &mut ticker);
+        let stop = online::stop(&limits[0], now);
+        assert!(stop.position(stop.t) < 10.02, "{now:?}");
+        if planner.rate(&limits, 0.0, 1).is_err() {
+            planner.stop(&limits, 1).expect("a stop");
+        }
+        let [end, _] = after(4000, &mut ticker);
+        assert!(end.velocity == 0.0 && end.position < 10.02, "{now:?} {end:?}");
+    }
+}
+
+/// Shortly after its start the time of a lead was found from its position, which was rounded: a hold jumped in float.
+#[test]
+fn a_hold_behind_the_start_of_a_line_jumps_by_no_rounding() {
+    let (limits, planned) = ([Limits::symmetric(20.0_f32, 4.0, 1.0)], Limits::symmetric(16.0, 3.2, 0.8));
+    let axis = [online::plan(&planned, State::at(1000.0), State::at(1001.0))];
+    for x in (1..400).map(|k| k as f32 * 1e-3) {
+        let mut clock = Clock::new();
+        clock.rate(&axis, &limits, x, 0.0).expect("a hold");
+        let [before, first] = [x - 1e-3, x + 1e-3].map(|y| clock.state(&axis, 1, y));
+        assert!((first[2] - before[2]).abs() < 1.5 * 20.0 * 2e-3, "{x} {before:?} {first:?}");
+    }
+}
+
+/// A hold without a reserve of a path that ends in motion was so slow that its limits had no rounding for it, and took half an hour.
+#[test]
+fn no_hold_takes_half_an_hour() {
+    let limits = [Limits::symmetric(30.0_f32, 10.0, 5.0)];
+    let axis = [online::plan(&limits[0], State::at(0.0), State { velocity: 3.0, ..State::at(10.0) })];
+    for x in (1..200).map(|k| k as f32 / 200.0 * axis[0].t) {
+        let mut clock = Clock::new();
+        if clock.rate(&axis, &limits, x, 0.0).is_ok() {
+            let stop = online::stop(&limits[0], axis[0].state_at(x));
+            assert!(clock.until() - x <= 33.0 * (stop.t + axis[0].t), "{x} {}", clock.until());
+        }
+    }
+}
+
 /// Once around a circle of 5 mm, from a start on the circle at a velocity, mm/s. Close points made an axis stop, turn and come back: the
 /// path of 512 points took 0.72 s from 95 mm/s, and 0.39 s from rest.
 #[test]
@@ -696,5 +823,5 @@ fn a_move_from_a_line<R: Real>() {
 test_both_reals!(
     a_gap_of_no_width, a_move_from_a_line, a_target_at_the_start, planned_without_a_jump, passed_in_motion,
     one_jerk_is_far_larger, the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself,
-    beyond_the_range, named_tolerance, of_any_size, at_the_border_of_the_range
+    beyond_the_range, named_tolerance, of_any_size, at_the_border_of_the_range, the_rest_of_a_section
 );

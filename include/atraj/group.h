@@ -66,8 +66,8 @@ A_EXTERN int atraj_group_tick(struct atraj_group *ctx, atraj_state *states);
  * @brief Keep each motion that is planned from now on between two positions of each axis until its end, up to 128 ulps.
  * For the main loop.
  *
- * A line or path that would leave them is `ATRAJ_ERR_POSITION`, and so is a target if no motion to it stays between
- * them. An axis that cannot stop between them stops as fast as it can.
+ * A line, path or change of the rate that would leave them is `ATRAJ_ERR_POSITION`, and so is a target if no motion
+ * to it stays between them. An axis that cannot stop between them stops as fast as it can.
  * @param lowest points to the lowest positions of the `n` axes, unit, `highest` to the highest; an infinite one is no
  * limit. Both stay the caller's, and must stay as they are. Both NULL: any positions, as after `atraj_group_init`.
  * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE` if a position is not a number, or
@@ -112,12 +112,13 @@ int atraj_group_line(struct atraj_group *ctx,
  *
  * While the axes move, another path may take over at its time `s`, if it has the state of the axes there: so a path is
  * continued. Its time runs at the rate 1, or else at the rate in force.
+ * @param limits points to the limits of the `n` axes for a change of the rate. The moves are taken as they are.
  * @param moves points to `sections * n` moves, as `atraj_path_moves` writes them. They must stay as they are until a
  * later plan of another motion has begun.
  * @param s time of the path at the takeover, s
  * @return 0; else `ATRAJ_ERR_TARGET` if a section does not begin where the one before ends, if its moves do not have
- * one duration, if `s` is not on the path, or if the axes are not on the path then; `ATRAJ_ERR_LATE` as for
- * `atraj_axis_go`, or `ATRAJ_ERR_NULL`, also if `sections` is 0
+ * one duration, if `s` is not on the path, if the axes are not on the path then, or while the rate changes;
+ * `ATRAJ_ERR_LATE` as for `atraj_axis_go`, or `ATRAJ_ERR_NULL`, also if `sections` is 0
  */
 A_EXTERN
 int atraj_group_path(struct atraj_group *ctx,
@@ -142,10 +143,14 @@ int atraj_group_rate(struct atraj_group *ctx,
 
 /**
  * @brief Stop on the line or path, if all axes then stand within twice the time of the slowest axis' own stop; else
- * each axis as fast as it can. A line that is not slowed down stops on itself in any case.
+ * each axis as fast as it can. A line that is not slowed down stops on itself in any case. From a stop on the line or path
+ * `atraj_group_rate` can lead on.
  * @return as `atraj_move_stop`; `ATRAJ_ERR_LATE` as for `atraj_axis_go`
  */
-A_EXTERN int atraj_group_stop(struct atraj_group *ctx, const atraj_limits *limits, unsigned int lead);
+A_EXTERN
+int atraj_group_stop(struct atraj_group *ctx,
+                     const atraj_limits *limits,
+                     unsigned int lead);
 
 #if defined(__cplusplus)
 } /* extern "C" */

@@ -27,6 +27,10 @@ const SCALES: u32 = 17;
 /// Then each limit is raised alone: by these sixteenths of itself, one after the other.
 const RAISES: [u8; 6] = [64, 32, 24, 20, 20, 18];
 
+/// A change takes at most so many times the slowest axis' free stop and the path. A slower one costs less than the rounding errors of the limits,
+/// which in binary32 allowed a hold of half an hour.
+const LONGEST: i32 = 32;
+
 /// The most parts in which a phase of the clock is examined: a power of 2. More parts find no shorter hold.
 const PARTS: i32 = 32;
 
@@ -54,9 +58,7 @@ pub(super) struct Change<'a, R> {
 impl<'a, R: Real> Change<'a, R> {
     pub fn new(moves: &'a [Move<R>], limits: &'a [Limits<R>], rate: R) -> Result<Self, Error> {
         let length = time_of_rest(moves, limits.len());
-        if rate < R::ZERO && !start_at_rest(moves, limits.len()) {
-            return Err(Error::Target);
-        }
+        Error::Target.unless(rate >= R::ZERO || start_at_rest(moves, limits.len()))?;
         let speeds =
             moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), R::ZERO, limits));
         let least = slowest([R::INFINITY; 2], speeds);
@@ -95,7 +97,8 @@ impl<'a, R: Real> Change<'a, R> {
         // From a standstill the first change is taken: a later one arrives hardly sooner, and each place costs a search.
         let searches = if goes_on && !start.is_at_rest() { SEARCHES } else { 1 };
         for _ in 0..searches {
-            let is_found = self.fastest(time.state_at(t), stop, until - t, &mut change)?;
+            let most = (until - t).at_most(self.longest(stop));
+            let is_found = self.fastest(time.state_at(t), stop, most, &mut change)?;
             // A little gain is not worth a phase.
             let reached = t + change.t;
             if is_found && reached + R::SIXTEENTH * step < until {
@@ -121,6 +124,7 @@ impl<'a, R: Real> Change<'a, R> {
         self.first_slow(from, time)?;
         if self.is_on_path(time) {
             let until = time.t;
+            Error::Target.unless(until <= self.longest(self.free_stop(from.position)?))?;
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
             return Ok(Law { until, is_reached: true, lead: None });
         }
@@ -179,6 +183,10 @@ impl<'a, R: Real> Change<'a, R> {
             }
         }
         Ok(longest)
+    }
+
+    fn longest(&self, stop: R) -> R {
+        R::from_index(LONGEST) * (stop + self.axis(0).duration())
     }
 
     fn axis(&self, index: usize) -> Axis<'a, R> {
@@ -327,6 +335,23 @@ impl<R: Real> Move<R> {
         self.keep_until(start);
         self.push(Phase { start, duration, position, velocity, ..Phase::default() })?;
         self.push(Phase { start: start + duration, position: border, ..Phase::default() })
+    }
+
+    /// The motion between two of its times. Behind its end it goes on. `None` if it has too many phases.
+    pub(super) fn between(&self, from: R, to: R) -> Option<Self> {
+        let phase_at = |x: R| {
+            let State { position, velocity, acceleration } = self.state_at(x);
+            Phase { start: x - from, position, velocity, acceleration, ..Phase::default() }
+        };
+        let mut part = *self;
+        part.begin_at(from)?;
+        part.keep_until(to - from);
+        let end = self.t.at_least(from);
+        if to > end {
+            part.push(Phase { duration: to - end, ..phase_at(end) })?;
+        }
+        part.push(phase_at(to))?;
+        Some(part)
     }
 
     /// At the time `t` another motion begins. `None` if it has too many phases.

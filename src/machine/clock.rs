@@ -90,22 +90,16 @@ impl<R: Real> Clock<R> {
     /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits. This is proved for each part of the motion, not
     /// sampled. There the time of the path stands. Only at an end in motion the axes go on.
     ///
-    /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change of the rate within the limits is found, or if
-    /// the rate is negative and the path begins in motion; [`Error::Late`] if `x` is before the last change; [`Error::Axes`] if there is no axis or
-    /// no move, or no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`]. On an error the clock goes on as it did.
+    /// Returns [`Findings::RATE_NOT_REACHED`] if the path ends before. [`Error::Target`] if no change within the limits is found that takes at most
+    /// 32 times the path and a stop, or if the rate is negative and the path begins in motion; [`Error::Late`] if `x` is before the last change;
+    /// [`Error::Axes`] if there is no axis or no move, or no whole sections; [`Error::NotFinite`] and [`Error::Limits`] as in [`Move::plan`]. On an error the clock goes on as it did.
     pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<Findings, Error> {
-        if !are_whole(moves, limits.len()) {
-            return Err(Error::Axes);
-        }
-        if !(x.is_finite() && rate.is_finite()) {
-            return Err(Error::NotFinite);
-        }
+        Error::Axes.unless(are_whole(moves, limits.len()))?;
+        Error::NotFinite.unless(x.is_finite() && rate.is_finite())?;
         for limits in limits {
             limits.are_limits()?;
         }
-        if x < self.begin {
-            return Err(Error::Late);
-        }
+        Error::Late.unless(x >= self.begin)?;
         let change = Change::new(moves, limits, rate)?;
         let now = self.state_of_time(x);
         let mut time = Move::default();
@@ -167,6 +161,17 @@ impl<R: Real> Clock<R> {
         };
         let state = of.state(x - start);
         if is_led > 0 { lead::along(&self.lead, state) } else { state }
+    }
+
+    /// The lowest and the highest time of the path from the last change until the time `x`, s.
+    pub(super) fn span(&self, x: R) -> [R; 2] {
+        let [begin, end] = [self.begin, x].map(|x| self.time(x));
+        let (low, high) = (begin.at_most(end), begin.at_least(end));
+        if self.is_led > 0 {
+            return [low, high];
+        }
+        let reached = self.time.extremes();
+        [low.at_most(reached.lowest.position), high.at_least(reached.highest.position)]
     }
 
     /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s. The move of the axis in the first section begins `moves`, and its

@@ -6,6 +6,7 @@ use super::clock::Clock;
 use super::handover::{Handover, Moment, at};
 use super::sections::{Axis, are_whole, duration, time_of_rest};
 use crate::findings::{Error, Findings};
+use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::online::{Move, are_in_order};
 use crate::real::Real;
@@ -201,7 +202,8 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     }
 
     /// Each motion that is planned from now on stays between two positions of each axis until its end, up to 128 ulps: the lowest ones and the
-    /// highest ones. An infinite position is no limit, and empty lists are none. A line or path that would leave them is [`Error::Position`], and so
+    /// highest ones. An infinite position is no limit, and empty lists are none. A line, path or change of the rate that would leave them is
+    /// [`Error::Position`], and so
     /// is a target if no motion to it stays between them. An axis that cannot stop between them stops as fast as it can.
     ///
     /// [`Error::Axes`] if a list does not have one element for each axis; [`Error::NotFinite`] if a position is not a number; [`Error::Limits`] if the
@@ -258,24 +260,29 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
 
     /// Follows a path from its time `s` on, s: 0 from its start. `moves` has the moves of all axes for the first section, then for the second one, as
     /// [`path_moves`](crate::axes::path_moves) writes them. The path may be another than the one in force, if both have the same state at the
-    /// takeover: so a path is continued while the axes move. Its clock has the rate 1, else the rate in force.
+    /// takeover: so a path is continued while the axes move. Its clock has the rate 1, else the rate in force. `limits` are those of a change of the
+    /// rate; the moves are taken as they are.
     ///
     /// [`Error::Axes`] if the moves are no whole sections; [`Error::Target`] if the moves of a section have several durations, if a section does not
-    /// begin where the one before ends, if `s` is not on the path, or if the path does not have the state of the axes there. Then the motion goes on.
+    /// begin where the one before ends, if `s` is not on the path, if the path does not have the state of the axes there,
+    /// or while the rate changes. Then the motion goes on.
     pub fn path(&mut self, limits: &[Limits<R>], moves: &'a [Move<R>], s: R, lead: u32) -> Result<Findings, Error> {
         self.next(limits, lead, |from, next| {
             Error::Axes.unless(are_whole(moves, limits.len()))?;
             let is_on_path = s >= R::ZERO && s <= duration(moves, limits.len());
             Error::Target.unless(is_on_path && is_path(moves, limits.len()))?;
             Error::Position.unless(stay(moves, from.positions))?;
-            let [_, rate, slowing, _] = from.course.clock.state_of_time(from.x);
+            let clock = &from.course.clock;
+            Error::Target.unless(from.x >= clock.until())?;
+            let [_, rate, slowing, _] = clock.state_of_time(from.x);
             let steady = if slowing == R::ZERO { rate } else { R::ONE };
             let length = time_of_rest(moves, limits.len());
             next.course.path = moves;
             for rate in [R::ONE, steady] {
                 next.course.clock.begin_at(s, rate, length);
                 let is_within = || Ok(Change::new(moves, limits, rate)?.keeps(&next.course.clock.time));
-                if from.is_at(moves, s, rate) && (rate.abs() <= R::ONE || is_within()?) {
+                let is_planned = rate >= R::ZERO && rate <= R::ONE;
+                if from.is_at(moves, s, rate) && (is_planned || is_within()?) {
                     next.course.set_end(moves, limits.len());
                     return Ok(Findings::default());
                 }
@@ -292,7 +299,8 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
     }
 
     /// Stops on the line or path, if all axes then stand within twice the time of the slowest axis' own stop; else on a line that is in force as
-    /// planned, by [`line_stop`]; else each axis at once. It returns the findings and errors of [`Move::stop`], and [`Error::Late`].
+    /// planned, by [`line_stop`]; else each axis at once. From a stop on the line or path [`rate`](Self::rate) can lead on. It returns
+    /// the findings and errors of [`Move::stop`], and [`Error::Late`].
     pub fn stop(&mut self, limits: &[Limits<R>], lead: u32) -> Result<Findings, Error> {
         self.next(limits, lead, |from, next| {
             next.stop_each(from, limits)?;
@@ -302,7 +310,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             }
             let [s, rate, slowing, _] = from.course.clock.state_of_time(from.x);
             if from.moves.len() == limits.len() && rate == R::ONE && slowing == R::ZERO {
-                copy(next.moves, from.moves);
+                next.copy(from);
                 let stop = line_stop(next.moves, limits, s);
                 if stop.is_ok() && stay(next.moves, from.positions) {
                     next.course.follow_moves(next.moves);
@@ -380,16 +388,40 @@ impl<'a, R: Real> Next<'_, 'a, R> {
         Ok(found)
     }
 
+    /// Copies the moves in force, of a path those of the first section.
+    fn copy(&mut self, from: &InForce<'_, 'a, R>) {
+        self.moves.iter_mut().zip(from.moves).for_each(|(axis, from)| *axis = *from);
+    }
+
     /// Goes on in the moves in force, by a clock that changes its rate.
     fn change(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>], rate: R) -> Result<Findings, Error> {
         Error::Target.unless(is_path(from.moves, limits.len()))?;
         self.course.path = from.course.path;
-        copy(self.moves, from.moves);
+        self.copy(from);
         let clock = &mut self.course.clock;
         clock.go_on_from(&from.course.clock, from.x);
         let found = clock.rate(from.moves, limits, R::ZERO, rate)?;
         self.course.set_end(from.moves, limits.len());
+        Error::Position.unless(self.stays(from, limits.len()))?;
         Ok(found)
+    }
+
+    /// Whether the axes stay between the positions while the clock runs to its end.
+    #[inline(never)] // for its stack
+    fn stays(&self, from: &InForce<'_, 'a, R>, n: usize) -> bool {
+        let [low, high] = self.course.clock.span(self.course.end);
+        (0..n).filter_map(|index| Some((index, of_axis(from.positions, index)?))).all(|(index, [lowest, highest])| {
+            Axis::new(from.moves, n, index).sections().all(|(of, start, next)| {
+                let stays = |part: Move<R>| {
+                    let reached = part.extremes();
+                    let far = reached.lowest.position.abs() + reached.highest.position.abs();
+                    !reached.overshoots(lowest, highest, of_check(far))
+                };
+                let is_passed = low < next && high > start;
+                let part = || of.between((low - start).at_least(R::ZERO), high.at_most(next) - start);
+                !is_passed || part().is_some_and(stays)
+            })
+        })
     }
 }
 
@@ -402,13 +434,6 @@ fn of_axis<R: Real>([lowest, highest]: [&[R]; 2], index: usize) -> Option<[R; 2]
 fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: [&[R]; 2]) -> bool {
     let positions = lowest.iter().zip(highest).cycle();
     moves.iter().zip(positions).all(|(axis, (lowest, highest))| !axis.leaves(*lowest, *highest))
-}
-
-/// Copies the moves of the first section.
-fn copy<R: Real>(to: &mut [Move<R>], from: &[Move<R>]) {
-    for (axis, from) in to.iter_mut().zip(from) {
-        *axis = *from;
-    }
 }
 
 /// Whether the moves of each section have one duration, and begin where those before them end.

@@ -37,10 +37,14 @@ pub(super) fn stop<R: Real>(
     let is_plain = stop.stop(&tightest, from)?.is_empty();
     let [start, end] = [lead.start(), lead.end()].map(|state| state.position);
     let is_within = is_plain && !stop.extremes().overshoots(start, end, of_check(start.abs() + end.abs()));
-    // A low velocity of the lead, compared with its highest, has a large rounding error where the rate is divided by it.
-    let least = R::EPSILON.sqrt() * lead.extremes().speed();
+    // A low velocity of the lead, compared with its highest, has a large rounding error where the rate is divided by it. And the time since its start
+    // is not known before it has passed many rounding errors of its positions: 64 times those of a check.
+    let extremes = lead.extremes();
+    let least = R::EPSILON.sqrt() * extremes.speed();
+    let passed = R::from(64) * of_check(start.abs() + end.abs());
     let [stands, ..] = along(lead, stop.state(stop.t));
-    let is_exact = [s, stands].into_iter().all(|s| lead.velocity(s).abs() > least);
+    let least_now = least.at_least((passed * extremes.acceleration()).sqrt());
+    let is_exact = lead.velocity(s).abs() > least_now && lead.velocity(stands).abs() > least;
     let is_reached = stands < lead.t;
     let law = Law { until: stop.t, is_reached, lead: Some(index) };
     Ok(Some(law).filter(|_| is_within && is_exact))

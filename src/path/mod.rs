@@ -44,7 +44,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 }
 
 /// Plans a path through waypoints: the velocities and accelerations at the waypoints, and the durations of the sections between them. No section
-/// is impossible, and the path is not longer than one that stops at every point.
+/// is impossible, and if no point repeats, the path is not longer than one that stops at every point.
 ///
 /// `states` has a state for each of the `axes`, point by point: one point more than `durations` has sections. Every position is given, and the first and
 /// the last state; the states between are written, and the durations, s. A start outside the limits returns within them in the first section.

@@ -188,11 +188,11 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 /// clock changes. In a path that takes `all` an axis is no faster than its limits, or the limits of their derivatives, let it be.
 fn with_errors<R: Real>(limits: &Limits<R>, t: R, all: R, [position, clock]: [R; 2]) -> Limits<R> {
     let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
-    let j = jmax.at_least(-jmin);
-    let a = amax.at_least(-amin).at_most(j * all);
+    let (j, slower) = (jmax.at_least(-jmin), jmax.at_most(-jmin));
+    let a = amax.at_least(-amin).at_most(if j < R::INFINITY { j } else { slower } * all);
     let v = vmax.at_least(-vmin).at_most(a * all);
-    // The quintic that ends such an error has at most 60, 36 and 9 times these jerks.
-    let jerk = ((position + v * clock) / t + a * clock) / (t * t) + j * clock / t;
+    // The quintic that ends such an error has at most 60, 36 and 9 times these jerks. A jerk that is soon over counts as its mean.
+    let jerk = ((position + v * clock) / t + a * clock) / (t * t) + j.at_most(a / t) * clock / t;
     let (more_j, more_a, more_v) = (R::from(64) * jerk, R::from(8) * jerk * t, R::from(2) * jerk * t * t);
     Limits {
         vmax: vmax + more_v,

@@ -15,9 +15,7 @@ use crate::state::State;
 /// [`Error::Line`] if the moves are not on one straight line. It returns the findings and the other errors of [`Move::stop`], and
 /// [`Error::Axes`] if there is no axis or the slices have different lengths. On an error no axis is written.
 pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> Result<Findings, Error> {
-    if axes.len() != limits.len() {
-        return Err(Error::Axes);
-    }
+    Error::Axes.unless(axes.len() == limits.len())?;
     let Highest { lead, place, order } = highest(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
     let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| derivative(phase, order));
@@ -31,18 +29,14 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     let first = usize::from(lead.phases().len() > 1);
     for (axis, limits) in axes.iter().zip(limits) {
         limits.are_limits()?;
-        if !goes_along(share(axis), axis, &lead, first) {
-            return Err(Error::Line);
-        }
+        Error::Line.unless(goes_along(share(axis), axis, &lead, first))?;
         tightest.tighten(limits, share(axis));
     }
     let mut stop = Move::default();
     let found = stop.stop(&tightest, State { position: R::ZERO, ..now })?;
     let scaled = |axis: &Move<R>| stop.scaled(axis.position(x), share(axis));
     let is_finite = |axis: &Move<R>| scaled(axis).end().position.is_finite();
-    if !axes.iter().all(is_finite) {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(axes.iter().all(is_finite))?;
     for axis in axes {
         *axis = scaled(axis);
     }

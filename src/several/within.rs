@@ -43,9 +43,7 @@ pub fn synchronise_within<R: Real>(
     let cycle = Cycle::new(duration, cycle)?;
     let ends = checked(axes.len(), limits, from, to)?;
     let [lowest, highest] = positions;
-    if lowest.len() != axes.len() || highest.len() != axes.len() {
-        return Err(Error::Axes);
-    }
+    Error::Axes.unless(lowest.len() == axes.len() && highest.len() == axes.len())?;
     let bounds = lowest.iter().zip(highest);
     let within = ends.zip(bounds).map(|(ends, (&lowest, &highest))| Within { ends, lowest, highest });
     let mut slowest = duration;
@@ -123,10 +121,7 @@ impl<R: Real> Within<'_, R> {
         if axis.leaves(self.lowest, self.highest) {
             self.plan_wait(axis, t)?;
         }
-        if axis.leaves(self.lowest, self.highest) {
-            return Err(Error::Position);
-        }
-        Ok(())
+        Error::Position.unless(!axis.leaves(self.lowest, self.highest))
     }
 
     /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.
@@ -141,13 +136,9 @@ impl<R: Real> Within<'_, R> {
         let mut after = Move::default();
         self.plan_around_wait([axis, &mut after])?;
         let until = t - after.t;
-        if axis.t > until {
-            return Err(Error::Position);
-        }
+        Error::Position.unless(axis.t <= until)?;
         axis.wait_until(until);
-        if axis.t < until {
-            return Err(Error::Position); // no phase is left for the wait
-        }
+        Error::Position.unless(axis.t >= until)?; // else no phase is left for the wait
         axis.append(&after)?;
         axis.end_at(t);
         Ok(())
