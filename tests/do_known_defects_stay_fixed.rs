@@ -585,7 +585,9 @@ fn the_rest_of_a_section<R: Real>() {
 /// The states in so many ticks.
 fn after<const AXES: usize>(ticks: u32, ticker: &mut GroupTicker<f64>) -> [State<f64>; AXES] {
     let mut now = [State::at(0.0); AXES];
-    (0..ticks).for_each(|_| drop(ticker.tick(&mut now)));
+    for _ in 0..ticks {
+        ticker.tick(&mut now);
+    }
     now
 }
 
