@@ -48,10 +48,11 @@ pub unsafe extern "C" fn atraj_path_plan(
 
 /// @brief Improve a path that `atraj_path_plan` has planned, or this function: as often as there is time.
 ///
-/// A path gets no longer, and is possible after every call. It may change between two calls. Drop sections that are
-/// passed. Begin with the state under way, and with what is left of the duration of its section. Append points at rest,
-/// with sections of the duration 0: they are stretched until they are possible. If the states and durations are
-/// impossible otherwise, the path is planned again from the start. The other arguments are those of `atraj_path_plan`.
+/// A path gets no longer, and is possible after every call, but for rounding in the last phase of the first section. It
+/// may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of
+/// the duration of its section. Append points at rest, with sections of the duration 0: they are stretched until they are
+/// possible. If the states and durations are impossible otherwise, the path is planned again from the start. The other
+/// arguments are those of `atraj_path_plan`.
 /// @param states points to `(sections + 1) * axes` states, point by point, all of them given
 /// @param durations points to the durations of the `sections` sections, s
 /// @return as `atraj_path_plan`; `ATRAJ_ERR_NOT_FINITE` also if a state between is not made of numbers,
@@ -197,7 +198,7 @@ pub unsafe extern "C" fn atraj_path_plan_near(
 /// @return as `atraj_path_moves`; `ATRAJ_ERR_LIMITS` also if the tolerance is not above 0, `ATRAJ_ERR_NOT_FINITE` if it
 /// is infinite or not a number, `ATRAJ_ERR_NULL` if there is no room for the given points. `ATRAJ_ERR_POSITION` if the
 /// room or the rounds end before the path is near enough. Then a path that leaves its lines farther is written, and
-/// `atraj_path_deviation` says how far: give more room, or a start that does not move away from its line.
+/// `atraj_path_deviation` says how far: give more room, or ends that do not leave their lines.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_path_contour(
     moves: *mut atraj_move, states: *mut atraj_state, durations: *mut a_float, places: *mut usize,
