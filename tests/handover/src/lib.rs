@@ -1,5 +1,7 @@
 //! The handover of `src/machine/handover.rs`, compiled with other atomics, and faulty variants of it.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 pub trait Handover {
     type Takeover;
     fn new() -> Self;
@@ -27,6 +29,11 @@ impl Plan {
             assert_eq!((self.from, next), ((id, age + 1), 0), "a jump between two moves");
         }
     }
+}
+
+/// Whether a test of a faulty variant fails.
+pub fn is_seen<T>(test: fn() -> T, fault: &str) {
+    assert!(catch_unwind(AssertUnwindSafe(test)).is_err(), "{fault}");
 }
 
 macro_rules! variants {
