@@ -67,12 +67,18 @@ fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
 
 fn problem<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
     let limits = online::limits(random);
-    let from = online::anywhere(random, &limits);
-    (limits, from, online::inside(random, &limits))
+    (limits, online::anywhere(random, &limits), online::inside(random, &limits))
 }
 
 fn numbers_of_state<R: Real>(state: State<R>) -> Vec<R> {
     vec![state.position, state.velocity, state.acceleration]
+}
+
+/// The numbers as bytes. The first byte holds the kind above the real type.
+fn with_kind<R: Real>(numbers: &[R], kind: u8) -> Vec<u8> {
+    let mut bytes = encode(numbers, &[]);
+    bytes[0] += 2 * kind;
+    bytes
 }
 
 /// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
@@ -81,9 +87,7 @@ fn of_machine<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1].map(R::of).to_vec();
     numbers.extend(online::numbers_of(&limits));
     numbers.extend([from, to].map(numbers_of_state).concat());
-    let mut bytes = encode(&numbers, &[]);
-    bytes[0] += 2 * (case % 25);
-    bytes
+    with_kind(&numbers, case % 25)
 }
 
 /// Waypoints of one or two axes: the first byte holds the number of axes and that of sections above the real type.
@@ -99,9 +103,7 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     }
     numbers.extend(ends.concat());
     numbers.extend((0..axes * (sections - 1)).map(|_| R::of(random.between(-10.0, 10.0))));
-    let mut bytes = encode(&numbers, &[]);
-    bytes[0] += 2 * (axes - 1 + 2 * (sections - 1));
-    bytes
+    with_kind(&numbers, axes - 1 + 2 * (sections - 1))
 }
 
 /// Problems of each planner of `Move`: the first byte holds its number above the real type.
@@ -111,9 +113,7 @@ fn of_move<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     numbers.extend([from, to].map(numbers_of_state).concat());
     // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
     numbers.extend([R::of(0.5), R::of(50.0)]);
-    let mut bytes = encode(&numbers, &[]);
-    bytes[0] += 2 * (case % PLANNERS);
-    bytes
+    with_kind(&numbers, case % PLANNERS)
 }
 
 /// Problems of each planner of one to three axes: the first byte holds both above the real type. At rest every line can be planned.
@@ -132,9 +132,7 @@ fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
         let margin = R::of(random.magnitude(-3.0, 2.0));
         numbers.extend([low - margin, high + margin]);
     }
-    let mut bytes = encode(&numbers, &[]);
-    bytes[0] += 2 * (planner + PLANNERS_OF_AXES * more);
-    bytes
+    with_kind(&numbers, planner + PLANNERS_OF_AXES * more)
 }
 
 fn write<R: Real>(family: Family, directory: &Path) -> Result<()> {
