@@ -17,8 +17,7 @@ fn from_rest_to_rest<R: Real>() {
         let limits: Vec<_> = any.map(|limits| Limits { jmin: -limits.jmax, ..limits }).collect();
         let mut state = |_| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5)));
         let [from, to] = [(); 2].map(|()| (0..count).map(&mut state).collect::<Vec<_>>());
-        let duration = R::of(random.pick(&[0.0, 0.01, 1.0, 100.0]));
-        let axes = online::together(&limits, &from, &to, duration);
+        let axes = online::together(&limits, &from, &to, R::of(random.pick(&[0.0, 0.01, 1.0, 100.0])));
         for ((axis, from), to) in axes.iter().zip(&from).zip(&to) {
             let distance = (to.position.widen() - from.position.widen()).abs();
             let rounding = 1.0 + 64.0 * R::MACHINE_EPSILON.widen();
@@ -35,8 +34,7 @@ fn in_slow_motion<R: Real>() {
         let limits = online::limits::<R>(&mut random);
         let [from, to] = [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.5))));
         let fastest = online::plan(&limits, from, to);
-        let duration = fastest.t * R::of(1.0 + random.magnitude(-2.0, 3.0));
-        let axes = online::together(&[limits], &[from], &[to], duration);
+        let axes = online::together(&[limits], &[from], &[to], fastest.t * R::of(1.0 + random.magnitude(-2.0, 3.0)));
         let size = from.position.widen().abs() + to.position.widen().abs();
         for _ in 0..8 {
             let part = R::of(random.unit());
@@ -67,11 +65,7 @@ fn cruise(limits: &Limits<f64>, from: State<f64>, to: State<f64>, t: f64) -> Opt
         let ([t0, h0], [t1, h1]) = (ramp(limits, from, v)?, ramp(&back, end, v)?);
         let lasts = t - t0 - t1;
         let lacks = way - (h0 + v * lasts + h1);
-        if lacks > 0.0 {
-            low = v;
-        } else {
-            high = v;
-        }
+        (low, high) = if lacks > 0.0 { (v, high) } else { (low, v) };
         let is_near = lacks.abs() <= 1e-12 * (way.abs() + v.abs() * t);
         found = (is_near && lasts > 1e-3 * t).then_some([v, lasts]);
     }

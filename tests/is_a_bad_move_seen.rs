@@ -33,11 +33,8 @@ fn faults<R: Real>() -> Vec<Fault<R>> {
         ("a velocity beyond its limit", Findings::EXCEEDS_VELOCITY, |planned, limits| {
             let reached = planned.extremes();
             let (low, high) = (reached.lowest.velocity, reached.highest.velocity);
-            if high > -low {
-                limits.vmax = R::of(0.99) * high;
-            } else {
-                limits.vmin = R::of(0.99) * low;
-            }
+            let (limit, most) = if high > -low { (&mut limits.vmax, high) } else { (&mut limits.vmin, low) };
+            *limit = R::of(0.99) * most;
         }),
         ("an acceleration above its limit", Findings::EXCEEDS_ACCELERATION, |planned, limits| {
             limits.amax = R::of(0.99) * planned.extremes().highest.acceleration;
@@ -84,8 +81,7 @@ fn clean<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
     };
     let start: State<R> = state_of([random.between(-5.0, 5.0), random.between(-0.5, 0.5), 0.0]);
     let far = R::of(start.position.widen() + random.sign() * 50.0);
-    let planned = online::plan(&limits, start, State::at(far));
-    (limits, planned)
+    (limits, online::plan(&limits, start, State::at(far)))
 }
 
 fn every_fault_is_seen<R: Real>() {
@@ -120,12 +116,10 @@ fn what_is_no_number_is_refused<R: Real>() {
             }
         }
     }
-    let no_limits = [Limits { vmax: R::ZERO, ..limits }, Limits { jmin: limits.jmax, ..limits }];
-    for within in no_limits {
+    for within in [Limits { vmax: R::ZERO, ..limits }, Limits { jmin: limits.jmax, ..limits }] {
         assert_eq!(planned.check(&within), Err(Error::Limits));
     }
-    let no_number = Limits { amin: R::NAN, ..limits };
-    assert_eq!(planned.check(&no_number), Err(Error::NotFinite));
+    assert_eq!(planned.check(&Limits { amin: R::NAN, ..limits }), Err(Error::NotFinite));
 }
 
 /// Phases of a double-S and of a trapezoid, there and back, that are not in order or do not meet.
@@ -194,8 +188,7 @@ fn one_ramp_has_a_jerk<R: Real>() {
     let [zero, half, one] = [0.0, 0.5, 1.0].map(R::of);
     for [v0, v1] in [[zero, one], [one, zero]] {
         let [p0, p1] = [zero, one];
-        let boundary = Boundary { p0, p1, v0, v1 };
-        let ramp = Bell::fastest(one, one, one, boundary).expect("a plan");
+        let ramp = Bell::fastest(one, one, one, Boundary { p0, p1, v0, v1 }).expect("a plan");
         assert_eq!([ramp.taj > zero, ramp.tdj > zero], [v1 > v0, v0 > v1]);
         assert_eq!(ramp.check(one, one, one), Ok(Findings::default()));
         assert_eq!(ramp.check(half, one, one), Ok(Findings::EXCEEDS_JERK));
@@ -250,8 +243,7 @@ test_both_reals!(
 #[test]
 fn findings_are_told() {
     let found = Findings::EXCEEDS_VELOCITY | Findings::OVERSHOOTS;
-    let told = "the velocity is above its limit; the move leaves the positions between its ends";
-    assert_eq!(found.to_string(), told);
+    assert_eq!(found.to_string(), "the velocity is above its limit; the move leaves the positions between its ends");
     assert_eq!(format!("{found:?}"), "Findings(EXCEEDS_VELOCITY | OVERSHOOTS)");
     assert_eq!(Findings::default().to_string(), "nothing is wrong");
     assert_eq!(format!("{:?}", Findings::default()), "Findings()");

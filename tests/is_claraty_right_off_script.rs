@@ -23,8 +23,7 @@ fn started<'w>(mode: Mode, route: impl Into<Route<'w>>) -> Trajectory<'w> {
 
 /// Axes long after the end of a motion to 10, and whether they take themselves for moving, as in the listing if nobody has read the end.
 fn after_the_end() -> impl Iterator<Item = (Trajectory<'static>, bool)> {
-    let ends = MODES.map(|mode| [(mode, true), (mode, false)]);
-    ends.into_iter().flatten().map(|(mode, read)| {
+    MODES.into_iter().flat_map(|mode| [(mode, true), (mode, false)]).map(|(mode, read)| {
         let mut axis = started(mode, to(10.0));
         if read {
             assert_eq!(axis.setpoint(100.0), State::at(10.0));
@@ -53,8 +52,7 @@ fn a_start_after_the_end_is_fresh_unless_nobody_read_the_end_of_a_listing() {
     for (mut axis, carries_on) in after_the_end() {
         axis.set(to(20.0).into(), 100.0).unwrap();
         axis.start(100.0);
-        let position = if carries_on { 10.0 } else { 0.0 };
-        assert_eq!(axis.setpoint(100.0).position, position, "{axis:?}");
+        assert_eq!(axis.setpoint(100.0).position, if carries_on { 10.0 } else { 0.0 }, "{axis:?}");
     }
 }
 
@@ -357,8 +355,7 @@ fn a_set_refuses_what_would_overflow_and_changes_nothing() {
             Waypoints::uniform(&good, wrong, 1.0),
             Waypoints::uniform(&good, 1.0, wrong),
         ];
-        let wrong_waypoints = wrong_waypoints.map(|waypoints| waypoints.unwrap().into());
-        for route in wrong_targets.into_iter().chain(wrong_waypoints) {
+        for route in wrong_targets.into_iter().chain(wrong_waypoints.map(|waypoints| waypoints.unwrap().into())) {
             assert_eq!(axis.set(route, 1.0), Err(OutOfRange), "{route:?}");
         }
         for axis in [&mut axis, &mut alone] {

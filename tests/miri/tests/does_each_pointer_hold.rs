@@ -299,17 +299,11 @@ impl Caller {
     }
 
     fn number(&mut self) -> f64 {
-        match self.contents {
-            Contents::Ordinary => self.ordinary(),
-            _ => f64::from_bits(self.arbitrary()),
-        }
+        if self.contents == Contents::Ordinary { self.ordinary() } else { f64::from_bits(self.arbitrary()) }
     }
 
     fn integer(&mut self) -> u32 {
-        match self.contents {
-            Contents::Ordinary => self.below(3) as u32,
-            _ => self.arbitrary() as u32,
-        }
+        if self.contents == Contents::Ordinary { self.below(3) as u32 } else { self.arbitrary() as u32 }
     }
 
     fn is_bad(&mut self) -> bool {
@@ -374,8 +368,7 @@ impl Caller {
             for (word, before) in words.iter().zip(&array.before) {
                 // SAFETY: the word was initialised before the call.
                 let after = unsafe { word.assume_init() };
-                let is_none = self.keeps && f64::from_bits(after).is_nan();
-                assert!(after == *before || is_none, "{name}: overwritten");
+                assert!(after == *before || self.keeps && f64::from_bits(after).is_nan(), "{name}: overwritten");
             }
             if let (Some(read), Null::None, false) = (array.read, self.null, self.keeps) {
                 read(words.as_ptr(), array.count);
@@ -425,10 +418,8 @@ impl Argument for c_uint {
 
 impl Argument for usize {
     fn of(_: &mut Caller, promise: Promise) -> Self {
-        match promise {
-            Promise::Given(value) => value,
-            _ => panic!("any length"),
-        }
+        let Promise::Given(value) = promise else { panic!("any length") };
+        value
     }
 }
 
@@ -482,10 +473,8 @@ trait Element: Sized {
     /// There is room for `WORDS`.
     unsafe fn fill(caller: &mut Caller, first: *mut Word) {
         for k in 0..Self::WORDS {
-            let bits = match caller.contents {
-                Contents::Ordinary => caller.ordinary().to_bits(),
-                _ => caller.arbitrary(),
-            };
+            let is_ordinary = caller.contents == Contents::Ordinary;
+            let bits = if is_ordinary { caller.ordinary().to_bits() } else { caller.arbitrary() };
             // SAFETY: by the contract of this function.
             unsafe { (*first.add(k)).write(bits) };
         }

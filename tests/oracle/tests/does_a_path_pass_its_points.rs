@@ -183,8 +183,7 @@ fn to_both_sides_alike<R: Original>(chain: &Chain<R>) {
 fn with_a_copy<R: Real>(chain: &Chain<R>, point: usize) -> Chain<R> {
     let mut longer = chain.clone();
     let place = point * chain.axes;
-    let copy: Vec<_> = chain.states[place..place + chain.axes].to_vec();
-    longer.states.splice(place..place, copy);
+    longer.states.splice(place..place, chain.states[place..place + chain.axes].to_vec());
     longer
 }
 
@@ -206,10 +205,7 @@ fn repeated_points_take_no_time<R: Original>() {
 fn every_fault_is_seen<R: Original>() {
     for fault in Fault::ALL {
         let (mut chains, mut random) = (Chains::new(0), Random::seeded(0));
-        let mut seen = 0;
-        for _ in 0..180 {
-            seen += usize::from(judge(&fault, &chains.draw::<R>(), &mut random).is_err());
-        }
+        let seen = (0..180).filter(|_| judge(&fault, &chains.draw::<R>(), &mut random).is_err()).count();
         println!("{} {fault:?}: {seen} of 180 paths seen", R::NAME);
         // One family has limits for every section, and one starts outside.
         let few = if matches!(fault, Fault::NoZones | Fault::Silent) { 5 } else { 18 };
@@ -245,13 +241,11 @@ fn refused<R: Original>(most: f64) -> [usize; 2] {
     let (mut paths, mut sections) = (0, 0);
     for k in 0..10 * PATHS {
         let chain = of_size::<R>(&mut random, most);
-        let path = match Paths.plan(&chain, 0) {
-            Ok((path, _)) => path,
-            Err(error) => {
-                assert_eq!(error, Error::NotFinite, "{k}");
-                paths += 1;
-                continue;
-            }
+        let planned = Paths.plan(&chain, 0);
+        let Ok((path, _)) = planned else {
+            assert_eq!(planned.err(), Some(Error::NotFinite), "{k}");
+            paths += 1;
+            continue;
         };
         for (section, &t) in path.durations.iter().enumerate() {
             let [from, to] = [section, section + 1].map(|point| &path.states[point * chain.axes..][..chain.axes]);
@@ -268,8 +262,7 @@ fn refused<R: Original>(most: f64) -> [usize; 2] {
             }
         }
         let part = path.duration() / stopping(&chain);
-        let roundings = 64.0 * R::MACHINE_EPSILON.widen();
-        assert!(part <= 1.0 + roundings, "{k}: {part}");
+        assert!(part <= 1.0 + 64.0 * R::MACHINE_EPSILON.widen(), "{k}: {part}");
     }
     println!("{}, 1e{most:.0}: {paths} paths refused, {sections} sections", R::NAME);
     [paths, sections]

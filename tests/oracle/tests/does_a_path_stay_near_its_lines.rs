@@ -70,16 +70,13 @@ fn contours_stay_near<R: Original>() {
         });
         let tolerance = R::of((random.magnitude(-2.5, -1.0) * lines.fold(0.0, f64::max)).max(1e-3)).widen();
         let planned = contour(&chain, tolerance, 5 * chain.sections() + 20, 16);
+        let deviation = path_deviation(&planned.moves, chain.axes).widen();
         let what = match planned.answer {
             Ok(_) => {
                 (near, added) = (near + 1, added + planned.chain.sections() - chain.sections());
-                let deviation = path_deviation(&planned.moves, chain.axes).widen();
                 (deviation > tolerance).then(|| format!("its deviation is {deviation:e}"))
             }
-            Err(Error::Position) => {
-                let deviation = path_deviation(&planned.moves, chain.axes).widen();
-                (deviation < 0.99 * tolerance).then(|| format!("{deviation:e} is near enough"))
-            }
+            Err(Error::Position) => (deviation < 0.99 * tolerance).then(|| format!("{deviation:e} is near enough")),
             Err(error) => Some(format!("{error:?}")),
         };
         let what = what.or_else(|| check_contour(&chain, &planned, tolerance, &mut random).err());

@@ -41,8 +41,7 @@ fn compared_with_rsruckig() {
             refused += 1;
             continue;
         };
-        let ours = duration(&chain, 0);
-        let part = theirs / ours;
+        let part = theirs / duration(&chain, 0);
         shorter += usize::from(part < 1.0);
         (most, least, sum) = (f64::max(most, part), f64::min(least, part), sum + part);
     }
@@ -88,8 +87,7 @@ fn compared_with_random_starts() {
             Paths.improve(&chain, &mut path, 64).expect("a plan");
             path.duration()
         });
-        let best = runs.fold(f64::INFINITY, f64::min);
-        parts.push(planned.duration() / best);
+        parts.push(planned.duration() / runs.fold(f64::INFINITY, f64::min));
     }
     let [mean, worst] = mean_and_worst(&parts);
     println!("{} paths next to the best of 12 random starts: mean {mean:.6}, worst {worst:.6}", parts.len());
@@ -181,8 +179,8 @@ fn after_first<R: Original>(chain: &Chain<R>, path: &Path<R>) -> (Chain<R>, Path
 /// Improves a path that is followed. It gets no longer, and the motions after the section under way are possible.
 fn follow<R: Original>(limits: &[Limits<R>], path: &mut Path<R>, random: &mut Random) -> bool {
     let before = path.duration();
-    let axes = limits.len();
-    let chain = Chain { family: Family::AtRest, axes, limits: limits.to_vec(), states: path.states.clone() };
+    let chain =
+        Chain { family: Family::AtRest, axes: limits.len(), limits: limits.to_vec(), states: path.states.clone() };
     let found = Paths.improve(&chain, path, 8).expect("a plan");
     let after = path.duration();
     assert!(after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen()), "{after} after {before}: {chain:?}");
@@ -202,11 +200,8 @@ fn an_update_before_a_waypoint_gets_no_longer<R: Original>() {
             let [j, a, v] = [(0.5, 2.0), (0.0, 1.0), (-0.5, 0.5)].map(|(lo, hi)| R::of(random.magnitude(lo, hi)));
             let limits = Limits::symmetric(j, a, v);
             let less = [(); 2].map(|()| R::of(random.magnitude(-0.5, 0.0)));
-            if random.one_in(2) {
-                Limits { amin: limits.amin * less[0], jmin: limits.jmin * less[1], ..limits }
-            } else {
-                limits
-            }
+            let unequal = Limits { amin: limits.amin * less[0], jmin: limits.jmin * less[1], ..limits };
+            if random.one_in(2) { unequal } else { limits }
         };
         let limits: Vec<_> = (0..axes).map(|_| limits(&mut random)).collect();
         let points = 4 + random.below(4);
@@ -265,8 +260,7 @@ fn a_window_moves_along<R: Original>() {
                     path.states.push(State::at(path.states[last + axis].position + state.position));
                 }
                 path.durations.push(R::ZERO);
-                let chain = Chain { states: path.states.clone(), ..chain.clone() };
-                Paths.improve(&chain, &mut path, 1).expect("a plan");
+                Paths.improve(&Chain { states: path.states.clone(), ..chain.clone() }, &mut path, 1).expect("a plan");
             }
             follow(&limits, &mut path, &mut judging);
             updates += 1;
@@ -297,8 +291,7 @@ fn compared_with_the_move<R: Original>() {
     for _ in 0..200 {
         let [jerk, acceleration, velocity] = [(); 3].map(|()| random.magnitude(-1.0, 1.0));
         let limits = [1.0, 1e3].map(|more| online::symmetric::<R>(more * jerk, more * acceleration, velocity));
-        let forward = random.sign();
-        let speed = forward * velocity * random.between(0.5, 1.0);
+        let speed = random.sign() * velocity * random.between(0.5, 1.0);
         let start = state_of([random.between(-1.0, 1.0), speed, 0.0]);
         let axis = online::stop(&limits[0], start);
         let [p, end] = [start, axis.state_at(axis.t)].map(|state| state.position.widen());
@@ -333,8 +326,7 @@ fn a_path_planned_again_under_way_gets_no_longer<R: Original>() {
         for _ in 0..random.below(chain.sections()) {
             (slow, path) = after_first(&slow, &path);
         }
-        let left = R::of(random.unit()) * path.durations[0];
-        let rest = under_way(&slow.limits, &path, left);
+        let rest = under_way(&slow.limits, &path, R::of(random.unit()) * path.durations[0]);
         let again = Chain { states: rest.states.clone(), ..chain };
         let (planned, found) = Paths.plan(&again, 0).expect("a plan");
         let what = check(&again, &planned, found, &mut random);
@@ -676,8 +668,8 @@ fn narrow_zones_do_not_stall() {
             add(0.001, random.between(5.0, 45.0));
         }
     }
-    let states = positions.iter().map(|&p| State::at(p)).collect();
-    let chain = Chain { family: Family::Many, axes: 1, limits, states };
+    let chain =
+        Chain { family: Family::Many, axes: 1, limits, states: positions.iter().map(|&p| State::at(p)).collect() };
     let [default, long] = [0, 400].map(|steps| duration(&chain, steps));
     println!("40 sections with zones between them: {default:.5} s, {long:.5} with 400 steps");
     assert!(default <= 1.005 * long);
@@ -687,8 +679,7 @@ fn narrow_zones_do_not_stall() {
 #[test]
 fn short_sections_need_few_steps() {
     let limits = [100.0, 10.0, 100.0].map(|jerk| Limits::symmetric(jerk, 0.5 * jerk, 10.0 * jerk)).into();
-    let states = [0.0, 1.0, 2.0, 3.0].map(State::at).into();
-    let chain = Chain { family: Family::Zones, axes: 1, limits, states };
+    let chain = Chain { family: Family::Zones, axes: 1, limits, states: [0.0, 1.0, 2.0, 3.0].map(State::at).into() };
     let [one, long] = [1, 200].map(|steps| duration(&chain, steps));
     assert!(one < 1.02 * long, "{one} s next to {long} s");
 }
@@ -720,8 +711,7 @@ fn feeds_along_lines_in_space_do_not_stall() {
 
 /// How long the default path takes whose points all have this tolerance, compared with the path through them, s.
 fn with_tolerance(chain: &Chain<f64>, tolerance: f64) -> [f64; 2] {
-    let tolerances = vec![tolerance; chain.axes * (chain.sections() - 1)];
-    let near = Paths.plan_near(chain, &tolerances, 0).expect("a plan").0;
+    let near = Paths.plan_near(chain, &vec![tolerance; chain.axes * (chain.sections() - 1)], 0).expect("a plan").0;
     [near.duration(), duration(chain, 0)]
 }
 
@@ -760,8 +750,7 @@ fn tolerances_smooth_a_flower() {
         println!("a flower, tolerance {tolerance}: {near:.4} s, {exact:.4} s through the points");
         assert!(near <= most);
     }
-    let near = [56, 60, 64, 68, 72].map(|points| with_tolerance(&flower(points), 1e-2)[0]);
-    let [mean, worst] = mean_and_worst(&near);
+    let [mean, worst] = mean_and_worst(&[56, 60, 64, 68, 72].map(|points| with_tolerance(&flower(points), 1e-2)[0]));
     println!("flowers of 56 to 72 points, tolerance 0.01: {mean:.4} s, at most {worst:.4}");
     assert!(mean <= 2.76);
 }

@@ -177,11 +177,7 @@ impl ByBisection {
         let (mut low, mut high) = (0, room.min(f64::MAX).to_bits());
         while high - low > 1 {
             let middle = low + (high - low) / 2;
-            if gets_there(f64::from_bits(middle)) {
-                high = middle;
-            } else {
-                low = middle;
-            }
+            (low, high) = if gets_there(f64::from_bits(middle)) { (low, middle) } else { (middle, high) };
         }
         self.by_way_of(f64::from_bits(low))[0]
     }

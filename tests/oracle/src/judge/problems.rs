@@ -213,8 +213,7 @@ impl<R: Real> Problems<R> {
                 draft.a0 = random.sign() * draft.amax * random.magnitude(-1.0, wide / 3.0);
             }
             Kind::ComingInside => {
-                let side = random.sign();
-                let (v, a, jerk) = if side > 0.0 { (vmax, amin, jmax) } else { (vmin, amax, jmin) };
+                let (v, a, jerk) = if random.sign() > 0.0 { (vmax, amin, jmax) } else { (vmin, amax, jmin) };
                 draft.a0 = a * random.between(0.0, 1.0);
                 let at_zero_a = 0.5 * draft.a0 * draft.a0 / jerk;
                 draft.v0 = v + at_zero_a * random.pick(&[0.0, 0.5, 1.0]);
@@ -257,8 +256,7 @@ impl<R: Real> Problems<R> {
                 // A weak acceleration that keeps its sign, against low virtual velocities.
                 Self::open_lens(draft, random);
                 let weak = random.magnitude(-2.0, 0.0);
-                let sign = random.sign();
-                draft.v0 = sign * draft.vmax.min(-draft.vmin) * weak;
+                draft.v0 = random.sign() * draft.vmax.min(-draft.vmin) * weak;
                 draft.v1 = draft.v0 + draft.straight() * random.between(0.5, 1.5);
                 draft.make_start_legal();
                 draft.p1 = draft.p0 + random.sign() * random.magnitude(-5.0, 1.0);
@@ -269,8 +267,7 @@ impl<R: Real> Problems<R> {
             }
             Kind::OppositeVelocities => draft.v1 = -draft.v0,
             Kind::EqualVelocities => {
-                let nearly = random.pick(&[1.0, 1.0, 1.0 + 1e-6, 1.0 - 1e-6, 1.001]);
-                draft.v1 = draft.v0 * nearly;
+                draft.v1 = draft.v0 * random.pick(&[1.0, 1.0, 1.0 + 1e-6, 1.0 - 1e-6, 1.001]);
                 if random.one_in(2) {
                     (draft.a0, draft.a1) = (0.0, 0.0);
                 }
@@ -359,8 +356,7 @@ impl<R: Real> Problems<R> {
         // At 1 the gap is closed: the axis eases to no acceleration.
         let part = random.pick(&[0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9, 1.0, 1.0 - 1e-9, 1.1]);
         draft.v1 = draft.v0 + draft.straight() + part * both * least * least.copysign(limit);
-        let size = random.magnitude(-3.0, 1.0);
-        draft.p1 = draft.p0 + size * random.sign();
+        draft.p1 = draft.p0 + random.magnitude(-3.0, 1.0) * random.sign();
     }
 
     /// Rounds a draft. The target stays legal: it is moved by a rounding or two.
@@ -391,21 +387,16 @@ impl<R: Real> Problems<R> {
         let motion = Motion::of(problem);
         let h = motion.target[0] - motion.start[0];
         let random = &mut self.random;
+        let best_with_gap = || Some(motion.best()).filter(|best| !best.gap_ends.is_infinite());
         let displacement = match kind {
             Kind::DirectTie => h - motion.best().past_direct,
             Kind::BorderOfGap => {
-                let best = motion.best();
-                if best.gap_ends.is_infinite() {
-                    return;
-                }
+                let Some(best) = best_with_gap() else { return };
                 h - random.pick(&[best.past_begin, best.past_end, best.past_direct])
             }
             Kind::Lens if random.one_in(2) => {
                 // Somewhere among the displacements that can be reached before the gap.
-                let best = motion.best();
-                if best.gap_ends.is_infinite() {
-                    return;
-                }
+                let Some(best) = best_with_gap() else { return };
                 let duration = random.between(best.direct, best.gap_begins);
                 let Some([lowest, highest]) = motion.interval(duration) else { return };
                 random.pick(&[lowest, highest, 0.5 * (lowest + highest)])

@@ -124,8 +124,7 @@ pub struct Trial<R> {
 impl<R: Original> Trial<R> {
     pub fn new(problem: Problem<R>) -> Self {
         let motion = Motion::of(&problem);
-        let best = motion.best();
-        Self { problem, motion, best }
+        Self { problem, best: motion.best(), motion }
     }
 
     pub fn best(&self) -> Best {
@@ -234,8 +233,7 @@ impl<R: Original> Trial<R> {
         };
         let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
         let coarse = (0..coarse).map(|index| (index, Grid::COARSE));
-        let fine = (0..fine).map(|index| (index, Grid::FINE));
-        for (index, grid) in coarse.chain(fine) {
+        for (index, grid) in coarse.chain((0..fine).map(|index| (index, Grid::FINE))) {
             let best = self.motion.best_at(offset(index, position, velocity), grid);
             for least in self.possible(&best, position, velocity) {
                 if error(least) <= tolerance {
@@ -306,8 +304,7 @@ impl<R: Original> Trial<R> {
     fn check_borders(&self, planned: &Move<R>, walk: &Walk, scale: &Scale) -> Check {
         let [.., jmax, jmin] = self.motion.limits;
         let doubt = doubt::<R>();
-        let borders = planned.phase.iter().zip(&walk.borders);
-        for (phase, &[p, v, a]) in borders.take(planned.count as usize + 1) {
+        for (phase, &[p, v, a]) in planned.phase.iter().zip(&walk.borders).take(planned.count as usize + 1) {
             let [dp, dv] = [phase.position.widen() - p, phase.velocity.widen() - v];
             let jump = phase.acceleration.widen() - a;
             let may_jump = if jump > 0.0 { jmax } else { jmin }.is_infinite();
@@ -503,8 +500,7 @@ fn check_phases<R: Real>(planned: &Move<R>) -> Check {
 }
 
 fn none_of<const N: usize>(faults: [(bool, &'static str); N]) -> Check {
-    let first = faults.into_iter().find(|(is_there, _)| *is_there);
-    first.map_or(Ok(()), |(_, what)| Err(what))
+    faults.into_iter().find(|(is_there, _)| *is_there).map_or(Ok(()), |(_, what)| Err(what))
 }
 
 /// Whether the evaluation differs from the integrated motion somewhere, or one of another kind has other bits.
