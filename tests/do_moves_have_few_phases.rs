@@ -21,8 +21,7 @@ fn axis<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
             if is_at_rest { 0.0 } else { random.between(-most, most) }
         };
         let acceleration = part() * a.min((j * v).sqrt());
-        let room = v - acceleration * acceleration / (2.0 * j);
-        let velocity = part() * room;
+        let velocity = part() * (v - acceleration * acceleration / (2.0 * j));
         state_of([random.between(-10.0, 10.0), velocity, acceleration])
     };
     (limits, state(1.2), state(0.9))

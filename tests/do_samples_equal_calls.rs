@@ -59,8 +59,7 @@ fn check_profile<R: Real, const N: usize>(
 fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
     let of_length = |n: u8| {
         let dt = end / R::of(f64::from(n.max(2) - 1));
-        let sweeps = [(R::ZERO, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))];
-        sweeps.map(|(x0, dt)| Sweep { x0, dt, n: n.into() })
+        [(R::ZERO, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))].map(|(x0, dt)| Sweep { x0, dt, n: n.into() })
     };
     [0, 1, 2, 3, 9, 70].into_iter().flat_map(of_length).collect()
 }
@@ -88,16 +87,14 @@ fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
     let special = [zero, one, infinity, huge, nan].into_iter();
     let special = special.flat_map(|x| [x, -x]);
-    let from = |x0| special.clone().map(move |dt| Sweep { x0, dt, n: 4 });
-    special.clone().flat_map(from).collect()
+    special.clone().flat_map(|x0| special.clone().map(move |dt| Sweep { x0, dt, n: 4 })).collect()
 }
 
 fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(family: Family, profile: fn(&[R]) -> P) {
     let mut comparison = Comparison::default();
     for golden in golden::moves::<R>(family) {
         let borders = family.borders(&golden.arguments, &golden.fields);
-        let profile = profile(&golden.fields);
-        check_profile(&mut comparison, &golden.place, &profile, &borders);
+        check_profile(&mut comparison, &golden.place, &profile(&golden.fields), &borders);
     }
     comparison.finish(family.name());
 }
@@ -139,8 +136,7 @@ fn any_fields<R: Real>() {
         let borders = Family::Bell.borders(&[], &of_bell);
         check_profile(&mut comparison, &place, &bell(&of_bell), &borders);
         let of_trap = fields(Family::Trap);
-        let borders = Family::Trap.borders(&[], &of_trap);
-        check_profile(&mut comparison, &place, &trap(&of_trap), &borders);
+        check_profile(&mut comparison, &place, &trap(&of_trap), &Family::Trap.borders(&[], &of_trap));
         let of_moves = any_move::<R>(&mut random);
         check_profile(&mut comparison, &place, &of_moves, &move_borders(&of_moves));
     }

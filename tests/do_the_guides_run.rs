@@ -78,8 +78,7 @@ fn the_first_change_can_be_made() {
 
 /// Outside the repository, because a package in it would belong to its workspace.
 fn empty_directory(reader: &str) -> PathBuf {
-    let name = format!("atraj-for-{reader}-{}", std::process::id());
-    let directory = std::env::temp_dir().join(name);
+    let directory = std::env::temp_dir().join(format!("atraj-for-{reader}-{}", std::process::id()));
     fs::create_dir(&directory).unwrap();
     directory
 }

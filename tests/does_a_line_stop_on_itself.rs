@@ -13,8 +13,7 @@ fn stops_stay_on_the_line<R: Real>() {
         let n = 1 + random.below(6);
         let limits: Vec<Limits<R>> = (0..n).map(|_| online::limits(&mut random)).collect();
         let mut ends = || -> Vec<State<R>> {
-            let position = |_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)));
-            (0..n).map(position).collect()
+            (0..n).map(|_| State::at(R::of(random.sign() * random.magnitude(-1.0, 1.0)))).collect()
         };
         let (from, to) = (ends(), ends());
         let mut axes = online::straight(&limits, &from, &to);
@@ -57,8 +56,7 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
     for number in 0..LINES {
         let limits = online::limits::<R>(&mut random);
         let limits = [limits; 3].map(|limits| Limits::symmetric(limits.jmax, limits.amax, limits.vmax));
-        let part = random.unit();
-        let speed = part * limits[0].vmax.widen();
+        let speed = random.unit() * limits[0].vmax.widen();
         let way = 1e3 * R::MACHINE_EPSILON.widen() * speed;
         let shares = [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
         let offsets = [(); 3].map(|()| random.between(-10.0, 10.0) * speed);
@@ -80,8 +78,7 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
 fn nonsense_is_refused<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
     let limits = [30.0, 60.0].map(|j| online::symmetric(j, 10.0, 5.0));
-    let to = [10.0, -3.0].map(|p| State::at(R::of(p)));
-    let mut axes = online::straight(&limits, &[State::at(zero); 2], &to);
+    let mut axes = online::straight(&limits, &[State::at(zero); 2], &[10.0, -3.0].map(|p| State::at(R::of(p))));
     let before = axes.clone();
     let no_limits = [limits[0], Limits { vmax: zero, ..limits[1] }];
     assert_eq!(line_stop::<R>(&mut [], &[], half), Err(Error::Axes));
@@ -134,8 +131,7 @@ fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
     let limits = [online::symmetric(30.0, 10.0, 5.0); 2];
     let state = |position, velocity| State { position, velocity, acceleration: zero };
     let from = [State::at(zero); 2];
-    let to = [state(one, one), state(three, three)];
-    let mut axes = online::straight(&limits, &from, &to);
+    let mut axes = online::straight(&limits, &from, &[state(one, one), state(three, three)]);
     let before = axes.clone();
     assert_eq!(line_stop(&mut axes, &limits, R::of(f64::from(R::EXPONENTS.1).exp2())), Err(Error::NotFinite));
     assert_eq!(axes, before);

@@ -84,8 +84,7 @@ fn published(kind: ShaperKind, designed: [f64; 2], load: [f64; 2]) -> f64 {
 }
 
 fn corners(borders: &[f64], delays: &[f64]) -> Vec<f64> {
-    let shifted = delays.iter().flat_map(|delay| borders.iter().map(move |x| x + delay));
-    let mut corners: Vec<f64> = shifted.collect();
+    let mut corners: Vec<f64> = delays.iter().flat_map(|delay| borders.iter().map(move |x| x + delay)).collect();
     corners.sort_by(f64::total_cmp);
     corners
 }
@@ -99,8 +98,7 @@ fn delays(kind: ShaperKind, [frequency, damping]: [f64; 2]) -> Vec<f64> {
 fn rest_to_rest<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
     let limits = online::limits(random);
     let [from, to] = [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.0))));
-    let planned = online::plan(&limits, from, to);
-    (limits, planned)
+    (limits, online::plan(&limits, from, to))
 }
 
 /// Loads of 0.5 to 50 Hz with a damping of 0 to 0.2, and a frequency that is wrong by up to 20 %: what is left is on the curve.
@@ -135,8 +133,7 @@ fn loads_are_left_as_published<R: Real>() {
 #[test]
 fn insensitivities_are_those_of_the_curves() {
     // A short move shows the impulses alone.
-    let limits = Limits::symmetric(f64::INFINITY, 1e4, 1e4);
-    let planned = online::plan(&limits, State::at(0.0), State::at(0.25));
+    let planned = online::plan(&Limits::symmetric(f64::INFINITY, 1e4, 1e4), State::at(0.0), State::at(0.25));
     let borders = [0.0, 0.5 * planned.t, planned.t];
     let page = read("docs/machine.md");
     for kind in KINDS {
@@ -242,8 +239,7 @@ fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
     let planned = online::plan(&Limits::symmetric(jerk, 4.0, 1.0), State::at(0.0), State::at(0.5));
     let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start).collect();
     borders.push(planned.t);
-    let delays = shaper_delays(shaper);
-    let times = corners(&borders, &delays);
+    let times = corners(&borders, &shaper_delays(shaper));
     let mut worst = 0.0_f64;
     for k in -10..=10 {
         let load = [5.0 * (1.0 + 0.1 * wrong * f64::from(k)), 0.01];
@@ -255,8 +251,7 @@ fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
 
 fn shaper_delays(shaper: &Shaper<f64>) -> Vec<f64> {
     let kinds = KINDS.map(|kind| (kind, Shaper::new(kind, 5.0, 0.01).expect("a shaper")));
-    let found = kinds.into_iter().find(|(_, of_kind)| of_kind == shaper);
-    found.map_or(vec![0.0], |(kind, _)| delays(kind, [5.0, 0.01]))
+    kinds.into_iter().find(|(_, of_kind)| of_kind == shaper).map_or(vec![0.0], |(kind, _)| delays(kind, [5.0, 0.01]))
 }
 
 /// For the same residual vibration a lower jerk takes longer than a shaper, if the frequency may be wrong.
@@ -267,8 +262,7 @@ fn a_lower_jerk_costs_more() {
         let (alone, swings) = servo(f64::INFINITY, &none, wrong);
         println!("without: {alone:.3} s, {:.2} mm, wrong by {wrong}", 1e3 * swings);
         for kind in KINDS {
-            let shaper = Shaper::new(kind, 5.0, 0.01).expect("a shaper");
-            let (shaped, left) = servo(f64::INFINITY, &shaper, wrong);
+            let (shaped, left) = servo(f64::INFINITY, &Shaper::new(kind, 5.0, 0.01).expect("a shaper"), wrong);
             // Every lower jerk is tried, because what is left does not fall evenly.
             let jerks = (0..2500).map(|k| 4000.0 * 0.995_f64.powi(k));
             let lower = jerks.map(|jerk| servo(jerk, &none, wrong)).find(|found| found.1 <= left);

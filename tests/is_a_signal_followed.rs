@@ -15,8 +15,7 @@ struct Signal {
 
 impl Signal {
     fn with_noise(noise: [f64; 3]) -> Self {
-        let random = Random::seeded(1);
-        Self { noise, random }
+        Self { noise, random: Random::seeded(1) }
     }
 
     /// The sum of 12 even numbers has the variance 1.
@@ -61,8 +60,7 @@ fn follow(
         }
         now = next;
     }
-    let jerk = (squares / f64::from(count)).sqrt();
-    Followed { error, jerk }
+    Followed { error, jerk: (squares / f64::from(count)).sqrt() }
 }
 
 fn track(signal: Signal, known: f64, horizon: f64) -> Followed {
@@ -160,8 +158,7 @@ fn a_far_or_fast_signal_is_followed_as_well_as_can_be() {
         assert!((now.position - 2.0).abs() < 1e-7 && now.velocity.abs() < 1e-7, "{now:?}");
         for velocity in [3.0, 5.0, -1e3] {
             for tick in 0..3000 {
-                let position = 2.0 + velocity * f64::from(tick) * TICK;
-                let signal = State { position, velocity, acceleration: 0.0 };
+                let signal = State { position: 2.0 + velocity * f64::from(tick) * TICK, velocity, acceleration: 0.0 };
                 axis.track(limits, now, signal, 0.0, 0.05).expect("a plan");
                 now = axis.state_at(TICK);
             }

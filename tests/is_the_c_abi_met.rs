@@ -80,8 +80,7 @@ fn replay_changed(source: &str, table: &str, change: impl Fn(&str) -> Option<Str
     for name in names(golden::directory()) {
         fs::copy(golden::directory().join(&name), copy.join(name)).unwrap();
     }
-    let csv = read(copy.join(table));
-    match change(&csv) {
+    match change(&read(copy.join(table))) {
         Some(changed) => fs::write(copy.join(table), changed).unwrap(),
         None => fs::remove_file(copy.join(table)).unwrap(),
     }
@@ -106,8 +105,7 @@ fn a_wrong_bit_and_missing_golden_data_are_found() {
     assert_eq!(code, 1, "{text}");
     assert!(text.contains("claraty_listing_f64.csv:3: column 6"), "{text}");
 
-    let header = "case,x,pos,vel,acc,jer\n";
-    for table in [Some(header.to_owned()), None] {
+    for table in [Some("case,x,pos,vel,acc,jer\n".to_owned()), None] {
         let (code, text) = replay_changed("golden.c", "poly7_eval_f64.csv", |_| table.clone());
         assert_eq!(code, 2, "{text}");
     }
@@ -178,8 +176,7 @@ fn cpp_methods_and_namespace() {
 
 /// Runs a program that replays the scripts of CLARAty's listing twice, without a difference.
 fn replay_claraty(command: &mut Command) {
-    let replays = lines(command.arg(golden::directory()));
-    assert_eq!(replays, ["listing-on-a-clock 1750 0", "listing-advanced 1750 0"]);
+    assert_eq!(lines(command.arg(golden::directory())), ["listing-on-a-clock 1750 0", "listing-advanced 1750 0"]);
 }
 
 #[test]

@@ -88,8 +88,7 @@ test_both_reals!(next_to_a_phase_of_no_duration, in_random_moves);
 #[test]
 fn the_first_of_two() {
     let from = State { velocity: 4.0, ..State::at(0.0) };
-    let limits = Limits::symmetric(30.0, 10.0, 5.0);
-    let planned = online::plan(&limits, from, State::at(1.0));
+    let planned = online::plan(&Limits::symmetric(30.0, 10.0, 5.0), from, State::at(1.0));
     let x: f64 = planned.time_at(1.0).expect("the target");
     assert!(x < 0.5 * planned.t && planned.velocity(x) > 0.0);
     assert_abs_diff_eq!(planned.position(x), 1.0, epsilon = 1e-14);

@@ -41,8 +41,7 @@ fn flat(stream: TokenStream, words: &mut Vec<String>) {
     while let Some(tree) = trees.next() {
         match tree {
             TokenTree::Group(group) => {
-                let is_block = group.delimiter() == Delimiter::Brace;
-                let [open, close] = if is_block { ["{", "}"] } else { ["(", ")"] };
+                let [open, close] = if group.delimiter() == Delimiter::Brace { ["{", "}"] } else { ["(", ")"] };
                 let is_for_tests = group.stream().to_string() == "cfg (test)";
                 if is_for_tests && words.last().is_some_and(|last| last == "#") {
                     trees.find(|tree| match tree {
@@ -161,10 +160,7 @@ impl<'a> Files<'a> {
             "super" => Some(self.within(module.split_last()?.1, rest)),
             _ => match self.child(module, first) {
                 Some(child) => Some(self.within(&child, rest)),
-                None => {
-                    let brought = self.brought(module, first)?;
-                    self.definer(module, &[&brought.names, rest].concat())
-                }
+                None => self.definer(module, &[&self.brought(module, first)?.names, rest].concat()),
             },
         }
     }

@@ -233,8 +233,7 @@ impl<R: Real> Model<R> {
         let mut planned = Move::default();
         let found = plan(&mut planned, from, self.period * R::of(f64::from(ticks)))?;
         // A move that takes no time is at its end.
-        let begins = planned.t == R::ZERO || planned.state_at(R::ZERO) == from;
-        assert!(begins, "{planned:?} does not begin at {from:?}");
+        assert!(planned.t == R::ZERO || planned.state_at(R::ZERO) == from, "{planned:?} does not begin at {from:?}");
         self.next = Some((planned, ticks));
         Ok(found)
     }
@@ -274,8 +273,7 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
                         let [half, sixth] = [0.5, 1.0 / 6.0].map(R::of);
                         let p = position + t * (velocity + t * (half * acceleration + t * jerk * sixth));
                         let (v, a) = (velocity + t * (acceleration + half * t * jerk), acceleration + t * jerk);
-                        let signal = State { position: p, velocity: v, acceleration: a };
-                        next.track(&limits, from, signal, jerk, horizon)
+                        next.track(&limits, from, State { position: p, velocity: v, acceleration: a }, jerk, horizon)
                     }),
                 ]
             }
@@ -324,8 +322,7 @@ fn machine_as<R: Real>(kind: u8, mut bytes: &[u8]) {
         if steps.next(&planned).is_none() {
             let end = planned.position(R::INFINITY);
             let there = Move { phase: [Phase { position: end, ..Phase::default() }; 16], ..Move::default() };
-            let wanted = Steps::new(&there, offset, step).map(|steps| steps.count());
-            assert_eq!(wanted, Ok(steps.count()), "{problem}");
+            assert_eq!(Steps::new(&there, offset, step).map(|steps| steps.count()), Ok(steps.count()), "{problem}");
         }
     }
     let kinds = [ShaperKind::Zv, ShaperKind::Zvd, ShaperKind::Mzv, ShaperKind::Ei, ShaperKind::Ei2];
@@ -417,8 +414,7 @@ fn decode<R: Real>(family: Family, mut bytes: &[u8]) -> Case<R> {
             _ => Moment::Border { index: kind / 3, steps: kind as i8 / 43 },
         }
     };
-    let moments = [(); MOMENTS].map(|()| moment());
-    Case { family, arguments, before: [R::ZERO; MOST_FIELDS], planned: true, moments }
+    Case { family, arguments, before: [R::ZERO; MOST_FIELDS], planned: true, moments: [(); MOMENTS].map(|()| moment()) }
 }
 
 fn number<R: Real>(bytes: &mut &[u8]) -> R {

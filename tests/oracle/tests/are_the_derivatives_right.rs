@@ -38,8 +38,7 @@ use support::Random;
 /// The slack of the upper or the lower border with its derivatives, if a motion has this duration.
 fn derivatives(limits: [f64; 6], [v0, a0, v1, a1]: [f64; 4], t: f64, lower: bool) -> Option<([f64; 5], [f64; 15])> {
     let [vmax, vmin, amax, amin, jmax, jmin] = limits;
-    let limits = Limits { vmax, vmin, amax, amin, jmax, jmin };
-    let upper = Border::between([[v0, a0], [v1, a1]], &limits);
+    let upper = Border::between([[v0, a0], [v1, a1]], &Limits { vmax, vmin, amax, amin, jmax, jmin });
     let (border, sign) = if lower { (upper.mirrored(), -1.0) } else { (upper, 1.0) };
     let Derivatives { first, second } = border.derivatives(&border.farthest_inside(t)?, sign);
     Some((first, second))

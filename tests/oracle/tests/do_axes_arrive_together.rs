@@ -151,8 +151,7 @@ fn each_gap_leads_to_the_next_one() {
         let [v, a, j] = [1, 2, 3].map(|order| slower.powi(-order));
         [50.0 * v, -50.0 * v, 100.0 * a, -a, 1e4 * j, -1e4 * j, 0.0, v, 0.0, 0.49, v, 0.0]
     }).into();
-    let set = axes::<f64>(0.0, &rows);
-    assert_eq!(several::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
+    assert_eq!(several::judge(&Together, &axes::<f64>(0.0, &rows), &mut Random::seeded(0)), Ok(()));
     let [alone, all] = [&rows[3..], &rows].map(|rows| {
         let (limits, from, to) = axes(0.0, rows).columns();
         online::together(&limits, &from, &to, 0.0)[0].t

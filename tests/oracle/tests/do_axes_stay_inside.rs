@@ -105,8 +105,7 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
     let before = Move { t: R::of(-1.0), ..Move::default() };
     let mut planned = vec![before; axes.len()];
     let (duration, cycle) = (set.duration, set.cycle);
-    let bounds = [&lowest[..], &highest];
-    let answer = synchronise_within(&mut planned, &limits, &from, &to, bounds, duration, cycle);
+    let answer = synchronise_within(&mut planned, &limits, &from, &to, [&lowest[..], &highest], duration, cycle);
     let what = || axes.iter().map(|axis| format!("\n    {axis}")).collect::<String>() + &set.show();
     if let Err(error) = answer {
         assert_eq!(error, Error::Position, "{}", what());
@@ -127,8 +126,7 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
     assert!(checked.is_ok(), "{checked:?} {}", what());
     let mut free = vec![before; axes.len()];
     let none = [-R::INFINITY, R::INFINITY].map(|bound| vec![bound; axes.len()]);
-    let no_bounds = [&none[0][..], &none[1]];
-    synchronise_within(&mut free, &limits, &from, &to, no_bounds, duration, cycle).expect("plans");
+    synchronise_within(&mut free, &limits, &from, &to, [&none[0][..], &none[1]], duration, cycle).expect("plans");
     let [t, least] = [&planned, &free].map(|axes| axes[0].t.widen());
     let is_left = |by: &dyn Fn(&Bounded<R>, &Move<R>) -> f64| {
         let mut moves = axes.iter().zip(&free);
@@ -157,8 +155,7 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
 fn in_units<R: Original>(set: &Set<R>, axes: &[Bounded<R>], length: i8, time: i8) -> f64 {
     let scaled = |x: R, power: i8| R::of(x.widen() * f64::from(power).exp2());
     let problems = axes.iter().map(|axis| axis.problem.scaled(length, time));
-    let problems = Set { axes: problems.collect(), ..set.clone() };
-    let (limits, from, to) = problems.columns();
+    let (limits, from, to) = Set { axes: problems.collect(), ..set.clone() }.columns();
     let bounds = [0, 1].map(|side| axes.iter().map(|axis| scaled(axis.bounds[side], length)).collect::<Vec<_>>());
     let [duration, cycle] = [set.duration, set.cycle].map(|t| scaled(t, time));
     let mut planned = vec![Move::default(); axes.len()];

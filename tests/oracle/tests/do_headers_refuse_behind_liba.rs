@@ -10,10 +10,8 @@ use support::variant::{DOUBLE, FLOAT, Variant};
 
 /// What the compiler says of a program that begins with `first` and then includes a header of ours; empty if it takes the program.
 fn says(compiler: &str, ours: &Path, first: &str, header: &str, flags: &[&str]) -> String {
-    let name = format!("behind-liba-{}", std::thread::current().name().unwrap());
-    let source = directory(&name).join("program.c");
-    let program = format!("{first}\n#include \"{header}\"\n");
-    fs::write(&source, program).unwrap();
+    let source = directory(&format!("behind-liba-{}", std::thread::current().name().unwrap())).join("program.c");
+    fs::write(&source, format!("{first}\n#include \"{header}\"\n")).unwrap();
     let mut check = Command::new(compiler);
     check.args(["-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I"]);
     check.arg(ours).arg("-I").arg(include());

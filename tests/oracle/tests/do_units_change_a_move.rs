@@ -63,8 +63,7 @@ impl Set {
             let [vmax, v, amax, a, jmax, j] = numbers_of(&lead).map(f64::abs);
             let [v, a, j] = [vmax.max(v), amax.max(a), jmax.max(j)];
             let wide = [v, -v, a, -a, j, -j].map(|limit| limit * random.magnitude(0.0, 1.0));
-            let wide = limits_of(wide);
-            limits.push(if is_straight { wide } else { own });
+            limits.push(if is_straight { limits_of(wide) } else { own });
             for (end, lead) in ends.iter_mut().zip(leads) {
                 let factor = nearly_1(random, -17.0);
                 let State { position, velocity, acceleration } = lead;
@@ -200,8 +199,7 @@ fn spoiled_moves() {
         let units = any_units(&mut random);
         let findings = spoiled.check(&set.limits[0]);
         jumps += usize::from(findings.is_ok_and(|findings| findings.contains(Findings::JUMPS)));
-        let scaled = units.of_move(&spoiled);
-        assert_eq!(findings, scaled.check(&set.scaled(units).limits[0]), "{spoiled:?} in {units:?}");
+        assert_eq!(findings, units.of_move(&spoiled).check(&set.scaled(units).limits[0]), "{spoiled:?} in {units:?}");
     }
     assert!(jumps > 4_000 && jumps < 16_000, "{jumps}");
 }
@@ -225,8 +223,7 @@ fn spoiled_alike<const N: usize>(
         Of(order) => units.of(order, near[k]),
         Time => near[k] * units.time,
     });
-    let own = Units { length: 1.0, time: 1.0 };
-    let found = check(&near, own);
+    let found = check(&near, Units { length: 1.0, time: 1.0 });
     assert_eq!(found, check(&far, units), "{near:?} in {units:?}");
     found.is_ok_and(|found| found.contains(Findings::JUMPS))
 }

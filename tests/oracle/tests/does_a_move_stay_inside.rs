@@ -115,8 +115,7 @@ fn moves_stay_inside<R: Original>() {
         let untouched = Move { t: R::of(-1.0), ..Move::default() };
         let mut planned = untouched;
         let result = planned.within(&limits, from, to, lowest, highest);
-        let scale = Scale::of(&problem, &Plan::of_move(fastest, findings));
-        let slack = 4.0 * doubt::<R>() * scale.position;
+        let slack = 4.0 * doubt::<R>() * Scale::of(&problem, &Plan::of_move(fastest, findings)).position;
         let [low, high] = [lowest, highest].map(R::widen);
         let leaves = |[least, most]: [f64; 2], by: f64| least < low - by || most > high + by;
         match result {
@@ -147,8 +146,7 @@ fn moves_stay_inside<R: Original>() {
                 let start = cannot_stop(&limits, from, [lowest, highest], slack);
                 let (limits, before) = backwards(&limits, to);
                 let end = cannot_stop(&limits, before, [-highest, -lowest], slack);
-                let is_reason = start || end || findings.contains(Findings::STARTS_OUTSIDE);
-                assert!(is_reason, "{low} {high} {problem}");
+                assert!(start || end || findings.contains(Findings::STARTS_OUTSIDE), "{low} {high} {problem}");
                 refused += 1;
             }
         }

@@ -99,8 +99,7 @@ fn farthest<R: Real>(section: &[Move<R>]) -> f64 {
     let near = borders.iter().flat_map(|x| near.clone().map(move |more| [x + more, more / 2.0]));
     let clamped = grid.chain(within).chain(near).map(|[x, step]| [x.clamp(0.0, t), step]);
     let samples = clamped.map(|[x, step]| (off_line(section, x), x, step));
-    let best = samples.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a sample");
-    let (mut most, mut x, mut step) = best;
+    let (mut most, mut x, mut step) = samples.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a sample");
     for _ in 0..40 {
         let tried = [x - step, x + step].map(|x| x.clamp(0.0, t)).map(|x| (off_line(section, x), x));
         match tried.into_iter().find(|(distance, _)| *distance > most) {
@@ -153,8 +152,7 @@ fn a_straight_line_is_kept<R: Real>() {
             let limits = vec![online::symmetric(30.0, 10.0, 5.0); axes];
             let [from, to] =
                 [(); 2].map(|()| (0..axes).map(|_| State::at(R::of(random.between(-1.0, 1.0)))).collect::<Vec<_>>());
-            let moves = online::straight(&limits, &from, &to);
-            let bound = path_deviation(&moves, axes).widen();
+            let bound = path_deviation(&online::straight(&limits, &from, &to), axes).widen();
             assert!(bound <= 16.0 * R::MACHINE_EPSILON.widen() * axes as f64, "{axes} axes: {bound:e}");
         }
     }

@@ -31,8 +31,7 @@ fn no_step_is_lost<R: Real>() {
         let mut end = motor;
         while end.next(&planned).is_some() {}
         let steps = all(&planned, motor);
-        let found = wrong(&planned, lines, motor.count(), &steps);
-        assert_eq!(found, None, "move {number}: {lines:?} {planned:?}");
+        assert_eq!(wrong(&planned, lines, motor.count(), &steps), None, "move {number}: {lines:?} {planned:?}");
         // The motor is at the line of the end, also where another motor begins there.
         let sum: i32 = steps.iter().map(|step| step.direction).sum();
         assert_eq!(motor.count() + sum, end.count(), "move {number}");

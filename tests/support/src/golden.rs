@@ -106,8 +106,7 @@ pub fn rows<R: Real>(table: &str, words: usize, numbers: usize) -> Vec<Row<R>> {
         let values = cells[words..].iter().map(number).collect();
         Row { place, case, values }
     };
-    let cells = cells(&format!("{table}_{}.csv", R::NAME), words + numbers);
-    cells.into_iter().map(to_row).collect()
+    cells(&format!("{table}_{}.csv", R::NAME), words + numbers).into_iter().map(to_row).collect()
 }
 
 /// File and line of each row of a golden file, and its `columns` cells. Panics if the file is missing, has no rows or a row of another length.

@@ -70,8 +70,7 @@ pub fn inside<R: Real>(random: &mut Random, limits: &Limits<R>) -> State<R> {
     let (above, below) = (0.51 * a * a / -jmin, 0.51 * a * a / jmax);
     let (a, above, below) = if vmin + below < vmax - above { (a, above, below) } else { (0.0, 0.0, 0.0) };
     let v = random.pick(&[0.0, 1.0, 1.0]) * random.between(vmin, vmax);
-    let v = v.clamp(vmin + below, vmax - above);
-    State { position: R::of(position), velocity: R::of(v), acceleration: R::of(a) }
+    State { position: R::of(position), velocity: R::of(v.clamp(vmin + below, vmax - above)), acceleration: R::of(a) }
 }
 
 /// Any state, one in four outside the limits.

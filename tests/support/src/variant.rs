@@ -84,8 +84,7 @@ impl Variant {
 pub fn headers(size_float: u8, compact: bool, levels: [u8; 3]) -> PathBuf {
     let dist = DOUBLE.dist();
     let [poly3, poly5, poly7] = levels;
-    let name = format!("{size_float}-{compact}-{poly3}{poly5}{poly7}");
-    let include = root().join("target/headers").join(name);
+    let include = root().join("target/headers").join(format!("{size_float}-{compact}-{poly3}{poly5}{poly7}"));
     std::fs::create_dir_all(&include).unwrap();
     run(Command::new("cp").arg("-R").arg(dist.join("include/.")).arg(&include));
     let config = include.join("a/atraj_config.h");

@@ -65,8 +65,7 @@ impl Misses {
         let ulp = R::MACHINE_EPSILON.widen();
         let ulps = |miss: [f64; 3]| size.relative(miss) / ulp;
         let gap = |one: &Point, other: &Point| ulps(jump(&problem.limits, one, other));
-        let begins = phases.iter().find(|phase| phase.duration > exact(0.0));
-        let start = begins.map_or(0.0, |phase| gap(&walk[0], phase));
+        let start = phases.iter().find(|phase| phase.duration > exact(0.0)).map_or(0.0, |phase| gap(&walk[0], phase));
         let neighbours = phases.windows(2).map(|pair| gap(&pair[0].at(&pair[0].duration), &pair[1]));
         let end = walk.last().expect("a start");
         let passed: Vec<_> = walk.iter().flat_map(Point::passed).collect();
@@ -155,8 +154,7 @@ fn jump<R: Real>(limits: &Limits<R>, before: &Point, after: &Point) -> [f64; 3] 
 fn walk<R: Real>(problem: &Problem<R>, phases: &[Point]) -> Vec<Point> {
     let [p, v, a] = parts(problem.ends()[0]).map(|x| exact(x.widen()));
     let zero = exact(0.0);
-    let start = Point { six_p: p * exact(6.0), v, a, jerk: zero.clone(), duration: zero };
-    let mut walk = vec![start];
+    let mut walk = vec![Point { six_p: p * exact(6.0), v, a, jerk: zero.clone(), duration: zero }];
     for phase in phases {
         let last = &walk[walk.len() - 1];
         let Point { six_p, v, .. } = last.at(&last.duration);
@@ -174,8 +172,7 @@ fn missed<R: Real>(problem: &Problem<R>, reached: &Point, t: f64) -> [f64; 3] {
         Request::Meet => (p + &v * exact(t), v, a),
         _ => (p, v, a),
     };
-    let target = Point { six_p: p * exact(6.0), v, a, jerk: zero.clone(), duration: zero };
-    let [p, v, a] = reached.gap(&target);
+    let [p, v, a] = reached.gap(&Point { six_p: p * exact(6.0), v, a, jerk: zero.clone(), duration: zero });
     let is_free = matches!(problem.request, Request::Reach | Request::Stop);
     let steps = problem.request == Request::Trap; // a trapezoid ends with its acceleration
     [if is_free { 0.0 } else { p }, v, if steps { 0.0 } else { a }]
@@ -264,8 +261,7 @@ const NEAREST: [Part; 7] =
 /// principle of Pontryagin, checked on the phases. A fastest motion has this property: else its target could be had earlier, too. A move
 /// that starts outside the limits first returns within them, and is not asked.
 pub fn is_extremal<R: Real>(problem: &Problem<R>, plan: &Plan<R>) -> bool {
-    let phases = phases_of(&plan.planned);
-    let walk = walk(problem, &phases);
+    let walk = walk(problem, &phases_of(&plan.planned));
     let size = Size::of(&walk, &problem.limits, plan.planned.t.widen());
     let lasting: Vec<_> = walk.iter().filter(|point| point.duration > exact(0.0)).collect();
     let follows = |order: &[Part; 7]| {

@@ -157,16 +157,14 @@ fn drop_shortest<R: Real>(planned: &mut Move<R>) {
 fn detour<R: Real>(problem: &Problem<R>) -> Result<Plan<R>, Error> {
     let mut stop = Move::default();
     let found = stop.stop(&problem.limits, problem.from)?;
-    let from = stop.state_at(stop.t);
-    let rest = Fastest.plan(&Problem { from, ..*problem })?;
+    let rest = Fastest.plan(&Problem { from: stop.state_at(stop.t), ..*problem })?;
     let (first, second) = (stop.count as usize, rest.planned.count as usize);
     if first + second > 15 {
         return Fastest.plan(problem);
     }
     let mut both = stop;
     for (index, phase) in rest.planned.phase[..=second].iter().enumerate() {
-        let t = stop.t + phase.start;
-        both.phase[first + index] = Phase { start: t, ..*phase };
+        both.phase[first + index] = Phase { start: stop.t + phase.start, ..*phase };
     }
     both.count = (first + second) as u32;
     both.t = both.phase[first + second].start;

@@ -85,8 +85,7 @@ impl Viable {
         let slowest = limits.jmax.min(-limits.jmin);
         let dt = (limits.amax - limits.amin) / Self::CELLS as f64 / limits.jmax.max(-limits.jmin);
         for _ in 0..(6.0 * (limits.amax - limits.amin) / slowest / dt) as usize {
-            let points = 0..found.spans.len();
-            found.spans = points.map(|index| found.before(index, dt)).collect();
+            found.spans = (0..found.spans.len()).map(|index| found.before(index, dt)).collect();
         }
         found
     }

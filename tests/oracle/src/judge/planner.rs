@@ -134,10 +134,8 @@ fn fastest<R: Real>(problem: &Problem<R>) -> Option<Profile<R>> {
     let [x, y, z, p0, p1, v0, v1] = problem.arguments();
     let boundary = Boundary { p0, p1, v0, v1 };
     Some(if problem.request == Request::Bell {
-        let bell = Bell::fastest(x, y, z, boundary).ok()?;
-        Profile::new(Family::Bell, &bell_fields(&bell))
+        Profile::new(Family::Bell, &bell_fields(&Bell::fastest(x, y, z, boundary).ok()?))
     } else {
-        let trap = Trap::fastest(x, y, z, boundary).ok()?;
-        Profile::new(Family::Trap, &trap_fields(&trap))
+        Profile::new(Family::Trap, &trap_fields(&Trap::fastest(x, y, z, boundary).ok()?))
     })
 }

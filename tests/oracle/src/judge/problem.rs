@@ -115,8 +115,7 @@ impl<R: Real> Problem<R> {
     pub fn mirrored(&self) -> Self {
         let [vmax, vmin, amax, amin, jmax, jmin, ends @ ..] = self.numbers();
         let [p0, v0, a0, p1, v1, a1] = ends;
-        let exchanged = [vmin, vmax, amin, amax, jmin, jmax, p0, v0, a0, p1, v1, a1];
-        self.with(exchanged.map(|x| -x))
+        self.with([vmin, vmax, amin, amax, jmin, jmax, p0, v0, a0, p1, v1, a1].map(|x| -x))
     }
 
     pub fn scaled(&self, length: i8, time: i8) -> Self {
@@ -164,8 +163,7 @@ pub fn parts<R>(state: State<R>) -> [R; 3] {
 }
 
 fn rounded<R: Real>(x: R, digits: usize) -> R {
-    let text = format!("{:.digits$e}", x.widen());
-    R::of(text.parse().expect("a number"))
+    R::of(format!("{:.digits$e}", x.widen()).parse().expect("a number"))
 }
 
 impl<R: Real> Display for Problem<R> {

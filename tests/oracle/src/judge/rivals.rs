@@ -105,8 +105,7 @@ impl Theirs {
         if duration > least * (1.0 + tolerance::<R>()) {
             self.longer += 1;
         } else if inside && duration < least * (1.0 - tolerance::<R>()) {
-            let shorter = matches!(trial.duration_near(duration, ACCURACY), Verdict::Shorter(_));
-            self.shorter += u64::from(shorter);
+            self.shorter += u64::from(matches!(trial.duration_near(duration, ACCURACY), Verdict::Shorter(_)));
         }
     }
 }

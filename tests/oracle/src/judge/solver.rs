@@ -130,8 +130,7 @@ impl Motion {
     pub fn interval(&self, duration: f64) -> Option<[f64; 2]> {
         let mut interval = [0.0; 2];
         let Self { limits, start, target, .. } = self;
-        let possible = solver_interval(limits, start, target, duration, &mut interval);
-        (possible != 0).then_some(interval)
+        (solver_interval(limits, start, target, duration, &mut interval) != 0).then_some(interval)
     }
 
     /// The shape of the upper or the lower border at this duration, with the derivatives of its distance from the start: by velocity and acceleration
@@ -139,8 +138,7 @@ impl Motion {
     pub fn derivatives(&self, duration: f64, lower: bool) -> Option<(usize, [f64; 5], [f64; 15])> {
         let (mut first, mut second) = ([0.0; 5], [0.0; 15]);
         let Self { limits, start, target, .. } = self;
-        let lower = i32::from(lower);
-        let shape = solver_derivatives(limits, start, target, duration, lower, &mut first, &mut second);
+        let shape = solver_derivatives(limits, start, target, duration, i32::from(lower), &mut first, &mut second);
         Some((usize::try_from(shape).ok()?, first, second))
     }
 

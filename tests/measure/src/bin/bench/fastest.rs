@@ -88,6 +88,5 @@ fn race(family: Family, case: &str, plans: Vec<Vec<a_float>>) -> Race {
         (input.current_position[0], input.target_position[0]) = (p0, p1);
         (input.current_velocity[0], input.target_velocity[0]) = (v0, v1);
     };
-    let function = format!("atraj_{}_gen", family.name());
-    Race::new(&function, case.into(), plans.collect(), passes, duration, ask)
+    Race::new(&format!("atraj_{}_gen", family.name()), case.into(), plans.collect(), passes, duration, ask)
 }

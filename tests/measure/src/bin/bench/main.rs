@@ -206,8 +206,7 @@ fn bells(count: usize, random: &mut Random) -> [(&'static str, Vec<Plan>); 3] {
 
 fn trap(random: &mut Random) -> Plan {
     let [vm, ac, de] = [(2.0, 6.0), (2.0, 8.0), (2.0, 8.0)].map(|(lo, hi)| random.between(lo, hi));
-    let p1 = random.between(1.0, 30.0);
-    [vm, ac, -de, 0.0, p1, 0.0, random.between(0.0, 1.0)].map(|x| x as a_float).to_vec()
+    [vm, ac, -de, 0.0, random.between(1.0, 30.0), 0.0, random.between(0.0, 1.0)].map(|x| x as a_float).to_vec()
 }
 
 fn septic(random: &mut Random) -> Plan {

@@ -172,8 +172,7 @@ impl Case {
         let mut to = state(self.accelerated_target, 1.0);
         to.p = from.p + (random.sign() * random.between(0.1, 15.0)) as a_float;
         let [vmax, vmin, amax, amin, jmax, jmin] = [vm, vmin, am, amin, jm, -jm].map(|limit| limit as a_float);
-        let limits = atraj_limits { vmax, vmin, amax, amin, jmax, jmin };
-        (limits, from, to)
+        (atraj_limits { vmax, vmin, amax, amin, jmax, jmin }, from, to)
     }
 
     fn problems<const N: usize>(self, count: usize, random: &mut Random) -> Rc<[Problem<N>]> {

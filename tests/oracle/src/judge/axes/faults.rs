@@ -96,8 +96,7 @@ fn a_tick_earlier<R: Real>(set: &Set<R>, axes: &mut [Move<R>]) {
     }
     for (axis, problem) in axes.iter_mut().zip(&set.axes) {
         let (limits, from, to) = ([problem.limits], [problem.from], [problem.to]);
-        let one = std::slice::from_mut(axis);
-        synchronise(one, &limits, &from, &to, t, zero).expect("an axis that was planned");
+        synchronise(std::slice::from_mut(axis), &limits, &from, &to, t, zero).expect("an axis that was planned");
         if axis.t > t {
             cut_off(axis, t);
         }

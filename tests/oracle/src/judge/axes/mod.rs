@@ -28,8 +28,7 @@ pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, sets: usize) -
         let good = Verdict::Good { error: 0.0, detour: false };
         let (axis, verdict) = judged.err().unwrap_or((0, good));
         let way = if is_line { "line" } else { "together" };
-        let key = [usize::from(is_line), set.family as usize];
-        let tally = tallies.row(key, || format!("{way} {:?}", set.family));
+        let tally = tallies.row([usize::from(is_line), set.family as usize], || format!("{way} {:?}", set.family));
         tally.note(&verdict, || format!("axis {axis} of {}", set.show()));
     }
     tallies

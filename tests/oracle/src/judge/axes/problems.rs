@@ -142,8 +142,7 @@ impl<R: Real> Sets<R> {
             acceleration: share * lead.acceleration,
         };
         let (from, to) = (state(p0, lead.from), state(p1, lead.to));
-        let limits = wider(&lead.limits, share.widen(), random);
-        Problem { limits, from, to, ..*lead }
+        Problem { limits: wider(&lead.limits, share.widen(), random), from, to, ..*lead }
     }
 }
 
@@ -151,10 +150,7 @@ impl<R: Real> Sets<R> {
 fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits<R> {
     let share = if share == 0.0 { 1.0 } else { share };
     let mut pair = |high: R, low: R| {
-        let [one, other] = [high, low].map(|limit| {
-            let more = 1.001 * random.magnitude(0.0, 1.0) * share;
-            limit.widen() * more
-        });
+        let [one, other] = [high, low].map(|limit| limit.widen() * (1.001 * random.magnitude(0.0, 1.0) * share));
         [one.max(other), one.min(other)].map(R::of)
     };
     let [vmax, vmin] = pair(limits.vmax, limits.vmin);

@@ -39,8 +39,7 @@ impl<R: Real> Planner<R> for Fault {
         let middle = path.states.len() / 2;
         match self {
             Self::Waits => {
-                let waypoints = chain.axes..sections * chain.axes;
-                for state in &mut path.states[waypoints] {
+                for state in &mut path.states[chain.axes..sections * chain.axes] {
                     (state.velocity, state.acceleration) = (R::ZERO, R::ZERO);
                 }
                 path.durations.iter_mut().for_each(|t| *t = R::of(1.01) * *t);
@@ -54,7 +53,6 @@ impl<R: Real> Planner<R> for Fault {
             }
             _ => {}
         }
-        let is_silent = *self == Self::Silent;
-        Ok((path, if is_silent { Findings::default() } else { found }))
+        Ok((path, if *self == Self::Silent { Findings::default() } else { found }))
     }
 }

@@ -96,8 +96,7 @@ pub fn example_of_ruckig<R: Real>() -> Chain<R> {
     let points =
         [[0.2, 0.0, -0.3], [1.4, -1.6, 1.0], [-0.6, -0.5, 0.4], [-0.4, -0.35, 0.0], [0.8, 1.8, -0.1], [0.5, 1.0, 0.0]];
     let limits = [[6.0, 3.0, 1.0], [10.0, 2.0, 2.0], [20.0, 2.0, 1.0]];
-    let limits = limits.map(|[j, a, v]| symmetric(j, a, v));
-    let mut chain = Chain::at_rest(limits.into(), points.into_iter().flatten());
+    let mut chain = Chain::at_rest(limits.map(|[j, a, v]| symmetric(j, a, v)).into(), points.into_iter().flatten());
     for (k, velocity, acceleration) in [(1, 0.2, 0.6), (15, 0.2, 0.0), (16, 0.0, 0.1), (17, 0.3, -0.1)] {
         (chain.states[k].velocity, chain.states[k].acceleration) = (R::of(velocity), R::of(acceleration));
     }
@@ -150,8 +149,7 @@ impl Chains {
                 states[point * axes + axis].position = position;
             }
             let last = limits.len() - axes + axis;
-            let end = (points + 1) * axes + axis;
-            ends(random, family, [&limits[axis], &limits[last]], &mut states, [axis, end]);
+            ends(random, family, [&limits[axis], &limits[last]], &mut states, [axis, (points + 1) * axes + axis]);
         }
         let is_dropped = matches!(family, Family::Staying | Family::Repeating);
         for point in 1..points + 2 {
