@@ -21,7 +21,7 @@ help_names_the_goals() {
     make -s -C "$copy" help > said
     grep -oE 'make [a-z][a-z-]+' said | sed 's/.*make //' | sort -u > named
     # The others are steps of these.
-    sed -n '/^\.PHONY:/,/[^\\]$/p' "$copy/Makefile" | tr -s ': \\' '\n' | grep '^[a-z]' | grep -vxE 'dist-locked|where|rust|help|site-tool' | sort > goals
+    sed -n '/^\.PHONY:/,/[^\\]$/p' "$copy/Makefile" | tr -s ': \\' '\n' | grep '^[a-z]' | grep -vxE 'dist-locked|where|rust|help|site-tool|check-programs|check-motions' | sort > goals
     grep -vx help named | diff goals -
 }
 
