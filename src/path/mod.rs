@@ -124,8 +124,8 @@ pub fn plan_path_near<R: Real>(
     Ok(found)
 }
 
-/// Improves a path that [`plan_path`] has planned, or this function. Call it as long as there is time: a path gets no longer, and is possible after
-/// every call, but for rounding in the last phase of the first section.
+/// Improves a path that [`plan_path`] has planned, or this function. Call it as long as there is time: a path never gets longer, and is possible after
+/// every call, except for rounding in the last phase of the first section.
 ///
 /// A path may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of the duration of
 /// its section. Append points at rest, with sections of the duration 0: they are stretched until they are possible. If the states and durations

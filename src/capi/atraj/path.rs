@@ -48,8 +48,8 @@ pub unsafe extern "C" fn atraj_path_plan(
 
 /// @brief Improve a path that `atraj_path_plan` has planned, or this function: as often as there is time.
 ///
-/// A path gets no longer, and is possible after every call, but for rounding in the last phase of the first section. It
-/// may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of
+/// A path never gets longer, and is possible after every call, except for rounding in the last phase of the first
+/// section. It may change between two calls. Drop sections that are passed. Begin with the state under way, and with what is left of
 /// the duration of its section. Append points at rest, with sections of the duration 0: they are stretched until they are
 /// possible. If the states and durations are impossible otherwise, the path is planned again from the start. The other
 /// arguments are those of `atraj_path_plan`.

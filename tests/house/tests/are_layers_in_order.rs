@@ -41,7 +41,8 @@ fn flat(stream: TokenStream, words: &mut Vec<String>) {
     while let Some(tree) = trees.next() {
         match tree {
             TokenTree::Group(group) => {
-                let [open, close] = if group.delimiter() == Delimiter::Brace { ["{", "}"] } else { ["(", ")"] };
+                let is_block = group.delimiter() == Delimiter::Brace;
+                let [open, close] = if is_block { ["{", "}"] } else { ["(", ")"] };
                 let is_for_tests = group.stream().to_string() == "cfg (test)";
                 if is_for_tests && words.last().is_some_and(|last| last == "#") {
                     trees.find(|tree| match tree {

@@ -126,7 +126,8 @@ fn judge<R: Original>(set: &Set<R>, axes: &[Bounded<R>], counts: &mut Counts, ra
     assert!(checked.is_ok(), "{checked:?} {}", what());
     let mut free = vec![before; axes.len()];
     let none = [-R::INFINITY, R::INFINITY].map(|bound| vec![bound; axes.len()]);
-    synchronise_within(&mut free, &limits, &from, &to, [&none[0][..], &none[1]], duration, cycle).expect("plans");
+    let no_bounds = [&none[0][..], &none[1]];
+    synchronise_within(&mut free, &limits, &from, &to, no_bounds, duration, cycle).expect("plans");
     let [t, least] = [&planned, &free].map(|axes| axes[0].t.widen());
     let is_left = |by: &dyn Fn(&Bounded<R>, &Move<R>) -> f64| {
         let mut moves = axes.iter().zip(&free);

@@ -146,7 +146,8 @@ fn moves_stay_inside<R: Original>() {
                 let start = cannot_stop(&limits, from, [lowest, highest], slack);
                 let (limits, before) = backwards(&limits, to);
                 let end = cannot_stop(&limits, before, [-highest, -lowest], slack);
-                assert!(start || end || findings.contains(Findings::STARTS_OUTSIDE), "{low} {high} {problem}");
+                let is_reason = start || end || findings.contains(Findings::STARTS_OUTSIDE);
+                assert!(is_reason, "{low} {high} {problem}");
                 refused += 1;
             }
         }

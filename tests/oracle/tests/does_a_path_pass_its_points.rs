@@ -262,7 +262,8 @@ fn refused<R: Original>(most: f64) -> [usize; 2] {
             }
         }
         let part = path.duration() / stopping(&chain);
-        assert!(part <= 1.0 + 64.0 * R::MACHINE_EPSILON.widen(), "{k}: {part}");
+        let roundings = 64.0 * R::MACHINE_EPSILON.widen();
+        assert!(part <= 1.0 + roundings, "{k}: {part}");
     }
     println!("{}, 1e{most:.0}: {paths} paths refused, {sections} sections", R::NAME);
     [paths, sections]

@@ -179,8 +179,8 @@ fn after_first<R: Original>(chain: &Chain<R>, path: &Path<R>) -> (Chain<R>, Path
 /// Improves a path that is followed. It gets no longer, and the motions after the section under way are possible.
 fn follow<R: Original>(limits: &[Limits<R>], path: &mut Path<R>, random: &mut Random) -> bool {
     let before = path.duration();
-    let chain =
-        Chain { family: Family::AtRest, axes: limits.len(), limits: limits.to_vec(), states: path.states.clone() };
+    let axes = limits.len();
+    let chain = Chain { family: Family::AtRest, axes, limits: limits.to_vec(), states: path.states.clone() };
     let found = Paths.improve(&chain, path, 8).expect("a plan");
     let after = path.duration();
     assert!(after <= before * (1.0 + 4.0 * R::MACHINE_EPSILON.widen()), "{after} after {before}: {chain:?}");
@@ -668,8 +668,8 @@ fn narrow_zones_do_not_stall() {
             add(0.001, random.between(5.0, 45.0));
         }
     }
-    let chain =
-        Chain { family: Family::Many, axes: 1, limits, states: positions.iter().map(|&p| State::at(p)).collect() };
+    let states = positions.iter().map(|&p| State::at(p)).collect();
+    let chain = Chain { family: Family::Many, axes: 1, limits, states };
     let [default, long] = [0, 400].map(|steps| duration(&chain, steps));
     println!("40 sections with zones between them: {default:.5} s, {long:.5} with 400 steps");
     assert!(default <= 1.005 * long);

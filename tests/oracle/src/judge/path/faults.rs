@@ -53,6 +53,7 @@ impl<R: Real> Planner<R> for Fault {
             }
             _ => {}
         }
-        Ok((path, if *self == Self::Silent { Findings::default() } else { found }))
+        let is_silent = *self == Self::Silent;
+        Ok((path, if is_silent { Findings::default() } else { found }))
     }
 }
