@@ -466,6 +466,7 @@ static int group(void) {
     PROMISE(atraj_moves_sync(path[0], planned, way[0], way[1], 2, 0, 0) >= 0 && atraj_moves_sync(path[1], planned, way[1], way[2], 2, 0, 0) >= 0);
     PROMISE(atraj_group_path(&ctx, reserve, *path, 2, 1, 1) == ATRAJ_ERR_TARGET && atraj_group_path(&ctx, reserve, *path, 2, 0, 1) == 0);
     for (n = 0; n != 60; ++n) { atraj_group_tick(&ctx, now); }
+    PROMISE(atraj_group_time(&ctx, 0) != atraj_group_time(&ctx, 0) && atraj_group_path(&ctx, reserve, *path, 2, atraj_group_time(&ctx, 9), 9) == 0);
     PROMISE(is(now[1], atraj_move_pos(&path[0][1], period * 59), atraj_move_vel(&path[0][1], period * 59), atraj_move_acc(&path[0][1], period * 59)));
     PROMISE(atraj_group_within(NULL, low, high) == ATRAJ_ERR_NULL && atraj_group_within(&ctx, low, NULL) == ATRAJ_ERR_NULL);
     PROMISE(atraj_group_within(&ctx, high, low) == ATRAJ_ERR_LIMITS && atraj_group_within(&ctx, odd, high) == ATRAJ_ERR_NOT_FINITE);

@@ -129,6 +129,14 @@ int atraj_group_path(struct atraj_group *ctx,
                      unsigned int lead);
 
 /**
+ * @brief The time of the motion in force after `lead` ticks, s: there `atraj_group_path` can continue it.
+ *
+ * Where a tick comes between both calls, the path is `ATRAJ_ERR_TARGET`: ask again.
+ * @return NaN if `ctx` is NULL, or where a plan would be `ATRAJ_ERR_LATE`
+ */
+A_EXTERN a_float atraj_group_time(const struct atraj_group *ctx, unsigned int lead);
+
+/**
  * @brief Go to another rate of the motion, on its line or path: 1 as planned, 0 feed hold, 1/2 override, -1 back.
  * @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
  * @return as `atraj_clock_rate`: where the axes rest, before a motion or after it, 0 for a hold, and
@@ -221,6 +229,7 @@ struct atraj_group {
     {
         return atraj_group_path(this, limits, path_, sections, s, lead);
     }
+    a_float time(unsigned lead) const { return atraj_group_time(this, lead); }
     int rate(const atraj_limits *limits, a_float rate_, unsigned lead) { return atraj_group_rate(this, limits, rate_, lead); }
     int stop(const atraj_limits *limits, unsigned lead) { return atraj_group_stop(this, limits, lead); }
 #endif /* __cplusplus */

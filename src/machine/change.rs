@@ -74,15 +74,16 @@ impl<'a, R: Real> Change<'a, R> {
         // Once, and not again for each change that is tried.
         let is_kept = self.keeps_after(State { velocity: self.rate, ..from });
         self.kept_from = if is_kept { from.position } else { R::NAN };
-        match self.faster_later(time)? {
+        let stop = self.free_stop(from.position)?;
+        match self.faster_later(stop, time)? {
             Some(law) => Ok(law),
-            None => self.slow(from, time),
+            None => self.slow(from, stop, time),
         }
     }
 
-    /// A faster change, which may begin later; `None` if none is found and the motion cannot go on.
+    /// A faster change, which may begin later; `stop` is the slowest axis' free stop. `None` if none is found and the motion cannot go on.
     #[inline(never)] // for its stack
-    fn faster_later(&self, time: &mut Move<R>) -> Result<Option<Law<R>>, Error> {
+    fn faster_later(&self, stop: R, time: &mut Move<R>) -> Result<Option<Law<R>>, Error> {
         let start = time.start();
         time.go_to_the_end(self.length).ok_or(Error::Target)?;
         let goes_on = self.keeps(time);
@@ -91,7 +92,6 @@ impl<'a, R: Real> Change<'a, R> {
         let stands = end.velocity == R::ZERO && (is_hold || ends);
         let mut until = if goes_on && stands { time.t } else { R::INFINITY };
         let mut is_reached = is_hold && !ends;
-        let stop = self.free_stop(start.position)?;
         let step = stop / R::from(STEPS);
         let (mut change, mut t) = (Move::default(), R::ZERO);
         // From a standstill the first change is taken: a later one arrives hardly sooner, and each place costs a search.
@@ -120,11 +120,11 @@ impl<'a, R: Real> Change<'a, R> {
 
     /// A change within limits for the whole path, which may be so slow that it passes an end before it has the rate. There the path stands.
     #[inline(never)] // for its stack
-    fn slow(&self, from: State<R>, time: &mut Move<R>) -> Result<Law<R>, Error> {
+    fn slow(&self, from: State<R>, stop: R, time: &mut Move<R>) -> Result<Law<R>, Error> {
         self.first_slow(from, time)?;
         if self.is_on_path(time) {
             let until = time.t;
-            Error::Target.unless(until <= self.longest(self.free_stop(from.position)?))?;
+            Error::Target.unless(until <= self.longest(stop))?;
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
             return Ok(Law { until, is_reached: true, lead: None });
         }
@@ -165,7 +165,7 @@ impl<'a, R: Real> Change<'a, R> {
         let away = self.rate > R::ZERO && s < self.length || self.rate < R::ZERO && s > R::ZERO;
         time.stay(State { velocity: if away { self.rate } else { R::ZERO }, ..State::at(s) });
         if !self.keeps(time) {
-            return self.slow(State::at(s), time);
+            return self.slow(State::at(s), self.free_stop(s)?, time);
         }
         time.go_to_the_end(self.length).ok_or(Error::Target)?;
         Ok(Law { until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None })

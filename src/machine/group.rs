@@ -6,7 +6,6 @@ use super::clock::Clock;
 use super::handover::{Handover, Moment, at};
 use super::sections::{Axis, are_whole, duration, time_of_rest};
 use crate::findings::{Error, Findings};
-use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::online::{Move, are_in_order};
 use crate::real::Real;
@@ -291,6 +290,15 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         })
     }
 
+    /// The time of the motion in force after `lead` ticks, s: there [`path`](Self::path) can continue it. Where a tick comes between both calls, the
+    /// path is [`Error::Target`]: ask again. [`Error::Late`] as for a plan.
+    pub fn time(&self, lead: u32) -> Result<R, Error> {
+        let takeover = self.0.handover.prepare(lead).ok_or(Error::Late)?;
+        // SAFETY: nobody writes to what is in force.
+        let (course, _) = unsafe { self.0.course(takeover.from.place) };
+        Ok(course.clock.time(elapsed(self.0.period, takeover.from)))
+    }
+
     /// Goes to another rate of the motion, which stays on its line or path: 1 as planned, 0 hold, 1/2 override, -1 back. `limits` are those of the
     /// plans and a reserve. Where the axes rest, before a motion or after it, a hold has nothing to do, and 1 is [`Findings::RATE_NOT_REACHED`]. It
     /// returns the findings and errors of [`Clock::rate`]; [`Error::Target`] also if the axes move each for itself.
@@ -402,26 +410,11 @@ impl<'a, R: Real> Next<'_, 'a, R> {
         clock.go_on_from(&from.course.clock, from.x);
         let found = clock.rate(from.moves, limits, R::ZERO, rate)?;
         self.course.set_end(from.moves, limits.len());
-        Error::Position.unless(self.stays(from, limits.len()))?;
+        let passed = self.course.clock.span(self.course.end);
+        let mut axes = (0..limits.len()).filter_map(|index| Some((index, of_axis(from.positions, index)?)));
+        let stays = |(index, positions)| Axis::new(from.moves, limits.len(), index).stays(passed, positions);
+        Error::Position.unless(axes.all(stays))?;
         Ok(found)
-    }
-
-    /// Whether the axes stay between the positions while the clock runs to its end.
-    #[inline(never)] // for its stack
-    fn stays(&self, from: &InForce<'_, 'a, R>, n: usize) -> bool {
-        let [low, high] = self.course.clock.span(self.course.end);
-        (0..n).filter_map(|index| Some((index, of_axis(from.positions, index)?))).all(|(index, [lowest, highest])| {
-            Axis::new(from.moves, n, index).sections().all(|(of, start, next)| {
-                let stays = |part: Move<R>| {
-                    let reached = part.extremes();
-                    let far = reached.lowest.position.abs() + reached.highest.position.abs();
-                    !reached.overshoots(lowest, highest, of_check(far))
-                };
-                let is_passed = low < next && high > start;
-                let part = || of.between((low - start).at_least(R::ZERO), high.at_most(next) - start);
-                !is_passed || part().is_some_and(stays)
-            })
-        })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::clock::atraj_clock;
 use super::r#move::{atraj_limits, atraj_move, atraj_state};
 use super::{answer, done, list, list_mut};
-use crate::capi::{Number, a_float, assert_same_layout, of};
+use crate::capi::{Number, a_float, assert_same_layout, of, value};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::machine::group::Course;
@@ -177,6 +177,17 @@ pub unsafe extern "C" fn atraj_group_path(
             Some(group.path(limits, moves, s.into(), lead))
         })
     }
+}
+
+/// @brief The time of the motion in force after `lead` ticks, s: there `atraj_group_path` can continue it.
+///
+/// Where a tick comes between both calls, the path is `ATRAJ_ERR_TARGET`: ask again.
+/// @return NaN if `ctx` is NULL, or where a plan would be `ATRAJ_ERR_LATE`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn atraj_group_time(ctx: *const atraj_group, lead: c_uint) -> a_float {
+    // SAFETY: `ctx` is NULL or valid, and nobody else plans, by the contract of this module.
+    let time = unsafe { of(ctx).and_then(|group| GroupPlanner::of(group).time(lead).ok()) };
+    value(time.as_ref(), |time| *time)
 }
 
 /// @brief Go to another rate of the motion, on its line or path: 1 as planned, 0 feed hold, 1/2 override, -1 back.

@@ -95,6 +95,7 @@ table! { |n|
     atraj_group_init: ({1} _ n {3 * n} n);
     atraj_group_path: (1 1 n n _ (1 of 2.0));
     atraj_group_rate: (1 1 _ (1 of 2.0));
+    atraj_group_time: (1 (1 of 2.0));
     atraj_group_within: (1 (1 of -9.0) (1 of 9.0));
     atraj_limits_init: ([1] _ _ _);
     atraj_message: (_);

@@ -42,7 +42,10 @@ fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
         let s = next_time(&path[0], &now[0], rate);
         assert_eq!(planner.path(&limits, path, s, 1), Err(Error::Target), "while the rate changes");
         (0..97).for_each(|_| assert!(!ticker.tick(&mut now).ends));
-        let s = next_time(&path[0], &now[0], rate);
+        let s = planner.time(1).expect("the time of the path");
+        let off = s.widen() - next_time(&path[0], &now[0], rate).widen();
+        assert!(off.abs() < 1e3 * R::MACHINE_EPSILON.widen(), "{off:?}");
+        assert_eq!(planner.time(0), Err(Error::Late));
         assert_eq!(planner.path(&limits, path, R::of(s.widen() + 0.25), 1), Err(Error::Target), "from elsewhere");
         let at = next_time(slow, &now[0], rate);
         assert_eq!(planner.path(&limits, std::slice::from_ref(slow), at, 1), Err(Error::Target), "at another speed");
@@ -82,4 +85,61 @@ fn a_stop_turns_at_a_position<R: Real>() {
     assert!((stops[1] - 1.5).abs() < 1e-5 && now.iter().all(|now| now.velocity == zero), "{stops:?} {now:?}");
 }
 
-test_both_reals!(programs, a_path_goes_on_at_the_rate_in_force, a_stop_turns_at_a_position);
+/// A hold begins at the target, which the axis passes while it brakes. It is refused exactly if the axis would leave the positions meanwhile.
+fn a_hold_behind_the_target_stays_inside<R: Real>() {
+    let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
+    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
+    let target = State { position: R::of(10.0), velocity: R::of(2.0), acceleration: R::of(-4.0) };
+    let hold = |highest: R| {
+        let (mut states, mut moves, mut now) = ([State::at(zero)], [Move::default(); 3], [State::at(zero)]);
+        let positions = [[-R::INFINITY], [highest]];
+        let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        planner.go(&online::limits_times(&limits, 0.7), &[target], 1).expect("a plan");
+        while !ticker.tick(&mut now).ends {}
+        planner.within([&positions[0], &positions[1]]).expect("positions");
+        planner.rate(&limits, zero, 1)?;
+        let mut farthest = now[0].position.widen();
+        while !ticker.tick(&mut now).ends {
+            farthest = farthest.max(now[0].position.widen());
+        }
+        Ok(farthest)
+    };
+    let farthest = hold(R::INFINITY).expect("a hold");
+    assert!(farthest > 10.1, "{farthest}");
+    assert_eq!(hold(R::of(farthest - 1e-3)), Err(Error::Position));
+    assert_eq!(hold(R::of(farthest + 1e-3)), Ok(farthest));
+}
+
+/// A stop on the path takes 1.3 m, and one of the axis alone 1.2 m. So each axis stops at once, from where it is.
+fn a_stop_leaves_a_path_that_leads_outside<R: Real>() {
+    let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
+    let limits = [Limits::symmetric(R::of(2.0), R::of(1.0), R::of(1.5)); 2];
+    let passed = |way: f64| State { velocity: R::of(0.15 * way), ..State::at(R::of(way)) };
+    let [start, corner] = [[State::at(zero); 2], [passed(10.0), passed(5.0)]];
+    let end = [10.0, 0.0].map(|way| State { position: R::of(10.0 + way), ..passed(way) });
+    let mut path = online::straight(&limits, &start, &corner);
+    path.extend(online::together(&limits, &corner, &end, zero));
+    let (mut states, mut moves, mut now) = ([State::at(zero); 2], [Move::default(); 6], [State::at(zero); 2]);
+    let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
+    let (mut planner, mut ticker) = group.split();
+    planner.path(&limits, &path, zero, 1).expect("a path");
+    while now[0].position < R::of(14.0) {
+        ticker.tick(&mut now);
+    }
+    let positions = [[-R::INFINITY; 2], [15.25, 10.0].map(R::of)];
+    planner.within([&positions[0], &positions[1]]).expect("positions");
+    planner.stop(&limits, 1).expect("a stop");
+    let last = now[1].position.widen();
+    ticker.tick(&mut now);
+    assert!((now[1].position.widen() - last).abs() < 0.02, "{last} {now:?}");
+    let stops = now.map(|now| online::stop(&limits[0], now).state_at(R::INFINITY).position.widen());
+    while !ticker.tick(&mut now).ends {}
+    let off = now.iter().zip(stops).map(|(now, stop)| (now.position.widen() - stop).abs());
+    assert!(off.fold(0.0, f64::max) < 1e-5, "{now:?} {stops:?}");
+}
+
+test_both_reals!(
+    programs, a_path_goes_on_at_the_rate_in_force, a_stop_turns_at_a_position, a_hold_behind_the_target_stays_inside,
+    a_stop_leaves_a_path_that_leads_outside
+);
