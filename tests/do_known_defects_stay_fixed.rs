@@ -1,7 +1,7 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
 use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchronise_within};
-use atraj::machine::{Clock, Group, GroupTicker, Step, Steps};
+use atraj::machine::{Clock, Group, GroupTicker, Step, StepStream, Steps};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use support::online::state_of as state;
@@ -806,6 +806,15 @@ fn a_coarse_axis_spares_a_fine_one() {
     let mut axes = [Move::default(); 2];
     line(&mut axes, &limits, &from, &to, 0.0, 0.53716314).expect("a line");
     assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
+}
+
+/// An axis turns in the middle of a tick, so both positions are equal. It was taken to stand, and the steps there and back were late.
+#[test]
+fn a_turn_within_a_tick_makes_steps() {
+    let mut stream = StepStream::new(0.1, 1.0, state([0.0, 1.0, -2.0])).expect("a stream");
+    stream.tick(state([0.0, -1.0, -2.0])).expect("a tick");
+    let steps: Vec<Step<f64>> = std::iter::from_fn(|| stream.next()).collect();
+    assert_eq!(steps.iter().map(|step| step.direction).collect::<Vec<_>>(), [1, 1, -1, -1]);
 }
 
 /// A move that begins on a line begins a rounding next to it, and one in ten such moves stepped down and up again in float.

@@ -5,6 +5,7 @@
 use super::parabola::Parabola;
 use super::sections::{Axis, start_at_rest, time_of_rest};
 use crate::findings::Error;
+use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
 use crate::online::{Move, Phase};
 use crate::real::Real;
@@ -39,8 +40,6 @@ pub(super) struct Law<R> {
     /// When the rate is reached, s, or else the end of the path.
     pub until: R,
     pub is_reached: bool,
-    /// If it is not the time of the path, but the position of this axis.
-    pub lead: Option<usize>,
 }
 
 pub(super) struct Change<'a, R> {
@@ -115,7 +114,7 @@ impl<'a, R: Real> Change<'a, R> {
                 break;
             }
         }
-        Ok((until < R::INFINITY).then_some(Law { until, is_reached, lead: None }))
+        Ok((until < R::INFINITY).then_some(Law { until, is_reached }))
     }
 
     /// A change within limits for the whole path, which may be so slow that it passes an end before it has the rate. There the path stands.
@@ -126,13 +125,13 @@ impl<'a, R: Real> Change<'a, R> {
             let until = time.t;
             Error::Target.unless(until <= self.longest(stop))?;
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
-            return Ok(Law { until, is_reached: true, lead: None });
+            return Ok(Law { until, is_reached: true });
         }
         let border = if self.rate > R::ZERO { self.length } else { R::ZERO };
         let until = time.time_at(border).ok_or(Error::Target)?;
         time.keep_until(until);
         time.push(Phase { start: until, position: border, ..Phase::default() }).ok_or(Error::Target)?;
-        Ok(Law { until, is_reached: false, lead: None })
+        Ok(Law { until, is_reached: false })
     }
 
     fn first_slow(&self, from: State<R>, time: &mut Move<R>) -> Result<(), Error> {
@@ -168,7 +167,7 @@ impl<'a, R: Real> Change<'a, R> {
             return self.slow(State::at(s), self.free_stop(s)?, time);
         }
         time.go_to_the_end(self.length).ok_or(Error::Target)?;
-        Ok(Law { until: R::ZERO, is_reached: away || self.rate == R::ZERO, lead: None })
+        Ok(Law { until: R::ZERO, is_reached: away || self.rate == R::ZERO })
     }
 
     /// How long the slowest axis takes for its stop at the time `s` of the path.
@@ -437,13 +436,15 @@ impl<R: Real> Trial<'_, R> {
     fn keeps_over(&self, of: &Phase<R>, part: Parabola<R>) -> bool {
         let [passed, ..] = part.along(of);
         let [low, high] = passed.range();
-        let is_touched = |start: R, end: R| high >= start && low <= end;
-        let touched =
-            |(section, begin, end)| is_touched(begin, end).then(|| phases(section, begin, end == R::INFINITY));
-        self.axis.sections().filter_map(touched).all(|mut phases| {
-            phases.all(|(phase, start, end)| {
+        // Of a part that begins at the end of a phase up to rounding, the next phase has all.
+        let later = low + of_formula(low.abs());
+        let is_touched = |start: R, end: R| high >= start && (high <= end || later < end);
+        let mut sections = self.axis.sections().filter(|(_, begin, end)| is_touched(*begin, *end));
+        sections.all(|(section, begin, end)| {
+            let all = phases(section, begin, end == R::INFINITY);
+            all.filter(|(_, start, end)| is_touched(*start, *end)).all(|(phase, start, end)| {
                 let part = part.narrowed(passed.when_between(start, end));
-                !is_touched(start, end) || self.keeps_within(phase, start, part.along(of), of.jerk)
+                self.keeps_within(phase, start, part.along(of), of.jerk)
             })
         })
     }

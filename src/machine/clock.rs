@@ -104,22 +104,20 @@ impl<R: Real> Clock<R> {
         let now = self.state_of_time(x);
         let mut time = Move::default();
         let is_stop = rate == R::ZERO && !change.may_jump(now[0]);
-        let law = match if is_stop { lead::stop(moves, limits, now, &mut time)? } else { None } {
+        let stop = if is_stop { lead::stop(moves, limits, now, &mut time)? } else { None };
+        let (law, lead) = match stop {
             Some(stop) => stop,
             None => {
                 self.go_on(x, now, &mut time)?;
-                change.law(&mut time)?
+                (change.law(&mut time)?, None)
             }
         };
         if x > self.begin {
             (self.begin_before, self.was_led, self.before) = (self.begin, self.is_led, self.time);
         }
         (self.begin, self.until, self.time) = (x, x + law.until, time);
-        let lead = law.lead.and_then(|lead| moves.get(lead));
         self.is_led = u32::from(lead.is_some());
-        if let Some(lead) = lead {
-            self.lead = *lead;
-        }
+        self.lead = lead.unwrap_or(self.lead);
         Ok(Findings::RATE_NOT_REACHED.when(!law.is_reached))
     }
 

@@ -9,16 +9,16 @@ use crate::real::Real;
 use crate::several::line_stop::goes_along;
 use crate::state::State;
 
-/// Writes the lead's fastest stop to `stop`, if the path is one straight section from rest to rest. `time` is its time and its derivatives.
+/// Writes the lead's fastest stop to `stop`, if the path is one straight section from rest to rest. `time` is its time and its derivatives. Returns
+/// the law and the lead, whose positions count from its start; no lead if the axes go on to the end.
 #[inline(never)] // for its stack
 pub(super) fn stop<R: Real>(
     moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4], stop: &mut Move<R>,
-) -> Result<Option<Law<R>>, Error> {
+) -> Result<Option<(Law<R>, Option<Move<R>>)>, Error> {
     let displacement = |of: &Move<R>| of.end().position - of.start().position;
     let Some(first) = moves.first().filter(|_| moves.len() == limits.len()) else { return Ok(None) };
     let farther = |one: &Move<R>, other: &Move<R>| displacement(one).abs() < displacement(other).abs();
-    let each = moves.iter().enumerate();
-    let (index, lead) = each.fold((0, first), |lead, of| if farther(lead.1, of.1) { of } else { lead });
+    let lead = moves.iter().fold(first, |lead, of| if farther(lead, of) { of } else { lead });
     let endless = R::INFINITY;
     let mut tightest = Limits::symmetric(endless, endless, endless);
     for (of, limits) in moves.iter().zip(limits) {
@@ -30,24 +30,31 @@ pub(super) fn stop<R: Real>(
         }
         tightest.tighten(limits, share);
     }
+    let mut lead = *lead;
+    lead.count_from_start();
     let [s, rate, slowing, _] = time;
     let State { position, velocity, acceleration } = lead.state_at(s);
     let from =
         State { position, velocity: velocity * rate, acceleration: acceleration * rate * rate + velocity * slowing };
     let is_plain = stop.stop(&tightest, from)?.is_empty();
-    let [start, end] = [lead.start(), lead.end()].map(|state| state.position);
-    let is_within = is_plain && !stop.extremes().overshoots(start, end, of_check(start.abs() + end.abs()));
-    // A low velocity of the lead, compared with its highest, has a large rounding error where the rate is divided by it. And the time since its start
-    // is not known before it has passed many rounding errors of its positions: 64 times those of a check.
+    let end = lead.end().position;
+    let is_within = is_plain && !stop.extremes().overshoots(R::ZERO, end, of_check(end.abs()));
+    // Without a reserve the rest of a brake is the stop.
+    if is_within && rate == R::ONE && slowing == R::ZERO && (end - stop.end().position).abs() <= of_check(end.abs()) {
+        stop.stay(State { velocity: R::ONE, ..State::at(s) });
+        stop.go_to_the_end(lead.t).ok_or(Error::Target)?;
+        return Ok(Some((Law { until: stop.t, is_reached: false }, None)));
+    }
+    // A low velocity of the lead, compared with its highest, has a large rounding error where the rate is divided by it. And the time since a later
+    // phase began is not known before it has passed many rounding errors of its positions: 64 times those of a check.
     let extremes = lead.extremes();
     let least = R::EPSILON.sqrt() * extremes.speed();
-    let passed = R::from(64) * of_check(start.abs() + end.abs());
-    let [stands, ..] = along(lead, stop.state(stop.t));
-    let least_now = least.at_least((passed * extremes.acceleration()).sqrt());
-    let is_exact = lead.velocity(s).abs() > least_now && lead.velocity(stands).abs() > least;
-    let is_reached = stands < lead.t;
-    let law = Law { until: stop.t, is_reached, lead: Some(index) };
-    Ok(Some(law).filter(|_| is_within && is_exact))
+    let least_now = least.at_least((R::from(64) * of_check(end.abs()) * extremes.acceleration()).sqrt());
+    let [stands, ..] = along(&lead, stop.state(stop.t));
+    let is_exact = |x: R, least: R| x < lead.phase[2].start || lead.velocity(x).abs() > least;
+    let is_exact = is_exact(s, least_now) && is_exact(stands, least);
+    let law = Law { until: stop.t, is_reached: stands < lead.t };
+    Ok((is_within && is_exact).then_some((law, Some(lead))))
 }
 
 /// The time of the path and its derivatives where the lead has these position, velocity, acceleration and jerk.

@@ -46,8 +46,8 @@ impl<R: Real> StepStream<R> {
         Ok(Self { period, between, reversal, last, direction: 0, steps, phase: Phase::default(), end: now })
     }
 
-    /// Keeps at least `between`, s, between two steps, and at least `reversal`, s, before a step in the other direction: what the driver of the motor
-    /// needs. A step for which there is no time in its tick waits for the next one. [`Error::Duration`] if a time is negative or not finite.
+    /// Keeps at least `between`, s, between two steps, and at least `reversal`, s, before a step in the other direction and before the first one: what the
+    /// driver of the motor needs. A step for which there is no time in its tick waits for the next one. [`Error::Duration`] if a time is negative or not finite.
     pub fn wait(&mut self, between: R, reversal: R) -> Result<(), Error> {
         let is_time = |time: R| time >= R::ZERO && time < R::INFINITY;
         Error::Duration.unless(is_time(between) && is_time(reversal))?;
@@ -93,8 +93,10 @@ impl<R: Real> StepStream<R> {
 fn between<R: Real>(from: State<R>, to: State<R>, t: R) -> Phase<R> {
     let mean = (to.position - from.position) / t;
     let three = R::from(3) * mean;
-    let goes_one_way = mean * from.velocity >= R::ZERO && mean * to.velocity >= R::ZERO;
-    let [v0, v1] = [from.velocity, to.velocity].map(|v| if goes_one_way && v.abs() > three.abs() { three } else { v });
+    let agree = |v: R, w: R| v * w >= R::ZERO;
+    let (from_v, to_v) = (from.velocity, to.velocity);
+    let goes_one_way = agree(mean, from_v) && agree(mean, to_v) && agree(from_v, to_v);
+    let [v0, v1] = [from_v, to_v].map(|v| if goes_one_way && v.abs() > three.abs() { three } else { v });
     let half = R::from(3) * mean - (v0 + v0 + v1);
     let jerk = R::from(6) * ((v0 - mean) + (v1 - mean)) / (t * t);
     Phase { start: R::ZERO, duration: t, position: from.position, velocity: v0, acceleration: (half + half) / t, jerk }

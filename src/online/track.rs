@@ -46,15 +46,15 @@ impl<R: Real> Move<R> {
     pub fn track(
         &mut self, limits: &Limits<R>, from: State<R>, signal: State<R>, jerk: R, horizon: R,
     ) -> Result<Findings, Error> {
-        if !(horizon > R::ZERO && horizon.is_finite()) {
-            return Err(Error::Duration);
-        }
+        Error::Duration.unless(horizon > R::ZERO && horizon.is_finite())?;
         limits.check(from, State::at(signal.position))?;
-        if !(signal.is_finite() && jerk.is_finite()) {
-            return Err(Error::NotFinite);
-        }
-        let State { position, velocity, acceleration } = signal;
-        for (acceleration, jerk) in [(acceleration, jerk), (acceleration, R::ZERO), (R::ZERO, R::ZERO)] {
+        Error::NotFinite.unless(signal.is_finite() && jerk.is_finite())?;
+        let State { position, velocity: v, acceleration: a } = signal;
+        // A signal on a limit of the velocity, or beyond it, leaves nothing. A little less leaves enough to stay on it.
+        let most = R::ONE - R::SIXTEENTH * R::SIXTEENTH * R::SIXTEENTH;
+        let slower = v.at_least(most * limits.vmin).at_most(most * limits.vmax);
+        let zero = R::ZERO;
+        for (velocity, acceleration, jerk) in [(v, a, jerk), (v, a, zero), (v, zero, zero), (slower, zero, zero)] {
             let signal = Phase { position, velocity, acceleration, jerk, ..Phase::default() };
             let approach = Approach { limits, from, signal, horizon };
             let near = approach.near();
@@ -64,9 +64,7 @@ impl<R: Real> Move<R> {
                 return Ok(self.turn_findings());
             }
         }
-        // A signal on a limit, or beyond it, leaves nothing.
-        let velocity = velocity.at_least(limits.vmin).at_most(limits.vmax);
-        self.plan(limits, from, State { velocity, acceleration: R::ZERO, ..signal })
+        self.plan(limits, from, State { position, velocity: slower, acceleration: zero })
     }
 
     /// Whether the move keeps the limits, and can keep them from then on.

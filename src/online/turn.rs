@@ -159,9 +159,12 @@ impl<R: Real> Move<R> {
         if self.leaves(positions[0], positions[1]) { Err(Error::Position) } else { Ok(()) }
     }
 
-    /// Goes on with the fastest ramp from one state to another, whose positions it meets.
+    /// Goes on with the fastest ramp from one state to another, whose positions it meets. Both may be on the way to a velocity beyond the limits.
     fn ramp(&mut self, limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<(), Error> {
-        let problem = Problem::new(limits, from, to);
+        let mut limits = limits.reversed();
+        limits.include(from.reversed());
+        limits.include(to.reversed());
+        let problem = Problem::new(&limits.reversed(), from, to);
         let mut next = Self::default();
         problem.write(&mut next, &{ problem }.reach())?;
         self.append(&next)

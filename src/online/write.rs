@@ -66,6 +66,16 @@ impl<R: Real> Move<R> {
         Writer::new(self, state).end(state);
     }
 
+    /// Counts the positions from the start. So they have the rounding errors of the displacement alone, and near the start they tell the time.
+    pub(crate) fn count_from_start(&mut self) {
+        let (start, count) = (self.phase[0].position, self.phase_count());
+        if let Some(end) = self.phase.get_mut(count) {
+            end.position = end.position - start;
+        }
+        self.find_states(count);
+        (self.phase[0].position, self.phase[1].position) = (R::ZERO, R::ZERO);
+    }
+
     /// Makes a move that ends at rest at 0 end level with a moving target instead.
     pub(super) fn shift(&mut self, from: State<R>, target: State<R>) {
         let count = self.phase_count();

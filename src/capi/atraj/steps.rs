@@ -107,7 +107,7 @@ pub unsafe extern "C" fn atraj_step_stream_init(
 /// @brief Keep a least time between two steps, and before a step in the other direction: what the driver of the motor
 /// needs. A step for which there is no time in its tick waits for the next one.
 /// @param between least time between two steps, s
-/// @param reversal least time before a step in the other direction, s
+/// @param reversal least time before a step in the other direction and before the first one, s
 /// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_DURATION` if a time is negative or not finite
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_step_stream_wait(
