@@ -374,9 +374,12 @@ impl<R: Real> InForce<'_, '_, R> {
         let near = |x: R, y: R, slope: R| (x - y).abs() <= R::DOUBT * (y.abs() + slope.abs() * (s + self.x));
         let mut states = self.states.iter().enumerate();
         states.all(|(index, now)| {
-            let axis = Axis::new(moves, self.states.len(), index);
-            let [p, v, a, j] = axis.state([s, rate, R::ZERO, R::ZERO]);
-            near(now.position, p, v) && near(now.velocity, v, a) && near(now.acceleration, a, j)
+            let axis = |moves| Axis::new(moves, self.states.len(), index);
+            let [p, v, a, j] = axis(moves).state([s, rate, R::ZERO, R::ZERO]);
+            // Where a phase begins, the jerks of both differ.
+            let [.., jerk] = axis(self.moves).state(self.course.clock.state_of_time(self.x));
+            let jerk = j.abs().at_least(jerk.abs());
+            near(now.position, p, v) && near(now.velocity, v, a) && near(now.acceleration, a, jerk)
         })
     }
 }

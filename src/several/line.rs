@@ -178,7 +178,9 @@ impl<'a, R: Real + 'a> Line<R> {
 
 /// The highest velocity and the highest acceleration that an axis comes to over a distance.
 fn highest<R: Real>(limits: &Limits<R>, distance: R) -> (R, R) {
-    let jerk = limits.jmax.at_least(-limits.jmin);
+    let [most, least] = [limits.jmax.at_least(-limits.jmin), limits.jmax.at_most(-limits.jmin)];
+    // What an infinite jerk builds up, the other one undoes.
+    let jerk = if most.is_finite() { most } else { least };
     let v = limits.vmax.at_least(-limits.vmin);
     let a = limits.amax.at_least(-limits.amin).at_most(((v + v) * jerk).sqrt());
     let a = if jerk.is_finite() { a.at_most((jerk * jerk * distance).cube_root_above()) } else { a };
