@@ -808,6 +808,124 @@ fn a_coarse_axis_spares_a_fine_one() {
     assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
 }
 
+/// A hold soon after the start, 10 m from 0: in float a position did not tell the time, and some axes went on to the end of the path.
+#[test]
+fn a_hold_in_float_is_a_stop() {
+    let (mut random, mut slow) = (Random::seeded(3), 0);
+    for _ in 0..2_000 {
+        let acceleration = random.magnitude(0.0, 1.0);
+        let limits = online::symmetric::<f32>(
+            acceleration * random.magnitude(0.5, 2.0),
+            acceleration,
+            random.magnitude(-0.5, 0.7),
+        );
+        let axis = [online::plan(&limits, State::at(10.0), State::at(random.between(10.1, 15.0) as f32))];
+        let x = random.between(1e-3, 0.1) as f32;
+        let (mut clock, stop) = (Clock::new(), online::stop(&limits, axis[0].state_at(x)));
+        clock.rate(&axis, &[limits], x, 0.0).expect("a hold");
+        slow += u32::from(clock.until() - x > 1.01 * stop.t + 2e-3);
+    }
+    assert!(slow < 200, "{slow}");
+}
+
+/// The rest of a brake is the stop, also without a reserve. Such a hold was refused, an ulp before a phase ends.
+#[test]
+fn a_brake_may_be_held() {
+    let limits = [Limits::symmetric(40.0, 2.0, 0.5)];
+    let axis = [online::plan(&limits[0], State::at(-100.0), State::at(-95.0_f64))];
+    for phase in &axis[0].phases()[2..] {
+        for x in [f64::next_down(phase.start), phase.start, f64::next_up(phase.start)] {
+            assert!(Clock::new().rate(&axis, &limits, x, 0.0).is_ok(), "{x}");
+        }
+    }
+}
+
+/// The axis turns before it comes to a target beyond whose velocity limit it is bound to go. The turn counted as outside of the limits.
+#[test]
+#[rustfmt::skip]
+fn a_target_that_leaves_the_velocities_is_reached_inside() {
+    let limits = limits([0.732005658697053, -1.0681086654618128, 2.8794929880950884, -2.4255607015823593, 3.8813840466802274, -4.018647019432113]);
+    let from = state([0.4345429318053622, 0.7320055854964944, 0.0]);
+    let to = state([0.3145494327812136, 0.6894452525440915, 2.879492700145818]);
+    let mut axis = Move::default();
+    axis.within(&limits, from, to, 0.23201124080185442, 1.289935906435768).expect("a plan");
+    assert!(axis.t < 3.106, "{}", axis.t);
+}
+
+/// One jerk and one acceleration of the lead are infinite. A standing axis was off its line, and a state across the line on it.
+#[test]
+fn a_line_is_known_by_finite_numbers() {
+    let endless = f64::INFINITY;
+    let lead = Limits { vmax: endless, amax: endless, jmax: endless, ..Limits::symmetric(30.0, 10.0, 5.0) };
+    let limits = [lead, Limits::symmetric(30.0, 10.0, 5.0)];
+    let planned = |start: [f64; 3], end: f64| {
+        line(&mut [Move::default(); 2], &limits, &[State::at(0.0), state(start)], &[1.0, end].map(State::at), 0.0, 0.0)
+    };
+    assert!(planned([0.0; 3], 0.0).is_ok() && planned([0.0; 3], 0.5).is_ok());
+    for start in [[0.0, 0.0, 2.0], [0.0, 1.0, 0.0]] {
+        assert_eq!(planned(start, 0.5), Err(Error::Line));
+    }
+}
+
+/// In the last ticks of a loop the slowest axis, whose jerk is infinite up, lasts longer than two ticks by the rounding error of its positions. Both
+/// axes then took 0.696 s.
+#[test]
+fn the_last_ticks_are_short_whatever_is_infinite() {
+    let jerk = Limits::symmetric(20.943759780000693, 2.0943759780000692, 0.5235939945000173);
+    let limits = [
+        Limits { jmax: f64::INFINITY, ..jerk },
+        Limits::symmetric(28.77254475493448, 2.877254475493448, 0.719313618873362),
+    ];
+    let from = [
+        [0.8251147820190636, 0.003960393173484879, -2.0943759780000692],
+        [-1.1720133175402652, -0.3597143545261909, 0.05754508950986884],
+    ];
+    let to = [[0.8251185264984016, 0.0, 0.0], [-1.1727326695225315, -0.359656809436681, 0.0]];
+    let mut axes = [Move::default(); 2];
+    synchronise(&mut axes, &limits, &from.map(state), &to.map(state), 0.0, 1e-3).expect("a plan");
+    assert_eq!(axes.map(|axis| axis.t), [2e-3; 2]);
+}
+
+/// A path goes on in a new one from the state under way. At some ticks this was refused: where a phase begins, the jerk tells how uncertain the
+/// acceleration is.
+#[test]
+fn a_path_goes_on_from_the_state_under_way() {
+    let limits = [Limits::symmetric(30.0, 10.0, 5.0), Limits::symmetric(25.0, 9.0, 4.0)];
+    let mut points = [0.0, 0.0, 1.0, 0.7, 3.0, 1.5, 7.0, 4.0, 8.0, 5.0].map(State::at);
+    let (durations, _) = online::path(&mut points, &limits, 2, 0);
+    let mut moves = [Move::default(); 8];
+    path_moves(&mut moves, &limits, &points, &durations, 2).expect("moves");
+    for ticks in 500..1_300 {
+        let (mut section, mut passed) = (0, f64::from(ticks) * 0.001);
+        while passed > durations[section] {
+            passed -= durations[section];
+            section += 1;
+        }
+        let mut rest = moves[2 * section..].to_vec();
+        let ends = [0, 1].map(|axis| (rest[axis].state_at(passed), points[2 * section + 2 + axis]));
+        let [from, to] = [ends.map(|end| end.0), ends.map(|end| end.1)];
+        rest[..2].copy_from_slice(&online::together(&limits, &from, &to, durations[section] - passed));
+        let (mut states, mut room) = ([State::at(0.0); 2], [Move::default(); 6]);
+        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        planner.path(&limits, &moves, 0.0, 1).expect("a path");
+        after::<2>(ticks, &mut ticker);
+        assert_eq!(planner.path(&limits, &rest, 0.0, 1), Ok(Findings::default()), "{ticks}");
+    }
+}
+
+/// A move that ends on a line stepped over it and back, by a turn that is a rounding error.
+#[test]
+fn a_move_to_a_line() {
+    let limits = limits([
+        0.46081167645504084, -7.277538708106596, 8.641086547610236, -7.334289025475028, 9.182310404049078,
+        -9.182310404049078,
+    ]);
+    let axis = online::plan(&limits, State::at(-1.9000000000000001), State::at(-7.99));
+    let mut steps = Steps::new(&axis, 0.0, 0.01).expect("steps");
+    assert!(std::iter::from_fn(|| steps.next(&axis)).all(|step| step.direction == -1));
+}
+
 /// An axis turns in the middle of a tick, so both positions are equal. It was taken to stand, and the steps there and back were late.
 #[test]
 fn a_turn_within_a_tick_makes_steps() {

@@ -156,6 +156,7 @@ fn rust_has_the_names() {
             axes::limit_feed::<f64>, Axis::<f64>::new, Axis::<f64>::split, Ticker::<f64>::tick, Planner::<f64>::go, Planner::<f64>::reach,
             Planner::<f64>::track, Planner::<f64>::stop, Group::<f64>::new, Group::<f64>::split, GroupTicker::<f64>::tick, GroupPlanner::<f64>::within,
             GroupPlanner::<f64>::go, GroupPlanner::<f64>::sync, GroupPlanner::<f64>::line, GroupPlanner::<f64>::path, GroupPlanner::<f64>::rate, GroupPlanner::<f64>::stop,
+            GroupPlanner::<f64>::time,
             Steps::<f64>::new, Steps::<f64>::next, Steps::<f64>::follow, StepStream::<f64>::new, StepStream::<f64>::wait, StepStream::<f64>::tick,
             StepStream::<f64>::next, StepStream::<f64>::count, Shaper::<f64>::size, ShaperStream::<f64>::new, ShaperStream::<f64>::advance,
             ShaperStream::<f64>::change, ShaperStream::<f64>::tick, Shaper::<f64>::new, Shaper::<f64>::add, Shaper::<f64>::smooth,

@@ -1,6 +1,7 @@
 //! The times at which a stepper motor steps.
 
 use crate::findings::{Error, Extremes};
+use crate::interval::rounding::of_check;
 use crate::online::{Move, Phase};
 use crate::real::Real;
 use crate::roots::root_near;
@@ -49,8 +50,12 @@ impl<R: Real> Piece<R> {
     /// on a line does not pass the line by this rounding.
     fn of(of: &Move<R>, phase: u32) -> Option<Self> {
         let (&found, next) = of.phase_and_next(phase as usize)?;
-        let State { position, velocity, .. } = if phase == 1 { of.start() } else { found.state() };
-        Some(Self { phase: Phase { position, velocity, ..found }, end: next.position, until: next.start })
+        let start = of.start();
+        let State { position, velocity, .. } = if phase == 1 { start } else { found.state() };
+        // A phase that is too short to leave the start ends there, too.
+        let rounding = of_check(start.position.abs() + of.end().position.abs());
+        let end = if (next.position - start.position).abs() > rounding { next.position } else { start.position };
+        Some(Self { phase: Phase { position, velocity, ..found }, end, until: next.start })
     }
 }
 
@@ -130,7 +135,9 @@ impl<R: Real> Steps<R> {
         }
         let Piece { phase, end, .. } = entered;
         self.from = self.to;
-        let is_ahead = |z: &R| *z > self.from && *z < phase.duration;
+        // An axis that comes to rest does not turn, but for rounding errors.
+        let turns = |z: R| (phase.position(z) - end).abs() > of_check(phase.position.abs() + end.abs());
+        let is_ahead = |z: &R| *z > self.from && *z < phase.duration && turns(*z);
         let turn = phase.turns().into_iter().find(is_ahead);
         self.to = turn.unwrap_or(phase.duration);
         self.far = self.line_below(turn.map_or(end, |z| phase.position(z)));

@@ -109,7 +109,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// shorter.
     pub fn brake_along(&mut self) -> bool {
         self.measure_axes();
-        let Some(start) = self.along(0).filter(|start| start.velocity > R::ZERO) else { return false };
+        let Some(start) = self.along(0).filter(|start| start.velocity != R::ZERO) else { return false };
         self.keep_plan();
         let (corner, end) = (self.next_corner(0), self.sections);
         let mut brakes_to = |last| self.brake(all_but_rounding(), start, last);
@@ -138,7 +138,7 @@ impl<R: Real> Chain<'_, '_, R> {
         reached.map_or(self.sections, |section| section + 1)
     }
 
-    /// The motion at the start or at the end of the path in its own direction, if this is the one of its section, or if it rests.
+    /// The motion at the start or at the end of the path along its section: back, if the axis turns there; at rest, if it rests. `None` across it.
     pub fn along(&self, point: usize) -> Option<State<R>> {
         if self.rests_at(point) {
             return Some(State::at(R::ZERO));
@@ -151,7 +151,7 @@ impl<R: Real> Chain<'_, '_, R> {
             power = power + v * a;
             ahead = ahead + v * self.part(axis, self.displacement(section, axis));
         }
-        let velocity = square.sqrt();
-        (ahead > R::ZERO).then(|| State { position: R::ZERO, velocity, acceleration: power / velocity })
+        let velocity = square.sqrt().copysign(ahead);
+        (ahead != R::ZERO).then(|| State { position: R::ZERO, velocity, acceleration: power / velocity })
     }
 }

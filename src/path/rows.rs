@@ -144,7 +144,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
     /// are infinite at the other points, where the start could not stop yet or the end could not be reached from rest, and along one move.
     fn limit_speeds(&mut self, [start, end]: [State<R>; 2], row: Range<usize>, has_parts: bool) {
-        let (mut first, mut speed, mut passed) = (row.start, start.velocity, R::ZERO);
+        let (mut first, mut speed, mut passed) = (row.start, start.velocity.at_least(R::ZERO), R::ZERO);
         let mut limits = self.limits_along(first..first + 1);
         let uncut = if has_parts { stop_length(&limits, start) } else { R::INFINITY };
         let back = State { acceleration: -end.acceleration, ..end };
@@ -162,8 +162,8 @@ impl<R: Real> Chain<'_, '_, R> {
             self.memory.weights.put(point - 1, highest);
         }
         let mut last = row.end;
-        speed = end.velocity;
-        self.memory.weights.put(last - 1, speed);
+        self.memory.weights.put(last - 1, end.velocity);
+        speed = end.velocity.at_least(R::ZERO);
         for point in (row.start + 1..row.end).rev() {
             let ahead = self.memory.weights.at(point - 1);
             if ahead.is_finite() {
@@ -204,7 +204,10 @@ impl<R: Real> Chain<'_, '_, R> {
     fn pass_part(&mut self, limits: &Limits<R>, start: State<R>, end: State<R>, sections: Range<usize>) -> Option<()> {
         let mut run = Move::default();
         let found = run.plan(limits, start, end).ok()?;
-        (!found.contains(Findings::OVERSHOOTS)).then_some(())?;
+        let turns = start.velocity < R::ZERO || end.velocity < R::ZERO;
+        // Of one axis the move through all points is the fastest plan.
+        let is_all = self.axes == 1 && sections == (0..self.sections);
+        (turns || is_all || !found.contains(Findings::OVERSHOOTS)).then_some(())?;
         let (mut passed, mut time, mut from) = (R::ZERO, R::ZERO, start);
         for section in sections.clone() {
             let point = section + 1;

@@ -1,8 +1,8 @@
 //! Is a path nearly the shortest: next to rsruckig's, to long runs from random starts, to moves, and after improvements?
 
-use atraj::State;
 use atraj::axes::limit_feed;
 use atraj::online::Limits;
+use atraj::{Findings, State};
 use oracle::judge::path::problems::{Chain, Chains, Family, example_of_ruckig};
 use oracle::judge::path::{Path, Paths, Planner, check, under_way, windows};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
@@ -312,6 +312,34 @@ fn compared_with_the_move<R: Original>() {
     println!("{}: at most {worst:.5?} of the move, by default and with 200 steps", R::NAME);
     let rounding = if size_of::<R>() == 8 { 1e-4 } else { 1e-3 };
     assert!(worst[0] < 1.1 && worst[1] < 1.0 + rounding);
+}
+
+/// Rows of one axis whose single move passes the points in order, but turns at an end, or comes back to it: over this move. A plan that stops before
+/// such an end took up to 4.7 times as long.
+#[test]
+fn ends_that_turn_cost_little() {
+    let (mut random, mut parts) = (Random::seeded(9), Vec::new());
+    while parts.len() < 400 {
+        let limits =
+            Limits::symmetric(random.magnitude(-1.0, 2.0), random.magnitude(-1.0, 1.0), random.magnitude(-1.0, 1.0));
+        let (sections, scale, uneven) =
+            (2 + random.below(15), random.magnitude(-1.5, 0.5), random.pick(&[0.0, -1.0, -2.0, -3.0]));
+        let mut points = vec![0.0];
+        (0..sections).for_each(|k| points.push(points[k] + scale * random.magnitude(uneven, 0.0)));
+        let mut speed = || random.pick(&[-1.0, 1.0, 0.0]) * limits.vmax * random.between(0.01, 0.95);
+        let (first, last) = (speed(), speed());
+        let mut states: Vec<_> = points.iter().copied().map(State::at).collect();
+        (states[0].velocity, states[sections].velocity) = (first, last);
+        let single = online::plan(&limits, states[0], states[sections]);
+        let times: Vec<_> = points[1..sections].iter().filter_map(|point| single.time_at(*point)).collect();
+        if times.len() == sections - 1 && times.is_sorted() && single.check(&limits) == Ok(Findings::OVERSHOOTS) {
+            let chain = Chain { family: Family::InMotion, axes: 1, limits: vec![limits], states };
+            parts.push(duration(&chain, 0) / single.t);
+        }
+    }
+    let [mean, worst] = mean_and_worst(&parts);
+    println!("{} rows with ends that turn, over the move: mean {mean:.5}, worst {worst:.5}", parts.len());
+    assert!(mean < 1.01 && worst < 1.3);
 }
 
 /// A path is followed a tenth slower than it could be, and planned again at a random time: it takes no longer than what is left. An axis that
