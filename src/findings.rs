@@ -224,15 +224,18 @@ impl<R: Real> Extremes<R> {
     }
 
     pub(crate) fn include_position(&mut self, p: R) {
-        include(&mut self.lowest.position, &mut self.highest.position, p);
+        self.lowest.position = p.at_most(self.lowest.position);
+        self.highest.position = p.at_least(self.highest.position);
     }
 
     pub(crate) fn include_velocity(&mut self, v: R) {
-        include(&mut self.lowest.velocity, &mut self.highest.velocity, v);
+        self.lowest.velocity = v.at_most(self.lowest.velocity);
+        self.highest.velocity = v.at_least(self.highest.velocity);
     }
 
     pub(crate) fn include_acceleration(&mut self, a: R) {
-        include(&mut self.lowest.acceleration, &mut self.highest.acceleration, a);
+        self.lowest.acceleration = a.at_most(self.lowest.acceleration);
+        self.highest.acceleration = a.at_least(self.highest.acceleration);
     }
 
     /// The highest magnitude of the velocity.
@@ -249,14 +252,5 @@ impl<R: Real> Extremes<R> {
     pub(crate) fn overshoots(&self, p0: R, p1: R, rounding: R) -> bool {
         let (near, far) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
         self.lowest.position < near - rounding || self.highest.position > far + rounding
-    }
-}
-
-fn include<R: Real>(lowest: &mut R, highest: &mut R, x: R) {
-    if x < *lowest {
-        *lowest = x;
-    }
-    if x > *highest {
-        *highest = x;
     }
 }

@@ -43,10 +43,8 @@ impl<R: Real> Limits<R> {
     /// Whether a motion between these states can be planned.
     pub(crate) fn check(&self, from: State<R>, to: State<R>) -> Result<(), Error> {
         self.are_limits()?;
-        if !(from.is_finite() && to.is_finite()) {
-            return Err(Error::NotFinite);
-        }
-        if self.admit(to) { Ok(()) } else { Err(Error::Target) }
+        Error::NotFinite.unless(from.is_finite() && to.is_finite())?;
+        Error::Target.unless(self.admit(to))
     }
 
     pub(crate) fn are_limits(&self) -> Result<(), Error> {

@@ -71,7 +71,7 @@ int atraj_step_stream_init(struct atraj_step_stream *ctx,
  * @brief Keep a least time between two steps, and before a step in the other direction: what the driver of the motor
  * needs. A step for which there is no time in its tick waits for the next one.
  * @param between least time between two steps, s
- * @param reversal least time before a step in the other direction, s
+ * @param reversal least time before a step in the other direction and before the first one, s
  * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_DURATION` if a time is negative or not finite
  */
 A_EXTERN int atraj_step_stream_wait(struct atraj_step_stream *ctx, a_float between, a_float reversal);

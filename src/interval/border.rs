@@ -99,7 +99,7 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// How much the change of velocity exceeds the one of the straight change of the acceleration.
+    /// The change of velocity beyond that of a straight change of the acceleration.
     pub fn beyond_straight(&self) -> R {
         self.dv - self.per_jerk.straight(self.a0, self.a1)
     }
@@ -340,7 +340,7 @@ impl<R: Real> Border<R> {
         let (q, bu) = (self.per_jerk.q(), self.limits.amax);
         let (first, least) = (bu - a0, bu - a1);
         let held = bu * t;
-        // What the velocity would change too much by, if the acceleration fell to the end and no rise followed.
+        // The change of velocity that is too much, if the acceleration fell to the end and no rise followed.
         let beyond = held - dv - R::HALF * (gu * first * first + gd * least * least);
         let rounding = self.rounding_of_area() + of_formula(held);
         (beyond >= -rounding).then(|| {

@@ -48,12 +48,8 @@ impl<R: Real> Crossing<R> {
     }
 }
 
-/// How the search before a gap ends.
-enum Found<R> {
-    Crossing(Crossing<R>),
-    /// The displacement is not reached, and no gap comes: the last motion of the piece, and what its displacement lacks.
-    Lacking(Profile<R>, R),
-}
+/// The last motion of a piece that does not get as far as wanted, and what its displacement lacks.
+type Lacking<R> = (Profile<R>, R);
 
 /// The fastest motion over a displacement.
 pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> Profile<R> {
@@ -204,36 +200,28 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
 /// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in
 /// the middle of the motion.
 fn first_over<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
-    let (base, lacks) = if base.trough > R::ZERO || base.peak < R::ZERO {
-        match before_gap(border, base, lacks) {
-            Found::Crossing(crossing) => return crossing,
-            Found::Lacking(base, lacks) => (base, lacks),
-        }
-    } else {
-        (base, lacks)
-    };
-    Crossing::At(turning(border, base, h, lacks))
+    let keeps_sign = base.trough > R::ZERO || base.peak < R::ZERO;
+    let found = if keeps_sign { before_gap(border, base, lacks) } else { Err((base, lacks)) };
+    found.unwrap_or_else(|(base, lacks)| Crossing::At(turning(border, base, h, lacks)))
 }
 
 /// The part of the border in which the acceleration keeps its sign in the middle of the motion.
-fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Found<R> {
+fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Result<Crossing<R>, Lacking<R>> {
     if base.trough > R::ZERO {
         return easing(border, base, lacks);
     }
-    match easing(&border.reversed(), base.reversed(), lacks) {
-        Found::Crossing(crossing) => Found::Crossing(crossing.map(Profile::reversed)),
-        Found::Lacking(profile, lacks) => Found::Lacking(profile.reversed(), lacks),
-    }
+    let found = easing(&border.reversed(), base.reversed(), lacks);
+    found.map(|crossing| crossing.map(Profile::reversed)).map_err(|(last, lacks)| (last.reversed(), lacks))
 }
 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
-fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Found<R> {
+fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Result<Crossing<R>, Lacking<R>> {
     // A hold ends once at most.
     for _ in 0..2 {
         let piece = Piece::of(border, &base, base.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
         match piece.first_over(lacks, end, false) {
-            Ok(x) => return Found::Crossing(Crossing::At(piece.profile(x))),
+            Ok(x) => return Ok(Crossing::At(piece.profile(x))),
             Err(beyond) => lacks = beyond,
         }
         base = piece.profile(end);
@@ -242,7 +230,7 @@ fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Fo
             Easing::Vanishes => {
                 // Exact, where the digits of high accelerations cancel.
                 (base.peak, base.trough) = (base.fall, R::ZERO);
-                return Found::Lacking(base, lacks);
+                return Err((base, lacks));
             }
             Easing::IsFollowedByGap => {
                 base.last = base.last + base.first;
@@ -252,7 +240,7 @@ fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Fo
             }
         }
     }
-    Found::Crossing(Crossing::GapAfter(base))
+    Ok(Crossing::GapAfter(base))
 }
 
 /// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it

@@ -133,13 +133,8 @@ impl<'a, R: Real> Planner<'a, R> {
 
 /// Whether axes in these states can get a tick every `period`, s.
 pub(super) fn are_ticked<R: Real>(period: R, states: &[State<R>]) -> Result<(), Error> {
-    if !(period > R::ZERO && period.is_finite()) {
-        Err(Error::Duration)
-    } else if !states.iter().all(|state| state.is_finite()) {
-        Err(Error::NotFinite)
-    } else {
-        Ok(())
-    }
+    Error::Duration.unless(period > R::ZERO && period.is_finite())?;
+    Error::NotFinite.unless(states.iter().all(|state| state.is_finite()))
 }
 
 /// The time since the start of the move, s: a product, because a sum of periods would drift.

@@ -11,7 +11,7 @@ use crate::online::{Move, Phase};
 use crate::real::Real;
 use crate::state::State;
 
-/// A faster change is looked for at most so often, each time a twelfth of the slowest axis' free stop later, or a sixteenth of what is left.
+/// A faster change is tried at most so often, each time a twelfth of the slowest axis' free stop later, or a sixteenth of what is left.
 const SEARCHES: u32 = 32;
 const STEPS: u8 = 12;
 
@@ -423,6 +423,7 @@ impl<R: Real> Trial<'_, R> {
             let [from, to] = [done, done + part].map(|k| R::from_index(k) * least);
             if self.keeps_over(phase, Parabola::between(from, to)) {
                 done += part;
+                // The largest part that begins here: the lowest bit that is set.
                 part = done & done.wrapping_neg();
             } else if part > 1 {
                 part /= 2;

@@ -325,7 +325,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
                     return stop;
                 }
             }
-            // The moves in force stand in the place of the stops.
+            // The moves in force have overwritten the stops.
             next.stop_each(from, limits)
         })
     }

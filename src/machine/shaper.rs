@@ -178,7 +178,7 @@ impl<R: Real> Shaper<R> {
     }
 }
 
-/// A motion goes on with its velocity so long before its start, or after its end.
+/// Extrapolates at constant velocity before the start and after the end.
 fn beyond<R: Real>(end: State<R>, time: R) -> State<R> {
     if time == R::ZERO || !time.is_finite() {
         return end;

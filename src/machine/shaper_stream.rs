@@ -43,7 +43,7 @@ pub struct ShaperStream<R> {
     pub(crate) still: u32,
 }
 
-/// A sum of states, as what they are above one of them: equal states add up to exactly 0.
+/// A sum of states, kept as offsets from one of them, so that equal states add up to exactly 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Mean<R> {

@@ -1,7 +1,7 @@
 //! The times at which a stepper motor steps.
 
 use crate::findings::{Error, Extremes};
-use crate::interval::rounding::of_check;
+use crate::interval::rounding::of_formula;
 use crate::online::{Move, Phase};
 use crate::real::Real;
 use crate::roots::root_near;
@@ -52,9 +52,10 @@ impl<R: Real> Piece<R> {
         let (&found, next) = of.phase_and_next(phase as usize)?;
         let start = of.start();
         let State { position, velocity, .. } = if phase == 1 { start } else { found.state() };
-        // A phase that is too short to leave the start ends there, too.
-        let rounding = of_check(start.position.abs() + of.end().position.abs());
-        let end = if (next.position - start.position).abs() > rounding { next.position } else { start.position };
+        // A phase that is too short to leave the start ends there, too. The end of the move is exact.
+        let rounding = of_formula(start.position.abs() + of.end().position.abs());
+        let has_left = (next.position - start.position).abs() > rounding || next.start == of.t;
+        let end = if has_left { next.position } else { start.position };
         Some(Self { phase: Phase { position, velocity, ..found }, end, until: next.start })
     }
 }
@@ -136,7 +137,7 @@ impl<R: Real> Steps<R> {
         let Piece { phase, end, .. } = entered;
         self.from = self.to;
         // An axis that comes to rest does not turn, but for rounding errors.
-        let turns = |z: R| (phase.position(z) - end).abs() > of_check(phase.position.abs() + end.abs());
+        let turns = |z: R| (phase.position(z) - end).abs() > of_formula(phase.position.abs() + end.abs());
         let is_ahead = |z: &R| *z > self.from && *z < phase.duration && turns(*z);
         let turn = phase.turns().into_iter().find(is_ahead);
         self.to = turn.unwrap_or(phase.duration);

@@ -98,9 +98,7 @@ impl<R: Real> Move<R> {
         limits.check(from, target)?;
         let v = target.velocity;
         let seen = Limits { vmax: limits.vmax - v, vmin: limits.vmin - v, ..*limits };
-        if seen.are_limits().is_err() || target.acceleration != R::ZERO {
-            return Err(Error::Target);
-        }
+        Error::Target.unless(seen.are_limits().is_ok() && target.acceleration == R::ZERO)?;
         let seen_from = State { position: from.position - target.position, velocity: from.velocity - v, ..from };
         let problem = Problem::new(&seen, seen_from, State::at(R::ZERO));
         let profile = problem.fastest();

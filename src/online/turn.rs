@@ -4,7 +4,7 @@
 //! does not last, with an acceleration away from it. If the limits are close, the fastest stop from there passes the other one, and so on.
 //! `docs/planner.md` has the theory, in "Between two positions".
 
-use super::motion::{MOST_PHASES, Move};
+use super::motion::Move;
 use super::problem::Problem;
 use crate::findings::Error;
 use crate::interval::rounding::of_formula;
@@ -127,7 +127,11 @@ impl<R: Real> Move<R> {
         let mut is_ramp = false;
         for end in last.iter().rev().copied().chain([to]) {
             if is_ramp {
-                self.ramp(limits, now, end)?;
+                // Both may be bound for a velocity beyond the limits.
+                let mut limits = limits.reversed();
+                limits.include(now.reversed());
+                limits.include(end.reversed());
+                self.ramp(&limits.reversed(), now, end)?;
             } else {
                 let mut next = Self::default();
                 next.plan(limits, now, end)?;
@@ -156,26 +160,14 @@ impl<R: Real> Move<R> {
         let mut next = Self::default();
         next.stop(limits, turn)?;
         self.append(&next)?;
-        if self.leaves(positions[0], positions[1]) { Err(Error::Position) } else { Ok(()) }
+        Error::Position.unless(!self.leaves(positions[0], positions[1]))
     }
 
-    /// Goes on with the fastest ramp from one state to another, whose positions it meets. Both may be on the way to a velocity beyond the limits.
+    /// Goes on with the fastest ramp from one state to another, whose positions it meets.
     fn ramp(&mut self, limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<(), Error> {
-        let mut limits = limits.reversed();
-        limits.include(from.reversed());
-        limits.include(to.reversed());
-        let problem = Problem::new(&limits.reversed(), from, to);
+        let problem = Problem::new(limits, from, to);
         let mut next = Self::default();
         problem.write(&mut next, &{ problem }.reach())?;
         self.append(&next)
-    }
-
-    /// Goes on with a move that starts where this one ends. [`Error::Position`] if there are too many phases.
-    pub(crate) fn append(&mut self, next: &Self) -> Result<(), Error> {
-        if self.phase_count() + next.phase_count() > 1 + MOST_PHASES {
-            return Err(Error::Position);
-        }
-        self.go_on(next);
-        Ok(())
     }
 }

@@ -2,7 +2,9 @@
 
 use super::motion::{MOST_PHASES, Move};
 use super::phase::Phase;
+use crate::findings::Error;
 use crate::interval::profile::Segment;
+use crate::interval::rounding::of_formula;
 use crate::real::Real;
 use crate::state::State;
 
@@ -46,7 +48,7 @@ impl<'a, R: Real> Writer<'a, R> {
     /// Ends the move in this state.
     pub fn end(self, to: State<R>) {
         let Self { ctx, t, shortest, mut count } = self;
-        let sliver = R::from(4) * R::EPSILON * t;
+        let sliver = of_formula(t);
         if shortest < sliver {
             count = ctx.join_slivers(count, t, sliver);
         }
@@ -148,9 +150,10 @@ impl<R: Real> Move<R> {
         }
     }
 
-    /// Continues a move that ends at rest with another one, which starts there.
-    pub(crate) fn go_on(&mut self, next: &Self) {
+    /// Goes on with a move that starts where this one ends. [`Error::Position`] if there are too many phases.
+    pub(crate) fn append(&mut self, next: &Self) -> Result<(), Error> {
         let (count, following) = (self.phase_count(), next.phase_count());
+        Error::Position.unless(count + following <= 1 + MOST_PHASES)?;
         let places = self.phase.iter_mut().skip(count);
         for (place, phase) in places.zip(next.phase.iter().skip(1).take(following)) {
             *place = *phase;
@@ -158,6 +161,7 @@ impl<R: Real> Move<R> {
         }
         self.count = (count + following).saturating_sub(1) as u32;
         self.t = self.t + next.t;
+        Ok(())
     }
 
     /// Shifts the start in time along the move, which then lasts `t`.
@@ -191,10 +195,8 @@ impl<R: Real> Move<R> {
                     continue;
                 }
             }
-            if kept < index {
-                if let Some(place) = self.phase.get_mut(kept) {
-                    *place = phase;
-                }
+            if let Some(place) = self.phase.get_mut(kept) {
+                *place = phase;
             }
             kept += 1;
         }

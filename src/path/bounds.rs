@@ -50,7 +50,7 @@ impl<R: Real> Bounds<R> {
         let [of_amax, of_amin, of_vmax, of_vmin] = self.slacks(state).map(|slack| R::ONE / slack);
         let accelerations = [amax * of_amax, amin * of_amin];
         let velocities = [vmax * of_vmax, vmin * of_vmin];
-        // What an acceleration changes of the velocity until it is 0.
+        // The change of velocity while the acceleration returns to 0.
         let (down, up) = (down * of_vmax, up * of_vmin);
         let eased = [(a + a) * down, (a + a) * up];
         // Terms of the upper and the lower limit are summed first, so the mirrored axis is rounded alike.

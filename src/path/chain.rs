@@ -296,7 +296,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// The plan alone, if its numbers are within the range of the real type.
     pub fn done(mut self) -> Result<Planned<'w, R, K>, Error> {
-        // Before the first section that lasts the start is the given one, whatever it returns to.
+        // Sections before the first one that lasts keep the given start, not the state after a recovery.
         (0..self.axes).for_each(|axis| self.set_end(0, axis, R::ONE));
         let Self { axes, sections, memory, findings, .. } = self;
         Error::NotFinite.unless(memory.plan.durations.numbers().iter().all(|t| t.is_finite()))?;

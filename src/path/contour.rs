@@ -86,7 +86,7 @@ pub fn plan_contour<R: Real>(
             }
             let is_far = is_far(section);
             move_end(states, axes, section, end, is_far);
-            end -= if is_far { 2 } else { 1 };
+            end -= 1 + usize::from(is_far);
         }
     }
     Err(Error::Position)

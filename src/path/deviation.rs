@@ -4,6 +4,7 @@
 //! straight line is convex. So the farthest of the four points is a bound, and it nears the motion with the square of the duration.
 
 use super::memory;
+use crate::interval::rounding::of_state;
 use crate::online::Move;
 use crate::real::Real;
 
@@ -68,7 +69,7 @@ impl<R: Real> Deviation<R> {
             self.seen = self.seen.at_least(start.at_least(end));
             let most = start.at_least(end).at_least(one).at_least(other);
             (start + one + other + end).is_finite().then_some(())?;
-            let rounding = R::from(16) * R::EPSILON * (section.size + most);
+            let rounding = of_state(section.size + most);
             if halves < MOST_HALVES && part > 1 && most > self.seen + R::SIXTEENTH * R::SIXTEENTH * self.seen + rounding
             {
                 part /= 2;
@@ -76,6 +77,7 @@ impl<R: Real> Deviation<R> {
             } else {
                 self.most = self.most.at_least(most);
                 done += part;
+                // The largest part that begins here: the lowest bit that is set.
                 part = done & done.wrapping_neg();
             }
         }
@@ -103,23 +105,13 @@ impl<'a, R: Real> Section<'a, R> {
     }
 
     fn are_finite(&self) -> bool {
-        let mut sum = self.size + self.square;
-        for axis in self.axes {
-            sum = sum + axis.t.abs();
-        }
+        let sum = self.axes.iter().fold(self.size + self.square, |sum, axis| sum + axis.t.abs());
         sum.is_finite()
     }
 
     /// The first time after `x` at which a phase of an axis begins, s.
     fn border_after(&self, x: R) -> Option<R> {
-        let mut next = None;
-        for axis in self.axes {
-            let later = axis.border_after(x);
-            if later.is_some_and(|later| next.is_none_or(|next| later < next)) {
-                next = later;
-            }
-        }
-        next
+        self.axes.iter().filter_map(|axis| axis.border_after(x)).reduce(R::at_most)
     }
 
     /// How far the Bézier points of the motion between two times are off the line, unit. No phase begins between them.

@@ -42,10 +42,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 impl<R: Real> Chain<'_, '_, R> {
     /// Makes all axes stop at every waypoint, and every section as short as it can be then.
     pub fn stop_everywhere(&mut self) -> Result<(), Error> {
-        for point in 1..self.sections {
-            for axis in 0..self.axes {
-                self.memory.plan.states.set(point * self.axes + axis, [R::ZERO; 2]);
-            }
+        for row in self.axes..self.sections * self.axes {
+            self.memory.plan.states.set(row, [R::ZERO; 2]);
         }
         self.memory.plan.durations.clear();
         self.promise()

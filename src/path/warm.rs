@@ -87,12 +87,8 @@ impl<R: Real> Chain<'_, '_, R> {
             let taken = if duration == R::ZERO { least } else { duration };
             self.memory.plan.durations.put(section, taken);
         }
-        for point in 1..self.sections {
-            for axis in 0..self.axes {
-                let bounds = self.bounds(point, axis);
-                is_possible = is_possible && bounds.hold(self.at(point, axis));
-            }
-        }
+        let holds = |point| (0..self.axes).all(|axis| self.bounds(point, axis).hold(self.at(point, axis)));
+        is_possible = is_possible && (1..self.sections).all(holds);
         Ok(is_possible.then(|| self.duration()))
     }
 

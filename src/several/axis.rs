@@ -21,10 +21,7 @@ pub(super) fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
 pub(crate) fn checked<'a, R: Real>(
     count: usize, limits: &'a [Limits<R>], from: &'a [State<R>], to: &'a [State<R>],
 ) -> Result<impl Iterator<Item = Axis<'a, R>> + Clone, Error> {
-    let differ = limits.len() != count || from.len() != count || to.len() != count;
-    if count == 0 || differ {
-        return Err(Error::Axes);
-    }
+    Error::Axes.unless(count > 0 && [limits.len(), from.len(), to.len()] == [count; 3])?;
     let ends = limits.iter().zip(from.iter().zip(to));
     for (limits, (&from, &to)) in ends.clone() {
         limits.check(from, to)?;
@@ -105,7 +102,7 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
         let problem = problem();
         if problem.may_shift(axis, t) { axis.shift_in_time(t) } else { fill(axis, &problem, t) }
     }
-    if axis.is_finite() { Ok(()) } else { Err(Error::NotFinite) }
+    Error::NotFinite.unless(axis.is_finite())
 }
 
 /// Makes the move of an axis in motion, planned as fast as possible, last `t`.
@@ -122,7 +119,7 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
         cruise.write(&problem, axis, t);
     } else if let Some(blend) = Blend::of(&problem, t) {
         blend.write(&problem, axis, t);
-    } else if problem.to.is_at_rest() {
+    } else if problem.to.is_at_rest() && t >= axis.t {
         // Where rounding hides the wait from both, the axis waits at its target.
         axis.wait_until(t);
     } else {

@@ -40,7 +40,7 @@ impl<R: Real> Cycle<R> {
     /// be far away.
     pub fn earlier(&self, t: R, slowest: R, durations: impl Iterator<Item = R>, all_take: impl Fn(R) -> bool) -> R {
         let mut shortest = t;
-        // Less is not worth asking each axis.
+        // A smaller gain does not pay for asking each axis.
         if t <= slowest + R::EPSILON.sqrt() * slowest {
             return t;
         }
@@ -57,7 +57,7 @@ impl<R: Real> Cycle<R> {
     fn from(&self, t: R) -> R {
         self.count(t).map_or(t, |count| {
             let nearest = whole(count);
-            // A part of a period may be too small for a number.
+            // A small part of a period may underflow to 0.
             let is_early = nearest < count - of_formula(count) || count == R::ZERO && t > R::ZERO;
             self.period * if is_early { nearest + R::ONE } else { nearest }
         })
@@ -93,8 +93,8 @@ mod tests {
         assert_eq!([0.75, 1.5].map(|errors| is_gap(1.0 + errors * f64::exp2(-26.0))), [false, true]);
     }
 
-    /// A tick is early by the rounding error of a formula, which is four ulps. A part of a period may be too small for a number, and a period too short
-    /// to be counted.
+    /// A tick is early by the rounding error of a formula, which is four ulps. A small part of a period may underflow to 0, and a period may be too
+    /// short to be counted.
     #[test]
     fn axes_arrive_on_the_next_tick() {
         let after_1024 = |ulps: f64| 1024.0 * (1.0 + ulps * f64::EPSILON);

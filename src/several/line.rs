@@ -153,7 +153,7 @@ impl<'a, R: Real + 'a> Line<R> {
         for (limits, (from, to)) in ends {
             tightest.tighten(limits, self.share(from, to).times);
         }
-        // Every axis may be in its target. So the lead may, and only rounding of the shares denies it.
+        // Each target is within the limits of its axis, so that of the lead is too, up to rounding of the shares.
         tightest.include(self.to);
         Ok(tightest)
     }

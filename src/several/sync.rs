@@ -48,7 +48,7 @@ fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
         planned.clone().map(next).fold(t, R::at_least)
     })?;
     Ok(cycle.earlier(t, slowest, durations, |t| {
-        // An axis that is too slow is asked first. It says no at once.
+        // Axes that are too slow first: they fail fast.
         for is_slow in [true, false] {
             for (ends, axis) in planned.clone() {
                 let axis = axis.borrow();

@@ -63,14 +63,10 @@ pub fn synchronise_within<R: Real>(
 fn common_duration<'a, R: Real + 'a>(
     cycle: &Cycle<R>, slowest: R, axes: impl Iterator<Item = Within<'a, R>> + Clone,
 ) -> Result<R, Error> {
-    let possible = |t: R| {
-        cycle.until_possible(axes.clone().count(), t, |t| {
-            let next = axes.clone().map(|axis| next_duration(&problem(axis.ends), t));
-            next.fold(t, R::at_least)
-        })
-    };
     let all_inside = |t: R| {
-        let t = possible(t)?;
+        let t = cycle.until_possible(axes.clone().count(), t, |t| {
+            axes.clone().map(|axis| next_duration(&problem(axis.ends), t)).fold(t, R::at_least)
+        })?;
         let mut axis = Move::default();
         for within in axes.clone() {
             within.plan(&mut axis, t)?;
