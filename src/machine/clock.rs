@@ -117,7 +117,9 @@ impl<R: Real> Clock<R> {
         }
         (self.begin, self.until, self.time) = (x, x + law.until, time);
         self.is_led = u32::from(lead.is_some());
-        self.lead = lead.unwrap_or(self.lead);
+        if let Some(lead) = lead {
+            self.lead = lead;
+        }
         Ok(Findings::RATE_NOT_REACHED.when(!law.is_reached))
     }
 

@@ -195,8 +195,10 @@ impl<R: Real> Move<R> {
                     continue;
                 }
             }
-            if let Some(place) = self.phase.get_mut(kept) {
-                *place = phase;
+            if kept < index {
+                if let Some(place) = self.phase.get_mut(kept) {
+                    *place = phase;
+                }
             }
             kept += 1;
         }

@@ -21,7 +21,8 @@ pub(super) fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
 pub(crate) fn checked<'a, R: Real>(
     count: usize, limits: &'a [Limits<R>], from: &'a [State<R>], to: &'a [State<R>],
 ) -> Result<impl Iterator<Item = Axis<'a, R>> + Clone, Error> {
-    Error::Axes.unless(count > 0 && [limits.len(), from.len(), to.len()] == [count; 3])?;
+    let fit = limits.len() == count && from.len() == count && to.len() == count;
+    Error::Axes.unless(count > 0 && fit)?;
     let ends = limits.iter().zip(from.iter().zip(to));
     for (limits, (&from, &to)) in ends.clone() {
         limits.check(from, to)?;
