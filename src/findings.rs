@@ -224,18 +224,15 @@ impl<R: Real> Extremes<R> {
     }
 
     pub(crate) fn include_position(&mut self, p: R) {
-        self.lowest.position = p.at_most(self.lowest.position);
-        self.highest.position = p.at_least(self.highest.position);
+        include(&mut self.lowest.position, &mut self.highest.position, p);
     }
 
     pub(crate) fn include_velocity(&mut self, v: R) {
-        self.lowest.velocity = v.at_most(self.lowest.velocity);
-        self.highest.velocity = v.at_least(self.highest.velocity);
+        include(&mut self.lowest.velocity, &mut self.highest.velocity, v);
     }
 
     pub(crate) fn include_acceleration(&mut self, a: R) {
-        self.lowest.acceleration = a.at_most(self.lowest.acceleration);
-        self.highest.acceleration = a.at_least(self.highest.acceleration);
+        include(&mut self.lowest.acceleration, &mut self.highest.acceleration, a);
     }
 
     /// The highest magnitude of the velocity.
@@ -252,5 +249,14 @@ impl<R: Real> Extremes<R> {
     pub(crate) fn overshoots(&self, p0: R, p1: R, rounding: R) -> bool {
         let (near, far) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
         self.lowest.position < near - rounding || self.highest.position > far + rounding
+    }
+}
+
+fn include<R: Real>(lowest: &mut R, highest: &mut R, x: R) {
+    if x < *lowest {
+        *lowest = x;
+    }
+    if x > *highest {
+        *highest = x;
     }
 }

@@ -9,12 +9,15 @@ use crate::real::Real;
 use crate::several::line_stop::goes_along;
 use crate::state::State;
 
-/// Writes the lead's fastest stop to `stop`, if the path is one straight section from rest to rest. `time` is its time and its derivatives. Returns
-/// the law and the lead, whose positions count from its start; no lead if the axes go on to the end.
+/// A law, and the lead whose positions it gives; no lead if the axes go on to the end.
+type Stop<R> = (Law<R>, Option<Move<R>>);
+
+/// Writes the lead's fastest stop to `stop`, if the path is one straight section from rest to rest. `time` is its time and its derivatives. The
+/// positions of the lead count from its start.
 #[inline(never)] // for its stack
 pub(super) fn stop<R: Real>(
     moves: &[Move<R>], limits: &[Limits<R>], time: [R; 4], stop: &mut Move<R>,
-) -> Result<Option<(Law<R>, Option<Move<R>>)>, Error> {
+) -> Result<Option<Stop<R>>, Error> {
     let displacement = |of: &Move<R>| of.end().position - of.start().position;
     let Some(first) = moves.first().filter(|_| moves.len() == limits.len()) else { return Ok(None) };
     let farther = |one: &Move<R>, other: &Move<R>| displacement(one).abs() < displacement(other).abs();

@@ -2,8 +2,7 @@
 
 use super::motion::{MOST_PHASES, Move};
 use super::phase::Phase;
-use crate::findings::{Error, Extremes, Findings};
-use crate::interval::rounding::of_check;
+use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::real::Real;
 
@@ -38,12 +37,15 @@ impl<R: Real> Move<R> {
     /// ```
     pub fn check(&self, limits: &Limits<R>) -> Result<Findings, Error> {
         limits.are_limits()?;
-        let mut used = self.phase.iter().take(1 + self.phase_count());
-        Error::NotFinite.unless(self.t.is_finite() && used.all(is_finite))?;
+        let used = self.phase.iter().take(1 + self.phase_count());
+        if !(self.t.is_finite() && used.clone().all(is_finite)) {
+            return Err(Error::NotFinite);
+        }
+        let scale = self.scale(limits);
         let reached = self.extremes();
-        let scale = self.scale(limits, &reached);
         let (lowest, highest) = (reached.lowest, reached.highest);
-        let exceeds = |x: R, y: R, low: R, high: R, size: R| x < low - of_check(size) || y > high + of_check(size);
+        let few = R::DOUBT; // 64 ulps
+        let exceeds = |x: R, y: R, low: R, high: R, rounding: R| x < low - few * rounding || y > high + few * rounding;
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (a0, a1) = (lowest.acceleration, highest.acceleration);
         // A phase may end faster than the next one begins.
@@ -52,13 +54,14 @@ impl<R: Real> Move<R> {
         Ok(Findings::EXCEEDS_JERK.when(self.exceeds_jerk(limits, &scale))
             | Findings::EXCEEDS_ACCELERATION.when(exceeds(a0, a1, amin, amax, scale.acceleration))
             | Findings::EXCEEDS_VELOCITY.when(exceeds(v0, v1, vmin, vmax, scale.velocity))
-            | Findings::JUMPS.when(!self.is_sequence() || self.jumps(&scale))
+            | Findings::JUMPS.when(self.is_no_sequence() || self.jumps(&scale))
             | Findings::OVERSHOOTS.when(self.overshoots())
             | Findings::STARTS_OUTSIDE.when(self.starts_outside(limits))
             | Findings::ENDS_LEAVING.when(limits.are_left_after(self.end())))
     }
 
-    fn scale(&self, limits: &Limits<R>, reached: &Extremes<R>) -> Scale<R> {
+    fn scale(&self, limits: &Limits<R>) -> Scale<R> {
+        let reached = self.extremes();
         let acceleration = reached.acceleration();
         let (mut changes, mut jerk) = (R::ZERO, R::ZERO);
         for phase in self.phases() {
@@ -85,37 +88,39 @@ impl<R: Real> Move<R> {
 
     /// Whether a jerk is beyond its limit, or the acceleration makes a step though the jerk has a limit.
     fn exceeds_jerk(&self, limits: &Limits<R>, scale: &Scale<R>) -> bool {
-        let (most, least) = (limits.jmax + of_check(limits.jmax), limits.jmin + of_check(limits.jmin));
+        let few = R::DOUBT;
+        let (most, least) = (limits.jmax + few * limits.jmax, limits.jmin + few * limits.jmin);
         let beyond = self.phases().iter().any(|phase| phase.jerk > most || phase.jerk < least);
         let steps = self.neighbours().any(|(before, after)| {
             let step = after.acceleration - before.acceleration(before.duration);
             let jerk = if step > R::ZERO { limits.jmax } else { -limits.jmin };
-            jerk.is_finite() && step.abs() > of_check(scale.acceleration + jerk * self.t)
+            jerk.is_finite() && step.abs() > few * (scale.acceleration + jerk * self.t)
         });
         beyond || steps
     }
 
-    /// Whether the phases follow each other in time, from 0 to `t`.
-    fn is_sequence(&self) -> bool {
+    /// Whether the phases do not follow each other in time, from 0 to `t`.
+    fn is_no_sequence(&self) -> bool {
         let (start, end) = (&self.phase[0], self.phase.get(self.phase_count()));
         let follow = self.neighbours().all(|(before, after)| {
             let gap = after.start - (before.start + before.duration);
-            // In a gap behind it, a phase of no duration would move on.
-            let late = if before.duration > R::ZERO { of_check(self.t) } else { R::ZERO };
+            // A phase of no duration would go on in a gap.
+            let late = if before.duration > R::ZERO { R::DOUBT * self.t } else { R::ZERO };
             before.duration >= R::ZERO && before.start <= after.start && gap.abs() <= late
         });
         let ends = end.is_some_and(|end| end.start == self.t && end.duration == R::ZERO && end.jerk == R::ZERO);
         let starts = start.start == R::ZERO && start.duration == R::ZERO;
         let is_count = self.count as usize <= MOST_PHASES;
-        follow && starts && ends && is_count
+        !(follow && starts && ends && is_count)
     }
 
     /// Whether a phase begins elsewhere than the one before it leads.
     fn jumps(&self, scale: &Scale<R>) -> bool {
+        let few = R::DOUBT;
         self.neighbours().any(|(before, after)| {
             let z = before.duration;
-            let fits = (after.position - before.position(z)).abs() <= of_check(scale.position)
-                && (after.velocity - before.velocity(z)).abs() <= of_check(scale.velocity);
+            let fits = (after.position - before.position(z)).abs() <= few * scale.position
+                && (after.velocity - before.velocity(z)).abs() <= few * scale.velocity;
             !fits
         })
     }
@@ -123,13 +128,14 @@ impl<R: Real> Move<R> {
     /// Whether the start is outside the limits, or will unavoidably exceed them.
     fn starts_outside(&self, limits: &Limits<R>) -> bool {
         let Phase { velocity: v, acceleration: a, .. } = self.phase[0];
+        let few = R::DOUBT;
         let jerk = if a > R::ZERO { -limits.jmin } else { limits.jmax };
         let change = R::HALF * a * a.abs() / jerk;
-        let rounding = of_check(v.abs() + change.abs());
+        let rounding = few * (v.abs() + change.abs());
         v.at_least(v + change) > limits.vmax + rounding
             || v.at_most(v + change) < limits.vmin - rounding
-            || a > limits.amax + of_check(limits.amax)
-            || a < limits.amin + of_check(limits.amin)
+            || a > limits.amax + few * limits.amax
+            || a < limits.amin + few * limits.amin
     }
 }
 
