@@ -44,7 +44,8 @@ impl<R: Real> Cycle<R> {
         if t <= slowest + R::EPSILON.sqrt() * slowest {
             return t;
         }
-        let least = self.earliest - of_formula(self.earliest);
+        // More than a sixteenth is no rounding error.
+        let least = (slowest - R::SIXTEENTH * slowest).at_least(self.earliest - of_formula(self.earliest));
         for tick in durations.chain([slowest]).map(|duration| self.nearest(duration)) {
             if tick < shortest && tick >= least && all_take(tick) {
                 shortest = tick;
