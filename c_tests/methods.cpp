@@ -314,7 +314,7 @@ void group() {
     PROMISE(method.go(limits, to, 1) == atraj_group_go(&function, limits, to, 1) && method.sync(limits, to, 1) == 0);
     PROMISE(atraj::sync(path, limits, one, to, 2) == 0 && method.path(limits, path, 1, 0, 1) == 0);
     for (int i = 0; i < 5000; ++i) { method.tick(one); }
-    PROMISE(one[0].p == 10 && one[1].p == -5 && method.time(1) == atraj_group_time(&method, 1) && method.time(1) == path[0].duration);
+    PROMISE(one[0].p == 10 && one[1].p == -5 && method.time(1) == atraj_group_time(&method, 1) && method.time(1) == path[0].t);
 }
 
 // Every finding and every error has a sentence of its own.
