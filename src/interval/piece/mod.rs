@@ -3,6 +3,7 @@
 //!
 //! A piece counts displacements from its first motion. `docs/planner.md` has the formulas and the letters: `u`, `y`, `r`, `s`, `k`, `c`, `x`.
 
+mod easing;
 mod free;
 mod held;
 
@@ -10,18 +11,9 @@ use super::border::Border;
 use super::profile::Profile;
 use crate::real::Real;
 use crate::roots::root_between;
+pub(super) use easing::Easing;
 use free::Free;
 use held::Held;
-
-/// How the piece ends in which the acceleration eases.
-pub(crate) enum Easing {
-    /// The hold is over.
-    HoldEnds,
-    /// The acceleration eases down to 0.
-    Vanishes,
-    /// The acceleration can ease no further.
-    IsFollowedByGap,
-}
 
 pub(super) enum Piece<R> {
     /// No acceleration holds.
