@@ -136,7 +136,7 @@ impl<R: Real> Steps<R> {
         }
         let Piece { phase, end, .. } = entered;
         self.from = self.to;
-        // An axis that comes to rest does not turn, but for rounding errors.
+        // An axis that comes to rest turns only by rounding errors.
         let turns = |z: R| (phase.position(z) - end).abs() > of_formula(phase.position.abs() + end.abs());
         let is_ahead = |z: &R| *z > self.from && *z < phase.duration && turns(*z);
         let turn = phase.turns().into_iter().find(is_ahead);

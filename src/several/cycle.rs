@@ -87,10 +87,12 @@ mod tests {
 
     const ANY_TIME: Cycle<f64> = Cycle { period: 0.0, earliest: 0.0 };
 
-    /// A gap of the root of an ulp is none.
+    /// An axis is earlier by a sixteenth of its duration at most. A gap of the root of an ulp is none.
     #[test]
-    fn axes_arrive_before_a_gap() {
-        let is_gap = |t: f64| ANY_TIME.earlier(t, 1.0, [1.0].into_iter(), |_| true) < t;
+    fn axes_arrive_earlier_by_a_rounding_error() {
+        let earlier = |t: f64, duration: f64| ANY_TIME.earlier(t, 1.0, [duration].into_iter(), |_| true);
+        assert_eq!([15.01, 14.99].map(|part| earlier(2.0, part / 16.0) == part / 16.0), [true, false]);
+        let is_gap = |t: f64| earlier(t, 1.0) < t;
         assert_eq!([0.75, 1.5].map(|errors| is_gap(1.0 + errors * f64::exp2(-26.0))), [false, true]);
     }
 
