@@ -813,12 +813,8 @@ fn a_coarse_axis_spares_a_fine_one() {
 fn a_hold_in_float_is_a_stop() {
     let (mut random, mut slow) = (Random::seeded(3), 0);
     for _ in 0..2_000 {
-        let acceleration = random.magnitude(0.0, 1.0);
-        let limits = online::symmetric::<f32>(
-            acceleration * random.magnitude(0.5, 2.0),
-            acceleration,
-            random.magnitude(-0.5, 0.7),
-        );
+        let [a, j, v] = [(0.0, 1.0), (0.5, 2.0), (-0.5, 0.7)].map(|(low, high)| random.magnitude(low, high));
+        let limits = online::symmetric::<f32>(a * j, a, v);
         let axis = [online::plan(&limits, State::at(10.0), State::at(random.between(10.1, 15.0) as f32))];
         let x = random.between(1e-3, 0.1) as f32;
         let (mut clock, stop) = (Clock::new(), online::stop(&limits, axis[0].state_at(x)));
@@ -870,20 +866,15 @@ fn a_line_is_known_by_finite_numbers() {
 /// In the last ticks of a loop the slowest axis, whose jerk is infinite up, lasts longer than two ticks by the rounding error of its positions. Both
 /// axes then took 0.696 s.
 #[test]
+#[rustfmt::skip]
 fn the_last_ticks_are_short_whatever_is_infinite() {
-    let jerk = Limits::symmetric(20.943759780000693, 2.0943759780000692, 0.5235939945000173);
-    let limits = [
-        Limits { jmax: f64::INFINITY, ..jerk },
-        Limits::symmetric(28.77254475493448, 2.877254475493448, 0.719313618873362),
-    ];
-    let from = [
-        [0.8251147820190636, 0.003960393173484879, -2.0943759780000692],
-        [-1.1720133175402652, -0.3597143545261909, 0.05754508950986884],
-    ];
-    let to = [[0.8251185264984016, 0.0, 0.0], [-1.1727326695225315, -0.359656809436681, 0.0]];
-    let mut axes = [Move::default(); 2];
-    synchronise(&mut axes, &limits, &from.map(state), &to.map(state), 0.0, 1e-3).expect("a plan");
-    assert_eq!(axes.map(|axis| axis.t), [2e-3; 2]);
+    let axes = together::<f64>(&[
+        ([0.5235939945000173, -0.5235939945000173, 2.0943759780000692, -2.0943759780000692, f64::INFINITY, -20.943759780000693],
+         [0.8251147820190636, 0.003960393173484879, -2.0943759780000692], [0.8251185264984016, 0.0, 0.0]),
+        ([0.719313618873362, -0.719313618873362, 2.877254475493448, -2.877254475493448, 28.77254475493448, -28.77254475493448],
+         [-1.1720133175402652, -0.3597143545261909, 0.05754508950986884], [-1.1727326695225315, -0.359656809436681, 0.0]),
+    ], 0.0, 1e-3).expect("a plan");
+    assert!(axes.iter().all(|axis| axis.t == 2e-3), "{axes:?}");
 }
 
 /// A path goes on in a new one from the state under way. At some ticks this was refused: where a phase begins, the jerk tells how uncertain the
@@ -891,20 +882,17 @@ fn the_last_ticks_are_short_whatever_is_infinite() {
 #[test]
 fn a_path_goes_on_from_the_state_under_way() {
     let limits = [Limits::symmetric(30.0, 10.0, 5.0), Limits::symmetric(25.0, 9.0, 4.0)];
-    let mut points = [0.0, 0.0, 1.0, 0.7, 3.0, 1.5, 7.0, 4.0, 8.0, 5.0].map(State::at);
-    let (durations, _) = online::path(&mut points, &limits, 2, 0);
-    let mut moves = [Move::default(); 8];
-    path_moves(&mut moves, &limits, &points, &durations, 2).expect("moves");
+    let points = [0.0, 0.0, 1.0, 0.7, 3.0, 1.5, 7.0, 4.0, 8.0, 5.0].map(State::at);
+    let moves = online::motions(points.to_vec(), &limits, 2, 0);
     for ticks in 500..1_300 {
-        let (mut section, mut passed) = (0, f64::from(ticks) * 0.001);
-        while passed > durations[section] {
-            passed -= durations[section];
-            section += 1;
+        let (mut rest, mut passed) = (moves.clone(), f64::from(ticks) * 0.001);
+        while passed > rest[0].t {
+            passed -= rest[0].t;
+            rest.drain(..2);
         }
-        let mut rest = moves[2 * section..].to_vec();
-        let ends = [0, 1].map(|axis| (rest[axis].state_at(passed), points[2 * section + 2 + axis]));
-        let [from, to] = [ends.map(|end| end.0), ends.map(|end| end.1)];
-        rest[..2].copy_from_slice(&online::together(&limits, &from, &to, durations[section] - passed));
+        let [from, to] = [passed, rest[0].t].map(|x| [rest[0].state_at(x), rest[1].state_at(x)]);
+        let left = online::together(&limits, &from, &to, rest[0].t - passed);
+        rest[..2].copy_from_slice(&left);
         let (mut states, mut room) = ([State::at(0.0); 2], [Move::default(); 6]);
         let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
         let (mut planner, mut ticker) = group.split();
@@ -931,8 +919,8 @@ fn a_move_to_a_line() {
 fn a_turn_within_a_tick_makes_steps() {
     let mut stream = StepStream::new(0.1, 1.0, state([0.0, 1.0, -2.0])).expect("a stream");
     stream.tick(state([0.0, -1.0, -2.0])).expect("a tick");
-    let steps: Vec<Step<f64>> = std::iter::from_fn(|| stream.next()).collect();
-    assert_eq!(steps.iter().map(|step| step.direction).collect::<Vec<_>>(), [1, 1, -1, -1]);
+    let directions: Vec<_> = std::iter::from_fn(|| stream.next()).map(|step| step.direction).collect();
+    assert_eq!(directions, [1, 1, -1, -1]);
 }
 
 /// A move that begins on a line begins a rounding next to it, and one in ten such moves stepped down and up again in float.
