@@ -221,7 +221,7 @@ release:
 SITE := target/site
 MDBOOK := target/mdbook-0.4.52/bin/mdbook
 $(MDBOOK):
-	$(CARGO) install --quiet --locked --no-default-features --features search --version =0.4.52 --root $(@:%/bin/mdbook=%) mdbook
+	$(CARGO) install --quiet --locked --debug --no-default-features --features search --version =0.4.52 --root $(@:%/bin/mdbook=%) mdbook
 
 site-tool: $(MDBOOK)
 doc: dist playground $(MDBOOK)
@@ -292,7 +292,7 @@ check-programs check-motions: export MAKEFLAGS =
 PROGRAMS_LOG := target/check-programs.log
 check-programs:
 	mkdir -p target
-	{ $(CARGO) test --locked -p atraj -p house && $(CARGO) test $(ORACLE) $(addprefix --test ,$(APART)) -- --nocapture; } \
+	{ $(CARGO) test --locked --tests -p atraj -p house && $(CARGO) test --locked --doc && $(CARGO) test $(ORACLE) $(addprefix --test ,$(APART)) -- --nocapture; } \
 	    > $(PROGRAMS_LOG) 2>&1; answer=$$?; cat $(PROGRAMS_LOG); exit $$answer
 
 # The default build runs every test of the oracle, each other build the tests of its C functions.

@@ -1,5 +1,5 @@
-//! Is the fastest motion right: never refused, never wrong, never longer than the reference solver's? Per real type four million double-S,
-//! trapezoids and moves without acceleration at their ends, and a million moves from any state to any state.
+//! Is the fastest motion right: never refused, never wrong, never longer than the reference solver's? Per real type two million double-S,
+//! trapezoids and moves without acceleration at their ends, and half a million moves from any state to any state.
 
 use oracle::judge::planner::Fastest;
 use oracle::judge::problems::Problems;
@@ -7,7 +7,7 @@ use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
 use oracle::liba::abi::Original;
 use support::test_both_reals;
 
-const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
+const SEEDS: u64 = if support::BRIEF { 1 } else { 2 };
 
 fn right<R: Original>(sequence: fn(u64) -> Problems<R>, problems: usize) {
     Tallies::assert_good(R::NAME, SEEDS, problems, |seed, count| Tallies::of_seed(&Fastest, sequence, seed, count));
