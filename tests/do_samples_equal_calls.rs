@@ -122,8 +122,7 @@ fn any_fields<R: Real>() {
     let mut comparison = Comparison::default();
     for number in 0..400 {
         let place = format!("struct {number}");
-        let mut fields =
-            |family: Family| -> Vec<R> { family.fields().iter().map(|_| any_field(&mut random)).collect() };
+        let mut fields = |of: Family| -> Vec<R> { of.fields().iter().map(|_| any_field(&mut random)).collect() };
         let of_bell = fields(Family::Bell);
         check_profile(&mut comparison, &place, &bell(&of_bell), &Family::Bell.borders(&[], &of_bell));
         let of_trap = fields(Family::Trap);
