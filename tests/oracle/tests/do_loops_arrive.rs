@@ -54,8 +54,7 @@ const LINE: Family = Family { way: Way::Straight, on_ticks: true, is_general: tr
 /// Three axes on a line, which pass their targets in motion. Their positions may be far from 0.
 fn line<R: Real>(random: &mut Random) -> Set<R> {
     let limits = online::limits::<R>(random);
-    let mut moving =
-        || std::iter::repeat_with(|| online::inside(random, &limits)).find(|end| end.velocity != R::of(0.0));
+    let mut moving = || std::iter::repeat_with(|| online::inside(random, &limits)).find(|end| end.velocity != R::ZERO);
     let ends = [(); 2].map(|()| numbers_of_state(moving().expect("a state")));
     let offset = random.pick(&[0.0, 10.0, 1e4]);
     let axes = [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)].map(|share| {
