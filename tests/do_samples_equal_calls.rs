@@ -6,12 +6,7 @@ use std::array;
 use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
 use support::{Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family};
 
-#[derive(Clone, Copy)]
-struct Sweep<R> {
-    x0: R,
-    dt: R,
-    n: usize,
-}
+type Sweep<R> = (R, R, usize); // the first time, the time between two samples, and how many they are
 
 fn check_sweep<R: Real, const N: usize>(
     comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, [x0, dt]: [R; 2], lengths: [usize; N],
@@ -48,7 +43,7 @@ fn check_profile<R: Real, const N: usize>(
     comparison: &mut Comparison, place: &str, profile: &impl Profile<R, N>, borders: &[R],
 ) {
     let all = [sweeps_over(borders[borders.len() - 1]), sweeps_around(borders), sweeps_of_special_times()];
-    for (i, Sweep { x0, dt, n }) in all.into_iter().flatten().enumerate() {
+    for (i, (x0, dt, n)) in all.into_iter().flatten().enumerate() {
         let some = array::from_fn(|output| if i >> output & 1 == 1 { n } else { 0 });
         for lengths in [[n; N], some] {
             check_sweep(comparison, place, profile, [x0, dt], lengths, i % 4);
@@ -59,7 +54,7 @@ fn check_profile<R: Real, const N: usize>(
 fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
     let of_length = |n: u8| {
         let dt = end / R::of(f64::from(n.max(2) - 1));
-        [(R::ZERO, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))].map(|(x0, dt)| Sweep { x0, dt, n: n.into() })
+        [(R::ZERO, dt), (end + dt, -dt), (-dt, dt * R::of(0.5))].map(|(x0, dt)| (x0, dt, n.into()))
     };
     [0, 1, 2, 3, 9, 70].into_iter().flat_map(of_length).collect()
 }
@@ -69,15 +64,14 @@ fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
     let around = |&border: &R| {
         let ulp = border * R::MACHINE_EPSILON;
         let [before, after] = [-6.0, 6.0].map(|ulps| border + R::of(ulps) * ulp);
-        let sweeps = [
+        [
             (before, ulp, 12),
             (after, -ulp, 12),
             (border, R::ZERO, 2),
             (border, -R::ZERO, 2),
             (R::ZERO, border, 3),
             (-R::ZERO, -border, 3),
-        ];
-        sweeps.map(|(x0, dt, n)| Sweep { x0, dt, n })
+        ]
     };
     borders.iter().flat_map(around).collect()
 }
@@ -87,7 +81,7 @@ fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
     let special = [zero, one, infinity, huge, nan].into_iter();
     let special = special.flat_map(|x| [x, -x]);
-    special.clone().flat_map(|x0| special.clone().map(move |dt| Sweep { x0, dt, n: 4 })).collect()
+    special.clone().flat_map(|x0| special.clone().map(move |dt| (x0, dt, 4))).collect()
 }
 
 fn check_golden_moves<R: Real, const N: usize, P: Profile<R, N>>(family: Family, profile: fn(&[R]) -> P) {
@@ -128,13 +122,9 @@ fn any_fields<R: Real>() {
     let mut comparison = Comparison::default();
     for number in 0..400 {
         let place = format!("struct {number}");
-        let mut fields = |family: Family| -> Vec<R> {
-            let count = family.fields().len();
-            (0..count).map(|_| any_field(&mut random)).collect()
-        };
+        let mut fields = |of: Family| -> Vec<R> { of.fields().iter().map(|_| any_field(&mut random)).collect() };
         let of_bell = fields(Family::Bell);
-        let borders = Family::Bell.borders(&[], &of_bell);
-        check_profile(&mut comparison, &place, &bell(&of_bell), &borders);
+        check_profile(&mut comparison, &place, &bell(&of_bell), &Family::Bell.borders(&[], &of_bell));
         let of_trap = fields(Family::Trap);
         check_profile(&mut comparison, &place, &trap(&of_trap), &Family::Trap.borders(&[], &of_trap));
         let of_moves = any_move::<R>(&mut random);

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::os::unix::fs::symlink;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use support::documents::blocks;
 use support::repository::{read, root};
@@ -28,7 +28,9 @@ fn each() {
 fn followed(reader: &str) -> String {
     let page = read(format!("docs/for-{reader}.md"));
     assert!(page.lines().count() <= 90, "{reader}: the page is long");
-    let directory = empty_directory(reader);
+    // Outside the repository, because a package in it would belong to its workspace.
+    let directory = std::env::temp_dir().join(format!("atraj-for-{reader}-{}", std::process::id()));
+    fs::create_dir(&directory).unwrap();
     symlink(root(), directory.join("atraj")).unwrap();
     let mut written = 0;
     for language in ["c", "cpp", "rust", "toml"] {
@@ -74,13 +76,6 @@ fn the_first_change_can_be_made() {
     let (file, expression) = ("src/liba/bell/motion.rs", "j * z * z * z / R::from(6)");
     assert!(page.contains(file) && page.contains(expression));
     assert!(read(file).contains(expression), "{file}: no {expression}");
-}
-
-/// Outside the repository, because a package in it would belong to its workspace.
-fn empty_directory(reader: &str) -> PathBuf {
-    let directory = std::env::temp_dir().join(format!("atraj-for-{reader}-{}", std::process::id()));
-    fs::create_dir(&directory).unwrap();
-    directory
 }
 
 fn write(directory: &Path, code: &str) {

@@ -71,10 +71,15 @@ fn shaper<R: Real>(random: &mut Random, period: f64) -> Shaper<R> {
     shaper
 }
 
+/// A stream that begins at this state, and its delay line.
+fn stream<R: Real>(shaper: &Shaper<R>, period: R, start: State<R>) -> (ShaperStream<R>, Vec<R>) {
+    let mut line = vec![R::NAN; shaper.size(period).expect("a short shaper")];
+    (ShaperStream::new(shaper, period, start, &mut line).expect("a stream"), line)
+}
+
 /// The impulses of a shaper, from what it makes of a step of the velocity: an axis that starts at a velocity of 1 at once.
 fn impulses<R: Real>(shaper: &Shaper<R>, period: f64) -> Vec<f64> {
-    let mut line = vec![R::NAN; shaper.size(R::of(period)).expect("a short shaper")];
-    let mut stream = ShaperStream::new(shaper, R::of(period), State::at(R::ZERO), &mut line).expect("a stream");
+    let (mut stream, mut line) = stream(shaper, R::of(period), State::at(R::ZERO));
     let one = State { velocity: R::ONE, ..State::at(R::ZERO) };
     let mut before = 0.0;
     let response = line.clone().into_iter().map(|_| {
@@ -100,8 +105,7 @@ fn a_shaped_state_is_the_mean_of_the_past<R: Real>() {
         let last = weights.iter().rposition(|w| *w > 64.0 * epsilon).expect("a weight");
         assert!((last as f64 - shaper.duration().widen() / period).abs() <= 1.5, "{number}: {last} {shaper:?}");
 
-        let mut line = vec![R::NAN; shaper.size(source.period).expect("a short shaper")];
-        let mut stream = ShaperStream::new(&shaper, source.period, source.now(), &mut line).expect("a stream");
+        let (mut stream, mut line) = stream(&shaper, source.period, source.now());
         let mut past = vec![numbers(source.now()); weights.len()];
         let [v, a, j] = source.highest();
         let mut before = numbers(source.now());
@@ -162,11 +166,9 @@ fn a_retarget_leaves_a_load_at_rest<R: Real>() {
         let (period, frequency) = (1e-3, random.between(3.0, 30.0));
         let kind = random.pick(&[ShaperKind::Zv, ShaperKind::Zvd, ShaperKind::Mzv]);
         let shaper = Shaper::new(kind, R::of(frequency), R::ZERO).expect("a shaper");
-        let mut line = vec![R::ZERO; shaper.size(R::of(period)).expect("a short shaper")];
-        let rest = State::at(R::ZERO);
-        let mut stream = ShaperStream::new(&shaper, R::of(period), rest, &mut line).expect("a stream");
+        let mut now = State::at(R::ZERO);
+        let (mut stream, mut line) = stream(&shaper, R::of(period), now);
         let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
-        let mut now = rest;
         for target in [0.5, -0.3, 0.1] {
             let planned = online::plan(&limits, now, State::at(R::of(target)));
             let ticks = if target == 0.1 { 3_000 } else { 50 + random.below(300) };
@@ -227,19 +229,16 @@ fn a_shaper_changes_at_rest_only<R: Real>() {
 fn an_extruder_is_advanced<R: Real>() {
     let [period, advance] = [0.001, 0.05].map(R::of);
     let shaper = Shaper::smooth(R::of(0.02)).expect("a time");
-    let mut lines = [(); 2].map(|()| vec![R::ZERO; shaper.size(period).expect("a short shaper")]);
     let rest = State::at(R::ZERO);
-    let [mut plain, mut advanced] =
-        [0, 1].map(|k| ShaperStream::new(&shaper, period, rest, &mut lines[k]).expect("a stream"));
+    let [(mut plain, mut a), (mut advanced, mut b)] = [(); 2].map(|()| stream(&shaper, period, rest));
     advanced.advance(advance).expect("it stands");
     let limits = online::symmetric(500.0, 20.0, 2.0);
     let planned = online::plan(&limits, rest, State::at(R::ONE));
-    let [a, b] = &mut lines;
     let mut before = [0.0; 3];
     for tick in 1..1_500 {
         let now = planned.state_at(R::of(f64::from(tick) * 0.001));
-        let one = numbers(plain.tick(now, a).expect("a state"));
-        let other = numbers(advanced.tick(now, b).expect("a state"));
+        let one = numbers(plain.tick(now, &mut a).expect("a state"));
+        let other = numbers(advanced.tick(now, &mut b).expect("a state"));
         let jerk = (one[2] - before[2]) / 0.001;
         for (k, slope) in [one[1], one[2], jerk].into_iter().enumerate() {
             let off = (other[k] - one[k] - 0.05 * slope).abs();
@@ -247,7 +246,7 @@ fn an_extruder_is_advanced<R: Real>() {
         }
         before = one;
     }
-    assert_eq!(advanced.tick(State::at(R::ONE), b), Ok(State::at(R::ONE)));
+    assert_eq!(advanced.tick(State::at(R::ONE), &mut b), Ok(State::at(R::ONE)));
 }
 
 /// At each tick the motor is within half a step of the axis, each step comes when the axis passes its line, and steps are in order.

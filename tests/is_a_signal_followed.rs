@@ -18,11 +18,6 @@ impl Signal {
         Self { noise, random: Random::seeded(1) }
     }
 
-    /// The sum of 12 even numbers has the variance 1.
-    fn gauss(&mut self) -> f64 {
-        (0..12).map(|_| self.random.unit()).sum::<f64>() - 6.0
-    }
-
     fn jerk(t: f64) -> f64 {
         -8.0 * (2.0 * t).cos()
     }
@@ -30,7 +25,9 @@ impl Signal {
     fn at(&mut self, t: f64) -> State<f64> {
         let (sin, cos) = (2.0 * t).sin_cos();
         let [p, v, a] = [sin, 2.0 * cos, -4.0 * sin];
-        let [dp, dv, da] = self.noise.map(|sigma| sigma * self.gauss());
+        // The sum of 12 even numbers has the variance 1.
+        let mut gauss = || (0..12).map(|_| self.random.unit()).sum::<f64>() - 6.0;
+        let [dp, dv, da] = self.noise.map(|sigma| sigma * gauss());
         State { position: p + dp, velocity: v + dv, acceleration: a + da }
     }
 }

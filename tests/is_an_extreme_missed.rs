@@ -130,32 +130,21 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
     worst
 }
 
-fn nothing_lies_beyond<R: Real>(of: fn(&mut Random) -> Move<R>) {
-    let mut random = Random::seeded(1);
-    let mut most = 0.0_f64;
-    for _ in 0..MOVES {
-        let the_move = of(&mut random);
-        if the_move.duration > R::ZERO {
-            most = most.max(worst(&the_move));
-        }
+fn nothing_lies_beyond<R: Real>() {
+    for (name, of) in [
+        ("polynomials", polynomial as fn(&mut Random) -> Move<R>),
+        ("plans", fastest),
+        ("moves from any state", between_any_states),
+    ] {
+        let mut random = Random::seeded(1);
+        let moves = (0..MOVES).map(|_| of(&mut random)).filter(|the_move| the_move.duration > R::ZERO);
+        let most = moves.map(|the_move| worst(&the_move)).fold(0.0, f64::max);
+        println!("{}, {name}: a sample lies {most:.1} ulps beyond an extreme", R::NAME);
+        assert!(most <= ROUNDINGS, "{name}: {most}");
     }
-    println!("{}: a sample lies {most:.1} ulps beyond an extreme", R::NAME);
-    assert!(most <= ROUNDINGS, "{most}");
 }
 
-fn polynomials<R: Real>() {
-    nothing_lies_beyond::<R>(polynomial);
-}
-
-fn plans<R: Real>() {
-    nothing_lies_beyond::<R>(fastest);
-}
-
-fn from_any_state<R: Real>() {
-    nothing_lies_beyond::<R>(between_any_states);
-}
-
-test_both_reals!(polynomials, plans, from_any_state);
+test_both_reals!(nothing_lies_beyond);
 
 /// A trapezoid that only brakes has no phase without acceleration.
 #[test]

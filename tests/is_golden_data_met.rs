@@ -13,7 +13,7 @@ test_each_family!(meets_golden_data);
 
 fn newest<R: Real>() {
     for family in [Family::Bell, Family::Trap] {
-        let moves = golden::newest_moves::<R>(family);
+        let moves = golden::moves_of::<R>(family, &format!("newest_{}", family.name()));
         let mut comparison = Comparison::default();
         golden::compare_plans(&mut comparison, &OursNewest, family, &moves);
         comparison.finish(&format!("newest {} {}", family.name(), R::NAME));

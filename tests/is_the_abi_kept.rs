@@ -20,9 +20,8 @@ fn library(tree: &Path, name: &str, choices: &[&str]) -> PathBuf {
     make.args([format!("DIST={dist}"), format!("CARGO_DIR=target/build-abi-{name}"), "HWCAPS=".into()]);
     run(&mut make);
     let files = fs::read_dir(tree.join(dist).join("lib")).unwrap();
-    let mut libraries =
-        files.map(|file| file.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "so"));
-    libraries.next().expect("a shared library")
+    let mut paths = files.map(|file| file.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "so"));
+    paths.next().expect("a shared library")
 }
 
 /// The source tree of the last release; `None` before the first.

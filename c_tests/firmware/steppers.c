@@ -1,16 +1,12 @@
 /* The pulses of example 22 on bare metal: two stepper motors that arrive together. QEMU's -icount ties the board's timer to the instructions, so this counts how
  * many a pulse takes: the next step of its motor, and the choice of the earlier one of both motors. Prints the count, and the rate of pulses if the processor does
  * 100 million instructions a second and nothing else. Fails if a step is lost. */
+#define NS_PER_INSTRUCTION 1024 /* -icount shift=10 */
 #include "atraj/steps.h"
 #include "semihost.h"
+#include "timer.h"
 
 enum { X, Y, MOTORS };
-
-/* CMSDK timer 0 counts down at 25 MHz; with -icount shift=10 an instruction takes 1024 ns. */
-static volatile uint32_t *const TIMER = (volatile uint32_t *)0x40000000;
-enum { CONTROL, VALUE, RELOAD };
-
-static uint32_t instructions(uint32_t ticks) { return (uint32_t)(((uint64_t)ticks * 40 + 512) / 1024); }
 
 int main(void) {
     static const atraj_state from[MOTORS] = {{0, 0, 0}, {0, 0, 0}}, to[MOTORS] = {{40, 0, 0}, {(a_float)-12.5, 0, 0}}; /* mm */
@@ -27,9 +23,7 @@ int main(void) {
         if (atraj_steps_init(&steps[i], &axes[i], -step / 2, step) < 0) { semihost_exit(1); }
         directions[i] = atraj_steps_next(&steps[i], &axes[i], &times[i]);
     }
-    TIMER[RELOAD] = UINT32_MAX;
-    TIMER[VALUE] = UINT32_MAX;
-    TIMER[CONTROL] = 1;
+    start_timer();
     uint32_t const start = TIMER[VALUE];
     for (uint32_t last = start; directions[X] || directions[Y]; ++pulses) {
         int const i = !directions[Y] || (directions[X] && times[X] <= times[Y]) ? X : Y;

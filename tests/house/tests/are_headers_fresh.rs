@@ -3,6 +3,7 @@
 //! `UPDATE_HEADERS=1 cargo test -p house --test are_headers_fresh` rewrites them.
 
 use cbindgen::{Builder, Config, DocumentationStyle, ItemType, Language, Style};
+use std::fmt::Display;
 use std::fs;
 use std::path::Path;
 use support::Family;
@@ -49,12 +50,11 @@ fn liba_headers_are_fresh() {
 #[test]
 fn the_header_of_all_is_fresh() {
     let families = Family::ALL.map(|family| format!("a/{}.h", family.c_name()));
-    let families: Vec<_> = families.iter().map(String::as_str).collect();
-    let ours =
-        ["axis", "clock", "codes", "group", "move", "path", "shaper", "steps"].map(|name| format!("atraj/{name}.h"));
-    let ours: Vec<_> = ours.iter().map(String::as_str).collect();
+    let ours = ["axis", "clock", "codes", "group", "move", "path", "shaper", "steps"];
+    let ours = ours.map(|name| format!("atraj/{name}.h"));
     let functions = pass(&["atraj/bell", "atraj/trap", "atraj/poly"], &config("atraj"), ItemType::Functions);
-    let all = includes(&[&["a/a.h", "a/atraj_check.h"], &families[..], &ours].concat());
+    let prelude = ["a/a.h", "a/atraj_check.h"].map(str::to_owned);
+    let all = includes(&[&prelude[..], &families, &ours].concat());
     check_header("", "atraj", "ATRAJ_H", &[String::new(), all, extern_c(&functions, "")]);
 }
 
@@ -81,7 +81,6 @@ fn our_headers_are_fresh() {
         let config = config(name);
         let own = format!("atraj/{name}");
         let sources: Vec<_> = sources.iter().map(|source| format!("atraj/{source}")).collect();
-        let sources: Vec<_> = sources.iter().map(String::as_str).collect();
         let functions = pass(&sources, &config, ItemType::Functions);
         // The methods of a move return states, so the move comes last.
         let passes: &[&[&str]] = match name {
@@ -119,7 +118,7 @@ fn check_header(folder: &str, name: &str, guard: &str, parts: &[String]) {
     check_fresh(Path::new("include").join(folder).join(name).with_extension("h"), &fresh);
 }
 
-fn includes(files: &[&str]) -> String {
+fn includes(files: &[impl Display]) -> String {
     files.iter().map(|file| format!("#include \"{file}\"")).collect::<Vec<_>>().join("\n")
 }
 
@@ -172,19 +171,19 @@ fn conditions(source: &str) -> [(String, String); 3] {
 }
 
 /// One run of cbindgen over each of these files in `src/capi`. C++ methods in a struct call the functions, so those come first, in a run of their own.
-fn pass(sources: &[&str], config: &Config, items: ItemType) -> String {
+fn pass<S: Display>(sources: &[S], config: &Config, items: ItemType) -> String {
     let mut config = config.clone();
     config.header = None;
     config.trailer = None;
     config.export.item_types = vec![items];
-    let pass = |source: &&str| {
+    let pass = |source: &S| {
         let path = root().join(format!("src/capi/{source}.rs"));
         let mut text = Vec::new();
         Builder::new().with_config(config.clone()).with_src(path).generate().unwrap().write(&mut text);
         let text = String::from_utf8(text).unwrap();
         // cbindgen puts the `;` of a conditional field behind its `#endif`, and writes no condition but `defined`.
         let mut text = text.replace("\n#endif\n    ;\n", ";\n#endif\n");
-        for (array, condition) in conditions(source) {
+        for (array, condition) in conditions(&source.to_string()) {
             text = text.replace(&format!("defined({array})"), &condition);
         }
         text.trim().to_owned()

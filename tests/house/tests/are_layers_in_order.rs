@@ -4,7 +4,7 @@
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use support::repository::root;
@@ -206,28 +206,25 @@ impl<'a> Files<'a> {
                 _ => None,
             });
             faults.extend(fault.map(|fault| format!("{} imports {}, which is in {fault}.", path(from), path(to))));
-            if let Some(circle) = way(&imported, to, from) {
-                let mut paths: Vec<_> = circle.iter().map(path).collect();
-                paths.sort_unstable();
-                faults.insert(format!("{} import each other.", paths.join(" and ")));
+        }
+        for module in imported.keys() {
+            let leads_back = |other: &&Module| reached(&imported, other).contains(module);
+            let circle: Vec<_> = reached(&imported, module).into_iter().filter(leads_back).map(path).collect();
+            if !circle.is_empty() {
+                faults.insert(format!("{} import each other.", circle.join(" and ")));
             }
         }
         faults
     }
 }
 
-fn way(imported: &BTreeMap<&Module, BTreeSet<Module>>, from: &Module, to: &Module) -> Option<Vec<Module>> {
-    let mut seen = BTreeSet::new();
-    let mut ways = VecDeque::from([vec![from.clone()]]);
-    while let Some(way) = ways.pop_front() {
-        let last = &way[way.len() - 1];
-        if last == to {
-            return Some(way);
-        }
-        let next = imported.get(last).into_iter().flatten();
-        ways.extend(next.filter(|next| seen.insert(*next)).map(|next| [&way[..], std::slice::from_ref(next)].concat()));
+/// All that a module imports, itself or by others.
+fn reached<'a>(imported: &'a BTreeMap<&Module, BTreeSet<Module>>, from: &'a Module) -> BTreeSet<&'a Module> {
+    let (mut seen, mut left) = (BTreeSet::new(), vec![from]);
+    while let Some(module) = left.pop() {
+        left.extend(imported.get(module).into_iter().flatten().filter(|next| seen.insert(*next)));
     }
-    None
+    seen
 }
 
 fn sources(directory: &Path, sources: &mut Vec<(String, String)>) {

@@ -451,6 +451,8 @@ static struct axis axis_of(const double limits[6], const double start[3], const 
     return axis;
 }
 
+static const double none[3] = {0, 0, 0};
+
 static struct inside bring_inside(struct axis *axis) {
     struct inside inside = come_inside(axis);
     if (inside.duration == 0) {
@@ -524,6 +526,16 @@ void solver_fastest(
     results[PAST_T2] = gap ? (double)(axis.h - pieces.at[2].displacement) : INFINITY;
 }
 
+/* The lowest and the highest displacement in which an axis within its limits can take a duration. Returns 0 if there is none. */
+static int displacements(const struct axis *axis, real duration, real interval[2]) {
+    const struct pieces pieces = pieces_of(axis);
+    const struct axis other = mirrored(axis);
+    if (is_out(&pieces, duration)) { return 0; }
+    interval[0] = -border(&other, duration, cruise_begins(&other)).displacement;
+    interval[1] = border(axis, duration, cruise_begins(axis)).displacement;
+    return 1;
+}
+
 /*
  How much further the target is than the displacements of this duration: negative if it is nearer, 0 if it is among them, infinite if the
  duration is before the first possible one or in the gap. The target is `offset[0]` further and `offset[1]` faster, and the start is
@@ -531,31 +543,22 @@ void solver_fastest(
 */
 double solver_possible(
     const double limits[6], const double start[3], const double target[3], const double offset[3], double duration) {
-    struct axis axis = axis_of(limits, start, target, offset, 0), other;
+    struct axis axis = axis_of(limits, start, target, offset, 0);
     const struct inside inside = bring_inside(&axis);
-    const struct pieces pieces = pieces_of(&axis);
-    const real rest = duration - inside.duration;
-    real lowest, highest;
+    real all[2];
     axis.brief = 1;
-    if (is_out(&pieces, rest)) { return INFINITY; }
-    other = mirrored(&axis);
-    lowest = -border(&other, rest, cruise_begins(&other)).displacement;
-    highest = border(&axis, rest, cruise_begins(&axis)).displacement;
-    return (double)(axis.h > highest ? axis.h - highest : axis.h < lowest ? axis.h - lowest : 0);
+    if (!displacements(&axis, duration - inside.duration, all)) { return INFINITY; }
+    return (double)(axis.h > all[1] ? axis.h - all[1] : axis.h < all[0] ? axis.h - all[0] : 0);
 }
 
 /* The displacements from the start that can be reached in this duration: the lowest and the highest. Returns 0 if none can. */
 int solver_interval(
     const double limits[6], const double start[3], const double target[3], double duration, double interval[2]) {
-    const double offset[3] = {0, 0, 0};
-    struct axis axis = axis_of(limits, start, target, offset, 0), other;
+    struct axis axis = axis_of(limits, start, target, none, 0);
     const struct inside inside = bring_inside(&axis);
-    const struct pieces pieces = pieces_of(&axis);
-    const real rest = duration - inside.duration;
-    if (is_out(&pieces, rest)) { return 0; }
-    other = mirrored(&axis);
-    interval[0] = (double)(inside.displacement - border(&other, rest, cruise_begins(&other)).displacement);
-    interval[1] = (double)(inside.displacement + border(&axis, rest, cruise_begins(&axis)).displacement);
+    real all[2];
+    if (!displacements(&axis, duration - inside.duration, all)) { return 0; }
+    interval[0] = (double)(inside.displacement + all[0]), interval[1] = (double)(inside.displacement + all[1]);
     return 1;
 }
 
@@ -564,8 +567,7 @@ int solver_interval(
  how many there are, at most 8. The last one is where the axis begins to cruise.
 */
 int solver_knees(const double limits[6], const double start[3], const double target[3], int lower, double knees[8]) {
-    const double offset[3] = {0, 0, 0};
-    struct axis axis = axis_of(limits, start, target, offset, 0);
+    struct axis axis = axis_of(limits, start, target, none, 0);
     const struct inside inside = bring_inside(&axis);
     const struct pieces pieces = pieces_of(&axis);
     const real sign = lower ? -1 : 1;
@@ -687,7 +689,6 @@ static real near(const struct axis *axis, const real point[POINT], int i, real x
 */
 int solver_derivatives(
     const double limits[6], const double start[3], const double target[3], double duration, int lower, double first[5], double second[15]) {
-    static const double none[3] = {0, 0, 0};
     struct axis axis = axis_of(limits, start, target, none, 0);
     const struct pieces pieces = pieces_of(&axis);
     const real sign = lower ? -1 : 1, step = 1 / 32768.0L;

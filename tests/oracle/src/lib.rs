@@ -5,6 +5,22 @@
 //!
 //! [`judge`]: are the motions of its own planners right and the fastest?
 
+/// An enumeration that lists its values.
+macro_rules! listed {
+    ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name {
+            $($(#[$of])* $value,)*
+        }
+
+        impl $name {
+            /// Every value.
+            pub const ALL: [Self; [$(stringify!($value)),*].len()] = [$(Self::$value),*];
+        }
+    };
+}
+
 pub mod bytes;
 pub mod judge;
 pub mod liba;

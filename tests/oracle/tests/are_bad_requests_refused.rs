@@ -72,7 +72,7 @@ fn errors<R: Real>(problem: &Problem<R>) -> [Option<Error>; 3] {
     })
 }
 
-fn bad_limits<R: Real>() {
+fn bad_limits_and_states<R: Real>() {
     let good = with_number::<R>(0, 1.0);
     assert_eq!(errors(&good), [None; 3]);
     for (index, limit) in good.numbers()[..6].iter().map(|limit| limit.widen()).enumerate() {
@@ -88,6 +88,14 @@ fn bad_limits<R: Real>() {
     }
     let free = Limits::symmetric(R::INFINITY, R::INFINITY, R::ONE);
     assert_eq!(Move::default().plan(&free, State::at(R::ZERO), State::at(R::ONE)).err(), Some(Error::Limits));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for index in 6..12 {
+            let problem = with_number::<R>(index, bad);
+            assert_eq!(errors(&problem), [Some(Error::NotFinite); 3]);
+            let stop = Move::default().stop(&problem.limits, problem.from);
+            assert_eq!(stop.err(), (index < 9).then_some(Error::NotFinite));
+        }
+    }
 }
 
 #[test]
@@ -137,17 +145,6 @@ fn beside_plans<R: Real>() {
             assert!(bad.is_finite() || track(bad, 1.0) == Some(Error::NotFinite), "{problem}");
         }
         assert_eq!(planned, before);
-    }
-}
-
-fn bad_states<R: Real>() {
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for index in 6..12 {
-            let problem = with_number::<R>(index, bad);
-            assert_eq!(errors(&problem), [Some(Error::NotFinite); 3]);
-            let stop = Move::default().stop(&problem.limits, problem.from);
-            assert_eq!(stop.err(), (index < 9).then_some(Error::NotFinite));
-        }
     }
 }
 
@@ -319,24 +316,17 @@ fn path_to<R: Real>(positions: &[f64], end: [f64; 2], limits: &[Limits<R>]) -> R
     planned
 }
 
-/// Where the axis cannot be in the state of the end earlier, the last section lasts, though nothing has to move in it. Such paths were refused.
-fn repeated_ends<R: Real>() {
+fn repeated_ends_and_far_points<R: Real>() {
     let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
     let slow = Limits { vmax: R::of(0.5), ..limits };
-    let leaving = [0.9, 0.9];
+    let ([rest, leaving, fast], far) = ([[0.0; 2], [0.9; 2], [0.8, 0.0]], far::<R>().widen());
+    // Where the axis cannot be in the state of the end earlier, the last section lasts, though nothing has to move in it. Such paths were refused.
     assert_eq!(path_to(&[0.0, 1.0], leaving, &[limits]), Ok(Findings::ENDS_LEAVING));
     assert_eq!(path_to(&[0.0, 1.0, 1.0], leaving, &[limits]), Ok(Findings::ENDS_LEAVING));
-    let fast = [0.8, 0.0];
     assert_eq!(path_to(&[0.0, 1.0, 2.0], fast, &[slow, limits]), Ok(Findings::default()));
     assert_eq!(path_to(&[0.0, 1.0, 1.0], fast, &[slow, limits]), Ok(Findings::default()));
     assert_eq!(path_to(&[0.0, 1.0, 1.0], fast, &[limits, slow]), Err(Error::Target));
-}
-
-/// A way beyond the range of the real type is refused, and positions that are far away are not.
-fn far_paths<R: Real>() {
-    let limits = Limits::symmetric(R::ONE, R::ONE, R::ONE);
-    let far = far::<R>().widen();
-    let rest = [0.0; 2];
+    // A way beyond the range of the real type is refused, and positions that are far away are not.
     assert_eq!(path_to(&[-far, far, 0.0], rest, &[limits]), Err(Error::NotFinite));
     assert_eq!(path_to(&[far; 3], rest, &[limits]), Ok(Findings::default()));
 }
@@ -591,9 +581,8 @@ fn bad_axes_and_motors<R: Real>() {
     for step in [zero, -zero, -one, -zero.neighbour(1), -endless] {
         assert_eq!(Steps::new(near, zero, step).err(), Some(Error::Limits));
     }
-    let of_near =
-        [(none, one), (endless, one), (-endless, one), (zero, none), (zero, endless), (zero, zero.neighbour(1))];
-    for (of, offset, step) in of_near.map(|(offset, step)| (near, offset, step)).into_iter().chain([(far, zero, one)]) {
+    let bad = [(none, one), (endless, one), (-endless, one), (zero, none), (zero, endless), (zero, zero.neighbour(1))];
+    for (of, offset, step) in bad.map(|(offset, step)| (near, offset, step)).into_iter().chain([(far, zero, one)]) {
         assert_eq!(Steps::new(of, offset, step).err(), Some(Error::NotFinite), "{offset:?} {step:?}");
     }
     let mut motor = Steps::new(near, zero, one).expect("a line");
@@ -678,7 +667,7 @@ fn bad_groups<R: Real>() {
 }
 
 test_both_reals!(
-    illegal_targets, beside_plans, bad_limits, bad_states, bad_numbers, lengths, off_the_line, beyond_the_range,
-    repeated_ends, far_paths, bad_paths, bad_tolerances, bad_motions, bad_profiles, bad_clocks, bad_axes_and_motors,
-    bad_lists, bad_groups
+    illegal_targets, beside_plans, bad_limits_and_states, bad_numbers, lengths, off_the_line, beyond_the_range,
+    repeated_ends_and_far_points, bad_paths, bad_tolerances, bad_motions, bad_profiles, bad_clocks,
+    bad_axes_and_motors, bad_lists, bad_groups
 );

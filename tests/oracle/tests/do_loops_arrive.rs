@@ -54,8 +54,7 @@ const LINE: Family = Family { way: Way::Straight, on_ticks: true, is_general: tr
 /// Three axes on a line, which pass their targets in motion. Their positions may be far from 0.
 fn line<R: Real>(random: &mut Random) -> Set<R> {
     let limits = online::limits::<R>(random);
-    let mut moving =
-        || std::iter::repeat_with(|| online::inside(random, &limits)).find(|end| end.velocity != R::of(0.0));
+    let mut moving = || std::iter::repeat_with(|| online::inside(random, &limits)).find(|end| end.velocity != R::ZERO);
     let ends = [(); 2].map(|()| numbers_of_state(moving().expect("a state")));
     let offset = random.pick(&[0.0, 10.0, 1e4]);
     let axes = [1.0, random.between(-1.0, 1.0), random.between(-1.0, 1.0)].map(|share| {
@@ -136,38 +135,31 @@ test_both_reals!(
     states_of_a_line_lie_on_it
 );
 
-/// In this state of a loop 0.188 s were left, and 0.696 s were planned.
+/// States of a loop on its way: each axis with its limits, its state and its target.
 #[test]
 #[rustfmt::skip]
-fn the_slowest_axis_takes_the_duration_of_another_one() {
-    let limits = [
-        [1.1686525022234153, -0.6947019870685104, 7.104011671570745, -5.6717765335430546, 29.75519939870755, -20.334074261141684],
-        [1.0582902629798658, -1.1622674194650193, 1.9612290763125357, -1.033982227791014, 7.498128751563341, -8.077694212288307],
-    ];
-    let from = [
-        [-0.14452649403406104, -0.359312300746299, 3.822638621328021],
-        [-0.03166908250630297, 0.24821512620247965, -1.033982227791014],
-    ];
-    let to = [[-0.16704241250641094, 0.0, 0.0], [0.0, 0.12512074760657954, 0.0]];
-    let mut axes = [Move::default(); 2];
-    atraj::axes::synchronise(&mut axes, &limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0, 4e-3).expect("a plan");
-    assert!(axes[0].t < 0.188 + 1e-9, "{}", axes[0].t);
+fn the_rest_of_a_loop_is_short() {
+    // 0.696 s were planned: the slowest axis can take the duration of the other one.
+    is_left_in(0.188 + 1e-9, 4e-3, &[
+        ([1.1686525022234153, -0.6947019870685104, 7.104011671570745, -5.6717765335430546, 29.75519939870755, -20.334074261141684],
+         [-0.14452649403406104, -0.359312300746299, 3.822638621328021], [-0.16704241250641094, 0.0, 0.0]),
+        ([1.0582902629798658, -1.1622674194650193, 1.9612290763125357, -1.033982227791014, 7.498128751563341, -8.077694212288307],
+         [-0.03166908250630297, 0.24821512620247965, -1.033982227791014], [0.0, 0.12512074760657954, 0.0]),
+    ]);
+    // 0.3 ms are 0.16 of a tick, and 0.922 s were planned. The velocity of the second axis has the rounding error of the tick before, when it was 50
+    // times as high.
+    is_left_in(0.0004, 0.0, &[
+        ([0.5999259097975925, -0.5999259097975925, 9.759447590637537, -9.759447590637537, 11.705506964496628, -11.705506964496628],
+         [0.013440171730717305, -0.3115526904031246, 0.0024858976019611276], [0.013342700226573134, -0.31155214708633727, 0.0]),
+        ([0.7489348620160077, -0.7489348620160077, 7.7867856680128895, -7.7867856680128895, 10.640216858487081, -10.640216858487081],
+         [0.2400544331791675, 5.207314339034029e-7, -0.0033288722960675976], [0.24005443323347242, 0.0, 0.0]),
+    ]);
 }
 
-/// In this state of a loop 0.3 ms were left, which is 0.16 of a tick, and 0.922 s were planned. The velocity of the second axis has the
-/// rounding error of the tick before, when it was 50 times as high.
-#[test]
-#[rustfmt::skip]
-fn the_last_part_of_a_tick_is_short() {
-    let limits = [
-        [0.5999259097975925, -0.5999259097975925, 9.759447590637537, -9.759447590637537, 11.705506964496628, -11.705506964496628],
-        [0.7489348620160077, -0.7489348620160077, 7.7867856680128895, -7.7867856680128895, 10.640216858487081, -10.640216858487081],
-    ];
-    let from = [
-        [0.013440171730717305, -0.3115526904031246, 0.0024858976019611276],
-        [0.2400544331791675, 5.207314339034029e-7, -0.0033288722960675976],
-    ];
-    let to = [[0.013342700226573134, -0.31155214708633727, 0.0], [0.24005443323347242, 0.0, 0.0]];
-    let axes = online::together(&limits.map(limits_of), &from.map(state_of), &to.map(state_of), 0.0);
-    assert!(axes[0].t < 0.0004, "{}", axes[0].t);
+fn is_left_in(most: f64, cycle: f64, rows: &[([f64; 6], [f64; 3], [f64; 3])]) {
+    let (limits, (from, to)): (Vec<_>, (Vec<_>, Vec<_>)) =
+        rows.iter().map(|row| (limits_of(row.0), (state_of(row.1), state_of(row.2)))).unzip();
+    let mut axes = vec![Move::default(); rows.len()];
+    atraj::axes::synchronise(&mut axes, &limits, &from, &to, 0.0, cycle).expect("a plan");
+    assert!(axes[0].t < most, "{} s", axes[0].t);
 }

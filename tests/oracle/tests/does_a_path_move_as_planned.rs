@@ -14,10 +14,6 @@ fn moves_of<R: Real>(chain: &Chain<R>, path: &Path<R>) -> (Result<atraj::Finding
     (path_moves(&mut moves, &chain.limits, &path.states, &path.durations, chain.axes), moves)
 }
 
-fn at<R: Real>(chain: &Chain<R>, path: &Path<R>, point: usize) -> Vec<State<R>> {
-    path.states[point * chain.axes..][..chain.axes].to_vec()
-}
-
 fn bits<R: Real>(moves: &[Move<R>]) -> Vec<u64> {
     let of_phase = |phase: &Phase<R>| online::numbers_of_phase(phase).map(R::low_bits);
     let of_move = |axis: &Move<R>| {
@@ -37,15 +33,15 @@ fn sections_are_those_planned_by_hand<R: Real>() {
         let mut found = atraj::Findings::default();
         let mut by_hand = vec![Move::default(); chain.axes];
         for (section, moves) in moves.chunks_exact(chain.axes).enumerate() {
-            let [from, to] = [section, section + 1].map(|point| at(&chain, &path, point));
+            let [from, to] = [section, section + 1].map(|point| &path.states[point * chain.axes..][..chain.axes]);
             let limits = chain.limits(section);
-            found |= synchronise(&mut by_hand, limits, &from, &to, path.durations[section], R::ZERO).expect("moves");
+            found |= synchronise(&mut by_hand, limits, from, to, path.durations[section], R::ZERO).expect("moves");
             let what = format!("{k} {:?}, section {section}", chain.family);
             assert_eq!(bits(moves), bits(&by_hand), "{what}");
             let starts = moves.iter().map(|axis| axis.state_at(R::ZERO));
             let ends = moves.iter().map(|axis| axis.state_at(axis.t));
-            assert!(starts.eq(from) || path.durations[section] == R::ZERO, "{what}");
-            assert!(ends.eq(to), "{what}");
+            assert!(starts.eq(from.iter().copied()) || path.durations[section] == R::ZERO, "{what}");
+            assert!(ends.eq(to.iter().copied()), "{what}");
         }
         assert_eq!(made, Ok(found));
     }

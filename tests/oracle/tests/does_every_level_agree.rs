@@ -36,11 +36,7 @@ fn every_level_agrees<R: Original>(variant: &Variant) {
 }
 
 #[test]
-fn f64() {
+fn in_both_real_types() {
     every_level_agrees::<f64>(&DOUBLE);
-}
-
-#[test]
-fn f32() {
     every_level_agrees::<f32>(&FLOAT);
 }

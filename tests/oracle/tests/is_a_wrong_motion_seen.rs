@@ -1,7 +1,6 @@
 //! Does the judge see a wrong motion of each planner: a double-S, a trapezoid, a move?
 
 use oracle::judge::faults::Fault;
-use oracle::judge::planner::Fastest;
 use oracle::judge::problem::Request;
 use oracle::judge::problems::Problems;
 use oracle::judge::tally::{Tallies, Tally};
@@ -23,6 +22,7 @@ fn seen(fault: Fault, tally: &Tally) -> u64 {
     }
 }
 
+/// `is_the_fastest_motion_right` asks whether nothing is wrong without a fault, in these problems and more.
 fn every_fault_is_seen<R: Original>() {
     for fault in Fault::ALL {
         let profiles = Tallies::of_seed::<R>(&fault, Problems::of_profiles, 0, OF_PROFILES);
@@ -50,14 +50,4 @@ fn every_fault_is_seen<R: Original>() {
     }
 }
 
-/// If something were wrong without a fault, a seen fault would prove nothing.
-fn nothing_is_wrong<R: Original>() {
-    let profiles = Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, 0, OF_PROFILES);
-    let moves = Tallies::of_seed::<R>(&Fastest, Problems::new, 0, OF_MOVES);
-    for (tallies, problems) in [(profiles, OF_PROFILES), (moves, OF_MOVES)] {
-        let total = tallies.total();
-        assert_eq!((total.problems, total.bad()), (problems as u64, 0), "{tallies}");
-    }
-}
-
-test_both_reals!(every_fault_is_seen, nothing_is_wrong);
+test_both_reals!(every_fault_is_seen);

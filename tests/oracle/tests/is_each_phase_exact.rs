@@ -16,13 +16,10 @@ fn each_motion_is_exact<R: Original>() {
     }
 }
 
-fn changes_a_motion(fault: Fault) -> bool {
-    use Fault::{AbsoluteTime, Direction, DroppedPhase, Refuses, SilentEnd, SilentStart};
-    !matches!(fault, AbsoluteTime | Direction | DroppedPhase | Refuses | SilentEnd | SilentStart)
-}
-
 fn every_fault_is_seen<R: Original>() {
-    for fault in Fault::ALL.into_iter().filter(|fault| changes_a_motion(*fault)) {
+    use Fault::{AbsoluteTime, Direction, DroppedPhase, Refuses, SilentEnd, SilentStart};
+    let changes_no_motion = [AbsoluteTime, Direction, DroppedPhase, Refuses, SilentEnd, SilentStart];
+    for fault in Fault::ALL.into_iter().filter(|fault| !changes_no_motion.contains(fault)) {
         let row = Row::of_request::<R>(&fault, Request::Plan, 500);
         assert!(!row.is_clean(), "{fault:?}: {row:?}");
     }

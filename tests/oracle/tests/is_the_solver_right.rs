@@ -63,12 +63,12 @@ fn no_random_motion_is_faster() {
         let Some((problem, t)) = motion(&mut random) else { continue };
         motions += 1;
         let trial = Trial::new(problem);
-        let best = trial.best();
+        let best = trial.best;
         let least = best.duration;
         let is_slower = t >= least * (1.0 - 1e-9) || !matches!(trial.duration_near(t, 1e-12), Verdict::Shorter(_));
         assert!(is_slower, "{t:e} is faster than {best:?}: {}", problem);
         fastest += u32::from(t <= least * (1.0 + 1e-6));
-        if let Some([lowest, highest]) = trial.motion().interval(t) {
+        if let Some([lowest, highest]) = trial.motion.interval(t) {
             let h = problem.to.position;
             let slack = 1e-12 * (1.0 + t * t);
             let is_in = h >= lowest - slack && h <= highest + slack;
@@ -100,7 +100,7 @@ fn a_start_beyond_the_velocity_eases() {
 fn its_motions_are_possible() {
     let mut worst: f64 = 0.0;
     for problem in Problems::<f64>::new(5).take(PROBLEMS) {
-        let best = Trial::new(problem).best();
+        let best = Trial::new(problem).best;
         // The border is counted from a straight rise from end to end. Digits cancel where this rise changes the velocity by far more than
         // the motion does: before a target behind which the axis goes far beyond its limits.
         let [.., jmax, jmin] = widened(&problem.limits);
@@ -123,7 +123,7 @@ fn rsruckig_is_no_faster() {
             println!("rsruckig is faster: {problem}");
         }
     }
-    println!("{} {theirs}", Theirs::HEADING);
+    println!("{theirs:?}");
     assert!(theirs.asked > PROBLEMS as u64 / 4);
     assert_eq!(theirs.shorter, 0);
 }

@@ -104,16 +104,8 @@ impl Family {
         &QUANTITIES[..self.description().quantities]
     }
 
-    pub const fn returns_duration(self) -> bool {
-        matches!(self, Self::Bell | Self::Trap)
-    }
-
-    pub const fn golden_words(self) -> usize {
-        if self.is_polynomial() { 1 } else { 2 }
-    }
-
     pub const fn is_polynomial(self) -> bool {
-        !self.returns_duration()
+        !matches!(self, Self::Bell | Self::Trap)
     }
 
     pub fn borders<R: Real>(self, arguments: &[R], fields: &[R]) -> Vec<R> {

@@ -25,14 +25,11 @@ pub fn moves<R: Real>(family: Family) -> Vec<Move<R>> {
     moves_of(family, family.name())
 }
 
-/// The golden moves of a bell or a trapezoid that liba planned on 2026-06-25. Its generation has [`atraj::Saturation::Numbers`].
-pub fn newest_moves<R: Real>(family: Family) -> Vec<Move<R>> {
-    moves_of(family, &format!("newest_{}", family.name()))
-}
-
-fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
+/// The moves of another table: `newest_bell` and `newest_trap` are what liba planned on 2026-06-25, with [`atraj::Saturation::Numbers`].
+pub fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
     let arguments = family.arguments().len();
-    let returned = usize::from(family.returns_duration());
+    // A polynomial returns no duration, and its moves have no category.
+    let (words, returned) = if family.is_polynomial() { (1, 0) } else { (2, 1) };
     let numbers = arguments + returned + family.fields().len();
     let table = format!("{table}_gen");
     let to_move = |(index, row): (usize, Row<R>)| {
@@ -40,11 +37,11 @@ fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
         Move {
             place: row.place,
             arguments: row.values[..arguments].to_vec(),
-            duration: family.returns_duration().then(|| row.values[arguments]),
+            duration: (returned > 0).then(|| row.values[arguments]),
             fields: row.values[arguments + returned..].to_vec(),
         }
     };
-    rows(&table, family.golden_words(), numbers).into_iter().enumerate().map(to_move).collect()
+    rows(&table, words, numbers).into_iter().enumerate().map(to_move).collect()
 }
 
 pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {

@@ -29,45 +29,30 @@ fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     let vm = negate_if_negative(vm);
     let mut v0 = clamp(v0, -vm, vm);
     let mut v1 = clamp(v1, -vm, vm);
-    bell.p0 = p0;
-    bell.p1 = p1;
-    bell.v0 = v0;
-    bell.v1 = v1;
+    (bell.p0, bell.p1, bell.v0, bell.v1) = (p0, p1, v0, v1);
 
     // 2
     if p0 > p1 {
-        p0 = -p0;
-        p1 = -p1;
-        v0 = -v0;
-        v1 = -v1;
+        (p0, p1, v0, v1) = (-p0, -p1, -v0, -v1);
     }
     bell.vm = vm;
     bell.jm = jm;
     let a = am * am;
 
-    // 3
-    let d = vm - v0;
-    if d * jm < a {
-        bell.taj = (d / jm).square_root();
-        bell.ta = two * bell.taj;
-        bell.am = jm * bell.taj;
-    } else {
-        bell.taj = am / jm;
-        bell.ta = bell.taj + d / am;
-        bell.am = am;
-    }
-
-    // 4
-    let e = vm - v1;
-    if e * jm < a {
-        bell.tdj = (e / jm).square_root();
-        bell.td = two * bell.tdj;
-        bell.dm = (-jm) * bell.tdj;
-    } else {
-        bell.tdj = am / jm;
-        bell.td = bell.tdj + e / am;
-        bell.dm = -am;
-    }
+    // 3, 4
+    let ramp = |change: R| {
+        if change * jm < a {
+            let tj = (change / jm).square_root();
+            (tj, two * tj, jm * tj)
+        } else {
+            let tj = am / jm;
+            (tj, tj + change / am, am)
+        }
+    };
+    let deceleration;
+    (bell.taj, bell.ta, bell.am) = ramp(vm - v0);
+    (bell.tdj, bell.td, deceleration) = ramp(vm - v1);
+    bell.dm = -deceleration;
 
     // 5
     let p = p1 - p0;
@@ -79,9 +64,7 @@ fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
     let mut endless = false;
     let cruise = bell.tv > zero;
     if !cruise {
-        bell.tv = zero;
-        bell.am = am;
-        bell.dm = am * R::of(1.0 / 16.0);
+        (bell.tv, bell.am, bell.dm) = (zero, am, am * R::of(1.0 / 16.0));
         endless = am == R::of(f64::INFINITY);
         (planned, rounds) = if endless { (false, 0) } else { search(bell, am, p, v0, v1) };
     }
@@ -114,32 +97,23 @@ fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bool, 
         let k = k + r.square_root();
         let den = two * am;
         bell.ta = (k - a2v0) / den;
-        let raise = if bell.ta < zero {
-            if settled {
-                return (down_only(bell, p, v0, v1), rounds);
-            }
-            true
-        } else {
+        let is_down = bell.ta < zero;
+        if !is_down {
             bell.td = (k - a2v1) / den;
-            if bell.td < zero {
-                if settled {
-                    return (up_only(bell, p, v0, v1), rounds);
-                }
-                true
-            } else if bell.ta >= tj2 && bell.td >= tj2 {
-                if settled {
-                    bell.am = am;
-                    bell.dm = -am;
-                    bell.vm = v0 + bell.am * (bell.ta - tj);
-                    return (true, rounds);
-                }
-                true
-            } else {
-                false
-            }
-        };
+        }
+        let is_up = !is_down && bell.td < zero;
+        let fits = !is_down && !is_up && bell.ta >= tj2 && bell.td >= tj2;
+        if settled && is_down {
+            return (down_only(bell, p, v0, v1), rounds);
+        } else if settled && is_up {
+            return (up_only(bell, p, v0, v1), rounds);
+        } else if settled && fits {
+            (bell.am, bell.dm) = (am, -am);
+            bell.vm = v0 + bell.am * (bell.ta - tj);
+            return (true, rounds);
+        }
         step = step * R::of(0.5);
-        am = if raise { am + step } else { am - step };
+        am = if is_down || is_up || fits { am + step } else { am - step };
         let go_on = step > R::MACHINE_EPSILON;
         if !go_on {
             return (false, rounds);
@@ -147,38 +121,27 @@ fn search<R: Real>(bell: &mut Bell<R>, mut am: R, p: R, v0: R, v1: R) -> (bool, 
     }
 }
 
+/// The one ramp of a move that only brakes or only accelerates, by `rise` over the displacement `p`: the time of its jerk, if there is one.
+fn jerk_of_one_ramp<R: Real>(jm: R, p: R, s: R, rise: R) -> Option<R> {
+    let m = jm * p;
+    let w = jm * (m * p + (rise * s) * s);
+    if w < R::ZERO { None } else { Some((m - w.square_root()) / (jm * s)) }
+}
+
 fn down_only<R: Real>(bell: &mut Bell<R>, p: R, v0: R, v1: R) -> bool {
-    let zero = R::of(0.0);
     let s = v0 + v1;
-    bell.ta = zero;
-    bell.taj = zero;
-    bell.td = (R::of(2.0) * p) / s;
-    let m = bell.jm * p;
-    let w = bell.jm * (m * p + ((v1 - v0) * s) * s);
-    if w < zero {
-        return false;
-    }
-    bell.tdj = (m - w.square_root()) / (bell.jm * s);
-    bell.am = zero;
-    bell.dm = (-bell.jm) * bell.tdj;
+    (bell.ta, bell.taj, bell.td) = (R::ZERO, R::ZERO, (R::of(2.0) * p) / s);
+    let Some(tdj) = jerk_of_one_ramp(bell.jm, p, s, v1 - v0) else { return false };
+    (bell.tdj, bell.am, bell.dm) = (tdj, R::ZERO, (-bell.jm) * tdj);
     bell.vm = v0;
     true
 }
 
 fn up_only<R: Real>(bell: &mut Bell<R>, p: R, v0: R, v1: R) -> bool {
-    let zero = R::of(0.0);
     let s = v0 + v1;
-    bell.td = zero;
-    bell.tdj = zero;
-    bell.ta = (R::of(2.0) * p) / s;
-    let m = bell.jm * p;
-    let w = bell.jm * (m * p + ((v0 - v1) * s) * s);
-    if w < zero {
-        return false;
-    }
-    bell.taj = (m - w.square_root()) / (bell.jm * s);
-    bell.am = bell.jm * bell.taj;
-    bell.dm = zero;
+    (bell.td, bell.tdj, bell.ta) = (R::ZERO, R::ZERO, (R::of(2.0) * p) / s);
+    let Some(taj) = jerk_of_one_ramp(bell.jm, p, s, v0 - v1) else { return false };
+    (bell.taj, bell.am, bell.dm) = (taj, bell.jm * taj, R::ZERO);
     bell.vm = v0 + bell.am * (bell.ta - bell.taj);
     true
 }

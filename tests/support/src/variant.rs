@@ -71,12 +71,16 @@ impl Variant {
     }
 
     pub fn symbols(&self) -> Vec<String> {
-        let compact = self.choices.contains(&"POLY=compact");
-        let file = if compact { "tests/symbols-compact.txt" } else { "tests/symbols.txt" };
-        let mut choices = self.choices.iter();
-        let prefix = choices.find_map(|choice| choice.strip_prefix("SYMBOL_PREFIX="));
-        let prefix = prefix.unwrap_or_default();
-        read(file).lines().map(|name| format!("{prefix}{name}")).collect()
+        let prefix = self.choices.iter().find_map(|choice| choice.strip_prefix("SYMBOL_PREFIX=")).unwrap_or_default();
+        // In place of `gen0` to `gen3`, a compact polynomial has its coefficients: `c0` to `c3`.
+        let part = if self.choices.contains(&"POLY=compact") { "_c" } else { "_gen" };
+        let name = |line: &str| match line.split_once("_gen") {
+            Some((family, order)) if !order.is_empty() => format!("{prefix}{family}{part}{order}"),
+            _ => format!("{prefix}{line}"),
+        };
+        let mut names: Vec<_> = read("tests/symbols.txt").lines().map(name).collect();
+        names.sort();
+        names
     }
 }
 

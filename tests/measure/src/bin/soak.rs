@@ -16,7 +16,6 @@ use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
 use oracle::liba::abi::Original;
 use oracle::liba::comparison::Report;
 use oracle::liba::volume::run_seed;
-use std::fmt::{Display, Formatter, Result as Written};
 use std::fs;
 use std::marker::PhantomData;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -42,16 +41,17 @@ fn main() -> ExitCode {
         eprint!("{row}");
     }
     for (name, soak) in ["double", "float"].iter().zip(&soaks) {
-        println!("{name}: {what} of seeds {first}..{}\n{soak}", first + seeds);
+        println!("{name}: {what} of seeds {first}..{}\n{}", first + seeds, soak.show());
     }
     let is_clean = soaks.iter().map(|soak| soak.found()).all(|[count, faults]| count > 0 && faults == 0);
     ExitCode::from(u8::from(!is_clean))
 }
 
 /// One kind of cases in one real type, and what was found in them.
-trait Soak: Display {
+trait Soak {
     fn run(&mut self, seed: u64); // adds the cases of a seed
     fn found(&self) -> [u64; 2]; // the cases so far, and those that are wrong
+    fn show(&self) -> String;
 }
 
 fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
@@ -80,13 +80,9 @@ impl<R: Original> Soak for Calls<R> {
     fn found(&self) -> [u64; 2] {
         [self.report.calls, self.report.differing]
     }
-}
 
-impl<R> Display for Calls<R> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        writeln!(f, "{}", self.report)?;
-        let mut examples = self.report.examples.iter().take(10);
-        examples.try_for_each(|example| writeln!(f, "{example}"))
+    fn show(&self) -> String {
+        format!("{}\n{}", self.report, self.report.examples[..self.report.examples.len().min(10)].join("\n"))
     }
 }
 
@@ -104,11 +100,9 @@ impl Soak for Judged {
         let total = self.tallies.total();
         [total.problems, total.bad()]
     }
-}
 
-impl Display for Judged {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        self.tallies.fmt(f)
+    fn show(&self) -> String {
+        self.tallies.to_string()
     }
 }
 
@@ -129,12 +123,9 @@ impl Soak for Cases {
     fn found(&self) -> [u64; 2] {
         [self.cases, self.bad.len() as u64]
     }
-}
 
-impl Display for Cases {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        writeln!(f, "{} of {} are bad", self.bad.len(), self.cases)?;
-        self.bad.iter().try_for_each(|bad| writeln!(f, "{bad}"))
+    fn show(&self) -> String {
+        format!("{} of {} are bad\n{}", self.bad.len(), self.cases, self.bad.join("\n"))
     }
 }
 

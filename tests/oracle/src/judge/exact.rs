@@ -47,11 +47,6 @@ impl Misses {
         [self.start, self.border, self.end, self.limits, self.turns]
     }
 
-    /// Whether one of them is more than the documented 64 roundings, or 128 where the axis turns.
-    pub fn are_too_many(&self) -> bool {
-        self.jump() > 64.0 || self.limits > 64.0 || self.turns > 130.0
-    }
-
     /// The largest of the first three, which ask nothing of the findings.
     pub fn jump(&self) -> f64 {
         self.start.max(self.border).max(self.end)
@@ -355,9 +350,10 @@ impl Row {
         self.most = self.most.most(Misses::of(problem, plan, &Scale::default()));
     }
 
-    /// Whether no motion misses more than it may, and all that have to be are extremal.
+    /// Whether no motion misses more than the documented 64 roundings, or 128 where it turns, and all that have to be are extremal.
     pub fn is_clean(&self) -> bool {
-        self.motions > 0 && !self.most.are_too_many() && self.extremal == self.asked
+        let misses = self.most.jump() > 64.0 || self.most.limits > 64.0 || self.most.turns > 130.0;
+        self.motions > 0 && !misses && self.extremal == self.asked
     }
 }
 

@@ -151,14 +151,6 @@ impl<R: Real> Trial<'_, '_, R> {
         self.now.iter().all(|now| now.velocity.widen() == 0.0 && now.acceleration.widen() == 0.0)
     }
 
-    /// A motion of the program may last as long as an axis takes to this target.
-    fn may_go_to(&mut self, to: &[State<R>]) {
-        for ((now, to), limits) in self.now.iter().zip(to).zip(self.limits) {
-            let alone = online::plan(limits, *now, *to);
-            self.longest = self.longest.max(alone.t.widen());
-        }
-    }
-
     /// Ticks until the plan takes over, which it does in its own tick.
     fn take_over(&mut self, lead: u32) {
         for tick in 1..=lead {
@@ -168,10 +160,7 @@ impl<R: Real> Trial<'_, '_, R> {
 
     /// Ticks until the axes stand, which takes at most twice as long as the stop of the slowest axis.
     fn stops_in_time(&mut self) {
-        let stop = |(now, limits): (&State<R>, &Limits<R>)| {
-            let stop = online::stop(limits, *now);
-            stop.t.widen()
-        };
+        let stop = |(now, limits): (&State<R>, &Limits<R>)| online::stop(limits, *now).t.widen();
         let slowest = self.now.iter().zip(self.limits).map(stop).fold(0.0, f64::max);
         let most = 2.0 * slowest / self.period.widen();
         let ticks = (0..).take_while(|_| !self.has_ended && !self.tick().ends).count();
@@ -282,7 +271,10 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
             to.position = R::of(to.position.widen().clamp(lowest.widen(), highest.widen()));
         }
         let targets: Vec<_> = to.iter().map(|to| online::plan(&limits[0], *to, *to)).collect();
-        trial.may_go_to(&to);
+        // A motion of the program may last as long as an axis takes to its target.
+        for ((now, to), limits) in trial.now.iter().zip(&to).zip(&limits) {
+            trial.longest = trial.longest.max(online::plan(limits, *now, *to).t.widen());
+        }
         assert_eq!(trial.planner.sync(within, &to, 0), Err(Error::Late));
         let call = random.below(7);
         let next = match call {

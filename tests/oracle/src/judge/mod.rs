@@ -4,22 +4,6 @@
 //! [`problems`] makes adversarial problems, [`planner`] has the planners under test, [`solver`] knows the fastest motion, [`trial`] says what
 //! is wrong with a plan, [`tally`] counts, and [`faults`] show that the judge sees a fault.
 
-/// An enumeration that lists its values.
-macro_rules! listed {
-    ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident,)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum $name {
-            $($(#[$of])* $value,)*
-        }
-
-        impl $name {
-            /// Every value.
-            pub const ALL: [Self; [$(stringify!($value)),*].len()] = [$(Self::$value),*];
-        }
-    };
-}
-
 pub mod axes;
 pub mod exact;
 pub mod faults;

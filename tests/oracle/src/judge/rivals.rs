@@ -7,7 +7,6 @@ use crate::liba::abi::Original;
 use atraj::State;
 use atraj::online::Limits;
 use rsruckig::prelude::*;
-use std::fmt::{Display, Formatter, Result as Written};
 use support::Real;
 
 const ACCURACY: f64 = 1e-8; // how far off its target a motion of rsruckig may end
@@ -89,8 +88,6 @@ pub struct Theirs {
 }
 
 impl Theirs {
-    pub const HEADING: &str = "rsruckig:  asked refused  longer shorter";
-
     pub fn ask<R: Original>(&mut self, problem: &Problem<R>, trial: &Trial<R>) {
         if !fits_ruckig(&[*problem]) {
             return;
@@ -100,19 +97,12 @@ impl Theirs {
             self.refused += 1;
             return;
         };
-        let inside = trial.best().inside == 0.0;
-        let least = trial.best().duration;
+        let inside = trial.best.inside == 0.0;
+        let least = trial.best.duration;
         if duration > least * (1.0 + tolerance::<R>()) {
             self.longer += 1;
         } else if inside && duration < least * (1.0 - tolerance::<R>()) {
             self.shorter += u64::from(matches!(trial.duration_near(duration, ACCURACY), Verdict::Shorter(_)));
         }
-    }
-}
-
-impl Display for Theirs {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
-        let Self { asked, refused, longer, shorter } = self;
-        write!(f, "{asked:>16} {refused:>7} {longer:>7} {shorter:>7}")
     }
 }

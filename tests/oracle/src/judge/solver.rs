@@ -110,16 +110,14 @@ impl Motion {
         let comes_inside = v0 > vmax || v0 < vmin; // a start beyond a velocity recovers with an acceleration
         let is_accelerated = a0 != 0.0 || self.target[2] != 0.0 || comes_inside;
         let grid = if is_accelerated { grid } else { Grid::SPARSE };
-        let Self { limits, start, target, frame } = self;
-        solver_fastest(limits, start, target, &offset, *frame, &grid, &mut best);
+        solver_fastest(&self.limits, &self.start, &self.target, &offset, self.frame, &grid, &mut best);
         best
     }
 
     /// How much further the target is than the displacements of this duration: 0 if it is among them, infinite if the end cannot be reached
     /// in this duration. The target is so much further and so much faster, and the start is so much faster.
     pub fn lacks(&self, duration: f64, offset: [f64; 3]) -> f64 {
-        let Self { limits, start, target, .. } = self;
-        solver_possible(limits, start, target, &offset, duration)
+        solver_possible(&self.limits, &self.start, &self.target, &offset, duration)
     }
 
     pub fn possible(&self, duration: f64) -> bool {
@@ -129,8 +127,8 @@ impl Motion {
     /// The lowest and the highest displacement of this duration, if the end can be reached in it.
     pub fn interval(&self, duration: f64) -> Option<[f64; 2]> {
         let mut interval = [0.0; 2];
-        let Self { limits, start, target, .. } = self;
-        (solver_interval(limits, start, target, duration, &mut interval) != 0).then_some(interval)
+        let exists = solver_interval(&self.limits, &self.start, &self.target, duration, &mut interval);
+        (exists != 0).then_some(interval)
     }
 
     /// The shape of the upper or the lower border at this duration, with the derivatives of its distance from the start: by velocity and acceleration
@@ -144,8 +142,7 @@ impl Motion {
 
     pub fn knees(&self, lower: bool) -> Vec<f64> {
         let mut knees = [0.0; 8];
-        let Self { limits, start, target, .. } = self;
-        let count = solver_knees(limits, start, target, lower.into(), &mut knees);
+        let count = solver_knees(&self.limits, &self.start, &self.target, lower.into(), &mut knees);
         knees[..count as usize].to_vec()
     }
 }

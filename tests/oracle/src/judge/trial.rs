@@ -116,27 +116,15 @@ impl Scale {
 }
 
 pub struct Trial<R> {
-    problem: Problem<R>,
-    motion: Motion,
-    best: Best,
+    pub problem: Problem<R>,
+    pub motion: Motion,
+    pub best: Best, // its fastest motion
 }
 
 impl<R: Original> Trial<R> {
     pub fn new(problem: Problem<R>) -> Self {
         let motion = Motion::of(&problem);
         Self { problem, best: motion.best(), motion }
-    }
-
-    pub fn best(&self) -> Best {
-        self.best
-    }
-
-    pub fn problem(&self) -> &Problem<R> {
-        &self.problem
-    }
-
-    pub fn motion(&self) -> Motion {
-        self.motion
     }
 
     fn has_position(&self) -> bool {

@@ -3,16 +3,13 @@
 use support::profiles::{bell, bell_fields, trap};
 use support::{Family, Implementation, Ours, Real};
 
-#[derive(Clone, Copy, Debug)]
-pub enum Fault {
-    OperandOrder,     // the bell's duration adds its operands in another order: `ta + (tv + td)`
-    ProductWithSixth, // the bell's position multiplies by 1/6 instead of dividing by 6, in the first phase alone
-    FusedMultiplyAdd, // a cubic's position multiplies and adds in one rounding
-    LessOrEqual,      // the trapezoid's acceleration phase ends with `x <= ta` instead of `x < ta`
-}
-
-impl Fault {
-    pub const ALL: [Self; 4] = [Self::OperandOrder, Self::ProductWithSixth, Self::FusedMultiplyAdd, Self::LessOrEqual];
+listed! {
+    pub enum Fault {
+        OperandOrder, // the bell's duration adds its operands in another order: `ta + (tv + td)`
+        ProductWithSixth, // the bell's position multiplies by 1/6 instead of dividing by 6, in the first phase alone
+        FusedMultiplyAdd, // a cubic's position multiplies and adds in one rounding
+        LessOrEqual, // the trapezoid's acceleration phase ends with `x <= ta` instead of `x < ta`
+    }
 }
 
 impl<R: Real> Implementation<R> for Fault {

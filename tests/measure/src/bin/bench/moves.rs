@@ -71,7 +71,7 @@ pub fn rows() -> Vec<Row> {
 fn alone() -> Vec<Row> {
     const FAR: a_float = a_float::INFINITY;
     let mut random = Random::seeded(4);
-    let [_, _, _, (name, case), ..] = cases();
+    let [_, _, _, (name, case), ..] = CASES;
     let one = case.problems::<1>(WARM / 4, &mut random);
     let three = case.problems::<3>(WARM / 4, &mut random);
     let start = atraj_state { p: 0.0, v: 0.0, a: 0.0 };
@@ -118,37 +118,31 @@ struct Problem<const N: usize> {
     to: [atraj_state; N],
 }
 
-#[derive(Clone, Copy, Default)]
-struct Case {
-    moving: bool,
-    accelerated_start: bool,
-    accelerated_target: bool,
-    asymmetric: bool,
-    outside: bool,
+/// Each case has what the one before has, but the last has symmetric limits.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Case {
+    AtRest,
+    Moving,
+    AcceleratedStart,
+    AcceleratedTarget,
+    Asymmetric,
+    Outside,
 }
 
-/// Each case has what the one before has, but the last has symmetric limits.
-fn cases() -> [(&'static str, Case); 6] {
-    let mut case = Case::default();
-    let mut with = |name, change: fn(&mut Case)| {
-        change(&mut case);
-        (name, case)
-    };
-    [
-        with("at rest", |_| ()),
-        with("moving", |case| case.moving = true),
-        with("accelerated start", |case| case.accelerated_start = true),
-        with("accelerated start and target", |case| case.accelerated_target = true),
-        with("asymmetric", |case| case.asymmetric = true),
-        with("outside", |case| (case.asymmetric, case.outside) = (false, true)),
-    ]
-}
+const CASES: [(&str, Case); 6] = [
+    ("at rest", Case::AtRest),
+    ("moving", Case::Moving),
+    ("accelerated start", Case::AcceleratedStart),
+    ("accelerated start and target", Case::AcceleratedTarget),
+    ("asymmetric", Case::Asymmetric),
+    ("outside", Case::Outside),
+];
 
 impl Case {
     fn axis(self, random: &mut Random) -> (atraj_limits, atraj_state, atraj_state) {
         let [jm, am, vm] = [(10.0, 50.0), (4.0, 12.0), (2.0, 6.0)].map(|(lo, hi)| random.between(lo, hi));
         let mut part = || {
-            if self.asymmetric { random.between(0.3, 1.0) } else { 1.0 }
+            if self == Self::Asymmetric { random.between(0.3, 1.0) } else { 1.0 }
         };
         let (amin, vmin) = (-am * part(), -vm * part());
         let mut state = |accelerated: bool, factor: f64| {
@@ -157,7 +151,7 @@ impl Case {
                 let most = am.min(-amin).min((jm * vm.min(-vmin)).sqrt());
                 a = random.between(-0.9, 0.9) * most;
             }
-            if self.moving {
+            if self >= Self::Moving {
                 // So the velocity stays inside while the acceleration comes from 0 or goes back to 0.
                 let room = 1.001 * a * a / (2.0 * jm);
                 v = random.between(vmin + room, vm - room);
@@ -168,8 +162,8 @@ impl Case {
                 a: (factor * a) as a_float,
             }
         };
-        let from = state(self.accelerated_start, if self.outside { 1.7 } else { 1.0 });
-        let mut to = state(self.accelerated_target, 1.0);
+        let from = state(self >= Self::AcceleratedStart, if self == Self::Outside { 1.7 } else { 1.0 });
+        let mut to = state(self >= Self::AcceleratedTarget, 1.0);
         to.p = from.p + (random.sign() * random.between(0.1, 15.0)) as a_float;
         let [vmax, vmin, amax, amin, jmax, jmin] = [vm, vmin, am, amin, jm, -jm].map(|limit| limit as a_float);
         (atraj_limits { vmax, vmin, amax, amin, jmax, jmin }, from, to)
@@ -197,12 +191,12 @@ fn races() -> Vec<Race> {
         // SAFETY: all pointers point to their structs.
         race("atraj_move_plan", name.into(), problems, move |ctx, l, from, to| unsafe { plan(ctx, l, from, to) })
     };
-    cases().map(race).into()
+    CASES.map(race).into()
 }
 
 fn together() -> Vec<Race> {
     let mut random = Random::seeded(3);
-    let [rest, _, _, accelerated, ..] = cases();
+    let [rest, _, _, accelerated, ..] = CASES;
     let mut of = |case| [sync::<3>(case, &mut random), sync::<6>(case, &mut random), sync::<12>(case, &mut random)];
     [rest, accelerated].into_iter().flat_map(&mut of).collect()
 }

@@ -66,7 +66,7 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
     let (shares, lead) = shares(set);
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
     let of_lead = Trial::new(lead_of(set, &shares, lead));
-    let shift = time_shift(of_lead.problem(), &axes[lead]);
+    let shift = time_shift(&of_lead.problem, &axes[lead]);
     let scale = scale_of_a_shift(&of_lead, &axes[lead], shift);
     let timing = Timing { axes: &[of_lead], shifts: &[shift], planned: &axes[lead..=lead], duration, cycle };
     match check_motions(set, &scale, (&shares, lead), &axes, random) {

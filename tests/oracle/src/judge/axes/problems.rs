@@ -1,6 +1,6 @@
 //! Random sets of axes, in families. The same seed gives the same sets.
 
-use crate::judge::problem::{Problem, Request};
+use crate::judge::problem::Problem;
 use crate::judge::problems::{Kind, Problems};
 use atraj::online::{Limits, State};
 use support::online::tried;
@@ -82,7 +82,8 @@ impl<R: Real> Sets<R> {
     fn set(&mut self, family: Family) -> Set<R> {
         let count = 1 + self.random.below(MOST_AXES);
         let axes = if self.straight { self.line(family, count) } else { self.independent(family, count) };
-        let fastest = axes.iter().map(fastest_duration).fold(0.0, f64::max);
+        let plans = axes.iter().filter_map(|axis| tried(&axis.limits, axis.from, axis.to).ok());
+        let fastest = plans.map(|(planned, _)| planned.t.widen()).fold(0.0, f64::max);
         let random = &mut self.random;
         let duration = if random.one_in(2) { 0.0 } else { fastest * random.magnitude(-0.5, 1.0) };
         let cycle = if random.one_in(2) {
@@ -157,11 +158,6 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
     let [amax, amin] = pair(limits.amax, limits.amin);
     let [jmax, jmin] = pair(limits.jmax, limits.jmin);
     Limits { vmax, vmin, amax, amin, jmax, jmin }
-}
-
-fn fastest_duration<R: Real>(axis: &Problem<R>) -> f64 {
-    debug_assert_eq!(axis.request, Request::Plan);
-    tried(&axis.limits, axis.from, axis.to).map_or(0.0, |(planned, _)| planned.t.widen())
 }
 
 impl<R: Real> Iterator for Sets<R> {

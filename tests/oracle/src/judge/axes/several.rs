@@ -43,7 +43,7 @@ pub fn wrong(axis: usize, what: &'static str) -> Check<Bad> {
 /// Just before its end, an axis still has the roundings of the phases that it has passed: it may be off its way by what it travels while
 /// an acceleration is eased.
 pub fn scale_of_short_ramps<R: Original>(axis: &Trial<R>, duration: f64) -> Scale {
-    let motion = axis.motion();
+    let motion = axis.motion;
     let [_, _, amax, amin, jmax, jmin] = motion.limits;
     let speed = f64::max(motion.start[1].abs(), motion.target[1].abs());
     let pace = 0.5 * (1.0 / jmax - 1.0 / jmin);
@@ -66,8 +66,8 @@ pub fn scale_of_a_shift<R: Original>(planned: &Trial<R>, axis: &Move<R>, shift: 
     if shift == 0.0 {
         return more;
     }
-    let [.., jmax, jmin] = planned.motion().limits;
-    let own = Scale::of(planned.problem(), &plan_of(axis));
+    let [.., jmax, jmin] = planned.motion.limits;
+    let own = Scale::of(&planned.problem, &plan_of(axis));
     let of_end = more.and(&own).times(8.0);
     of_end.and(&Scale {
         velocity: of_end.velocity,
@@ -135,7 +135,7 @@ impl<R: Original> Timing<'_, R> {
     }
 
     fn least(&self) -> f64 {
-        self.axes.iter().map(|axis| axis.best().duration).fold(self.duration, f64::max)
+        self.axes.iter().map(|axis| axis.best.duration).fold(self.duration, f64::max)
     }
 
     fn earlier(&self, t: f64, other: impl Fn() -> Option<f64>) -> Option<f64> {
@@ -145,7 +145,7 @@ impl<R: Original> Timing<'_, R> {
         let mut tried = self.candidates(least, t, other);
         tried.retain(is_earlier);
         // Without the neighbours of the ends, the question is cheap.
-        let all_may_arrive = |x: &f64| self.axes.iter().all(|axis| axis.motion().possible(*x));
+        let all_may_arrive = |x: &f64| self.axes.iter().all(|axis| axis.motion.possible(*x));
         let all_arrive = |x: &f64| self.axes.iter().all(|axis| axis.is_surely_possible(*x));
         tried.into_iter().filter(all_may_arrive).find(all_arrive)
     }
@@ -157,8 +157,7 @@ impl<R: Original> Timing<'_, R> {
             return Vec::new();
         }
         let even = (0..TRIED).map(|k| least + (t - least) * f64::from(k) / f64::from(TRIED));
-        let bests = self.axes.iter().map(Trial::best);
-        let borders = bests.flat_map(|best| [best.duration, best.gap_begins, best.gap_ends]);
+        let borders = self.axes.iter().flat_map(|axis| [axis.best.duration, axis.best.gap_begins, axis.best.gap_ends]);
         let others = other().into_iter().filter(|other| *other < t * (1.0 - 1e-7));
         let exact = even.chain(borders).chain(others).filter(|x| x.is_finite());
         if self.cycle > 0.0 {
