@@ -289,10 +289,12 @@ check:
 # Their own calls of make are not parts of this one.
 check-programs check-motions: export MAKEFLAGS =
 
+# `--tests` leaves out the examples, which `make examples` compiles and runs.
 PROGRAMS_LOG := target/check-programs.log
 check-programs:
 	mkdir -p target
-	{ $(CARGO) test --locked --tests -p atraj -p house && $(CARGO) test --locked --doc && $(CARGO) test $(ORACLE) $(addprefix --test ,$(APART)) -- --nocapture; } \
+	{ $(CARGO) test --locked --tests -p atraj -p house && $(CARGO) test --locked --doc && \
+	    $(CARGO) test $(ORACLE) $(addprefix --test ,$(APART)) -- --nocapture; } \
 	    > $(PROGRAMS_LOG) 2>&1; answer=$$?; cat $(PROGRAMS_LOG); exit $$answer
 
 # The default build runs every test of the oracle, each other build the tests of its C functions.
