@@ -860,6 +860,21 @@ fn the_last_ticks_are_short_whatever_is_infinite() {
     assert!(axes.iter().all(|axis| axis.t == 2e-3), "{axes:?}");
 }
 
+/// Two ticks are left, and 865 were planned: the third axis takes 2.00005 ticks. If its start is faster by a rounding, the acceleration changes straight
+/// to its target, in less than two ticks. How much faster it has to be for two ticks exactly is lost in the roundings.
+#[test]
+#[rustfmt::skip]
+fn a_straight_change_is_shorter_than_the_tick() {
+    let symmetric = |v: f64, a: f64, j: f64| [v, -v, a, -a, j, -j];
+    let axes = together::<f32>(&[
+        (symmetric(0.6685939, 5.6867056, 5.724689), [-1.1584284, -0.5401262, 0.022898734], [-1.1605889, -0.54008037, 0.0]),
+        (symmetric(0.5619418, 9.122004, 27.96919), [0.46062034, -0.12343438, 0.11187676], [0.4601272, -0.12321063, 0.0]),
+        (symmetric(0.85439193, 4.3778744, 10.458309), [-0.39191088, -0.38101068, -0.041616257], [-0.39343518, -0.38109347, 0.0]),
+    ], 0.0, 2e-3).expect("a plan");
+    assert!(axes[0].t < 5e-3, "{} s", axes[0].t);
+    axes.iter().for_each(assert_no_jump);
+}
+
 /// A path goes on in a new one from the state under way. At some ticks this was refused: where a phase begins, the jerk tells how uncertain the
 /// acceleration is.
 #[test]

@@ -169,6 +169,12 @@ impl<R: Real> Border<R> {
         fitted.filter(|_| shorter < R::ZERO).map_or(R::ZERO, |fitted| -fitted.faster.negate_if(mirrored))
     }
 
+    /// How much faster the start is to be for a straight change of the acceleration; 0 if that is more than rounding.
+    pub fn faster_for_straight(&self) -> R {
+        let beyond = self.beyond_straight();
+        if self.is_real(beyond) { R::ZERO } else { beyond }
+    }
+
     /// The change of velocity after the gap: it turns against both accelerations.
     pub fn after_gap(&self) -> Ramp<R> {
         self.ramp(self.beyond_straight(), self.a0 >= R::ZERO)

@@ -87,7 +87,8 @@ pub(super) fn takes<R: Real>(axis: &Move<R>, problem: &Problem<R>, t: R) -> bool
 fn neighbour<R: Real>(problem: &Problem<R>, t: R) -> Option<Problem<R>> {
     let rounding = problem.border.rounding_of_velocity();
     let fitting = problem.border.faster_for(problem.after_recovery(t));
-    let neighbours = [fitting, R::ZERO, rounding, -rounding].map(|change| problem.starting_faster(change));
+    let straight = problem.border.faster_for_straight();
+    let neighbours = [fitting, straight, R::ZERO, rounding, -rounding].map(|change| problem.starting_faster(change));
     neighbours.into_iter().find(|problem| problem.takes(t))
 }
 
