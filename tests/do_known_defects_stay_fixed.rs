@@ -875,6 +875,24 @@ fn a_straight_change_is_shorter_than_the_tick() {
     axes.iter().for_each(assert_no_jump);
 }
 
+/// The velocity is so high that its roundings hide every change of it, and an acceleration was held for less than no time. The phases lasted for 0.196 ms,
+/// and the move for 0.141 ms.
+#[test]
+#[rustfmt::skip]
+fn no_acceleration_holds_for_less_than_no_time() {
+    let rows = [
+        (([28.467627, -247.35695, 0.051170237, -0.0051244115, 250.26167, -250.26167],
+          [-0.001519873, -123.67618, 0.04695265], [-0.018953592, -123.67617, 0.04387715]), 0.00012443958, 1.8354264e-7),
+        (([83.862724, -83.862724, 0.05427561, -0.056258854, 579.8261, -579.8261],
+          [7.1748204, 53.143856, -0.04794197], [7.176575, 53.143856, -0.028795829]), 0.0, 1.22015e-7),
+    ];
+    for (row, duration, cycle) in rows {
+        let planned = at_a_tick::<f32>(row, duration, cycle);
+        let found = planned.check(&limits(row.0)).expect("limits");
+        assert!(!found.contains(Findings::JUMPS), "{planned:?}");
+    }
+}
+
 /// A path goes on in a new one from the state under way. At some ticks this was refused: where a phase begins, the jerk tells how uncertain the
 /// acceleration is.
 #[test]

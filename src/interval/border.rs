@@ -339,7 +339,7 @@ impl<R: Real> Border<R> {
     }
 
     /// The motion of the duration `t` in which the highest acceleration holds and the lowest one does not. `None` if the velocity at the end
-    /// cannot be reached in this duration.
+    /// cannot be reached in this duration, or if the ramps to the highest acceleration and from it take longer.
     fn top_alone(&self, t: R) -> Option<Profile<R>> {
         let Self { a0, a1, dv, .. } = *self;
         let PerJerk { gu, gd } = self.per_jerk;
@@ -349,11 +349,12 @@ impl<R: Real> Border<R> {
         // The change of velocity that is too much, if the acceleration fell to the end and no rise followed.
         let beyond = held - dv - R::HALF * (gu * first * first + gd * least * least);
         let rounding = self.rounding_of_area() + of_formula(held);
-        (beyond >= -rounding).then(|| {
-            // A rise below 0 by rounding does not exist. Else the hold would have to leave its acceleration.
-            let last = larger_root(least, -(beyond.at_least(R::ZERO) / q));
-            let top = (t - gu * (first + last) - gd * (least + last)).at_least(R::ZERO);
-            Profile { first, peak: bu, top, fall: least + last, trough: a1 - last, last, ..Profile::default() }
+        // A rise below 0 by rounding does not exist. Else the hold would have to leave its acceleration.
+        let last = larger_root(least, -(beyond.at_least(R::ZERO) / q));
+        let top = t - gu * (first + last) - gd * (least + last);
+        (beyond >= -rounding && top >= -of_formula(t)).then(|| {
+            let (top, trough) = (top.at_least(R::ZERO), a1 - last);
+            Profile { first, peak: bu, top, fall: least + last, trough, last, ..Profile::default() }
         })
     }
 
