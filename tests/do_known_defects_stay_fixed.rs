@@ -4,7 +4,7 @@ use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchr
 use atraj::machine::{Clock, Group, GroupTicker, Step, StepStream, Steps};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
-use support::online::state_of as state;
+use support::online::{numbers_of_state, state_of as state};
 use support::repository::read;
 use support::{Random, Real, online, test_both_reals};
 
@@ -890,6 +890,30 @@ fn no_acceleration_holds_for_less_than_no_time() {
         let planned = at_a_tick::<f32>(row, duration, cycle);
         let found = planned.check(&limits(row.0)).expect("limits");
         assert!(!found.contains(Findings::JUMPS), "{planned:?}");
+    }
+}
+
+/// At every tick the loop waited for the axis whose roundings were the slowest. They added up, until the second axis could not wait any more: in tick 799
+/// it turned, and came again.
+#[test]
+#[rustfmt::skip]
+fn a_loop_adds_up_no_roundings() {
+    let symmetric = |v: f64, a: f64, j: f64| [v, -v, a, -a, j, -j];
+    let mut rows = [
+        (symmetric(2.90852802800715, 7.167180301975751, 18.961532480054974),
+         [0.5426188601643278, -1.6131255864063985, 3.234223690224958], [-0.5218026475207489, 0.0, 0.0]),
+        (symmetric(0.5888979299006788, 6.800560029810736, 35.19219569322075),
+         [-0.3409468482294602, 0.0, 0.0], [0.0, 0.21266568778096784, 4.935773375957989]),
+    ];
+    let mut axes = together::<f64>(&rows, 0.0, 0.0).expect("a plan");
+    let (first, period) = (axes[0].t, 1e-3);
+    for tick in 1..1000 {
+        for (row, axis) in rows.iter_mut().zip(&axes) {
+            row.1 = numbers_of_state(axis.state_at(period));
+        }
+        axes = together(&rows, 0.0, 0.0).expect("a plan");
+        let arrival = f64::from(tick) * period + axes[0].t;
+        assert!((arrival - first).abs() < period, "{tick}: {arrival} s");
     }
 }
 

@@ -35,17 +35,15 @@ impl<R: Real> Cycle<R> {
         if t.is_finite() { Ok(t) } else { Err(Error::NotFinite) }
     }
 
-    /// The shortest duration that all axes can take up to rounding, if it is much below the possible duration `t`: one of their own
-    /// `durations`, or its nearest tick. Near its end each axis has a duration with rounding errors of its own, and the next possible one may
-    /// be far away.
+    /// The shortest duration that all axes can take up to rounding: the possible duration `t`, one of their own `durations`, or its nearest tick.
+    /// Near its end each axis has a duration with rounding errors of its own, and the next possible one may be far away. A loop that always
+    /// waited for the slowest axis would add up these errors, until another axis cannot wait any more.
     pub fn earlier(&self, t: R, slowest: R, durations: impl Iterator<Item = R>, all_take: impl Fn(R) -> bool) -> R {
         let mut shortest = t;
-        // A smaller gain does not pay for asking each axis.
-        if t <= slowest + R::EPSILON.sqrt() * slowest {
-            return t;
-        }
-        // More than a sixteenth is no rounding error.
-        let least = (slowest - R::SIXTEENTH * slowest).at_least(self.earliest - of_formula(self.earliest));
+        let few = R::EPSILON.sqrt();
+        // More than a sixteenth is no rounding error. If no time is to be gained, neither is more than what adds up.
+        let part = if t > slowest + few * slowest { R::SIXTEENTH } else { few };
+        let least = (slowest - part * slowest).at_least(self.from(self.earliest));
         for tick in durations.chain([slowest]).map(|duration| self.nearest(duration)) {
             if tick < shortest && tick >= least && all_take(tick) {
                 shortest = tick;
@@ -87,13 +85,14 @@ mod tests {
 
     const ANY_TIME: Cycle<f64> = Cycle { period: 0.0, earliest: 0.0 };
 
-    /// An axis is earlier by a sixteenth of its duration at most. A gap of the root of an ulp is none.
+    /// An axis is earlier by a sixteenth of its duration at most, or by the root of an ulp where no more time is lost.
     #[test]
     fn axes_arrive_earlier_by_a_rounding_error() {
-        let earlier = |t: f64, duration: f64| ANY_TIME.earlier(t, 1.0, [duration].into_iter(), |_| true);
-        assert_eq!([15.01, 14.99].map(|part| earlier(2.0, part / 16.0) == part / 16.0), [true, false]);
-        let is_gap = |t: f64| earlier(t, 1.0) < t;
-        assert_eq!([0.75, 1.5].map(|errors| is_gap(1.0 + errors * f64::exp2(-26.0))), [false, true]);
+        let is_earlier = |t: f64, to: f64| ANY_TIME.earlier(t, 1.0, [to].into_iter(), |_| true) == to;
+        assert_eq!([15.01, 14.99].map(|part| is_earlier(2.0, part / 16.0)), [true, false]);
+        let roots = |errors: f64| errors * f64::exp2(-26.0);
+        assert_eq!([0.75, 1.5].map(|errors| is_earlier(1.0, 1.0 - roots(errors))), [true, false]);
+        assert_eq!([0.75, 1.5].map(|errors| is_earlier(1.0 + roots(errors), 0.99)), [false, true]);
     }
 
     /// A tick is early by the rounding error of a formula, which is four ulps. A small part of a period may underflow to 0, and a period may be too
