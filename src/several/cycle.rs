@@ -43,9 +43,10 @@ impl<R: Real> Cycle<R> {
         let few = R::EPSILON.sqrt();
         // More than a sixteenth is no rounding error. If no time is to be gained, neither is more than what adds up.
         let part = if t > slowest + few * slowest { R::SIXTEENTH } else { few };
-        let least = (slowest - part * slowest).at_least(self.from(self.earliest));
-        for tick in durations.chain([slowest]).map(|duration| self.nearest(duration)) {
-            if tick < shortest && tick >= least && all_take(tick) {
+        let least = slowest - part * slowest;
+        let near = durations.chain([slowest]).filter(|duration| *duration >= least);
+        for tick in near.map(|duration| self.nearest(duration)) {
+            if tick < shortest && tick >= least && tick >= self.from(self.earliest) && all_take(tick) {
                 shortest = tick;
             }
         }
