@@ -286,19 +286,22 @@ impl<R: Real> Border<R> {
     #[inline]
     pub fn farthest_inside(&self, t: R) -> Option<Profile<R>> {
         let Self { a0, a1, .. } = *self;
-        let gu = self.per_jerk.gu;
-        let rises = t > gu * (a1 - a0);
-        let profile = rises.then(|| self.without_cruise(t))??;
-        let Profile { peak, trough, top, .. } = profile;
-        // Where the velocity is highest, its change is more than what is left up to `vmax`.
-        let above = self.above + R::HALF * gu * a0 * a0;
-        if peak > R::ZERO && trough < R::ZERO && peak * (self.per_jerk.q() * peak + top) > above {
+        if !self.is_too_short_to_cruise(t) {
             let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);
-            // By rounding the cruise may be below 0.
-            let rest = (t - cruise.duration(self.per_jerk)).at_least(R::ZERO);
-            return Some(Profile { cruise: rest, ..cruise });
+            let rest = t - cruise.duration(self.per_jerk);
+            if rest > R::ZERO {
+                return Some(Profile { cruise: rest, ..cruise });
+            }
         }
-        (peak >= a0 && trough <= a1).then_some(profile)
+        let rises = t > self.per_jerk.gu * (a1 - a0);
+        let profile = rises.then(|| self.without_cruise(t))??;
+        (profile.peak >= a0 && profile.trough <= a1).then_some(profile)
+    }
+
+    /// Whether the duration is too short to cruise even if both ramps were at the highest acceleration and deceleration all the time.
+    fn is_too_short_to_cruise(&self, t: R) -> bool {
+        let (bu, bd) = (self.limits.amax, -self.limits.amin);
+        t * (bu * bd) < self.above * bd + (self.above - self.dv) * bu
     }
 
     /// The motion of the duration `t` that covers the largest displacement, if the duration is too short to cruise.
