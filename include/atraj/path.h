@@ -22,7 +22,7 @@ extern "C" {
 
 /**
  * @brief How many numbers of working memory a path needs: `ATRAJ_PATH_SIZE` for an array.
- * @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 65,536
+ * @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 100, or `sections` is 0 or above 65,536
  */
 A_EXTERN size_t atraj_path_size(size_t axes, size_t sections);
 
@@ -145,7 +145,7 @@ A_EXTERN a_float atraj_path_deviation(const atraj_move *moves, size_t axes, size
 
 /**
  * @brief How many numbers of working memory `atraj_path_plan_near` needs: `ATRAJ_PATH_SIZE_NEAR` for an array.
- * @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 32,768
+ * @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 100, or `sections` is 0 or above 32,768
  */
 A_EXTERN size_t atraj_path_size_near(size_t axes, size_t sections);
 
@@ -252,9 +252,8 @@ int atraj_path_feed(atraj_limits *limits,
 #endif /* __cplusplus */
 
 /** How many numbers an array of working memory has: `atraj_path_size`. */
-#define ATRAJ_PATH_SIZE(axes, sections) ((sections) * ((axes) * (2 * (axes) + 36) + 14) + 2 * (axes) * ((axes) - 1) + 6)
+#define ATRAJ_PATH_SIZE(axes, sections) ((sections) * ((axes) * (4 * (axes) + 38) + 12) - 10 * (axes))
 /** The same for `atraj_path_plan_near`: `atraj_path_size_near`. */
-#define ATRAJ_PATH_SIZE_NEAR(axes, sections) \
-    ((sections) * ((axes) * (9 * (axes) + 117) / 2 + 20) + 9 * (axes) * ((axes) - 1) / 2 - (axes) + 12)
+#define ATRAJ_PATH_SIZE_NEAR(axes, sections) ((sections) * ((axes) * (9 * (axes) + 60) + 13) - 22 * (axes))
 
 #endif /* ATRAJ_PATH_H */

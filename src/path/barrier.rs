@@ -305,12 +305,11 @@ mod tests {
     /// The first and the second derivative along a step of six states and four durations, from gradient and Hessian.
     fn derivatives<const K: usize>(chain: &mut Chain<f64, K>, step: &[f64]) -> [f64; 2] {
         let (states, durations) = step.split_at(6 * K);
-        // Two axes: the groups of a waypoint, and then the duration of the section after it.
-        for (row, state) in states.chunks(K).enumerate() {
-            chain.memory.step.set(3 * (1 + row / 2) + row % 2, core::array::from_fn(|k| state[k]));
+        for (k, number) in states.iter().enumerate() {
+            chain.memory.step.put(chain.row(1 + k / (2 * K), 0) + k % (2 * K), *number);
         }
         for (section, duration) in durations.iter().enumerate() {
-            chain.memory.step.set(3 * section + 2, [*duration; K]);
+            chain.memory.step.put(chain.row(section, 2), *duration);
         }
         // The equations miss the gradient, and the Hessian times the step.
         let missed: f64 = errors(&chain.memory, chain, 0.0).zip(step).map(|(error, step)| error * step).sum();

@@ -1,7 +1,7 @@
 //! The curve of a row of points, a cubic spline by the length of its arcs, and the limits of a motion along it.
 //!
 //! Before the first step the curve stands in tables of the steps: the lengths in `gradient_t`, slopes and bends in `diagonal`, the measures of
-//! the axes in `product`, the highest speeds in `mixed`, and which share of them is taken in `of_durations`.
+//! the axes in `step`, the highest speeds in `mixed`, and which share of them is taken in `of_durations`.
 
 use core::ops::Range;
 
@@ -34,13 +34,13 @@ impl<R: Real> Chain<'_, '_, R> {
         for axis in 0..self.axes {
             let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
             let least = limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)));
-            self.memory.product.set(axis, [least, R::ZERO]);
+            self.memory.step.put(axis, least);
         }
     }
 
     /// A quantity of an axis, by its measure.
     pub fn part(&self, axis: usize, of: R) -> R {
-        let [measure, _] = self.memory.product.row(axis);
+        let measure = self.memory.step.at(axis);
         if measure > R::ZERO { of / measure } else { R::ZERO }
     }
 

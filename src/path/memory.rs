@@ -85,7 +85,6 @@ macro_rules! each {
         }
     }};
 }
-pub(super) use each;
 
 /// The first `K` numbers.
 #[inline(always)] // the place of each number is known then
@@ -104,52 +103,37 @@ pub(super) fn tile<R: Real, const K: usize>(rows: [[R; 3]; 3]) -> Tile<R, K> {
 }
 
 impl<R: Real, const K: usize> Table<'_, R, K> {
-    pub fn tile(&self, k: usize) -> Tile<R, K> {
-        let mut tile = [[R::ZERO; K]; K];
-        each!(row: tile[row] = self.row(K * k + row));
-        tile
-    }
-
     pub fn set_tile(&mut self, k: usize, tile: Tile<R, K>) {
         each!(row: self.set(K * k + row, tile[row]));
     }
 }
 
-/// The tiles of a matrix up to its diagonal, row by row.
-pub(super) struct Triangle<'a, R, const K: usize>(Table<'a, R, K>);
-
-/// How many tiles stand before row `k`.
-fn before(k: usize) -> usize {
-    k * (k + 1) / 2
+/// A symmetric matrix: each row has `width` numbers from the diagonal on, and zeros after them.
+pub(super) struct Band<'a, R> {
+    pub numbers: &'a mut [R],
+    pub width: usize,
 }
 
-impl<R: Real, const K: usize> Triangle<'_, R, K> {
-    pub fn tile(&self, row: usize, column: usize) -> Tile<R, K> {
-        self.0.tile(before(row) + column)
+impl<R: Real> Band<'_, R> {
+    pub fn row(&self, row: usize) -> &[R] {
+        self.numbers.get(row * self.width..(row + 1) * self.width).unwrap_or_default()
     }
 
-    pub fn set(&mut self, row: usize, column: usize, tile: Tile<R, K>) {
-        self.0.set_tile(before(row) + column, tile);
-    }
-}
-
-/// A triangle for each section, one after the other.
-pub(super) struct Triangles<'a, R, const K: usize> {
-    numbers: &'a mut [R],
-    size: usize,
-}
-
-impl<R: Real, const K: usize> Triangles<'_, R, K> {
-    pub fn at(&mut self, section: usize) -> Triangle<'_, R, K> {
-        let numbers = self.numbers.get_mut(section * self.size..(section + 1) * self.size);
-        Triangle(Table(numbers.unwrap_or_default()))
+    pub fn pivot(&self, row: usize) -> R {
+        self.row(row).first().copied().unwrap_or(R::ZERO)
     }
 
-    /// The triangle of a section and that of the next one.
-    pub fn with_next(&mut self, section: usize) -> [Triangle<'_, R, K>; 2] {
-        let (before, after) = self.numbers.split_at_mut_checked((section + 1) * self.size).unwrap_or_default();
-        let both = [before.get_mut(section * self.size..), after.get_mut(..self.size)];
-        both.map(|numbers| Triangle(Table(numbers.unwrap_or_default())))
+    pub fn clear(&mut self, rows: Range<usize>) {
+        let numbers = self.numbers.get_mut(rows.start * self.width..rows.end * self.width);
+        numbers.unwrap_or_default().fill(R::ZERO);
+    }
+
+    /// Writes numbers of a row, the first one in this column.
+    pub fn put<const N: usize>(&mut self, row: usize, column: usize, numbers: [R; N]) {
+        let place = self.numbers.get_mut(row * self.width + (column - row)..);
+        if let Some(place) = place.and_then(<[R]>::first_chunk_mut) {
+            *place = numbers;
+        }
     }
 }
 
@@ -172,9 +156,9 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub other: Plan<'a, R>,
     /// Only with three unknowns, as all tables of positions.
     pub tolerances: Column<'a, R>,
-    /// The step in groups of `K`, section by section: of the state of each axis at its start, and of its duration with zeros. Those of the first
-    /// start mean nothing.
-    pub step: Table<'a, R, K>,
+    /// The step, section by section: of the states of all axes at its start, and of its duration. Those of the first start mean nothing. Before the steps the
+    /// measures of the axes.
+    pub step: Column<'a, R>,
     /// Displacements of the sections between the given points; in the first section after the recovery.
     pub displacements: Column<'a, R>,
     /// How long the recovery of each axis lasts in the first section, s.
@@ -201,16 +185,12 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub mixed: Column<'a, R>,
     /// `G`: the part of `of_durations` that is never negative.
     pub damping: Column<'a, R>,
-    /// The factors of the matrix, section by section.
-    pub factors: Triangles<'a, R, K>,
-    /// The coupling between a section and the next one, solved by the factors of the section.
-    pub front: Triangle<'a, R, K>,
-    /// The coupling with the next section times the step of that. Before the steps the measures of the axes.
-    pub product: Table<'a, R, K>,
+    /// The matrix, and then its factors: a row for each number of the step.
+    pub band: Band<'a, R>,
 }
 
 /// The most axes and the most sections. So a count of numbers stays within 32 bits, and a processor without a long product counts it.
-const MOST_AXES: usize = 128;
+const MOST_AXES: usize = 100;
 const MOST_SECTIONS: usize = 65_536;
 
 /// How many numbers the tables have with `K` unknowns. `None` if there is no axis or no section, or too many: three unknowns leave half of the
@@ -220,9 +200,9 @@ pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize
     let fits = is_count(axes, MOST_AXES) && is_count(sections, MOST_SECTIONS >> (K - 2));
     fits.then(|| {
         if K == 2 {
-            sections * (axes * (2 * axes + 36) + 14) + 2 * axes * (axes - 1) + 6
+            sections * (axes * (4 * axes + 38) + 12) - 10 * axes
         } else {
-            sections * (axes * (9 * axes + 117) / 2 + 20) + 9 * axes * (axes - 1) / 2 + 12 - axes
+            sections * (axes * (9 * axes + 60) + 13) - 22 * axes
         }
     })
 }
@@ -246,9 +226,10 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
     pub fn of(mut work: &'a mut [R], axes: usize, sections: usize) -> Option<Self> {
         size::<K>(axes, sections).filter(|&size| size <= work.len())?;
         let (waypoints, points) = (axes * (sections - 1), axes * (sections + 1));
-        let (pieces, groups) = (axes * sections, axes + 1);
+        let pieces = axes * sections;
         let positions = (K - 2) * waypoints;
-        let (tile, triangle) = (K * K, K * K * before(groups));
+        let unknowns = K * axes + 1;
+        let (rows, width) = (unknowns * sections, unknowns + K);
         let mut table = |numbers| {
             let (taken, left) = core::mem::take(&mut work).split_at_mut_checked(numbers)?;
             work = left;
@@ -266,13 +247,13 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             plan: plan()?,
             other: plan()?,
             tolerances: Table(table(positions)?),
-            step: Table(table(K * groups * sections)?),
+            step: Table(table(rows)?),
             displacements: Table(table(pieces)?),
             inside: Table(table(axes)?),
             bounds: Table(table(6 * waypoints)?),
             diagonal: Table(table(3 * waypoints)?),
             of_offsets: Table(table(3 * positions)?),
-            coupling: Table(table(tile * waypoints)?),
+            coupling: Table(table(K * K * waypoints)?),
             to_duration: Table(table(2 * K * pieces)?),
             gradient: Table(table(K * waypoints)?),
             places: Table(table(sections)?),
@@ -281,9 +262,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             of_durations: Table(table(sections)?),
             mixed: Table(table(sections)?),
             damping: Table(table(sections)?),
-            factors: Triangles { numbers: table(triangle * sections)?, size: triangle },
-            front: Triangle(Table(table(triangle)?)),
-            product: Table(table(K * groups)?),
+            band: Band { numbers: table(rows * width)?, width },
         })
     }
 }
@@ -305,7 +284,7 @@ mod tests {
             let work = &mut work[..size::<K>(axes, sections).expect("a size")];
             let end = work.as_ptr_range().end;
             let memory = Memory::<_, K>::of(work, axes, sections).expect("room");
-            assert_eq!((memory.product.0.len(), memory.product.0.as_ptr_range().end), (K * (axes + 1), end));
+            assert_eq!(memory.band.numbers.as_ptr_range().end, end);
         }
     }
 }

@@ -37,8 +37,8 @@ pub use feed::limit_feed;
 pub(crate) use memory::Table;
 pub use moves::path_moves;
 
-/// How many numbers [`plan_path`] and [`improve_path`] need to work with: `sections (axes (2 axes + 36) + 14) + 2 axes (axes - 1) + 6`.
-/// `None` if there is no axis or no section, or more than 128 axes or 65,536 sections.
+/// How many numbers [`plan_path`] and [`improve_path`] need to work with: `sections (axes (4 axes + 38) + 12) - 10 axes`.
+/// `None` if there is no axis or no section, or more than 100 axes or 65,536 sections.
 pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
     memory::size::<2>(axes, sections)
 }
@@ -87,8 +87,8 @@ fn plan<'w, R: Real>(request: Request<R>, steps: u32, work: &'w mut [R]) -> Resu
     chain.done()
 }
 
-/// How many numbers [`plan_path_near`] needs to work with: `sections (axes (9 axes + 117)/2 + 20) + 9 axes (axes - 1)/2 - axes + 12`. `None`
-/// if there is no axis or no section, or more than 128 axes or 32,768 sections.
+/// How many numbers [`plan_path_near`] needs to work with: `sections (axes (9 axes + 60) + 13) - 22 axes`. `None`
+/// if there is no axis or no section, or more than 100 axes or 32,768 sections.
 pub fn path_size_near(axes: usize, sections: usize) -> Option<usize> {
     memory::size::<3>(axes, sections)
 }

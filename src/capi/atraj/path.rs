@@ -10,7 +10,7 @@ use crate::state::State;
 use core::ffi::{c_int, c_uint};
 
 /// @brief How many numbers of working memory a path needs: `ATRAJ_PATH_SIZE` for an array.
-/// @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 65,536
+/// @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 100, or `sections` is 0 or above 65,536
 #[unsafe(no_mangle)]
 pub extern "C" fn atraj_path_size(axes: usize, sections: usize) -> usize {
     path::path_size(axes, sections).unwrap_or(0)
@@ -147,7 +147,7 @@ unsafe fn write_moves(
 }
 
 /// @brief How many numbers of working memory `atraj_path_plan_near` needs: `ATRAJ_PATH_SIZE_NEAR` for an array.
-/// @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 128, or `sections` is 0 or above 32,768
+/// @return how many `a_float` the array `work` has; 0 if `axes` is 0 or above 100, or `sections` is 0 or above 32,768
 #[unsafe(no_mangle)]
 pub extern "C" fn atraj_path_size_near(axes: usize, sections: usize) -> usize {
     path::path_size_near(axes, sections).unwrap_or(0)
