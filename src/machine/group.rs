@@ -95,6 +95,8 @@ struct InForce<'g, 'a, R> {
     moves: &'g [Move<R>],
     /// For how long, s.
     x: R,
+    /// The time of its path then, with its derivatives.
+    time: [R; 4],
     /// Where the axes are then.
     states: &'g [State<R>],
     /// Between which positions the next motion has to stay.
@@ -177,15 +179,15 @@ impl<'g, 'a, R: Real> GroupTicker<'g, 'a, R> {
         // SAFETY: nobody writes to what is in force.
         let (course, moves) = unsafe { self.0.course(moment.place) };
         let x = elapsed(*period, moment);
-        write_states(states, &course.clock, moves, self.0.states.len(), x);
+        write_states(states, course.clock.state_of_time(x), moves, self.0.states.len());
         let begins = moment.age == 0;
         let has_ended = !begins && elapsed(*period, Moment { age: moment.age - 1, ..moment }) >= course.end;
         Tick { begins, ends: x >= course.end && !has_ended }
     }
 }
 
-fn write_states<R: Real>(states: &mut [State<R>], clock: &Clock<R>, moves: &[Move<R>], n: usize, x: R) {
-    let time = clock.state_of_time(x);
+/// The states of `n` axes at a time of their path.
+fn write_states<R: Real>(states: &mut [State<R>], time: [R; 4], moves: &[Move<R>], n: usize) {
     for (index, state) in states.iter_mut().enumerate() {
         let [position, velocity, acceleration, _] = Axis::new(moves, n, index).state(time);
         *state = State { position, velocity, acceleration };
@@ -273,7 +275,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             Error::Position.unless(stay(moves, from.positions))?;
             let clock = &from.course.clock;
             Error::Target.unless(from.x >= clock.until())?;
-            let [_, rate, slowing, _] = clock.state_of_time(from.x);
+            let [_, rate, slowing, _] = from.time;
             let steady = if slowing == R::ZERO { rate } else { R::ONE };
             let length = time_of_rest(moves, limits.len());
             next.course.path = moves;
@@ -316,7 +318,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             if next.change(from, limits, R::ZERO).is_ok() && next.course.end <= slowest + slowest {
                 return Ok(Findings::default());
             }
-            let [s, rate, slowing, _] = from.course.clock.state_of_time(from.x);
+            let [s, rate, slowing, _] = from.time;
             if from.moves.len() == limits.len() && rate == R::ONE && slowing == R::ZERO {
                 next.copy(from);
                 let stop = line_stop(next.moves, limits, s);
@@ -360,8 +362,9 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             )
         };
         let x = elapsed(period, takeover.from);
-        write_states(states, &course.clock, in_force, limits.len(), x);
-        let from = InForce { course, moves: in_force, x, states, positions: positions.get() };
+        let time = course.clock.state_of_time(x);
+        write_states(states, time, in_force, limits.len());
+        let from = InForce { course, moves: in_force, x, time, states, positions: positions.get() };
         let mut next = Next { course: next, moves };
         let findings = plan(&from, &mut next)?;
         if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
@@ -377,7 +380,7 @@ impl<R: Real> InForce<'_, '_, R> {
             let axis = |moves| Axis::new(moves, self.states.len(), index);
             let [p, v, a, j] = axis(moves).state([s, rate, R::ZERO, R::ZERO]);
             // Where a phase begins, the jerks of both differ.
-            let [.., jerk] = axis(self.moves).state(self.course.clock.state_of_time(self.x));
+            let [.., jerk] = axis(self.moves).state(self.time);
             let jerk = j.abs().at_least(jerk.abs());
             near(now.position, p, v) && near(now.velocity, v, a) && near(now.acceleration, a, jerk)
         })
