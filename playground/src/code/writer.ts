@@ -50,7 +50,7 @@ export const body = (...lines: (string | string[])[]) => lines.flat().map((line)
 export const hasZones = ({ zone }: Values, points: Point[]) => zone !== 0 && points.length > 2;
 
 /** How many numbers of working memory the path of two axes needs: that of `atraj_path_size`, or with zones of `atraj_path_size_near`. */
-export const workSize = (sections: number, zones: boolean) => (zones ? 155 * sections + 19 : 94 * sections + 10);
+export const workSize = (sections: number, zones: boolean) => (zones ? 169 * sections - 44 : 104 * sections - 20);
 
 /** What is said next to a change of a run. */
 export const changeName = ({ rate }: Change) => (rate === undefined ? "stop" : rate === 0 ? "hold" : `${Math.round(100 * rate)} %`);

@@ -5,7 +5,7 @@ use atraj::machine::Clock;
 use atraj::online::{Error, Limits, Move, State};
 use support::{Random, Real, online, test_both_reals};
 
-/// Each path has three changes of its rate, so there are 50,000 per real type.
+/// Each path has three changes of its rate, so there are 50,001 per real type.
 const PATHS: usize = if support::BRIEF { 3_334 } else { 16_667 };
 const SAMPLES: usize = 40;
 const RESERVES: [f64; 3] = [0.1, 0.2, 0.5];
