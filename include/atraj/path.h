@@ -29,8 +29,8 @@ A_EXTERN size_t atraj_path_size(size_t axes, size_t sections);
 /**
  * @brief Plan a path: several axes pass given points at the same times, and stop nowhere unless they must.
  *
- * Waypoints may repeat, axes may stand still, and paths may reverse. No path is longer than one that stops at every
- * point. `atraj_path_moves` makes the motions of the sections. A point whose state is given splits a path: plan two.
+ * Waypoints may repeat, axes may stand still, and paths may reverse. If no point repeats, the path is not longer than one
+ * that stops at every point. `atraj_path_moves` makes the motions of the sections. A point whose state is given splits a path: plan two.
  *
  * The work is bounded, and linear in the sections. Each step takes at most 12 times the work of one pass over all
  * sections and axes, and 24 factorisations with `2 * axes + 1` rows a section.
