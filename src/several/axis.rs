@@ -88,8 +88,8 @@ fn neighbour<R: Real>(problem: &Problem<R>, t: R) -> Option<Problem<R>> {
     let rounding = problem.border.rounding_of_velocity();
     let fitting = problem.border.faster_for(problem.after_recovery(t));
     let straight = problem.border.faster_for_straight();
-    let neighbours = [fitting, straight, R::ZERO, rounding, -rounding].map(|change| problem.starting_faster(change));
-    neighbours.into_iter().find(|problem| problem.takes(t))
+    let changes = [fitting, straight, R::ZERO, rounding, -rounding];
+    changes.into_iter().map(|change| problem.starting_faster(change)).find(|problem| problem.takes(t))
 }
 
 /// Makes the move of an axis, planned as fast as possible, last `t`, which is possible.
