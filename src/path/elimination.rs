@@ -212,10 +212,10 @@ pub(super) mod tests {
         };
         for row in 0..rows {
             let (own, section) = (given.diagonal(row), states + row / axes);
-            for k in 0..K {
+            for (k, numbers) in own.iter().enumerate() {
                 let one = K * row + k;
-                add(one, one, lambda * own[k][k]);
-                (0..=k).for_each(|column| add(one, K * row + column, own[k][column]));
+                add(one, one, lambda * numbers[k]);
+                (0..=k).for_each(|column| add(one, K * row + column, numbers[column]));
                 if row + axes < rows {
                     let coupling = given.coupling.row(one);
                     (0..K).for_each(|column| add(one, K * (row + axes) + column, coupling[column]));
