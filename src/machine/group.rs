@@ -98,7 +98,7 @@ struct InForce<'g, 'a, R> {
     /// The time of its path then, with its derivatives.
     time: [R; 4],
     /// Where the axes are then.
-    states: &'g [State<R>],
+    states: &'g mut [State<R>],
     /// Between which positions the next motion has to stay.
     positions: [&'a [R]; 2],
 }
@@ -226,7 +226,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         self.plan(limits, lead, |moves, from| {
             let mut found = Findings::default();
             Error::Axes.unless(to.len() == moves.len())?;
-            let axes = moves.iter_mut().zip(limits).zip(from.states).zip(to).enumerate();
+            let axes = moves.iter_mut().zip(limits).zip(&*from.states).zip(to).enumerate();
             for (index, (((axis, limits), state), to)) in axes {
                 found |= match of_axis(from.positions, index) {
                     Some([lowest, highest]) => axis.within(limits, *state, *to, lowest, highest)?,
@@ -338,6 +338,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         plan: impl FnOnce(&mut [Move<R>], &InForce<'_, 'a, R>) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         self.next(limits, lead, |from, next| {
+            from.settle(limits);
             let found = plan(next.moves, from)?;
             next.course.follow_moves(next.moves);
             Ok(found)
@@ -346,7 +347,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
 
     fn next(
         &mut self, limits: &[Limits<R>], lead: u32,
-        plan: impl FnOnce(&InForce<'_, 'a, R>, &mut Next<'_, 'a, R>) -> Result<Findings, Error>,
+        plan: impl FnOnce(&mut InForce<'_, 'a, R>, &mut Next<'_, 'a, R>) -> Result<Findings, Error>,
     ) -> Result<Findings, Error> {
         let Group { ref handover, period, states, ref positions, ref courses, .. } = *self.0;
         Error::Axes.unless(limits.len() == states.len())?;
@@ -364,14 +365,32 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         let x = elapsed(period, takeover.from);
         let time = course.clock.state_of_time(x);
         write_states(states, time, in_force, limits.len());
-        let from = InForce { course, moves: in_force, x, time, states, positions: positions.get() };
+        let mut from = InForce { course, moves: in_force, x, time, states, positions: positions.get() };
         let mut next = Next { course: next, moves };
-        let findings = plan(&from, &mut next)?;
+        let findings = plan(&mut from, &mut next)?;
         if handover.publish(&takeover) { Ok(findings) } else { Err(Error::Late) }
     }
 }
 
 impl<R: Real> InForce<'_, '_, R> {
+    /// Moves an axis back by what its fastest stop ends beyond a position, if that is a rounding of the move in force.
+    fn settle(&mut self, limits: &[Limits<R>]) {
+        let n = limits.len();
+        for (index, (state, limits)) in self.states.iter_mut().zip(limits).enumerate() {
+            let mut stop = Move::default();
+            let in_force = Axis::new(self.moves, n, index).section(self.time[0]);
+            let positions = of_axis(self.positions, index).filter(|_| stop.stop(limits, *state).is_ok());
+            if let (Some([lowest, highest]), Some((of, _))) = (positions, in_force) {
+                let reached = stop.extremes();
+                let below = (lowest - reached.lowest.position).at_least(R::ZERO);
+                let back = below + (highest - reached.highest.position).at_most(R::ZERO);
+                if back.abs() <= of.rounding() {
+                    state.position = state.position + back;
+                }
+            }
+        }
+    }
+
     /// Whether the axes are on a path at its time `s`, at this rate.
     fn is_at(&self, moves: &[Move<R>], s: R, rate: R) -> bool {
         let near = |x: R, y: R, slope: R| (x - y).abs() <= R::DOUBT * (y.abs() + slope.abs() * (s + self.x));
@@ -390,7 +409,7 @@ impl<R: Real> InForce<'_, '_, R> {
 impl<'a, R: Real> Next<'_, 'a, R> {
     fn stop_each(&mut self, from: &InForce<'_, 'a, R>, limits: &[Limits<R>]) -> Result<Findings, Error> {
         let mut found = Findings::default();
-        for (index, ((axis, limits), state)) in self.moves.iter_mut().zip(limits).zip(from.states).enumerate() {
+        for (index, ((axis, limits), state)) in self.moves.iter_mut().zip(limits).zip(&*from.states).enumerate() {
             found |= axis.stop(limits, *state)?;
             let left = of_axis(from.positions, index).filter(|[lowest, highest]| axis.leaves(*lowest, *highest));
             let mut inside = Move::default();

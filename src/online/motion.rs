@@ -165,7 +165,7 @@ impl<R: Real> Move<R> {
     }
 
     /// 128 ulps of a position of the move.
-    fn rounding(&self) -> R {
+    pub(crate) fn rounding(&self) -> R {
         let ends = self.phase[0].position.abs() + self.end().position.abs();
         let (first, later) = self.moving();
         let mut speed = first.velocity.abs();
