@@ -377,10 +377,10 @@ impl<R: Real> InForce<'_, '_, R> {
     fn settle(&mut self, limits: &[Limits<R>]) {
         let n = limits.len();
         for (index, (state, limits)) in self.states.iter_mut().zip(limits).enumerate() {
+            let Some([lowest, highest]) = of_axis(self.positions, index) else { return };
             let mut stop = Move::default();
             let in_force = Axis::new(self.moves, n, index).section(self.time[0]);
-            let positions = of_axis(self.positions, index).filter(|_| stop.stop(limits, *state).is_ok());
-            if let (Some([lowest, highest]), Some((of, _))) = (positions, in_force) {
+            if let (Ok(_), Some((of, _))) = (stop.stop(limits, *state), in_force) {
                 let reached = stop.extremes();
                 let below = (lowest - reached.lowest.position).at_least(R::ZERO);
                 let back = below + (highest - reached.highest.position).at_most(R::ZERO);

@@ -59,6 +59,7 @@ impl<'a, R: Real> Request<'a, R> {
         states.map(Option::unwrap_or_default)
     }
 
+    #[inline(never)] // for its size: it is asked in eight places
     pub fn state(&self, point: usize, axis: usize) -> State<R> {
         let state = self.states.get(point * self.axes + axis);
         state.copied().unwrap_or_default()
@@ -101,7 +102,7 @@ impl<'a, R: Real> Request<'a, R> {
     fn can_end_early(&self) -> bool {
         let (last, end) = (self.sections - 1, self.sections);
         let moving = (0..last).rfind(|&section| self.moves(section)).unwrap_or(0);
-        self.admits(end, moving) && (moving + 1..=last).all(|section| self.can_stay(end, section))
+        self.admits(end, moving) && (moving + 1..end).all(|section| self.can_stay(end, section))
     }
 
     /// The sections that last: each section in which an axis moves, one in which the start returns within its limits, and the last one if the
@@ -201,8 +202,8 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     }
 
     fn set_bounds(&mut self, point: usize, axis: usize) {
-        let places = self.place(point - 1)..=self.place(point);
-        let limits = places.flat_map(|place| self.request.limits(place, axis));
+        let places = self.place(point - 1)..self.place(point) + 1;
+        let limits = places.filter_map(|place| self.request.limits(place, axis).ok());
         let Bounds(row) = Bounds::of(limits.copied());
         self.memory.bounds.set((point - 1) * self.axes + axis, row);
     }
@@ -290,6 +291,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         (0..self.sections).all(|section| self.is_section_inside(section))
     }
 
+    #[inline(never)] // for its size: it is asked in eight places
     pub fn duration(&self) -> R {
         total(self.memory.plan.durations.numbers())
     }

@@ -175,6 +175,7 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
+    #[inline(never)] // for its size: it is asked in five places
     fn length(&self, sections: Range<usize>) -> R {
         sum(sections, |section| self.arc(section))
     }
@@ -183,8 +184,9 @@ impl<R: Real> Chain<'_, '_, R> {
     /// the next try. Whether all are possible.
     fn pass_parts(&mut self, [start, end]: [State<R>; 2], row: Range<usize>) -> bool {
         let (mut first, mut state, mut passes) = (row.start, start, true);
-        for point in row.start + 1..=row.end {
-            let speed = self.memory.weights.at(point - 1);
+        for section in row.clone() {
+            let point = section + 1;
+            let speed = self.memory.weights.at(section);
             if speed.is_finite() {
                 let sections = first..point;
                 let next = if point == row.end { end } else { State { velocity: speed, ..State::at(R::ZERO) } };

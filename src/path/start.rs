@@ -54,7 +54,7 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in first..self.sections {
             let least = self.memory.plan.durations.at(section);
             // 1/16, 1/64, … longer, and then longer and longer.
-            let shorter = (2..=12).map(|k| (0..k).fold(R::ONE, |part, _| part * R::HALF * R::HALF));
+            let shorter = (2..13).map(|k| (0..k).fold(R::ONE, |part, _| part * R::HALF * R::HALF));
             let longer = (0..8).map(|k| (0..k).fold(R::SIXTEENTH + R::SIXTEENTH, |part, _| part + part));
             let mut durations = shorter.chain(longer).map(|part| least + part * least);
             match durations.find(|&duration| self.is_possible(section, duration)) {

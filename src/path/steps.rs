@@ -61,6 +61,7 @@ impl<R: Real> Damping<R> {
         Self { lambda: R::ONE / Self::most() }
     }
 
+    #[inline(never)] // for its size: it is called in four places
     fn scale(&mut self, factor: R) {
         self.lambda = (self.lambda * factor).at_least(Self::least()).at_most(Self::most());
     }

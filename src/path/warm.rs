@@ -99,7 +99,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let all = total(given);
         let clock = R::DOUBT * all;
         (0..self.axes).all(|axis| {
-            let points = 0..=self.request.sections;
+            let points = 0..self.request.sections + 1;
             let farthest = points.map(|point| self.request.state(point, axis).position.abs());
             let position = R::DOUBT * farthest.fold(R::ZERO, R::at_least);
             let limits = self.limits(0, axis).map(|limits| with_errors(limits, duration, all, [position, clock]));
@@ -118,6 +118,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     }
 
     /// The duration of a section in the plan that is there, s.
+    #[inline(never)] // for its size: it is asked in four places
     fn given(&self, section: usize, given: &[R]) -> Result<R, Error> {
         let duration = given.get(self.place(section)).copied().unwrap_or(R::NAN);
         let is_duration = duration >= R::ZERO && duration.is_finite();
