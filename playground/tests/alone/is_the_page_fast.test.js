@@ -1,7 +1,7 @@
 // Can the page draw 60 times a second, 2,000 points in each curve?
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { open } from "./browser.js";
+import { open } from "../browser.js";
 
 const FRAMES = 30;
 const ROUNDS = 5;
