@@ -85,6 +85,15 @@ impl Scale {
         }
     }
 
+    /// By how much this scale is larger than another one.
+    pub fn beyond(self, other: &Self) -> Self {
+        Self {
+            position: (self.position - other.position).max(0.0),
+            velocity: (self.velocity - other.velocity).max(0.0),
+            acceleration: (self.acceleration - other.acceleration).max(0.0),
+        }
+    }
+
     fn of_walk<R: Real>(limits: &Limits<R>, plan: &Plan<R>, walk: &Walk) -> Self {
         let planned = &plan.planned;
         let pace = 1.0 / limits.jmax.widen() - 1.0 / limits.jmin.widen();

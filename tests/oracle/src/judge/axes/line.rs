@@ -67,16 +67,17 @@ pub fn judge<R: Original>(planner: &impl Planner<R>, set: &Set<R>, random: &mut 
     let [duration, cycle] = [set.duration, set.cycle].map(R::widen);
     let of_lead = Trial::new(lead_of(set, &shares, lead));
     let shift = time_shift(&of_lead.problem, &axes[lead]);
-    let scale = scale_of_a_shift(&of_lead, &axes[lead], shift);
+    let scales = [Scale::of(&of_lead.problem, &plan_of(&axes[lead])), scale_of_a_shift(&of_lead, &axes[lead], shift)];
     let timing = Timing { axes: &[of_lead], shifts: &[shift], planned: &axes[lead..=lead], duration, cycle };
-    match check_motions(set, &scale, (&shares, lead), &axes, random) {
+    match check_motions(set, &scales, (&shares, lead), &axes, random) {
         Err(bad) if !is_excused(&bad) => Err(bad),
         _ => timing.check(axes[0].t.widen(), || None),
     }
 }
 
 fn check_motions<R: Original>(
-    set: &Set<R>, of_lead: &Scale, (shares, lead): (&[R], usize), axes: &[Move<R>], random: &mut Random,
+    set: &Set<R>, [of_lead, of_shift]: &[Scale; 2], (shares, lead): (&[R], usize), axes: &[Move<R>],
+    random: &mut Random,
 ) -> Check<Bad> {
     let t = axes[lead].t;
     let [p0, p1] = [set.axes[lead].from, set.axes[lead].to].map(|end| end.position.widen().abs());
@@ -86,7 +87,10 @@ fn check_motions<R: Original>(
         }
         let trial = Trial::new(*problem);
         let positions = Scale { position: p0 + p1, ..Scale::default() }; // the positions of the lead are rounded too
-        let more = of_lead.and(&positions).times(shares[k].widen().abs());
+        // The lead is planned within the tightest limits, under which its numbers may be larger than those of an axis with sharper ones.
+        let share = shares[k].widen().abs();
+        let larger = of_lead.times(share).beyond(&Scale::of(problem, &plan_of(&axes[k])));
+        let more = of_shift.and(&positions).times(share).and(&larger);
         let more = scale_of_short_ramps(&trial, t.widen()).and(&more);
         trial.check_states(&plan_of(&axes[k]), &more, random).or_else(|what| wrong(k, what))?;
         if leaves_line(set, [lead, k], shares[k], axes, random) {
