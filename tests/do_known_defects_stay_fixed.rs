@@ -942,24 +942,25 @@ fn a_path_goes_on_from_the_state_under_way() {
     }
 }
 
-/// An axis ends at its highest position. In its last ticks, roundings of the long way may put it beyond: the next plan was refused.
+/// An axis ends at its highest or lowest position. In its last ticks, roundings of the long way may put it beyond: the next plan was refused.
 #[test]
 fn a_rounding_beyond_a_position_refuses_no_plan() {
     let (limits, mut random) = ([Limits::symmetric(100.0, 200.0, 2000.0)], Random::seeded(3));
-    for _ in 0..2000 {
-        let (start, highest) = (-random.between(10.0, 100.0), random.between(0.001, 0.01));
-        let (positions, to) = ([[start], [highest]], [State::at(highest)]);
+    for _ in 0..4000 {
+        let side = random.sign();
+        let (start, end) = (-side * random.between(10.0, 100.0), side * random.between(0.001, 0.01));
+        let (lowest, highest, to) = ([start.min(end)], [start.max(end)], [State::at(end)]);
         let (mut states, mut room) = ([State::at(start)], [Move::default(); 3]);
         let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
         let (mut planner, mut ticker) = group.split();
-        planner.within([&positions[0], &positions[1]]).expect("positions");
+        planner.within([&lowest, &highest]).expect("positions");
         planner.go(&limits, &to, 1).expect("a motion");
         let ticks = online::plan(&limits[0], State::at(start), to[0]).t / 0.001;
         after::<1>(ticks as u32 - random.below(3) as u32, &mut ticker);
         for is_together in [true, false, true] {
             let next = if is_together { planner.sync(&limits, &to, 1) } else { planner.go(&limits, &to, 1) };
             let [now] = after(1, &mut ticker);
-            assert_eq!(next.err(), None, "{start} {highest} {now:?}");
+            assert_eq!(next.err(), None, "{start} {end} {now:?}");
         }
         assert_eq!(after(9, &mut ticker), to);
     }
