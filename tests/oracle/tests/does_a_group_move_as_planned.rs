@@ -83,6 +83,8 @@ fn a_stop_turns_at_a_position<R: Real>() {
     let stops = now.map(|now| now.position.widen() - start);
     assert!(farthest > 1.49 && farthest < 1.495001 && stops[0] < farthest - 0.005, "{farthest} {stops:?}");
     assert!((stops[1] - 1.5).abs() < 1e-5 && now.iter().all(|now| now.velocity == zero), "{stops:?} {now:?}");
+    // The second one stands outside by more than a rounding.
+    assert_eq!(planner.go(&limits, &[State::at(zero); 2], 1), Err(Error::Position));
 }
 
 /// A hold begins at the target, which the axis passes while it brakes. It is refused exactly if the axis would leave the positions meanwhile.
