@@ -966,6 +966,24 @@ fn a_rounding_beyond_a_position_refuses_no_plan() {
     }
 }
 
+/// An axis slows down shortly before its lowest position, which is next to 0. A rounding of the long way there was taken for a way beyond.
+#[test]
+fn a_rounding_beyond_a_position_refuses_no_rate() {
+    let (limits, mut random) = ([Limits::symmetric(9.0, 3.0, 1.5)], Random::seeded(5));
+    for _ in 0..4000 {
+        let (start, end) = ([random.between(1.0, 9.0)], [1e-4 * random.between(0.1, 9.0)]);
+        let to = [State::at(end[0])];
+        let (mut states, mut room) = ([State::at(start[0])], [Move::default(); 3]);
+        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        planner.within([&end, &start]).expect("positions");
+        planner.sync(&online::limits_times(&limits, 0.7), &to, 1).expect("a motion");
+        let ticks = online::plan(&online::limits_times(&limits, 0.7)[0], State::at(start[0]), to[0]).t / 0.001;
+        after::<1>(ticks as u32 - random.below(200) as u32, &mut ticker);
+        assert_eq!(planner.rate(&limits, random.pick(&[0.0, 0.5]), 1).err(), None, "{start:?} {end:?}");
+    }
+}
+
 /// A move that ends on a line stepped over it and back, by a turn that is a rounding error.
 #[test]
 fn a_move_to_a_line() {

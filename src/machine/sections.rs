@@ -1,6 +1,5 @@
 //! The moves of an axis, section by section.
 
-use crate::interval::rounding::of_check;
 use crate::online::Move;
 use crate::real::Real;
 
@@ -77,7 +76,7 @@ impl<'a, R: Real> Axis<'a, R> {
         [position, v * rate, a * square + v * slowing, jerk]
     }
 
-    /// Whether the axis stays between two positions from one time of the path to another.
+    /// Whether the axis stays between two positions from one time of the path to another, up to the rounding of its moves.
     #[inline(never)] // for its stack
     pub fn stays(self, [from, to]: [R; 2], [lowest, highest]: [R; 2]) -> bool {
         let mut passed = self.sections().filter(|(_, start, end)| from < *end && to > *start);
@@ -85,9 +84,7 @@ impl<'a, R: Real> Axis<'a, R> {
             let Some(part) = of.between((from - start).at_least(R::ZERO), to.at_most(end) - start) else {
                 return false;
             };
-            let reached = part.extremes();
-            let farthest = reached.lowest.position.abs() + reached.highest.position.abs();
-            !reached.overshoots(lowest, highest, of_check(farthest))
+            !part.extremes().overshoots(lowest, highest, of.rounding())
         })
     }
 }
