@@ -3,9 +3,14 @@
 # a row when it ends or is stopped. SOAK is the program. SOAK_SEED starts elsewhere, SOAK_SEEDS ends sooner or later.
 set -eu
 table=docs/data/soak.csv
-# The commit that changed the library last.
-commit=$(git log -1 --format=%h -- src)
-git diff --quiet HEAD -- src || commit=$commit-dirty
+
+# commit KIND: the commit that last changed what this kind runs. A program of a group runs all of the library, and nothing else its machine.
+commit() {
+    parts='src'
+    test "$1" = programs || parts='src :!src/machine'
+    commit=$(git log -1 --format=%h -- $parts)
+    git diff --quiet HEAD -- $parts || commit=$commit-dirty
+}
 done=$(mktemp)
 running=
 
@@ -18,6 +23,7 @@ trap 'test -z "$running" || kill "$running" 2>/dev/null || true; note; rm -f "$d
 
 faults=0
 for what in "$@"; do
+    commit "$what"
     next=$(sed -n "s/.*,$what,[0-9]*\.\.\([0-9]*\),.*/\1/p" "$table" | sort -n | tail -1)
     $SOAK "$what" "${SOAK_SEED:-${next:-0}}" "${SOAK_SEEDS:-1000}" "$done" &
     running=$!
