@@ -131,7 +131,7 @@ impl<R: Real> Border<R> {
 
     /// The rounding error of a displacement of this duration, from that of the states at both ends: of the positions, whose magnitudes have the
     /// sum `positions`, and of what the velocities and the accelerations travel. It is 0 between standstills, where no rounding error makes an axis overshoot.
-    #[inline(never)] // for its size: it is asked in five places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn rounding_of_displacement(&self, duration: R, positions: R) -> R {
         let (a0, a1) = (self.a0.abs(), self.a1.abs());
         let added = self.eased.at_most(a0.at_least(a1) * duration);
@@ -227,7 +227,7 @@ impl<R: Real> Border<R> {
         Passed { duration, displacement: displacement.negate_if(mirrored) }
     }
 
-    #[inline(never)] // for its size: it is asked in nine places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn profile(&self, ramp: &Ramp<R>) -> Profile<R> {
         let Ramp { mirrored, rise, peak, hold, fall } = *ramp;
         if mirrored {

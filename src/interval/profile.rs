@@ -28,7 +28,7 @@ pub(crate) struct Profile<R> {
 
 impl<R: Real> Profile<R> {
     /// The motion in the other order of time.
-    #[inline(never)] // for its size: it is asked in seven places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn reversed(self) -> Self {
         Self {
             first: self.last,

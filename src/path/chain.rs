@@ -59,7 +59,7 @@ impl<'a, R: Real> Request<'a, R> {
         states.map(Option::unwrap_or_default)
     }
 
-    #[inline(never)] // for its size: it is asked in eight places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn state(&self, point: usize, axis: usize) -> State<R> {
         let state = self.states.get(point * self.axes + axis);
         state.copied().unwrap_or_default()
@@ -291,7 +291,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         (0..self.sections).all(|section| self.is_section_inside(section))
     }
 
-    #[inline(never)] // for its size: it is asked in eight places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn duration(&self) -> R {
         total(self.memory.plan.durations.numbers())
     }

@@ -137,7 +137,7 @@ impl<R: Real> Chain<'_, '_, R> {
         self.memory.gradient_t.at(section)
     }
 
-    #[inline(never)] // for its size: it is asked in six places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn mean_slope(&self, section: usize, axis: usize) -> R {
         self.displacement(section, axis) / self.arc(section)
     }
@@ -150,7 +150,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Slope, bend, and the bend that limits the speed. All are 0 at the ends of a row.
-    #[inline(never)] // for its size: it is asked in four places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn at_point(&self, point: usize, axis: usize) -> [R; 3] {
         let before = point.checked_sub(1);
         before.map_or([R::ZERO; 3], |before| self.memory.diagonal.row(before * self.axes + axis))

@@ -175,7 +175,7 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    #[inline(never)] // for its size: it is asked in five places
+    #[inline(never)] // for its size: it is asked in several places
     fn length(&self, sections: Range<usize>) -> R {
         sum(sections, |section| self.arc(section))
     }

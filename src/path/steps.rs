@@ -61,7 +61,7 @@ impl<R: Real> Damping<R> {
         Self { lambda: R::ONE / Self::most() }
     }
 
-    #[inline(never)] // for its size: it is called in four places
+    #[inline(never)] // for its size: it is called in several places
     fn scale(&mut self, factor: R) {
         self.lambda = (self.lambda * factor).at_least(Self::least()).at_most(Self::most());
     }

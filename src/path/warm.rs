@@ -118,7 +118,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     }
 
     /// The duration of a section in the plan that is there, s.
-    #[inline(never)] // for its size: it is asked in four places
+    #[inline(never)] // for its size: it is asked in several places
     fn given(&self, section: usize, given: &[R]) -> Result<R, Error> {
         let duration = given.get(self.place(section)).copied().unwrap_or(R::NAN);
         let is_duration = duration >= R::ZERO && duration.is_finite();

@@ -39,7 +39,7 @@ impl<R: Real> Piece<R> {
     }
 
     /// The displacement where the acceleration falls by `x` more, and its derivative with respect to `x`.
-    #[inline(never)] // for its size: it is asked in five places
+    #[inline(never)] // for its size: it is asked in several places
     pub fn displacement(&self, x: R) -> (R, R) {
         in_piece!(self, piece => piece.displacement(x))
     }
