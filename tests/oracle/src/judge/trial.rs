@@ -78,19 +78,19 @@ impl Scale {
     }
 
     pub fn and(self, more: &Self) -> Self {
-        Self {
-            position: self.position + more.position,
-            velocity: self.velocity + more.velocity,
-            acceleration: self.acceleration + more.acceleration,
-        }
+        self.with(more, |own, more| own + more)
     }
 
     /// By how much this scale is larger than another one.
     pub fn beyond(self, other: &Self) -> Self {
+        self.with(other, |own, other| (own - other).max(0.0))
+    }
+
+    fn with(self, other: &Self, number: impl Fn(f64, f64) -> f64) -> Self {
         Self {
-            position: (self.position - other.position).max(0.0),
-            velocity: (self.velocity - other.velocity).max(0.0),
-            acceleration: (self.acceleration - other.acceleration).max(0.0),
+            position: number(self.position, other.position),
+            velocity: number(self.velocity, other.velocity),
+            acceleration: number(self.acceleration, other.acceleration),
         }
     }
 
