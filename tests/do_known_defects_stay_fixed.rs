@@ -819,6 +819,26 @@ fn a_brake_may_be_held() {
     }
 }
 
+/// On the way back the rest of the first ramp is the stop. In float it came to the start early, where its acceleration jumped.
+#[test]
+fn a_hold_on_the_way_back_does_not_jump() {
+    let mut random = Random::seeded(4);
+    for _ in 0..2_000 {
+        let [a, j] = [(-1.0, 0.0), (-1.0, 0.0)].map(|(low, high)| random.magnitude(low, high));
+        let limits = [online::symmetric::<f32>(j, a, 3.0)];
+        let axis = [online::plan(&limits[0], State::at(-0.13), State::at(0.22))];
+        let mut clock = Clock::new();
+        clock.rate(&axis, &limits, axis[0].t, -1.0).expect("the way back");
+        let x = axis[0].t + (axis[0].t - random.between(0.02, 1.0) as f32 * axis[0].phase[2].start);
+        clock.rate(&axis, &limits, x, 0.0).expect("a hold");
+        let lasts = clock.until() - x;
+        let acceleration = |k: i32| clock.state(&axis, 1, x + lasts * k as f32 / 400.0)[2];
+        let jumps =
+            (0..402).any(|k| (acceleration(k + 1) - acceleration(k)).abs() > 1.1 * limits[0].jmax * lasts / 400.0);
+        assert!(!jumps, "{limits:?} {x}");
+    }
+}
+
 /// The axis turns before it comes to a target beyond whose velocity limit it is bound to go. The turn counted as outside of the limits.
 #[test]
 #[rustfmt::skip]

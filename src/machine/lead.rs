@@ -42,9 +42,11 @@ pub(super) fn stop<R: Real>(
     let is_plain = stop.stop(&tightest, from)?.is_empty();
     let end = lead.end().position;
     let is_within = is_plain && !stop.extremes().overshoots(R::ZERO, end, of_check(end.abs()));
-    // Without a reserve the rest of a brake is the stop.
-    if is_within && rate == R::ONE && slowing == R::ZERO && (end - stop.end().position).abs() <= of_check(end.abs()) {
-        stop.stay(State { velocity: R::ONE, ..State::at(s) });
+    // Without a reserve the rest of a brake is the stop, and on the way back the rest of the first ramp.
+    let border = if rate > R::ZERO { end } else { R::ZERO };
+    let ends_at_border = (border - stop.end().position).abs() <= of_check(end.abs());
+    if is_within && rate.abs() == R::ONE && slowing == R::ZERO && ends_at_border {
+        stop.stay(State { velocity: rate, ..State::at(s) });
         stop.go_to_the_end(lead.t).ok_or(Error::Target)?;
         return Ok(Some((Law { until: stop.t, is_reached: false }, None)));
     }
