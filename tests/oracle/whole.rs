@@ -13,6 +13,7 @@ mod tests {
     mod does_a_move_stay_inside;
     mod does_a_path_move_as_planned;
     mod does_a_path_pass_its_points;
+    mod does_a_path_stay_near_its_lines;
     mod does_every_plan_pass;
     mod does_the_c_abi_agree;
     mod does_the_clock_keep_the_limits;
