@@ -175,7 +175,9 @@ impl<R: Real> Trial<'_, '_, R> {
 
 /// Whether an axis can be in one state a period after the other: within its limits, and by no more than its jerk. The time since a
 /// takeover, `age` periods, is rounded, and so are the positions of a motion that lasts up to `longest`, as `Move::check` documents.
-fn follows<R: Real>(before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32, longest: f64) -> bool {
+pub fn follows<R: Real>(
+    before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32, longest: f64,
+) -> bool {
     let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(online::numbers_of_state);
     let [vmax, vmin, amax, amin, jmax, jmin] = online::numbers_of(limits).map(R::widen);
     let (jerk, speed) = (jmax.max(-jmin), vmax.max(-vmin));
