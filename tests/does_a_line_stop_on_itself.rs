@@ -75,6 +75,16 @@ fn a_tiny_way_is_no_reason_to_refuse<R: Real>() {
     }
 }
 
+/// The second axis begins with a velocity that is a rounding of what its acceleration takes away. The line is planned without it.
+fn a_rounding_at_the_start_is_no_reason_to_refuse<R: Real>() {
+    let limits = [online::symmetric(30.0, 10.0, 5.0); 2];
+    let from = [[0.0, 0.0, 1.0], [0.0, R::MACHINE_EPSILON.widen(), 0.5]].map(online::state_of);
+    let to = [4.0, 2.0].map(|position| State::at(R::of(position)));
+    let mut axes = online::straight(&limits, &from, &to);
+    line_stop(&mut axes, &limits, R::of(0.5)).expect("a stop");
+    assert!(axes.iter().all(|axis| axis.state_at(axis.t).velocity == R::ZERO));
+}
+
 fn nonsense_is_refused<R: Real>() {
     let [zero, half] = [0.0, 0.5].map(R::of);
     let limits = [30.0, 60.0].map(|j| online::symmetric(j, 10.0, 5.0));
@@ -138,6 +148,6 @@ fn a_stop_beyond_all_numbers_is_refused<R: Real>() {
 }
 
 test_both_reals!(
-    stops_stay_on_the_line, a_tiny_way_is_no_reason_to_refuse, nonsense_is_refused, axes_that_stand_stay,
-    a_cruise_stops_on_its_line, a_stop_beyond_all_numbers_is_refused
+    stops_stay_on_the_line, a_tiny_way_is_no_reason_to_refuse, a_rounding_at_the_start_is_no_reason_to_refuse,
+    nonsense_is_refused, axes_that_stand_stay, a_cruise_stops_on_its_line, a_stop_beyond_all_numbers_is_refused
 );
