@@ -154,6 +154,19 @@ mod tests {
         assert!(axis.phase[1].velocity > 1.0 - 120.0 * f64::EPSILON);
     }
 
+    /// A brake is to last 32 ulps less. It begins slower by a rounding error, and is not shifted in time: the jerk is high.
+    #[test]
+    fn a_brake_is_shorter_by_a_rounding_error() {
+        let from = State { velocity: 4.0, ..State::at(0.0) };
+        let problem = Problem::new(&Limits::symmetric(8.0, 0.125, 8.0), from, State::at(64.03125));
+        let mut axis = Move::default();
+        problem.write(&mut axis, &problem.fastest()).expect("a plan");
+        let t = axis.t - 1024.0 * f64::EPSILON;
+        assert!(takes(&axis, &problem, t) && !problem.may_shift(&axis, t));
+        fill(&mut axis, &problem, t);
+        assert!(axis.phase[1].velocity < 4.0 && axis.phase[1].acceleration.abs() < f64::EPSILON);
+    }
+
     /// In the time of the shift the acceleration changes by the rounding errors of both accelerations, and by what changes the velocity by its rounding
     /// error.
     #[test]
