@@ -638,6 +638,7 @@ fn bad_groups<R: Real>() {
         (vec![zero, none], vec![one; 2], Error::NotFinite),
         (vec![zero, one], vec![one; 2], Error::Limits),
     ];
+    let (lowest, highest) = ([zero; 2], [one; 2]);
     let mut group = Group::new(one, &mut states, &mut moves).expect("a group");
     let (mut planner, mut ticker) = group.split();
     let path = [Move::default(); 3];
@@ -661,6 +662,9 @@ fn bad_groups<R: Real>() {
     for lead in [0, 1 << 27, u32::MAX] {
         assert_eq!([planner.go(&limits, &to, lead), planner.stop(&limits, lead)], [Err(Error::Late); 2]);
     }
+    planner.within([&lowest, &highest]).expect("positions");
+    let limits = [limits[0], Limits { vmax: zero, ..limits[1] }];
+    assert_eq!([planner.sync(&limits, &to, 1), planner.stop(&limits, 1)], [Err(Error::Limits); 2]);
     let mut now = to;
     ticker.tick(&mut now);
     assert_eq!(now, still);
