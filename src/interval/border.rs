@@ -436,4 +436,12 @@ mod tests {
         assert!(is_rounding(0.0, 28.0) && !is_rounding(0.0, 36.0));
         assert!(is_rounding(1024.0, 3072.0) && !is_rounding(1024.0, 5120.0));
     }
+
+    /// A brake from 1 m/s by a jerk of 1 m/s³ takes 2 s, and its highest deceleration is 1 m/s².
+    #[test]
+    fn a_shorter_brake_begins_slower() {
+        let brake = Border::between([[1.0, 0.0], [0.0, 0.0]], &Limits::symmetric(1.0, 9.0, 9.0));
+        let ulps = |shorter: f64| (brake.faster_for(2.0 - shorter * f64::EPSILON) / f64::EPSILON).round();
+        assert_eq!([-64.0, 0.0, 64.0].map(ulps), [0.0, 0.0, -64.0]);
+    }
 }
