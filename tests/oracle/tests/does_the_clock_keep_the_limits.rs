@@ -67,10 +67,7 @@ impl<R: Real> Path<R> {
     }
 
     fn free_stop(&self, limits: &[Limits<R>], x: R) -> f64 {
-        let stop = |(axis, limits): (usize, &Limits<R>)| {
-            let stop = online::stop(limits, self.state(axis, x));
-            stop.t.widen()
-        };
+        let stop = |(axis, limits): (usize, &Limits<R>)| online::stop(limits, self.state(axis, x)).t.widen();
         limits.iter().enumerate().map(stop).fold(0.0, f64::max)
     }
 }
@@ -87,6 +84,7 @@ fn keeps<R: Real>(state: [R; 4], limits: &Limits<R>) -> bool {
 /// A state follows from the one before only if its velocity and acceleration are the derivatives of the position.
 fn limits_are_kept<R: Real>() {
     let mut random = Random::seeded(51);
+    let epsilon = R::MACHINE_EPSILON.widen();
     let (mut accepted, mut backward, mut in_change) = (0, 0, 0);
     let mut holds = [const { Vec::new() }; 3];
     for number in 0..PATHS {
@@ -118,27 +116,39 @@ fn limits_are_kept<R: Real>() {
                     holds[reserve].push((clock.until().widen() - x) / free);
                 }
             }
+            for (axis, limits) in limits.iter().enumerate() {
+                let [one, other] = [before, clock].map(|clock| clock.state(path.axis(axis), n, begin));
+                let speed = limits.vmax.widen() - limits.vmin.widen();
+                let position = one[0].widen().abs() + speed * (x + t);
+                let acceleration = limits.amax.widen() - limits.amin.widen();
+                for (k, size) in [position, speed + acceleration * x, acceleration].into_iter().enumerate() {
+                    let jump = (one[k].widen() - other[k].widen()).abs();
+                    // The acceleration changes by its jerk within a rounding of the time.
+                    let jerk = limits.jmax.widen() - limits.jmin.widen();
+                    let slack = 256.0 * epsilon * (size + if k == 2 { jerk * (x + t) } else { 0.0 });
+                    assert!(jump <= slack, "path {number}: {one:?} {other:?}");
+                }
+            }
             let later = (clock.until().widen().max(x) + t * random.between(-0.2, 0.5)).max(x + 1e-3 * t);
-            let period = (later - x) / SAMPLES as f64;
             for (axis, limits) in limits.iter().enumerate() {
                 let mut last = None;
-                for k in 0..=SAMPLES {
-                    // The first sample is of the clock as it was.
-                    let (clock, k) = if k == 0 { (&before, 0.0) } else { (&clock, k as f64 - random.unit()) };
-                    let y = R::of(x + k * period);
-                    let state = clock.state(path.axis(axis), n, y);
-                    let [position, velocity, acceleration, _] = state;
-                    assert_eq!(position, path.state(axis, clock.time(y)).position, "path {number}: off the path");
-                    let now = State { position, velocity, acceleration };
-                    let follows = last.is_none_or(|(before, then): (State<R>, R)| {
-                        let passed = y.widen() - then.widen();
-                        follows(before, now, limits, passed, ((x + t) / passed) as u32, t)
-                    });
-                    assert!(
-                        follows && keeps(state, limits),
-                        "path {number}, change {change}: {last:?} {state:?} {limits:?} at {y:e}, {clock:?}, axis {axis}"
-                    );
-                    last = Some((now, y));
+                for k in 0..SAMPLES {
+                    let part = (k as f64 + random.between(0.0, 0.99)) / SAMPLES as f64;
+                    // A short step tells derivatives, a long one jumps.
+                    for y in [part, part + 1e-5].map(|part| R::of(x + part * (later - x))) {
+                        let state = clock.state(path.axis(axis), n, y);
+                        let [position, velocity, acceleration, _] = state;
+                        assert_eq!(position, path.state(axis, clock.time(y)).position, "path {number}: off the path");
+                        let now = State { position, velocity, acceleration };
+                        let follows = last.is_none_or(|(before, then): (_, R)| {
+                            follows(before, now, limits, y.widen() - then.widen(), x + t, t)
+                        });
+                        assert!(
+                            follows && keeps(state, limits),
+                            "path {number}, change {change}: {last:?} {state:?} {limits:?} at {y:e}, {clock:?}, axis {axis}"
+                        );
+                        last = Some((now, y));
+                    }
                 }
             }
             x = later;

@@ -107,15 +107,14 @@ struct Trial<'g, 'a, R> {
 
 impl<R: Real> Trial<'_, '_, R> {
     fn tick(&mut self) -> Tick {
-        let before = self.now.clone();
+        let (before, period) = (self.now.clone(), self.period.widen());
         let tick = self.ticker.tick(&mut self.now);
         self.age = if tick.begins { self.age.max(1) } else { self.age + 1 };
         for ((before, now), limits) in before.iter().zip(&self.now).zip(self.limits) {
-            let follows = follows(*before, *now, limits, self.period.widen(), self.age, self.longest);
+            let follows = follows(*before, *now, limits, period, period * f64::from(self.age), self.longest);
             assert!(follows, "{before:?} {now:?} {limits:?}");
         }
         assert!(self.stays_inside(), "{:?} {:?}", self.now, self.positions);
-        let period = self.period.widen();
         self.steps += self.motors.iter_mut().zip(&self.now).map(|(motor, now)| motor.tick(*now, period)).sum::<u64>();
         assert!(!(tick.ends && self.has_ended && !tick.begins));
         if self.has_ended && !tick.begins && self.stands() {
@@ -174,16 +173,16 @@ impl<R: Real> Trial<'_, '_, R> {
 }
 
 /// Whether an axis can be in one state a period after the other: within its limits, and by no more than its jerk. The time since a
-/// takeover, `age` periods, is rounded, and so are the positions of a motion that lasts up to `longest`, as `Move::check` documents.
+/// takeover, `age`, is rounded, and so are the positions of a motion that lasts up to `longest`, as `Move::check` documents.
 pub fn follows<R: Real>(
-    before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: u32, longest: f64,
+    before: State<R>, now: State<R>, limits: &Limits<R>, period: f64, age: f64, longest: f64,
 ) -> bool {
     let [[p0, v0, a0], [p1, v1, a1]] = [before, now].map(online::numbers_of_state);
     let [vmax, vmin, amax, amin, jmax, jmin] = online::numbers_of(limits).map(R::widen);
     let (jerk, speed) = (jmax.max(-jmin), vmax.max(-vmin));
     let ulp = 256.0 * R::MACHINE_EPSILON.widen();
     let is_within = |x: f64, low: f64, high: f64| x >= low - ulp * (high - low) && x <= high + ulp * (high - low);
-    let time = ulp * period * f64::from(age);
+    let time = ulp * age;
     let acceleration = jerk * period + ulp * (amax - amin) + jerk * time;
     let velocity = jerk * period * period / 4.0 + ulp * speed + (amax - amin) * time;
     let position = jerk * period.powi(3) / 12.0 + ulp * (p0.abs() + p1.abs() + speed * longest) + speed * time;
