@@ -162,11 +162,10 @@ impl<R: Real> Border<R> {
     pub fn faster_for(&self, t: R) -> R {
         let direct = self.direct(self.beyond_straight());
         let shorter = t - self.passed(&direct).duration;
-        let mirrored = direct.mirrored;
-        let limit = if mirrored { -self.limits.amin } else { self.limits.amax };
         let most = of_check(self.speeds() + self.limits.speed_within(t));
-        let fitted = direct.longer(shorter, limit, most, self.per_jerk.mirrored_if(mirrored));
-        fitted.filter(|_| shorter < R::ZERO).map_or(R::ZERO, |fitted| -fitted.faster.negate_if(mirrored))
+        // The peak of a shorter ramp is lower, so no limit decides.
+        let fitted = direct.longer(shorter, R::INFINITY, most, self.per_jerk.mirrored_if(direct.mirrored));
+        fitted.filter(|_| shorter < R::ZERO).map_or(R::ZERO, |fitted| -fitted.faster.negate_if(direct.mirrored))
     }
 
     /// How much faster the start is to be for a straight change of the acceleration; 0 if that is more than rounding.

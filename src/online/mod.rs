@@ -2,10 +2,10 @@
 //! jerk. The programs of `docs/moves.md` plan, and plan again in mid-motion.
 
 mod check;
-mod inside;
 mod motion;
 mod phase;
 pub(crate) mod problem;
+mod recovery;
 mod track;
 mod turn;
 mod write;

@@ -2,8 +2,8 @@
 //!
 //! A problem has two clocks. The clock of the move begins at the start. The clock of the border begins where the recovery ends.
 
-use super::inside::Inside;
 use super::motion::Move;
+use super::recovery::Recovery;
 use super::write::Writer;
 use crate::findings::{Error, Findings};
 use crate::interval::border::Border;
@@ -22,7 +22,7 @@ pub(crate) struct Problem<R> {
     pub to: State<R>,
     /// The sum of the magnitudes of both positions: their rounding is an ulp of it.
     positions: R,
-    inside: Inside<R>,
+    recovery: Recovery<R>,
     /// The motions after the recovery.
     pub border: Border<R>,
 }
@@ -30,9 +30,9 @@ pub(crate) struct Problem<R> {
 impl<R: Real> Problem<R> {
     pub fn new(limits: &Limits<R>, from: State<R>, to: State<R>) -> Self {
         let per_jerk = PerJerk::of(limits);
-        let inside = Inside::from(limits, per_jerk, from);
-        let border = inside.border(limits, per_jerk, from, to);
-        Self { from, to, positions: from.position.abs() + to.position.abs(), inside, border }
+        let recovery = Recovery::from(limits, per_jerk, from);
+        let border = recovery.border(limits, per_jerk, from, to);
+        Self { from, to, positions: from.position.abs() + to.position.abs(), recovery, border }
     }
 
     /// The problem of an axis whose positions are counted from its end. Their rounding is an ulp of the sum of the magnitudes of the true ones.
@@ -50,7 +50,7 @@ impl<R: Real> Problem<R> {
     }
 
     fn displacement_of_recovery(&self) -> R {
-        let change = &self.inside.change;
+        let change = &self.recovery.change;
         self.from.velocity * change.duration + change.displacement
     }
 
@@ -103,12 +103,12 @@ impl<R: Real> Problem<R> {
 
     /// A duration of the move on the clock of the border, s.
     pub fn after_recovery(&self, duration: R) -> R {
-        duration - self.inside.change.duration
+        duration - self.recovery.change.duration
     }
 
     /// A duration on the border on the clock of the move, s.
     pub fn with_inside(&self, duration: R) -> R {
-        self.inside.change.duration + duration
+        self.recovery.change.duration + duration
     }
 
     pub fn fastest(&self) -> Profile<R> {
@@ -122,7 +122,7 @@ impl<R: Real> Problem<R> {
     }
 
     fn recovery(&self) -> [Segment<R>; 2] {
-        self.inside.segments(&self.border.limits, self.from.acceleration)
+        self.recovery.segments(&self.border.limits, self.from.acceleration)
     }
 
     /// Whether a motion, and `added` added to any of its numbers, is within the range of the real type.
@@ -171,7 +171,7 @@ impl<R: Real> Problem<R> {
     /// A writer that has written the recovery.
     pub fn writer<'a>(&self, ctx: &'a mut Move<R>) -> Writer<'a, R> {
         let mut writer = Writer::new(ctx, self.from);
-        if self.inside.change.duration > R::ZERO {
+        if self.recovery.change.duration > R::ZERO {
             for segment in &self.recovery() {
                 writer.write(segment);
             }
@@ -182,7 +182,7 @@ impl<R: Real> Problem<R> {
     /// What exceeds the limits before or after the move.
     pub fn outside(&self) -> Findings {
         let is_leaving = self.border.limits.are_left_after(self.to);
-        Findings::STARTS_OUTSIDE.when(self.inside.starts_outside) | Findings::ENDS_LEAVING.when(is_leaving)
+        Findings::STARTS_OUTSIDE.when(self.recovery.starts_outside) | Findings::ENDS_LEAVING.when(is_leaving)
     }
 
     /// The findings of a written move.

@@ -10,40 +10,48 @@ use crate::online::problem::Problem;
 use crate::real::Real;
 use crate::state::State;
 
-/// The limits of an axis, and its states at the start and at the end.
-pub(crate) type Axis<'a, R> = (&'a Limits<R>, (&'a State<R>, &'a State<R>));
-
-pub(super) fn problem<R: Real>((limits, (&from, &to)): Axis<R>) -> Problem<R> {
-    Problem::new(limits, from, to)
+/// What an axis is to do.
+#[derive(Clone, Copy)]
+pub(crate) struct Task<'a, R> {
+    pub limits: &'a Limits<R>,
+    pub from: &'a State<R>,
+    pub to: &'a State<R>,
 }
 
-/// Limits and states of the axes, if each of them can be planned.
+impl<R: Real> Task<'_, R> {
+    pub fn problem(&self) -> Problem<R> {
+        Problem::new(self.limits, *self.from, *self.to)
+    }
+
+    /// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the
+    /// range of the real type: the way in which the axis brakes, and the time in which it comes back, and one unit of length farther, at the
+    /// least limits.
+    pub fn is_ordinary(&self, duration: R) -> bool {
+        let Self { limits, from, to } = *self;
+        let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
+        let [per_v, per_a, per_j] =
+            [(vmax, vmin), (amax, amin), (jmax, jmin)].map(|(high, low)| R::ONE / high.at_most(-low));
+        let a = from.acceleration.abs() + to.acceleration.abs();
+        let v = from.velocity.abs() + to.velocity.abs() + a * a * per_j;
+        let t = R::ONE + v * (per_a + per_j) + a * per_j;
+        let way = R::ONE + from.position.abs() + to.position.abs() + v * t;
+        let t = t + duration + way * (per_v + per_a + per_j);
+        // The other axes may have to take as long.
+        (way + (t + v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
+    }
+}
+
+/// The tasks of the axes, if each of them can be planned.
 pub(crate) fn checked<'a, R: Real>(
     count: usize, limits: &'a [Limits<R>], from: &'a [State<R>], to: &'a [State<R>],
-) -> Result<impl Iterator<Item = Axis<'a, R>> + Clone, Error> {
+) -> Result<impl Iterator<Item = Task<'a, R>> + Clone, Error> {
     let fit = limits.len() == count && from.len() == count && to.len() == count;
     Error::Axes.unless(count > 0 && fit)?;
-    let ends = limits.iter().zip(from.iter().zip(to));
-    for (limits, (&from, &to)) in ends.clone() {
-        limits.check(from, to)?;
+    let tasks = limits.iter().zip(from).zip(to).map(|((limits, from), to)| Task { limits, from, to });
+    for Task { limits, from, to } in tasks.clone() {
+        limits.check(*from, *to)?;
     }
-    Ok(ends)
-}
-
-/// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the
-/// range of the real type: the way in which the axis brakes, and the time in which it comes back, and one unit of length farther, at the
-/// least limits.
-pub(super) fn is_ordinary<R: Real>((limits, (from, to)): Axis<R>, duration: R) -> bool {
-    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
-    let [per_v, per_a, per_j] =
-        [(vmax, vmin), (amax, amin), (jmax, jmin)].map(|(high, low)| R::ONE / high.at_most(-low));
-    let a = from.acceleration.abs() + to.acceleration.abs();
-    let v = from.velocity.abs() + to.velocity.abs() + a * a * per_j;
-    let t = R::ONE + v * (per_a + per_j) + a * per_j;
-    let way = R::ONE + from.position.abs() + to.position.abs() + v * t;
-    let t = t + duration + way * (per_v + per_a + per_j);
-    // The other axes may have to take as long.
-    (way + (t + v + a * t) * t) * R::EPSILON * R::EPSILON < R::ONE
+    Ok(tasks)
 }
 
 /// Whether an axis can wait where it stands.
@@ -131,7 +139,7 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
 
 #[cfg(test)]
 mod tests {
-    use super::{fill, is_ordinary, next_duration, takes};
+    use super::{Task, fill, next_duration, takes};
     use crate::limits::Limits;
     use crate::online::Move;
     use crate::online::problem::Problem;
@@ -208,7 +216,7 @@ mod tests {
         let [vmax, vmin, amax, amin, jmax, jmin, p0, p1, v0, v1, a0, a1, duration] = all;
         let limits = Limits { vmax, vmin: -vmin, amax, amin: -amin, jmax, jmin: -jmin };
         let state = |position, velocity, acceleration| State { position, velocity, acceleration };
-        is_ordinary((&limits, (&state(p0, v0, a0), &state(p1, v1, a1))), duration)
+        Task { limits: &limits, from: &state(p0, v0, a0), to: &state(p1, v1, a1) }.is_ordinary(duration)
     }
 
     #[test]

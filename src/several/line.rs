@@ -1,6 +1,6 @@
 //! Several axes on the straight line from their start to their end.
 
-use super::axis::{Axis, checked, next_of_plan, stretch, takes};
+use super::axis::{Task, checked, next_of_plan, stretch, takes};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::interval::rounding::{of_check, of_formula};
@@ -19,19 +19,19 @@ pub fn line<R: Real>(
     axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], duration: R, cycle: R,
 ) -> Result<Findings, Error> {
     let cycle = Cycle::new(duration, cycle)?;
-    let ends = checked(axes.len(), limits, from, to)?;
-    let line = Line::through(ends.clone())?;
-    let limits = line.tightest(ends.clone())?;
+    let tasks = checked(axes.len(), limits, from, to)?;
+    let line = Line::through(tasks.clone())?;
+    let limits = line.tightest(tasks.clone())?;
     limits.check(line.from, line.to)?;
-    line.check(ends.clone())?;
-    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.finest(ends.clone()));
+    line.check(tasks.clone())?;
+    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.finest(tasks.clone()));
     let mut lead = Move::default();
     problem.write(&mut lead, &problem.fastest())?;
     let slowest = duration.at_least(lead.t);
     let t = cycle.until_possible(1, slowest, |t| next_of_plan(&lead, &|| problem, t))?;
     let t = cycle.earlier(t, slowest, [lead.t].into_iter(), |t| takes(&lead, &problem, t));
     stretch(&mut lead, &|| problem, t)?;
-    for ((_, (from, to)), axis) in ends.zip(axes) {
+    for (Task { from, to, .. }, axis) in tasks.zip(axes) {
         *axis = lead.scaled(to.position, line.share(from, to).times);
         axis.set_ends(*from, *to);
     }
@@ -63,9 +63,9 @@ struct Share<R> {
 
 impl<'a, R: Real + 'a> Line<R> {
     /// The line along which the axis with the largest displacement leads.
-    fn through(ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Self, Error> {
-        let braking = ends.clone().map(braking).fold(R::ZERO, R::at_least);
-        let leads = ends.map(|(limits, (from, to))| {
+    fn through(tasks: impl Iterator<Item = Task<'a, R>> + Clone) -> Result<Self, Error> {
+        let braking = tasks.clone().map(braking).fold(R::ZERO, R::at_least);
+        let leads = tasks.map(|Task { limits, from, to }| {
             let line = Self {
                 from: State { position: from.position - to.position, ..*from },
                 to: State { position: R::ZERO, ..*to },
@@ -136,21 +136,21 @@ impl<'a, R: Real + 'a> Line<R> {
 
     /// The sum of the magnitudes of the lead's positions, but at most 16 times that of the axis which rounds least, as the lead sees it. What is
     /// a rounding of a coarse axis would be a jump of a fine one.
-    fn finest(&self, ends: impl Iterator<Item = Axis<'a, R>>) -> R {
-        let seen =
-            ends.map(|(_, (from, to))| (from.position.abs() + to.position.abs()) / self.share(from, to).times.abs());
+    fn finest(&self, tasks: impl Iterator<Item = Task<'a, R>>) -> R {
+        let seen = tasks
+            .map(|Task { from, to, .. }| (from.position.abs() + to.position.abs()) / self.share(from, to).times.abs());
         seen.fold(self.positions, |finest, positions| (R::from(16) * positions).at_most(finest))
     }
 
     /// The limits of the lead that keep the limits of all axes.
-    fn tightest(&self, ends: impl Iterator<Item = Axis<'a, R>> + Clone) -> Result<Limits<R>, Error> {
-        let (first, _) = ends.clone().next().ok_or(Error::Axes)?;
+    fn tightest(&self, tasks: impl Iterator<Item = Task<'a, R>> + Clone) -> Result<Limits<R>, Error> {
+        let first = tasks.clone().next().ok_or(Error::Axes)?;
         if self.reach() == R::ZERO {
-            return Ok(*first);
+            return Ok(*first.limits);
         }
         let endless = R::INFINITY;
         let mut tightest = Limits::symmetric(endless, endless, endless);
-        for (limits, (from, to)) in ends {
+        for Task { limits, from, to } in tasks {
             tightest.tighten(limits, self.share(from, to).times);
         }
         // Each target is within the limits of its axis, so that of the lead is too, up to rounding of the shares.
@@ -159,9 +159,9 @@ impl<'a, R: Real + 'a> Line<R> {
     }
 
     /// Whether all states lie on the line, up to rounding.
-    fn check(&self, mut ends: impl Iterator<Item = Axis<'a, R>>) -> Result<(), Error> {
+    fn check(&self, mut tasks: impl Iterator<Item = Task<'a, R>>) -> Result<(), Error> {
         let (v, a) = self.highest;
-        let is_straight = ends.all(|(_, (from, to))| {
+        let is_straight = tasks.all(|Task { from, to, .. }| {
             let Share { times: share, rounding } = self.share(from, to);
             let positions = from.position.abs() + to.position.abs() + share.abs() * (self.positions + self.reach());
             let agree = |x: R, y: R, scale: R| (x - share * y).abs() <= of_check(scale) + rounding * y.abs();
@@ -188,7 +188,7 @@ fn highest<R: Real>(limits: &Limits<R>, distance: R) -> (R, R) {
 }
 
 /// How long an axis takes to brake from the higher velocity of both ends, s.
-fn braking<R: Real>((limits, (from, to)): Axis<R>) -> R {
+fn braking<R: Real>(Task { limits, from, to }: Task<R>) -> R {
     let speed = from.velocity.abs().at_least(to.velocity.abs());
     let j = limits.jmax.at_most(-limits.jmin);
     let a = limits.amax.at_most(-limits.amin).at_most((speed * j).sqrt());
@@ -197,7 +197,7 @@ fn braking<R: Real>((limits, (from, to)): Axis<R>) -> R {
 
 #[cfg(test)]
 mod tests {
-    use super::{Line, braking, highest};
+    use super::{Line, Task, braking, highest};
     use crate::limits::Limits;
     use crate::state::State;
 
@@ -212,11 +212,11 @@ mod tests {
             let found = highest(&limits, distance);
             assert!((found.0 - v).abs() < 1e-3 && (found.1 - a).abs() < 1e-3, "{found:?}");
         }
-        let from_speed = |velocity| braking((&LIMITS, (&State { velocity, ..STAND }, &STAND)));
+        let from_speed = |velocity| braking(Task { limits: &LIMITS, from: &State { velocity, ..STAND }, to: &STAND });
         assert_eq!([0.0, 0.25, 16.0].map(from_speed), [0.0, 0.5, 8.5]);
         // An acceleration at an end changes the velocity until it is 0.
         let end = State { acceleration: 2.0, ..STAND };
-        let line = Line::through([(&LIMITS, (&end, &STAND))].into_iter());
+        let line = Line::through([Task { limits: &LIMITS, from: &end, to: &STAND }].into_iter());
         assert_eq!(line.map(|line| line.highest), Ok((1.0, 2.0)));
     }
 }

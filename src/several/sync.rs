@@ -1,6 +1,6 @@
 //! Several axes in the same time.
 
-use super::axis::{Axis, checked, is_ordinary, next_of_plan, problem, stretch, takes};
+use super::axis::{Task, checked, next_of_plan, stretch, takes};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -19,19 +19,19 @@ pub fn synchronise<R: Real>(
 ) -> Result<Findings, Error> {
     let until_tick = duration + cycle;
     let cycle = Cycle::new(duration, cycle)?;
-    let ends = checked(axes.len(), limits, from, to)?;
-    if !ends.clone().all(|ends| is_ordinary(ends, until_tick)) {
-        rehearse(&cycle, duration, ends.clone())?;
+    let tasks = checked(axes.len(), limits, from, to)?;
+    if !tasks.clone().all(|task| task.is_ordinary(until_tick)) {
+        rehearse(&cycle, duration, tasks.clone())?;
     }
     let mut found = Findings::default();
-    for (ends, axis) in ends.clone().zip(axes.iter_mut()) {
-        let problem = problem(ends);
+    for (task, axis) in tasks.clone().zip(axes.iter_mut()) {
+        let problem = task.problem();
         problem.write(axis, &problem.fastest())?;
         found |= problem.outside();
     }
-    let t = common_duration(&cycle, duration, ends.clone().zip(axes.iter()))?;
-    for (ends, axis) in ends.zip(axes) {
-        stretch(axis, &|| problem(ends), t)?;
+    let t = common_duration(&cycle, duration, tasks.clone().zip(axes.iter()))?;
+    for (task, axis) in tasks.zip(axes) {
+        stretch(axis, &|| task.problem(), t)?;
         found |= axis.turn_findings();
     }
     Ok(found)
@@ -39,20 +39,20 @@ pub fn synchronise<R: Real>(
 
 /// The shortest duration that all axes can take. Each axis has made its fastest plan.
 fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
-    cycle: &Cycle<R>, duration: R, planned: impl Iterator<Item = (Axis<'a, R>, M)> + Clone,
+    cycle: &Cycle<R>, duration: R, planned: impl Iterator<Item = (Task<'a, R>, M)> + Clone,
 ) -> Result<R, Error> {
     let durations = planned.clone().map(|(_, axis)| axis.borrow().t);
     let slowest = durations.clone().fold(duration, R::at_least);
     let t = cycle.until_possible(planned.clone().count(), slowest, |t| {
-        let next = |(ends, axis): (_, M)| next_of_plan(axis.borrow(), &|| problem(ends), t);
+        let next = |(task, axis): (Task<R>, M)| next_of_plan(axis.borrow(), &|| task.problem(), t);
         planned.clone().map(next).fold(t, R::at_least)
     })?;
     Ok(cycle.earlier(t, slowest, durations, |t| {
         // Axes that are too slow first: they fail fast.
         for is_slow in [true, false] {
-            for (ends, axis) in planned.clone() {
+            for (task, axis) in planned.clone() {
                 let axis = axis.borrow();
-                if (axis.t > t) == is_slow && !takes(axis, &problem(ends), t) {
+                if (axis.t > t) == is_slow && !takes(axis, &task.problem(), t) {
                     return false;
                 }
             }
@@ -64,19 +64,21 @@ fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
 /// Plans extreme axes one by one, to see whether all of them can be planned. So no axis is written on an error.
 #[cold]
 fn rehearse<'a, R: Real + 'a>(
-    cycle: &Cycle<R>, duration: R, axes: impl Iterator<Item = Axis<'a, R>> + Clone,
+    cycle: &Cycle<R>, duration: R, tasks: impl Iterator<Item = Task<'a, R>> + Clone,
 ) -> Result<(), Error> {
-    let planned = |ends: Axis<R>| {
-        let mut axis = Move::default();
-        let problem = problem(ends);
-        problem.write(&mut axis, &problem.fastest()).map(|()| axis)
-    };
-    for ends in axes.clone() {
-        planned(ends)?;
+    for task in tasks.clone() {
+        fastest(task)?;
     }
-    let t = common_duration(cycle, duration, axes.clone().map(|ends| (ends, planned(ends).unwrap_or_default())))?;
-    for ends in axes {
-        stretch(&mut planned(ends)?, &|| problem(ends), t)?;
+    let t = common_duration(cycle, duration, tasks.clone().map(|task| (task, fastest(task).unwrap_or_default())))?;
+    for task in tasks {
+        stretch(&mut fastest(task)?, &|| task.problem(), t)?;
     }
     Ok(())
+}
+
+#[inline(never)] // for its stack
+fn fastest<R: Real>(task: Task<R>) -> Result<Move<R>, Error> {
+    let mut axis = Move::default();
+    let problem = task.problem();
+    problem.write(&mut axis, &problem.fastest()).map(|()| axis)
 }

@@ -4,7 +4,7 @@
 //! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position. Then it makes its fastest move and
 //! waits, or it stops, waits and goes.
 
-use super::axis::{Axis, checked, lasts, next_duration, problem, stretch};
+use super::axis::{Task, checked, lasts, next_duration, stretch};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::interval::rounding::of_formula;
@@ -41,11 +41,11 @@ pub fn synchronise_within<R: Real>(
     cycle: R,
 ) -> Result<Findings, Error> {
     let cycle = Cycle::new(duration, cycle)?;
-    let ends = checked(axes.len(), limits, from, to)?;
+    let tasks = checked(axes.len(), limits, from, to)?;
     let [lowest, highest] = positions;
     Error::Axes.unless(lowest.len() == axes.len() && highest.len() == axes.len())?;
     let bounds = lowest.iter().zip(highest);
-    let within = ends.zip(bounds).map(|(ends, (&lowest, &highest))| Within { ends, lowest, highest });
+    let within = tasks.zip(bounds).map(|(task, (&lowest, &highest))| Within { task, lowest, highest });
     let mut slowest = duration;
     for axis in within.clone() {
         slowest = slowest.at_least(axis.shortest()?);
@@ -54,7 +54,7 @@ pub fn synchronise_within<R: Real>(
     let mut found = Findings::default();
     for (within, axis) in within.zip(axes) {
         within.plan(axis, t)?;
-        found |= problem(within.ends).findings(axis);
+        found |= within.task.problem().findings(axis);
     }
     Ok(found)
 }
@@ -65,7 +65,7 @@ fn common_duration<'a, R: Real + 'a>(
 ) -> Result<R, Error> {
     let all_inside = |t: R| {
         let t = cycle.until_possible(axes.clone().count(), t, |t| {
-            axes.clone().map(|axis| next_duration(&problem(axis.ends), t)).fold(t, R::at_least)
+            axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least)
         })?;
         let mut axis = Move::default();
         for within in axes.clone() {
@@ -95,7 +95,7 @@ fn common_duration<'a, R: Real + 'a>(
 /// An axis between two positions.
 #[derive(Clone, Copy)]
 struct Within<'a, R> {
-    ends: Axis<'a, R>,
+    task: Task<'a, R>,
     lowest: R,
     highest: R,
 }
@@ -103,7 +103,7 @@ struct Within<'a, R> {
 impl<R: Real> Within<'_, R> {
     /// The duration of the fastest move, s.
     fn shortest(&self) -> Result<R, Error> {
-        let (limits, (&from, &to)) = self.ends;
+        let Task { limits, from: &from, to: &to } = self.task;
         let mut axis = Move::default();
         axis.within(limits, from, to, self.lowest, self.highest)?;
         Ok(axis.t)
@@ -111,9 +111,9 @@ impl<R: Real> Within<'_, R> {
 
     /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found that stays between the positions.
     fn plan(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
-        let (limits, (&from, &to)) = self.ends;
+        let Task { limits, from: &from, to: &to } = self.task;
         axis.plan(limits, from, to)?;
-        stretch(axis, &|| problem(self.ends), t)?;
+        stretch(axis, &|| self.task.problem(), t)?;
         if axis.leaves(self.lowest, self.highest) {
             self.plan_wait(axis, t)?;
         }
@@ -123,7 +123,7 @@ impl<R: Real> Within<'_, R> {
     /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.
     #[cold]
     fn plan_wait(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
-        let (limits, (&from, &to)) = self.ends;
+        let Task { limits, from: &from, to: &to } = self.task;
         axis.within(limits, from, to, self.lowest, self.highest)?;
         if lasts(axis, t) {
             axis.end_at(t);
@@ -142,7 +142,7 @@ impl<R: Real> Within<'_, R> {
 
     /// Plans the moves before and after a wait: at the target, or where the fastest stop ends.
     fn plan_around_wait(&self, [before, after]: [&mut Move<R>; 2]) -> Result<(), Error> {
-        let (limits, (&from, &to)) = self.ends;
+        let Task { limits, from: &from, to: &to } = self.task;
         if to.is_at_rest() {
             before.within(limits, from, to, self.lowest, self.highest)?;
             after.stay(to);

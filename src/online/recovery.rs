@@ -10,7 +10,7 @@ use crate::state::State;
 
 /// The recovery back inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Inside<R> {
+pub(crate) struct Recovery<R> {
     /// The acceleration at the end of the recovery.
     acceleration: R,
     /// Whether the acceleration rises. A slow jerk may change it by less than a rounding.
@@ -25,7 +25,7 @@ pub(crate) struct Inside<R> {
     pub starts_outside: bool,
 }
 
-impl<R: Real> Inside<R> {
+impl<R: Real> Recovery<R> {
     /// The recovery from the state `from`. It has no duration if `from` is inside.
     pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
         let State { velocity: v, acceleration: a, .. } = from;
@@ -38,12 +38,12 @@ impl<R: Real> Inside<R> {
         if is_inside {
             Self { acceleration: a, ..Self::default() }
         } else {
-            Self::recovery(limits, per_jerk, (v, a), v_at_a_zero)
+            Self::from_outside(limits, per_jerk, (v, a), v_at_a_zero)
         }
     }
 
     /// The recovery from a velocity and an acceleration that may be outside.
-    fn recovery(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), v_at_a_zero: R) -> Self {
+    fn from_outside(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), v_at_a_zero: R) -> Self {
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
         // A start beyond a velocity by rounding stays there. A recovery would overshoot a target next to it.
