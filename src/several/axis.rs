@@ -44,7 +44,7 @@ impl<R: Real> Task<'_, R> {
 /// The tasks of the axes, if each of them can be planned.
 pub(crate) fn checked<'a, R: Real>(
     count: usize, limits: &'a [Limits<R>], from: &'a [State<R>], to: &'a [State<R>],
-) -> Result<impl Iterator<Item = Task<'a, R>> + Clone, Error> {
+) -> Result<impl ExactSizeIterator<Item = Task<'a, R>> + Clone, Error> {
     let fit = limits.len() == count && from.len() == count && to.len() == count;
     Error::Axes.unless(count > 0 && fit)?;
     let tasks = limits.iter().zip(from).zip(to).map(|((limits, from), to)| Task { limits, from, to });

@@ -41,38 +41,51 @@ impl<R: Real> Cruise<R> {
         Self::over(&problem.border, h, t)
     }
 
-    /// The slope of the displacement is positive wherever the axis cruises. A step of Newton's method fits a quadratic. The first step that
-    /// leaves the range that holds the velocity becomes a step to its end, and each later one becomes a halving of the range.
+    /// The ramps leave time for a cruise at velocities around the one that the start leads to, around the one that leads to the end, and perhaps at
+    /// all between.
     fn over(border: &Border<R>, h: R, t: R) -> Option<Self> {
         let reversed = border.reversed();
-        let mean = h / t;
+        let steady = |border: &Border<R>| border.v0 + border.per_jerk.straight(border.a0, R::ZERO);
+        let guesses = [h / t, steady(border), steady(&reversed)];
+        guesses.into_iter().find_map(|v| Self::near(border, &reversed, v, h, t))
+    }
+
+    /// The motion at a velocity that is as far from the guess as the axis cruises. There the slope of the displacement is positive. A step of
+    /// Newton's method fits a quadratic. The first step that leaves the range that holds the velocity becomes a step to its end, and each later
+    /// one becomes a halving of the range.
+    fn near(border: &Border<R>, reversed: &Border<R>, guess: R, h: R, t: R) -> Option<Self> {
         let ends = border.v0.abs() + border.v1.abs();
         // The mean velocity of a ramp is at least a third of the cruise's, plus what its own end adds: a half, if both jerks are equal. So
         // the cruise is not faster.
-        let fastest = R::from(3) * (mean.abs() + ends + border.eased);
+        let fastest = R::from(3) * ((h / t).abs() + ends + border.eased);
         let mut low = border.limits.vmin.at_least(-fastest);
         let mut high = border.limits.vmax.at_most(fastest);
-        let mut v = mean.at_least(low).at_most(high);
+        let mut v = guess.at_least(low).at_most(high);
         let mut is_end_asked = false;
-        for _ in 0..MOST_ROUNDS {
-            let cruise = Self::at(border, &reversed, v, t);
+        for round in 0..MOST_ROUNDS {
+            let cruise = Self::at(border, reversed, v, t);
             let beyond = cruise.displacement() - h;
-            if beyond.abs() <= of_formula(h.abs() + (ends + v.abs()) * t) {
-                return (cruise.c >= R::ZERO).then_some(cruise);
+            let cruises = cruise.c >= R::ZERO;
+            if cruises && beyond.abs() <= of_formula(h.abs() + (ends + v.abs()) * t) {
+                return Some(cruise);
             }
-            let end = if beyond > R::ZERO { low } else { high };
+            if !cruises && round == 0 {
+                break;
+            }
+            let is_high = if cruises { beyond > R::ZERO } else { v > guess };
+            let end = if is_high { low } else { high };
             let is_end = v == end;
             if is_end {
                 // The velocity is between the end and the velocities before.
-            } else if beyond > R::ZERO {
+            } else if is_high {
                 high = v;
             } else {
                 low = v;
             }
             let next = v - cruise.step(beyond);
-            v = if !is_end && next > low && next < high {
+            v = if cruises && !is_end && next > low && next < high {
                 next
-            } else if is_end_asked {
+            } else if is_end_asked || !cruises {
                 low + R::HALF * (high - low)
             } else {
                 is_end_asked = true;
@@ -195,6 +208,17 @@ mod tests {
             let t = -at(0.0).c * (2.0 + random.magnitude(-5.0, 5.0));
             let found = Cruise::over(&border, at(t).displacement(), t);
             assert!(found.is_some_and(|found| (found.v - v).abs() < 1e-9), "{border:?} {v} {t}");
+        }
+    }
+
+    /// Cruises are possible near the start and near the end, and not at the mean velocity between. So an axis that cruises goes on.
+    #[test]
+    fn a_cruise_goes_on() {
+        let border = Border::between([[-1.0_f64, 0.0], [2.0, 0.0]], &Limits::symmetric(12.0, 8.0, 4.0));
+        let ramp = Cruise::at(&border, &border.reversed(), -1.0, 0.0);
+        for c in [0.01_f64, 0.1] {
+            let found = Cruise::over(&border, ramp.displacement() + ramp.c - c, c - ramp.c);
+            assert!(found.is_some_and(|found| (found.v + 1.0).abs() < 1e-9), "{c}");
         }
     }
 

@@ -23,13 +23,14 @@ pub fn synchronise<R: Real>(
     if !tasks.clone().all(|task| task.is_ordinary(until_tick)) {
         rehearse(&cycle, duration, tasks.clone())?;
     }
-    let mut found = Findings::default();
+    let (mut found, mut slowest) = (Findings::default(), duration);
     for (task, axis) in tasks.clone().zip(axes.iter_mut()) {
         let problem = task.problem();
         problem.write(axis, &problem.fastest())?;
         found |= problem.outside();
+        slowest = slowest.at_least(axis.t);
     }
-    let t = common_duration(&cycle, duration, tasks.clone().zip(axes.iter()))?;
+    let t = common_duration(&cycle, slowest, tasks.clone().zip(axes.iter()))?;
     for (task, axis) in tasks.zip(axes) {
         stretch(axis, &|| task.problem(), t)?;
         found |= axis.turn_findings();
@@ -37,13 +38,12 @@ pub fn synchronise<R: Real>(
     Ok(found)
 }
 
-/// The shortest duration that all axes can take. Each axis has made its fastest plan.
+/// The shortest duration from `slowest` on that all axes can take. Each axis has made its fastest plan.
 fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
-    cycle: &Cycle<R>, duration: R, planned: impl Iterator<Item = (Task<'a, R>, M)> + Clone,
+    cycle: &Cycle<R>, slowest: R, planned: impl ExactSizeIterator<Item = (Task<'a, R>, M)> + Clone,
 ) -> Result<R, Error> {
     let durations = planned.clone().map(|(_, axis)| axis.borrow().t);
-    let slowest = durations.clone().fold(duration, R::at_least);
-    let t = cycle.until_possible(planned.clone().count(), slowest, |t| {
+    let t = cycle.until_possible(planned.len(), slowest, |t| {
         let next = |(task, axis): (Task<R>, M)| next_of_plan(axis.borrow(), &|| task.problem(), t);
         planned.clone().map(next).fold(t, R::at_least)
     })?;
@@ -64,16 +64,24 @@ fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
 /// Plans extreme axes one by one, to see whether all of them can be planned. So no axis is written on an error.
 #[cold]
 fn rehearse<'a, R: Real + 'a>(
-    cycle: &Cycle<R>, duration: R, tasks: impl Iterator<Item = Task<'a, R>> + Clone,
+    cycle: &Cycle<R>, duration: R, tasks: impl ExactSizeIterator<Item = Task<'a, R>> + Clone,
 ) -> Result<(), Error> {
-    for task in tasks.clone() {
-        fastest(task)?;
-    }
-    let t = common_duration(cycle, duration, tasks.clone().map(|task| (task, fastest(task).unwrap_or_default())))?;
+    let t = shortest_duration(cycle, duration, tasks.clone())?;
     for task in tasks {
         stretch(&mut fastest(task)?, &|| task.problem(), t)?;
     }
     Ok(())
+}
+
+/// The duration of the axes, which are planned one by one, and not written.
+pub(super) fn shortest_duration<'a, R: Real + 'a>(
+    cycle: &Cycle<R>, duration: R, tasks: impl ExactSizeIterator<Item = Task<'a, R>> + Clone,
+) -> Result<R, Error> {
+    let mut slowest = duration;
+    for task in tasks.clone() {
+        slowest = slowest.at_least(fastest(task)?.t);
+    }
+    common_duration(cycle, slowest, tasks.map(|task| (task, fastest(task).unwrap_or_default())))
 }
 
 #[inline(never)] // for its stack

@@ -4,12 +4,13 @@
 //! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position. Then it makes its fastest move and
 //! waits, or it stops, waits and goes.
 
-use super::axis::{Task, checked, lasts, next_duration, stretch};
+use super::axis::{Task, checked, next_duration, stretch};
 use super::cycle::Cycle;
+use super::sync::shortest_duration;
 use crate::findings::{Error, Findings};
-use crate::interval::rounding::of_formula;
+use crate::interval::rounding::{of_check, of_formula};
 use crate::limits::Limits;
-use crate::online::Move;
+use crate::online::{Move, are_in_order};
 use crate::real::Real;
 use crate::state::State;
 
@@ -45,12 +46,12 @@ pub fn synchronise_within<R: Real>(
     let [lowest, highest] = positions;
     Error::Axes.unless(lowest.len() == axes.len() && highest.len() == axes.len())?;
     let bounds = lowest.iter().zip(highest);
-    let within = tasks.zip(bounds).map(|(task, (&lowest, &highest))| Within { task, lowest, highest });
-    let mut slowest = duration;
-    for axis in within.clone() {
-        slowest = slowest.at_least(axis.shortest()?);
+    for (&lowest, &highest) in bounds.clone() {
+        are_in_order(lowest, highest)?;
     }
-    let t = common_duration(&cycle, slowest, within.clone())?;
+    let within = tasks.clone().zip(bounds).map(|(task, (&lowest, &highest))| Within { task, lowest, highest });
+    let free = shortest_duration(&cycle, duration, tasks)?;
+    let t = duration_inside(&cycle, free, within.clone())?;
     let mut found = Findings::default();
     for (within, axis) in within.zip(axes) {
         within.plan(axis, t)?;
@@ -59,21 +60,31 @@ pub fn synchronise_within<R: Real>(
     Ok(found)
 }
 
-/// A duration in which every axis can stay between its positions, nearly the shortest one, s.
-fn common_duration<'a, R: Real + 'a>(
-    cycle: &Cycle<R>, slowest: R, axes: impl Iterator<Item = Within<'a, R>> + Clone,
+/// A duration in which every axis can stay between its positions, nearly the shortest one, s: `free`, if no axis leaves them then.
+fn duration_inside<'a, R: Real + 'a>(
+    cycle: &Cycle<R>, free: R, axes: impl ExactSizeIterator<Item = Within<'a, R>> + Clone,
 ) -> Result<R, Error> {
     let all_inside = |t: R| {
-        let t = cycle.until_possible(axes.clone().count(), t, |t| {
-            axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least)
-        })?;
         let mut axis = Move::default();
         for within in axes.clone() {
             within.plan(&mut axis, t)?;
         }
         Ok(t)
     };
-    let mut answer = all_inside(slowest);
+    let mut answer = all_inside(free);
+    if answer != Err(Error::Position) {
+        return answer;
+    }
+    let mut slowest = free;
+    for axis in axes.clone() {
+        slowest = slowest.at_least(axis.shortest()?);
+    }
+    let all_inside_from = |t: R| {
+        all_inside(cycle.until_possible(axes.len(), t, |t| {
+            axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least)
+        })?)
+    };
+    answer = all_inside_from(slowest);
     if answer != Err(Error::Position) {
         return answer;
     }
@@ -83,7 +94,7 @@ fn common_duration<'a, R: Real + 'a>(
     }
     let mut delay = (latest - slowest + of_formula(latest)) / R::from_index(1 << DOUBLINGS);
     for _ in 0..=DOUBLINGS {
-        answer = all_inside(slowest + delay);
+        answer = all_inside_from(slowest + delay);
         if answer != Err(Error::Position) {
             break;
         }
@@ -114,8 +125,13 @@ impl<R: Real> Within<'_, R> {
         let Task { limits, from: &from, to: &to } = self.task;
         axis.plan(limits, from, to)?;
         stretch(axis, &|| self.task.problem(), t)?;
-        if axis.leaves(self.lowest, self.highest) {
-            self.plan_wait(axis, t)?;
+        // A plan that leaves them by a rounding error now may leave them by more in the next tick of a loop. So one that waits is better.
+        let eighth = R::HALF * R::HALF * R::HALF * axis.rounding();
+        if axis.leaves_by(eighth, self.lowest, self.highest) {
+            let mut waiting = *axis;
+            if self.plan_wait(&mut waiting, t).is_ok() && !waiting.leaves(self.lowest, self.highest) {
+                *axis = waiting;
+            }
         }
         Error::Position.unless(!axis.leaves(self.lowest, self.highest))
     }
@@ -125,7 +141,7 @@ impl<R: Real> Within<'_, R> {
     fn plan_wait(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
         let Task { limits, from: &from, to: &to } = self.task;
         axis.within(limits, from, to, self.lowest, self.highest)?;
-        if lasts(axis, t) {
+        if (t - axis.t).abs() <= of_check(t) {
             axis.end_at(t);
             return Ok(());
         }

@@ -26,7 +26,8 @@ fn loops_arrive<R: Real>() {
 fn arrival<R: Real>(way: Way, [j, a, v]: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
     let family = Family { way, on_ticks: way != Way::Alone, ..LINE };
     let limits = vec![Limits::symmetric(R::of(j), R::of(a), R::of(v))];
-    let mut set = Set { limits, from: vec![state_of(from)], to: vec![state_of(to)], tick: TICK };
+    let mut set =
+        Set { limits, from: vec![state_of(from)], to: vec![state_of(to)], positions: Default::default(), tick: TICK };
     let mut axes = [Move::default()];
     family.plan(&set, &mut axes).expect("a plan");
     let t = axes[0].t.widen();
@@ -62,7 +63,7 @@ fn line<R: Real>(random: &mut Random) -> Set<R> {
         ends.map(|[p, v, a]| state_of([offset + share * p, share * v, share * a]))
     });
     let [from, to] = [0, 1].map(|end| axes.iter().map(|axis| axis[end]).collect());
-    Set { limits: vec![limits; 3], from, to, tick: TICK }
+    Set { limits: vec![limits; 3], from, to, positions: Default::default(), tick: TICK }
 }
 
 /// Plans again, a tick later.
@@ -93,7 +94,7 @@ fn slow_ends_tell_the_direction<R: Real>() {
         [1.0, 0.712_345_678_9, -0.321_7].map(|share| state_of([p, v, a].map(|x| share * x))).to_vec()
     };
     let limits = vec![Limits::symmetric(R::of(20.0), R::of(5.0), R::of(1.0)); 3];
-    let mut set = Set { limits, from: vec![], to: vec![], tick: TICK };
+    let mut set = Set { limits, from: vec![], to: vec![], positions: Default::default(), tick: TICK };
     let mut axes = [Move::default(); 3];
     for (velocity, acceleration) in [(0.0, -0.5), (0.001, -0.3), (-0.1, 0.0)] {
         (set.from, set.to) = (states(-13.37, 0.0, 0.0), states(0.123, velocity, acceleration));

@@ -3,11 +3,11 @@
 //! Limits over a decade, unequal ones in one set of four; 1 to 6 axes; ticks from 125 µs to 4 ms; positions up to 10 from 0, some of the
 //! targets at 0; most targets are passed in motion.
 
-use atraj::axes::{line, synchronise};
+use atraj::axes::{line, synchronise, synchronise_within};
 use atraj::online::{Limits, Move};
-use atraj::{Error, Findings, State};
+use atraj::{Error, Extremes, Findings, State};
 use std::fmt::{Display, Formatter, Result as Written};
-use support::online::{limits_of, numbers_of_state};
+use support::online::{limits_of, numbers_of_state, plan};
 use support::{Random, Real};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,7 @@ pub enum Way {
     Alone,    // one axis, without a cycle
     Together, // axes that arrive together
     Straight, // axes on a line
+    Inside,   // axes that arrive together, each between two positions
 }
 
 /// Which targets are at 0, where positions have the finest roundings.
@@ -47,7 +48,9 @@ impl Family {
             (true, AtZero::Accelerated),
             (true, AtZero::AtRest),
         ];
-        ways.into_iter().flat_map(|way| kinds.map(|kind| family(way, kind))).collect()
+        let inside = [(Inside, true), (Inside, false)];
+        let inside = inside.into_iter().flat_map(|way| [kinds[0], kinds[1]].map(|kind| family(way, kind)));
+        ways.into_iter().flat_map(|way| kinds.map(|kind| family(way, kind))).chain(inside).collect()
     }
 
     /// Whether more than one loop in a thousand may be late, even if it follows its last plan in the last two ticks: a known limit.
@@ -66,6 +69,7 @@ pub struct Set<R> {
     pub limits: Vec<Limits<R>>, // their limits
     pub from: Vec<State<R>>,    // where they are
     pub to: Vec<State<R>>,      // where they go
+    pub positions: [Vec<R>; 2], // the lowest ones and the highest ones
     pub tick: f64,              // the period of the loop, s
 }
 
@@ -80,12 +84,13 @@ const MOST_TICKS: f64 = 1500.0; // The longest first plan, in ticks. A longer lo
 
 impl Family {
     pub fn plan<R: Real>(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {
-        let Set { limits, from, to, tick } = set;
+        let Set { limits, from, to, positions: [lowest, highest], tick } = set;
         let (zero, cycle) = (R::of(0.0), R::of(if self.on_ticks { *tick } else { 0.0 }));
         match self.way {
             Way::Alone => axes[0].plan(&limits[0], from[0], to[0]),
             Way::Together => synchronise(axes, limits, from, to, zero, cycle),
             Way::Straight => line(axes, limits, from, to, zero, cycle),
+            Way::Inside => synchronise_within(axes, limits, from, to, [lowest, highest], zero, cycle),
         }
     }
 
@@ -130,7 +135,18 @@ impl Family {
             }
         }
         let [from, to] = states;
-        Set { limits: limits.into_iter().map(|limits| limits_of(limits.map(R::of))).collect(), from, to, tick }
+        let limits: Vec<_> = limits.into_iter().map(|limits| limits_of(limits.map(R::of))).collect();
+        let mut positions = [Vec::new(), Vec::new()];
+        if self.way == Way::Inside {
+            // A little farther than each axis goes alone.
+            for ((limits, from), to) in limits.iter().zip(&from).zip(&to) {
+                let Extremes { lowest, highest } = plan(limits, *from, *to).extremes();
+                let room = R::of(random.pick(&[0.01, 0.1, 1.0]));
+                positions[0].push(lowest.position - room);
+                positions[1].push(highest.position + room);
+            }
+        }
+        Set { limits, from, to, positions, tick }
     }
 }
 
