@@ -136,24 +136,21 @@ impl<R: Real> Move<R> {
             dips || goes_back(next.velocity)
         };
         let turns = goes_back(self.phase[0].velocity) || later.iter().any(turns_before);
-        turns && self.turns_outside(from.at_most(to), from.at_least(to), self.rounding())
+        turns && self.turns_outside(from.at_most(to), from.at_least(to))
     }
 
-    /// Whether the axis is not between two positions all the time, up to rounding.
+    /// Whether the axis is not between two positions all the time. The end is exact. The start may be the state of another move.
     pub(crate) fn leaves(&self, lowest: R, highest: R) -> bool {
-        self.leaves_by(self.rounding(), lowest, highest)
-    }
-
-    /// Whether the axis leaves two positions by more than `rounding`. The end is exact. The start may be the state of another move.
-    pub(crate) fn leaves_by(&self, rounding: R, lowest: R, highest: R) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
+        let rounding = self.rounding();
         let starts_outside = from < lowest - rounding || from > highest + rounding;
-        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest, rounding)
+        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest)
     }
 
-    /// Whether the axis turns outside of two positions by more than `rounding`.
+    /// Whether the axis turns outside of two positions.
     #[inline(never)]
-    fn turns_outside(&self, lowest: R, highest: R, rounding: R) -> bool {
+    fn turns_outside(&self, lowest: R, highest: R) -> bool {
+        let rounding = self.rounding();
         let (lowest, highest) = (lowest - rounding, highest + rounding);
         let is_outside = |position: R| position < lowest || position > highest;
         let (first, later) = self.moving();

@@ -47,7 +47,7 @@ impl<R: Real> Cruise<R> {
         let reversed = border.reversed();
         let steady = |border: &Border<R>| border.v0 + border.per_jerk.straight(border.a0, R::ZERO);
         let guesses = [h / t, steady(border), steady(&reversed)];
-        guesses.into_iter().find_map(|v| Self::near(border, &reversed, v, h, t))
+        guesses.into_iter().find_map(|guess| Self::near(border, &reversed, guess, h, t))
     }
 
     /// The motion at a velocity that is as far from the guess as the axis cruises. There the slope of the displacement is positive. A step of

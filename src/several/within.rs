@@ -127,7 +127,7 @@ impl<R: Real> Within<'_, R> {
         stretch(axis, &|| self.task.problem(), t)?;
         // A plan that leaves them by a rounding error now may leave them by more in the next tick of a loop. So one that waits is better.
         let eighth = R::HALF * R::HALF * R::HALF * axis.rounding();
-        if axis.leaves_by(eighth, self.lowest, self.highest) {
+        if axis.extremes().overshoots(self.lowest, self.highest, eighth) {
             let mut waiting = *axis;
             if self.plan_wait(&mut waiting, t).is_ok() && !waiting.leaves(self.lowest, self.highest) {
                 *axis = waiting;
