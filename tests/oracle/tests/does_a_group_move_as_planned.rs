@@ -113,6 +113,37 @@ fn a_hold_behind_the_target_stays_inside<R: Real>() {
     assert_eq!(hold(R::of(farthest + 1e-3)), Ok(farthest));
 }
 
+/// A change of the rate is refused exactly if the axis would leave the positions on what is left of its path: to 10 m, and back.
+fn a_rate_stays_inside<R: Real>() {
+    let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
+    let planned = online::limits_times(&limits, 0.7)[0];
+    let moves = [[0.0, 10.0], [10.0, 0.0]].map(|ends| ends.map(|end| State::at(R::of(end))));
+    let moves = moves.map(|[from, to]| online::plan(&planned, from, to));
+    // After 1 s the axis is at 2 m. Then it is about to brake for 10 m. On its way back it is at 8 m, and at last at 4 m.
+    let (there, brakes, back, late) = (64, 170, 300, 376);
+    for (tick, highest, rate, stays) in [
+        (there, 5.0, 0.5, false),
+        (there, 5.0, 0.0, true),
+        (there, 2.5, 0.0, false),
+        (there, 5.0, -1.0, true),
+        (there, 2.5, -1.0, false),
+        (brakes, 9.4, 0.0, true),
+        (back, 5.0, 0.5, false),
+        (late, 5.0, 0.5, true),
+    ] {
+        let (mut states, mut room, mut now) = ([State::at(R::ZERO)], [Move::default(); 3], [State::at(R::ZERO)]);
+        let positions = [[-R::ONE], [R::of(highest)]];
+        let mut group = Group::new(R::of(1.0 / 64.0), &mut states, &mut room).expect("a group");
+        let (mut planner, mut ticker) = group.split();
+        planner.path(&limits, &moves, R::ZERO, 1).expect("a path");
+        (0..tick).for_each(|_| assert!(!ticker.tick(&mut now).ends));
+        planner.within([&positions[0], &positions[1]]).expect("positions");
+        let changed = planner.rate(&limits, R::of(rate), 1);
+        assert!(if stays { changed.is_ok() } else { changed == Err(Error::Position) }, "{tick} {highest} {rate}");
+    }
+}
+
 test_both_reals!(
-    programs, a_path_goes_on_at_the_rate_in_force, a_stop_turns_at_a_position, a_hold_behind_the_target_stays_inside
+    programs, a_path_goes_on_at_the_rate_in_force, a_stop_turns_at_a_position, a_hold_behind_the_target_stays_inside,
+    a_rate_stays_inside
 );
