@@ -1,7 +1,7 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
 use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchronise_within};
-use atraj::machine::{Clock, Group, GroupTicker, Step, StepStream, Steps};
+use atraj::machine::{Clock, GroupTicker, Step, StepStream, Steps};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use support::online::{numbers_of_state, state_of as state};
@@ -582,9 +582,7 @@ fn no_path_goes_back_to_a_start_in_motion() {
     let middle = state([10.0, 3.0, 0.0]);
     let moves =
         [(State::at(0.0), middle), (middle, State::at(20.0))].map(|(from, to)| online::plan(&planned, from, to));
-    let (mut states, mut room) = ([State::at(0.0)], [Move::default(); 3]);
-    let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
-    let (mut planner, mut ticker) = group.split();
+    let (mut planner, mut ticker) = online::group(0.001, &[0.0]);
     planner.path(&limits, &moves, 0.0, 1).expect("a path");
     after::<1>(4400, &mut ticker);
     planner.rate(&limits, -0.5, 1).expect("a rate");
@@ -600,9 +598,7 @@ fn a_hold_outlives_the_next_path() {
     let (planned, limits) = (Limits::symmetric(24.0, 8.0, 4.0), [Limits::symmetric(30.0, 10.0, 5.0)]);
     let moves = online::motions([0.0, 1.0, -3.0, -3.0].map(State::at).to_vec(), &[planned], 1, 0);
     for is_held in [false, true] {
-        let (mut states, mut room) = ([State::at(0.0)], [Move::default(); 3]);
-        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
-        let (mut planner, mut ticker) = group.split();
+        let (mut planner, mut ticker) = online::group(0.001, &[0.0]);
         planner.path(&limits, &moves, 0.0, 1).expect("a path");
         after::<1>(200, &mut ticker);
         if is_held {
@@ -620,9 +616,7 @@ fn a_hold_outlives_the_next_path() {
 fn a_stop_and_a_hold_stay_between_the_positions() {
     let (planned, limits) = ([Limits::symmetric(24.0, 8.0, 4.0); 2], [Limits::symmetric(30.0, 10.0, 5.0); 2]);
     for ticks in 2860..2980 {
-        let (mut states, mut room) = ([State::at(0.0); 2], [Move::default(); 6]);
-        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
-        let (mut planner, mut ticker) = group.split();
+        let (mut planner, mut ticker) = online::group(0.001, &[0.0; 2]);
         planner.within([&[-1.0; 2], &[10.02; 2]]).expect("positions");
         planner.sync(&planned, &[state([10.0, 1.0, 0.0]), State::at(3.0)], 1).expect("a motion");
         let [now, _] = after(ticks, &mut ticker);
@@ -952,9 +946,7 @@ fn a_path_goes_on_from_the_state_under_way() {
         let [from, to] = [passed, rest[0].t].map(|x| [rest[0].state_at(x), rest[1].state_at(x)]);
         let left = online::together(&limits, &from, &to, rest[0].t - passed);
         rest[..2].copy_from_slice(&left);
-        let (mut states, mut room) = ([State::at(0.0); 2], [Move::default(); 6]);
-        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
-        let (mut planner, mut ticker) = group.split();
+        let (mut planner, mut ticker) = online::group(0.001, &[0.0; 2]);
         planner.path(&limits, &moves, 0.0, 1).expect("a path");
         after::<2>(ticks, &mut ticker);
         assert_eq!(planner.path(&limits, &rest, 0.0, 1), Ok(Findings::default()), "{ticks}");
@@ -970,9 +962,7 @@ fn a_rounding_beyond_a_position_refuses_nothing() {
         let side = random.sign();
         let (start, end) = (-side * random.between(10.0, 100.0), side * random.between(0.00001, 0.01));
         let (lowest, highest, to) = ([start.min(end)], [start.max(end)], [State::at(end)]);
-        let (mut states, mut room) = ([State::at(start)], [Move::default(); 3]);
-        let mut group = Group::new(0.001, &mut states, &mut room).expect("a group");
-        let (mut planner, mut ticker) = group.split();
+        let (mut planner, mut ticker) = online::group(0.001, &[start]);
         planner.within([&lowest, &highest]).expect("positions");
         planner.go(&slower, &to, 1).expect("a motion");
         let ticks = online::plan(&slower[0], State::at(start), to[0]).t / 0.001;

@@ -3,6 +3,7 @@
 use crate::random::Random;
 use crate::real::Real;
 use atraj::axes::{line, path_moves, path_size, plan_path, synchronise};
+use atraj::machine::{Group, GroupPlanner, GroupTicker};
 use atraj::online::{Limits, Move, Phase};
 use atraj::{Error, Extremes, Findings, State};
 
@@ -141,6 +142,13 @@ pub fn motions<R: Real>(mut points: Vec<State<R>>, limits: &[Limits<R>], axes: u
     let mut moves = vec![Move::default(); axes * durations.len()];
     path_moves(&mut moves, limits, &points, &durations, axes).expect("moves");
     moves
+}
+
+/// The halves of a group whose axes stand at these positions. Nobody frees its memory.
+pub fn group<'a, R: Real>(period: f64, start: &[R]) -> (GroupPlanner<'a, 'a, R>, GroupTicker<'a, 'a, R>) {
+    let states: Vec<_> = start.iter().map(|position| State::at(*position)).collect();
+    let moves = vec![Move::default(); 3 * start.len()];
+    Box::leak(Box::new(Group::new(R::of(period), states.leak(), moves.leak()).expect("a group"))).split()
 }
 
 /// What a check may find in a plan that finds this. A start outside the limits exceeds them, but never their jerks, and makes no step.
