@@ -166,6 +166,19 @@ fn a_far_or_fast_signal_is_followed_as_well_as_can_be() {
     }
 }
 
+/// The plan of a chase ends on a signal that cruises. Nobody knows what another signal does after the horizon, so its plan ends at rest.
+#[test]
+fn a_chase_ends_on_the_signal_or_at_rest() {
+    let signal = State { position: 2.0, velocity: 1.0, acceleration: 0.0 };
+    for (jerk, end) in [(0.0, 1.0), (1e-9, 0.0)] {
+        let mut axis = Move::<f64>::default();
+        axis.track(&Limits::symmetric(150.0, 15.0, 3.0), State::at(0.0), signal, jerk, 0.05).expect("a plan");
+        let last: State<f64> = axis.state_at(axis.t);
+        assert!((last.velocity - end).abs() < 1e-12, "{last:?}");
+        assert_eq!((last.position - 2.0 - axis.t).abs() < 1e-12, jerk == 0.0, "{last:?}");
+    }
+}
+
 /// The limits differ each way, and the axis stands on its signal or moves with it: it stays there. It stood next to it for ever, and turned back
 /// before one at its highest velocity.
 #[test]

@@ -1,10 +1,10 @@
 //! Does a group keep its limits, its line and its path, and do its answers hold, whatever the main loop plans, at whatever tick?
 
-use atraj::machine::Group;
 use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::group::{CALLS, Counts, program};
 use support::{Random, Real, online, test_both_reals};
 
+const PERIOD: f64 = 1.0 / 64.0; // of a tick, s
 const PROGRAMS: usize = if support::BRIEF { 800 } else { 4_000 };
 
 fn programs<R: Real>() {
@@ -20,7 +20,7 @@ fn programs<R: Real>() {
 
 /// A path may be given again while its time runs at another rate, from where the axis is in the next tick, and not from elsewhere.
 fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
-    let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
+    let zero = R::ZERO;
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
     let planned = [0.5, 1.5].map(|speed| {
         let slow = Limits::symmetric(R::of(2.0), R::of(1.0), R::of(speed));
@@ -28,12 +28,10 @@ fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
     });
     let [slow, path] = &planned;
     let next_time = |of: &Move<R>, now: &State<R>, rate: f64| {
-        R::of(of.time_at(now.position).expect("a position of the path").widen() + rate * period.widen())
+        R::of(of.time_at(now.position).expect("a position of the path").widen() + rate * PERIOD)
     };
     for rate in [0.5, 1.5, -1.0] {
-        let (mut states, mut moves, mut now) = ([State::at(zero)], [Move::default(); 3], [State::at(zero)]);
-        let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
-        let (mut planner, mut ticker) = group.split();
+        let ((mut planner, mut ticker), mut now) = (online::group(PERIOD, &[zero]), [State::at(zero)]);
         let path = std::slice::from_ref(path);
         planner.path(&limits, path, zero, 1).expect("the path");
         (0..300).for_each(|_| assert!(!ticker.tick(&mut now).ends));
@@ -65,13 +63,11 @@ fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
 
 /// The fastest stop takes 1.5 m, and the hardest brake turns after 1.4896 m. So one axis can stay before 1.495 m, and the other not before 1.48 m.
 fn a_stop_turns_at_a_position<R: Real>() {
-    let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
+    let zero = R::ZERO;
     let limits = [Limits::symmetric(R::of(2.0), R::of(1.0), R::of(1.5)); 2];
-    let (mut states, mut moves, mut now) = ([State::at(zero); 2], [Move::default(); 6], [State::at(zero); 2]);
+    let ((mut planner, mut ticker), mut now) = (online::group(PERIOD, &[zero; 2]), [State::at(zero); 2]);
     let start = online::plan(&limits[0], State::at(zero), State::at(R::of(20.0))).position(R::of(3.0)).widen();
     let [lowest, highest] = [[-R::INFINITY; 2], [1.495, 1.48].map(|way| R::of(start + way))];
-    let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
-    let (mut planner, mut ticker) = group.split();
     planner.go(&limits, &[20.0, 21.0].map(|to| State::at(R::of(to))), 1).expect("a plan");
     (0..192).for_each(|_| assert!(!ticker.tick(&mut now).ends));
     planner.within([&lowest, &highest]).expect("positions");
@@ -89,14 +85,12 @@ fn a_stop_turns_at_a_position<R: Real>() {
 
 /// A hold begins at the target, which the axis passes while it brakes. It is refused exactly if the axis would leave the positions meanwhile.
 fn a_hold_behind_the_target_stays_inside<R: Real>() {
-    let [zero, period] = [0.0, 1.0 / 64.0].map(R::of);
+    let zero = R::ZERO;
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
     let target = State { position: R::of(10.0), velocity: R::of(2.0), acceleration: R::of(-4.0) };
     let hold = |highest: R| {
-        let (mut states, mut moves, mut now) = ([State::at(zero)], [Move::default(); 3], [State::at(zero)]);
+        let ((mut planner, mut ticker), mut now) = (online::group(PERIOD, &[zero]), [State::at(zero)]);
         let positions = [[-R::INFINITY], [highest]];
-        let mut group = Group::new(period, &mut states, &mut moves).expect("a group");
-        let (mut planner, mut ticker) = group.split();
         planner.go(&online::limits_times(&limits, 0.7), &[target], 1).expect("a plan");
         while !ticker.tick(&mut now).ends {}
         planner.within([&positions[0], &positions[1]]).expect("positions");
@@ -131,10 +125,8 @@ fn a_rate_stays_inside<R: Real>() {
         (back, 5.0, 0.5, false),
         (late, 5.0, 0.5, true),
     ] {
-        let (mut states, mut room, mut now) = ([State::at(R::ZERO)], [Move::default(); 3], [State::at(R::ZERO)]);
+        let ((mut planner, mut ticker), mut now) = (online::group(PERIOD, &[R::ZERO]), [State::at(R::ZERO)]);
         let positions = [[-R::ONE], [R::of(highest)]];
-        let mut group = Group::new(R::of(1.0 / 64.0), &mut states, &mut room).expect("a group");
-        let (mut planner, mut ticker) = group.split();
         planner.path(&limits, &moves, R::ZERO, 1).expect("a path");
         (0..tick).for_each(|_| assert!(!ticker.tick(&mut now).ends));
         planner.within([&positions[0], &positions[1]]).expect("positions");
@@ -143,7 +135,22 @@ fn a_rate_stays_inside<R: Real>() {
     }
 }
 
+/// A line at the limits leaves no reserve for a change of its time, and ends in motion. Its stop stays on the line.
+fn a_stop_stays_on_a_line<R: Real>() {
+    let limits = [(2.0, 1.0, 1.5), (3.0, 1.0, 1.0)].map(|(j, a, v)| online::symmetric::<R>(j, a, v));
+    let to = [1.0, 0.5].map(|share| online::state_of([10.0 * share, share, 0.0]));
+    for ticks in (16..480).step_by(16) {
+        let ((mut planner, mut ticker), mut now) = (online::group(PERIOD, &[R::ZERO; 2]), [State::at(R::ZERO); 2]);
+        planner.line(&limits, &to, 1).expect("a line");
+        (0..ticks).for_each(|_| assert!(!ticker.tick(&mut now).ends));
+        planner.stop(&limits, 1).expect("a stop");
+        while !ticker.tick(&mut now).ends {}
+        let off = now[0].position.widen() - 2.0 * now[1].position.widen();
+        assert!(off.abs() < 64.0 * R::MACHINE_EPSILON.widen() && now[0].velocity == R::ZERO, "{ticks}: {now:?}");
+    }
+}
+
 test_both_reals!(
     programs, a_path_goes_on_at_the_rate_in_force, a_stop_turns_at_a_position, a_hold_behind_the_target_stays_inside,
-    a_rate_stays_inside
+    a_rate_stays_inside, a_stop_stays_on_a_line
 );
