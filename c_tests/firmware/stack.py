@@ -123,8 +123,10 @@ class Code:
             value = self.values[rest[0]] + number(rest[1])
         elif mnemonic == "lsls" and rest[0] in self.values and rest[-1].startswith("#"):
             value = self.values[rest[0]] << number(rest[-1])
-        if value is not None and mnemonic in ("movt", "ldr", "add", "addi") and value & ~1 in self.entries:
-            self.taken.add(self.entries[value & ~1])
+        # The address of a Thumb function is odd. An even number may be the size of a frame.
+        thumb = mnemonic in ("movt", "ldr")
+        if value is not None and (thumb or mnemonic in ("add", "addi")) and value - thumb in self.entries:
+            self.taken.add(self.entries[value - thumb])
         for known, now in ((self.places, place), (self.values, value)):
             known.pop(first, None)
             if now is not None:
