@@ -127,7 +127,9 @@ impl<'a, R: Real> Change<'a, R> {
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
             return Ok(Law { until, is_reached: true });
         }
-        let border = if self.rate > R::ZERO { self.length } else { R::ZERO };
+        // A hold passes the end to which the path goes.
+        let goes = if self.rate == R::ZERO { from.velocity } else { self.rate };
+        let border = if goes > R::ZERO { self.length } else { R::ZERO };
         let until = time.time_at(border).ok_or(Error::Target)?;
         time.keep_until(until);
         time.push(Phase { start: until, position: border, ..Phase::default() }).ok_or(Error::Target)?;
@@ -465,5 +467,40 @@ impl<R: Real> Trial<'_, R> {
         velocity.is_between(limits.vmin, limits.vmax)
             && acceleration.is_between(limits.amin, limits.amax)
             && jerk.is_between(limits.jmin, limits.jmax)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Change;
+    use crate::limits::Limits;
+    use crate::online::Move;
+    use crate::state::State;
+
+    /// The path ends before its time stands still, and the other way its start comes first.
+    #[test]
+    fn a_slow_hold_passes_an_end() {
+        let limits = [Limits::symmetric(30.0, 10.0, 5.0)];
+        let mut moves = [Move::default()];
+        moves[0].plan(&limits[0], State::at(0.0), State::at(1.0)).expect("a plan");
+        let hold = Change::new(&moves, &limits, 0.0).expect("a path");
+        let end: f64 = moves[0].t;
+        for (position, velocity, border) in [(end - 1e-6, 1.0, end), (1e-6, -1.0, 0.0)] {
+            let mut time = Move::default();
+            let law = hold.slow(State { velocity, ..State::at(position) }, 1.0, &mut time).expect("a change");
+            assert!(!law.is_reached && (law.until - 1e-6_f64).abs() < 1e-9);
+            assert_eq!(time.end(), State::at(border));
+        }
+    }
+
+    /// The phase that is cut lasts until then.
+    #[test]
+    fn what_comes_later_is_forgotten() {
+        let mut of = Move::default();
+        of.plan(&Limits::symmetric(30.0, 10.0, 5.0), State::at(0.0), State::at(5.0)).expect("a plan");
+        let t = 0.75 * of.t;
+        of.keep_until(t);
+        let last = of.phase[of.count as usize];
+        assert!(of.count > 2 && last.start < t && last.start + last.duration == t);
     }
 }
