@@ -51,7 +51,7 @@ pub fn synchronise_within<R: Real>(
     }
     let within = tasks.clone().zip(bounds).map(|(task, (&lowest, &highest))| Within { task, lowest, highest });
     let free = shortest_duration(&cycle, duration, tasks)?;
-    let t = duration_inside(&cycle, free, within.clone())?;
+    let t = if all_inside(free, within.clone())? { free } else { duration_inside(&cycle, free, within.clone())? };
     let mut found = Findings::default();
     for (within, axis) in within.zip(axes) {
         within.plan(axis, t)?;
@@ -60,47 +60,48 @@ pub fn synchronise_within<R: Real>(
     Ok(found)
 }
 
-/// A duration in which every axis can stay between its positions, nearly the shortest one, s: `free`, if no axis leaves them then.
+/// Whether a plan of the duration `t`, which is possible, keeps each axis between its positions.
+#[inline(never)] // for its stack
+fn all_inside<'a, R: Real + 'a>(t: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<bool, Error> {
+    let mut axis = Move::default();
+    for within in axes {
+        match within.plan(&mut axis, t) {
+            Ok(()) => {}
+            Err(Error::Position) => return Ok(false),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(true)
+}
+
+/// A duration from `free` on in which every axis can stay between its positions, nearly the shortest one, s.
+#[cold]
 fn duration_inside<'a, R: Real + 'a>(
     cycle: &Cycle<R>, free: R, axes: impl ExactSizeIterator<Item = Within<'a, R>> + Clone,
 ) -> Result<R, Error> {
-    let all_inside = |t: R| {
-        let mut axis = Move::default();
-        for within in axes.clone() {
-            within.plan(&mut axis, t)?;
-        }
-        Ok(t)
-    };
-    let mut answer = all_inside(free);
-    if answer != Err(Error::Position) {
-        return answer;
-    }
     let mut slowest = free;
     for axis in axes.clone() {
         slowest = slowest.at_least(axis.shortest()?);
     }
-    let all_inside_from = |t: R| {
-        all_inside(cycle.until_possible(axes.len(), t, |t| {
-            axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least)
-        })?)
-    };
-    answer = all_inside_from(slowest);
-    if answer != Err(Error::Position) {
-        return answer;
+    let next = |t: R| axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least);
+    let mut delay = R::ZERO;
+    for _ in 0..=DOUBLINGS + 1 {
+        let t = cycle.until_possible(axes.len(), slowest + delay, next)?;
+        if all_inside(t, axes.clone())? {
+            return Ok(t);
+        }
+        delay = if delay > R::ZERO { delay + delay } else { least_delay(slowest, axes.clone())? };
     }
-    let mut latest = slowest;
-    for axis in axes.clone() {
+    Err(Error::Position)
+}
+
+/// The first delay to try, s. After all doublings every axis has time to stop on its way.
+fn least_delay<'a, R: Real + 'a>(shortest: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<R, Error> {
+    let mut latest = shortest;
+    for axis in axes {
         latest = latest.at_least(axis.with_a_stop()?);
     }
-    let mut delay = (latest - slowest + of_formula(latest)) / R::from_index(1 << DOUBLINGS);
-    for _ in 0..=DOUBLINGS {
-        answer = all_inside_from(slowest + delay);
-        if answer != Err(Error::Position) {
-            break;
-        }
-        delay = delay + delay;
-    }
-    answer
+    Ok((latest - shortest + of_formula(latest)) / R::from_index(1 << DOUBLINGS))
 }
 
 /// An axis between two positions.
@@ -113,6 +114,7 @@ struct Within<'a, R> {
 
 impl<R: Real> Within<'_, R> {
     /// The duration of the fastest move, s.
+    #[inline(never)] // for its stack
     fn shortest(&self) -> Result<R, Error> {
         let Task { limits, from: &from, to: &to } = self.task;
         let mut axis = Move::default();
