@@ -643,6 +643,23 @@ fn a_hold_behind_the_start_of_a_line_jumps_by_no_rounding() {
     }
 }
 
+/// Without a reserve the rate fell by 1.5e-6 in a second, and the path ended before. Where the fall would have ended was so far away that the time of
+/// the path jumped by a rounding there, and the axis by 256 microseconds of its motion.
+#[test]
+fn a_slow_change_begins_where_the_path_is() {
+    let limits = [
+        limits::<f32>([2.071554, -1.8184173, 5.8803563, -0.112167105, 2.3156335, -0.6892216]),
+        limits([0.29577148, -0.14815581, 0.1724676, -0.14914364, 1.4380461, -2.1449971]),
+    ];
+    let from = [state([-0.9798436, -0.48755166, -0.1097502]), state([0.14436704, 0.006605571, 0.0014869454])];
+    let moves = online::together(&limits, &from, &[0.5082376, -9.873645].map(State::at), 0.0);
+    let mut clock = Clock::new();
+    let x = 0.25136882;
+    assert_eq!(clock.rate(&moves, &limits, x, 0.5), Ok(Findings::RATE_NOT_REACHED));
+    let [before, first] = [x, x.next_up()].map(|x| clock.time(x));
+    assert!((first - before).abs() < 1e-6, "{before} {first}");
+}
+
 /// A hold without a reserve of a path that ends in motion was so slow that its limits had no rounding for it, and took half an hour.
 #[test]
 fn no_hold_takes_half_an_hour() {

@@ -127,6 +127,7 @@ impl<'a, R: Real> Change<'a, R> {
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
             return Ok(Law { until, is_reached: true });
         }
+        time.begin_from(from.position);
         // A hold passes the end to which the path goes.
         let goes = if self.rate == R::ZERO { from.velocity } else { self.rate };
         let border = if goes > R::ZERO { self.length } else { R::ZERO };
@@ -322,6 +323,14 @@ impl<R: Real> Move<R> {
         }
         self.phase[0] = Phase { position, velocity, acceleration, ..Phase::default() };
         Some(())
+    }
+
+    /// Shifts the motion to a position at its start. Its end may be so far away that the start has large rounding errors.
+    fn begin_from(&mut self, position: R) {
+        let off = position - self.phase[1].position;
+        for phase in self.phase.iter_mut().skip(1) {
+            phase.position = phase.position + off;
+        }
     }
 
     /// Makes the time of a path go on at its last rate to the end of the path at `length`, or to its start, and stand there.
