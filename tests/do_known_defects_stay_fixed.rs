@@ -1018,6 +1018,20 @@ fn a_turn_within_a_tick_makes_steps() {
     assert_eq!(directions, [1, 1, -1, -1]);
 }
 
+/// Rounded positions are nearer than both velocities tell, which agree: the axis steps one way.
+#[test]
+fn rounded_positions_turn_no_motor() {
+    for direction in [1, -1] {
+        let [p, v] = [0.1, 1.0].map(|x| x * f64::from(direction));
+        let mut stream = StepStream::new(0.001, 1.0, state([0.0, v, 0.0])).expect("a stream");
+        stream.tick(state([p, v, 0.0])).expect("a tick");
+        assert_eq!(
+            std::iter::from_fn(|| stream.next()).map(|step| step.direction).collect::<Vec<_>>(),
+            [direction; 100]
+        );
+    }
+}
+
 /// A move that begins on a line begins a rounding next to it, and one in ten such moves stepped down and up again in float.
 fn a_move_from_a_line<R: Real>() {
     let (limits, mut random) = (online::symmetric(24.0, 8.0, 4.0), Random::seeded(8));
