@@ -11,6 +11,17 @@ use support::{Random, Real, online, test_both_reals};
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);
 
+/// The axes of a defect in the table beside this file.
+fn rows<const AXES: usize>(defect: &str) -> [Row; AXES] {
+    let lines = include_str!("known_defects.csv").lines().map(|line| line.split(','));
+    let axes = lines.filter_map(|mut line| (line.next() == Some(defect)).then_some(line)).map(|numbers| {
+        let numbers: Vec<f64> = numbers.map(|number| number.parse().expect("a number")).collect();
+        let part = |from: usize| [0, 1, 2].map(|k| numbers[from + k]);
+        (std::array::from_fn(|k| numbers[k]), part(6), part(9))
+    });
+    axes.collect::<Vec<_>>().try_into().expect("so many axes")
+}
+
 fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
     online::limits_of(limits.map(R::of))
 }
@@ -31,18 +42,8 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
 
 /// Plans that were refused or jumped: the start will unavoidably exceed the velocity, and the target is on the border of what can be held; in the last
 /// one a step of Newton's method was small by chance, and the method ended 1,229 ulps from the root.
-#[rustfmt::skip]
-const PLANNED_WITHOUT_A_JUMP: [Row; 3] = [
-    ([4.0, -4.0, 2.0, -2.0, 2.0, -3.0], [0.0, -4.0, -2.0], [-18.0, -3.0, 2.0]),
-    ([1.0, f64::NEG_INFINITY, 2.0, -2.0, 1.0, -2.0], [0.0, 3.0, -1.0], [11.0, 0.0, -2.0]),
-    ([4.136_690_485_661_108, -16.389_311_000_727_64, 0.369_790_753_285_136_05,
-      -0.164_783_910_486_751_12, 0.027_569_831_421_384_51, -0.175_499_922_548_862_35],
-     [-0.025_575_975_844_509_685, -1.148_659_298_505_185_3, 0.114_875_298_035_480_52],
-     [-0.025_575_975_844_509_685, 1.148_659_298_505_185_3, 0.114_875_298_035_480_52]),
-];
-
 fn planned_without_a_jump<R: Real>() {
-    for (bounds, from, to) in PLANNED_WITHOUT_A_JUMP {
+    for (bounds, from, to) in rows::<3>("planned_without_a_jump") {
         let planned = online::plan(&limits(bounds), state(from), state::<R>(to));
         assert_eq!(planned.state_at(planned.t), state(to));
         assert_no_jump(&planned);
@@ -50,18 +51,10 @@ fn planned_without_a_jump<R: Real>() {
 }
 
 /// An axis that passes its target in motion, and its mirror. The target was within 60 ulps of a ramp, and the plan took 5.44 s instead of 0.83 s.
-#[rustfmt::skip]
-const PASSED_IN_MOTION: Row = (
-    [1.287_401_220_872_876_2, -1.287_401_220_872_876_2, 5.689_516_361_167_296, -5.689_516_361_167_296,
-     1.570_548_586_589_220_6, -1.570_548_586_589_220_6],
-    [0.592_909_506_220_663_7, -0.540_838_157_928_715_9, -1.274_185_914_490_220_6],
-    [-0.145_124_283_038_224, -1.057_575_497_467_683_4, 0.0],
-);
-
-/// Plans the row and its mirror, and in every millisecond again, also from states on the way. Each plan arrives when the first one said.
+/// It is planned here in every millisecond again, also from states on the way. Each plan arrives when the first one said.
 fn passed_in_motion<R: Real>() {
     const TICK: f64 = 1e-3;
-    let (bounds, from, to) = PASSED_IN_MOTION;
+    let [(bounds, from, to)] = rows("passed_in_motion");
     for sign in [1.0, -1.0] {
         let mirrored = |numbers: [f64; 3]| state::<R>(numbers.map(|x| sign * x));
         let (from, to) = (mirrored(from), mirrored(to));
@@ -344,91 +337,61 @@ fn assert_no_jump<R: Real>(planned: &Move<R>) {
 
 /// Axes were written before it was seen that one of them has no plan.
 #[test]
-#[rustfmt::skip]
 fn one_axis_of_several_has_no_plan() {
+    let [ages @ .., one, other] = rows::<5>("one_axis_of_several_has_no_plan");
     // One axis cannot last as long as the slowest, which takes 3e38 s.
-    let ages = together::<f32>(&[
-        ([2.3151243e-38, -0.3973628, 7.8737273, -0.17148454, 0.24959783, -0.4852573], [0.19678849, 0.0, 0.0], [7.461163, 1.6973358e-38, 0.0]),
-        ([0.1594967, -0.1594967, 4.6172705, -4.6172705, 5.0923038, -5.0923038], [13.556254, 0.04625052, 0.0], [0.014831386, -0.049794506, 0.0]),
-        ([1.2914495e31, -0.1062202, 0.1174253, -0.22771172, 2.79639, -0.66806126], [8.36517e-39, 0.0, 0.0], [0.0; 3]),
-    ], 0.0, 0.0);
-    assert_eq!(ages.err(), Some(Error::NotFinite));
+    assert_eq!(together::<f32>(&ages, 0.0, 0.0).err(), Some(Error::NotFinite));
     // A number falls below the range of the real type.
-    let slow = together::<f32>(&[
-        ([1.7351184, -1.7351184, 0.90989995, -0.90989995, 2.0159128, -4.0318255], [9.404686, 0.0, 0.0], [-7.4757643, -0.5209722, 0.10771317]),
-        ([0.19492649, -0.787795, 7.5052183e-31, -5.9859058e-36, 0.7470742, -8.548194], [4.20568e-40, 2.87e-42, 0.0], [0.0, 0.0, 1.0403e-41]),
-    ], 0.0, 0.001);
-    assert_eq!(slow.err(), Some(Error::NotFinite));
+    assert_eq!(together::<f32>(&[one, other], 0.0, 0.001).err(), Some(Error::NotFinite));
 }
 
 /// A rise came out below 0 by a rounding of 1.7e10, which became an acceleration that lasts for 2e14 s: the move had infinite positions.
 #[test]
-#[rustfmt::skip]
 fn a_rounding_lasts_for_ages() {
-    let limits = limits::<f32>([5.649306e10, -12355.702, 1.5512268e24, -9.938e-7, 4.5984237e24, -0.069765046]);
-    let (from, to) = (state([3.8446924e-8, -2.1336429e-19, 1.7401742e-5]), state([4.2870256e24, 2.824653e10, 2.548426e17]));
-    assert_eq!(finite_or_untouched(|[planned]| planned.plan(&limits, from, to)), Err(Error::NotFinite));
+    let [(bounds, from, to)] = rows("a_rounding_lasts_for_ages");
+    let plan = |[planned]: &mut [Move<f32>; 1]| planned.plan(&limits(bounds), state(from), state(to));
+    assert_eq!(finite_or_untouched(plan), Err(Error::NotFinite));
 }
 
 /// A tick lay in a gap or next to it, and the position jumped.
 #[test]
-#[rustfmt::skip]
 fn a_tick_lies_in_a_gap() {
+    let [hidden, shown, equal] = rows("a_tick_lies_in_a_gap");
     // Roundings of the velocities hid the gap: 9e-5.
-    assert_no_jump(&at_a_tick::<f32>((
-        [85.9869, -85.9869, 0.11413212, -0.048581503, 5.5834675, -35.320766],
-        [0.049860943, 58.217743, -0.028804097], [0.097812474, 58.21772, -0.033586096]), 0.0, 3.248_935_2e-6));
+    assert_no_jump(&at_a_tick::<f32>(hidden, 0.0, 3.248_935_2e-6));
     // Where one jerk is infinite, roundings showed a gap that was over: the axis arrived a fiftieth too early, and jumped a twenty-fifth of the way.
-    assert_no_jump(&at_a_tick::<f64>((
-        [0.6257521516685459, -0.6257521516685459, 281.4482053905411, -67.5061572788349, 2.8118816224501266, f64::NEG_INFINITY],
-        [0.0, 0.0, 1.395187018055807], [0.047079109128108414, 0.0, -58.79252047690602]), 0.0, 0.01713017967812304));
+    assert_no_jump(&at_a_tick::<f64>(shown, 0.0, 0.01713017967812304));
     // Both velocities are equal up to rounding, so the fastest motion is below the shortest ramp between them. Twice its duration is
     // impossible, because the axis must brake and come again: the whole way.
-    assert_no_jump(&at_a_tick::<f32>((
-        [27.263441, -27.263441, 1.5604597, -1.0479444, 1.186262, -1.186262],
-        [-0.3379032, -25.372776, 0.0], [-0.34565502, -25.372751, 0.0]), 0.00064851233, 1.3801445e-6));
+    assert_no_jump(&at_a_tick::<f32>(equal, 0.00064851233, 1.3801445e-6));
 }
 
 /// An axis misses a tick by little, and what it did then was wrong.
 #[test]
-#[rustfmt::skip]
 fn an_axis_misses_a_tick() {
+    let [far, cruise, outside, least] = rows("an_axis_misses_a_tick");
     // By roundings of a far position: it cruised over its limit.
-    let limits = [0.029219883, -0.029219883, 1.5394503, -1.5394503, 793.2187, -793.2187];
-    let far = at_a_tick::<f32>((limits, [-158896.92, 0.028405145, -0.5780578], [-158406.88, 0.0, 0.17031509]), 0.0, 18.79726);
-    let fastest = far.extremes().highest.velocity.widen();
-    assert!(fastest <= limits[0] * (1.0 + 64.0 * f64::from(f32::EPSILON)), "{fastest}");
+    let fastest = at_a_tick::<f32>(far, 0.0, 18.79726).extremes().highest.velocity.widen();
+    assert!(fastest <= far.0[0] * (1.0 + 64.0 * f64::from(f32::EPSILON)), "{fastest}");
     // It cruises from end to end: it braked on the way instead of arriving later. The same tick is no tick too early if it is asked for.
-    let cruise = ([39.01555, -39.01555, 11.779737, -42.994453, 11.3768015, -19.278675], [0.0, 39.01555, 0.0], [0.999502, 39.01555, 0.0]);
     let cruising = at_a_tick::<f32>(cruise, 0.0, 3.421211e-5);
     assert!(cruising.count == 2 && cruising.phases().iter().all(|phase| phase.jerk == 0.0), "{cruising:?}");
     assert_eq!(at_a_tick::<f32>(cruise, f64::from(cruising.t), 3.421211e-5).t, cruising.t);
     // It starts outside its limits: its start shifted by as much as an axis inside the limits can, and the velocity jumped by 2,400 ulps.
-    let start = [2.8909657, -54.078053, -0.54312253];
-    let outside = at_a_tick::<f32>((
-        [45.96713, -45.96713, 0.012977194, -0.012977194, 0.09826026, -0.09826026], start, [2.8992696, 7.626151, -0.0106264325]), 0.0, 1.0810082);
-    let jump = (outside.phase[1].velocity.widen() - start[1]).abs();
-    assert!(jump <= 512.0 * f64::from(f32::EPSILON) * 54.078053, "{jump}");
+    let [_, velocity, _] = outside.1;
+    let jump = (at_a_tick::<f32>(outside, 0.0, 1.0810082).phase[1].velocity.widen() - velocity).abs();
+    assert!(jump <= 512.0 * f64::from(f32::EPSILON) * velocity.abs(), "{jump}");
     // With infinite jerks the least ramp takes no time, and it hurried to tick 0: it jumped to its target.
     let tick = 10981.297685419608;
-    let least = at_a_tick::<f64>((
-        [0.03563089941887362, -0.03563089941887362, 0.5597946813770565, -0.5597946813770565, f64::INFINITY, f64::NEG_INFINITY],
-        [168.90613716691834, 0.0, 0.4975756005997176], [0.0, 0.0, 0.07827656765918123]), 0.0, tick);
-    assert_eq!(least.t, tick);
+    assert_eq!(at_a_tick::<f64>(least, 0.0, tick).t, tick);
 }
 
 /// The straight change of the acceleration leads to the target up to rounding. The first axis has its highest deceleration at the start. So the ramp
 /// cannot grow to this side, and the axis made a detour of 0.3 s. In the second one both accelerations point against the change of velocity.
 #[test]
-#[rustfmt::skip]
 fn a_straight_ramp_leads_to_the_target() {
-    let rows = [
-        ([131.34531613387884, -0.03916873959763321, 3.497304854292848, -0.24922989794136802, 356.53330500140873, -605.9895581980758],
-         [0.0, -0.03357505053929079, -0.24922989794136802], [-1.499001669996313e-7, -0.03357615968683352, -0.24763813508741458], 4.5e-6),
-        ([28.91970349789517, -61.6449849221691, 190.40485869081132, -20.822888216532583, 0.6081794692014767, -88.3463436233739],
-         [-40.87343077105678, -59.69645772522634, 0.17179618431952076], [-40.98945887784726, -59.69629068989208, 8.284487068856965e-5], 1.95e-3),
-    ];
-    for (within, from, to, most) in rows {
+    let rows = rows::<2>("a_straight_ramp_leads_to_the_target").into_iter().zip([4.5e-6, 1.95e-3]);
+    for ((within, from, to), most) in rows {
         let [vmax, vmin, amax, amin, jmax, jmin] = within;
         for (sign, within) in [(1.0, within), (-1.0, [-vmin, -vmax, -amin, -amax, -jmin, -jmax])] {
             let [from, to] = [from, to].map(|end: [f64; 3]| state(end.map(|number| sign * number)));
@@ -441,35 +404,24 @@ fn a_straight_ramp_leads_to_the_target() {
 
 /// The axis whose positions are the largest led, and the positions of an axis near 0 jumped by the roundings of the lead.
 #[test]
-#[rustfmt::skip]
 fn two_ways_are_as_long() {
-    let limits = [
-        limits::<f32>([258.3159, -128.45663, 0.043431196, -0.08418166, 11.017084, -3.459211]),
-        limits([25.829498, -25.829498, 0.015187274, -0.015187274, 1.196893, -1.196893]),
-    ];
-    let from = [state([0.0, 2.4602778, -0.0054959883]), state([7.3900323, -2.4602778, 0.0054959883])];
-    let to = [state([9.536743e-7, 2.4602778, -0.0054959883]), state([7.3900313, -2.4602778, 0.0054959883])];
-    for order in [[0, 1], [1, 0]] {
+    let [first, second] = rows("two_ways_are_as_long");
+    for (own, order) in [(0, [first, second]), (1, [second, first])] {
+        let [from, to] = [order.map(|row| state(row.1)), order.map(|row| state(row.2))];
         let mut axes = [Move::default(); 2];
-        line(&mut axes, &order.map(|k| limits[k]), &order.map(|k| from[k]), &order.map(|k| to[k]), 3.029068e-6, 0.0).expect("a line");
-        assert_no_jump(&axes[order[0]]);
+        line(&mut axes, &order.map(|row| limits::<f32>(row.0)), &from, &to, 3.029068e-6, 0.0).expect("a line");
+        assert_no_jump(&axes[own]);
     }
 }
 
 /// On a way of 7e24 numbers leave the range of the real type. The path was planned, and its improvement was refused.
 #[test]
-#[rustfmt::skip]
 fn a_planned_path_is_improved() {
-    let limits = [
-        limits::<f32>([1.9686776, -1.9686776, 0.43720758, -0.43720758, 1.2961658, -1.2961658]),
-        limits([5.4046774e34, -2.6022575, 0.02750298, -0.11001192, 0.29066238, -3.773015e32]),
-    ];
-    let at = |position: f32| State::at(position);
-    let mut states = [
-        state([0.3491586, 0.0, 0.08570656]), state([-3.0316488e-13, 1.6434601e-32, 0.043354165]),
-        at(-7.3950593e24), at(-7.376284e24), at(-4.3862787e-32), at(5.9977757e-35), at(0.5552102), at(0.0),
-        state([-0.040753532, -1.8863572, 0.09410906]), state([0.01841066, 2.5034626, -0.06502761]),
-    ];
+    let rows = rows::<2>("a_planned_path_is_improved");
+    let mut states = rows.map(|row| state(row.1)).to_vec();
+    states.extend([-7.3950593e24, -7.376284e24, -4.3862787e-32, 5.9977757e-35, 0.5552102, 0.0].map(State::at));
+    states.extend(rows.map(|row| state(row.2)));
+    let limits = rows.map(|row| limits::<f32>(row.0));
     let (mut durations, _) = online::path(&mut states, &limits, 2, 0);
     let mut work = vec![0.0; path_size(2, 4).expect("a size")];
     improve_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
@@ -504,12 +456,10 @@ fn a_gap_of_no_width<R: Real>() {
 
 /// The last two points are one, and at the end the axis will unavoidably exceed its highest velocity. Such paths were refused.
 #[test]
-#[rustfmt::skip]
 fn a_path_ends_in_motion_where_points_repeat() {
-    let limits = [limits([0.5753891452295397, -0.4693706914595231, 5.219830201836766, -2.904096037263661, 3.4864495457851166, -1.3484579961587138])];
-    let at = |position: f64| State::at(position);
-    let end = state([-5.5, 0.21625878294708914, 1.7481673456066475]);
-    let mut states = [at(-2.7), at(-3.8), at(-5.5), end];
+    let [(bounds, from, to)] = rows("a_path_ends_in_motion_where_points_repeat");
+    let (limits, end) = ([limits(bounds)], state::<f64>(to));
+    let mut states = [state(from), State::at(-3.8), State::at(-5.5), end];
     let (durations, found) = online::path(&mut states, &limits, 1, 0);
     assert_eq!(found, Findings::ENDS_LEAVING);
     let mut moves = [Move::default(); 3];
@@ -647,12 +597,9 @@ fn a_hold_behind_the_start_of_a_line_jumps_by_no_rounding() {
 /// the path jumped by a rounding there, and the axis by 256 microseconds of its motion.
 #[test]
 fn a_slow_change_begins_where_the_path_is() {
-    let limits = [
-        limits::<f32>([2.071554, -1.8184173, 5.8803563, -0.112167105, 2.3156335, -0.6892216]),
-        limits([0.29577148, -0.14815581, 0.1724676, -0.14914364, 1.4380461, -2.1449971]),
-    ];
-    let from = [state([-0.9798436, -0.48755166, -0.1097502]), state([0.14436704, 0.006605571, 0.0014869454])];
-    let moves = online::together(&limits, &from, &[0.5082376, -9.873645].map(State::at), 0.0);
+    let rows = rows::<2>("a_slow_change_begins_where_the_path_is");
+    let limits = rows.map(|row| limits::<f32>(row.0));
+    let moves = together(&rows, 0.0, 0.0).expect("a plan");
     let mut clock = Clock::new();
     let x = 0.25136882;
     assert_eq!(clock.rate(&moves, &limits, x, 0.5), Ok(Findings::RATE_NOT_REACHED));
@@ -745,11 +692,7 @@ fn a_hard_brake_turns_at_the_position_limit() {
 #[test]
 fn infinite_limits_of_every_kind_leave_a_common_duration() {
     let inf = f64::INFINITY;
-    let row: Row = (
-        [0.804283106290626, -inf, inf, -0.06974526239026546, 0.12513023759824687, -inf],
-        [-0.3708821283879729, -0.7272745734281642, -0.05332685508924168],
-        [-1.171228884251966, -0.7702421859883306, 0.0],
-    );
+    let [row] = rows("infinite_limits_of_every_kind");
     let mut random = Random::seeded(36);
     let mut number = |scale: f64| scale * random.between(-1.0, 1.0);
     let mut asked = 0;
@@ -792,11 +735,9 @@ fn infinite_limits_of_every_kind_leave_a_common_duration() {
 /// Then the first axis jumped by 26 mm of 180 mm.
 #[test]
 fn a_coarse_axis_spares_a_fine_one() {
-    let fine = [0.20008592, -0.17349124, 0.017228568, -0.007796549, 21.364763, -10.818321];
-    let coarse = [3.0924788, -3.0924788, 0.2493661, -0.2493661, 171.0788, -171.0788];
-    let limits = [fine, coarse].map(limits::<f32>);
-    let from = [[0.0, 0.009428811, 0.0033892028], [-288087.88, -0.6937401, -0.2493661]].map(state);
-    let to = [[0.17796072, 0.03598201, 0.0], [-288100.97, -2.6474347, 0.0]].map(state);
+    let rows = rows::<2>("a_coarse_axis_spares_a_fine_one");
+    let limits = rows.map(|row| limits::<f32>(row.0));
+    let [from, to] = [rows.map(|row| state(row.1)), rows.map(|row| state(row.2))];
     let mut axes = [Move::default(); 2];
     line(&mut axes, &limits, &from, &to, 0.0, 0.53716314).expect("a line");
     assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
@@ -851,13 +792,10 @@ fn a_hold_on_the_way_back_does_not_jump() {
 
 /// The axis turns before it comes to a target beyond whose velocity limit it is bound to go. The turn counted as outside of the limits.
 #[test]
-#[rustfmt::skip]
 fn a_target_that_leaves_the_velocities_is_reached_inside() {
-    let limits = limits([0.732005658697053, -1.0681086654618128, 2.8794929880950884, -2.4255607015823593, 3.8813840466802274, -4.018647019432113]);
-    let from = state([0.4345429318053622, 0.7320055854964944, 0.0]);
-    let to = state([0.3145494327812136, 0.6894452525440915, 2.879492700145818]);
+    let [(bounds, from, to)] = rows("a_target_that_leaves_the_velocities_is_reached_inside");
     let mut axis = Move::default();
-    axis.within(&limits, from, to, 0.23201124080185442, 1.289935906435768).expect("a plan");
+    axis.within(&limits(bounds), state(from), state(to), 0.23201124080185442, 1.289935906435768).expect("a plan");
     assert!(axis.t < 3.106, "{}", axis.t);
 }
 
@@ -879,28 +817,18 @@ fn a_line_is_known_by_finite_numbers() {
 /// In the last ticks of a loop the slowest axis, whose jerk is infinite up, lasts longer than two ticks by the rounding error of its positions. Both
 /// axes then took 0.696 s.
 #[test]
-#[rustfmt::skip]
 fn the_last_ticks_are_short_whatever_is_infinite() {
-    let axes = together::<f64>(&[
-        ([0.5235939945000173, -0.5235939945000173, 2.0943759780000692, -2.0943759780000692, f64::INFINITY, -20.943759780000693],
-         [0.8251147820190636, 0.003960393173484879, -2.0943759780000692], [0.8251185264984016, 0.0, 0.0]),
-        ([0.719313618873362, -0.719313618873362, 2.877254475493448, -2.877254475493448, 28.77254475493448, -28.77254475493448],
-         [-1.1720133175402652, -0.3597143545261909, 0.05754508950986884], [-1.1727326695225315, -0.359656809436681, 0.0]),
-    ], 0.0, 1e-3).expect("a plan");
+    let rows = rows::<2>("the_last_ticks_are_short_whatever_is_infinite");
+    let axes = together::<f64>(&rows, 0.0, 1e-3).expect("a plan");
     assert!(axes.iter().all(|axis| axis.t == 2e-3), "{axes:?}");
 }
 
 /// Two ticks are left, and 865 were planned: the third axis takes 2.00005 ticks. If its start is faster by a rounding, the acceleration changes straight
 /// to its target, in less than two ticks. How much faster it has to be for two ticks exactly is lost in the roundings.
 #[test]
-#[rustfmt::skip]
 fn a_straight_change_is_shorter_than_the_tick() {
-    let symmetric = |v: f64, a: f64, j: f64| [v, -v, a, -a, j, -j];
-    let axes = together::<f32>(&[
-        (symmetric(0.6685939, 5.6867056, 5.724689), [-1.1584284, -0.5401262, 0.022898734], [-1.1605889, -0.54008037, 0.0]),
-        (symmetric(0.5619418, 9.122004, 27.96919), [0.46062034, -0.12343438, 0.11187676], [0.4601272, -0.12321063, 0.0]),
-        (symmetric(0.85439193, 4.3778744, 10.458309), [-0.39191088, -0.38101068, -0.041616257], [-0.39343518, -0.38109347, 0.0]),
-    ], 0.0, 2e-3).expect("a plan");
+    let rows = rows::<3>("a_straight_change_is_shorter_than_the_tick");
+    let axes = together::<f32>(&rows, 0.0, 2e-3).expect("a plan");
     assert!(axes[0].t < 5e-3, "{} s", axes[0].t);
     axes.iter().for_each(assert_no_jump);
 }
@@ -908,15 +836,9 @@ fn a_straight_change_is_shorter_than_the_tick() {
 /// The velocity is so high that its roundings hide every change of it, and an acceleration was held for less than no time. The phases lasted for 0.196 ms,
 /// and the move for 0.141 ms.
 #[test]
-#[rustfmt::skip]
 fn no_acceleration_holds_for_less_than_no_time() {
-    let rows = [
-        (([28.467627, -247.35695, 0.051170237, -0.0051244115, 250.26167, -250.26167],
-          [-0.001519873, -123.67618, 0.04695265], [-0.018953592, -123.67617, 0.04387715]), 0.00012443958, 1.8354264e-7),
-        (([83.862724, -83.862724, 0.05427561, -0.056258854, 579.8261, -579.8261],
-          [7.1748204, 53.143856, -0.04794197], [7.176575, 53.143856, -0.028795829]), 0.0, 1.22015e-7),
-    ];
-    for (row, duration, cycle) in rows {
+    let rows = rows::<2>("no_acceleration_holds_for_less_than_no_time");
+    for (row, (duration, cycle)) in rows.into_iter().zip([(0.00012443958, 1.8354264e-7), (0.0, 1.22015e-7)]) {
         let planned = at_a_tick::<f32>(row, duration, cycle);
         let found = planned.check(&limits(row.0)).expect("limits");
         assert!(!found.contains(Findings::JUMPS), "{planned:?}");
@@ -926,15 +848,8 @@ fn no_acceleration_holds_for_less_than_no_time() {
 /// At every tick the loop waited for the axis whose roundings were the slowest. They added up, until the second axis could not wait any more: in tick 799
 /// it turned, and came again.
 #[test]
-#[rustfmt::skip]
 fn a_loop_adds_up_no_roundings() {
-    let symmetric = |v: f64, a: f64, j: f64| [v, -v, a, -a, j, -j];
-    let mut rows = [
-        (symmetric(2.90852802800715, 7.167180301975751, 18.961532480054974),
-         [0.5426188601643278, -1.6131255864063985, 3.234223690224958], [-0.5218026475207489, 0.0, 0.0]),
-        (symmetric(0.5888979299006788, 6.800560029810736, 35.19219569322075),
-         [-0.3409468482294602, 0.0, 0.0], [0.0, 0.21266568778096784, 4.935773375957989]),
-    ];
+    let mut rows = rows::<2>("a_loop_adds_up_no_roundings");
     let mut axes = together::<f64>(&rows, 0.0, 0.0).expect("a plan");
     let (first, period) = (axes[0].t, 1e-3);
     for tick in 1..1000 {
