@@ -127,7 +127,6 @@ impl<'a, R: Real> Change<'a, R> {
             time.go_to_the_end(self.length).ok_or(Error::Target)?;
             return Ok(Law { until, is_reached: true });
         }
-        time.begin_from(from.position);
         // A hold passes the end to which the path goes.
         let goes = if self.rate == R::ZERO { from.velocity } else { self.rate };
         let border = if goes > R::ZERO { self.length } else { R::ZERO };
@@ -262,7 +261,9 @@ impl<'a, R: Real> Change<'a, R> {
     /// The fastest change within limits of its own.
     fn within(&self, from: State<R>, [up, down, slowing]: [R; 3], time: &mut Move<R>) -> Result<(), Error> {
         let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
-        time.reach(&limits, from, self.rate, R::ZERO).map(drop)
+        time.reach(&limits, from, self.rate, R::ZERO)?;
+        time.begin_from(from.position);
+        Ok(())
     }
 
     /// Whether the time stays between the ends of the path.
@@ -327,8 +328,8 @@ impl<R: Real> Move<R> {
 
     /// Shifts the motion to a position at its start. Its end may be so far away that the start has large rounding errors.
     fn begin_from(&mut self, position: R) {
-        let off = position - self.phase[1].position;
-        for phase in self.phase.iter_mut().skip(1) {
+        let (off, end) = (position - self.phase[1].position, self.phases().len());
+        for phase in self.phase.iter_mut().take(end + 1).skip(1) {
             phase.position = phase.position + off;
         }
     }
