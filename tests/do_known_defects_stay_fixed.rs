@@ -22,6 +22,11 @@ fn rows<const AXES: usize>(defect: &str) -> [Row; AXES] {
     axes.collect::<Vec<_>>().try_into().expect("so many axes")
 }
 
+/// Limits, starts and targets.
+fn columns<R: Real>(rows: &[Row]) -> (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>) {
+    rows.iter().map(|row| (limits(row.0), state(row.1), state(row.2))).collect()
+}
+
 fn limits<R: Real>(limits: [f64; 6]) -> Limits<R> {
     online::limits_of(limits.map(R::of))
 }
@@ -318,9 +323,7 @@ fn named_tolerance<R: Real>() {
 fn together<R: Real>(rows: &[Row], duration: f64, cycle: f64) -> Result<Vec<Move<R>>, Error> {
     let before = vec![Move::default(); rows.len()];
     let mut axes = before.clone();
-    let limits: Vec<_> = rows.iter().map(|row| limits(row.0)).collect();
-    let [from, to] =
-        [|row: &Row| state(row.1), |row: &Row| state(row.2)].map(|end| rows.iter().map(end).collect::<Vec<_>>());
+    let (limits, from, to) = columns(rows);
     let planned = synchronise(&mut axes, &limits, &from, &to, R::of(duration), R::of(cycle));
     assert!(planned.is_ok() || axes == before, "an axis is written");
     planned.map(|_| axes)
@@ -407,9 +410,9 @@ fn a_straight_ramp_leads_to_the_target() {
 fn two_ways_are_as_long() {
     let [first, second] = rows("two_ways_are_as_long");
     for (own, order) in [(0, [first, second]), (1, [second, first])] {
-        let [from, to] = [order.map(|row| state(row.1)), order.map(|row| state(row.2))];
+        let (limits, from, to) = columns::<f32>(&order);
         let mut axes = [Move::default(); 2];
-        line(&mut axes, &order.map(|row| limits::<f32>(row.0)), &from, &to, 3.029068e-6, 0.0).expect("a line");
+        line(&mut axes, &limits, &from, &to, 3.029068e-6, 0.0).expect("a line");
         assert_no_jump(&axes[own]);
     }
 }
@@ -417,11 +420,9 @@ fn two_ways_are_as_long() {
 /// On a way of 7e24 numbers leave the range of the real type. The path was planned, and its improvement was refused.
 #[test]
 fn a_planned_path_is_improved() {
-    let rows = rows::<2>("a_planned_path_is_improved");
-    let mut states = rows.map(|row| state(row.1)).to_vec();
+    let (limits, mut states, to) = columns::<f32>(&rows::<2>("a_planned_path_is_improved"));
     states.extend([-7.3950593e24, -7.376284e24, -4.3862787e-32, 5.9977757e-35, 0.5552102, 0.0].map(State::at));
-    states.extend(rows.map(|row| state(row.2)));
-    let limits = rows.map(|row| limits::<f32>(row.0));
+    states.extend(to);
     let (mut durations, _) = online::path(&mut states, &limits, 2, 0);
     let mut work = vec![0.0; path_size(2, 4).expect("a size")];
     improve_path(&mut states, &mut durations, &limits, 2, 4, &mut work).expect("a plan");
@@ -597,9 +598,8 @@ fn a_hold_behind_the_start_of_a_line_jumps_by_no_rounding() {
 /// the path jumped by a rounding there, and the axis by 256 microseconds of its motion.
 #[test]
 fn a_slow_change_begins_where_the_path_is() {
-    let rows = rows::<2>("a_slow_change_begins_where_the_path_is");
-    let limits = rows.map(|row| limits::<f32>(row.0));
-    let moves = together(&rows, 0.0, 0.0).expect("a plan");
+    let (limits, from, to) = columns::<f32>(&rows::<2>("a_slow_change_begins_where_the_path_is"));
+    let moves = online::together(&limits, &from, &to, 0.0);
     let mut clock = Clock::new();
     let x = 0.25136882;
     assert_eq!(clock.rate(&moves, &limits, x, 0.5), Ok(Findings::RATE_NOT_REACHED));
@@ -735,9 +735,7 @@ fn infinite_limits_of_every_kind_leave_a_common_duration() {
 /// Then the first axis jumped by 26 mm of 180 mm.
 #[test]
 fn a_coarse_axis_spares_a_fine_one() {
-    let rows = rows::<2>("a_coarse_axis_spares_a_fine_one");
-    let limits = rows.map(|row| limits::<f32>(row.0));
-    let [from, to] = [rows.map(|row| state(row.1)), rows.map(|row| state(row.2))];
+    let (limits, from, to) = columns::<f32>(&rows::<2>("a_coarse_axis_spares_a_fine_one"));
     let mut axes = [Move::default(); 2];
     line(&mut axes, &limits, &from, &to, 0.0, 0.53716314).expect("a line");
     assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
@@ -940,10 +938,7 @@ fn rounded_positions_turn_no_motor() {
         let [p, v] = [0.1, 1.0].map(|x| x * f64::from(direction));
         let mut stream = StepStream::new(0.001, 1.0, state([0.0, v, 0.0])).expect("a stream");
         stream.tick(state([p, v, 0.0])).expect("a tick");
-        assert_eq!(
-            std::iter::from_fn(|| stream.next()).map(|step| step.direction).collect::<Vec<_>>(),
-            [direction; 100]
-        );
+        assert!(std::iter::from_fn(|| stream.next()).map(|step| step.direction).eq([direction; 100]));
     }
 }
 

@@ -124,7 +124,8 @@ impl<R: Real> Trial<'_, '_, R> {
         if let Some([from, to]) = &self.line {
             let way = |axis: usize| to[axis].position.widen() - from[axis].position.widen();
             let lead = (0..from.len()).max_by(|a, b| way(*a).abs().total_cmp(&way(*b).abs())).expect("an axis");
-            let size = |axis: usize| to[axis].position.widen().abs() + from[axis].position.widen().abs();
+            let own = |axis: usize| to[axis].position.widen().abs() + from[axis].position.widen().abs();
+            let size = |axis: usize| own(axis).max(self.now[axis].position.widen().abs());
             let share = (self.now[lead].position.widen() - from[lead].position.widen()) / way(lead);
             for (axis, now) in self.now.iter().enumerate() {
                 let off = now.position.widen() - (from[axis].position.widen() + share * way(axis));
@@ -221,6 +222,18 @@ fn distance<R: Real>(now: &[State<R>], path: &[Move<R>]) -> f64 {
     sections.fold(f64::INFINITY, f64::min)
 }
 
+/// Lets axes pass their targets in motion, and go on behind them: all along their line, or each at a velocity of its own.
+fn move_on<R: Real>(random: &mut Random, now: &[State<R>], to: &mut [State<R>], limits: &[Limits<R>], is_line: bool) {
+    let ways = to.iter().zip(now).map(|(to, now)| to.position.widen() - now.position.widen());
+    let most = limits.iter().map(|of| 0.9 * of.vmax.widen().min(-of.vmin.widen()));
+    let axes: Vec<_> = ways.zip(most).collect();
+    let pace = axes.iter().map(|(way, most)| most / way.abs()).fold(f64::INFINITY, f64::min) * random.unit();
+    for (to, (way, most)) in to.iter_mut().zip(axes) {
+        let own = random.pick(&[0.0, 1.0]) * most * random.between(-1.0, 1.0);
+        to.velocity = R::of(if is_line { pace * way } else { own });
+    }
+}
+
 /// Whether the moves of whole sections stay between the positions.
 fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: &[Vec<R>; 2]) -> bool {
     moves.iter().zip(lowest.iter().zip(highest).cycle()).all(|(of, (lowest, highest))| {
@@ -271,13 +284,16 @@ pub fn program<R: Real>(random: &mut Random, counts: &mut Counts) {
         {
             to.position = R::of(to.position.widen().clamp(lowest.widen(), highest.widen()));
         }
-        let targets: Vec<_> = to.iter().map(|to| online::plan(&limits[0], *to, *to)).collect();
+        let call = random.below(7);
+        if positions[0].is_empty() && random.one_in(2) {
+            move_on(random, &trial.now, &mut to, &planned, call == 2);
+        }
+        let targets: Vec<_> = to.iter().zip(&limits).map(|(to, limits)| online::plan(limits, *to, *to)).collect();
         // A motion of the program may last as long as an axis takes to its target.
         for ((now, to), limits) in trial.now.iter().zip(&to).zip(&limits) {
             trial.longest = trial.longest.max(online::plan(limits, *now, *to).t.widen());
         }
         assert_eq!(trial.planner.sync(within, &to, 0), Err(Error::Late));
-        let call = random.below(7);
         let next = match call {
             0 => trial.planner.go(within, &to, lead).map(|_| Motion::Each),
             1 => trial.planner.sync(within, &to, lead).map(|_| Motion::Together),

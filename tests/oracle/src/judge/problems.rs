@@ -70,20 +70,8 @@ listed! {
 
 /// A problem before it is rounded: highest and lowest velocity, acceleration and jerk; position, velocity and acceleration at both ends.
 #[derive(Clone, Copy, Debug)]
-struct Draft {
-    vmax: f64,
-    vmin: f64,
-    amax: f64,
-    amin: f64,
-    jmax: f64,
-    jmin: f64,
-    p0: f64,
-    v0: f64,
-    a0: f64,
-    p1: f64,
-    v1: f64,
-    a1: f64,
-}
+#[rustfmt::skip]
+struct Draft { vmax: f64, vmin: f64, amax: f64, amin: f64, jmax: f64, jmin: f64, p0: f64, v0: f64, a0: f64, p1: f64, v1: f64, a1: f64 }
 
 pub struct Problems<R> {
     random: Random,
