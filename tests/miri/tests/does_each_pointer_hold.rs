@@ -778,6 +778,25 @@ fn impulses_that_no_shaper_has_room_for_are_refused() {
     }
 }
 
+/// A place behind the end of its ring, or counts whose sum wraps to one that the delay line has room for.
+#[test]
+fn a_stream_that_no_function_made_is_refused() {
+    let mut caller = Caller::new(Contents::Ordinary, Null::None, 1);
+    let changes: [fn(&mut atraj_shaper_stream); 4] =
+        [|of| of.at = of.ticks, |of| of.at_mean = of.means, |of| of.ticks = u32::MAX, |of| of.means = u32::MAX];
+    for change in changes {
+        let stream: *mut atraj_shaper_stream = caller.argument(Promise::Given(1));
+        let (now, line) = (caller.argument(Promise::Given(1)), caller.argument(Promise::Given(LINE)));
+        let shaped = caller.argument(Promise::Room(1));
+        // SAFETY: the caller owns a stream, and the other pointers keep what the table promises.
+        let code = unsafe {
+            change(&mut *stream);
+            atraj_shaper_stream_tick(stream, now, line, LINE, shaped)
+        };
+        assert_eq!(code, atraj_error::ATRAJ_ERR_NULL as c_int);
+    }
+}
+
 /// Miri sees a reference to a move that the other thread writes.
 #[test]
 fn a_thread_ticks_an_axis_that_another_one_plans() {
