@@ -287,6 +287,15 @@ fn holds_are_short() {
     }
 }
 
+/// A limit of the change that does not bind is not raised: it would bind later, and this change would take 0.541 s.
+#[test]
+fn no_limit_is_raised_in_vain() {
+    let [limits, planned] = [1.0, 0.8].map(|part| Limits::symmetric(14.0 * part, 3.0 * part, 2.0 * part));
+    let (moves, mut clock) = ([online::plan(&planned, State::at(0.0), State::at(3.0_f64))], Clock::new());
+    clock.rate(&moves, &[limits], 0.9, 0.5).expect("a rate");
+    assert!(clock.until() < 0.9 + 0.518, "{}", clock.until());
+}
+
 /// A hold never waits for long where a later one stands sooner: presses at each 1/1000 of a path.
 #[test]
 fn a_later_press_is_hardly_sooner() {
