@@ -11,7 +11,7 @@ use support::{Random, Real, online, test_both_reals};
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);
 
-/// The axes of a defect in the table beside this file.
+/// The axes of a defect, from its table.
 fn rows<const AXES: usize>(defect: &str) -> [Row; AXES] {
     let lines = include_str!("known_defects.csv").lines().map(|line| line.split(','));
     let axes = lines.filter_map(|mut line| (line.next() == Some(defect)).then_some(line)).map(|numbers| {

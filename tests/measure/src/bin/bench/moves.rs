@@ -222,7 +222,7 @@ fn race<const N: usize>(
     let duration = move |problem: &Problem<N>| {
         let mut axes = MaybeUninit::uninit();
         let returned = problem.plan(plan, &mut axes);
-        assert!(returned >= 0, "{returned}: {:?}", problem.numbers());
+        assert!(returned >= 0, "{returned}: {:?}", problem.axes());
         // SAFETY: the plan is no error, so it has written the structs.
         let axes = unsafe { axes.assume_init() };
         axes[0].t.widen()
@@ -285,15 +285,6 @@ impl<const N: usize> Problem<N> {
             let (l, from, to) = (&self.limits[k], &self.from[k], &self.to[k]);
             [l.vmax, l.vmin, l.amax, l.amin, l.jmax, from.p, from.v, from.a, to.p, to.v, to.a].map(f64::from)
         })
-    }
-
-    fn numbers(&self) -> Vec<([a_float; 6], [[a_float; 3]; 2])> {
-        let axis = |k: usize| {
-            let l = &self.limits[k];
-            let ends = [&self.from[k], &self.to[k]].map(|s| [s.p, s.v, s.a]);
-            ([l.vmax, l.vmin, l.amax, l.amin, l.jmax, l.jmin], ends)
-        };
-        (0..N).map(axis).collect()
     }
 }
 
