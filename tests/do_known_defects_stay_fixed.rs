@@ -741,6 +741,19 @@ fn a_coarse_axis_spares_a_fine_one() {
     assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
 }
 
+/// The first axis has the longest way, and its positions round most. Its rounding errors made the loop miss a tick, and where the axes came to their
+/// targets, the next line was refused.
+#[test]
+fn a_tick_is_missed_by_a_coarse_axis() {
+    let (limits, mut from, to) = columns::<f64>(&rows::<3>("a_tick_is_missed_by_a_coarse_axis"));
+    let mut axes = [Move::default(); 3];
+    for left in (0..=824).rev() {
+        line(&mut axes, &limits, &from, &to, 0.0, 4e-3).expect("a line");
+        assert!((axes[0].t - 4e-3 * f64::from(left)).abs() < 1e-9, "{left} {}", axes[0].t);
+        from = axes.iter().map(|axis| axis.state_at(4e-3)).collect();
+    }
+}
+
 /// A hold soon after the start, 10 m from 0: in float a position did not tell the time, and some axes went on to the end of the path.
 #[test]
 fn a_hold_in_float_is_a_stop() {

@@ -3,7 +3,7 @@
 use super::axis::{Task, checked, next_of_plan, stretch, takes};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
-use crate::interval::rounding::{of_check, of_formula};
+use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::online::problem::Problem;
@@ -24,7 +24,7 @@ pub fn line<R: Real>(
     let limits = line.tightest(tasks.clone())?;
     limits.check(line.from, line.to)?;
     line.check(tasks.clone())?;
-    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.finest(tasks.clone()));
+    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.positions);
     let mut lead = Move::default();
     problem.write(&mut lead, &problem.fastest())?;
     let slowest = duration.at_least(lead.t);
@@ -38,8 +38,8 @@ pub fn line<R: Real>(
     Ok(problem.findings(&lead))
 }
 
-/// A straight line in the space of all axes. The axis with the largest displacement leads; of displacements that are as large, the one whose
-/// positions round least. Its positions are counted from its end, so they have the rounding error of the displacement alone.
+/// A straight line in the space of all axes. Of the axes that move far, the one leads whose positions round least relative to its displacement:
+/// what the lead rounds, all axes do. Its positions are counted from its end, so they have the rounding error of the displacement alone.
 struct Line<R> {
     /// The lead at the start.
     from: State<R>,
@@ -62,7 +62,7 @@ struct Share<R> {
 }
 
 impl<'a, R: Real + 'a> Line<R> {
-    /// The line along which the axis with the largest displacement leads.
+    /// The line along which one of the axes leads.
     fn through(tasks: impl Iterator<Item = Task<'a, R>> + Clone) -> Result<Self, Error> {
         let braking = tasks.clone().map(braking).fold(R::ZERO, R::at_least);
         let leads = tasks.map(|Task { limits, from, to }| {
@@ -75,11 +75,14 @@ impl<'a, R: Real + 'a> Line<R> {
             };
             (line, limits)
         });
-        let longer = |one: (Self, _), other: (Self, _)| {
-            let (certain, least) = (other.0.certain(), one.0.certain());
-            if certain > least || certain == least && other.0.positions < one.0.positions { other } else { one }
+        let longest = leads.clone().fold(R::ZERO, |longest, (line, _)| longest.at_least(line.reach()));
+        let finer = |one: (Self, _), other: (Self, _)| {
+            let [own, others] = [&one, &other].map(|(line, _)| line.positions / line.reach());
+            if others < own || others == own && other.0.reach() > one.0.reach() { other } else { one }
         };
-        let (mut line, limits) = leads.reduce(longer).ok_or(Error::Axes)?;
+        // A displacement may be a rounding error itself.
+        let far = leads.filter(|(line, _)| line.reach() >= R::EPSILON.sqrt() * longest);
+        let (mut line, limits) = far.reduce(finer).ok_or(Error::Axes)?;
         let (v, a) = highest(limits, line.reach());
         let jerk = limits.jmax.at_most(-limits.jmin);
         let at_end = |State { velocity, acceleration, .. }: State<R>| {
@@ -94,14 +97,6 @@ impl<'a, R: Real + 'a> Line<R> {
     /// The distance, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
     fn reach(&self) -> R {
         self.from.position.abs() + self.braking * (self.from.velocity.abs() + self.to.velocity.abs())
-    }
-
-    /// The reach without the part that rounding of the positions makes uncertain.
-    fn certain(&self) -> R {
-        let reach = self.reach();
-        // Both positions and their difference are rounded.
-        let part = reach / (reach + of_formula(self.positions));
-        if part > R::ZERO { reach * part } else { reach }
     }
 
     /// The slope of the five numbers of the axis (its displacement, and velocity and acceleration at both ends) on those of the lead, by least squares.
@@ -132,14 +127,6 @@ impl<'a, R: Real + 'a> Line<R> {
         } else {
             Share { times: R::ZERO, rounding: R::ZERO }
         }
-    }
-
-    /// The sum of the magnitudes of the lead's positions, but at most 16 times that of the axis which rounds least, as the lead sees it. What is
-    /// a rounding of a coarse axis would be a jump of a fine one.
-    fn finest(&self, tasks: impl Iterator<Item = Task<'a, R>>) -> R {
-        let seen = tasks
-            .map(|Task { from, to, .. }| (from.position.abs() + to.position.abs()) / self.share(from, to).times.abs());
-        seen.fold(self.positions, |finest, positions| (R::from(16) * positions).at_most(finest))
     }
 
     /// The limits of the lead that keep the limits of all axes.

@@ -45,6 +45,12 @@ fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
         assert!(off.abs() < 1e3 * R::MACHINE_EPSILON.widen(), "{off:?}");
         assert_eq!(planner.time(0), Err(Error::Late));
         assert_eq!(planner.path(&limits, path, R::of(s.widen() + 0.25), 1), Err(Error::Target), "from elsewhere");
+        // It may be off by 64 ulps of the position and of speed times time.
+        let size = path[0].position(s).widen() + 1.5 * rate.abs() * (s.widen() + 401.0 * PERIOD);
+        for (part, is_near) in [(0.5, true), (2.0, false)] {
+            let off = R::of(s.widen() + part * 64.0 * R::MACHINE_EPSILON.widen() * size / 1.5);
+            assert_eq!(planner.path(&limits, path, off, 1).is_ok(), is_near, "{part} {rate}");
+        }
         let at = next_time(slow, &now[0], rate);
         assert_eq!(planner.path(&limits, std::slice::from_ref(slow), at, 1), Err(Error::Target), "at another speed");
         if rate > 1.0 {
