@@ -741,6 +741,17 @@ fn a_coarse_axis_spares_a_fine_one() {
     assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
 }
 
+/// States of a loop on its way. In the first 0.696 s were planned: the slowest axis can take the duration of the other one. In the second 0.3 ms are 0.16
+/// of a tick, and 0.922 s were planned: the velocity of the second axis has the rounding error of the tick before, when it was 50 times as high.
+#[test]
+fn the_rest_of_a_loop_is_short() {
+    let rows = rows::<4>("the_rest_of_a_loop_is_short");
+    for (rows, cycle, most) in [(&rows[..2], 4e-3, 0.188 + 1e-9), (&rows[2..], 0.0, 0.0004)] {
+        let axes = together::<f64>(rows, 0.0, cycle).expect("a plan");
+        assert!(axes[0].t < most, "{} s", axes[0].t);
+    }
+}
+
 /// The first axis has the longest way, and its positions round most. Its rounding errors made the loop miss a tick, and where the axes came to their
 /// targets, the next line was refused.
 #[test]

@@ -30,7 +30,7 @@ flash() {
     fi
 }
 evaluations='atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer'
-for function in atraj_bell_gen atraj_trap_gen a_trajbell_gen a_trajtrap_gen atraj_move_plan atraj_move_stop atraj_move_meet $evaluations \
+for function in atraj_bell_gen a_trajbell_gen atraj_trap_gen a_trajtrap_gen atraj_move_plan atraj_move_stop atraj_move_meet $evaluations \
     atraj_moves_sync atraj_moves_line atraj_moves_sync_within atraj_axis_tick atraj_axis_go atraj_axis_track \
     atraj_group_tick atraj_group_sync atraj_group_line atraj_group_rate atraj_group_stop atraj_steps_next atraj_shaper_state atraj_shaper_stream_tick \
     atraj_clock_rate atraj_clock_state atraj_path_plan atraj_path_improve; do

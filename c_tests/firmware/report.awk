@@ -40,11 +40,6 @@ END {
     print "core,real,function,library,flash,mean instructions,most instructions,stack" > file("plans")
     print "core,real,function,ours,C -Os,C -O2" > file("stack")
     print "core,real,path of three axes,instructions,stack,working memory" > file("paths")
-    plan_count = split("atraj_bell_gen a_trajbell_gen atraj_trap_gen a_trajtrap_gen atraj_move_plan atraj_move_stop atraj_move_meet " \
-        "atraj_move_pos atraj_move_vel atraj_move_acc atraj_move_jer atraj_moves_sync atraj_moves_line atraj_moves_sync_within " \
-        "atraj_axis_tick atraj_axis_go atraj_axis_track atraj_group_tick atraj_group_sync atraj_group_line atraj_group_rate " \
-        "atraj_group_stop atraj_steps_next atraj_shaper_state atraj_shaper_stream_tick atraj_clock_rate atraj_clock_state " \
-        "atraj_path_plan atraj_path_improve", plans, " ")
     for (b = 1; b <= build_count; ++b) {
         build = builds[b]
         row("size", "bell", "trajbell", "size", "Os")
@@ -56,12 +51,12 @@ END {
             if (what == "size" && name ~ /^(bell|trap|poly[357])_/) { row("size", name, name, what, "Os") }
             label = what == "worst-golden" ? "worst golden plan: case " figure[build, "ours", name, "worst-case"] : what
             if (what !~ /size|stack|-case|fastest/) { row("instructions", name "," label, name, what, "O2") }
+            if (what == "fastest-flash" && name ~ /_/) { plan(name) }
             if (what == "stack" && name != "bell_gen" || what == "worst-stack") { print build "," name "," figures(name, what) > file("stack") }
         }
         print build ",moves with libgcc and libm," figure[build, "ours", "moves", "fastest-flash"] ",,," > file("size")
         print build ",paths and atraj_moves_sync with libgcc and libm," figure[build, "ours", "paths", "fastest-flash"] ",,," > file("size")
         print build ",working memory of a path," figure[build, "ours", "path", "fastest-memory"] ",,," > file("size")
-        for (p = 1; p <= plan_count; ++p) { plan(plans[p]) }
         path("4 waypoints", "4")
         path("16 waypoints", "16")
         path("64 waypoints", "64")

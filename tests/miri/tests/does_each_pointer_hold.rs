@@ -23,22 +23,13 @@ enum Promise {
     Room(usize),         // room for this number of elements, which need not be initialised
 }
 
+#[rustfmt::skip]
 macro_rules! promise {
-    (_) => {
-        Promise::Any
-    };
-    (($count:tt of $value:expr)) => {
-        Promise::Numbers($count, $value)
-    };
-    ([$count:expr]) => {
-        Promise::Written($count)
-    };
-    ({$count:expr}) => {
-        Promise::Room($count)
-    };
-    ($count:expr) => {
-        Promise::Given($count)
-    };
+    (_) => { Promise::Any };
+    (($count:tt of $value:expr)) => { Promise::Numbers($count, $value) };
+    ([$count:expr]) => { Promise::Written($count) };
+    ({$count:expr}) => { Promise::Room($count) };
+    ($count:expr) => { Promise::Given($count) };
 }
 
 /// A call of a function with arguments for `n` axes, samples or waypoints.

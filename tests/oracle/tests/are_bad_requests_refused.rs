@@ -611,10 +611,8 @@ fn bad_lists<R: Real>() {
         let mut work = vec![zero; path_size(1, 8).expect("a size")];
         plan_contour(path, &limits[..1], R::of(tolerance), 1, 4, &mut work).err()
     };
-    assert_eq!(
-        [(8, 9), (7, 9), (8, 8), (8, 10)].map(|(moves, states)| contour(moves, states, 1.0)),
-        [None, Some(Error::Axes), Some(Error::Axes), Some(Error::Axes)]
-    );
+    assert_eq!(contour(8, 9, 1.0), None);
+    assert_eq!([(7, 9), (8, 8), (8, 10)].map(|(moves, states)| contour(moves, states, 1.0)), [Some(Error::Axes); 3]);
     assert_eq!([0.0, -1.0].map(|tolerance| contour(8, 9, tolerance)), [Some(Error::Limits); 2]);
     assert_eq!(contour(8, 9, f64::NAN), Some(Error::NotFinite));
 }

@@ -20,12 +20,7 @@ impl Comparison {
     pub fn finish(self, what: &str) {
         println!("{what}: {} values, {} differing", self.compared, self.differences.len());
         assert!(self.compared > 0, "{what}: nothing was compared");
-        assert!(
-            self.differences.is_empty(),
-            "{what}: {} of {} values differ:\n{}",
-            self.differences.len(),
-            self.compared,
-            self.differences[..self.differences.len().min(10)].join("\n")
-        );
+        let first = &self.differences[..self.differences.len().min(10)];
+        assert!(first.is_empty(), "{what}:\n{}", first.join("\n"));
     }
 }
