@@ -23,7 +23,9 @@ fn rows<const AXES: usize>(defect: &str) -> [Row; AXES] {
 }
 
 /// Limits, starts and targets.
-fn columns<R: Real>(rows: &[Row]) -> (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>) {
+type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
+
+fn columns<R: Real>(rows: &[Row]) -> Columns<R> {
     rows.iter().map(|row| (limits(row.0), state(row.1), state(row.2))).collect()
 }
 
