@@ -329,7 +329,7 @@ impl<R: Real> Move<R> {
     /// Shifts the motion to a position at its start. Its end may be so far away that the start has large rounding errors.
     fn begin_from(&mut self, position: R) {
         let (off, end) = (position - self.phase[1].position, self.phases().len());
-        for phase in self.phase.iter_mut().take(end + 1).skip(1) {
+        for phase in self.phase.get_mut(1..=end).unwrap_or_default() {
             phase.position = phase.position + off;
         }
     }
