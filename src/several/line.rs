@@ -75,7 +75,7 @@ impl<'a, R: Real + 'a> Line<R> {
             };
             (line, limits)
         });
-        let longest = leads.clone().fold(R::ZERO, |longest, (line, _)| longest.at_least(line.reach()));
+        let longest = leads.clone().fold(R::ZERO, |longest, (line, _)| line.reach().at_least(longest));
         let finer = |one: (Self, _), other: (Self, _)| {
             let [own, others] = [&one, &other].map(|(line, _)| line.positions / line.reach());
             if others < own || others == own && other.0.reach() > one.0.reach() { other } else { one }

@@ -291,6 +291,10 @@ fn beyond_the_range<R: Real>() {
         assert_eq!(planner(&mut axes, &[limits; 2], &from, &to, none, none), Err(Error::NotFinite));
         assert_eq!(axes, refused.1);
     }
+    // The first axis takes so long to brake that the way of the second, which stands, is no number.
+    let (weak, from) = (Limits::symmetric(huge(-0.2), huge(-0.2), huge(0.95)), [moving(huge(0.9)), still]);
+    let returned = line(&mut [Move::default(); 2], &[weak, limits], &from, &to, none, none);
+    assert_eq!(returned, Err(Error::NotFinite));
     // What an axis without limits could do in a long time is beyond the range. What it does is not, because it cruises.
     let limits = Limits::symmetric(R::ONE, R::INFINITY, R::INFINITY);
     let long = huge(0.95);
