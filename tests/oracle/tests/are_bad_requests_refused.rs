@@ -291,7 +291,7 @@ fn beyond_the_range<R: Real>() {
         assert_eq!(planner(&mut axes, &[limits; 2], &from, &to, none, none), Err(Error::NotFinite));
         assert_eq!(axes, refused.1);
     }
-    // The first axis takes so long to brake that the way of the second, which stands, is no number.
+    // The first axis takes so long to brake that the way of the second, which stands, is NaN.
     let (weak, from) = (Limits::symmetric(huge(-0.2), huge(-0.2), huge(0.95)), [moving(huge(0.9)), still]);
     let returned = line(&mut [Move::default(); 2], &[weak, limits], &from, &to, none, none);
     assert_eq!(returned, Err(Error::NotFinite));
