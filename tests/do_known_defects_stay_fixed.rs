@@ -4,7 +4,7 @@ use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchr
 use atraj::machine::{Clock, GroupTicker, Step, StepStream, Steps};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
-use support::online::{numbers_of_state, state_of as state};
+use support::online::{Columns, numbers_of_state, state_of as state};
 use support::repository::read;
 use support::{Random, Real, online, test_both_reals};
 
@@ -21,9 +21,6 @@ fn rows<const AXES: usize>(defect: &str) -> [Row; AXES] {
     });
     axes.collect::<Vec<_>>().try_into().expect("so many axes")
 }
-
-/// Limits, starts and targets.
-type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
 
 fn columns<R: Real>(rows: &[Row]) -> Columns<R> {
     rows.iter().map(|row| (limits(row.0), state(row.1), state(row.2))).collect()

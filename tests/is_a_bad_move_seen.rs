@@ -113,14 +113,19 @@ fn what_is_no_number_is_refused<R: Real>() {
     assert_eq!(planned.check(&Limits { amin: R::NAN, ..limits }), Err(Error::NotFinite));
 }
 
+/// The first of the changes is none.
+fn judge<P: Copy>(clean: P, changes: &[fn(&mut P)], check: impl Fn(&P) -> Result<Findings, Error>) {
+    for (index, change) in changes.iter().enumerate() {
+        let mut profile = clean;
+        change(&mut profile);
+        let found = check(&profile).expect("numbers");
+        assert_eq!((found.contains(Findings::JUMPS), found.is_empty()), (index > 0, index == 0), "{index} {found:?}");
+    }
+}
+
 /// Phases of a double-S and of a trapezoid, there and back, that are not in order or do not meet.
 fn spoiled_profiles_are_seen<R: Real>() {
     let [acceleration, velocity] = [2.0, 3.0].map(R::of);
-    // The first change of each list is none.
-    let judge = |index: usize, found: Result<Findings, Error>| {
-        let found = found.expect("numbers");
-        assert_eq!((found.contains(Findings::JUMPS), found.is_empty()), (index > 0, index == 0), "{index} {found:?}");
-    };
     for way in [20.0, -20.0] {
         let boundary = Boundary::rest_to_rest(R::ZERO, R::of(way));
         let bell = Bell::fastest(R::ONE, acceleration, velocity, boundary).expect("a plan");
@@ -133,11 +138,7 @@ fn spoiled_profiles_are_seen<R: Real>() {
             |bell| bell.v0 = bell.v0 + R::ONE,
             |bell| bell.p1 = bell.p1 + R::ONE,
         ];
-        for (index, spoil) in bells.iter().enumerate() {
-            let mut bell = bell;
-            spoil(&mut bell);
-            judge(index, bell.check(R::ONE, acceleration, velocity));
-        }
+        judge(bell, &bells, |bell| bell.check(R::ONE, acceleration, velocity));
         let traps: [fn(&mut Trap<R>); 8] = [
             |_| {},
             |trap| trap.ta = -R::ONE,
@@ -148,11 +149,7 @@ fn spoiled_profiles_are_seen<R: Real>() {
             |trap| trap.pd = trap.pd + R::ONE,
             |trap| trap.v1 = trap.v1 + R::ONE,
         ];
-        for (index, spoil) in traps.iter().enumerate() {
-            let mut trap = trap;
-            spoil(&mut trap);
-            judge(index, trap.check(velocity, acceleration, -acceleration));
-        }
+        judge(trap, &traps, |trap| trap.check(velocity, acceleration, -acceleration));
     }
 }
 

@@ -143,10 +143,9 @@ fn limits_are_kept<R: Real>() {
                         let follows = last.is_none_or(|(before, then): (_, R)| {
                             follows(before, now, limits, y.widen() - then.widen(), x + t, t)
                         });
-                        let is_good = follows && keeps(state, limits);
                         assert!(
-                            is_good,
-                            "path {number}, {change}: {last:?} {state:?} {limits:?} at {y:e}, axis {axis}"
+                            follows && keeps(state, limits),
+                            "path {number}, change {change}: {last:?} {state:?} {limits:?} at {y:e}, {clock:?}, axis {axis}"
                         );
                         last = Some((now, y));
                     }

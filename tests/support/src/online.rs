@@ -105,6 +105,9 @@ pub fn stop<R: Real>(limits: &Limits<R>, from: State<R>) -> Move<R> {
     planned
 }
 
+/// Limits, starts and targets of several axes.
+pub type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
+
 /// `synchronise` or `line`: moves, limits, starts and targets, the least duration and the cycle.
 pub type PlannerOfAxes<R> = fn(&mut [Move<R>], &[Limits<R>], &[State<R>], &[State<R>], R, R) -> Result<Findings, Error>;
 

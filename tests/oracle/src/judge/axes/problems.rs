@@ -3,7 +3,7 @@
 use crate::judge::problem::Problem;
 use crate::judge::problems::{Kind, Problems};
 use atraj::online::{Limits, State};
-use support::online::tried;
+use support::online::{Columns, tried};
 use support::{Random, Real};
 
 macro_rules! families {
@@ -47,7 +47,6 @@ pub struct Set<R> {
     pub cycle: R,    // the period of the clock, s; 0: none
 }
 
-pub type Columns<R> = (Vec<Limits<R>>, Vec<State<R>>, Vec<State<R>>);
 pub const MOST_AXES: usize = 12;
 
 impl<R: Real> Set<R> {
