@@ -79,13 +79,8 @@ impl<R: Real> Problem<R> {
         if !is_known {
             return false;
         }
-        // What the axis travels while its acceleration eases does not vanish at the end of a motion.
-        let q = border.per_jerk.q();
-        let speed = border.v0.abs().at_least(border.v1.abs()) + border.eased;
-        let highest = border.limits.amax.at_least(-border.limits.amin);
-        let easing = (speed * q).sqrt().at_most(highest * q);
         // Both ends have rounding errors.
-        let tie = border.rounding_of_displacement(t + easing, self.positions);
+        let tie = border.rounding_of_displacement(t, self.positions);
         from.velocity.abs() * size <= tie + tie
     }
 

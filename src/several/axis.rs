@@ -190,6 +190,18 @@ mod tests {
         assert!(may_shift(11.0) && !may_shift(24.0));
     }
 
+    /// A cruise of 1/1024 s is shifted by what its own way rounds, however long the axis would take to brake.
+    #[test]
+    fn a_short_cruise_is_shifted_by_its_own_rounding() {
+        let limits = Limits::symmetric(1.0 / 1024.0, 1.0, 1.0);
+        let [from, to] = [-1.0 / 1024.0, 0.0].map(|position| State { velocity: 1.0, ..State::at(position) });
+        let mut fastest = Move::default();
+        fastest.plan(&limits, from, to).expect("a plan");
+        let problem = Problem::new(&limits, from, to).with_positions(0.0);
+        let may_shift = |ulps: f64| problem.may_shift(&fastest, fastest.t * (1.0 + ulps * f64::EPSILON));
+        assert!(may_shift(60.0) && !may_shift(68.0));
+    }
+
     /// An axis that brakes can wait where it comes to rest. Where one jerk is very small, rounding shows a gap.
     #[test]
     fn an_axis_that_waits_has_no_gap() {

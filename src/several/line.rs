@@ -38,7 +38,7 @@ pub fn line<R: Real>(
     Ok(problem.findings(&lead))
 }
 
-/// A straight line in the space of all axes. Of the axes that move far, the one leads whose positions round least relative to its displacement:
+/// A straight line in the space of all axes. Of the axes with a long reach, the one leads whose positions round least relative to its reach:
 /// what the lead rounds, all axes do. Its positions are counted from its end, so they have the rounding error of the displacement alone.
 struct Line<R> {
     /// The lead at the start.
