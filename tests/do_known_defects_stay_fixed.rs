@@ -687,6 +687,18 @@ fn a_hard_brake_turns_at_the_position_limit() {
     }
 }
 
+/// Plans turned beyond the lowest position by their rounding error. It fell from tick to tick, and after 719 ticks a plan was refused.
+#[test]
+fn a_loop_stays_between_positions() {
+    let (limits, mut from, to) = columns::<f32>(&rows::<2>("a_loop_stays_between_positions"));
+    let bounds: [&[f32]; 2] = [&[-1.3900943, -1.4380393], &[-0.39210552, 2.2118957]];
+    let mut axes = [Move::default(); 2];
+    for _ in 0..1400 {
+        synchronise_within(&mut axes, &limits, &from, &to, bounds, 0.0, 0.0).expect("plans");
+        from = axes.map(|axis| axis.state_at(0.002)).to_vec();
+    }
+}
+
 /// An axis that can be planned can take longer, alone and with the axis before it: one with infinite limits was refused.
 #[test]
 fn infinite_limits_of_every_kind_leave_a_common_duration() {

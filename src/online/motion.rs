@@ -136,7 +136,7 @@ impl<R: Real> Move<R> {
             dips || goes_back(next.velocity)
         };
         let turns = goes_back(self.phase[0].velocity) || later.iter().any(turns_before);
-        turns && self.turns_outside(from.at_most(to), from.at_least(to))
+        turns && self.turns_outside(from.at_most(to), from.at_least(to), self.rounding())
     }
 
     /// Whether the axis is not between two positions all the time. The end is exact. The start may be the state of another move.
@@ -144,14 +144,13 @@ impl<R: Real> Move<R> {
         let (from, to) = (self.phase[0].position, self.end().position);
         let rounding = self.rounding();
         let starts_outside = from < lowest - rounding || from > highest + rounding;
-        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest)
+        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest, rounding)
     }
 
-    /// Whether the axis turns outside of two positions.
+    /// Whether the axis turns outside of two positions, by more than `leeway`.
     #[inline(never)]
-    fn turns_outside(&self, lowest: R, highest: R) -> bool {
-        let rounding = self.rounding();
-        let (lowest, highest) = (lowest - rounding, highest + rounding);
+    pub(crate) fn turns_outside(&self, lowest: R, highest: R, leeway: R) -> bool {
+        let (lowest, highest) = (lowest - leeway, highest + leeway);
         let is_outside = |position: R| position < lowest || position > highest;
         let (first, later) = self.moving();
         let mut phase = first;

@@ -51,21 +51,25 @@ pub fn synchronise_within<R: Real>(
     }
     let within = tasks.clone().zip(bounds).map(|(task, (&lowest, &highest))| Within { task, lowest, highest });
     let free = shortest_duration(&cycle, duration, tasks)?;
-    let t = if all_inside(free, within.clone())? { free } else { duration_inside(&cycle, free, within.clone())? };
+    // In the next tick of a loop its plan may have a smaller rounding error. So half of it is left, if it can be.
+    let t = match duration_inside(&cycle, free, R::HALF, within.clone()) {
+        Err(Error::Position) => duration_inside(&cycle, free, R::ONE, within.clone()),
+        found => found,
+    }?;
     let mut found = Findings::default();
     for (within, axis) in within.zip(axes) {
-        within.plan(axis, t)?;
+        within.plan(axis, t, R::ONE)?;
         found |= within.task.problem().findings(axis);
     }
     Ok(found)
 }
 
-/// Whether a plan of the duration `t`, which is possible, keeps each axis between its positions.
+/// Whether a plan of the duration `t`, which is possible, keeps each axis between its positions, up to a part of its rounding error.
 #[inline(never)] // for its stack
-fn all_inside<'a, R: Real + 'a>(t: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<bool, Error> {
+fn all_inside<'a, R: Real + 'a>(t: R, part: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<bool, Error> {
     let mut axis = Move::default();
     for within in axes {
-        match within.plan(&mut axis, t) {
+        match within.plan(&mut axis, t, part) {
             Ok(()) => {}
             Err(Error::Position) => return Ok(false),
             Err(error) => return Err(error),
@@ -74,11 +78,14 @@ fn all_inside<'a, R: Real + 'a>(t: R, axes: impl Iterator<Item = Within<'a, R>>)
     Ok(true)
 }
 
-/// A duration from `free` on in which every axis can stay between its positions, nearly the shortest one, s.
-#[cold]
+/// A duration from `free` on in which every axis can stay between its positions, up to a part of the rounding error of its plan, s. It is `free`
+/// or nearly the shortest one.
 fn duration_inside<'a, R: Real + 'a>(
-    cycle: &Cycle<R>, free: R, axes: impl ExactSizeIterator<Item = Within<'a, R>> + Clone,
+    cycle: &Cycle<R>, free: R, part: R, axes: impl ExactSizeIterator<Item = Within<'a, R>> + Clone,
 ) -> Result<R, Error> {
+    if all_inside(free, part, axes.clone())? {
+        return Ok(free);
+    }
     let mut slowest = free;
     for axis in axes.clone() {
         slowest = slowest.at_least(axis.shortest()?);
@@ -87,7 +94,7 @@ fn duration_inside<'a, R: Real + 'a>(
     let mut delay = R::ZERO;
     for _ in 0..=DOUBLINGS + 1 {
         let t = cycle.until_possible(axes.len(), slowest + delay, next)?;
-        if all_inside(t, axes.clone())? {
+        if all_inside(t, part, axes.clone())? {
             return Ok(t);
         }
         delay = if delay > R::ZERO { delay + delay } else { least_delay(slowest, axes.clone())? };
@@ -122,8 +129,9 @@ impl<R: Real> Within<'_, R> {
         Ok(axis.t)
     }
 
-    /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found that stays between the positions.
-    fn plan(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
+    /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found that stays between the positions, up to a part
+    /// of its rounding error.
+    fn plan(&self, axis: &mut Move<R>, t: R, part: R) -> Result<(), Error> {
         let Task { limits, from: &from, to: &to } = self.task;
         axis.plan(limits, from, to)?;
         stretch(axis, &|| self.task.problem(), t)?;
@@ -135,7 +143,8 @@ impl<R: Real> Within<'_, R> {
                 *axis = waiting;
             }
         }
-        Error::Position.unless(!axis.leaves(self.lowest, self.highest))
+        let turns_outside = axis.turns_outside(self.lowest, self.highest, part * axis.rounding());
+        Error::Position.unless(!turns_outside && !axis.leaves(self.lowest, self.highest))
     }
 
     /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.
