@@ -55,6 +55,10 @@ static void once(const char *name, const char *move, void (*f)(void), void *ctx,
 
 typedef struct { uint32_t calls, total, most, stack; } costs;
 
+/* A function, and what its calls cost. */
+typedef struct { const char *name; void (*f)(void); costs sum; } counted;
+#define COUNTED(name) {#name, (void (*)(void))name, {0}}
+
 static void add(costs *sum, cost c) {
     ++sum->calls;
     sum->total += c.instructions;
@@ -117,23 +121,26 @@ static void worst_bell(void) {
     print("bell_gen", "", "worst-stack", stack);
 }
 
-static void print_costs(const char *name, costs sum) {
-    print(name, "", "fastest-mean", (sum.total + sum.calls / 2) / sum.calls);
-    print(name, "", "fastest-max", sum.most);
-    print(name, "", "fastest-stack", sum.stack);
+static void print_costs(const counted *functions, size_t count) {
+    for (const counted *one = functions; one != functions + count; ++one) {
+        costs const sum = one->sum;
+        print(one->name, "", "fastest-mean", (sum.total + sum.calls / 2) / sum.calls);
+        print(one->name, "", "fastest-max", sum.most);
+        print(one->name, "", "fastest-stack", sum.stack);
+    }
 }
+#define PRINT(...) print_costs((const counted[]){__VA_ARGS__}, sizeof((counted[]){__VA_ARGS__}) / sizeof(counted))
 
 /* The plan of every move in a table of moves. */
-static void each(const char *name, void (*f)(void), const real *row, size_t rows, size_t columns) {
-    costs sum = {0};
+static void each(counted function, const real *row, size_t rows, size_t columns) {
     for (size_t i = 0; i != rows; ++i, row += columns) {
         a_float ctx[14], arguments[9] = {0};
         for (size_t k = 0; k != 7; ++k) { arguments[k] = row[k + 1].value; }
-        add(&sum, measure(f, ctx, arguments));
+        add(&function.sum, measure(function.f, ctx, arguments));
     }
-    print_costs(name, sum);
+    PRINT(function);
 }
-#define EACH(name, table) each(#name, (void (*)(void))name, *table, ROWS(table), sizeof(*table) / sizeof(**table))
+#define EACH(name, table) each((counted)COUNTED(name), *table, ROWS(table), sizeof(*table) / sizeof(**table))
 
 /* The original lacks the plans that never fail. Its own plans of these moves stand next to them. */
 #define PRAGMA(words) _Pragma(#words)
@@ -193,53 +200,47 @@ static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m) {
     return c;
 }
 
+static void plan(counted *function, void (*pose)(void *), void *ctx) { add(&function->sum, measure_planner(pose, function->f, ctx)); }
+
 /* 11 evaluations from the start of a move to its end. */
-static void evaluate(costs *sum, void (*f)(void), atraj_move *m) {
+static void evaluate(counted *function, atraj_move *m) {
     for (int i = 0; i <= 10; ++i) {
         a_float const arguments[9] = {m->t * (a_float)i / 10};
-        add(sum, measure(f, m, arguments));
+        add(&function->sum, measure(function->f, m, arguments));
     }
 }
 
 /* Each planner over the moves of the table that it plans, and evaluations of all these moves. */
 static void moves(void) {
-#define F(name) {#name, (void (*)(void))name, {0}}
-    struct { const char *name; void (*f)(void); costs sum; }
-        planners[] = {[PLAN] = F(atraj_move_plan), [STOP] = F(atraj_move_stop), [MEET] = F(atraj_move_meet)},
-        evaluations[] = {F(atraj_move_pos), F(atraj_move_vel), F(atraj_move_acc), F(atraj_move_jer)};
-#undef F
+    counted planners[] = {[PLAN] = COUNTED(atraj_move_plan), [STOP] = COUNTED(atraj_move_stop), [MEET] = COUNTED(atraj_move_meet)};
+    counted evaluations[] = {COUNTED(atraj_move_pos), COUNTED(atraj_move_vel), COUNTED(atraj_move_acc), COUNTED(atraj_move_jer)};
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         atraj_move m;
         m.phases = 0;
         posed = problem_of(fastest_move[i]);
         if (posed.function == REACH) { continue; } /* each stop calls it */
-        add(&planners[posed.function].sum, measure_planner(pose, planners[posed.function].f, &m));
+        plan(&planners[posed.function], pose, &m);
         if (!m.phases) { continue; }
-        for (int k = 0; k != 4; ++k) { evaluate(&evaluations[k].sum, evaluations[k].f, &m); }
+        for (int k = 0; k != 4; ++k) { evaluate(&evaluations[k], &m); }
     }
-    for (int k = PLAN; k <= MEET; ++k) {
-        if (k != REACH) { print_costs(planners[k].name, planners[k].sum); }
-    }
-    for (int k = 0; k != 4; ++k) { print_costs(evaluations[k].name, evaluations[k].sum); }
+    PRINT(planners[PLAN], planners[STOP], planners[MEET]);
+    print_costs(evaluations, 4);
 }
 
 /* Each planner of axes over the sets of the table that it plans. */
 static void axes(void) {
     static atraj_move planned[AXES];
-    static void (*const planners[])(void) = {
-        [SYNC] = (void (*)(void))atraj_moves_sync,
-        [LINE] = (void (*)(void))atraj_moves_line,
-        [SYNC_WITHIN] = (void (*)(void))atraj_moves_sync_within,
+    counted planners[] = {
+        [SYNC] = COUNTED(atraj_moves_sync),
+        [LINE] = COUNTED(atraj_moves_line),
+        [SYNC_WITHIN] = COUNTED(atraj_moves_sync_within),
     };
-    costs sums[3] = {{0}};
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
         posed_axes = axes_of(fastest_axes[i]);
         unsigned const function = posed_axes.function;
-        add(&sums[function], measure_planner(function == SYNC_WITHIN ? pose_within : pose_axes, planners[function], planned));
+        plan(&planners[function], function == SYNC_WITHIN ? pose_within : pose_axes, planned);
     }
-    print_costs("atraj_moves_sync", sums[SYNC]);
-    print_costs("atraj_moves_line", sums[LINE]);
-    print_costs("atraj_moves_sync_within", sums[SYNC_WITHIN]);
+    print_costs(planners, 3);
 }
 
 enum { LEAD = 4 };
@@ -255,18 +256,16 @@ POSE(pose_tick, (atraj_axis *, atraj_state *), &posed.from)
 static void axis(void) {
     static atraj_axis ctx;
     atraj_state const start = {0};
-    costs plans = {0}, tracks = {0}, ticks = {0};
+    counted plans = COUNTED(atraj_axis_go), tracks = COUNTED(atraj_axis_track), ticks = COUNTED(atraj_axis_tick);
     atraj_axis_init(&ctx, (a_float)0.01, &start);
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         posed = problem_of(fastest_move[i]);
         if (posed.function != PLAN) { continue; }
-        add(&tracks, measure_planner(pose_track, (void (*)(void))atraj_axis_track, &ctx));
-        add(&plans, measure_planner(pose_go, (void (*)(void))atraj_axis_go, &ctx)); /* it replaces the plan that waits */
-        for (int n = 0; n != 100; ++n) { add(&ticks, measure_planner(pose_tick, (void (*)(void))atraj_axis_tick, &ctx)); }
+        plan(&tracks, pose_track, &ctx);
+        plan(&plans, pose_go, &ctx); /* it replaces the plan that waits */
+        for (int n = 0; n != 100; ++n) { plan(&ticks, pose_tick, &ctx); }
     }
-    print_costs("atraj_axis_tick", ticks);
-    print_costs("atraj_axis_go", plans);
-    print_costs("atraj_axis_track", tracks);
+    PRINT(ticks, plans, tracks);
 }
 
 enum { GROUPED = 2 };
@@ -283,7 +282,8 @@ POSE(pose_group_tick, (atraj_group *, atraj_state *), group_now)
 static void group(void) {
     static atraj_group ctx;
     static atraj_move room[3 * GROUPED];
-    costs syncs = {0}, lines = {0}, rates = {0}, stops = {0}, ticks = {0};
+    counted syncs = COUNTED(atraj_group_sync), lines = COUNTED(atraj_group_line), rates = COUNTED(atraj_group_rate);
+    counted stops = COUNTED(atraj_group_stop), ticks = COUNTED(atraj_group_tick);
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         problem const q = problem_of(fastest_move[i]);
         if (q.function != PLAN || i % 8) { continue; }
@@ -294,17 +294,13 @@ static void group(void) {
             group_to[k] = (atraj_state){q.to.p / (a_float)(1 + k), 0, 0};
         }
         if (atraj_group_init(&ctx, (a_float)0.01, group_states, room, GROUPED) != 0) { continue; }
-        add(&syncs, measure_planner(pose_group_to, (void (*)(void))atraj_group_sync, &ctx));
-        add(&lines, measure_planner(pose_group_to, (void (*)(void))atraj_group_line, &ctx)); /* it replaces the plan that waits */
-        for (int n = 0; n != 25; ++n) { add(&ticks, measure_planner(pose_group_tick, (void (*)(void))atraj_group_tick, &ctx)); }
-        add(&rates, measure_planner(pose_group_rate, (void (*)(void))atraj_group_rate, &ctx));
-        add(&stops, measure_planner(pose_group_stop, (void (*)(void))atraj_group_stop, &ctx));
+        plan(&syncs, pose_group_to, &ctx);
+        plan(&lines, pose_group_to, &ctx); /* it replaces the plan that waits */
+        for (int n = 0; n != 25; ++n) { plan(&ticks, pose_group_tick, &ctx); }
+        plan(&rates, pose_group_rate, &ctx);
+        plan(&stops, pose_group_stop, &ctx);
     }
-    print_costs("atraj_group_tick", ticks);
-    print_costs("atraj_group_sync", syncs);
-    print_costs("atraj_group_line", lines);
-    print_costs("atraj_group_rate", rates);
-    print_costs("atraj_group_stop", stops);
+    PRINT(ticks, syncs, lines, rates, stops);
 }
 
 static atraj_steps posed_steps;
@@ -329,7 +325,8 @@ POSE(pose_clock, (const atraj_clock *, const atraj_move *, size_t, size_t, a_flo
 
 /* All steps of each move of the table, and 11 states of each move behind a shaper of 3 impulses, and on a clock that holds it. */
 static void machine(void) {
-    costs steps = {0}, shaped = {0}, rates = {0}, held = {0};
+    counted steps = COUNTED(atraj_steps_next), shaped = COUNTED(atraj_shaper_state);
+    counted rates = COUNTED(atraj_clock_rate), held = COUNTED(atraj_clock_state);
     atraj_shaper_init(&posed_shaper, ATRAJ_SHAPER_EI, 5, 0);
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         if (i % 8) { continue; } /* steps are many */
@@ -340,24 +337,21 @@ static void machine(void) {
         while (1) {
             atraj_steps ahead = posed_steps;
             if (!atraj_steps_next(&ahead, &posed_move, NULL)) { break; }
-            add(&steps, measure_planner(pose_step, (void (*)(void))atraj_steps_next, &posed_steps));
+            plan(&steps, pose_step, &posed_steps);
         }
         for (int k = 0; k <= 10; ++k) {
             posed_axes.duration = posed_move.t * (a_float)k / 10;
-            add(&shaped, measure_planner(pose_shape, (void (*)(void))atraj_shaper_state, &posed_shaper));
+            plan(&shaped, pose_shape, &posed_shaper);
         }
         posed.limits = wider(&q.limits);
         atraj_clock_start(&posed_clock);
-        add(&rates, measure_planner(pose_rate, (void (*)(void))atraj_clock_rate, &posed_clock));
+        plan(&rates, pose_rate, &posed_clock);
         for (int k = 0; k <= 10; ++k) {
             posed_axes.duration = posed_move.t * (a_float)k / 10;
-            add(&held, measure_planner(pose_clock, (void (*)(void))atraj_clock_state, &posed_clock));
+            plan(&held, pose_clock, &posed_clock);
         }
     }
-    print_costs("atraj_steps_next", steps);
-    print_costs("atraj_shaper_state", shaped);
-    print_costs("atraj_clock_rate", rates);
-    print_costs("atraj_clock_state", held);
+    PRINT(steps, shaped, rates, held);
 }
 
 enum { DELAYS = 192 }; /* numbers of a delay line: 49 ms at 1 kHz, and more */
@@ -369,7 +363,7 @@ POSE(pose_stream, (atraj_shaper_stream *, const atraj_state *, a_float *, size_t
 /* 100 ticks of an axis behind a shaper of 16 impulses, for a load with two frequencies. */
 static void stream(void) {
     a_float const period = (a_float)1 / 1000;
-    costs shaped = {0};
+    counted shaped = COUNTED(atraj_shaper_stream_tick);
     posed = problem_of(fastest_move[0]);
     solve(&posed, &posed_move);
     atraj_shaper_init(&posed_shaper, ATRAJ_SHAPER_EI2, 50, 0);
@@ -379,9 +373,9 @@ static void stream(void) {
         posed.from.p = atraj_move_pos(&posed_move, period * (a_float)k);
         posed.from.v = atraj_move_vel(&posed_move, period * (a_float)k);
         posed.from.a = atraj_move_acc(&posed_move, period * (a_float)k);
-        add(&shaped, measure_planner(pose_stream, (void (*)(void))atraj_shaper_stream_tick, &posed_stream));
+        plan(&shaped, pose_stream, &posed_stream);
     }
-    print_costs("atraj_shaper_stream_tick", shaped);
+    PRINT(shaped);
 }
 
 static path_problem posed_path;
@@ -392,15 +386,14 @@ static a_float improve_posed_path(void) { return (a_float)improve_path(&posed_pa
 /* The shims that pass the arguments count too: some ten instructions. */
 static void paths(void) {
     a_float const none[9] = {0};
-    costs plans = {0}, updates = {0};
+    counted plans = COUNTED(atraj_path_plan), updates = COUNTED(atraj_path_improve);
     for (unsigned number = 0; number != PATHS; ++number) {
         pose_path(&posed_path, number);
-        add(&plans, measure((void (*)(void))plan_posed_path, NULL, none));
+        add(&plans.sum, measure((void (*)(void))plan_posed_path, NULL, none));
         move_window(&posed_path, number);
-        add(&updates, measure((void (*)(void))improve_posed_path, NULL, none));
+        add(&updates.sum, measure((void (*)(void))improve_posed_path, NULL, none));
     }
-    print_costs("atraj_path_plan", plans);
-    print_costs("atraj_path_improve", updates);
+    PRINT(plans, updates);
     print("path", "", "fastest-memory", sizeof(posed_path.work));
 }
 
