@@ -375,10 +375,15 @@ fn an_axis_misses_a_tick() {
     // By roundings of a far position: it cruised over its limit.
     let fastest = at_a_tick::<f32>(far, 0.0, 18.79726).extremes().highest.velocity.widen();
     assert!(fastest <= far.0[0] * (1.0 + 64.0 * f64::from(f32::EPSILON)), "{fastest}");
-    // It cruises from end to end: it braked on the way instead of arriving later. The same tick is no tick too early if it is asked for.
-    let cruising = at_a_tick::<f32>(cruise, 0.0, 3.421211e-5);
+    // It cruises from end to end at its highest velocity. A tick is late by a rounding error: it braked on the way instead of arriving later. The same
+    // tick is no tick too early if it is asked for.
+    let tick = at_a_tick::<f32>(cruise, 0.0, 0.0).t * (1.0 + 40.0 * f32::EPSILON);
+    let cruising = at_a_tick::<f32>(cruise, 0.0, f64::from(tick) / 749.0);
     assert!(cruising.count == 2 && cruising.phases().iter().all(|phase| phase.jerk == 0.0), "{cruising:?}");
-    assert_eq!(at_a_tick::<f32>(cruise, f64::from(cruising.t), 3.421211e-5).t, cruising.t);
+    assert_eq!(at_a_tick::<f32>(cruise, f64::from(cruising.t), f64::from(tick) / 749.0).t, cruising.t);
+    // A tick 7 µs later needs a way back: the start jumped by 0.27 mm.
+    let back = at_a_tick::<f32>(cruise, 0.0, 3.421211e-5);
+    assert!(back.t > 1.0 && back.check(&limits(cruise.0)) == Ok(Findings::OVERSHOOTS), "{back:?}");
     // It starts outside its limits: its start shifted by as much as an axis inside the limits can, and the velocity jumped by 2,400 ulps.
     let [_, velocity, _] = outside.1;
     let jump = (at_a_tick::<f32>(outside, 0.0, 1.0810082).phase[1].velocity.widen() - velocity).abs();
