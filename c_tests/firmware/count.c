@@ -121,8 +121,8 @@ static void worst_bell(void) {
     print("bell_gen", "", "worst-stack", stack);
 }
 
-static void print_costs(const counted *functions, size_t count) {
-    for (const counted *one = functions; one != functions + count; ++one) {
+static void print_costs(const counted *functions, size_t number) {
+    for (const counted *one = functions; one != functions + number; ++one) {
         costs const sum = one->sum;
         print(one->name, "", "fastest-mean", (sum.total + sum.calls / 2) / sum.calls);
         print(one->name, "", "fastest-max", sum.most);
@@ -189,18 +189,16 @@ static void pose_within(void *ctx) {
     ((planner *)posed_to)(ctx, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
 }
 
-static cost measure_planner(void (*pose)(void *), void (*f)(void), void *m) {
+static void count(counted *function, void (*pose)(void *), void *ctx) {
     a_float const none[9] = {0};
     posed_to = stub;
-    cost const way = measure((void (*)(void))pose, m, none);
-    posed_to = f;
-    cost c = measure((void (*)(void))pose, m, none);
+    cost const way = measure((void (*)(void))pose, ctx, none);
+    posed_to = function->f;
+    cost c = measure((void (*)(void))pose, ctx, none);
     c.instructions -= way.instructions - 1; /* the return instruction belongs to the function */
     c.stack -= way.stack;
-    return c;
+    add(&function->sum, c);
 }
-
-static void plan(counted *function, void (*pose)(void *), void *ctx) { add(&function->sum, measure_planner(pose, function->f, ctx)); }
 
 /* 11 evaluations from the start of a move to its end. */
 static void evaluate(counted *function, atraj_move *m) {
@@ -219,7 +217,7 @@ static void moves(void) {
         m.phases = 0;
         posed = problem_of(fastest_move[i]);
         if (posed.function == REACH) { continue; } /* each stop calls it */
-        plan(&planners[posed.function], pose, &m);
+        count(&planners[posed.function], pose, &m);
         if (!m.phases) { continue; }
         for (int k = 0; k != 4; ++k) { evaluate(&evaluations[k], &m); }
     }
@@ -231,14 +229,11 @@ static void moves(void) {
 static void axes(void) {
     static atraj_move planned[AXES];
     counted planners[] = {
-        [SYNC] = COUNTED(atraj_moves_sync),
-        [LINE] = COUNTED(atraj_moves_line),
-        [SYNC_WITHIN] = COUNTED(atraj_moves_sync_within),
-    };
+        [SYNC] = COUNTED(atraj_moves_sync), [LINE] = COUNTED(atraj_moves_line), [SYNC_WITHIN] = COUNTED(atraj_moves_sync_within)};
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
         posed_axes = axes_of(fastest_axes[i]);
         unsigned const function = posed_axes.function;
-        plan(&planners[function], function == SYNC_WITHIN ? pose_within : pose_axes, planned);
+        count(&planners[function], function == SYNC_WITHIN ? pose_within : pose_axes, planned);
     }
     print_costs(planners, 3);
 }
@@ -261,9 +256,9 @@ static void axis(void) {
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
         posed = problem_of(fastest_move[i]);
         if (posed.function != PLAN) { continue; }
-        plan(&tracks, pose_track, &ctx);
-        plan(&plans, pose_go, &ctx); /* it replaces the plan that waits */
-        for (int n = 0; n != 100; ++n) { plan(&ticks, pose_tick, &ctx); }
+        count(&tracks, pose_track, &ctx);
+        count(&plans, pose_go, &ctx); /* it replaces the plan that waits */
+        for (int n = 0; n != 100; ++n) { count(&ticks, pose_tick, &ctx); }
     }
     PRINT(ticks, plans, tracks);
 }
@@ -294,11 +289,11 @@ static void group(void) {
             group_to[k] = (atraj_state){q.to.p / (a_float)(1 + k), 0, 0};
         }
         if (atraj_group_init(&ctx, (a_float)0.01, group_states, room, GROUPED) != 0) { continue; }
-        plan(&syncs, pose_group_to, &ctx);
-        plan(&lines, pose_group_to, &ctx); /* it replaces the plan that waits */
-        for (int n = 0; n != 25; ++n) { plan(&ticks, pose_group_tick, &ctx); }
-        plan(&rates, pose_group_rate, &ctx);
-        plan(&stops, pose_group_stop, &ctx);
+        count(&syncs, pose_group_to, &ctx);
+        count(&lines, pose_group_to, &ctx); /* it replaces the plan that waits */
+        for (int n = 0; n != 25; ++n) { count(&ticks, pose_group_tick, &ctx); }
+        count(&rates, pose_group_rate, &ctx);
+        count(&stops, pose_group_stop, &ctx);
     }
     PRINT(ticks, syncs, lines, rates, stops);
 }
@@ -337,18 +332,18 @@ static void machine(void) {
         while (1) {
             atraj_steps ahead = posed_steps;
             if (!atraj_steps_next(&ahead, &posed_move, NULL)) { break; }
-            plan(&steps, pose_step, &posed_steps);
+            count(&steps, pose_step, &posed_steps);
         }
         for (int k = 0; k <= 10; ++k) {
             posed_axes.duration = posed_move.t * (a_float)k / 10;
-            plan(&shaped, pose_shape, &posed_shaper);
+            count(&shaped, pose_shape, &posed_shaper);
         }
         posed.limits = wider(&q.limits);
         atraj_clock_start(&posed_clock);
-        plan(&rates, pose_rate, &posed_clock);
+        count(&rates, pose_rate, &posed_clock);
         for (int k = 0; k <= 10; ++k) {
             posed_axes.duration = posed_move.t * (a_float)k / 10;
-            plan(&held, pose_clock, &posed_clock);
+            count(&held, pose_clock, &posed_clock);
         }
     }
     PRINT(steps, shaped, rates, held);
@@ -373,7 +368,7 @@ static void stream(void) {
         posed.from.p = atraj_move_pos(&posed_move, period * (a_float)k);
         posed.from.v = atraj_move_vel(&posed_move, period * (a_float)k);
         posed.from.a = atraj_move_acc(&posed_move, period * (a_float)k);
-        plan(&shaped, pose_stream, &posed_stream);
+        count(&shaped, pose_stream, &posed_stream);
     }
     PRINT(shaped);
 }

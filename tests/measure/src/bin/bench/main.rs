@@ -21,7 +21,6 @@ mod ruckig;
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
-use atraj::capi::trajbell::a_trajbell;
 use oracle::liba::abi::{Abi, Evaluate, Gen7, OURS, Original};
 use std::array::from_fn;
 use std::hint::black_box;
@@ -174,8 +173,11 @@ fn rows(count: usize) -> Vec<Row> {
     let septics: Vec<_> = (0..count).map(|_| septic(&mut random)).collect();
     evaluations(Family::Poly7, place, &septics, |_| 2.0, &mut random, &mut rows);
     if count == WARM {
-        rows.extend([256, 1024, 16_384].map(samples));
-        rows.push(states(1024));
+        // These are the fields of a bell.
+        let sample: AtOnce = |fields, dt, out| sample_all(atraj_bell_sample, fields.as_ptr().cast(), dt, out);
+        let state: AtOnce = |fields, dt, out| state_all(atraj_bell_state, fields.as_ptr().cast(), dt, out);
+        rows.extend([256, 1024, 16_384].map(|n| at_once("atraj_bell_sample", n, sample)));
+        rows.push(at_once("atraj_bell_state", 1024, state));
     }
     rows
 }
@@ -306,28 +308,12 @@ fn evaluate_all<const LIBRARY: usize>((family, index): (Family, usize), moments:
     }
 }
 
-fn samples(n: usize) -> Row {
-    at_once("atraj_bell_sample", n, sampled(atraj_bell_sample), four_calls::<2>)
-}
-
-fn sampled(sample: Sample) -> impl Fn(&[a_float], a_float, Samples) {
-    // These are the fields of a bell.
-    move |fields, dt, out| sample_all(sample, fields.as_ptr().cast(), dt, out)
-}
-
 #[inline(never)]
 fn sample_all<C>(sample: Sample<C>, context: *const C, dt: a_float, out: Samples) {
     let n = out[0].len();
     let [p, v, a, j] = out.map(|out| out.as_mut_ptr());
     // SAFETY: the function takes this struct, and every output has `n` elements.
     unsafe { black_box(sample)(context, 0.0, dt, n, p, v, a, j) };
-}
-
-fn states(n: usize) -> Row {
-    let ours = |fields: &[a_float], dt: a_float, out: Samples| {
-        state_all(atraj_bell_state, fields.as_ptr().cast(), dt, out);
-    };
-    at_once("atraj_bell_state", n, ours, four_calls::<2>)
 }
 
 #[inline(always)]
@@ -342,7 +328,7 @@ fn state_all<C>(state: State<C>, context: *const C, dt: a_float, [p, v, a, j]: S
 }
 
 type Out = *mut a_float;
-type Sample<C = a_trajbell> = unsafe extern "C" fn(*const C, a_float, a_float, usize, Out, Out, Out, Out) -> usize;
+type Sample<C> = unsafe extern "C" fn(*const C, a_float, a_float, usize, Out, Out, Out, Out) -> usize;
 type State<C> = unsafe extern "C" fn(*const C, a_float, Out, Out, Out, Out);
 
 /// Rows of positions, velocities, accelerations and jerks. The first row begins at a cache line.
@@ -351,16 +337,15 @@ type Samples<'a> = [&'a mut [a_float]; 4];
 /// The double-S of the README's table, from 0 to 10 with an initial velocity.
 const README: [a_float; 7] = [30.0, 10.0, 5.0, 0.0, 10.0, 1.0, 0.0];
 
-/// `ours` against four calls of the original at `-O2` for each time, and against a third one.
-fn at_once(
-    function: &str, n: usize, ours: impl Fn(&[a_float], a_float, Samples) + 'static,
-    third: impl Fn(&[a_float], a_float, Samples) + 'static,
-) -> Row {
+type AtOnce = fn(&[a_float], a_float, Samples);
+
+/// `ours` against four calls of the original for each time.
+fn at_once(function: &str, n: usize, ours: AtOnce) -> Row {
     let fields = planned(Family::Bell, &[README.to_vec()]).remove(0);
     sampling(function, n, fields[0], move |library, dt, out| match library {
         0 => ours(&fields, dt, out),
         1 => four_calls::<1>(&fields, dt, out),
-        _ => third(&fields, dt, out),
+        _ => four_calls::<2>(&fields, dt, out),
     })
 }
 
