@@ -139,12 +139,16 @@ impl<R: Real> Move<R> {
         turns && self.turns_outside(from.at_most(to), from.at_least(to), self.rounding())
     }
 
-    /// Whether the axis is not between two positions all the time. The end is exact. The start may be the state of another move.
+    /// Whether the axis is not between two positions all the time.
     pub(crate) fn leaves(&self, lowest: R, highest: R) -> bool {
+        self.ends_outside(lowest, highest) || self.turns_outside(lowest, highest, self.rounding())
+    }
+
+    /// Whether the start or the end is not between two positions. The end is exact. The start may be the state of another move.
+    pub(crate) fn ends_outside(&self, lowest: R, highest: R) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
         let rounding = self.rounding();
-        let starts_outside = from < lowest - rounding || from > highest + rounding;
-        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest, rounding)
+        from < lowest - rounding || from > highest + rounding || to < lowest || to > highest
     }
 
     /// Whether the axis turns outside of two positions, by more than `leeway`.

@@ -144,7 +144,7 @@ impl<R: Real> Within<'_, R> {
             }
         }
         let turns_outside = axis.turns_outside(self.lowest, self.highest, part * axis.rounding());
-        Error::Position.unless(!turns_outside && !axis.leaves(self.lowest, self.highest))
+        Error::Position.unless(!turns_outside && !axis.ends_outside(self.lowest, self.highest))
     }
 
     /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.

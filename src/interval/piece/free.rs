@@ -76,7 +76,9 @@ impl<R: Real> Free<R> {
         let reduced = displacement / self.per_jerk.q();
         let linear = reduced / slope;
         let square = (reduced + reduced) / (self.per_jerk.gd * self.u);
-        let cube = (reduced / self.c()).cube_root_above();
+        // The third power of a time, not of an acceleration, is in range in any unit of length.
+        let c = self.c();
+        let cube = (reduced * c * c).cube_root_above() / c;
         (R::HALF * linear).at_most(square.sqrt().at_most(cube))
     }
 
