@@ -63,7 +63,7 @@ fn watched_program(archive: &Path, library: &Path, flags: &[&str]) -> Output {
     run(command.args(["-fsanitize=thread", "-c", "-o"]).arg(&object));
     let mut link = Command::new("cc");
     link.args(["-no-pie", "-rdynamic", "-pthread"]).arg(object).arg(archive).arg(library);
-    run(link.args(["-lm", "-ldl", "-lrt", "-lstdc++", "-o"]).arg(&program));
+    run(link.args(["-lm", "-ldl", "-lrt", "-o"]).arg(&program));
     Command::new(program).output().unwrap()
 }
 
