@@ -693,6 +693,19 @@ fn a_hard_brake_turns_at_the_position_limit() {
     }
 }
 
+/// An axis that turned at its lowest position turned a rounding error farther in each tick, until its plan was refused. Another one missed its tick
+/// by five ulps, and came a thousandth of a second later for each eighth of one.
+#[test]
+fn a_turn_does_not_drift() {
+    let (limits, from, to) = columns::<f64>(&rows::<2>("a_turn_does_not_drift"));
+    let (lowest, mut axis) = (-4.436745808853818, Move::default());
+    axis.within(&limits[0], from[0], to[0], lowest, f64::INFINITY).expect("a plan");
+    assert!(axis.extremes().lowest.position > lowest - 64.0 * f64::EPSILON, "{axis:?}");
+    let (positions, mut axes): ([&[f64]; 2], _) = ([&[-7.803883871709311], &[-6.929585554924981]], [axis]);
+    synchronise_within(&mut axes, &limits[1..], &from[1..], &to[1..], positions, 0.0, 0.000125).expect("a plan");
+    assert_eq!(axes[0].t, 2.767125);
+}
+
 /// Plans turned beyond the lowest position by their rounding error. It fell from tick to tick, and after 719 ticks a plan was refused.
 #[test]
 fn a_loop_stays_between_positions() {

@@ -287,8 +287,7 @@ fn no_step_is_lost<R: Real>() {
         }
     }
     println!("{}: {steps} steps, {reversals} reversals", R::NAME);
-    let sources = SOURCES as u64;
-    assert!(steps > 250 * sources && reversals > sources / 4);
+    assert!(steps > 250 * SOURCES as u64 && reversals > SOURCES as u64 / 4);
 }
 
 /// A driver gets the time that it asks for between two steps and before a reversal, and no step is lost.
@@ -352,8 +351,7 @@ fn a_tick_without_questions_loses_nothing<R: Real>() {
 #[test]
 fn a_slow_axis_does_not_chatter() {
     let mut motor = StepStream::new(0.01_f32, 1e-3, State::at(1000.0)).expect("a motor");
-    let mut taken = 0;
-    let mut forward = true;
+    let (mut taken, mut forward) = (0, true);
     for tick in 1..=200_000 {
         // 0.05 mm/s at 1 m: a tick moves less than a rounding of the position.
         let position = (1000.0 + 5e-5 * f64::from(tick)) as f32;

@@ -83,6 +83,11 @@ fn published(kind: ShaperKind, designed: [f64; 2], load: [f64; 2]) -> f64 {
     left[0].hypot(left[1])
 }
 
+/// When the phases of a move begin, and its end, s.
+fn borders<R: Real>(planned: &Move<R>) -> Vec<f64> {
+    planned.phase[..=planned.phases().len()].iter().map(|phase| phase.start.widen()).collect()
+}
+
 fn corners(borders: &[f64], delays: &[f64]) -> Vec<f64> {
     let mut corners: Vec<f64> = delays.iter().flat_map(|delay| borders.iter().map(move |x| x + delay)).collect();
     corners.sort_by(f64::total_cmp);
@@ -95,10 +100,10 @@ fn delays(kind: ShaperKind, [frequency, damping]: [f64; 2]) -> Vec<f64> {
     (0..weights.len()).map(|k| k as f64 * spacing * period).collect()
 }
 
-fn rest_to_rest<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
+fn rest_to_rest<R: Real>(random: &mut Random) -> Move<R> {
     let limits = online::limits(random);
     let [from, to] = [(); 2].map(|()| State::at(R::of(random.sign() * random.magnitude(-2.0, 1.0))));
-    (limits, online::plan(&limits, from, to))
+    online::plan(&limits, from, to)
 }
 
 /// Loads of 0.5 to 50 Hz with a damping of 0 to 0.2, and a frequency that is wrong by up to 20 %: what is left is on the curve.
@@ -106,11 +111,10 @@ fn loads_are_left_as_published<R: Real>() {
     let mut random = Random::seeded(6);
     let mut worst = [0.0_f64; 5];
     for number in 0..2_000 {
-        let (_, planned) = rest_to_rest::<R>(&mut random);
+        let planned = rest_to_rest::<R>(&mut random);
         let designed = [0.5 * random.magnitude(0.0, 2.0), random.between(0.0, 0.2)].map(|x| R::of(x).widen());
         let load = [designed[0] * random.between(0.8, 1.2), designed[1]];
-        let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start.widen()).collect();
-        borders.push(planned.t.widen());
+        let borders = borders(&planned);
         let unshaped = residual(&borders, |x| planned.acceleration(R::of(x)).widen(), load);
         let [_, _, peak] = online::largest(planned.extremes());
         for (worst, kind) in worst.iter_mut().zip(KINDS) {
@@ -158,8 +162,7 @@ fn insensitivities_are_those_of_the_curves() {
         let [low, high] = ends.map(|end| format!("{:.1} %", 100.0 * end.abs()));
         println!("{kind:?}: too low by {low}, too high by {high}");
         let name = format!("| {}:", format!("{kind:?}").to_uppercase());
-        let row = page.lines().find(|line| line.starts_with(&name));
-        let row = row.unwrap_or_else(|| panic!("no row {name}"));
+        let row = page.lines().find(|line| line.starts_with(&name)).expect(&name);
         assert!(row.contains(&format!("| {low} | {high} |")), "{row}");
     }
 }
@@ -168,7 +171,7 @@ fn limits_are_kept<R: Real>() {
     let mut random = Random::seeded(7);
     let (zero, epsilon) = (R::ZERO, R::MACHINE_EPSILON.widen());
     for number in 0..2_000 {
-        let (_, planned) = rest_to_rest::<R>(&mut random);
+        let planned = rest_to_rest::<R>(&mut random);
         let time = planned.t.widen() * random.magnitude(-3.0, 0.5);
         let time = random.pick(&[0.0, time]);
         let mut shaper = Shaper::smooth(R::of(time)).expect("a time");
@@ -235,11 +238,10 @@ fn a_bell_is_shaped_as_a_move<R: Real>() {
 }
 
 /// The axis of `python/examples/vibration.py`: its fastest move with this jerk, and what it leaves of a vibration in m.
-fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
+fn servo(jerk: f64, kind: Option<ShaperKind>, wrong: f64) -> (f64, f64) {
     let planned = online::plan(&Limits::symmetric(jerk, 4.0, 1.0), State::at(0.0), State::at(0.5));
-    let mut borders: Vec<f64> = planned.phases().iter().map(|phase| phase.start).collect();
-    borders.push(planned.t);
-    let times = corners(&borders, &shaper_delays(shaper));
+    let shaper = kind.map_or(Shaper::default(), |kind| Shaper::new(kind, 5.0, 0.01).expect("a shaper"));
+    let times = corners(&borders(&planned), &kind.map_or(vec![0.0], |kind| delays(kind, [5.0, 0.01])));
     let mut worst = 0.0_f64;
     for k in -10..=10 {
         let load = [5.0 * (1.0 + 0.1 * wrong * f64::from(k)), 0.01];
@@ -249,23 +251,17 @@ fn servo(jerk: f64, shaper: &Shaper<f64>, wrong: f64) -> (f64, f64) {
     (planned.t + shaper.duration(), worst)
 }
 
-fn shaper_delays(shaper: &Shaper<f64>) -> Vec<f64> {
-    let kinds = KINDS.map(|kind| (kind, Shaper::new(kind, 5.0, 0.01).expect("a shaper")));
-    kinds.into_iter().find(|(_, of_kind)| of_kind == shaper).map_or(vec![0.0], |(kind, _)| delays(kind, [5.0, 0.01]))
-}
-
 /// For the same residual vibration a lower jerk takes longer than a shaper, if the frequency may be wrong.
 #[test]
 fn a_lower_jerk_costs_more() {
-    let none = Shaper::default();
     for wrong in [0.05, 0.2] {
-        let (alone, swings) = servo(f64::INFINITY, &none, wrong);
+        let (alone, swings) = servo(f64::INFINITY, None, wrong);
         println!("without: {alone:.3} s, {:.2} mm, wrong by {wrong}", 1e3 * swings);
         for kind in KINDS {
-            let (shaped, left) = servo(f64::INFINITY, &Shaper::new(kind, 5.0, 0.01).expect("a shaper"), wrong);
+            let (shaped, left) = servo(f64::INFINITY, Some(kind), wrong);
             // Every lower jerk is tried, because what is left does not fall evenly.
             let jerks = (0..2500).map(|k| 4000.0 * 0.995_f64.powi(k));
-            let lower = jerks.map(|jerk| servo(jerk, &none, wrong)).find(|found| found.1 <= left);
+            let lower = jerks.map(|jerk| servo(jerk, None, wrong)).find(|found| found.1 <= left);
             let (slowed, _) = lower.expect("a slow move swings little");
             println!("{kind:?}: {shaped:.3} s, {:.2} mm; lower jerk: {slowed:.3} s", 1e3 * left);
             assert!(left < swings && slowed > 0.9 * shaped, "{kind:?}");

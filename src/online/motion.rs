@@ -141,14 +141,15 @@ impl<R: Real> Move<R> {
 
     /// Whether the axis is not between two positions all the time.
     pub(crate) fn leaves(&self, lowest: R, highest: R) -> bool {
-        self.ends_outside(lowest, highest) || self.turns_outside(lowest, highest, self.rounding())
+        self.leaves_by(lowest, highest, R::ONE)
     }
 
-    /// Whether the start or the end is not between two positions. The end is exact. The start may be the state of another move.
-    pub(crate) fn ends_outside(&self, lowest: R, highest: R) -> bool {
+    /// The same, where an axis may turn outside by a part of the rounding error. The end is exact. The start may be the state of another move.
+    pub(crate) fn leaves_by(&self, lowest: R, highest: R, part: R) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
         let rounding = self.rounding();
-        from < lowest - rounding || from > highest + rounding || to < lowest || to > highest
+        let starts_outside = from < lowest - rounding || from > highest + rounding;
+        starts_outside || to < lowest || to > highest || self.turns_outside(lowest, highest, part * rounding)
     }
 
     /// Whether the axis turns outside of two positions, by more than `leeway`.

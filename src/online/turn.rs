@@ -50,15 +50,15 @@ impl<R: Real> Turns<R> {
     }
 }
 
-/// Where an axis turns, if its fastest stop leaves the positions and its hardest brake does not.
+/// Where an axis turns, if its fastest stop leaves the positions, by half of its rounding error, and its hardest brake does not.
 fn turn_after<R: Real>(
     limits: &Limits<R>, from: State<R>, [lowest, highest]: [R; 2],
 ) -> Result<Option<State<R>>, Error> {
     let mut stop = Move::default();
     stop.stop(limits, from)?;
-    Ok(if !stop.leaves(lowest, highest) {
+    Ok(if !stop.leaves_by(lowest, highest, R::HALF) {
         None
-    } else if stop.leaves(-R::INFINITY, highest) {
+    } else if stop.leaves_by(-R::INFINITY, highest, R::HALF) {
         turn_below(limits, from, highest)
     } else {
         turn_below(&limits.mirrored(), from.mirrored(), -lowest).map(State::mirrored)
@@ -105,12 +105,14 @@ impl<R: Real> Move<R> {
         let [first, last] = [Turns::after(limits, from, positions)?, Turns::before(limits, to, positions)?];
         let [lowest, highest] = positions;
         let mut answer = Err(Error::Position);
-        for most in 0..=first.count {
-            for rest in 0..=last.count {
+        let ways = (0..=first.count).flat_map(|most| (0..=last.count).map(move |rest| (most, rest)));
+        // In the next tick of a loop the rounding error may be smaller. So half of it is left, unless this is a detour.
+        for (part, gain) in [(R::HALF, R::ZERO), (R::ONE, R::EPSILON.sqrt())] {
+            for (most, rest) in ways.clone() {
                 let mut planned = Self::default();
                 let is_planned = planned.turn(limits, from, first.first(most), last.first(rest), to).is_ok();
-                let is_better = answer.is_err() || planned.t < self.t;
-                if is_planned && is_better && !planned.leaves(lowest, highest) {
+                let is_better = answer.is_err() || planned.t < self.t - gain * self.t;
+                if is_planned && is_better && !planned.leaves_by(lowest, highest, part) {
                     *self = planned;
                     answer = Ok(());
                 }
@@ -156,11 +158,17 @@ impl<R: Real> Move<R> {
     /// Plans the fastest stop, by way of turns if it would leave the positions. [`Error::Position`] if the hardest brake leaves them too.
     pub(crate) fn stop_within(&mut self, limits: &Limits<R>, from: State<R>, positions: [R; 2]) -> Result<(), Error> {
         let turns = Turns::after(limits, from, positions)?;
-        let turn = self.ramps(limits, from, turns.first(turns.count))?;
-        let mut next = Self::default();
-        next.stop(limits, turn)?;
-        self.append(&next)?;
-        Error::Position.unless(!self.leaves(positions[0], positions[1]))
+        // The last turn may be for a rounding error, and lead to the other position.
+        for count in (0..=turns.count).rev() {
+            let turn = self.ramps(limits, from, turns.first(count))?;
+            let mut next = Self::default();
+            next.stop(limits, turn)?;
+            self.append(&next)?;
+            if !self.leaves(positions[0], positions[1]) {
+                return Ok(());
+            }
+        }
+        Err(Error::Position)
     }
 
     /// Goes on with the fastest ramp from one state to another, whose positions it meets.

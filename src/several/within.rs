@@ -88,7 +88,7 @@ fn duration_inside<'a, R: Real + 'a>(
     }
     let mut slowest = free;
     for axis in axes.clone() {
-        slowest = slowest.at_least(axis.shortest()?);
+        slowest = slowest.at_least(cycle.or_tick(axis.shortest()?));
     }
     let next = |t: R| axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least);
     let mut delay = R::ZERO;
@@ -143,8 +143,7 @@ impl<R: Real> Within<'_, R> {
                 *axis = waiting;
             }
         }
-        let turns_outside = axis.turns_outside(self.lowest, self.highest, part * axis.rounding());
-        Error::Position.unless(!turns_outside && !axis.ends_outside(self.lowest, self.highest))
+        Error::Position.unless(!axis.leaves_by(self.lowest, self.highest, part))
     }
 
     /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.

@@ -12,15 +12,14 @@ use support::{Family, Random, Real, golden, online};
 
 fn main() -> Result<()> {
     let directory = PathBuf::from(std::env::args_os().nth(1).expect("a directory"));
-    for family in Family::ALL {
-        write::<f64>(family, &directory)?;
-        write::<f32>(family, &directory)?;
-    }
-    write_all::<f64>(&directory)?;
-    write_all::<f32>(&directory)
+    write::<f64>(&directory)?;
+    write::<f32>(&directory)
 }
 
-fn write_all<R: Original>(directory: &Path) -> Result<()> {
+fn write<R: Original>(directory: &Path) -> Result<()> {
+    for family in Family::ALL {
+        write_golden::<R>(family, directory)?;
+    }
     let problems = Problems::<R>::of_profiles(0).take(6 * Kind::OF_PROFILES.len());
     let problems = problems.map(|problem| encode(&problem.arguments(), &[]));
     write_corpus::<R>(&directory.join("fastest"), "adversarial", problems)?;
@@ -46,9 +45,8 @@ fn write_corpus<R: Real>(directory: &Path, name: &str, cases: impl Iterator<Item
 fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
     let limits = online::limits::<R>(random);
     let start = online::anywhere(random, &limits);
-    let mut bytes = encode(&[R::of(0.001)], &[]);
-    bytes.extend(&encode(&numbers_of_state(start), &[])[1..]);
-    bytes.extend(&encode(&online::numbers_of(&limits), &[])[1..]);
+    let numbers = [&[R::of(0.001)], &numbers_of_state(start)[..], &online::numbers_of(&limits)];
+    let mut bytes = encode(&numbers.concat(), &[]);
     for _ in 0..10 {
         let request = random.below(usize::from(REQUESTS)) as u8;
         let other = online::limits::<R>(random);
@@ -135,7 +133,7 @@ fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     with_kind(&numbers, planner + PLANNERS_OF_AXES * more)
 }
 
-fn write<R: Real>(family: Family, directory: &Path) -> Result<()> {
+fn write_golden<R: Real>(family: Family, directory: &Path) -> Result<()> {
     let evaluations = golden::evaluations::<R>(family);
     let moves = golden::moves::<R>(family);
     let cases = moves.iter().enumerate().map(|(case, golden)| {
