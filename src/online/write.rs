@@ -208,12 +208,12 @@ impl<R: Real> Move<R> {
     /// Finds the states at the start of each phase from the end.
     fn find_states(&mut self, count: usize) {
         let end = self.phase.get(count).copied().unwrap_or_default();
-        let (mut position, mut velocity) = (end.position, end.velocity);
+        let (mut way, mut velocity) = (R::ZERO, end.velocity);
         let phases = self.phase.get_mut(1..count).unwrap_or_default();
         for phase in phases.iter_mut().rev() {
             let segment = Segment { from: phase.acceleration, jerk: phase.jerk, duration: phase.duration };
-            (position, velocity) = segment.start(position, velocity);
-            (phase.position, phase.velocity) = (position, velocity);
+            (way, velocity) = segment.start(way, velocity);
+            (phase.position, phase.velocity) = (end.position + way, velocity);
         }
     }
 
