@@ -93,7 +93,7 @@ fn one_jerk_is_far_larger<R: Real>() {
     const ONE_JUMP_OF: usize = 10_000;
     let mut random = Random::seeded(24);
     let most = f64::from(R::SIGNIFICAND_BITS) / 9.0;
-    let (mut planned, mut jumps, mut worst) = (0, 0, 0.0_f64);
+    let (mut planned, mut jumps) = (0, 0);
     for _ in 0..PLANS {
         let mut number = || random.magnitude(-most, most);
         let [vmax, vmin, amax, amin, jmax] = [(); 5].map(|()| number());
@@ -110,13 +110,10 @@ fn one_jerk_is_far_larger<R: Real>() {
         let found = axis.plan(&limits, from, to);
         if found.is_ok_and(|found| !found.contains(Findings::ENDS_LEAVING)) {
             planned += 1;
-            let jump = worst_jump(&axis);
-            worst = worst.max(jump);
-            jumps += usize::from(jump > 64.0);
+            jumps += usize::from(worst_jump(&axis) > 64.0);
         }
     }
-    println!("{}: {jumps} of {planned} plans jump, by {worst:.0} ulps at most", R::NAME);
-    assert!(2 * planned > PLANS && jumps * ONE_JUMP_OF <= planned, "{jumps}");
+    assert!(2 * planned > PLANS && jumps * ONE_JUMP_OF <= planned, "{jumps} of {planned} jump");
 }
 
 /// What is left of a move whose ramp just reaches the highest acceleration: its peak may pass the limit by a rounding. Then the motion to
@@ -165,7 +162,6 @@ fn times_of_positions<R: Real>() {
             assert!(x.is_none_or(|x| x <= axes[0].t), "move {number}: {x:?} {axes:?}");
         }
     }
-    println!("{}: {gaps} gaps", R::NAME);
     assert!(gaps > 100, "{gaps}");
 }
 
@@ -201,11 +197,9 @@ fn finite_or_untouched<R: Real, const AXES: usize>(
 }
 
 /// More than so many are planned, and as many are refused.
-fn assert_both<R: Real>(results: &[Result<Findings, Error>], least: usize) {
+fn assert_both(results: &[Result<Findings, Error>], least: usize) {
     let planned = results.iter().filter(|result| result.is_ok()).count();
-    let refused = results.len() - planned;
-    println!("{}: {planned} planned, {refused} refused", R::NAME);
-    assert!(planned > least && refused > least);
+    assert!(planned > least && results.len() - planned > least, "{planned} of {} planned", results.len());
 }
 
 fn largest<R: Real>() -> f64 {
@@ -270,7 +264,7 @@ fn of_any_size<R: Real>() {
             finite_or_untouched(|axes: &mut [_; 2]| synchronise(axes, &limits, &from, &to, duration, cycle)),
         ]);
     }
-    assert_both::<R>(&results, 10_000);
+    assert_both(&results, 10_000);
 }
 
 /// The same for numbers near the largest one. A sum of three accelerations overflowed.
@@ -291,7 +285,7 @@ fn at_the_border_of_the_range<R: Real>() {
             finite_or_untouched(|[planned]| planned.meet(&limits, from, to)),
         ]);
     }
-    assert_both::<R>(&results, 5_000);
+    assert_both(&results, 5_000);
 }
 
 /// `OVERSHOOTS` had a tolerance that no header named.
@@ -706,16 +700,18 @@ fn a_turn_does_not_drift() {
     assert_eq!(axes[0].t, 2.767125);
 }
 
-/// Plans turned beyond the lowest position by their rounding error. It fell from tick to tick, and after 719 ticks a plan was refused.
+/// Plans turned beyond the lowest position by their rounding error. It fell from tick to tick, and after 719 ticks a plan was refused. The axes stopped
+/// on their way, and took a third longer.
 #[test]
 fn a_loop_stays_between_positions() {
     let (limits, mut from, to) = columns::<f32>(&rows::<2>("a_loop_stays_between_positions"));
     let bounds: [&[f32]; 2] = [&[-1.3900943, -1.4380393], &[-0.39210552, 2.2118957]];
     let mut axes = [Move::default(); 2];
-    for _ in 0..1400 {
+    for _ in 0..1043 {
         synchronise_within(&mut axes, &limits, &from, &to, bounds, 0.0, 0.0).expect("plans");
         from = axes.map(|axis| axis.state_at(0.002)).to_vec();
     }
+    assert!(axes[0].t < 0.004, "{}", axes[0].t);
 }
 
 /// An axis that can be planned can take longer, alone and with the axis before it: one with infinite limits was refused.

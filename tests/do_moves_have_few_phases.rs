@@ -68,8 +68,7 @@ fn few_and_none_is_a_sliver<R: Real>() {
     assert_eq!(axes_by_phases.iter().sum::<u32>(), all);
     // A mean is needed only just above the fastest duration.
     assert!(means > 0 && means * 1000 < all, "{means} of {all}");
-    println!("{}: {slivers:?} of {all} plans, replans and axes have a sliver", R::NAME);
-    assert!(slivers.iter().all(|count| count * ONE_SLIVER_OF <= all));
+    assert!(slivers.iter().all(|count| count * ONE_SLIVER_OF <= all), "{slivers:?} of {all}");
 }
 
 test_both_reals!(few_and_none_is_a_sliver);

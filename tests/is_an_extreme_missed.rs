@@ -139,7 +139,6 @@ fn nothing_lies_beyond<R: Real>() {
         let mut random = Random::seeded(1);
         let moves = (0..MOVES).map(|_| of(&mut random)).filter(|the_move| the_move.duration > R::ZERO);
         let most = moves.map(|the_move| worst(&the_move)).fold(0.0, f64::max);
-        println!("{}, {name}: a sample lies {most:.1} ulps beyond an extreme", R::NAME);
         assert!(most <= ROUNDINGS, "{name}: {most}");
     }
 }

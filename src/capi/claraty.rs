@@ -291,8 +291,7 @@ unsafe fn finite_array(values: *const f64, n: usize) -> Result<&'static [f64], c
     }
     // SAFETY: `values` is not NULL, and the size does not overflow; the caller promises `n` numbers.
     let values = unsafe { slice::from_raw_parts(values, n) };
-    all_finite(values)?;
-    Ok(values)
+    all_finite(values).map(|()| values)
 }
 
 /// Sets off with the timer at 0. The motion begins at the setpoint if a motion is under way, else at rest at 0.

@@ -172,10 +172,7 @@ impl<R: Real> Move<R> {
     pub(crate) fn rounding(&self) -> R {
         let ends = self.phase[0].position.abs() + self.end().position.abs();
         let (first, later) = self.moving();
-        let mut speed = first.velocity.abs();
-        for phase in later {
-            speed = speed.at_least(phase.velocity.abs());
-        }
+        let speed = later.iter().fold(first.velocity.abs(), |speed, phase| speed.at_least(phase.velocity.abs()));
         (R::DOUBT + R::DOUBT) * (ends + speed * self.t)
     }
 

@@ -19,20 +19,29 @@ const MOST_HALVES: u32 = 64;
 /// this, grows from `x` to `√x` with each turn, and 3 % are enough to stop: from a rounding error that takes four turns.
 const MOST_TURNS: usize = 6;
 
-/// Where an axis turns, one turn after the other.
-struct Turns<R> {
-    states: [State<R>; MOST_TURNS],
+/// An end of a motion, and where the axis turns from there on.
+#[derive(Clone, Copy)]
+pub(crate) struct Turns<R> {
+    states: [State<R>; 1 + MOST_TURNS],
     count: usize,
 }
 
 impl<R: Real> Turns<R> {
-    /// The turns from the state `from` on, until the fastest stop stays between the positions, or the hardest brake leaves them.
+    /// The turns after the start and before the end of a motion, for each way to make it. The way without turns is the first.
+    pub fn ways(
+        limits: &Limits<R>, from: State<R>, to: State<R>, positions: [R; 2],
+    ) -> Result<impl Iterator<Item = [Self; 2]> + Clone, Error> {
+        let [first, last] = [Self::after(limits, from, positions)?, Self::before(limits, to, positions)?];
+        let ways = move |most| (0..=last.count).map(move |rest| [first.only(most), last.only(rest)]);
+        Ok((0..=first.count).flat_map(ways))
+    }
+
+    /// The turns after the state `from`, until the fastest stop stays between the positions, or the hardest brake leaves them.
     fn after(limits: &Limits<R>, from: State<R>, positions: [R; 2]) -> Result<Self, Error> {
-        let mut turns = Self { states: [from; MOST_TURNS], count: 0 };
-        let mut last = from;
-        while let Some(place) = turns.states.get_mut(turns.count) {
-            let Some(turn) = turn_after(limits, last, positions)? else { break };
-            (*place, last) = (turn, turn);
+        let mut turns = Self { states: [from; 1 + MOST_TURNS], count: 0 };
+        while let Some([last, next]) = turns.states.get_mut(turns.count..turns.count + 2) {
+            let Some(turn) = turn_after(limits, *last, positions)? else { break };
+            *next = turn;
             turns.count += 1;
         }
         Ok(turns)
@@ -44,24 +53,34 @@ impl<R: Real> Turns<R> {
         Ok(Self { states: turns.states.map(State::reversed), ..turns })
     }
 
-    /// The first turns, as many as `count`.
-    fn first(&self, count: usize) -> &[State<R>] {
-        self.states.get(..count).unwrap_or_default()
+    fn only(&self, count: usize) -> Self {
+        Self { count, ..*self }
+    }
+
+    /// The end, then the turns.
+    fn all(&self) -> &[State<R>] {
+        self.states.get(..=self.count).unwrap_or_default()
+    }
+
+    /// Where the motion is free: at the last turn, or at the end if there is none.
+    pub fn last(&self) -> State<R> {
+        let [end, ..] = self.states;
+        self.all().last().copied().unwrap_or(end)
     }
 }
 
-/// Where an axis turns, if its fastest stop leaves the positions, by half of its rounding error, and its hardest brake does not.
+/// Where an axis turns, if its fastest stop leaves the positions, by a sixteenth of its rounding error, and its hardest brake does not.
 fn turn_after<R: Real>(
     limits: &Limits<R>, from: State<R>, [lowest, highest]: [R; 2],
 ) -> Result<Option<State<R>>, Error> {
     let mut stop = Move::default();
     stop.stop(limits, from)?;
-    Ok(if !stop.leaves_by(lowest, highest, R::HALF) {
-        None
-    } else if stop.leaves_by(-R::INFINITY, highest, R::HALF) {
+    Ok(if stop.leaves_by(-R::INFINITY, highest, R::SIXTEENTH) {
         turn_below(limits, from, highest)
-    } else {
+    } else if stop.leaves_by(lowest, R::INFINITY, R::SIXTEENTH) {
         turn_below(&limits.mirrored(), from.mirrored(), -lowest).map(State::mirrored)
+    } else {
+        None
     })
 }
 
@@ -102,57 +121,49 @@ impl<R: Real> Move<R> {
     pub(super) fn plan_with_turns(
         &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, positions: [R; 2],
     ) -> Result<(), Error> {
-        let [first, last] = [Turns::after(limits, from, positions)?, Turns::before(limits, to, positions)?];
         let [lowest, highest] = positions;
-        let mut answer = Err(Error::Position);
-        let ways = (0..=first.count).flat_map(|most| (0..=last.count).map(move |rest| (most, rest)));
-        // In the next tick of a loop the rounding error may be smaller. So half of it is left, unless this is a detour.
-        for (part, gain) in [(R::HALF, R::ZERO), (R::ONE, R::EPSILON.sqrt())] {
-            for (most, rest) in ways.clone() {
-                let mut planned = Self::default();
-                let is_planned = planned.turn(limits, from, first.first(most), last.first(rest), to).is_ok();
-                let is_better = answer.is_err() || planned.t < self.t - gain * self.t;
-                if is_planned && is_better && !planned.leaves_by(lowest, highest, part) {
-                    *self = planned;
-                    answer = Ok(());
+        let ways = Turns::ways(limits, from, to, positions)?;
+        let mut shortest = R::INFINITY;
+        // In the next tick of a loop the rounding error may be smaller. So most of it is left, unless this is a detour.
+        for (part, gain) in [(R::SIXTEENTH, R::ZERO), (R::ONE, R::EPSILON.sqrt())] {
+            for [first, last] in ways.clone() {
+                let (mut planned, mut free) = (Self::default(), Self::default());
+                let found = free.plan(limits, first.last(), last.last());
+                let found = found.and_then(|_| planned.turn(limits, [&first, &last], &free));
+                let t = found.map_or(R::INFINITY, |()| planned.t);
+                if t + gain * t < shortest && !planned.leaves_by(lowest, highest, part) {
+                    (*self, shortest) = (planned, t);
                 }
             }
         }
-        answer
+        Error::Position.unless(shortest < R::INFINITY)
     }
 
-    /// Plans the fastest motion by way of these turns after the start, and of these before the end, from the last one on.
-    fn turn(
-        &mut self, limits: &Limits<R>, from: State<R>, first: &[State<R>], last: &[State<R>], to: State<R>,
-    ) -> Result<(), Error> {
-        let mut now = self.ramps(limits, from, first)?;
-        let mut is_ramp = false;
-        for end in last.iter().rev().copied().chain([to]) {
-            if is_ramp {
-                // Both may be bound for a velocity beyond the limits.
-                let mut limits = limits.reversed();
-                limits.include(now.reversed());
-                limits.include(end.reversed());
-                self.ramp(&limits.reversed(), now, end)?;
-            } else {
-                let mut next = Self::default();
-                next.plan(limits, now, end)?;
-                self.append(&next)?;
-            }
-            (now, is_ramp) = (end, true);
+    /// Plans the fastest motion by way of turns, with a `free` motion between them.
+    pub(crate) fn turn(&mut self, limits: &Limits<R>, [first, last]: [&Turns<R>; 2], free: &Self) -> Result<(), Error> {
+        self.ramps(limits, first)?;
+        self.append(free)?;
+        let mut now = free.end();
+        for &end in last.all().iter().rev().skip(1) {
+            // Both may be bound for a velocity beyond the limits.
+            let mut limits = limits.reversed();
+            limits.include(now.reversed());
+            limits.include(end.reversed());
+            self.ramp(&limits.reversed(), now, end)?;
+            now = end;
         }
         Ok(())
     }
 
-    /// Plans the fastest ramps from turn to turn. Answers where they end.
-    fn ramps(&mut self, limits: &Limits<R>, from: State<R>, turns: &[State<R>]) -> Result<State<R>, Error> {
-        self.stay(from);
-        let mut now = from;
-        for &turn in turns {
+    /// Plans the fastest ramps from turn to turn.
+    fn ramps(&mut self, limits: &Limits<R>, turns: &Turns<R>) -> Result<(), Error> {
+        let [mut now, ..] = turns.states;
+        self.stay(now);
+        for &turn in turns.all().iter().skip(1) {
             self.ramp(limits, now, turn)?;
             now = turn;
         }
-        Ok(now)
+        Ok(())
     }
 
     /// Plans the fastest stop, by way of turns if it would leave the positions. [`Error::Position`] if the hardest brake leaves them too.
@@ -160,9 +171,10 @@ impl<R: Real> Move<R> {
         let turns = Turns::after(limits, from, positions)?;
         // The last turn may be for a rounding error, and lead to the other position.
         for count in (0..=turns.count).rev() {
-            let turn = self.ramps(limits, from, turns.first(count))?;
+            let turns = turns.only(count);
+            self.ramps(limits, &turns)?;
             let mut next = Self::default();
-            next.stop(limits, turn)?;
+            next.stop(limits, turns.last())?;
             self.append(&next)?;
             if !self.leaves(positions[0], positions[1]) {
                 return Ok(());

@@ -15,11 +15,9 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let (from, to) = self.ends(section, axis);
             self.limits(section, axis).map(|limits| Problem::new(limits, from, to))
         };
-        let mut slowest = least;
-        for axis in 0..self.axes {
-            let problem = problem(axis)?;
-            slowest = slowest.at_least(problem.duration(&problem.fastest()));
-        }
+        let slowest = (0..self.axes).try_fold(least, |slowest, axis| {
+            problem(axis).map(|problem| slowest.at_least(problem.duration(&problem.fastest())))
+        })?;
         let next_duration = |t| {
             let next = |axis| problem(axis).map_or(t, |problem| next_duration(&problem, t));
             (0..self.axes).map(next).fold(t, R::at_least)

@@ -1,7 +1,7 @@
 //! The ticks on which axes arrive.
 
 use crate::findings::Error;
-use crate::interval::rounding::{of_check, of_formula};
+use crate::interval::rounding::of_formula;
 use crate::real::Real;
 
 /// The period of a control loop. All axes arrive on one of its ticks.
@@ -51,12 +51,6 @@ impl<R: Real> Cycle<R> {
             }
         }
         shortest
-    }
-
-    /// The duration `t`, or its nearest tick if that is as long up to the rounding of a check.
-    pub fn or_tick(&self, t: R) -> R {
-        let tick = self.nearest(t);
-        if (tick - t).abs() <= of_check(t) { tick } else { t }
     }
 
     /// The first tick from `t` on, up to rounding.

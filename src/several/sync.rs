@@ -77,15 +77,13 @@ fn rehearse<'a, R: Real + 'a>(
 pub(super) fn shortest_duration<'a, R: Real + 'a>(
     cycle: &Cycle<R>, duration: R, tasks: impl ExactSizeIterator<Item = Task<'a, R>> + Clone,
 ) -> Result<R, Error> {
-    let mut slowest = duration;
-    for task in tasks.clone() {
-        slowest = slowest.at_least(fastest(task)?.t);
-    }
+    let slowest = tasks.clone().try_fold(duration, |slowest, task| Ok(slowest.at_least(fastest(task)?.t)))?;
     common_duration(cycle, slowest, tasks.map(|task| (task, fastest(task).unwrap_or_default())))
 }
 
+/// The fastest plan of an axis.
 #[inline(never)] // for its stack
-fn fastest<R: Real>(task: Task<R>) -> Result<Move<R>, Error> {
+pub(super) fn fastest<R: Real>(task: Task<R>) -> Result<Move<R>, Error> {
     let mut axis = Move::default();
     let problem = task.problem();
     problem.write(&mut axis, &problem.fastest()).map(|()| axis)

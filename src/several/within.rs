@@ -2,14 +2,15 @@
 //!
 //! A motion that cruises stays between the positions between which the fastest one stays: see `docs/planner.md`, "Between two positions". So
 //! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position. Then it makes its fastest move and
-//! waits, or it stops, waits and goes.
+//! waits, or it stops, waits and goes, or it is slower between its turns.
 
-use super::axis::{Task, checked, next_duration, stretch};
+use super::axis::{Task, checked, next_duration, stretch, takes};
 use super::cycle::Cycle;
-use super::sync::shortest_duration;
+use super::sync::{fastest, shortest_duration};
 use crate::findings::{Error, Findings};
-use crate::interval::rounding::{of_check, of_formula};
+use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
+use crate::online::turn::Turns;
 use crate::online::{Move, are_in_order};
 use crate::real::Real;
 use crate::state::State;
@@ -21,8 +22,8 @@ const DOUBLINGS: u32 = 12;
 /// Plans all axes for the same duration, as [`synchronise`](super::synchronise) does, and lets each of them stay between two positions until
 /// its end, up to 128 ulps. `positions` are the lowest position of each axis and the highest ones. An infinite position is no limit.
 ///
-/// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. Where it has no
-/// time to stop on its way, all axes take longer.
+/// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes, or it is slower
+/// between its turns at the positions. Where none is possible, all axes take longer.
 ///
 /// [`Error::Position`] if no move of an axis stays between its positions, as [`Move::within`] says. It returns the other findings and errors of
 /// [`synchronise`](super::synchronise) and [`Move::within`]. On an error no axis is written.
@@ -46,9 +47,7 @@ pub fn synchronise_within<R: Real>(
     let [lowest, highest] = positions;
     Error::Axes.unless(lowest.len() == axes.len() && highest.len() == axes.len())?;
     let bounds = lowest.iter().zip(highest);
-    for (&lowest, &highest) in bounds.clone() {
-        are_in_order(lowest, highest)?;
-    }
+    bounds.clone().try_for_each(|(&lowest, &highest)| are_in_order(lowest, highest))?;
     let within = tasks.clone().zip(bounds).map(|(task, (&lowest, &highest))| Within { task, lowest, highest });
     let free = shortest_duration(&cycle, duration, tasks)?;
     // In the next tick of a loop its plan may have a smaller rounding error. So half of it is left, if it can be.
@@ -66,16 +65,12 @@ pub fn synchronise_within<R: Real>(
 
 /// Whether a plan of the duration `t`, which is possible, keeps each axis between its positions, up to a part of its rounding error.
 #[inline(never)] // for its stack
-fn all_inside<'a, R: Real + 'a>(t: R, part: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<bool, Error> {
+fn all_inside<'a, R: Real + 'a>(t: R, part: R, mut axes: impl Iterator<Item = Within<'a, R>>) -> Result<bool, Error> {
     let mut axis = Move::default();
-    for within in axes {
-        match within.plan(&mut axis, t, part) {
-            Ok(()) => {}
-            Err(Error::Position) => return Ok(false),
-            Err(error) => return Err(error),
-        }
+    match axes.try_for_each(|within| within.plan(&mut axis, t, part)) {
+        Err(Error::Position) => Ok(false),
+        planned => planned.map(|()| true),
     }
-    Ok(true)
 }
 
 /// A duration from `free` on in which every axis can stay between its positions, up to a part of the rounding error of its plan, s. It is `free`
@@ -86,16 +81,16 @@ fn duration_inside<'a, R: Real + 'a>(
     if all_inside(free, part, axes.clone())? {
         return Ok(free);
     }
-    let mut slowest = free;
-    for axis in axes.clone() {
-        slowest = slowest.at_least(cycle.or_tick(axis.shortest()?));
-    }
+    let slowest = axes.clone().try_fold(free, |slowest, axis| Ok(slowest.at_least(axis.shortest()?)))?;
     let next = |t: R| axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least);
     let mut delay = R::ZERO;
     for _ in 0..=DOUBLINGS + 1 {
         let t = cycle.until_possible(axes.len(), slowest + delay, next)?;
         if all_inside(t, part, axes.clone())? {
-            return Ok(t);
+            let durations = axes.clone().map(|axis| axis.shortest().unwrap_or(t));
+            return Ok(cycle.earlier(t, slowest, durations, |t| {
+                axes.clone().all(|axis| axis.takes(t)) && all_inside(t, part, axes.clone()) == Ok(true)
+            }));
         }
         delay = if delay > R::ZERO { delay + delay } else { least_delay(slowest, axes.clone())? };
     }
@@ -103,11 +98,8 @@ fn duration_inside<'a, R: Real + 'a>(
 }
 
 /// The first delay to try, s. After all doublings every axis has time to stop on its way.
-fn least_delay<'a, R: Real + 'a>(shortest: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<R, Error> {
-    let mut latest = shortest;
-    for axis in axes {
-        latest = latest.at_least(axis.with_a_stop()?);
-    }
+fn least_delay<'a, R: Real + 'a>(shortest: R, mut axes: impl Iterator<Item = Within<'a, R>>) -> Result<R, Error> {
+    let latest = axes.try_fold(shortest, |latest, axis| Ok(latest.at_least(axis.with_a_stop()?)))?;
     Ok((latest - shortest + of_formula(latest)) / R::from_index(1 << DOUBLINGS))
 }
 
@@ -125,8 +117,12 @@ impl<R: Real> Within<'_, R> {
     fn shortest(&self) -> Result<R, Error> {
         let Task { limits, from: &from, to: &to } = self.task;
         let mut axis = Move::default();
-        axis.within(limits, from, to, self.lowest, self.highest)?;
-        Ok(axis.t)
+        axis.within(limits, from, to, self.lowest, self.highest).map(|_| axis.t)
+    }
+
+    /// Whether the axis can take the duration `t`, if it may leave the positions.
+    fn takes(&self, t: R) -> bool {
+        fastest(self.task).is_ok_and(|plan| takes(&plan, &self.task.problem(), t))
     }
 
     /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found that stays between the positions, up to a part
@@ -135,26 +131,19 @@ impl<R: Real> Within<'_, R> {
         let Task { limits, from: &from, to: &to } = self.task;
         axis.plan(limits, from, to)?;
         stretch(axis, &|| self.task.problem(), t)?;
-        // A plan that leaves them by a rounding error now may leave them by more in the next tick of a loop. So one that waits is better.
-        let eighth = R::HALF * R::HALF * R::HALF * axis.rounding();
-        if axis.extremes().overshoots(self.lowest, self.highest, eighth) {
-            let mut waiting = *axis;
-            if self.plan_wait(&mut waiting, t).is_ok() && !waiting.leaves(self.lowest, self.highest) {
-                *axis = waiting;
+        // A plan that leaves them by a rounding error now may leave them by more in the next tick of a loop. So one that waits or turns is better.
+        if axis.turns_outside(self.lowest, self.highest, R::SIXTEENTH * axis.rounding()) {
+            let mut inside = Move::default();
+            if self.plan_wait(&mut inside, t).or_else(|_| self.plan_between_turns(&mut inside, t)).is_ok() {
+                *axis = inside;
             }
         }
         Error::Position.unless(!axis.leaves_by(self.lowest, self.highest, part))
     }
 
-    /// Plans the fastest move if it lasts `t`, or the move of the duration `t` that waits. [`Error::Position`] if it has no time to wait.
+    /// Plans the move that waits. [`Error::Position`] if it has no time to wait, or leaves the positions.
     #[cold]
     fn plan_wait(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
-        let Task { limits, from: &from, to: &to } = self.task;
-        axis.within(limits, from, to, self.lowest, self.highest)?;
-        if (t - axis.t).abs() <= of_check(t) {
-            axis.end_at(t);
-            return Ok(());
-        }
         let mut after = Move::default();
         self.plan_around_wait([axis, &mut after])?;
         let until = t - after.t;
@@ -162,6 +151,31 @@ impl<R: Real> Within<'_, R> {
         axis.wait_until(until);
         Error::Position.unless(axis.t >= until)?; // else no phase is left for the wait
         axis.append(&after)?;
+        axis.end_at(t);
+        Error::Position.unless(!axis.leaves(self.lowest, self.highest))
+    }
+
+    /// Plans the move of the duration `t` that is slower between its turns. [`Error::Position`] if none stays between the positions.
+    #[cold]
+    fn plan_between_turns(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
+        let Task { limits, from: &from, to: &to } = self.task;
+        let ways = Turns::ways(limits, from, to, [self.lowest, self.highest])?;
+        let mut tries =
+            [R::SIXTEENTH, R::ONE].into_iter().flat_map(|part| ways.clone().map(move |turns| (part, turns)));
+        Error::Position.unless(tries.any(|(part, turns)| {
+            self.turn(axis, &turns, t).is_ok() && !axis.leaves_by(self.lowest, self.highest, part)
+        }))
+    }
+
+    fn turn(&self, axis: &mut Move<R>, [first, last]: &[Turns<R>; 2], t: R) -> Result<(), Error> {
+        let limits = self.task.limits;
+        let between = Task { limits, from: &first.last(), to: &last.last() };
+        let mut free = fastest(between)?;
+        axis.turn(limits, [first, last], &free)?;
+        let left = t - (axis.t - free.t);
+        Error::Position.unless(takes(&free, &between.problem(), left))?;
+        stretch(&mut free, &|| between.problem(), left)?;
+        axis.turn(limits, [first, last], &free)?;
         axis.end_at(t);
         Ok(())
     }
@@ -183,7 +197,6 @@ impl<R: Real> Within<'_, R> {
     #[cold]
     fn with_a_stop(&self) -> Result<R, Error> {
         let (mut before, mut after) = (Move::default(), Move::default());
-        self.plan_around_wait([&mut before, &mut after])?;
-        Ok(before.t + after.t)
+        self.plan_around_wait([&mut before, &mut after]).map(|()| before.t + after.t)
     }
 }

@@ -52,7 +52,7 @@ pub unsafe extern "C" fn atraj_moves_line(
 /// @brief Plan several axes as `atraj_moves_sync` does, each between its own lowest and highest position.
 ///
 /// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and
-/// goes. Where it has no time to stop on its way, all axes take longer.
+/// goes, or it is slower between its turns at the positions. Where none is possible, all axes take longer.
 /// @param lowest points to the `n` lowest positions, unit, `highest` to the highest; an infinite one is no limit
 /// @return as `atraj_moves_sync` and `atraj_move_within`: `ATRAJ_ERR_POSITION` if no move of an axis stays between its
 /// positions, or if an axis has to wait, but cannot stop between them or come to its end from rest there

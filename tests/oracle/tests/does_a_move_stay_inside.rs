@@ -186,8 +186,7 @@ fn refused_moves_leave_in_every_motion() {
             *(if answer.is_ok() { &mut planned } else { &mut refused }) += 1;
         }
     }
-    println!("{planned} planned, {refused} refused");
-    assert!(planned > 10_000 && refused > 10_000);
+    assert!(planned > 10_000 && refused > 10_000, "{planned} {refused}");
 }
 
 /// An axis that leaves a bound with the acceleration `a` cannot be saved if the other bound is nearer than `2 a³/3 j²`, where `j` is the jerk that

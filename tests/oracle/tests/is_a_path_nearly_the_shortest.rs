@@ -152,8 +152,7 @@ fn improvements_shorten<R: Original>() {
         }
         goes_on(chain, path, found, &mut random);
     }
-    println!("{}: {shorter} of 1600 improvements shorten the path", R::NAME);
-    assert!(shorter > 800);
+    assert!(shorter > 800, "{shorter} of 1,600");
 }
 
 fn goes_on<R: Original>(mut chain: Chain<R>, mut path: Path<R>, found: atraj::Findings, random: &mut Random) {
@@ -270,8 +269,7 @@ fn a_window_moves_along<R: Original>() {
             follow(&limits, &mut path, &mut judging);
             updates += 1;
         }
-        println!("{}, {axes} axes: {updates} updates, {passed} waypoints", R::NAME);
-        assert!(passed > 5);
+        assert!(passed > 5, "{axes} axes: {passed} waypoints in {updates} updates");
     }
 }
 
@@ -538,8 +536,7 @@ fn paths_back_in_time_take_as_long() {
         }
     }
     let part = sums[0] / sums[1];
-    println!("ends in motion: {part:.5} of the paths back in time");
-    assert!((part - 1.0).abs() < 0.002);
+    assert!((part - 1.0).abs() < 0.002, "{part} of the paths back in time");
 }
 
 /// What a path with corners takes longer to begin in motion, and what to end in motion: both at once are seldom dearer than their sum.
