@@ -20,20 +20,20 @@ const MOST_HALVES: u32 = 64;
 const MOST_TURNS: usize = 6;
 
 /// An end of a motion, and where the axis turns from there on.
-#[derive(Clone, Copy)]
 pub(crate) struct Turns<R> {
     states: [State<R>; 1 + MOST_TURNS],
     count: usize,
 }
 
 impl<R: Real> Turns<R> {
-    /// The turns after the start and before the end of a motion, for each way to make it. The way without turns is the first.
-    pub fn ways(
-        limits: &Limits<R>, from: State<R>, to: State<R>, positions: [R; 2],
-    ) -> Result<impl Iterator<Item = [Self; 2]> + Clone, Error> {
-        let [first, last] = [Self::after(limits, from, positions)?, Self::before(limits, to, positions)?];
-        let ways = move |most| (0..=last.count).map(move |rest| [first.only(most), last.only(rest)]);
-        Ok((0..=first.count).flat_map(ways))
+    /// The turns after the start and before the end of a motion.
+    pub fn of(limits: &Limits<R>, from: State<R>, to: State<R>, positions: [R; 2]) -> Result<[Self; 2], Error> {
+        Ok([Self::after(limits, from, positions)?, Self::before(limits, to, positions)?])
+    }
+
+    /// Each end and its turns, for each way to make the motion. The way without turns is the first.
+    pub fn ways([first, last]: &[Self; 2]) -> impl Iterator<Item = [&[State<R>]; 2]> {
+        (0..=first.count).flat_map(move |most| (0..=last.count).map(move |rest| [first.first(most), last.first(rest)]))
     }
 
     /// The turns after the state `from`, until the fastest stop stays between the positions, or the hardest brake leaves them.
@@ -53,20 +53,15 @@ impl<R: Real> Turns<R> {
         Ok(Self { states: turns.states.map(State::reversed), ..turns })
     }
 
-    fn only(&self, count: usize) -> Self {
-        Self { count, ..*self }
+    /// The end and the first turns, as many as `count`.
+    fn first(&self, count: usize) -> &[State<R>] {
+        self.states.get(..=count).unwrap_or_default()
     }
+}
 
-    /// The end, then the turns.
-    fn all(&self) -> &[State<R>] {
-        self.states.get(..=self.count).unwrap_or_default()
-    }
-
-    /// Where the motion is free: at the last turn, or at the end if there is none.
-    pub fn last(&self) -> State<R> {
-        let [end, ..] = self.states;
-        self.all().last().copied().unwrap_or(end)
-    }
+/// Between which states a motion is free: between its last turns, or its ends.
+pub(crate) fn free<R: Real>(turns: [&[State<R>]; 2]) -> [State<R>; 2] {
+    turns.map(|states| states.last().copied().unwrap_or_default())
 }
 
 /// Where an axis turns, if its fastest stop leaves the positions, by a sixteenth of its rounding error, and its hardest brake does not.
@@ -122,29 +117,33 @@ impl<R: Real> Move<R> {
         &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, positions: [R; 2],
     ) -> Result<(), Error> {
         let [lowest, highest] = positions;
-        let ways = Turns::ways(limits, from, to, positions)?;
+        let turns = Turns::of(limits, from, to, positions)?;
         let mut shortest = R::INFINITY;
         // In the next tick of a loop the rounding error may be smaller. So most of it is left, unless this is a detour.
         for (part, gain) in [(R::SIXTEENTH, R::ZERO), (R::ONE, R::EPSILON.sqrt())] {
-            for [first, last] in ways.clone() {
-                let (mut planned, mut free) = (Self::default(), Self::default());
-                let found = free.plan(limits, first.last(), last.last());
-                let found = found.and_then(|_| planned.turn(limits, [&first, &last], &free));
+            for turns in Turns::ways(&turns) {
+                let [start, end] = free(turns);
+                let mut planned = Self::default();
+                let mut between = Self::default();
+                let found = between.plan(limits, start, end).and_then(|_| planned.turn(limits, turns, &between));
                 let t = found.map_or(R::INFINITY, |()| planned.t);
                 if t + gain * t < shortest && !planned.leaves_by(lowest, highest, part) {
-                    (*self, shortest) = (planned, t);
+                    *self = planned;
+                    shortest = t;
                 }
             }
         }
         Error::Position.unless(shortest < R::INFINITY)
     }
 
-    /// Plans the fastest motion by way of turns, with a `free` motion between them.
-    pub(crate) fn turn(&mut self, limits: &Limits<R>, [first, last]: [&Turns<R>; 2], free: &Self) -> Result<(), Error> {
+    /// Plans the fastest motion by way of turns, with a free motion `between` them.
+    pub(crate) fn turn(
+        &mut self, limits: &Limits<R>, [first, last]: [&[State<R>]; 2], between: &Self,
+    ) -> Result<(), Error> {
         self.ramps(limits, first)?;
-        self.append(free)?;
-        let mut now = free.end();
-        for &end in last.all().iter().rev().skip(1) {
+        self.append(between)?;
+        let mut now = between.end();
+        for &end in last.iter().rev().skip(1) {
             // Both may be bound for a velocity beyond the limits.
             let mut limits = limits.reversed();
             limits.include(now.reversed());
@@ -155,11 +154,11 @@ impl<R: Real> Move<R> {
         Ok(())
     }
 
-    /// Plans the fastest ramps from turn to turn.
-    fn ramps(&mut self, limits: &Limits<R>, turns: &Turns<R>) -> Result<(), Error> {
-        let [mut now, ..] = turns.states;
+    /// Plans the fastest ramps from the start from turn to turn.
+    fn ramps(&mut self, limits: &Limits<R>, states: &[State<R>]) -> Result<(), Error> {
+        let mut now = states.first().copied().unwrap_or_default();
         self.stay(now);
-        for &turn in turns.all().iter().skip(1) {
+        for &turn in states.iter().skip(1) {
             self.ramp(limits, now, turn)?;
             now = turn;
         }
@@ -171,10 +170,10 @@ impl<R: Real> Move<R> {
         let turns = Turns::after(limits, from, positions)?;
         // The last turn may be for a rounding error, and lead to the other position.
         for count in (0..=turns.count).rev() {
-            let turns = turns.only(count);
-            self.ramps(limits, &turns)?;
+            let states = turns.first(count);
+            self.ramps(limits, states)?;
             let mut next = Self::default();
-            next.stop(limits, turns.last())?;
+            next.stop(limits, states.last().copied().unwrap_or(from))?;
             self.append(&next)?;
             if !self.leaves(positions[0], positions[1]) {
                 return Ok(());

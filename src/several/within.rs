@@ -10,7 +10,7 @@ use super::sync::{fastest, shortest_duration};
 use crate::findings::{Error, Findings};
 use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
-use crate::online::turn::Turns;
+use crate::online::turn::{Turns, free};
 use crate::online::{Move, are_in_order};
 use crate::real::Real;
 use crate::state::State;
@@ -159,23 +159,24 @@ impl<R: Real> Within<'_, R> {
     #[cold]
     fn plan_between_turns(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
         let Task { limits, from: &from, to: &to } = self.task;
-        let ways = Turns::ways(limits, from, to, [self.lowest, self.highest])?;
-        let mut tries =
-            [R::SIXTEENTH, R::ONE].into_iter().flat_map(|part| ways.clone().map(move |turns| (part, turns)));
-        Error::Position.unless(tries.any(|(part, turns)| {
-            self.turn(axis, &turns, t).is_ok() && !axis.leaves_by(self.lowest, self.highest, part)
+        let turns = Turns::of(limits, from, to, [self.lowest, self.highest])?;
+        Error::Position.unless([R::SIXTEENTH, R::ONE].into_iter().any(|part| {
+            let stays = |axis: &Move<R>| !axis.leaves_by(self.lowest, self.highest, part);
+            Turns::ways(&turns).any(|turns| self.turn(axis, turns, t).is_ok() && stays(axis))
         }))
     }
 
-    fn turn(&self, axis: &mut Move<R>, [first, last]: &[Turns<R>; 2], t: R) -> Result<(), Error> {
-        let limits = self.task.limits;
-        let between = Task { limits, from: &first.last(), to: &last.last() };
-        let mut free = fastest(between)?;
-        axis.turn(limits, [first, last], &free)?;
-        let left = t - (axis.t - free.t);
-        Error::Position.unless(takes(&free, &between.problem(), left))?;
-        stretch(&mut free, &|| between.problem(), left)?;
-        axis.turn(limits, [first, last], &free)?;
+    #[inline(never)] // for its stack
+    fn turn(&self, axis: &mut Move<R>, turns: [&[State<R>]; 2], t: R) -> Result<(), Error> {
+        let (limits, [from, to]) = (self.task.limits, free(turns));
+        let task = Task { limits, from: &from, to: &to };
+        let mut between = Move::default();
+        between.plan(limits, from, to)?;
+        axis.turn(limits, turns, &between)?;
+        let left = t - (axis.t - between.t);
+        Error::Position.unless(takes(&between, &task.problem(), left))?;
+        stretch(&mut between, &|| task.problem(), left)?;
+        axis.turn(limits, turns, &between)?;
         axis.end_at(t);
         Ok(())
     }
