@@ -411,7 +411,8 @@ impl<'a, R: Real> Next<'_, 'a, R> {
         let mut found = Findings::default();
         for (index, ((axis, limits), state)) in self.moves.iter_mut().zip(limits).zip(&*from.states).enumerate() {
             found |= axis.stop(limits, *state)?;
-            let left = of_axis(from.positions, index).filter(|[lowest, highest]| axis.leaves(*lowest, *highest));
+            let left =
+                of_axis(from.positions, index).filter(|[lowest, highest]| axis.leaves(*lowest, *highest, R::ONE));
             let mut inside = Move::default();
             if left.is_some_and(|positions| inside.stop_within(limits, *state, positions).is_ok()) {
                 *axis = inside;
@@ -451,7 +452,7 @@ fn of_axis<R: Real>([lowest, highest]: [&[R]; 2], index: usize) -> Option<[R; 2]
 /// Whether the moves of whole sections stay between the positions.
 fn stay<R: Real>(moves: &[Move<R>], [lowest, highest]: [&[R]; 2]) -> bool {
     let positions = lowest.iter().zip(highest).cycle();
-    moves.iter().zip(positions).all(|(axis, (lowest, highest))| !axis.leaves(*lowest, *highest))
+    moves.iter().zip(positions).all(|(axis, (lowest, highest))| !axis.leaves(*lowest, *highest, R::ONE))
 }
 
 /// Whether the moves of each section have one duration, and begin where those before them end.

@@ -64,7 +64,7 @@ impl<R: Real> Move<R> {
         are_in_order(lowest, highest)?;
         let mut planned = Self::default();
         let mut found = planned.plan(limits, from, to)?;
-        if planned.leaves_by(lowest, highest, R::SIXTEENTH) {
+        if planned.leaves(lowest, highest, R::SIXTEENTH) {
             planned.plan_with_turns(limits, from, to, [lowest, highest])?;
             found = Problem::new(limits, from, to).findings(&planned);
         }

@@ -139,13 +139,8 @@ impl<R: Real> Move<R> {
         turns && self.turns_outside(from.at_most(to), from.at_least(to), self.rounding())
     }
 
-    /// Whether the axis is not between two positions all the time.
-    pub(crate) fn leaves(&self, lowest: R, highest: R) -> bool {
-        self.leaves_by(lowest, highest, R::ONE)
-    }
-
-    /// The same, where an axis may turn outside by a part of the rounding error. The end is exact. The start may be the state of another move.
-    pub(crate) fn leaves_by(&self, lowest: R, highest: R, part: R) -> bool {
+    /// Whether the end is outside of two positions, or the axis turns outside by a part of the rounding error. The start may be another move's.
+    pub(crate) fn leaves(&self, lowest: R, highest: R, part: R) -> bool {
         let (from, to) = (self.phase[0].position, self.end().position);
         let rounding = self.rounding();
         let starts_outside = from < lowest - rounding || from > highest + rounding;

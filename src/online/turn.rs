@@ -70,9 +70,9 @@ fn turn_after<R: Real>(
 ) -> Result<Option<State<R>>, Error> {
     let mut stop = Move::default();
     stop.stop(limits, from)?;
-    Ok(if stop.leaves_by(-R::INFINITY, highest, R::SIXTEENTH) {
+    Ok(if stop.leaves(-R::INFINITY, highest, R::SIXTEENTH) {
         turn_below(limits, from, highest)
-    } else if stop.leaves_by(lowest, R::INFINITY, R::SIXTEENTH) {
+    } else if stop.leaves(lowest, R::INFINITY, R::SIXTEENTH) {
         turn_below(&limits.mirrored(), from.mirrored(), -lowest).map(State::mirrored)
     } else {
         None
@@ -127,7 +127,7 @@ impl<R: Real> Move<R> {
                 let mut between = Self::default();
                 let found = between.plan(limits, start, end).and_then(|_| planned.turn(limits, turns, &between));
                 let t = found.map_or(R::INFINITY, |()| planned.t);
-                if t + gain * t < shortest && !planned.leaves_by(lowest, highest, part) {
+                if t + gain * t < shortest && !planned.leaves(lowest, highest, part) {
                     *self = planned;
                     shortest = t;
                 }
@@ -175,7 +175,7 @@ impl<R: Real> Move<R> {
             let mut next = Self::default();
             next.stop(limits, states.last().copied().unwrap_or(from))?;
             self.append(&next)?;
-            if !self.leaves(positions[0], positions[1]) {
+            if !self.leaves(positions[0], positions[1], R::ONE) {
                 return Ok(());
             }
         }

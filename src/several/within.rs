@@ -98,8 +98,11 @@ fn duration_inside<'a, R: Real + 'a>(
 }
 
 /// The first delay to try, s. After all doublings every axis has time to stop on its way.
-fn least_delay<'a, R: Real + 'a>(shortest: R, mut axes: impl Iterator<Item = Within<'a, R>>) -> Result<R, Error> {
-    let latest = axes.try_fold(shortest, |latest, axis| Ok(latest.at_least(axis.with_a_stop()?)))?;
+fn least_delay<'a, R: Real + 'a>(shortest: R, axes: impl Iterator<Item = Within<'a, R>>) -> Result<R, Error> {
+    let mut latest = shortest;
+    for axis in axes {
+        latest = latest.at_least(axis.with_a_stop()?);
+    }
     Ok((latest - shortest + of_formula(latest)) / R::from_index(1 << DOUBLINGS))
 }
 
@@ -138,7 +141,7 @@ impl<R: Real> Within<'_, R> {
                 *axis = inside;
             }
         }
-        Error::Position.unless(!axis.leaves_by(self.lowest, self.highest, part))
+        Error::Position.unless(!axis.leaves(self.lowest, self.highest, part))
     }
 
     /// Plans the move that waits. [`Error::Position`] if it has no time to wait, or leaves the positions.
@@ -152,7 +155,7 @@ impl<R: Real> Within<'_, R> {
         Error::Position.unless(axis.t >= until)?; // else no phase is left for the wait
         axis.append(&after)?;
         axis.end_at(t);
-        Error::Position.unless(!axis.leaves(self.lowest, self.highest))
+        Error::Position.unless(!axis.leaves(self.lowest, self.highest, R::ONE))
     }
 
     /// Plans the move of the duration `t` that is slower between its turns. [`Error::Position`] if none stays between the positions.
@@ -160,10 +163,14 @@ impl<R: Real> Within<'_, R> {
     fn plan_between_turns(&self, axis: &mut Move<R>, t: R) -> Result<(), Error> {
         let Task { limits, from: &from, to: &to } = self.task;
         let turns = Turns::of(limits, from, to, [self.lowest, self.highest])?;
-        Error::Position.unless([R::SIXTEENTH, R::ONE].into_iter().any(|part| {
-            let stays = |axis: &Move<R>| !axis.leaves_by(self.lowest, self.highest, part);
-            Turns::ways(&turns).any(|turns| self.turn(axis, turns, t).is_ok() && stays(axis))
-        }))
+        for part in [R::SIXTEENTH, R::ONE] {
+            for turns in Turns::ways(&turns) {
+                if self.turn(axis, turns, t).is_ok() && !axis.leaves(self.lowest, self.highest, part) {
+                    return Ok(());
+                }
+            }
+        }
+        Err(Error::Position)
     }
 
     #[inline(never)] // for its stack
