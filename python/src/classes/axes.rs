@@ -330,8 +330,8 @@ pub fn synchronise(
 /// Moves of several axes that arrive together, as `synchronise` plans them, but each axis stays between two positions until its end: its
 /// items of `lowest` and `highest`, where `-inf` and `inf` are no limits.
 ///
-/// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes. ValueError as for
-/// `Move.within`, also if the fastest move of an axis leaves its positions.
+/// An axis that would leave its positions on a slower way makes its fastest move and waits, or it stops, waits and goes, or it is slower
+/// between its turns at the positions. ValueError as for `Move.within`.
 ///
 /// >>> import atraj
 /// >>> limits = [atraj.Limits(jerk=30, acceleration=10, velocity=5)] * 2
