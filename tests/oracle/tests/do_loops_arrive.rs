@@ -8,7 +8,6 @@ use support::{Random, Real, online, test_both_reals};
 
 const LOOPS: u64 = 420; // loops of each family
 const ONE_LATE_OF: u64 = 1000; // one loop in so many may be late by more than two ticks: of 2,000, up to 2 are
-const ONE_LATE_AT_ZERO_OF: u64 = 50; // of 1,000, 2 are in binary64, and 15 in binary32
 const TICK: f64 = 1e-3; // s
 
 fn loops_arrive<R: Real>() {
@@ -16,8 +15,7 @@ fn loops_arrive<R: Real>() {
     for family in Family::all() {
         let run = Loops::of_seed::<R>(&family, 0, loops);
         println!("{} {family:?}: {run}", R::NAME);
-        let one_of = if family.is_limited() { ONE_LATE_AT_ZERO_OF } else { ONE_LATE_OF };
-        assert!(run.late <= loops.div_ceil(one_of), "{:#?}", run.examples);
+        assert!(run.late <= loops.div_ceil(ONE_LATE_OF), "{:#?}", run.examples);
         assert_eq!(run.refused, 0, "{:#?}", run.examples);
     }
 }

@@ -53,14 +53,9 @@ impl Family {
         ways.into_iter().flat_map(|way| kinds.map(|kind| family(way, kind))).chain(inside).collect()
     }
 
-    /// Whether more than one loop in a thousand may be late, even if it follows its last plan in the last two ticks: a known limit.
+    /// Whether several axes come to rest at 0. Then a loop follows its last plan in the last two ticks: a known limit.
     pub fn is_limited(&self) -> bool {
-        match self.at_zero {
-            AtZero::None => false,
-            AtZero::Passed => self.way == Way::Together && !self.on_ticks,
-            AtZero::Accelerated => self.way == Way::Together,
-            AtZero::AtRest => self.way != Way::Alone,
-        }
+        matches!(self.at_zero, AtZero::AtRest) && self.way != Way::Alone
     }
 }
 
