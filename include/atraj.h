@@ -38,7 +38,7 @@ extern "C" {
 #endif /* __cplusplus */
 
 /**
- * @brief Plan the fastest bell-shaped velocity trajectory. It exists for all limits and ends that are numbers.
+ * @brief Plan the fastest bell-shaped velocity trajectory. It fails only for the arguments named below.
  *
  * A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, makes it turn back.
  * In a move that decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs.
@@ -48,7 +48,7 @@ extern "C" {
  * @param p0 initial position, unit; `p1` final position
  * @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
  * @return total duration, s; 0 if there is nothing to do. NaN, and `ctx` is untouched, if an argument is not a number,
- * a limit is 0, a position is infinite or `ctx` is NULL.
+ * a limit is 0, jerk and acceleration or a position are infinite, or `ctx` is NULL.
  */
 A_EXTERN
 a_float atraj_bell_gen(a_trajbell *ctx,
@@ -100,7 +100,7 @@ void atraj_bell_state(const a_trajbell *ctx,
                       a_float *jer);
 
 /**
- * @brief Plan the fastest trapezoidal velocity trajectory. It exists for all limits and ends that are numbers.
+ * @brief Plan the fastest trapezoidal velocity trajectory. It fails only for the arguments named below.
  *
  * A target behind the axis, or nearer than it can stop, makes it turn back. `a_trajtrap_pos` and its siblings evaluate the struct.
  * @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit

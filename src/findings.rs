@@ -163,22 +163,21 @@ errors! {
     /// use atraj::online::{Error, Limits, Move, State};
     /// let why = Move::default().plan(&Limits::symmetric(0.0, 10.0, 5.0), State::at(0.0), State::at(1.0));
     /// assert_eq!(why, Err(Error::Limits));
-    /// assert_eq!(Error::Duration.to_string(), "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time");
+    /// assert_eq!(Error::Duration.to_string(), "a duration, cycle, period, horizon or frequency is out of range, or a duration is too short for the motion");
     /// ```
     Error {
         Axes = -1: "there is no axis, a pointer is NULL, or the lists have different lengths",
         NotFinite = -2: "a number is infinite or not a number, or the motion is beyond the range of the real type",
         /// Or a lowest position is not below the highest.
-        Limits = -3: "a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite",
+        Limits = -3: "a limit is 0 or has the wrong sign or order, neither a jerk nor both accelerations are finite, or a step or damping is out of range",
         Target = -4: "the target is outside the limits, or the axis must have left them before",
-        /// Or a horizon is not above 0.
-        Duration = -5: "the duration or the cycle is negative, infinite or not a number, or a polynomial or a period takes no time",
+        Duration = -5: "a duration, cycle, period, horizon or frequency is out of range, or a duration is too short for the motion",
         Line = -6: "the states do not lie on the straight line from their start to their end",
         Position = -7: "the axis leaves the positions between which it has to stay",
         /// Or the plan was for no later tick, or a change of a clock was to begin before the last one.
         Late = -8: "the tick at which the plan was to take over has begun, or is too far ahead",
         Unreachable = -9: "liba finds no such move within the limits, or the move takes no time",
-        Moving = -10: "the axis must stand for this",
+        Moving = -10: "this needs an axis at rest",
     }
 }
 

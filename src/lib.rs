@@ -40,8 +40,8 @@
 //! # Plans that never fail
 //!
 //! [`Bell::new`] and [`Trap::new`] plan as liba does, and refuse what liba refuses. [`Bell::fastest`] and [`Trap::fastest`] plan the
-//! fastest move from any velocity to any other within the limits, and fill the same structs. They refuse only arguments that are no
-//! numbers, and limits of 0. `check` says what is wrong with a planned move, and `extremes` what it reaches.
+//! fastest move from any velocity to any other within the limits, and fill the same structs. They refuse only arguments that are not
+//! numbers, and limits that limit no acceleration or allow none. `check` says what is wrong with a planned move, and `extremes` what it reaches.
 //!
 //! # Features
 //!

@@ -50,7 +50,7 @@ enum atraj_finding {
 };
 
 /**
- * What a function returns that cannot answer.
+ * Why a function failed.
  */
 enum atraj_error {
     /**
@@ -62,7 +62,7 @@ enum atraj_error {
      */
     ATRAJ_ERR_NOT_FINITE = -2,
     /**
-     * a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite
+     * a limit is 0 or has the wrong sign or order, neither a jerk nor both accelerations are finite, or a step or damping is out of range
      */
     ATRAJ_ERR_LIMITS = -3,
     /**
@@ -70,7 +70,7 @@ enum atraj_error {
      */
     ATRAJ_ERR_TARGET = -4,
     /**
-     * the duration, the cycle or a period is negative, infinite or not a number, or a period or a horizon is not above 0
+     * a duration, cycle, period, horizon or frequency is out of range, or a duration is too short for the motion
      */
     ATRAJ_ERR_DURATION = -5,
     /**
@@ -90,7 +90,7 @@ enum atraj_error {
      */
     ATRAJ_ERR_UNREACHABLE = -9,
     /**
-     * the axis must stand for this
+     * this needs an axis at rest
      */
     ATRAJ_ERR_MOVING = -10
 };
@@ -105,10 +105,9 @@ extern "C" {
  * A sum of findings has a sentence for each finding, gravest first:
  * `for (; code > 0; code &= code - 1) puts(atraj_message(code));`
  * @param code what a function returned: 0, an `atraj_finding`, a sum of findings, or an `atraj_error`
- * @return a text that lasts as long as the program, never NULL; of a sum the sentence of the lowest finding; else "this code is unknown"
+ * @return a static string, never NULL; of a sum the sentence of the lowest finding; else "this code is unknown"
  */
-A_EXTERN
-const char *atraj_message(int code);
+A_EXTERN const char *atraj_message(int code);
 
 #if defined(__cplusplus)
 } /* extern "C" */

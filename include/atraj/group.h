@@ -6,7 +6,7 @@
  next one, from the states that the axes will have some ticks ahead. Then all axes take it over together, at exactly this
  tick. A plan that comes too late never takes over. The interrupt calls `atraj_group_tick`. The main loop calls all other
  functions of the group, one at a time. Both may be threads, on one processor or on several. Nobody locks or waits, and
- nobody sees half a plan. No axis exceeds its limits, nothing jumps, and what cannot be is refused: then the motion goes
+ nobody sees half a plan. No axis exceeds its limits, nothing jumps, and what is impossible is refused: then the motion goes
  on. The memory is the caller's: a state and three moves for each axis, and the moves of a path. `ctx` points to the
  group. `atraj_group_init` takes an uninitialised one, and leaves it untouched on an error.
 */

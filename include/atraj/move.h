@@ -91,7 +91,7 @@ A_EXTERN int atraj_move_stop(struct atraj_move *ctx, const struct atraj_limits *
  *
  * The move ends level with the target, with its velocity, at the position `target->p + t * target->v`.
  * @param target points to the state of the target at the start
- * @return as `atraj_move_plan`; `ATRAJ_ERR_TARGET` if `target->a` is not 0, or `target->v` is not inside the limits or is on them
+ * @return as `atraj_move_plan`; `ATRAJ_ERR_TARGET` if `target->a` is not 0, or `target->v` is not strictly inside the limits
  */
 A_EXTERN
 int atraj_move_meet(struct atraj_move *ctx,
@@ -102,15 +102,15 @@ int atraj_move_meet(struct atraj_move *ctx,
 /**
  * @brief Plan the next moments of an axis that follows a signal: call it in every tick, drive one tick of the plan, and call it again.
  *
- * The signal is taken to go on with its jerk for the time `horizon`. Where the axis can be next to it after this time, it gets there in just
- * this time, and the plan depends evenly on the signal: noise does not switch the jerk. An axis that is on a signal that stands, or that
- * moves at a constant velocity, stays on it. A signal that is farther is chased as fast as the limits allow after what the signal needs.
+ * The signal is taken to go on with its jerk for the time `horizon`. If the axis can meet it after this time, the move lasts exactly this
+ * long and varies smoothly with the signal, so noise does not make the jerk chatter. An axis that is on a signal at rest or at a constant
+ * velocity stays on it. A signal that is farther away is chased with whatever limits the signal leaves over.
  *
  * `ctx->t` is `horizon`, or later in a chase. The plan keeps the limits, and the axis can keep them from then on. A signal beyond the limits is followed as well as they
  * allow; the plan then lasts as long as `atraj_move_plan` takes to where the signal is now.
  * @param from points to the state of the axis
  * @param signal points to the state of the signal
- * @param jerk jerk of the signal, unit/s^3; 0 if it is not known. A jerk from noisy numbers must be smooth itself
+ * @param jerk jerk of the signal, unit/s^3; 0 if it is not known. If it is estimated from noisy data, filter it first
  * @param horizon time until the axis is to be next to the signal, s; a longer one smooths more
  * @return 0, or a sum of findings as `atraj_move_plan`; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, or
  * `ATRAJ_ERR_DURATION` if `horizon` is not above 0 or not finite
@@ -178,10 +178,10 @@ void atraj_move_extremes(const struct atraj_move *ctx,
                          struct atraj_state *highest);
 
 /**
- * @brief Examine a move against limits, before it runs: what it exceeds, whether it jumps or ends elsewhere than its phases lead.
+ * @brief Examine a move against limits, before it runs: what it exceeds, whether it jumps, and whether its phases lead to its end.
  *
- * A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and has nothing in
- * common with the planners. Up to 64 ulps are allowed: of `|p| + |v| t` for positions; for velocities of `|v|`, what the accelerations
+ * A step of the acceleration exceeds a finite jerk. Any struct may be examined. The function reads its numbers alone, and judges limits and
+ * jumps by code of its own. Up to 64 ulps are allowed: of `|p| + |v| t` for positions; for velocities of `|v|`, what the accelerations
  * add, the velocities in which the jerk ends those at the start and at the end, and what the limits allow in the time of the move; of
  * `|a| + |j| t` for accelerations, where a step counts the limit of the jerk; of the limits for jerks; 128 where the move turns outside of
  * its ends. What a 0 proves is in `proofs/README.md`.
@@ -226,7 +226,7 @@ int atraj_moves_sync(atraj_move *axes,
 /**
  * @brief Plan several axes on the straight line from their start to their end: the fastest motion on it.
  *
- * The axis with the longest way leads, within the tightest limits of all. The arguments are those of
+ * One axis leads, within the tightest limits of all, and the others follow in proportion. The arguments are those of
  * `atraj_moves_sync`.
  * @return as `atraj_moves_sync`; `ATRAJ_ERR_LINE` if the velocities and accelerations do not point along the line
  */
@@ -261,7 +261,7 @@ int atraj_moves_sync_within(atraj_move *axes,
 
 /**
  * @brief Stop axes that move on a straight line, on this line: a feed hold. Each move becomes its stop, which begins
- * at its time 0. The axis with the longest way makes its fastest stop within the tightest limits of all. So no reserve
+ * at its time 0. One axis makes its fastest stop within the tightest limits of all, and the others follow in proportion. So no reserve
  * is needed.
  * @param axes points to `n` planned moves on a straight line; all are untouched on an error
  * @param limits points to the limits of the `n` axes
@@ -269,7 +269,11 @@ int atraj_moves_sync_within(atraj_move *axes,
  * @return as `atraj_move_stop`; `ATRAJ_ERR_LINE` if the moves are not on one straight line, `ATRAJ_ERR_NULL` also if
  * `n` is 0
  */
-A_EXTERN int atraj_moves_line_stop(atraj_move *axes, const atraj_limits *limits, size_t n, a_float time);
+A_EXTERN
+int atraj_moves_line_stop(atraj_move *axes,
+                          const atraj_limits *limits,
+                          size_t n,
+                          a_float time);
 
 #if defined(__cplusplus)
 } /* extern "C" */

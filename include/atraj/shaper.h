@@ -59,7 +59,7 @@ extern "C" {
 A_EXTERN int atraj_shaper_init(struct atraj_shaper *ctx, int kind, a_float frequency, a_float damping);
 
 /**
- * @brief Shape the shaped motion once more: for another frequency of the load. The impulses of both are multiplied.
+ * @brief Add another frequency of the load: the shaper is convolved with a second one.
  * @return as `atraj_shaper_init`; `ATRAJ_ERR_LIMITS` also if there are more than 16 impulses
  */
 A_EXTERN int atraj_shaper_add(struct atraj_shaper *ctx, int kind, a_float frequency, a_float damping);
@@ -133,7 +133,7 @@ int atraj_shaper_stream_init(struct atraj_shaper_stream *ctx,
 /**
  * @brief Add `advance` times the velocity to the position before it is shaped: the pressure advance of an extruder.
  *
- * Velocity and acceleration follow; the acceleration gets the mean jerk over the smoothing. So smooth it.
+ * Velocity and acceleration follow; the acceleration follows the mean jerk over the smoothing time, so set one.
  * @param advance s; 0 at the start
  * @return 0; else `ATRAJ_ERR_NULL`, `ATRAJ_ERR_NOT_FINITE`, or `ATRAJ_ERR_MOVING` as in `atraj_shaper_stream_change`
  */

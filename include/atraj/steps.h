@@ -54,7 +54,7 @@ int atraj_steps_next(struct atraj_steps *ctx,
 
 /**
  * @brief Begin with the steps of a stream of states. The motor is at the nearest step, and stays within half a step.
- * @param step the way of one step, unit
+ * @param step travel per step, unit
  * @param period from one tick to the next, s
  * @param now points to the state of the stream
  * @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS` if `step` is not above 0, `ATRAJ_ERR_DURATION`
@@ -77,7 +77,7 @@ int atraj_step_stream_init(struct atraj_step_stream *ctx,
 A_EXTERN int atraj_step_stream_wait(struct atraj_step_stream *ctx, a_float between, a_float reversal);
 
 /**
- * @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
+ * @brief Begin a tick. Steps that were not fetched in the tick before come at once, so no step is lost.
  * @param now points to the state of the stream at the end of the tick
  * @return 0; else `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick does not begin
  */

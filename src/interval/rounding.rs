@@ -1,6 +1,6 @@
 //! What rounding errors are worth. A plan may be exact for end states that differ from the given ones by rounding errors.
 //!
-//! An ulp of `x` is `ε |x|`, and one operation adds half an ulp. There are three levels, and each tolerance of a planner is one of them.
+//! An ulp of `x` is `ε |x|`, and one operation adds half an ulp. There are three levels; docs/rounding.md has the tolerances that are none of them.
 
 use crate::real::Real;
 

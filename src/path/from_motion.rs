@@ -1,6 +1,6 @@
 //! The first plan of a path that begins or ends in motion: it passes the points of a path with slower ends, which become faster step by step.
 //!
-//! `docs/path-theory.md` has the reasons, in "A start in motion".
+//! `docs/path-theory.md` has the reasons, in "Ends in motion".
 
 use super::chain::Chain;
 use super::curve::all_but_rounding;

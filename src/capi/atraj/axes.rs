@@ -34,7 +34,7 @@ pub unsafe extern "C" fn atraj_moves_sync(
 
 /// @brief Plan several axes on the straight line from their start to their end: the fastest motion on it.
 ///
-/// The axis with the longest way leads, within the tightest limits of all. The arguments are those of
+/// One axis leads, within the tightest limits of all, and the others follow in proportion. The arguments are those of
 /// `atraj_moves_sync`.
 /// @return as `atraj_moves_sync`; `ATRAJ_ERR_LINE` if the velocities and accelerations do not point along the line
 #[unsafe(no_mangle)]
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn atraj_moves_sync_within(
 }
 
 /// @brief Stop axes that move on a straight line, on this line: a feed hold. Each move becomes its stop, which begins
-/// at its time 0. The axis with the longest way makes its fastest stop within the tightest limits of all. So no reserve
+/// at its time 0. One axis makes its fastest stop within the tightest limits of all, and the others follow in proportion. So no reserve
 /// is needed.
 /// @param axes points to `n` planned moves on a straight line; all are untouched on an error
 /// @param limits points to the limits of the `n` axes

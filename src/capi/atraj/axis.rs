@@ -49,8 +49,8 @@ pub unsafe extern "C" fn atraj_axis_tick(ctx: *mut atraj_axis, now: *mut atraj_s
 /// @param lead number of ticks: as many as a plan takes, rounded up, and one more
 /// @return as `atraj_move_plan`; `ATRAJ_ERR_LATE` if the plan came after its tick, or if `lead` is 0 or above
 /// 134217727. On an error the axis goes on in its move. A plan that waits goes on waiting, unless the new one was to
-/// take over before it and came late. On several processors, `ATRAJ_ERR_LATE` may also come while another processor
-/// runs the very tick, and may then be wrong.
+/// take over before it and came late. On several processors `ATRAJ_ERR_LATE` may be a
+/// false alarm, if the other one is in this very tick.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_axis_go(
     ctx: *mut atraj_axis, limits: *const atraj_limits, to: *const atraj_state, lead: c_uint,

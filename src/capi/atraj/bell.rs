@@ -6,7 +6,7 @@ use crate::capi::{a_float, boundary, of, of_mut};
 use crate::liba::Bell;
 use core::ffi::c_int;
 
-/// @brief Plan the fastest bell-shaped velocity trajectory. It exists for all limits and ends that are numbers.
+/// @brief Plan the fastest bell-shaped velocity trajectory. It fails only for the arguments named below.
 ///
 /// A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, makes it turn back.
 /// In a move that decelerates before it accelerates, `vm`, `jm`, `am` and `dm` of the struct have the opposite signs.
@@ -16,7 +16,7 @@ use core::ffi::c_int;
 /// @param p0 initial position, unit; `p1` final position
 /// @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
 /// @return total duration, s; 0 if there is nothing to do. NaN, and `ctx` is untouched, if an argument is not a number,
-/// a limit is 0, a position is infinite or `ctx` is NULL.
+/// a limit is 0, jerk and acceleration or a position are infinite, or `ctx` is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_bell_gen(
     ctx: *mut a_trajbell, jm: a_float, am: a_float, vm: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float,

@@ -42,14 +42,14 @@ pub unsafe extern "C" fn atraj_clock_start(ctx: *mut atraj_clock) {
 ///
 /// Until the end of the path, or until its start if the rate is negative, no axis exceeds its limits, nothing jumps,
 /// and the path is kept. This is proved for each part of the motion, not sampled. So the limits must be larger than the
-/// limits of the plans, by a reserve for the clock. At an end at which the path rests its time stands.
+/// limits of the plans, by a reserve for the clock. At an end where the path is at rest its time stands still.
 /// @param moves points to `sections * n` moves, section by section: of all axes for the first section, then of all axes
 /// for the second one. Each move begins where the move of its axis before it ends, and the moves of a section have one
 /// duration, as `atraj_moves_sync` and `atraj_moves_line` plan them.
 /// @param limits points to the limits of the `n` axes, which are the limits of their plans and a reserve
 /// @param sections number of sections; 1 for a single set of moves
-/// @param time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Let one change
-/// begin before the next one is planned
+/// @param time since the start of the clock, s. It may be ahead: until then the clock goes on as it did. Only one
+/// change can wait
 /// @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
 /// `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, `ATRAJ_ERR_LATE` if `time` is before the last change, or
 /// `ATRAJ_ERR_TARGET` if no change within the limits is found, or if the rate is negative and the path begins in motion
@@ -72,7 +72,7 @@ pub unsafe extern "C" fn atraj_clock_until(ctx: *const atraj_clock) -> a_float {
     value(unsafe { of(ctx) }, Clock::until)
 }
 
-/// @brief Let `time` of the clock be 0 from now on: a time of many hours is rounded coarsely in `float`.
+/// @brief Make `time` the new 0 of the clock: after hours a `float` resolves the time too coarsely.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_rebase(ctx: *mut atraj_clock, time: a_float) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.

@@ -27,7 +27,7 @@ pub enum atraj_finding {
 }
 use atraj_finding::*;
 
-/// What a function returns that cannot answer.
+/// Why a function failed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub enum atraj_error {
@@ -35,11 +35,11 @@ pub enum atraj_error {
     ATRAJ_ERR_NULL = -1,
     /// a number is infinite or not a number, a limit is not a number, or the move is beyond the range of `a_float`
     ATRAJ_ERR_NOT_FINITE = -2,
-    /// a limit is 0 or has the wrong sign, or limits are in the wrong order, or neither a jerk nor both accelerations are finite
+    /// a limit is 0 or has the wrong sign or order, neither a jerk nor both accelerations are finite, or a step or damping is out of range
     ATRAJ_ERR_LIMITS = -3,
     /// the target is outside the limits, or the axis must have left them before
     ATRAJ_ERR_TARGET = -4,
-    /// the duration, the cycle or a period is negative, infinite or not a number, or a period or a horizon is not above 0
+    /// a duration, cycle, period, horizon or frequency is out of range, or a duration is too short for the motion
     ATRAJ_ERR_DURATION = -5,
     /// the states do not lie on the straight line from start to end
     ATRAJ_ERR_LINE = -6,
@@ -49,7 +49,7 @@ pub enum atraj_error {
     ATRAJ_ERR_LATE = -8,
     /// for your program, where `a_trajbell_gen` or `a_trajtrap_gen` returns 0: no function returns this code
     ATRAJ_ERR_UNREACHABLE = -9,
-    /// the axis must stand for this
+    /// this needs an axis at rest
     ATRAJ_ERR_MOVING = -10,
 }
 pub(super) use atraj_error::*;
@@ -82,7 +82,7 @@ assert_named! { Error::ALL;
 /// A sum of findings has a sentence for each finding, gravest first:
 /// `for (; code > 0; code &= code - 1) puts(atraj_message(code));`
 /// @param code what a function returned: 0, an `atraj_finding`, a sum of findings, or an `atraj_error`
-/// @return a text that lasts as long as the program, never NULL; of a sum the sentence of the lowest finding; else "this code is unknown"
+/// @return a static string, never NULL; of a sum the sentence of the lowest finding; else "this code is unknown"
 #[unsafe(no_mangle)]
 pub extern "C" fn atraj_message(code: c_int) -> *const c_char {
     let sentence = match code {

@@ -117,8 +117,7 @@ pub unsafe extern "C" fn atraj_path_moves_zones(
 /// @brief How far the motions of a path leave the straight lines between its points: the greatest distance, in the
 /// space of all axes, of the motion from the line between the points of its section.
 ///
-/// It is a bound from above, by less than 1 % and rounding. A line ends at its points, so an axis that overshoots
-/// leaves it.
+/// It is a bound from above, by less than 1 % and rounding. A line ends at its points, so overshoot counts.
 /// @param moves points to the `sections * axes` moves that `atraj_path_moves` has written
 /// @return unit; NaN if `moves` is NULL, if `atraj_path_size` is 0, or if a number of the moves is not finite or has no
 /// square within the range of the real type
@@ -198,7 +197,7 @@ pub unsafe extern "C" fn atraj_path_plan_near(
 /// @return as `atraj_path_moves`; `ATRAJ_ERR_LIMITS` also if the tolerance is not above 0, `ATRAJ_ERR_NOT_FINITE` if it
 /// is infinite or not a number, `ATRAJ_ERR_NULL` if there is no room for the given points. `ATRAJ_ERR_POSITION` if the
 /// room or the rounds end before the path is near enough. Then a path that leaves its lines farther is written, and
-/// `atraj_path_deviation` says how far: give more room, or ends that do not leave their lines.
+/// `atraj_path_deviation` says how far: give more room, or let the end velocities point along the lines.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_path_contour(
     moves: *mut atraj_move, states: *mut atraj_state, durations: *mut a_float, places: *mut usize,

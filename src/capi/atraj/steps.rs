@@ -90,7 +90,7 @@ pub struct atraj_step_stream {
 assert_same_layout!(atraj_step_stream, StepStream<Number>, period between reversal last direction steps phase end);
 
 /// @brief Begin with the steps of a stream of states. The motor is at the nearest step, and stays within half a step.
-/// @param step the way of one step, unit
+/// @param step travel per step, unit
 /// @param period from one tick to the next, s
 /// @param now points to the state of the stream
 /// @return 0; else an `atraj_error`: `ATRAJ_ERR_NULL`, `ATRAJ_ERR_LIMITS` if `step` is not above 0, `ATRAJ_ERR_DURATION`
@@ -117,7 +117,7 @@ pub unsafe extern "C" fn atraj_step_stream_wait(
     answer(|| unsafe { done(of_mut(ctx)?.wait(between.into(), reversal.into())) })
 }
 
-/// @brief Begin a tick. Steps of the tick before that nobody asked for come at its start, so no step is lost.
+/// @brief Begin a tick. Steps that were not fetched in the tick before come at once, so no step is lost.
 /// @param now points to the state of the stream at the end of the tick
 /// @return 0; else `ATRAJ_ERR_NULL`, or `ATRAJ_ERR_NOT_FINITE` as in `atraj_step_stream_init`; then the tick does not begin
 #[unsafe(no_mangle)]

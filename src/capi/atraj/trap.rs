@@ -6,7 +6,7 @@ use crate::capi::{a_float, boundary, of, of_mut};
 use crate::liba::Trap;
 use core::ffi::c_int;
 
-/// @brief Plan the fastest trapezoidal velocity trajectory. It exists for all limits and ends that are numbers.
+/// @brief Plan the fastest trapezoidal velocity trajectory. It fails only for the arguments named below.
 ///
 /// A target behind the axis, or nearer than it can stop, makes it turn back. `a_trajtrap_pos` and its siblings evaluate the struct.
 /// @param vm maximum velocity, unit/s; its sign is ignored; infinite: no limit
