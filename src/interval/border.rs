@@ -280,10 +280,10 @@ impl<R: Real> Border<R> {
         self.without_cruise(t)
     }
 
-    /// The motion of the duration `t` that covers the largest displacement between ends that are strictly inside their limits. `None` if it is no more than a ramp,
+    /// The motion of the duration `t` that covers the largest displacement between ends that are strictly within their limits. `None` if it is no more than a ramp,
     /// or if the end cannot be reached in this duration.
     #[inline]
-    pub fn farthest_inside(&self, t: R) -> Option<Profile<R>> {
+    pub fn farthest_of_feasible_ends(&self, t: R) -> Option<Profile<R>> {
         let Self { a0, a1, .. } = *self;
         if !self.is_too_short_to_cruise(t) {
             let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);

@@ -102,7 +102,7 @@ impl<R: Real> Problem<R> {
     }
 
     /// A duration on the border on the clock of the move, s.
-    pub fn with_inside(&self, duration: R) -> R {
+    pub fn with_recovery(&self, duration: R) -> R {
         self.recovery.change.duration + duration
     }
 
@@ -113,7 +113,7 @@ impl<R: Real> Problem<R> {
     /// Duration of a motion with the recovery, up to rounding, s.
     pub fn duration(&self, profile: &Profile<R>) -> R {
         let per_jerk = self.border.per_jerk.mirrored_if(profile.mirrored);
-        self.with_inside(profile.duration(per_jerk))
+        self.with_recovery(profile.duration(per_jerk))
     }
 
     fn recovery(&self) -> [Segment<R>; 2] {

@@ -8,7 +8,7 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
 
-/// The recovery back inside the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
+/// The recovery back within the limits: the acceleration changes, and then holds. It is the ramp to the limit of the velocity without its last part.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Recovery<R> {
     /// The acceleration at the end of the recovery.
@@ -26,16 +26,16 @@ pub(crate) struct Recovery<R> {
 }
 
 impl<R: Real> Recovery<R> {
-    /// The recovery from the state `from`. It has no duration if `from` is inside.
+    /// The recovery from the state `from`. It has no duration if `from` is within them.
     pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
         let State { velocity: v, acceleration: a, .. } = from;
         // The velocity once the acceleration is 0.
         let v_at_a_zero = v + per_jerk.straight(a, R::ZERO);
-        let is_inside = a <= limits.amax
+        let is_within = a <= limits.amax
             && a >= limits.amin
             && v_at_a_zero.at_least(v) <= limits.vmax
             && v_at_a_zero.at_most(v) >= limits.vmin;
-        if is_inside {
+        if is_within {
             Self { acceleration: a, ..Self::default() }
         } else {
             Self::from_outside(limits, per_jerk, (v, a), v_at_a_zero)

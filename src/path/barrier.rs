@@ -106,7 +106,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         weights.at(point - 1).at_most(weights.at(point))
     }
 
-    /// Finds slacks, gradient and Hessian of the logarithms. Gives how much they grow since the plan before. `None` if the plan is not inside.
+    /// Finds slacks, gradient and Hessian of the logarithms. Gives how much they grow since the plan before. `None` if the plan is not feasible.
     pub fn assemble(&mut self) -> Option<R> {
         self.memory.of_durations.clear();
         self.memory.mixed.clear();
@@ -116,7 +116,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         self.memory.diagonal.clear();
         self.memory.of_offsets.clear();
         let mut growth = R::ZERO;
-        // If a whole step is outside, half of it often is too, in the same section.
+        // If a whole step is infeasible, half of it often is too, in the same section.
         let first = self.last_assembled;
         for section in (first..self.sections).chain(0..first) {
             let mut logarithms = Logarithms::none();
@@ -226,8 +226,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             let [offset, before] =
                 [&self.memory.plan.offsets, &self.memory.other.offsets].map(|offsets| offsets.at(row));
             let left = |offset: R| (R::ONE - offset) * (R::ONE + offset);
-            let is_inside = left(offset) > R::ZERO;
-            is_inside.then(|| logarithms.add(left(offset) / left(before)))?;
+            let is_feasible = left(offset) > R::ZERO;
+            is_feasible.then(|| logarithms.add(left(offset) / left(before)))?;
             let (x, z) = (R::ONE / (R::ONE - offset), R::ONE / (R::ONE + offset));
             gradient[2] = weight * (x - z);
             self.memory.of_offsets.add(row, [R::ZERO, R::ZERO, weight * (x * x + z * z)]);
@@ -248,7 +248,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(())
     }
 
-    /// Moves the plan by the part `part` of the step. Gives the change of the objective. `None` if the plan would not be inside: then it stays.
+    /// Moves the plan by the part `part` of the step. Gives the change of the objective. `None` if the plan would not be feasible: then it stays.
     pub fn try_step(&mut self, part: R, mu: R) -> Option<R> {
         let mut longer = R::ZERO;
         for section in 0..self.sections {
@@ -316,7 +316,7 @@ mod tests {
         [chain.slope(), missed - chain.slope()]
     }
 
-    /// A path of two axes that differ, with two waypoints close to each other, in which the plan is inside. With three unknowns one position
+    /// A path of two axes that differ, with two waypoints close to each other, in which the plan is feasible. With three unknowns one position
     /// alone is exact.
     fn tables_are_derivatives<const K: usize>() {
         let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
@@ -330,7 +330,7 @@ mod tests {
         let request = Request::of(&states, &durations, &limits, 2).expect("a request");
         let request = Request { tolerances: &[0.02, 0.1, 0.02, 0.1, 0.0, 0.1], ..request };
         let chain = &mut Chain::<f64, K>::of(request, &mut work).expect("room");
-        chain.slow_down(&durations, 48).expect("a plan inside");
+        chain.slow_down(&durations, 48).expect("a feasible plan");
         chain.shorten(Steps::of(2, 4), 0);
         let is_narrow = |point| [0, 1].map(|axis| chain.is_narrow(point, axis));
         let narrow = [[true, false], [true, false], [false; 2]];
@@ -342,11 +342,11 @@ mod tests {
             for unknown in [one, other] {
                 step[unknown] += if unknown < 6 * K { 1.0 } else { 0.1 };
             }
-            chain.assemble().expect("a plan inside");
+            chain.assemble().expect("a feasible plan");
             chain.add_durations(mu);
             let found = derivatives(chain, &step[..unknowns]);
             let mut change = |part| {
-                let change = chain.try_step(part, mu).expect("a plan inside");
+                let change = chain.try_step(part, mu).expect("a feasible plan");
                 chain.swap_plans();
                 change
             };

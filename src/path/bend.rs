@@ -93,7 +93,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 
     pub fn parabola(&self, point: usize, axis: usize, durations: &Column<R>) -> Parabola<R> {
         let displacement = |section| self.displacement(section, axis);
-        let inside = |section| self.inside(section, axis, durations.at(section));
-        Parabola::through([displacement(point - 1), displacement(point)], [inside(point - 1), inside(point)])
+        let lasting = |section| self.after_recovery(section, axis, durations.at(section));
+        Parabola::through([displacement(point - 1), displacement(point)], [lasting(point - 1), lasting(point)])
     }
 }

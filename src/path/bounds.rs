@@ -32,14 +32,14 @@ impl<R: Real> Bounds<R> {
         [R::ONE - a * amax, R::ONE - a * amin, R::ONE - (v * vmax + square * down), R::ONE - (v * vmin + square * up)]
     }
 
-    /// The product of the slacks, if the state is inside.
+    /// The product of the slacks, if the state is feasible.
     pub fn product(&self, state: [R; 2]) -> Option<R> {
         let [amax, amin, vmax, vmin] = self.slacks(state);
-        let is_inside = amax > R::ZERO && amin > R::ZERO && vmax > R::ZERO && vmin > R::ZERO;
-        is_inside.then_some((amax * amin) * (vmax * vmin))
+        let is_feasible = amax > R::ZERO && amin > R::ZERO && vmax > R::ZERO && vmin > R::ZERO;
+        is_feasible.then_some((amax * amin) * (vmax * vmin))
     }
 
-    /// Whether a state is inside, up to rounding.
+    /// Whether a state is feasible, up to rounding.
     pub fn hold(&self, state: [R; 2]) -> bool {
         self.slacks(state).iter().all(|slack| *slack >= -R::DOUBT)
     }
@@ -72,7 +72,7 @@ mod tests {
     use super::Bounds;
     use crate::limits::Limits;
 
-    /// A state just inside each limit, and one just outside.
+    /// A state just within each limit, and one just beyond.
     #[test]
     fn a_state_beyond_one_limit_is_outside() {
         let limits = Limits { vmin: -3.0, amin: -5.0, jmin: -20.0, ..Limits::symmetric(10.0, 4.0, 2.0) };

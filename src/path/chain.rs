@@ -129,7 +129,7 @@ pub(super) struct Chain<'a, 'w, R, const K: usize = 2> {
     pub memory: Memory<'w, R, K>,
     /// Whether an axis starts outside its limits, or will unavoidably exceed them at the end.
     pub findings: Findings,
-    /// The section that was assembled last. If it was not inside, half of the step often leaves it outside too.
+    /// The section that was assembled last. If it was not feasible, half of the step often leaves it infeasible too.
     pub last_assembled: usize,
 }
 
@@ -167,11 +167,11 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     fn start(&mut self, axis: usize) -> Result<(), Error> {
         let target = State::at(self.positions(0, axis).1);
         let start = self.request.state(0, axis);
-        let inside = Problem::new(self.limits(0, axis)?, start, target);
-        self.memory.plan.states.set(axis, [inside.border.v0, inside.border.a0]);
-        self.memory.inside.put(axis, inside.with_inside(R::ZERO));
-        self.memory.displacements.put(axis, inside.displacement().h);
-        self.findings |= inside.outside();
+        let problem = Problem::new(self.limits(0, axis)?, start, target);
+        self.memory.plan.states.set(axis, [problem.border.v0, problem.border.a0]);
+        self.memory.recovery_time.put(axis, problem.with_recovery(R::ZERO));
+        self.memory.displacements.put(axis, problem.displacement().h);
+        self.findings |= problem.outside();
         let end = self.request.state(self.request.sections, axis);
         let last = self.request.limits(self.request.sections - 1, axis)?;
         self.findings |= Findings::ENDS_LEAVING.when(last.are_left_after(end));
@@ -239,7 +239,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
             let [velocity, acceleration] = self.at(point, axis);
             State { position: self.memory.moved(position, point * self.axes + axis, self.axes), velocity, acceleration }
         };
-        let start = if section == 0 && self.memory.inside.at(axis) > R::ZERO {
+        let start = if section == 0 && self.memory.recovery_time.at(axis) > R::ZERO {
             State { position: from, ..self.request.state(0, axis) }
         } else {
             state(section, from)
@@ -247,9 +247,9 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         (start, state(section + 1, to))
     }
 
-    /// How long an axis moves inside its limits, if the section lasts `duration`, s.
-    pub fn inside(&self, section: usize, axis: usize, duration: R) -> R {
-        if section == 0 { duration - self.memory.inside.at(axis) } else { duration }
+    /// How much of a section that lasts `duration` is left after the recovery of an axis, s.
+    pub fn after_recovery(&self, section: usize, axis: usize, duration: R) -> R {
+        if section == 0 { duration - self.memory.recovery_time.at(axis) } else { duration }
     }
 
     /// How long a section is.
@@ -266,7 +266,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     /// The upper side of a section that lasts `duration`.
     pub fn upper(&self, limits: &Limits<R>, (section, axis): (usize, usize), duration: R) -> Side<R> {
         let ends = [self.at(section, axis), self.at(section + 1, axis)];
-        let t = self.inside(section, axis, duration);
+        let t = self.after_recovery(section, axis, duration);
         let h = self.displacement(section, axis);
         Side::upper(limits, ends, t, h)
     }
@@ -279,16 +279,16 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         })
     }
 
-    /// Whether a section can last as long as it does, with slack to both sides, and ends strictly inside the limits of its waypoint.
-    pub fn is_section_inside(&self, section: usize) -> bool {
+    /// Whether a section can last as long as it does, with slack to both sides, and its end is strictly within the limits of its waypoint.
+    pub fn is_section_feasible(&self, section: usize) -> bool {
         let point = section + 1;
         self.is_possible(section, self.memory.plan.durations.at(section))
             && (point == self.sections
                 || (0..self.axes).all(|axis| self.bounds(point, axis).product(self.at(point, axis)).is_some()))
     }
 
-    pub fn is_strictly_inside(&self) -> bool {
-        (0..self.sections).all(|section| self.is_section_inside(section))
+    pub fn is_strictly_feasible(&self) -> bool {
+        (0..self.sections).all(|section| self.is_section_feasible(section))
     }
 
     #[inline(never)] // for its size: it is asked in several places

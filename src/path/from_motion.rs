@@ -21,20 +21,20 @@ const STEPS_TO_CENTRE: u32 = 2;
 const MOST_GAINS: u32 = 8;
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Brings the plan strictly inside: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
-    pub fn bring_inside(&mut self, steps: Steps) -> Result<bool, Error> {
+    /// Makes the plan strictly feasible: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
+    pub fn make_feasible_from_stops(&mut self, steps: Steps) -> Result<bool, Error> {
         let mut brakes = self.brake_along();
-        let starts_outside = (0..self.axes).any(|axis| self.memory.inside.at(axis) > R::ZERO);
+        let starts_outside = (0..self.axes).any(|axis| self.memory.recovery_time.at(axis) > R::ZERO);
         if self.swerves() && !starts_outside {
             let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, steps));
             self.set_ends(R::ONE);
-            if passes && self.is_strictly_inside() {
+            if passes && self.is_strictly_feasible() {
                 return Ok(true);
             }
             self.stop_everywhere()?;
             brakes = self.brake_along();
         }
-        Ok(brakes || self.come_inside(0))
+        Ok(brakes || self.lengthen_until_feasible(0))
     }
 
     /// Plans between ends that are slow enough to pass the points. Returns how many times slower they are than the given ones.
@@ -44,7 +44,8 @@ impl<R: Real> Chain<'_, '_, R> {
             times = times + R::HALF * R::HALF * times;
             self.set_ends(R::ONE / times);
             self.stop_everywhere()?;
-            let passes = if self.swerves() { self.brake_along() && !self.swerves() } else { self.come_inside(0) };
+            let passes =
+                if self.swerves() { self.brake_along() && !self.swerves() } else { self.lengthen_until_feasible(0) };
             if passes {
                 return Ok(Some(times));
             }
@@ -88,7 +89,7 @@ impl<R: Real> Chain<'_, '_, R> {
             for halvings in 0..MOST_GAINS {
                 let faster = R::ONE + gain;
                 self.scale_time(R::ONE / faster);
-                if self.is_strictly_inside() {
+                if self.is_strictly_feasible() {
                     if halvings == 0 {
                         return true;
                     }
@@ -117,7 +118,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn brake(&mut self, share: R, start: State<R>, last: usize) -> bool {
-        self.pass_row(share, start, 0..last) && self.come_inside(last)
+        self.pass_row(share, start, 0..last) && self.lengthen_until_feasible(last)
     }
 
     fn stop_along(&mut self, start: State<R>) -> bool {

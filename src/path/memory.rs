@@ -162,7 +162,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     /// Displacements of the sections between the given points; in the first section after the recovery.
     pub displacements: Column<'a, R>,
     /// How long the recovery of each axis lasts in the first section, s.
-    pub inside: Column<'a, R>,
+    pub recovery_time: Column<'a, R>,
     pub bounds: Table<'a, R, 6>,
     /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps slopes and bends of a curve (`curve.rs`).
     pub diagonal: Table<'a, R, 3>,
@@ -249,7 +249,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             tolerances: Table(table(positions)?),
             step: Table(table(rows)?),
             displacements: Table(table(pieces)?),
-            inside: Table(table(axes)?),
+            recovery_time: Table(table(axes)?),
             bounds: Table(table(6 * waypoints)?),
             diagonal: Table(table(3 * waypoints)?),
             of_offsets: Table(table(3 * positions)?),

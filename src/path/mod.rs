@@ -196,7 +196,7 @@ impl<R: Real> Chain<'_, '_, R> {
         if self.sections > 1 {
             let passes = self.pass_rows();
             let first = self.duration();
-            if self.is_inside(passes, steps)? {
+            if self.make_feasible(passes, steps)? {
                 self.shorten(steps, 0);
             }
             self.promise()?;
@@ -210,17 +210,18 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(())
     }
 
-    fn is_inside(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
+    /// Makes the first plan strictly feasible: the one that passes rows, made slower, or the one with stops. Whether it is.
+    fn make_feasible(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
         if passes && !self.swerves() {
             self.scale_time(R::ONE / nearly_all());
             (0..self.axes).for_each(|axis| self.set_end(self.sections, axis, R::ONE));
-            if self.is_strictly_inside() {
+            if self.is_strictly_feasible() {
                 return Ok(true);
             }
         }
         if passes {
             self.stop_everywhere()?;
         }
-        self.bring_inside(steps)
+        self.make_feasible_from_stops(steps)
     }
 }

@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::roots::root_between;
 use crate::state::State;
 
-/// How fast the first plan is at most when the steps begin, so that it is strictly inside: a part of its speed.
+/// How fast the first plan is at most when the steps begin, so that it is strictly feasible: a part of its speed.
 pub(super) fn nearly_all<R: Real>() -> R {
     R::ONE - R::HALF * R::SIXTEENTH
 }
@@ -224,7 +224,7 @@ impl<R: Real> Chain<'_, '_, R> {
                 duration = duration_of(self.arc(section), from, to, duration);
             }
             self.memory.plan.durations.put(section, duration);
-            self.is_section_inside(section).then_some(())?;
+            self.is_section_feasible(section).then_some(())?;
             (time, from) = (at, to);
         }
         Some(())

@@ -29,7 +29,7 @@ impl<R: Real> Side<R> {
 
     /// The motion with the largest displacement, if there is one, and how much larger this is than the section, if it is.
     pub fn farthest(&self) -> Option<(Profile<R>, R)> {
-        let profile = self.border.farthest_inside(self.t)?;
+        let profile = self.border.farthest_of_feasible_ends(self.t)?;
         let change = self.border.change(&profile);
         let slack = (self.border.v0 * self.t - self.h) + change.displacement;
         (slack > R::ZERO).then_some((profile, slack))

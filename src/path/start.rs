@@ -47,8 +47,8 @@ impl<R: Real> Chain<'_, '_, R> {
         self.promise()
     }
 
-    /// Makes the sections from `first` on last a little longer, so that the plan is strictly inside, and passes rows. Whether it is inside.
-    pub fn come_inside(&mut self, first: usize) -> bool {
+    /// Makes the sections from `first` on last a little longer, so that the plan is strictly feasible, and passes rows. Whether it is.
+    pub fn lengthen_until_feasible(&mut self, first: usize) -> bool {
         for section in first..self.sections {
             let least = self.memory.plan.durations.at(section);
             // 1/16, 1/64, … longer, and then longer and longer.

@@ -116,7 +116,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    /// Prepares the first step. `None` if the plan is not inside.
+    /// Prepares the first step. `None` if the plan is not feasible.
     fn begin(&mut self) -> Option<()> {
         self.weigh();
         self.keep_plan();
@@ -130,7 +130,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         R::from(11) * R::SIXTEENTH / R::from_index(self.logarithms() as i32)
     }
 
-    /// Makes the plan shorter, which is strictly inside and stays inside. `octaves` says how near the plan is to the best one.
+    /// Makes the plan shorter, which is strictly feasible and stays so. `octaves` says how near the plan is to the best one.
     pub fn shorten(&mut self, Steps { most, mut falls }: Steps, octaves: u8) {
         let per_logarithm = self.per_logarithm();
         let mut octaves = R::from(octaves);
@@ -169,7 +169,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             damping.scale(R::from(4));
         }
         let distance = -self.slope();
-        // At the centre of this weight rounding may hide the decrease, so being inside is enough.
+        // At the centre of this weight rounding may hide the decrease, so being feasible is enough.
         let is_near = distance < R::SIXTEENTH * R::HALF * R::HALF;
         let mut part = first;
         for halvings in 0..MOST_HALVINGS {

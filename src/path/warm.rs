@@ -58,7 +58,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Shortens the plan that is there, or one that brakes along the points, if that takes half of the time: the steps do not open many new
-    /// sections, which begin with stops. Whether a plan is strictly inside.
+    /// sections, which begin with stops. Whether a plan is strictly feasible.
     fn shorten_any(&mut self, given: &[R], steps: Steps, before: Option<R>) -> Result<bool, Error> {
         if let (Some(before), true) = (before, self.has_new(given) && !self.rests_at(0)) {
             self.stop_everywhere()?;
@@ -109,7 +109,7 @@ impl<R: Real> Chain<'_, '_, R> {
 }
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
-    /// Shortens a plan that is there, if a slower one is strictly inside. Whether one is.
+    /// Shortens a plan that is there, if a slower one is strictly feasible. Whether one is.
     pub fn shorten_given(&mut self, given: &[R], steps: Steps) -> Result<bool, Error> {
         let Some(octaves) = self.slow_down(given, steps.most) else { return Ok(false) };
         self.shorten(steps, octaves);
@@ -141,7 +141,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Ok(())
     }
 
-    /// Takes over the slowest of some plans like the one that is there, if one is strictly inside. Gives the powers of two for the first step. A
+    /// Takes over the slowest of some plans like the one that is there, if one is strictly feasible. Gives the powers of two for the first step. A
     /// path of one section needs no step. A plan that begins in motion eases over a quarter of its duration. From the given plan itself no step
     /// opens new sections.
     pub fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
@@ -177,7 +177,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                 self.memory.plan.durations.put(section, least + R::SIXTEENTH * least);
             }
         }
-        self.is_strictly_inside().then_some(())
+        self.is_strictly_feasible().then_some(())
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) struct Blend<R> {
 pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
     let t = problem.after_recovery(duration);
     let next = crossing::next_duration(&problem.border, t, problem.displacement());
-    if next > t { problem.with_inside(next) } else { duration }
+    if next > t { problem.with_recovery(next) } else { duration }
 }
 
 impl<R: Real> Blend<R> {

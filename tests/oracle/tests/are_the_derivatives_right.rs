@@ -40,7 +40,7 @@ fn derivatives(limits: [f64; 6], [v0, a0, v1, a1]: [f64; 4], t: f64, lower: bool
     let [vmax, vmin, amax, amin, jmax, jmin] = limits;
     let upper = Border::between([[v0, a0], [v1, a1]], &Limits { vmax, vmin, amax, amin, jmax, jmin });
     let (border, sign) = if lower { (upper.mirrored(), -1.0) } else { (upper, 1.0) };
-    let Derivatives { first, second } = border.derivatives(&border.farthest_inside(t)?, sign);
+    let Derivatives { first, second } = border.derivatives(&border.farthest_of_feasible_ends(t)?, sign);
     Some((first, second))
 }
 
