@@ -1,6 +1,6 @@
 //! The double-S that never fails: the fastest motion between two velocities within the limits.
 
-use super::border::Border;
+use super::border::ScaledBorder;
 use crate::findings::Error;
 use crate::liba::{Bell, Trap};
 use crate::real::{Real, target};
@@ -79,7 +79,7 @@ impl<R: Real> Bell<R> {
         // A product takes a fraction of the time of a quotient.
         let per_jerk = R::ONE / jm;
         let border =
-            Border { v0: forward_v0 * per_jerk, dv: (forward_v1 - forward_v0) * per_jerk, limit: am * per_jerk };
+            ScaledBorder { v0: forward_v0 * per_jerk, dv: (forward_v1 - forward_v0) * per_jerk, limit: am * per_jerk };
         let h = h * per_jerk;
         let direct = border.direct();
         let positions = (p0.abs() + p1.abs()) * per_jerk;

@@ -14,7 +14,7 @@ use crate::roots::{convex_root, larger_root};
 
 /// The ends and limits of the motions on the upper border. The acceleration is 0 at both ends.
 #[derive(Clone, Copy)]
-pub(crate) struct Border<R> {
+pub(crate) struct ScaledBorder<R> {
     /// Velocity at the start.
     pub v0: R,
     /// Change of velocity from the start to the end: one difference, taken before the division.
@@ -25,14 +25,14 @@ pub(crate) struct Border<R> {
 
 /// A ramp from one velocity to another, with the acceleration 0 at both ends.
 #[derive(Clone, Copy)]
-pub(crate) struct Ramp<R> {
+pub(crate) struct ScaledRamp<R> {
     /// Duration of each jerk part, which is the acceleration reached.
     pub tj: R,
     /// Duration of the ramp.
     pub t: R,
 }
 
-impl<R: Real> Ramp<R> {
+impl<R: Real> ScaledRamp<R> {
     /// The fastest ramp over the change of velocity `dv`, which is not below 0.
     pub fn over(dv: R, limit: R) -> Self {
         if dv < limit * limit {
@@ -44,7 +44,7 @@ impl<R: Real> Ramp<R> {
     }
 }
 
-impl<R: Real> Border<R> {
+impl<R: Real> ScaledBorder<R> {
     /// The axis seen from the other side.
     pub fn mirrored(self) -> Self {
         Self { v0: -self.v0, dv: -self.dv, ..self }
@@ -52,20 +52,20 @@ impl<R: Real> Border<R> {
 
     /// Displacement of the ramp that leads from the start straight to the end. Its duration allows no other displacement.
     pub fn direct(&self) -> R {
-        self.mean() * Ramp::over(self.dv.abs(), self.limit).t
+        self.mean() * ScaledRamp::over(self.dv.abs(), self.limit).t
     }
 
     /// The two ramps by way of the velocity `v0 + room`, and their displacement.
-    pub fn by_way_of(&self, room: R) -> ([Ramp<R>; 2], R) {
-        let up = Ramp::over(room, self.limit);
-        let down = Ramp::over((room - self.dv).at_least(R::ZERO), self.limit);
+    pub fn by_way_of(&self, room: R) -> ([ScaledRamp<R>; 2], R) {
+        let up = ScaledRamp::over(room, self.limit);
+        let down = ScaledRamp::over((room - self.dv).at_least(R::ZERO), self.limit);
         let change = R::HALF * room * (up.t + down.t) + R::HALF * self.dv * down.t;
         ([up, down], self.v0 * (up.t + down.t) + change)
     }
 
     /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the `direct` one. The
     /// peak velocity has no limit.
-    pub fn first_over(&self, h: R, direct: R) -> [Ramp<R>; 2] {
+    pub fn first_over(&self, h: R, direct: R) -> [ScaledRamp<R>; 2] {
         // As the duration grows, the ramp with the larger change of velocity holds the limit first, and later the other one too.
         let up_first = self.dv >= R::ZERO;
         let hold = Hold::of(self, up_first);
@@ -87,14 +87,14 @@ impl<R: Real> Border<R> {
 
     /// The ramps over a displacement beyond the direct one if none of them holds. `y`, by which the acceleration falls more than in
     /// the direct ramp, is at most `most`.
-    fn without_hold(&self, beyond: R, apart: R, most: R) -> [Ramp<R>; 2] {
+    fn without_hold(&self, beyond: R, apart: R, most: R) -> [ScaledRamp<R>; 2] {
         let bound = self.no_hold_bound(beyond, apart).at_most(most);
         let y = convex_root(R::ZERO, bound, beyond, |y| self.no_hold(apart, y));
         let u = apart + y;
         let ratio = if u > R::ZERO { self.dv / u } else { R::ZERO };
         [u + ratio, u - ratio].map(|twice| {
             let tj = R::HALF * twice.at_least(R::ZERO);
-            Ramp { tj, t: tj + tj }
+            ScaledRamp { tj, t: tj + tj }
         })
     }
 
@@ -133,7 +133,7 @@ impl<R: Real> Border<R> {
     }
 
     /// With both holds the displacement is a quadratic in the duration of the first ramp.
-    fn both_holds(&self, h: R) -> [Ramp<R>; 2] {
+    fn both_holds(&self, h: R) -> [ScaledRamp<R>; 2] {
         let Self { v0, dv, limit } = *self;
         // The second ramp lasts so much longer.
         let offset = -dv / limit;
@@ -144,7 +144,7 @@ impl<R: Real> Border<R> {
         let least = limit + limit;
         let up = root.at_least(least.at_least(least - offset));
         let down = (up + offset).at_least(least);
-        [up, down].map(|t| Ramp { tj: limit, t })
+        [up, down].map(|t| ScaledRamp { tj: limit, t })
     }
 }
 
@@ -160,8 +160,8 @@ struct Hold<R> {
 }
 
 impl<R: Real> Hold<R> {
-    fn of(border: &Border<R>, up: bool) -> Self {
-        let &Border { v0, dv, limit } = border;
+    fn of(border: &ScaledBorder<R>, up: bool) -> Self {
+        let &ScaledBorder { v0, dv, limit } = border;
         let (dv, end) = if up { (dv, v0 + dv) } else { (-dv, v0) };
         Self { limit, dv, end, mean: border.mean() }
     }
@@ -172,11 +172,11 @@ impl<R: Real> Hold<R> {
     }
 
     /// The ramp that holds and the other one, over a displacement beyond the least one.
-    fn ramps(&self, beyond: R) -> [Ramp<R>; 2] {
+    fn ramps(&self, beyond: R) -> [ScaledRamp<R>; 2] {
         let bound = self.bound(beyond).at_most(self.limit);
         let w = convex_root(self.begins(), bound, beyond, |w| self.displacement(w));
-        let held = Ramp { tj: self.limit, t: self.limit + (w * w + self.dv) / self.limit };
-        [held, Ramp { tj: w, t: w + w }]
+        let held = ScaledRamp { tj: self.limit, t: self.limit + (w * w + self.dv) / self.limit };
+        [held, ScaledRamp { tj: w, t: w + w }]
     }
 
     /// The displacement where the other ramp reaches no acceleration.

@@ -2,8 +2,8 @@
 //!
 //! `docs/machine.md` has the theory.
 
-use super::parabola::Parabola;
-use super::sections::{Axis, start_at_rest, time_of_rest};
+use super::enclosure::Enclosure;
+use super::sections::{AxisPath, start_at_rest, time_of_rest};
 use crate::findings::Error;
 use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
@@ -42,7 +42,7 @@ pub(super) struct Law<R> {
     pub is_reached: bool,
 }
 
-pub(super) struct Change<'a, R> {
+pub(super) struct RateChange<'a, R> {
     moves: &'a [Move<R>],
     limits: &'a [Limits<R>],
     rate: R,
@@ -54,7 +54,7 @@ pub(super) struct Change<'a, R> {
     kept_from: R,
 }
 
-impl<'a, R: Real> Change<'a, R> {
+impl<'a, R: Real> RateChange<'a, R> {
     pub fn new(moves: &'a [Move<R>], limits: &'a [Limits<R>], rate: R) -> Result<Self, Error> {
         let length = time_of_rest(moves, limits.len());
         Error::Target.unless(rate >= R::ZERO || start_at_rest(moves, limits.len()))?;
@@ -190,8 +190,8 @@ impl<'a, R: Real> Change<'a, R> {
         R::from_index(LONGEST) * (stop + self.axis(0).duration())
     }
 
-    fn axis(&self, index: usize) -> Axis<'a, R> {
-        Axis::new(self.moves, self.limits.len(), index)
+    fn axis(&self, index: usize) -> AxisPath<'a, R> {
+        AxisPath::new(self.moves, self.limits.len(), index)
     }
 
     /// The fastest change, which takes about as long as a stop, and whether one is found: not much longer than `most`.
@@ -412,7 +412,7 @@ fn phases<R: Real>(of: &Move<R>, start: R, goes_on: bool) -> impl Iterator<Item 
 
 /// An axis whose limits the clock is to keep.
 struct Trial<'a, R> {
-    axis: Axis<'a, R>,
+    axis: AxisPath<'a, R>,
     limits: &'a Limits<R>,
 }
 
@@ -422,7 +422,7 @@ impl<R: Real> Trial<'_, R> {
         [1, 31].iter().all(|part| {
             let x = phase.duration * R::SIXTEENTH * R::HALF * R::from(*part);
             let time = [phase.position(x), phase.velocity(x), phase.acceleration(x), phase.jerk];
-            let [_, v, a, j] = self.axis.state(time).map(Parabola::constant);
+            let [_, v, a, j] = self.axis.state(time).map(Enclosure::constant);
             self.is_within(v, a, j)
         })
     }
@@ -433,7 +433,7 @@ impl<R: Real> Trial<'_, R> {
         let (mut done, mut part) = (0, PARTS);
         while done < PARTS {
             let [from, to] = [done, done + part].map(|k| R::from_index(k) * least);
-            if self.keeps_over(phase, Parabola::between(from, to)) {
+            if self.keeps_over(phase, Enclosure::between(from, to)) {
                 done += part;
                 // The largest part that begins here: the lowest bit that is set.
                 part = done & done.wrapping_neg();
@@ -446,7 +446,7 @@ impl<R: Real> Trial<'_, R> {
         true
     }
 
-    fn keeps_over(&self, of: &Phase<R>, part: Parabola<R>) -> bool {
+    fn keeps_over(&self, of: &Phase<R>, part: Enclosure<R>) -> bool {
         let [passed, ..] = part.along(of);
         let [low, high] = passed.range();
         // Of a part that begins at the end of a phase up to rounding, the next phase has all.
@@ -463,8 +463,8 @@ impl<R: Real> Trial<'_, R> {
     }
 
     /// While the axis is in a phase that starts at the time `start` of the path, and the time of the path and its derivatives are in these parts.
-    fn keeps_within(&self, phase: &Phase<R>, start: R, [s, rate, slowing, _]: [Parabola<R>; 4], bending: R) -> bool {
-        let [_, v, a, _] = s.plus(Parabola::constant(-start)).along(phase);
+    fn keeps_within(&self, phase: &Phase<R>, start: R, [s, rate, slowing, _]: [Enclosure<R>; 4], bending: R) -> bool {
+        let [_, v, a, _] = s.plus(Enclosure::constant(-start)).along(phase);
         let square = rate.times(rate);
         let acceleration = a.times(square).plus(v.times(slowing));
         let turning = a.scaled(R::from(3)).times(rate.times(slowing));
@@ -472,7 +472,7 @@ impl<R: Real> Trial<'_, R> {
         self.is_within(v.times(rate), acceleration, jerk)
     }
 
-    fn is_within(&self, velocity: Parabola<R>, acceleration: Parabola<R>, jerk: Parabola<R>) -> bool {
+    fn is_within(&self, velocity: Enclosure<R>, acceleration: Enclosure<R>, jerk: Enclosure<R>) -> bool {
         let limits = self.limits;
         velocity.is_between(limits.vmin, limits.vmax)
             && acceleration.is_between(limits.amin, limits.amax)
@@ -482,7 +482,7 @@ impl<R: Real> Trial<'_, R> {
 
 #[cfg(test)]
 mod tests {
-    use super::Change;
+    use super::RateChange;
     use crate::limits::Limits;
     use crate::online::Move;
     use crate::state::State;
@@ -493,7 +493,7 @@ mod tests {
         let limits = [Limits::symmetric(30.0, 10.0, 5.0)];
         let mut moves = [Move::default()];
         moves[0].plan(&limits[0], State::at(0.0), State::at(1.0)).expect("a plan");
-        let hold = Change::new(&moves, &limits, 0.0).expect("a path");
+        let hold = RateChange::new(&moves, &limits, 0.0).expect("a path");
         let end: f64 = moves[0].t;
         for (position, velocity, border) in [(end - 1e-6, 1.0, end), (1e-6, -1.0, 0.0)] {
             let mut time = Move::default();

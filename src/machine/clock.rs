@@ -2,9 +2,9 @@
 //!
 //! `docs/machine.md` has the theory.
 
-use super::change::Change;
+use super::change::RateChange;
 use super::lead;
-use super::sections::{Axis, are_whole};
+use super::sections::{AxisPath, are_whole};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -100,7 +100,7 @@ impl<R: Real> Clock<R> {
             limits.are_limits()?;
         }
         Error::Late.unless(x >= self.begin)?;
-        let change = Change::new(moves, limits, rate)?;
+        let change = RateChange::new(moves, limits, rate)?;
         let now = self.state_of_time(x);
         let mut time = Move::default();
         let is_stop = rate == R::ZERO && !change.may_jump(now[0]);
@@ -177,6 +177,6 @@ impl<R: Real> Clock<R> {
     /// Position, velocity, acceleration and jerk of an axis of the path at the time `x`, s. The move of the axis in the first section begins `moves`, and its
     /// move in the next section is `n` moves later: axis `i` of `n` axes has `&moves[i..]`. All are NaN if there is no move.
     pub fn state(&self, moves: &[Move<R>], n: usize, x: R) -> [R; 4] {
-        Axis::new(moves, n, 0).state(self.state_of_time(x))
+        AxisPath::new(moves, n, 0).state(self.state_of_time(x))
     }
 }

@@ -1,10 +1,10 @@
 //! Axes that move together while the next motion is planned: on one line, on a path, or each for itself.
 
 use super::axis::{are_ticked, elapsed};
-use super::change::Change;
+use super::change::RateChange;
 use super::clock::Clock;
 use super::handover::{Handover, Moment, at};
-use super::sections::{Axis, are_whole, duration, time_of_rest};
+use super::sections::{AxisPath, are_whole, duration, time_of_rest};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::{Move, are_in_order};
@@ -189,7 +189,7 @@ impl<'g, 'a, R: Real> GroupTicker<'g, 'a, R> {
 /// The states of `n` axes at a time of their path.
 fn write_states<R: Real>(states: &mut [State<R>], time: [R; 4], moves: &[Move<R>], n: usize) {
     for (index, state) in states.iter_mut().enumerate() {
-        let [position, velocity, acceleration, _] = Axis::new(moves, n, index).state(time);
+        let [position, velocity, acceleration, _] = AxisPath::new(moves, n, index).state(time);
         *state = State { position, velocity, acceleration };
     }
 }
@@ -281,7 +281,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             next.course.path = moves;
             for rate in [R::ONE, steady] {
                 next.course.clock.begin_at(s, rate, length);
-                let is_within = || Ok(Change::new(moves, limits, rate)?.keeps(&next.course.clock.time));
+                let is_within = || Ok(RateChange::new(moves, limits, rate)?.keeps(&next.course.clock.time));
                 let is_planned = rate >= R::ZERO && rate <= R::ONE;
                 if from.is_at(moves, s, rate) && (is_planned || is_within()?) {
                     next.course.set_end(moves, limits.len());
@@ -379,7 +379,7 @@ impl<R: Real> InForce<'_, '_, R> {
         for (index, (state, limits)) in self.states.iter_mut().zip(limits).enumerate() {
             let Some([lowest, highest]) = of_axis(self.positions, index) else { return };
             let mut stop = Move::default();
-            let in_force = Axis::new(self.moves, n, index).section(self.time[0]);
+            let in_force = AxisPath::new(self.moves, n, index).section(self.time[0]);
             if let (Ok(_), Some((of, _))) = (stop.stop(limits, *state), in_force) {
                 let reached = stop.extremes();
                 let below = (lowest - reached.lowest.position).at_least(R::ZERO);
@@ -396,7 +396,7 @@ impl<R: Real> InForce<'_, '_, R> {
         let near = |x: R, y: R, slope: R| (x - y).abs() <= R::DOUBT * (y.abs() + slope.abs() * (s + self.x));
         let mut states = self.states.iter().enumerate();
         states.all(|(index, now)| {
-            let axis = |moves| Axis::new(moves, self.states.len(), index);
+            let axis = |moves| AxisPath::new(moves, self.states.len(), index);
             let [p, v, a, j] = axis(moves).state([s, rate, R::ZERO, R::ZERO]);
             // Where a phase begins, the jerks of both differ.
             let [.., jerk] = axis(self.moves).state(self.time);
@@ -438,7 +438,7 @@ impl<'a, R: Real> Next<'_, 'a, R> {
         self.course.set_end(from.moves, limits.len());
         let passed = self.course.clock.span(self.course.end);
         let mut axes = (0..limits.len()).filter_map(|index| Some((index, of_axis(from.positions, index)?)));
-        let stays = |(index, positions)| Axis::new(from.moves, limits.len(), index).stays(passed, positions);
+        let stays = |(index, positions)| AxisPath::new(from.moves, limits.len(), index).stays(passed, positions);
         Error::Position.unless(axes.all(stays))?;
         Ok(found)
     }

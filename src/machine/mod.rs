@@ -27,11 +27,11 @@
 pub(crate) mod axis;
 mod change;
 pub(crate) mod clock;
+mod enclosure;
 #[allow(unsafe_code)] // as above
 pub(crate) mod group;
 mod handover;
 mod lead;
-mod parabola;
 mod sections;
 pub(crate) mod shaper;
 pub(crate) mod shaper_stream;

@@ -14,7 +14,7 @@ pub(super) fn start_at_rest<R: Real>(moves: &[Move<R>], n: usize) -> bool {
 
 /// How long the slowest axis moves, s.
 pub(super) fn duration<R: Real>(moves: &[Move<R>], n: usize) -> R {
-    (0..n).map(|index| Axis::new(moves, n, index).duration()).fold(R::ZERO, R::at_least)
+    (0..n).map(|index| AxisPath::new(moves, n, index).duration()).fold(R::ZERO, R::at_least)
 }
 
 /// When all axes have come to rest, s; infinite if one of them moves on.
@@ -25,13 +25,13 @@ pub(super) fn time_of_rest<R: Real>(moves: &[Move<R>], n: usize) -> R {
 
 /// The moves of an axis: the first one, and then each `n` moves after the one before.
 #[derive(Clone, Copy)]
-pub(super) struct Axis<'a, R> {
+pub(super) struct AxisPath<'a, R> {
     moves: &'a [Move<R>],
     n: usize,
 }
 
-impl<'a, R: Real> Axis<'a, R> {
-    /// Axis `index` of `n` axes.
+impl<'a, R: Real> AxisPath<'a, R> {
+    /// The moves of axis `index` of `n` axes.
     pub fn new(moves: &'a [Move<R>], n: usize, index: usize) -> Self {
         Self { moves: moves.get(index..).unwrap_or_default(), n }
     }

@@ -110,7 +110,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     pub fn assemble(&mut self) -> Option<R> {
         self.memory.of_durations.clear();
         self.memory.mixed.clear();
-        self.memory.damping.clear();
+        self.memory.convex_part.clear();
         self.memory.gradient_t.clear();
         self.memory.gradient.clear();
         self.memory.diagonal.clear();
@@ -159,7 +159,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let slacks = [above, below];
         let mut terms = upper.derivatives(&farthest);
         let logarithms = take_logarithms(slacks, &mut terms, &lower.derivatives(&nearest), weight);
-        self.damp((section, axis), logarithms, weight);
+        self.add_convex_part((section, axis), logarithms, weight);
         let (g_h, [hv0, ha0, hv1, ha1, ht], hh) = by_displacement(slacks, logarithms, weight);
         let Derivatives { first, second } = &terms;
         let [g_v0, g_a0, g_v1, g_a1, g_t] = *first;
@@ -195,7 +195,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 
     /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points next to
     /// the section, which is that of the step before.
-    fn damp(&mut self, (section, axis): (usize, usize), logarithms: [[R; 5]; 2], weight: R) {
+    fn add_convex_part(&mut self, (section, axis): (usize, usize), logarithms: [[R; 5]; 2], weight: R) {
         let [before, start] = self.slopes(section, axis);
         let [end, after] = self.slopes(section + 1, axis);
         let products = logarithms.map(|[v0, a0, v1, a1, t]| {
@@ -205,12 +205,12 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         });
         let [[before, own, after], [other_before, other_own, other_after]] = products;
         let squares = |x: R, z: R| [weight * (x * x + z * z)];
-        let damping = &mut self.memory.damping;
+        let convex_part = &mut self.memory.convex_part;
         if let Some(previous) = section.checked_sub(1) {
-            damping.add(previous, squares(before, other_before));
+            convex_part.add(previous, squares(before, other_before));
         }
-        damping.add(section, squares(own, other_own));
-        damping.add(section + 1, squares(after, other_after));
+        convex_part.add(section, squares(own, other_own));
+        convex_part.add(section + 1, squares(after, other_after));
     }
 
     fn assemble_point(&mut self, point: usize, axis: usize, logarithms: &mut Logarithms<R>) -> Option<()> {
@@ -285,7 +285,7 @@ mod tests {
     use super::super::chain::{Chain, Request};
     use super::super::elimination::tests::errors;
     use super::super::plan_path;
-    use super::super::steps::Steps;
+    use super::super::steps::NewtonBudget;
     use super::Logarithms;
     use crate::limits::Limits;
     use crate::state::State;
@@ -331,7 +331,7 @@ mod tests {
         let request = Request { tolerances: &[0.02, 0.1, 0.02, 0.1, 0.0, 0.1], ..request };
         let chain = &mut Chain::<f64, K>::of(request, &mut work).expect("room");
         chain.slow_down(&durations, 48).expect("a feasible plan");
-        chain.shorten(Steps::of(2, 4), 0);
+        chain.shorten(NewtonBudget::of(2, 4), 0);
         let is_narrow = |point| [0, 1].map(|axis| chain.is_narrow(point, axis));
         let narrow = [[true, false], [true, false], [false; 2]];
         assert_eq!([1, 2, 3].map(is_narrow), narrow);

@@ -98,7 +98,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
         let ahead = self.row(section + 1, axes);
         let memory = &mut self.memory;
-        memory.band.put(duration, duration, [memory.of_durations.at(section) + lambda * memory.damping.at(section)]);
+        let own = memory.of_durations.at(section) + lambda * memory.convex_part.at(section);
+        memory.band.put(duration, duration, [own]);
         memory.band.put(duration, ahead, [memory.mixed.at(section)]);
         memory.step.put(duration, -memory.gradient_t.at(section));
     }
@@ -121,7 +122,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             }
         }
         let memory = &mut self.memory;
-        let size = memory.of_durations.at(section).abs() + memory.damping.at(section);
+        let size = memory.of_durations.at(section).abs() + memory.convex_part.at(section);
         let pivot = memory.band.pivot(duration);
         let is_positive = pivot > R::from(8) * R::EPSILON * size;
         is_positive.then(|| memory.band.eliminate(duration, pivot, memory.step.0))?
@@ -179,7 +180,7 @@ pub(super) mod tests {
         }
         for section in 0..sections {
             memory.gradient_t.put(section, number());
-            memory.damping.put(section, 2.0 + number());
+            memory.convex_part.put(section, 2.0 + number());
             memory.mixed.put(section, number());
             memory.of_durations.put(section, diagonal);
         }
@@ -225,7 +226,7 @@ pub(super) mod tests {
             }
         }
         for section in 0..sections {
-            let own = given.of_durations.at(section) + lambda * given.damping.at(section);
+            let own = given.of_durations.at(section) + lambda * given.convex_part.at(section);
             add(states + section, states + section, own);
             if section + 1 < sections {
                 add(states + section, states + section + 1, given.mixed.at(section));
@@ -270,7 +271,7 @@ pub(super) mod tests {
         let mut chain = chain::<2>(1, 1, &mut work, 0.0);
         let (least, gradient) = (f64::exp2(-60.0), f64::exp2(-50.0));
         chain.memory.of_durations.put(0, least);
-        chain.memory.damping.clear();
+        chain.memory.convex_part.clear();
         chain.memory.gradient_t.put(0, gradient);
         assert_eq!(chain.solve(0.0, 0.0), Some(()));
         assert_eq!(chain.change(0), -gradient / least);

@@ -5,7 +5,7 @@
 use super::chain::Chain;
 use super::curve::all_but_rounding;
 use super::rows::stop_length;
-use super::steps::{Damping, Steps};
+use super::steps::{Damping, NewtonBudget};
 use crate::findings::{Error, Findings};
 use crate::online::Move;
 use crate::real::Real;
@@ -22,11 +22,11 @@ const MOST_GAINS: u32 = 8;
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Makes the plan strictly feasible: the one with stops, or one that passes points at which an axis cannot stop in time. Whether it is.
-    pub fn make_feasible_from_stops(&mut self, steps: Steps) -> Result<bool, Error> {
+    pub fn make_feasible_from_stops(&mut self, budget: NewtonBudget) -> Result<bool, Error> {
         let mut brakes = self.brake_along();
         let starts_outside = (0..self.axes).any(|axis| self.memory.recovery_time.at(axis) > R::ZERO);
         if self.swerves() && !starts_outside {
-            let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, steps));
+            let passes = self.slow_ends()?.is_some_and(|times| self.speed_up(times, budget));
             self.set_ends(R::ONE);
             if passes && self.is_strictly_feasible() {
                 return Ok(true);
@@ -81,9 +81,9 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Speeds up a plan whose ends are too slow by the factor `times`. Before each gain its states move back to the centre, away from the limits.
     /// Whether it reaches the given ends.
-    fn speed_up(&mut self, mut times: R, steps: Steps) -> bool {
+    fn speed_up(&mut self, mut times: R, budget: NewtonBudget) -> bool {
         let mut damping = Damping::new();
-        for _ in 0..STEPS * steps.most / STEPS_TO_CENTRE {
+        for _ in 0..STEPS * budget.most / STEPS_TO_CENTRE {
             self.centre(STEPS_TO_CENTRE, &mut damping);
             let mut gain = times - R::ONE;
             for halvings in 0..MOST_GAINS {

@@ -184,7 +184,7 @@ pub(super) struct Memory<'a, R, const K: usize> {
     /// The second derivatives by each duration and the next one. Before the steps the highest speeds along the sections of a row.
     pub mixed: Column<'a, R>,
     /// `G`: the part of `of_durations` that is never negative.
-    pub damping: Column<'a, R>,
+    pub convex_part: Column<'a, R>,
     /// The matrix, and then its factors: a row for each number of the step.
     pub band: Band<'a, R>,
 }
@@ -261,7 +261,7 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
             gradient_t: Table(table(sections)?),
             of_durations: Table(table(sections)?),
             mixed: Table(table(sections)?),
-            damping: Table(table(sections)?),
+            convex_part: Table(table(sections)?),
             band: Band { numbers: table(rows * width)?, width },
         })
     }

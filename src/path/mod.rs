@@ -29,7 +29,7 @@ use crate::real::Real;
 use crate::state::State;
 use chain::{Chain, Planned, Request, total};
 use rows::nearly_all;
-use steps::Steps;
+use steps::NewtonBudget;
 
 pub use contour::{Contour, plan_contour};
 pub use deviation::path_deviation;
@@ -82,8 +82,8 @@ pub fn plan_path<R: Real>(
 
 fn plan<'w, R: Real>(request: Request<R>, steps: u32, work: &'w mut [R]) -> Result<Planned<'w, R, 2>, Error> {
     let mut chain = Chain::of(request, work)?;
-    let steps = Steps::of(steps, chain.sections);
-    chain.plan(steps)?;
+    let budget = NewtonBudget::of(steps, chain.sections);
+    chain.plan(budget)?;
     chain.done()
 }
 
@@ -115,8 +115,8 @@ pub fn plan_path_near<R: Real>(
     let found = plan_path(states, durations, limits, axes, steps, work)?;
     let request = Request { tolerances, ..Request::of(states, durations, limits, axes)? };
     let mut chain = Chain::<R, 3>::of(request, work)?;
-    let steps = Steps::of(steps, chain.sections);
-    let is_shortened = chain.shorten_given(durations, steps) == Ok(true);
+    let budget = NewtonBudget::of(steps, chain.sections);
+    let is_shortened = chain.shorten_given(durations, budget) == Ok(true);
     if is_shortened && chain.duration() < total(durations) {
         // The path through the points stays if this one is beyond the range.
         chain.done().map(|planned| planned.write(states, durations)).ok();
@@ -163,8 +163,8 @@ fn improve_from<R: Real>(
     let lasts = durations.first().is_some_and(|&t| t > R::ZERO);
     let [start, next] = request.ends(0);
     let mut chain = Chain::of(Request { is_begun: lasts && start != next, ..request }, work)?;
-    let steps = Steps::of(steps, chain.sections);
-    if chain.improve(durations, steps, lasts)? {
+    let budget = NewtonBudget::of(steps, chain.sections);
+    if chain.improve(durations, budget, lasts)? {
         Ok((chain.done()?.write(states, durations), 0))
     } else {
         Ok((chain.findings, first + 1 + chain.place(0)))
@@ -191,13 +191,13 @@ impl<'a, R: Real> Request<'a, R> {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    fn plan(&mut self, steps: Steps) -> Result<(), Error> {
+    fn plan(&mut self, budget: NewtonBudget) -> Result<(), Error> {
         self.stop_everywhere()?;
         if self.sections > 1 {
             let passes = self.pass_rows();
             let first = self.duration();
-            if self.make_feasible(passes, steps)? {
-                self.shorten(steps, 0);
+            if self.make_feasible(passes, budget)? {
+                self.shorten(budget, 0);
             }
             self.promise()?;
             let is_shorter = self.duration() < first;
@@ -211,7 +211,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Makes the first plan strictly feasible: the one that passes rows, made slower, or the one with stops. Whether it is.
-    fn make_feasible(&mut self, passes: bool, steps: Steps) -> Result<bool, Error> {
+    fn make_feasible(&mut self, passes: bool, budget: NewtonBudget) -> Result<bool, Error> {
         if passes && !self.swerves() {
             self.scale_time(R::ONE / nearly_all());
             (0..self.axes).for_each(|axis| self.set_end(self.sections, axis, R::ONE));
@@ -222,6 +222,6 @@ impl<R: Real> Chain<'_, '_, R> {
         if passes {
             self.stop_everywhere()?;
         }
-        self.make_feasible_from_stops(steps)
+        self.make_feasible_from_stops(budget)
     }
 }

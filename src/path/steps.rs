@@ -10,13 +10,13 @@ const MOST_STEPS: u32 = 1024;
 
 /// How many steps a path gets.
 #[derive(Clone, Copy)]
-pub(super) struct Steps {
+pub(super) struct NewtonBudget {
     pub most: u32,
     /// How often the weight of the logarithms falls.
     falls: u32,
 }
 
-impl Steps {
+impl NewtonBudget {
     /// So many steps; 0: as many as a path of so many sections needs.
     pub fn of(asked: u32, sections: usize) -> Self {
         let (most, falls) = match asked.min(MOST_STEPS) {
@@ -131,7 +131,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     }
 
     /// Makes the plan shorter, which is strictly feasible and stays so. `octaves` says how near the plan is to the best one.
-    pub fn shorten(&mut self, Steps { most, mut falls }: Steps, octaves: u8) {
+    pub fn shorten(&mut self, NewtonBudget { most, mut falls }: NewtonBudget, octaves: u8) {
         let per_logarithm = self.per_logarithm();
         let mut octaves = R::from(octaves);
         let mut mu = fallen(per_logarithm * self.duration(), octaves);

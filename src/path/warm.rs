@@ -4,7 +4,7 @@
 //! plan that begins in motion slows down by and by: velocities are `v/s`, accelerations `(a - v ṡ/s)/s²`.
 
 use super::chain::{Chain, total};
-use super::steps::Steps;
+use super::steps::NewtonBudget;
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::real::Real;
@@ -43,12 +43,12 @@ impl<R: Real> Slow<R> {
 
 impl<R: Real> Chain<'_, '_, R> {
     /// Shortens a plan; if it is impossible, plans again from stops. `false` if its first section is to be held, which is too short to slow down in.
-    pub fn improve(&mut self, given: &[R], steps: Steps, may_be_held: bool) -> Result<bool, Error> {
+    pub fn improve(&mut self, given: &[R], budget: NewtonBudget, may_be_held: bool) -> Result<bool, Error> {
         let before = self.take_given(given)?;
-        match (self.shorten_any(given, steps, before)?, before) {
+        match (self.shorten_any(given, budget, before)?, before) {
             (true, _) => {}
             (false, Some(_)) if may_be_held && self.sections > 1 => return Ok(false),
-            _ => self.plan(steps)?,
+            _ => self.plan(budget)?,
         }
         let is_shorter = before.is_none_or(|before| self.duration() < before);
         if !is_shorter {
@@ -59,17 +59,17 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// Shortens the plan that is there, or one that brakes along the points, if that takes half of the time: the steps do not open many new
     /// sections, which begin with stops. Whether a plan is strictly feasible.
-    fn shorten_any(&mut self, given: &[R], steps: Steps, before: Option<R>) -> Result<bool, Error> {
+    fn shorten_any(&mut self, given: &[R], budget: NewtonBudget, before: Option<R>) -> Result<bool, Error> {
         if let (Some(before), true) = (before, self.has_new(given) && !self.rests_at(0)) {
             self.stop_everywhere()?;
             if self.brake_along() && self.duration() < R::HALF * before {
-                self.shorten(steps, 0);
+                self.shorten(budget, 0);
                 self.promise()?;
                 return Ok(true);
             }
             self.take_given(given)?;
         }
-        self.shorten_given(given, steps)
+        self.shorten_given(given, budget)
     }
 
     /// Takes over the plan that is there. Gives its duration if it is possible, s.
@@ -110,9 +110,9 @@ impl<R: Real> Chain<'_, '_, R> {
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     /// Shortens a plan that is there, if a slower one is strictly feasible. Whether one is.
-    pub fn shorten_given(&mut self, given: &[R], steps: Steps) -> Result<bool, Error> {
-        let Some(octaves) = self.slow_down(given, steps.most) else { return Ok(false) };
-        self.shorten(steps, octaves);
+    pub fn shorten_given(&mut self, given: &[R], budget: NewtonBudget) -> Result<bool, Error> {
+        let Some(octaves) = self.slow_down(given, budget.most) else { return Ok(false) };
+        self.shorten(budget, octaves);
         self.promise()?;
         Ok(true)
     }

@@ -83,7 +83,7 @@ impl<'a, R: Real + 'a> Line<R> {
         // A displacement may be a rounding error itself.
         let far = leads.filter(|(line, _)| line.reach() >= R::EPSILON.sqrt() * longest);
         let (mut line, limits) = far.reduce(finer).ok_or(Error::Axes)?;
-        let (v, a) = highest(limits, line.reach());
+        let (v, a) = peaks_over(limits, line.reach());
         let jerk = limits.jmax.at_most(-limits.jmin);
         let at_end = |State { velocity, acceleration, .. }: State<R>| {
             let built_up = (acceleration * acceleration / jerk).at_most(limits.vmax - limits.vmin);
@@ -164,7 +164,7 @@ impl<'a, R: Real + 'a> Line<R> {
 }
 
 /// The highest velocity and the highest acceleration that an axis comes to over a distance.
-fn highest<R: Real>(limits: &Limits<R>, distance: R) -> (R, R) {
+fn peaks_over<R: Real>(limits: &Limits<R>, distance: R) -> (R, R) {
     let [most, least] = [limits.jmax.at_least(-limits.jmin), limits.jmax.at_most(-limits.jmin)];
     // What an infinite jerk builds up, the other one undoes.
     let jerk = if most.is_finite() { most } else { least };
@@ -184,7 +184,7 @@ fn braking<R: Real>(Task { limits, from, to }: Task<R>) -> R {
 
 #[cfg(test)]
 mod tests {
-    use super::{Line, Task, braking, highest};
+    use super::{Line, Task, braking, peaks_over};
     use crate::limits::Limits;
     use crate::state::State;
 
@@ -196,7 +196,7 @@ mod tests {
         let slow = Limits { vmax: 0.0625, vmin: -0.0625, ..LIMITS };
         let expected = [(LIMITS, 1e6, 16.0, 4.0), (LIMITS, 0.125, 0.5, 2.0), (slow, 1e6, 0.0625, 1.0)];
         for (limits, distance, v, a) in expected {
-            let found = highest(&limits, distance);
+            let found = peaks_over(&limits, distance);
             assert!((found.0 - v).abs() < 1e-3 && (found.1 - a).abs() < 1e-3, "{found:?}");
         }
         let from_speed = |velocity| braking(Task { limits: &LIMITS, from: &State { velocity, ..STAND }, to: &STAND });

@@ -6,14 +6,14 @@ use crate::real::Real;
 /// A quantity in a part of the time: `middle + slope e + bend e²`, up to `rest`, while `e` goes from -1 to 1. Sums and products hold all sums and products
 /// at the same time. So what rises while another quantity falls does not count twice, and a parabola is exact.
 #[derive(Clone, Copy)]
-pub struct Parabola<R> {
+pub struct Enclosure<R> {
     middle: R,
     slope: R,
     bend: R,
     rest: R,
 }
 
-impl<R: Real> Parabola<R> {
+impl<R: Real> Enclosure<R> {
     pub fn constant(middle: R) -> Self {
         Self { middle, slope: R::ZERO, bend: R::ZERO, rest: R::ZERO }
     }
@@ -108,17 +108,17 @@ impl<R: Real> Parabola<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::Parabola;
+    use super::Enclosure;
     use crate::online::Phase;
 
-    fn at(Parabola { middle, slope, bend, .. }: Parabola<f64>, e: f64) -> f64 {
+    fn at(Enclosure { middle, slope, bend, .. }: Enclosure<f64>, e: f64) -> f64 {
         middle + e * (slope + e * bend)
     }
 
     /// In a part of the time a parabola goes through the same numbers.
     #[test]
     fn a_part_of_a_parabola_is_on_it() {
-        let whole = Parabola { middle: 1.0, slope: -3.0, bend: 5.0, rest: 0.25 };
+        let whole = Enclosure { middle: 1.0, slope: -3.0, bend: 5.0, rest: 0.25 };
         let [c, d] = [0.5, 0.25];
         let part = whole.narrowed([c, d]);
         for e in [-1.0, -0.5, 0.0, 0.5, 1.0] {
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn a_phase_is_in_its_parabolas() {
         let phase = Phase { start: 0.0, duration: 4.0, position: 1.0, velocity: -3.0, acceleration: 2.0, jerk: 6.0 };
-        let quantities = Parabola::between(1.5, 2.5).along(&phase);
+        let quantities = Enclosure::between(1.5, 2.5).along(&phase);
         for e in [-1.0_f64, -0.5, 0.0, 0.5, 1.0] {
             let x = 2.0 + 0.5 * e;
             let states = [phase.position(x), phase.velocity(x), phase.acceleration(x), phase.jerk];
