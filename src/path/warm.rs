@@ -9,9 +9,32 @@ use crate::findings::Error;
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// How much slower than the plan that is there the first plan is, in thousandths; by how many powers of two its logarithms weigh less; and how
-/// many steps it takes at least to win back what is lost.
-const SLOWER: [(u8, u8, u32); 6] = [(200, 2, 10), (100, 3, 10), (50, 4, 6), (20, 5, 6), (5, 5, 3), (0, 5, 1)];
+/// A plan before the first step that is slower than the one that is there.
+struct Slower {
+    /// By how much, in thousandths.
+    thousandths: u8,
+    /// By how many powers of two its logarithms weigh less.
+    octaves: u8,
+    /// How many steps it takes at least to win back what is lost.
+    least_steps: u32,
+}
+
+/// The slowest one is the first.
+const SLOWER: [Slower; 6] = [
+    Slower { thousandths: 200, octaves: 2, least_steps: 10 },
+    Slower { thousandths: 100, octaves: 3, least_steps: 10 },
+    Slower { thousandths: 50, octaves: 4, least_steps: 6 },
+    Slower { thousandths: 20, octaves: 5, least_steps: 6 },
+    Slower { thousandths: 5, octaves: 5, least_steps: 3 },
+    Slower { thousandths: 0, octaves: 5, least_steps: 1 },
+];
+
+impl Slower {
+    fn factor<R: Real>(&self) -> R {
+        let thousand = R::from(250) * R::from(4);
+        R::ONE + R::from(self.thousandths) / thousand
+    }
+}
 
 /// What is left of the speed of a plan at one of its times.
 struct Slow<R> {
@@ -142,19 +165,18 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     }
 
     /// Takes over the slowest of some plans like the one that is there, if one is strictly feasible. Gives the powers of two for the first step. A
-    /// path of one section needs no step. A plan that begins in motion eases over a quarter of its duration. From the given plan itself no step
-    /// opens new sections.
+    /// path of one section needs no step. A plan that begins in motion eases over a quarter of its duration.
     pub fn slow_down(&mut self, given: &[R], steps: u32) -> Option<u8> {
         (self.sections > 1).then_some(())?;
         // New sections begin with stops, far from the best plan.
         let is_new = self.has_new(given);
-        // For fewer than 3 steps there is no other.
-        let may_be = |thousandths, least| least <= steps && (thousandths > 0 || !is_new || steps < 3);
+        // From the plan itself no step opens new sections. But for fewer than 3 steps there is no other.
+        let may_be_as_it_is = !is_new || steps < 3;
         let ease = if self.rests_at(0) { R::ZERO } else { R::HALF * R::HALF * total(given) };
-        let mut slower = SLOWER.into_iter().filter(|&(thousandths, _, least)| may_be(thousandths, least));
-        slower.find_map(|(thousandths, octaves, _)| {
-            let factor = R::ONE + R::from(thousandths) / (R::from(250) * R::from(4));
-            self.take_slower(factor, ease, given).map(|()| if is_new { 0 } else { octaves })
+        let tried = |slower: &&Slower| slower.least_steps <= steps && (slower.thousandths > 0 || may_be_as_it_is);
+        SLOWER.iter().filter(tried).find_map(|slower| {
+            let taken = self.take_slower(slower.factor(), ease, given);
+            taken.map(|()| if is_new { 0 } else { slower.octaves })
         })
     }
 
