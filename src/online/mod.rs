@@ -79,7 +79,8 @@ impl<R: Real> Move<R> {
         let to = State { velocity, acceleration, ..from };
         limits.check(from, to)?;
         let mut problem = Problem::new(limits, from, to);
-        let direct = problem.reach();
+        let (direct, end) = problem.reach();
+        problem.to = end;
         problem.write(self, &direct)?;
         Ok(problem.findings(self))
     }

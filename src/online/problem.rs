@@ -40,13 +40,12 @@ impl<R: Real> Problem<R> {
         Self { positions, ..self }
     }
 
-    /// The fastest change of velocity. The end of the problem moves to where this change ends.
-    pub fn reach(&mut self) -> Profile<R> {
+    /// The fastest change of velocity, and the state in which it ends.
+    pub fn reach(&self) -> (Profile<R>, State<R>) {
         let border = &self.border;
         let direct = border.direct(border.beyond_straight());
         let displacement = self.displacement_of_recovery() + border.passed(&direct).displacement;
-        self.to.position = self.from.position + displacement;
-        border.profile(&direct)
+        (border.profile(&direct), State { position: self.from.position + displacement, ..self.to })
     }
 
     fn displacement_of_recovery(&self) -> R {

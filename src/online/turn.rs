@@ -84,9 +84,8 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
     let State { velocity: v, acceleration: a, .. } = from;
     let after = |acceleration: R| {
         let to = State { velocity: R::ZERO, acceleration, ..from };
-        let mut problem = Problem::new(limits, from, to);
-        problem.reach();
-        problem.to
+        let (_, end) = Problem::new(limits, from, to).reach();
+        end
     };
     // The accelerations of an axis that eases its brake, and that brakes harder, all the time until it stands, and the one that leads to the lowest
     // velocity after the turn.
@@ -182,11 +181,12 @@ impl<R: Real> Move<R> {
         Err(Error::Position)
     }
 
-    /// Goes on with the fastest ramp from one state to another, whose positions it meets.
+    /// Goes on with the fastest ramp from one state to another one. Their positions fit it.
     fn ramp(&mut self, limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<(), Error> {
         let problem = Problem::new(limits, from, to);
         let mut next = Self::default();
-        problem.write(&mut next, &{ problem }.reach())?;
+        let (direct, _) = problem.reach();
+        problem.write(&mut next, &direct)?;
         self.append(&next)
     }
 }

@@ -209,7 +209,8 @@ mod tests {
         let from = State { position: 0.0, velocity: 1.0, acceleration: -0.9 };
         let mut problem = Problem::new(&limits, from, State::at(0.0));
         let mut axis = Move::default();
-        let fastest = problem.reach();
+        let (fastest, end) = problem.reach();
+        problem.to = end;
         problem.write(&mut axis, &fastest).expect("a plan");
         for t in (2..10).map(f64::from) {
             assert_eq!(next_duration(&problem, t), t);
