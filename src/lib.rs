@@ -86,6 +86,7 @@ mod roots;
 mod sampling;
 mod several;
 mod state;
+mod table;
 
 pub use findings::{Error, Extremes, Findings};
 pub use liba::{Bell, Poly, Poly3, Poly5, Poly7, Trap};

@@ -2,9 +2,9 @@
 
 use super::shaper::Shaper;
 use crate::findings::Error;
-use crate::path::Table;
 use crate::real::Real;
 use crate::state::State;
+use crate::table::Table;
 
 /// Numbers of a state.
 const N: usize = 3;

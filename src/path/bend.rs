@@ -3,8 +3,8 @@
 //! `docs/path-theory.md` has the theory, in "Close points".
 
 use super::chain::Chain;
-use super::memory::Column;
 use crate::real::Real;
+use crate::table::Column;
 
 /// The parabola through three points: its velocity and acceleration at the middle one, and what the durations of both sections change.
 pub(super) struct Parabola<R> {

@@ -34,7 +34,6 @@ use steps::NewtonBudget;
 pub use contour::{Contour, plan_contour};
 pub use deviation::path_deviation;
 pub use feed::limit_feed;
-pub(crate) use memory::Table;
 pub use moves::path_moves;
 
 /// How many numbers [`plan_path`] and [`improve_path`] need to work with: `sections (axes (4 axes + 38) + 12) - 10 axes`.

@@ -10,7 +10,7 @@ use std::path::Path;
 use support::repository::root;
 
 /// The layers from the ground, and the modules of each. `|` parts layers at the same height.
-const HOUSE: &str = "real < state limits findings roots sampling < liba | claraty < fastest < interval < online < several < path < machine < capi < lib";
+const HOUSE: &str = "real < state limits findings roots sampling table < liba | claraty < fastest < interval < online < several < path < machine < capi < lib";
 
 /// How high a module stands, and which of the layers at this height is its own.
 fn layer(module: &[String]) -> Option<(usize, usize)> {
