@@ -289,7 +289,7 @@ fn no_step_is_lost<R: Real>() {
     assert!(steps > 250 * SOURCES as u64 && reversals > SOURCES as u64 / 4, "{steps} {reversals}");
 }
 
-/// A driver gets the time that it asks for between two steps and before a reversal, and no step is lost.
+/// A driver gets the time that it asks for between two steps, before a reversal, and before the first step. No step is lost.
 fn a_driver_gets_its_time<R: Real>() {
     let mut random = Random::seeded(384);
     for number in 0..SOURCES / 4 {
@@ -302,7 +302,7 @@ fn a_driver_gets_its_time<R: Real>() {
         let between = random.between(0.0, 0.5) * step / v;
         let reversal = period * random.magnitude(-1.0, 1.0);
         motor.wait(R::of(between), R::of(reversal)).expect("two times");
-        let (mut last, mut direction) = (f64::NEG_INFINITY, 0);
+        let (mut last, mut direction) = (0.0, 0);
         for tick in 0..6_000 {
             if tick < 4_000 && random.one_in(200) {
                 source.plan_again(&mut random);
@@ -332,6 +332,10 @@ fn a_tick_without_questions_loses_nothing<R: Real>() {
     motor.tick(State::at(one)).expect("a state");
     let all: Vec<_> = std::iter::from_fn(|| motor.next()).collect();
     assert!(all.len() == 10 && all.iter().all(|step| step.time == zero && step.direction == 1), "{all:?}");
+    let mut later = StepStream::new(tenth, period, State::at(zero)).expect("a motor");
+    later.wait(zero, R::of(0.0015)).expect("a time");
+    let first = [(); 2].map(|()| later.tick(State::at(one)).ok().and_then(|()| later.next()));
+    assert!(first[0].is_none() && first[1].is_some_and(|step| (step.time.widen() - 0.0005).abs() < 1e-9), "{first:?}");
     let before = motor;
     let moving = |velocity| State { velocity, ..State::at(one) };
     for bad in [moving(R::NAN), State::at(R::INFINITY), State::at(R::of(2e8))] {

@@ -20,7 +20,7 @@ pub struct StepStream<R> {
     pub(crate) between: R,
     /// The least time before a step in the other direction, s.
     pub(crate) reversal: R,
-    /// When the last step was, s after the start of this tick.
+    /// When the last step was, or the stream began, s after the start of this tick.
     pub(crate) last: R,
     /// The direction of the last step; 0 before the first one.
     pub(crate) direction: i32,
@@ -42,7 +42,7 @@ impl<R: Real> StepStream<R> {
         Error::NotFinite.unless(now.is_finite() && steps.is_countable(now.position))?;
         steps.count = steps.line_below(now.position);
         steps.begin_at(0);
-        let (between, reversal, last) = (R::ZERO, R::ZERO, -period);
+        let (between, reversal, last) = (R::ZERO, R::ZERO, period);
         Ok(Self { period, between, reversal, last, direction: 0, steps, phase: Phase::default(), end: now })
     }
 
