@@ -9,6 +9,7 @@ use super::problem::Problem;
 use super::write::Writer;
 use crate::findings::{Error, Findings};
 use crate::interval::profile::Segment;
+use crate::interval::rounding::of_formula;
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
@@ -132,9 +133,16 @@ impl<R: Real> Approach<'_, R> {
         let left = self.left();
         left.are_limits().ok()?;
         let positions = self.from.position.abs() + self.signal.position.abs();
-        let problem = Problem::new(&left, self.distance(), State::at(R::ZERO)).with_positions(positions);
+        let distance = self.distance();
         let mut planned = Move::default();
-        problem.write(&mut planned, &problem.fastest()).ok()?;
+        // An axis that comes to rest within 8 ulps of the signal stays: where a tick's way is a rounding error, it would set off again and again.
+        if State::at(distance.position) == distance && distance.position.abs() <= of_formula(positions + positions) {
+            planned.stay(distance);
+        } else {
+            let problem =
+                Problem::new(&left, distance, State::at(R::ZERO)).with_positions(R::HALF * R::HALF * positions);
+            problem.write(&mut planned, &problem.fastest()).ok()?;
+        }
         let is_uniform = self.signal.acceleration == R::ZERO && self.signal.jerk == R::ZERO;
         let arrives = planned.t <= self.horizon;
         planned.cut(if is_uniform { planned.t.at_least(self.horizon) } else { self.horizon });
