@@ -1,7 +1,4 @@
 //! The curve of a row of points, a cubic spline by the length of its arcs, and the limits of a motion along it.
-//!
-//! Before the first step the curve stands in tables of the steps: the lengths in `gradient_t`, slopes and bends in `diagonal`, the measures of
-//! the axes in `step`, the highest speeds in `mixed`, and which share of them is taken in `of_durations`.
 
 use core::ops::Range;
 
@@ -34,13 +31,13 @@ impl<R: Real> Chain<'_, '_, R> {
         for axis in 0..self.axes {
             let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
             let least = limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)));
-            self.memory.step.put(axis, least);
+            self.memory.rows_mut().measure.put(axis, least);
         }
     }
 
     /// A quantity of an axis, by its measure.
     pub fn part(&self, axis: usize, of: R) -> R {
-        let measure = self.memory.step.at(axis);
+        let measure = self.memory.rows().measure.at(axis);
         if measure > R::ZERO { of / measure } else { R::ZERO }
     }
 
@@ -72,7 +69,7 @@ impl<R: Real> Chain<'_, '_, R> {
     pub fn lay_curve(&mut self, row: Range<usize>) {
         for section in row.clone() {
             let chord = self.chord(section);
-            self.memory.gradient_t.put(section, chord);
+            self.memory.rows_mut().arc.put(section, chord);
         }
         // An arc is longer than its chord by a 24th of the square of its angle: half of it for the bend at each end.
         for point in row.start + 1..row.end {
@@ -80,7 +77,7 @@ impl<R: Real> Chain<'_, '_, R> {
             for section in [point - 1, point] {
                 let chord = self.chord(section);
                 let angle = bend * chord;
-                self.memory.gradient_t.add(section, [angle * angle * chord / R::from(48)]);
+                self.memory.rows_mut().arc.add(section, [angle * angle * chord / R::from(48)]);
             }
         }
         for axis in 0..self.axes {
@@ -94,8 +91,8 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Makes the bends of a row limit no speed.
     pub fn ignore_bends(&mut self, row: Range<usize>) {
         for state in row.start * self.axes..(row.end - 1) * self.axes {
-            let [slope, bend, _] = self.memory.diagonal.row(state);
-            self.memory.diagonal.set(state, [slope, bend, R::ZERO]);
+            let [slope, bend, _] = self.memory.rows().slope_and_bend.row(state);
+            self.memory.rows_mut().slope_and_bend.set(state, [slope, bend, R::ZERO]);
         }
     }
 
@@ -134,7 +131,7 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// The length of a section along the curve.
     pub fn arc(&self, section: usize) -> R {
-        self.memory.gradient_t.at(section)
+        self.memory.rows().arc.at(section)
     }
 
     #[inline(never)] // for its size: it is asked in several places
@@ -145,7 +142,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Sets the slope of the curve at a point, and its second derivative, which limits the speed.
     fn set_slope_and_bend(&mut self, point: usize, axis: usize, [slope, bend]: [R; 2]) {
         if let Some(before) = point.checked_sub(1) {
-            self.memory.diagonal.set(before * self.axes + axis, [slope, bend, bend]);
+            self.memory.rows_mut().slope_and_bend.set(before * self.axes + axis, [slope, bend, bend]);
         }
     }
 
@@ -153,7 +150,7 @@ impl<R: Real> Chain<'_, '_, R> {
     #[inline(never)] // for its size: it is asked in several places
     pub fn at_point(&self, point: usize, axis: usize) -> [R; 3] {
         let before = point.checked_sub(1);
-        before.map_or([R::ZERO; 3], |before| self.memory.diagonal.row(before * self.axes + axis))
+        before.map_or([R::ZERO; 3], |before| self.memory.rows().slope_and_bend.row(before * self.axes + axis))
     }
 
     /// The largest second derivative of the curve in a section that limits the speed, and the third one, without signs. The third one counts as 0
@@ -170,8 +167,8 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in row {
             let speeds = (0..self.axes).filter_map(|axis| self.highest_speed(axis, section).ok());
             let highest = speeds.fold(R::INFINITY, R::at_most);
-            self.memory.mixed.put(section, highest);
-            self.memory.of_durations.put(section, share);
+            self.memory.rows_mut().highest_speed.put(section, highest);
+            self.memory.rows_mut().share.put(section, share);
         }
     }
 
@@ -194,11 +191,11 @@ impl<R: Real> Chain<'_, '_, R> {
 
     /// At which share of its highest speed a section is passed: with the square of it of the acceleration, and with its cube of the jerk.
     fn share(&self, section: usize) -> R {
-        self.memory.of_durations.at(section)
+        self.memory.rows().share.at(section)
     }
 
     pub fn speed(&self, section: usize) -> R {
-        self.share(section) * self.memory.mixed.at(section)
+        self.share(section) * self.memory.rows().highest_speed.at(section)
     }
 
     /// The limits of a motion along some sections: what their bends leave of acceleration and jerk.
@@ -230,7 +227,7 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in sections {
             let share = self.share(section);
             let less = (R::ONE - share + R::HALF * R::HALF * R::SIXTEENTH).at_most(R::SIXTEENTH);
-            self.memory.of_durations.put(section, share - less * share);
+            self.memory.rows_mut().share.put(section, share - less * share);
         }
     }
 }

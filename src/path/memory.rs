@@ -92,15 +92,14 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub other: Plan<'a, R>,
     /// Only with three unknowns, as all tables of positions.
     pub tolerances: Column<'a, R>,
-    /// The step, section by section: of the states of all axes at its start, and of its duration. Those of the first start mean nothing. Before the steps the
-    /// measures of the axes.
+    /// The step, section by section: of the states of all axes at its start, and of its duration. Those of the first start mean nothing.
     pub step: Column<'a, R>,
     /// Displacements of the sections between the given points; in the first section after the recovery.
     pub displacements: Column<'a, R>,
     /// How long the recovery of each axis lasts in the first section, s.
     pub recovery_time: Column<'a, R>,
     pub bounds: Table<'a, R, 6>,
-    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`. Before the steps slopes and bends of a curve (`curve.rs`).
+    /// `D`: the blocks of the waypoints, as `vv`, `va`, `aa`.
     pub diagonal: Table<'a, R, 3>,
     /// The rest of `D`, with the offset `x`: `vx`, `ax`, `xx`.
     pub of_offsets: Table<'a, R, 3>,
@@ -111,18 +110,34 @@ pub(super) struct Memory<'a, R, const K: usize> {
     pub gradient: Table<'a, R, K>,
     /// Which section of the caller each one is.
     pub places: Column<'a, R>,
-    /// The weights of the sections' logarithms. Before the steps the speeds at points of a row (`rows.rs`).
+    /// The weights of the sections' logarithms.
     pub weights: Column<'a, R>,
-    /// The gradient by the durations. Before the steps the lengths of a curve.
+    /// The gradient by the durations.
     pub gradient_t: Column<'a, R>,
-    /// The second derivatives by each duration. Before the steps which share of its highest speed each section of a row takes.
+    /// The second derivatives by each duration.
     pub of_durations: Column<'a, R>,
-    /// The second derivatives by each duration and the next one. Before the steps the highest speeds along the sections of a row.
+    /// The second derivatives by each duration and the next one.
     pub mixed: Column<'a, R>,
     /// `G`: the part of `of_durations` that is never negative.
     pub convex_part: Column<'a, R>,
     /// The matrix, and then its factors: a row for each number of the step.
     pub band: Band<'a, R>,
+}
+
+/// The tables of rows of points, before the steps. They stand in tables of the steps, which are not needed yet: see [`Memory::rows`].
+pub(super) struct RowTables<Column, Rows> {
+    /// The length of each section along the curve.
+    pub arc: Column,
+    /// The highest speed along each section.
+    pub highest_speed: Column,
+    /// Which share of it is taken.
+    pub share: Column,
+    /// The speed at the end of each section, if the limits change there; else infinite.
+    pub boundary_speed: Column,
+    /// Slope and bend of each axis at each waypoint, and the bend that limits the speed.
+    pub slope_and_bend: Rows,
+    /// The unit of each axis.
+    pub measure: Column,
 }
 
 /// The most axes and the most sections. So a count of numbers stays within 32 bits, and a processor without a long product counts it.
@@ -148,6 +163,20 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
     pub fn diagonal(&self, row: usize) -> Tile<R, K> {
         let ([vv, va, aa], [vx, ax, xx]) = (self.diagonal.row(row), self.of_offsets.row(row));
         tile([[vv, va, vx], [va, aa, ax], [vx, ax, xx]])
+    }
+
+    /// The tables of rows, each in place of the table of the steps that stands before it here.
+    pub fn rows(&self) -> RowTables<&Column<'a, R>, &Table<'a, R, 3>> {
+        let Self { gradient_t: arc, mixed: highest_speed, of_durations: share, .. } = self;
+        let Self { weights: boundary_speed, diagonal: slope_and_bend, step: measure, .. } = self;
+        RowTables { arc, highest_speed, share, boundary_speed, slope_and_bend, measure }
+    }
+
+    /// The same tables as [`Memory::rows`].
+    pub fn rows_mut(&mut self) -> RowTables<&mut Column<'a, R>, &mut Table<'a, R, 3>> {
+        let Self { gradient_t: arc, mixed: highest_speed, of_durations: share, .. } = self;
+        let Self { weights: boundary_speed, diagonal: slope_and_bend, step: measure, .. } = self;
+        RowTables { arc, highest_speed, share, boundary_speed, slope_and_bend, measure }
     }
 
     /// The position of the state in row `row`, which is given at `position`. Rounding does not take it out of the tolerance.

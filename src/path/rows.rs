@@ -141,8 +141,8 @@ impl<R: Real> Chain<'_, '_, R> {
         false
     }
 
-    /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They stand in `weights`, which
-    /// are infinite at the other points, where the start could not stop yet or the end could not be reached from rest, and along one move.
+    /// Finds the highest speeds along a row at the points where its limits change: a pass ahead, and a pass back. They are infinite
+    /// at the other points, where the start could not stop yet or the end could not be reached from rest, and along one move.
     fn limit_speeds(&mut self, [start, end]: [State<R>; 2], row: Range<usize>, has_parts: bool) {
         let (mut first, mut speed, mut passed) = (row.start, start.velocity.at_least(R::ZERO), R::ZERO);
         let mut limits = self.limits_along(first..first + 1);
@@ -159,17 +159,17 @@ impl<R: Real> Chain<'_, '_, R> {
                     (first, limits, highest) = (point, next, speed);
                 }
             }
-            self.memory.weights.put(point - 1, highest);
+            self.memory.rows_mut().boundary_speed.put(point - 1, highest);
         }
         let mut last = row.end;
-        self.memory.weights.put(last - 1, end.velocity);
+        self.memory.rows_mut().boundary_speed.put(last - 1, end.velocity);
         speed = end.velocity.at_least(R::ZERO);
         for point in (row.start + 1..row.end).rev() {
-            let ahead = self.memory.weights.at(point - 1);
+            let ahead = self.memory.rows().boundary_speed.at(point - 1);
             if ahead.is_finite() {
                 let limits = self.limits_along(point..last).reversed();
                 speed = reached(&limits, self.length(point..last), speed).at_most(ahead);
-                self.memory.weights.put(point - 1, speed);
+                self.memory.rows_mut().boundary_speed.put(point - 1, speed);
                 last = point;
             }
         }
@@ -186,7 +186,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let (mut first, mut state, mut passes) = (row.start, start, true);
         for section in row.clone() {
             let point = section + 1;
-            let speed = self.memory.weights.at(section);
+            let speed = self.memory.rows().boundary_speed.at(section);
             if speed.is_finite() {
                 let sections = first..point;
                 let next = if point == row.end { end } else { State { velocity: speed, ..State::at(R::ZERO) } };
