@@ -64,8 +64,8 @@ impl<'a, R: Real> RateChange<'a, R> {
         Ok(Self { moves, limits, rate, length, least, kept_from: R::NAN })
     }
 
-    /// Writes the law to `time`, which is the motion as it would go on. It does so until a faster change is found.
-    pub fn law(mut self, time: &mut Move<R>) -> Result<Law<R>, Error> {
+    /// Plans the change in `time`, which is the motion as it would go on. It does so until a faster change is found.
+    pub fn plan(mut self, time: &mut Move<R>) -> Result<Law<R>, Error> {
         let from = time.start();
         if self.may_jump(from.position) {
             return self.leave(from.position, time);
@@ -137,12 +137,12 @@ impl<'a, R: Real> RateChange<'a, R> {
     }
 
     fn first_slow(&self, from: State<R>, time: &mut Move<R>) -> Result<(), Error> {
-        let [slowing, bending] = self.least;
+        let [acceleration, jerk] = self.least;
         for ratio in RATIOS {
             let mut scale = R::from(16);
             for _ in 0..SCALES {
-                let bending = R::SIXTEENTH * R::from(ratio) * bending * scale * scale;
-                let limits = [bending, bending, slowing * scale];
+                let jerk = R::SIXTEENTH * R::from(ratio) * jerk * scale * scale;
+                let limits = [jerk, jerk, acceleration * scale];
                 self.within(from, limits, time)?;
                 if self.keeps(time) {
                     return self.raise(from, time, limits);
@@ -197,31 +197,26 @@ impl<'a, R: Real> RateChange<'a, R> {
     /// The fastest change, which takes about as long as a stop, and whether one is found: not much longer than `most`.
     #[inline(never)] // for its stack
     fn fastest(&self, from: State<R>, stop: R, most: R, change: &mut Move<R>) -> Result<bool, Error> {
-        let [slowing, first] = self.limits_at(from.position);
+        let [acceleration, first_jerk] = self.limits_at(from.position);
         // Where the axes get faster meanwhile, the rate must bend less at the end.
-        let [_, last] = self.limits_at(from.position + R::HALF * (from.velocity + self.rate) * stop);
-        let last = last.at_most(first);
-        let [up, down] = if self.rate < from.velocity { [last, first] } else { [first, last] };
+        let [_, last_jerk] = self.limits_at(from.position + R::HALF * (from.velocity + self.rate) * stop);
+        let last_jerk = last_jerk.at_most(first_jerk);
+        let [up, down] = if self.rate < from.velocity { [last_jerk, first_jerk] } else { [first_jerk, last_jerk] };
         let mut shortest = most + R::HALF * most;
         let (mut time, mut best) = (Move::default(), None);
         for share in SHARES {
             let share = R::from(share) * R::SIXTEENTH * R::SIXTEENTH;
-            // From above: where the axes get faster, a slow change may be impossible and a fast one possible.
-            let (mut low, mut high) = (None, R::from(4));
-            for _ in 0..TRIALS {
-                let scale = low.map_or(R::HALF * high, |low: R| (low * high).sqrt());
-                let limits = [share * up, share * down, slowing * scale];
+            raise_scale(|scale| {
+                let limits = [share * up, share * down, acceleration * scale];
                 self.within(from, limits, &mut time)?;
                 let is_shorter = time.t < shortest;
-                if is_shorter && self.is_on_path(&time) && self.keeps(&time) {
-                    (shortest, best, low) = (time.t, Some(limits), Some(scale));
+                let passes = is_shorter && self.is_on_path(&time) && self.keeps(&time);
+                if passes {
+                    (shortest, best) = (time.t, Some(limits));
                     *change = time;
-                } else if is_shorter || low.is_some() {
-                    high = scale;
-                } else {
-                    break;
                 }
-            }
+                Ok([is_shorter, passes])
+            })?;
         }
         let Some(limits) = best else { return Ok(false) };
         self.raise(from, change, limits)?;
@@ -258,9 +253,9 @@ impl<'a, R: Real> RateChange<'a, R> {
         Ok(())
     }
 
-    /// The fastest change within limits of its own.
-    fn within(&self, from: State<R>, [up, down, slowing]: [R; 3], time: &mut Move<R>) -> Result<(), Error> {
-        let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, slowing, R::INFINITY) };
+    /// The fastest change within limits of its own: of its jerk up and down, and of its acceleration.
+    fn within(&self, from: State<R>, [up, down, acceleration]: [R; 3], time: &mut Move<R>) -> Result<(), Error> {
+        let limits = Limits { jmax: up, jmin: -down, ..Limits::symmetric(R::ONE, acceleration, R::INFINITY) };
         time.reach(&limits, from, self.rate, R::ZERO)?;
         time.begin_from(from.position);
         Ok(())
@@ -299,10 +294,29 @@ impl<'a, R: Real> RateChange<'a, R> {
 
 /// The lower of the least `A/|v|` and `J/|a|`, and the least `J/|v|`, of axes with these velocities and accelerations. Both are `most` at most.
 fn slowest<'a, R: Real + 'a>(most: [R; 2], axes: impl Iterator<Item = (R, R, &'a Limits<R>)>) -> [R; 2] {
-    axes.fold(most, |[slowing, bending], (v, a, limits)| {
+    axes.fold(most, |[acceleration, jerk], (v, a, limits)| {
         let [most_a, most_j] = [limits.amax.at_most(-limits.amin), limits.jmax.at_most(-limits.jmin)];
-        [slowing.at_most(most_a / v.abs()).at_most(most_j / a.abs()), bending.at_most(most_j / v.abs())]
+        [acceleration.at_most(most_a / v.abs()).at_most(most_j / a.abs()), jerk.at_most(most_j / v.abs())]
     })
+}
+
+/// Tries the scales 2, 1, 1/2, … until one passes, and then raises it: to the geometric mean of the highest one that passed and the lowest one above it
+/// that did not. From above, because where the axes get faster a slow change may be impossible and a fast one possible. `trial` says whether a change is
+/// shorter than those before, and whether it also passes. If it is not, a lower scale takes even longer.
+fn raise_scale<R: Real>(mut trial: impl FnMut(R) -> Result<[bool; 2], Error>) -> Result<(), Error> {
+    let (mut low, mut high) = (None, R::from(4));
+    for _ in 0..TRIALS {
+        let scale = low.map_or(R::HALF * high, |low: R| (low * high).sqrt());
+        let [is_shorter, passes] = trial(scale)?;
+        if passes {
+            low = Some(scale);
+        } else if is_shorter || low.is_some() {
+            high = scale;
+        } else {
+            break;
+        }
+    }
+    Ok(())
 }
 
 impl<R: Real> Move<R> {

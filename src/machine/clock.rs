@@ -109,7 +109,7 @@ impl<R: Real> Clock<R> {
             Some(stop) => stop,
             None => {
                 self.go_on(x, now, &mut time)?;
-                (change.law(&mut time)?, None)
+                (change.plan(&mut time)?, None)
             }
         };
         if x > self.begin {
