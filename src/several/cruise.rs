@@ -31,6 +31,13 @@ struct Side<R> {
     displacement: R,
 }
 
+/// The range that holds the velocity of a cruise.
+struct Bracket<R> {
+    low: R,
+    high: R,
+    is_end_asked: bool,
+}
+
 /// More rounds than the velocity of a cruise takes.
 const MOST_ROUNDS: u32 = 24;
 
@@ -50,18 +57,15 @@ impl<R: Real> Cruise<R> {
         guesses.into_iter().find_map(|guess| Self::near(border, &reversed, guess, h, t))
     }
 
-    /// The motion at a velocity that is as far from the guess as the axis cruises. There the slope of the displacement is positive. A step of
-    /// Newton's method fits a quadratic. The first step that leaves the range that holds the velocity becomes a step to its end, and each later
-    /// one becomes a halving of the range.
+    /// The motion at a velocity that is as far from the guess as the axis cruises. There the slope of the displacement is positive.
     fn near(border: &Border<R>, reversed: &Border<R>, guess: R, h: R, t: R) -> Option<Self> {
         let ends = border.v0.abs() + border.v1.abs();
         // The mean velocity of a ramp is at least a third of the cruise's, plus what its own end adds: a half, if both jerks are equal. So
         // the cruise is not faster.
         let fastest = R::from(3) * ((h / t).abs() + ends + border.eased);
-        let mut low = border.limits.vmin.at_least(-fastest);
-        let mut high = border.limits.vmax.at_most(fastest);
+        let [low, high] = [border.limits.vmin.at_least(-fastest), border.limits.vmax.at_most(fastest)];
         let mut v = guess.at_least(low).at_most(high);
-        let mut is_end_asked = false;
+        let mut bracket = Bracket { low, high, is_end_asked: false };
         for round in 0..MOST_ROUNDS {
             let cruise = Self::at(border, reversed, v, t);
             let beyond = cruise.displacement() - h;
@@ -73,24 +77,8 @@ impl<R: Real> Cruise<R> {
                 break;
             }
             let is_high = if cruises { beyond > R::ZERO } else { v > guess };
-            let end = if is_high { low } else { high };
-            let is_end = v == end;
-            if is_end {
-                // The velocity is between the end and the velocities before.
-            } else if is_high {
-                high = v;
-            } else {
-                low = v;
-            }
-            let next = v - cruise.step(beyond);
-            v = if cruises && !is_end && next > low && next < high {
-                next
-            } else if is_end_asked || !cruises {
-                low + R::HALF * (high - low)
-            } else {
-                is_end_asked = true;
-                end
-            };
+            let newton = cruises.then(|| v - cruise.step(beyond));
+            v = bracket.next(v, is_high, newton);
         }
         None
     }
@@ -143,6 +131,28 @@ impl<R: Real> Cruise<R> {
             (trough, off, end.per_jerk.gu * end.ramp.rise),
         ]
         .map(|(from, jerk, duration)| Segment { from, jerk, duration })
+    }
+}
+
+impl<R: Real> Bracket<R> {
+    /// The velocity to ask after `v`, which is too high or else too low: where a step of Newton's method leads, if there is one and it stays in the range. The
+    /// first step that leaves the range becomes a step to its end, and each later one a halving of the range.
+    fn next(&mut self, v: R, is_high: bool, newton: Option<R>) -> R {
+        let end = if is_high { self.low } else { self.high };
+        let is_end = v == end;
+        // If `v` is the end itself, the velocity is between it and the velocities before.
+        if !is_end {
+            *(if is_high { &mut self.high } else { &mut self.low }) = v;
+        }
+        let Self { low, high, .. } = *self;
+        match newton {
+            Some(newton) if !is_end && newton > low && newton < high => newton,
+            Some(_) if !self.is_end_asked => {
+                self.is_end_asked = true;
+                end
+            }
+            _ => low + R::HALF * (high - low),
+        }
     }
 }
 
