@@ -115,26 +115,31 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
     Error::NotFinite.unless(axis.is_finite())
 }
 
-/// Makes the move of an axis in motion, planned as fast as possible, last `t`.
+/// Makes the move of an axis in motion, planned as fast as possible, last `t`: by the first of these motions that exists.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
-    if t >= axis.t {
-        if let Some(cruise) = Cruise::of(problem, t) {
-            return cruise.write(problem, axis, t);
-        }
+    // The axis cruises.
+    let has_time = t >= axis.t;
+    if has_time && write_cruise(axis, problem, t) {
+        return;
     }
-    let is_possible = t >= axis.t && (may_wait(problem) || blend::next_duration(problem, t) <= t);
+    // If its problem does not take the duration, a problem that differs by rounding may: again the axis cruises, if it can.
+    let is_possible = has_time && (may_wait(problem) || blend::next_duration(problem, t) <= t);
     let problem = if is_possible { *problem } else { neighbour(problem, t).unwrap_or(*problem) };
-    let cruise = if is_possible { None } else { Cruise::of(&problem, t) };
-    if let Some(cruise) = cruise {
-        cruise.write(&problem, axis, t);
-    } else if let Some(blend) = Blend::of(&problem, t) {
+    if !is_possible && write_cruise(axis, &problem, t) {
+        return;
+    }
+    if let Some(blend) = Blend::of(&problem, t) {
         blend.write(&problem, axis, t);
-    } else if problem.to.is_at_rest() && t >= axis.t {
+    } else if problem.to.is_at_rest() && has_time {
         // Where rounding hides the wait from both, the axis waits at its target.
         axis.wait_until(t);
     } else {
         axis.shift_in_time(t);
     }
+}
+
+fn write_cruise<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
+    Cruise::of(problem, t).map(|cruise| cruise.write(problem, axis, t)).is_some()
 }
 
 #[cfg(test)]
