@@ -82,15 +82,24 @@ fn duration_inside<'a, R: Real + 'a>(
         return Ok(free);
     }
     let slowest = axes.clone().try_fold(free, |slowest, axis| Ok(slowest.at_least(axis.shortest()?)))?;
+    let t = after_delay(cycle, slowest, part, axes.clone())?;
+    // The delay is coarse. So an axis may have a shorter duration that all can take.
+    let durations = axes.clone().map(|axis| axis.shortest().unwrap_or(t));
+    Ok(cycle.earlier(t, slowest, durations, |t| {
+        axes.clone().all(|axis| axis.takes(t)) && all_inside(t, part, axes.clone()) == Ok(true)
+    }))
+}
+
+/// The duration after the first delay of `slowest` with which every axis can stay between its positions, s: none, the least one, or one that doubles.
+fn after_delay<'a, R: Real + 'a>(
+    cycle: &Cycle<R>, slowest: R, part: R, axes: impl ExactSizeIterator<Item = Within<'a, R>> + Clone,
+) -> Result<R, Error> {
     let next = |t: R| axes.clone().map(|axis| next_duration(&axis.task.problem(), t)).fold(t, R::at_least);
     let mut delay = R::ZERO;
     for _ in 0..=DOUBLINGS + 1 {
         let t = cycle.until_possible(axes.len(), slowest + delay, next)?;
         if all_inside(t, part, axes.clone())? {
-            let durations = axes.clone().map(|axis| axis.shortest().unwrap_or(t));
-            return Ok(cycle.earlier(t, slowest, durations, |t| {
-                axes.clone().all(|axis| axis.takes(t)) && all_inside(t, part, axes.clone()) == Ok(true)
-            }));
+            return Ok(t);
         }
         delay = if delay > R::ZERO { delay + delay } else { least_delay(slowest, axes.clone())? };
     }
