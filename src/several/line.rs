@@ -3,7 +3,7 @@
 use super::axis::{Task, checked, next_of_plan, stretch, takes};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
-use crate::interval::rounding::of_check;
+use crate::interval::rounding::{of_check, of_state};
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::online::problem::Problem;
@@ -96,13 +96,19 @@ impl<'a, R: Real + 'a> Line<R> {
 
     /// The distance, and what the velocities at both ends travel while the axis brakes. It does not vanish where the axis passes its target.
     fn reach(&self) -> R {
-        self.from.position.abs() + self.braking * (self.from.velocity.abs() + self.to.velocity.abs())
+        self.reach_of(&self.from, &self.to)
+    }
+
+    fn reach_of(&self, from: &State<R>, to: &State<R>) -> R {
+        (from.position - to.position).abs() + self.braking * (from.velocity.abs() + to.velocity.abs())
     }
 
     /// The slope of the five numbers of the axis (its displacement, and velocity and acceleration at both ends) on those of the lead, by least squares.
     /// Each number counts in units of its rounding error. The share is 0 if nothing moves.
     fn share(&self, from: &State<R>, to: &State<R>) -> Share<R> {
-        let own_positions = from.position.abs() + to.position.abs();
+        // The positions of a short axis round more on the scale of the lead.
+        let longer = (self.reach() / self.reach_of(from, to)).at_most(R::ONE / R::EPSILON);
+        let own_positions = longer * (from.position.abs() + to.position.abs());
         let positions = self.positions + self.reach() + own_positions;
         let (v, a) = self.highest;
         let numbers = [
@@ -150,14 +156,16 @@ impl<'a, R: Real + 'a> Line<R> {
         let (v, a) = self.highest;
         let is_straight = tasks.all(|Task { from, to, .. }| {
             let Share { times: share, rounding } = self.share(from, to);
-            let positions = from.position.abs() + to.position.abs() + share.abs() * (self.positions + self.reach());
+            // The lead's positions round less, relative to its reach. What is left is a jump at the start.
+            let positions = from.position.abs() + to.position.abs() + self.reach_of(from, to);
+            let is_level =
+                (from.position - to.position - share * self.from.position).abs() <= of_state(positions + positions);
             let agree = |x: R, y: R, scale: R| (x - share * y).abs() <= of_check(scale) + rounding * y.abs();
             let lies = |own: &State<R>, lead: &State<R>| {
                 agree(own.velocity, lead.velocity, own.velocity.abs() + share.abs() * v)
                     && agree(own.acceleration, lead.acceleration, own.acceleration.abs() + share.abs() * a)
             };
-            let displacement = from.position - to.position;
-            agree(displacement, self.from.position, positions) && lies(from, &self.from) && lies(to, &self.to)
+            is_level && lies(from, &self.from) && lies(to, &self.to)
         });
         if is_straight { Ok(()) } else { Err(Error::Line) }
     }
