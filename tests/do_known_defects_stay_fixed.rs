@@ -981,6 +981,17 @@ fn a_turn_within_a_tick_makes_steps() {
     assert_eq!(directions, [1, 1, -1, -1]);
 }
 
+/// From a hundredth of the rate it took 25 s to the full one, because a change was looked for at few places of so slow a motion.
+#[test]
+fn a_low_rate_is_left_at_once() {
+    let axis = [online::plan(&Limits::symmetric(20.0, 5.0, 1.0), State::at(0.0), State::at(1.0))];
+    let (limits, mut clock) = ([Limits::symmetric(25.0, 6.25, 1.25)], Clock::new());
+    for (from, rate) in [(0.0144721, 0.01), (76.52, 1.0)] {
+        clock.rate(&axis, &limits, from, rate).expect("a change");
+    }
+    assert!(clock.until() < 76.52 + 1.0, "{}", clock.until());
+}
+
 /// Rounded positions are nearer than both velocities tell, which agree: the axis steps one way.
 #[test]
 fn rounded_positions_turn_no_motor() {

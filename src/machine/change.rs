@@ -74,10 +74,17 @@ impl<'a, R: Real> RateChange<'a, R> {
         let is_kept = self.keeps_after(State { velocity: self.rate, ..from });
         self.kept_from = if is_kept { from.position } else { R::NAN };
         let stop = self.free_stop(from.position)?;
-        match self.faster_later(stop, time)? {
-            Some(law) => Ok(law),
-            None => self.slow(from, stop, time),
+        let Some(law) = self.faster_later(stop, time)? else { return self.slow(from, stop, time) };
+        // From a low rate the motion takes long to the places where a change is searched.
+        if self.rate.abs() > from.velocity.abs() && from.velocity != R::ZERO {
+            let mut slow = Move::default();
+            let sooner = self.slow(from, stop, &mut slow).ok().filter(|slow| slow.is_reached && slow.until < law.until);
+            if let Some(sooner) = sooner {
+                *time = slow;
+                return Ok(sooner);
+            }
         }
+        Ok(law)
     }
 
     /// A faster change, which may begin later; `stop` is the slowest axis' free stop. `None` if none is found and the motion cannot go on.
