@@ -52,7 +52,8 @@ pub unsafe extern "C" fn atraj_clock_start(ctx: *mut atraj_clock) {
 /// change can wait
 /// @return 0, or `ATRAJ_RATE_NOT_REACHED` if the path ends before; else an `atraj_error`: `ATRAJ_ERR_NULL` also if `n` or
 /// `sections` is 0, `ATRAJ_ERR_NOT_FINITE`, `ATRAJ_ERR_LIMITS`, `ATRAJ_ERR_LATE` if `time` is before the last change, or
-/// `ATRAJ_ERR_TARGET` if no change within the limits is found, or if the rate is negative and the path begins in motion
+/// `ATRAJ_ERR_TARGET` if the clock can neither change within the limits nor go on to the end of the path, or if the
+/// rate is negative and the path begins in motion
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_clock_rate(
     ctx: *mut atraj_clock, moves: *const atraj_move, limits: *const atraj_limits, n: usize, sections: usize,
