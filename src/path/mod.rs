@@ -191,22 +191,28 @@ impl<'a, R: Real> Request<'a, R> {
 
 impl<R: Real> Chain<'_, '_, R> {
     fn plan(&mut self, budget: NewtonBudget) -> Result<(), Error> {
-        self.stop_everywhere()?;
-        if self.sections > 1 {
-            let passes = self.pass_rows();
-            let first = self.duration();
-            if self.make_feasible(passes, budget)? {
-                self.shorten(budget, 0);
-            }
+        let passes = self.stop_or_pass()?;
+        if self.sections == 1 {
+            return Ok(());
+        }
+        let first = self.duration();
+        if self.make_feasible(passes, budget)? {
+            self.shorten(budget, 0);
+        }
+        self.promise()?;
+        let is_shorter = self.duration() < first;
+        if !is_shorter {
+            // The steps have overwritten the first plan.
+            self.stop_or_pass()?;
             self.promise()?;
-            let is_shorter = self.duration() < first;
-            if !is_shorter {
-                self.stop_everywhere()?;
-                self.pass_rows();
-                self.promise()?;
-            }
         }
         Ok(())
+    }
+
+    /// The first plan: it stops at every waypoint, or passes rows where this is shorter. Whether it passes any.
+    fn stop_or_pass(&mut self) -> Result<bool, Error> {
+        self.stop_everywhere()?;
+        Ok(self.sections > 1 && self.pass_rows())
     }
 
     /// Makes the first plan strictly feasible: the one that passes rows, made slower, or the one with stops. Whether it is.
