@@ -18,6 +18,13 @@ pub(crate) struct Displacement<R> {
     pub positions: R,
 }
 
+/// How often a duration that is not possible leads to a later one: on each side a displacement may become impossible once, and a gap may follow; and a
+/// gap may seem to end later.
+const MOST_DELAYS: u32 = 5;
+
+/// While the acceleration eases, a hold ends once at most.
+const EASING_PIECES: u32 = 2;
+
 /// What the displacement of a motion lacks.
 #[derive(Clone, Copy)]
 struct Shortfall<R> {
@@ -70,26 +77,26 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     }
     let direct = border.direct(beyond);
     let of_direct = shortfall(border, &direct, wanted);
-    let last_before_gap = match first_from(border, &direct, wanted.h, of_direct) {
-        Crossing::At(first) => return without_overshoot(border, first, &direct, of_direct.lacks, wanted),
+    let last_before_gap = match crossing_after_ramp(border, &direct, wanted.h, of_direct) {
+        Crossing::At(motion) => return without_overshoot(border, motion, &direct, of_direct.lacks, wanted),
         Crossing::GapAfter(last) => last.as_ramp(),
     };
     if shortfall(border, &last_before_gap, wanted).is_rounding() {
         return border.profile(&last_before_gap);
     }
     let after = border.after_gap();
-    let first = match first_from(border, &after, wanted.h, shortfall(border, &after, wanted)) {
-        Crossing::At(first) => first,
+    let motion = match crossing_after_ramp(border, &after, wanted.h, shortfall(border, &after, wanted)) {
+        Crossing::At(motion) => motion,
         Crossing::GapAfter(_) => border.profile(&after),
     };
     // The fastest ramp is the last one that is tried.
     let ramps = [&after, &last_before_gap, &direct];
-    let shorter = |first, ramp| without_overshoot(border, first, ramp, shortfall(border, ramp, wanted).lacks, wanted);
-    ramps.into_iter().fold(first, shorter)
+    let shorter = |motion, ramp| without_overshoot(border, motion, ramp, shortfall(border, ramp, wanted).lacks, wanted);
+    ramps.into_iter().fold(motion, shorter)
 }
 
 /// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only, whose shortfall is given.
-fn first_from<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>) -> Crossing<R> {
+fn crossing_after_ramp<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>) -> Crossing<R> {
     let lacks = shortfall.lacks;
     if shortfall.is_rounding() && shortfall.tie.is_finite() {
         let fitted = border.fitted(ramp, lacks).filter(|_| !ramp.is_straight());
@@ -99,7 +106,7 @@ fn first_from<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shor
     let axis = border.mirrored_if(mirrored);
     let mut base = axis.profile(&ramp.mirrored_if(mirrored));
     split_at_0(&axis, &mut base);
-    first_over(&axis, base, h.negate_if(mirrored), lacks.abs()).map(|profile| Profile { mirrored, ..profile })
+    crossing_after(&axis, base, h.negate_if(mirrored), lacks.abs()).map(|profile| Profile { mirrored, ..profile })
 }
 
 /// The motion, or the ramp, if the motion overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
@@ -146,8 +153,7 @@ pub(crate) fn next_duration<R: Real>(
     let after_gap = || border.passed(&border.after_gap()).duration;
     // At its end a gap may seem to be still ahead. A little later it does not.
     let later = |t: R, than: R| if t > than { t } else { than + of_state(than) };
-    // A displacement may become impossible once, and a gap may follow, on each side. A gap may seem to end later.
-    for _ in 0..5 {
+    for _ in 0..MOST_DELAYS {
         let mirrored = border.mirrored();
         let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
             // The fastest motion is below the shortest ramp, if its velocities are equal up to rounding.
@@ -167,14 +173,14 @@ pub(crate) fn next_duration<R: Real>(
         } else {
             return t;
         };
-        let first = match first_over(&axis, base, h, lacks) {
+        let next = match crossing_after(&axis, base, h, lacks) {
             Crossing::GapAfter(last) if h - axis.displacement(&last) > tie => None,
-            Crossing::At(first) | Crossing::GapAfter(first) => Some(first.duration(axis.per_jerk)),
+            Crossing::At(motion) | Crossing::GapAfter(motion) => Some(motion.duration(axis.per_jerk)),
         };
         // Rounding can yield a spurious motion just after the gap begins. The real one lies before the gap.
-        let is_before = |first: R| first < t - of_formula(t);
-        t = match first {
-            Some(first) if !is_before(first) => first,
+        let is_before = |next: R| next < t - of_formula(t);
+        t = match next {
+            Some(next) if !is_before(next) => next,
             // With an infinite jerk this time is inaccurate, and can fake a gap that has ended.
             _ => later(after_gap(), t),
         };
@@ -199,7 +205,7 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
 
 /// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in
 /// the middle of the motion.
-fn first_over<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
+fn crossing_after<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
     let keeps_sign = base.trough > R::ZERO || base.peak < R::ZERO;
     let found = if keeps_sign { before_gap(border, base, lacks) } else { Err((base, lacks)) };
     found.unwrap_or_else(|(base, lacks)| Crossing::At(turning(border, base, h, lacks)))
@@ -216,11 +222,10 @@ fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Result
 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
 fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Result<Crossing<R>, Lacking<R>> {
-    // A hold ends once at most.
-    for _ in 0..2 {
+    for _ in 0..EASING_PIECES {
         let piece = Piece::of(border, &base, base.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
-        match piece.first_over(lacks, end, false) {
+        match piece.find_crossing(lacks, end, false) {
             Ok(x) => return Ok(Crossing::At(piece.profile(x))),
             Err(beyond) => lacks = beyond,
         }
@@ -257,7 +262,7 @@ fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R
         let piece = Piece::of(border, &base, false);
         let end = until_hold(border, &base);
         if end > R::ZERO {
-            match piece.first_over(lacks, end, true) {
+            match piece.find_crossing(lacks, end, true) {
                 Ok(x) => return piece.profile(x),
                 Err(beyond) => lacks = beyond,
             }
@@ -299,7 +304,7 @@ fn holding<R: Real>(border: &Border<R>, mut base: Profile<R>, lacks: R) -> Profi
     base.peak = border.limits.amax;
     let piece = Piece::of(border, &base, true);
     let end = (base.trough - border.limits.amin).at_least(R::ZERO);
-    match piece.first_over(lacks, end, true) {
+    match piece.find_crossing(lacks, end, true) {
         Ok(x) => piece.profile(x),
         Err(lacks) => both_hold(border, piece.profile(end), lacks),
     }

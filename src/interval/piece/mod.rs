@@ -59,7 +59,7 @@ impl<R: Real> Piece<R> {
 
     /// Where the displacement is `lacks` for the first time; else what it lacks at `end`. `turns`: the acceleration changes its sign in the
     /// middle of the motion. Then the displacement is convex wherever it rises.
-    pub fn first_over(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
+    pub fn find_crossing(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
         let beyond_at = |x| {
             let (displacement, slope) = self.displacement(x);
             (displacement - lacks, slope)
