@@ -1,4 +1,4 @@
-//! Bounds of sums and products of quantities that change together: how [`super::clock`] proves that a change of the rate keeps the limits.
+//! Bounds of sums and products of quantities that change together: how [`super::change`] proves that a change of the rate keeps the limits.
 
 use crate::online::Phase;
 use crate::real::Real;
