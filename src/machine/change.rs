@@ -5,7 +5,7 @@
 use super::enclosure::Enclosure;
 use super::sections::{AxisPath, start_at_rest, time_of_rest};
 use crate::findings::Error;
-use crate::interval::rounding::of_formula;
+use crate::interval::rounding::{of_check, of_formula};
 use crate::limits::Limits;
 use crate::online::{Move, Phase};
 use crate::real::Real;
@@ -271,7 +271,7 @@ impl<'a, R: Real> RateChange<'a, R> {
     /// Whether the time stays between the ends of the path.
     fn is_on_path(&self, time: &Move<R>) -> bool {
         let extremes = time.extremes();
-        let rounding = R::DOUBT * self.axis(0).duration();
+        let rounding = of_check(self.axis(0).duration());
         extremes.lowest.position >= -rounding && extremes.highest.position <= self.length + rounding
     }
 

@@ -6,6 +6,7 @@ use super::clock::Clock;
 use super::handover::{Handover, Moment, at};
 use super::sections::{AxisPath, are_whole, duration, time_of_rest};
 use crate::findings::{Error, Findings};
+use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::online::{Move, are_in_order};
 use crate::real::Real;
@@ -393,7 +394,7 @@ impl<R: Real> InForce<'_, '_, R> {
 
     /// Whether the axes are on a path at its time `s`, at this rate.
     fn is_at(&self, moves: &[Move<R>], s: R, rate: R) -> bool {
-        let near = |x: R, y: R, slope: R| (x - y).abs() <= R::DOUBT * (y.abs() + slope.abs() * (s + self.x));
+        let near = |x: R, y: R, slope: R| (x - y).abs() <= of_check(y.abs() + slope.abs() * (s + self.x));
         let mut states = self.states.iter().enumerate();
         states.all(|(index, now)| {
             let axis = |moves| AxisPath::new(moves, self.states.len(), index);

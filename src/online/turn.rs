@@ -7,7 +7,7 @@
 use super::motion::Move;
 use super::problem::Problem;
 use crate::findings::Error;
-use crate::interval::rounding::of_formula;
+use crate::interval::rounding::{of_check, of_formula};
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
@@ -94,7 +94,7 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
     let fallen = root(a * a - (v + v) * limits.jmin);
     let kept = (-(limits.vmin + limits.vmin) * limits.jmax).sqrt();
     let (hardest, mut soft) = ((-fallen.at_most(kept)).at_least(limits.amin), -eased);
-    let rounding = R::DOUBT * (from.position.abs() + highest.abs());
+    let rounding = of_check(from.position.abs() + highest.abs());
     let leaves = |acceleration: R| after(acceleration).position > highest + rounding;
     // If it is too hard by a rounding error, the axis speeds up first, for the root of this error, and turns as much farther.
     let mut hard = [hardest, hardest - of_formula(hardest)].into_iter().find(|&hard| !leaves(hard))?;

@@ -4,7 +4,7 @@ use super::motion::{MOST_PHASES, Move};
 use super::phase::Phase;
 use crate::findings::Error;
 use crate::interval::profile::Segment;
-use crate::interval::rounding::of_formula;
+use crate::interval::rounding::{of_check, of_formula};
 use crate::real::Real;
 use crate::state::State;
 
@@ -98,7 +98,7 @@ impl<R: Real> Move<R> {
         for phase in later.iter_mut().take(self.count as usize) {
             let [own, other] = [phase.acceleration, signal.acceleration(phase.start)];
             let (sum, led) = (own + other, before.acceleration(before.duration));
-            let is_step = (sum - led).abs() > R::DOUBT * (own.abs() + other.abs());
+            let is_step = (sum - led).abs() > of_check(own.abs() + other.abs());
             phase.position = before.position(before.duration);
             phase.velocity = before.velocity(before.duration);
             phase.acceleration = if is_step { sum } else { led };

@@ -6,6 +6,7 @@
 use super::chain::{Chain, total};
 use super::steps::NewtonBudget;
 use crate::findings::Error;
+use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::real::Real;
 
@@ -105,7 +106,7 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in 0..self.sections {
             let duration = self.given(section, given)?;
             let least = self.shortest(section, duration)?;
-            let is_kept = duration == R::ZERO || least <= duration + R::DOUBT * duration;
+            let is_kept = duration == R::ZERO || least <= duration + of_check(duration);
             is_possible = is_possible && (is_kept || section == 0 && self.is_left(given));
             let taken = if duration == R::ZERO { least } else { duration };
             self.memory.plan.durations.put(section, taken);
@@ -120,11 +121,11 @@ impl<R: Real> Chain<'_, '_, R> {
     fn is_left(&self, given: &[R]) -> bool {
         let Ok(duration) = self.given(0, given) else { return false };
         let all = total(given);
-        let clock = R::DOUBT * all;
+        let clock = of_check(all);
         (0..self.axes).all(|axis| {
             let points = 0..self.request.sections + 1;
             let farthest = points.map(|point| self.request.state(point, axis).position.abs());
-            let position = R::DOUBT * farthest.fold(R::ZERO, R::at_least);
+            let position = of_check(farthest.fold(R::ZERO, R::at_least));
             let limits = self.limits(0, axis).map(|limits| with_errors(limits, duration, all, [position, clock]));
             limits.is_ok_and(|limits| self.upper(&limits, (0, axis), duration).has_slack())
         })
