@@ -4,8 +4,7 @@ use crate::findings::Error;
 use crate::real::Real;
 use crate::state::State;
 
-/// What an axis can do. The highest values are above 0, the lowest ones below 0. An infinite limit is no limit.
-/// A jerk, or both accelerations, are finite.
+/// What an axis can do. The highest values are above 0, the lowest ones below 0. An infinite limit is no limit. A jerk, or both accelerations, are finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Limits<R> {

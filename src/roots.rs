@@ -56,9 +56,8 @@ pub(crate) fn root_near<R: Real>(mut low: R, mut high: R, mut x: R, mut before: 
         let next = if is_newton { newton } else { low + R::HALF * (high - low) };
         let step = (next - x).abs();
         x = next;
-        // As above, but a step may be small by chance: where the function bends the other way, or after a bisection. So the next Newton
-        // step is predicted from the last three: by the larger one of both factors between a step and the square of the step before. A bisection
-        // predicts nothing.
+        // As above, but a step may be small by chance: where the function bends the other way, or after a bisection. So the next Newton step is predicted
+        // from the last three: by the larger one of both factors between a step and the square of the step before. A bisection predicts nothing.
         let shrinks = (step / before).at_most(R::ONE);
         let foretold = if is_newton { step * shrinks * shrinks.at_least(shrank * shrank) } else { step };
         if foretold <= R::EPSILON * x {

@@ -28,8 +28,7 @@ pub(crate) trait Sampled<R: Real, const QUANTITIES: usize, const BORDERS: usize>
     fn fill(&self, run: Run<'_, R, QUANTITIES>);
 }
 
-/// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases. A loop over such a value has
-/// no branches.
+/// `$value` with the constant `$PHASE` in the place of `$phase`, compiled for each of these phases. A loop over such a value has no branches.
 macro_rules! in_phase {
     ($phase:expr, $PHASE:ident of $($name:ident)+ => $value:expr) => {
         match $phase {
@@ -100,8 +99,7 @@ impl<R: Real> Sweep<R> {
     /// It does not pay to look for runs in fewer samples.
     const FEW: i32 = 32;
 
-    /// Fills every output to its end, run by run; the number of samples. Where too few samples are alike for a loop, it takes
-    /// them one by one.
+    /// Fills every output to its end, run by run; the number of samples. Where too few samples are alike for a loop, it takes them one by one.
     ///
     /// The last run comes first, and each run begins a few samples early, where vectors are aligned. The next run overwrites
     /// these samples. A store across cache lines would cost more.

@@ -1,8 +1,7 @@
 //! Tables of numbers in the memory of the caller.
 
-use core::ops::Range;
-
 use crate::real::Real;
+use core::ops::Range;
 
 /// A table with `W` numbers a row. A row that is not there has zeros, and is not written.
 pub(crate) struct Table<'a, R, const W: usize>(pub(crate) &'a mut [R]);

@@ -112,8 +112,7 @@ impl Profile {
         warnings
     }
 
-    /// The right motion from `start` to rest at the target. Its setpoints are finite if no argument exceeds
-    /// [`LARGEST`](super::LARGEST).
+    /// The right motion from `start` to rest at the target. Its setpoints are finite if no argument exceeds [`LARGEST`](super::LARGEST).
     pub fn plan_corrected(&mut self, start: State<f64>, target: Target) -> Warnings {
         let (limits, warnings) = limited(target);
         self.clear_phases(start, target.position);
@@ -162,8 +161,7 @@ impl Profile {
         State { position, velocity, acceleration }
     }
 
-    /// Whether the motion has ended at time `t`. A NaN is after the end. The listing may plan a phase that ends at a NaN; the motion
-    /// skips such a phase.
+    /// Whether the motion has ended at time `t`. A NaN is after the end. The listing may plan a phase that ends at a NaN; the motion skips such a phase.
     pub fn is_over(&self, t: f64) -> bool {
         !(t < 0.0 || [self.t1, self.t2, self.tf].iter().any(|&end| t <= end))
     }
@@ -240,8 +238,7 @@ impl Profile {
         true
     }
 
-    /// Stops beyond the target and comes back, towards `direction`. The axis is too fast to stop before the target, or moves away
-    /// from it.
+    /// Stops beyond the target and comes back, towards `direction`. The axis is too fast to stop before the target, or moves away from it.
     fn return_to_target(&mut self, direction: f64, limits: Target) {
         let cruise = self.plan_ramps(direction, limits);
         let v0 = self.start.velocity;
@@ -277,8 +274,7 @@ impl Profile {
         0.5 * (sq(velocity) - sq(v0)) / self.acceleration + p0
     }
 
-    /// Time at which a motion without cruise switches from acceleration to deceleration, s: the positive root, if the other root is
-    /// negative.
+    /// Time at which a motion without cruise switches from acceleration to deceleration, s: the positive root, if the other root is negative.
     fn switching_time(&self) -> Option<f64> {
         let (a, d) = (self.acceleration, self.deceleration);
         let State { position: p0, velocity: v0, .. } = self.start;

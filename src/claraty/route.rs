@@ -31,8 +31,7 @@ pub struct Target {
     pub deceleration: f64,
 }
 
-/// Positions that the axis visits in order, with rest at each. Like a [`Target`] they are relative to the start of the
-/// trajectory.
+/// Positions that the axis visits in order, with rest at each. Like a [`Target`] they are relative to the start of the trajectory.
 #[derive(Clone, Copy, Debug)]
 pub struct Waypoints<'w> {
     positions: &'w [f64],

@@ -112,8 +112,7 @@ impl<'w> Trajectory<'w> {
         warnings
     }
 
-    /// Forgets the motion and sets the timer to zero. The last profile stays readable. If `now` is not finite, the timer goes on
-    /// unchanged.
+    /// Forgets the motion and sets the timer to zero. The last profile stays readable. If `now` is not finite, the timer goes on unchanged.
     pub fn reset(&mut self, now: f64) {
         self.started = false;
         self.restart(now);
@@ -155,8 +154,7 @@ impl<'w> Trajectory<'w> {
         self.duration
     }
 
-    /// The profile of the last start or stop. Along waypoints it is the profile of the leg last looked at, and its times count from
-    /// the start of this leg.
+    /// The profile of the last start or stop. Along waypoints it is the profile of the leg last looked at, and its times count from the start of this leg.
     pub fn profile(&self) -> &Profile {
         &self.profile
     }

@@ -9,9 +9,8 @@ use crate::state::{Boundary, Saturation, dips};
 impl<R: Real> Bell<R> {
     /// Plans the fastest move there is within the magnitudes of `jerk`, `acceleration` and `velocity`; their signs are ignored.
     ///
-    /// Boundary velocities beyond `±velocity` are limited to it. An infinite limit is no limit.
-    /// A jerk, or both accelerations, are finite. A target behind the axis, or nearer than it can stop, is reached by turning back. A move without
-    /// displacement and without velocity has the duration 0.
+    /// Boundary velocities beyond `±velocity` are limited to it. An infinite limit is no limit. A jerk, or both accelerations, are finite. A target behind
+    /// the axis, or nearer than it can stop, is reached by turning back. A move without displacement and without velocity has the duration 0.
     ///
     /// [`Error::Limits`] if a limit is 0, or these are all infinite; [`Error::NotFinite`] if an argument is not a
     /// number, or a position or the duration infinite; nothing else fails.
@@ -53,8 +52,7 @@ impl<R: Real> Bell<R> {
         if lasts && bell.t.is_finite() { Ok(bell) } else { Err(Error::NotFinite) }
     }
 
-    /// The shortest jerk part that the clock of a move of this duration resolves. A shorter one would show as a spike in the
-    /// evaluated acceleration.
+    /// The shortest jerk part that the clock of a move of this duration resolves. A shorter one would show as a spike in the evaluated acceleration.
     fn shortest_part(duration: R) -> R {
         R::from(8) * R::EPSILON * duration
     }

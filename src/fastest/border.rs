@@ -1,5 +1,4 @@
 //! The motion of a given duration that covers the largest displacement, and the first such motion that covers the wanted one.
-//!
 //! `docs/planner.md` has the theory: the fastest motion over a displacement lies on such a border. The motion on the upper border accelerates,
 //! then decelerates: jerk up, (hold), jerk down, (hold), jerk up. The lower border is the upper border of the mirrored axis.
 //!
@@ -63,8 +62,7 @@ impl<R: Real> ScaledBorder<R> {
         ([up, down], self.v0 * (up.t + down.t) + change)
     }
 
-    /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below the `direct` one. The
-    /// peak velocity has no limit.
+    /// The two ramps of the first motion on the border that covers the displacement `h`, which is not below `direct`. The peak velocity has no limit.
     pub fn first_over(&self, h: R, direct: R) -> [ScaledRamp<R>; 2] {
         // As the duration grows, the ramp with the larger change of velocity holds the limit first, and later the other one too.
         let up_first = self.dv >= R::ZERO;

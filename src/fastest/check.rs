@@ -12,8 +12,7 @@ impl<R: Real> Bell<R> {
     /// Examines the move against the magnitudes of `jerk`, `acceleration` and `velocity`; an infinite limit is no limit. Any plan may
     /// be examined, a plan of the C library's too. [`Error::NotFinite`] if a field is not finite or a limit is NaN.
     ///
-    /// Up to 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration
-    /// and jerk.
+    /// Up to 64 ulps are allowed: of |p| + |v| T for positions, of |v| + |a| T for velocities, of the limits for acceleration and jerk.
     ///
     /// ```
     /// use atraj::{Bell, Boundary, Findings};

@@ -78,9 +78,8 @@ impl<R: Real> Trap<R> {
     }
 }
 
-/// Durations of two ramps that meet at their highest velocity and together cover the displacement `h`: the first one from the
-/// velocity `v` at the acceleration `first`, the second one to the velocity `end` at the deceleration `second`. The duration of the first
-/// ramp is the root of a quadratic.
+/// Durations of two ramps that meet at their highest velocity and together cover the displacement `h`: the first one from the velocity `v` at the
+/// acceleration `first`, the second one to the velocity `end` at the deceleration `second`. The duration of the first ramp is the root of a quadratic.
 fn meeting_ramps<R: Real>(h: R, [v, end]: [R; 2], first: R, second: R) -> [R; 2] {
     let (ratio, dv) = (first / second, end - v);
     let offset = dv / second;

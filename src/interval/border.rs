@@ -140,8 +140,7 @@ impl<R: Real> Border<R> {
         if speed > R::ZERO { of_end + of_end } else { R::ZERO }
     }
 
-    /// The fastest change of velocity: the direct ramp. Its duration allows no other displacement. The argument comes from
-    /// [`Border::beyond_straight`].
+    /// The fastest change of velocity: the direct ramp. Its duration allows no other displacement. The argument comes from [`Border::beyond_straight`].
     pub fn direct(&self, beyond: R) -> Ramp<R> {
         // Where both accelerations point against the ramp, the least ramp is a long one. A rounding is no reason for such a ramp.
         let against = self.a0 * beyond < R::ZERO && self.a1 * beyond < R::ZERO;
@@ -157,8 +156,7 @@ impl<R: Real> Border<R> {
         self.passed(&self.direct(self.beyond_straight())).duration
     }
 
-    /// How much faster the start is to be for the direct ramp to last `t`; 0 if it lasts no longer, or if a check sees the step at the
-    /// start.
+    /// How much faster the start is to be for the direct ramp to last `t`; 0 if it lasts no longer, or if a check sees the step at the start.
     pub fn faster_for(&self, t: R) -> R {
         let direct = self.direct(self.beyond_straight());
         let shorter = t - self.passed(&direct).duration;
@@ -263,8 +261,7 @@ impl<R: Real> Border<R> {
         }
     }
 
-    /// The motion of the duration `t` that covers the largest displacement. `None` if the end cannot be reached in this duration, which is not below that of
-    /// the direct ramp.
+    /// The motion of the duration `t`, not below that of the direct ramp, that covers the largest displacement. `None` if it cannot reach the end.
     pub fn farthest(&self, t: R) -> Option<Profile<R>> {
         let straight = self.profile(&Ramp::straight(self.a0, self.a1));
         let waits = t - straight.duration(self.per_jerk);

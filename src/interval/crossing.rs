@@ -18,10 +18,8 @@ pub(crate) struct Displacement<R> {
     pub positions: R,
 }
 
-/// How often a duration that is not possible leads to a later one: on each side a displacement may become impossible once, and a gap may follow; and a
-/// gap may seem to end later.
+/// How often a duration leads to a later one: on each side a displacement may become impossible once, and a gap may follow. A gap may seem to end later.
 const MOST_DELAYS: u32 = 5;
-
 /// While the acceleration eases, a hold ends once at most.
 const EASING_PIECES: u32 = 2;
 
@@ -203,8 +201,7 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
     }
 }
 
-/// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in
-/// the middle of the motion.
+/// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in mid-motion.
 fn crossing_after<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
     let keeps_sign = base.trough > R::ZERO || base.peak < R::ZERO;
     let found = if keeps_sign { before_gap(border, base, lacks) } else { Err((base, lacks)) };

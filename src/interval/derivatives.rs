@@ -1,5 +1,4 @@
 //! The derivatives of the displacement on the border by velocity and acceleration at both ends, and by the duration.
-//!
 //! `docs/path-theory.md` has the tables, in "Its derivatives". Letters without a variable of that name are given in comments.
 
 use super::border::Border;
@@ -15,8 +14,7 @@ pub(crate) struct Derivatives<R> {
 }
 
 impl<R: Real> Border<R> {
-    /// The derivatives of the displacement of a motion on this border by the numbers of the axis. `sign` is -1 if the border is that of the
-    /// mirrored axis, else 1.
+    /// The derivatives of the displacement of a motion on this border by the numbers of the axis. `sign` is -1 on that of the mirrored axis, else 1.
     pub fn derivatives(&self, profile: &Profile<R>, sign: R) -> Derivatives<R> {
         if profile.cruise > R::ZERO {
             self.derivatives_of_cruise(profile, sign)

@@ -1,13 +1,10 @@
-//! Changes of velocity by way of one acceleration, and what a jerk changes.
-//!
-//! `docs/planner.md` has the letters: `gu`, `gd` and `q`.
+//! Changes of velocity by way of one acceleration, and what a jerk changes. `docs/planner.md` has the letters: `gu`, `gd` and `q`.
 
 use crate::limits::Limits;
 use crate::real::Real;
 use crate::roots::larger_root;
 
-/// The durations in which the acceleration changes by 1: the reciprocals of the jerks, in seconds per unit of acceleration. A duration of 0
-/// belongs to an infinite jerk.
+/// The durations in which the acceleration changes by 1: the reciprocals of the jerks, in seconds per unit of acceleration; 0 if the jerk is infinite.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PerJerk<R> {
     /// Of a rise.

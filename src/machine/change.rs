@@ -1,6 +1,4 @@
-//! How the clock of a path goes to another rate: a few changes in a row, each proved to keep the limits of all axes.
-//!
-//! `docs/machine.md` has the theory.
+//! How the clock of a path goes to another rate: a few changes in a row, each proved to keep the limits of all axes. `docs/machine.md` has the theory.
 
 use super::enclosure::Enclosure;
 use super::sections::{AxisPath, start_at_rest, time_of_rest};
@@ -219,8 +217,7 @@ impl<'a, R: Real> RateChange<'a, R> {
                 let is_shorter = time.t < shortest;
                 let passes = is_shorter && self.is_on_path(&time) && self.keeps(&time);
                 if passes {
-                    (shortest, best) = (time.t, Some(limits));
-                    *change = time;
+                    (shortest, best, *change) = (time.t, Some(limits), time);
                 }
                 Ok([is_shorter, passes])
             })?;
@@ -314,13 +311,10 @@ fn raise_scale<R: Real>(mut trial: impl FnMut(R) -> Result<[bool; 2], Error>) ->
     let (mut low, mut high) = (None, R::from(4));
     for _ in 0..TRIALS {
         let scale = low.map_or(R::HALF * high, |low: R| (low * high).sqrt());
-        let [is_shorter, passes] = trial(scale)?;
-        if passes {
-            low = Some(scale);
-        } else if is_shorter || low.is_some() {
-            high = scale;
-        } else {
-            break;
+        match trial(scale)? {
+            [_, true] => low = Some(scale),
+            [is_shorter, _] if is_shorter || low.is_some() => high = scale,
+            _ => break,
         }
     }
     Ok(())

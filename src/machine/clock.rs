@@ -1,6 +1,4 @@
-//! The clock of a path: hold, override and reverse a planned set of moves, on their path.
-//!
-//! `docs/machine.md` has the theory.
+//! The clock of a path: hold, override and reverse a planned set of moves, on their path. `docs/machine.md` has the theory.
 
 use super::change::RateChange;
 use super::lead;

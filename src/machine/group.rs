@@ -203,10 +203,9 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         Self(group)
     }
 
-    /// Each motion that is planned from now on stays between two positions of each axis until its end, up to 128 ulps: the lowest ones and the
-    /// highest ones. An infinite position is no limit, and empty lists are none. A line, path or change of the rate that would leave them is
-    /// [`Error::Position`], and so
-    /// is a target if no motion to it stays between them. An axis that cannot stop between them stops as fast as it can.
+    /// Each motion that is planned from now on stays between two positions of each axis until its end, up to 128 ulps: the lowest ones and the highest
+    /// ones. An infinite position is no limit, and empty lists are none. A line, path or change of the rate that would leave them is [`Error::Position`],
+    /// and so is a target if no motion to it stays between them. An axis that cannot stop between them stops as fast as it can.
     ///
     /// [`Error::Axes`] if a list does not have one element for each axis; [`Error::NotFinite`] if a position is not a number; [`Error::Limits`] if the
     /// lowest is not below the highest. Then the positions stay as they are.

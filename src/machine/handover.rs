@@ -139,9 +139,8 @@ impl Handover {
         Moment { place: now.place(), age }
     }
 
-    /// The main loop, before it plans: where to plan to, and from where. The new move takes over after `lead` ticks. If a move waits for
-    /// its tick, the new one replaces it, and takes over in that tick or earlier. `None` if `lead` is 0 or half of the counter's range,
-    /// or if the interrupt may be deciding.
+    /// The main loop, before it plans: where to plan to, and from where. The new move takes over after `lead` ticks. If a move waits for its tick, the new
+    /// one replaces it, and takes over in that tick or earlier. `None` if `lead` is 0 or half of the counter's range, or if the interrupt may be deciding.
     pub fn prepare(&self, lead: u32) -> Option<Takeover> {
         let halves = About(self.halves.load(Acquire));
         let now = About(self.now.load(Acquire));

@@ -1,6 +1,4 @@
-//! Input shapers: a move that leaves a load at rest, within the limits of the move.
-//!
-//! `docs/machine.md` has the theory and the papers.
+//! Input shapers: a move that leaves a load at rest, within the limits of the move. `docs/machine.md` has the theory and the papers.
 
 use crate::findings::Error;
 use crate::liba::Bell;

@@ -31,9 +31,8 @@ impl<R: Real> Move<R> {
     /// then stays within them. The target may be behind the axis, or nearer than it can stop.
     ///
     /// Returns [`Findings::OVERSHOOTS`], [`Findings::STARTS_OUTSIDE`] and [`Findings::ENDS_LEAVING`], each if it exceeds the rounding.
-    /// [`Error::NotFinite`] if a state is not made of numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the
-    /// limits are not around 0; [`Error::Target`] if the target is outside the limits, or the axis must have left them before. On an error the
-    /// move stays as it is.
+    /// [`Error::NotFinite`] if a state is not made of numbers, or the motion is beyond the range of the real type; [`Error::Limits`] if the limits are not
+    /// around 0; [`Error::Target`] if the target is outside the limits, or the axis must have left them before. On an error the move stays as it is.
     ///
     /// ```
     /// use atraj::online::{Limits, Move, State};
@@ -55,9 +54,8 @@ impl<R: Real> Move<R> {
     /// infinite position is no limit. It returns the findings and errors of [`Move::plan`]; [`Error::NotFinite`] also if a position is not a
     /// number, [`Error::Limits`] if `lowest` is not below `highest`.
     ///
-    /// Where the fastest stop from the start would leave a position, the axis brakes harder, and turns at this position, then at the other one if it
-    /// must. [`Error::Position`] if no motion stays between the positions: the hardest brake leaves them, or the target cannot be reached from
-    /// within them.
+    /// Where the fastest stop from the start would leave a position, the axis brakes harder, and turns at this position, then at the other one if it must.
+    /// [`Error::Position`] if no motion stays between the positions: the hardest brake leaves them, or the target cannot be reached from within them.
     pub fn within(
         &mut self, limits: &Limits<R>, from: State<R>, to: State<R>, lowest: R, highest: R,
     ) -> Result<Findings, Error> {

@@ -10,9 +10,8 @@ pub(crate) const MOST_PHASES: usize = 15;
 
 /// A move: phases of constant jerk from one state to another.
 ///
-/// Before the start the axis is at the start. After the end it moves on with the acceleration of the end: an axis that ends at rest stays,
-/// and an axis that ends with a velocity keeps it. So the state at any time is the start of another plan. A NaN and an infinite time are at
-/// the end.
+/// Before the start the axis is at the start. After the end it moves on with the acceleration of the end: an axis that ends at rest stays, and an axis
+/// that ends with a velocity keeps it. So the state at any time is the start of another plan. A NaN and an infinite time are at the end.
 ///
 /// ```
 /// use atraj::State;

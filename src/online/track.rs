@@ -102,8 +102,7 @@ impl<R: Real> Approach<'_, R> {
         }
     }
 
-    /// The distance comes to rest after the horizon, by three jerks of equal duration. They are linear in the distance, so noise does not switch
-    /// them.
+    /// The distance comes to rest after the horizon, by three jerks of equal duration. They are linear in the distance, so noise does not switch them.
     fn near(&self) -> Move<R> {
         let distance = self.distance();
         let third = self.horizon / R::from(3);
@@ -126,9 +125,8 @@ impl<R: Real> Approach<'_, R> {
         planned
     }
 
-    /// The distance comes to rest as fast as it can within what the signal leaves of the limits. `None` if it leaves nothing, or too
-    /// little. Where the signal accelerates, the axis stops after the horizon: nobody knows what the signal does by then, and a late next plan must
-    /// not let the axis go on.
+    /// The distance comes to rest as fast as it can within what the signal leaves of the limits. `None` if it leaves nothing, or too little. Where the
+    /// signal accelerates, the axis stops after the horizon: nobody knows what the signal does by then, and a late next plan must not let the axis go on.
     fn chase(&self) -> Option<Move<R>> {
         let left = self.left();
         left.are_limits().ok()?;

@@ -1,5 +1,4 @@
 //! What the steps make small: the sum of the durations over `mu`, less the weighted logarithms of all slacks.
-//!
 //! `docs/path-theory.md` has the theory, in "The barrier".
 
 use super::chain::Chain;
@@ -23,8 +22,7 @@ fn scaled<R: Real>([v0, a0, v1, a1, t]: [R; 5], by: R) -> [R; 5] {
     [by * v0, by * a0, by * v1, by * a1, by * t]
 }
 
-/// Replaces the derivatives of a slack and of the opposite one by those of the sum of their logarithms times `-weight`. Gives the gradients of both
-/// logarithms.
+/// Replaces the derivatives of a slack and of the opposite one by those of the sum of their logarithms times `-weight`. Gives both gradients.
 fn take_logarithms<R: Real>(
     [above, below]: [R; 2], upper: &mut Derivatives<R>, lower: &Derivatives<R>, weight: R,
 ) -> [[R; 5]; 2] {
@@ -316,8 +314,7 @@ mod tests {
         [chain.slope(), missed - chain.slope()]
     }
 
-    /// A path of two axes that differ, with two waypoints close to each other, in which the plan is feasible. With three unknowns one position
-    /// alone is exact.
+    /// A path of two axes that differ, with two waypoints close together, in which the plan is feasible. With three unknowns one position alone is exact.
     fn tables_are_derivatives<const K: usize>() {
         let symmetric = Limits::symmetric(40.0, 10.0, 3.0);
         let limits = [symmetric, Limits { vmin: -4.0, amin: -6.0, jmin: -25.0, ..symmetric }];

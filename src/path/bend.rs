@@ -1,6 +1,4 @@
-//! Steps along a curve, where a straight one would leave the narrow passage between close points.
-//!
-//! `docs/path-theory.md` has the theory, in "Close points".
+//! Steps along a curve, where a straight one would leave the narrow passage between close points. `docs/path-theory.md` has the theory, in "Close points".
 
 use super::chain::Chain;
 use crate::real::Real;

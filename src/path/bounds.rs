@@ -4,8 +4,7 @@ use crate::interval::ramp::PerJerk;
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// The limits of a waypoint as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite
-/// limit is 0.
+/// The limits of a waypoint as what they are multiplied by: `1/amax`, `1/amin`, `1/vmax`, `1/vmin`, `gd/2vmax`, `gu/2vmin`. An infinite limit is 0.
 pub(super) struct Bounds<R>(pub [R; 6]);
 
 impl<R: Real> Bounds<R> {
@@ -24,8 +23,7 @@ impl<R: Real> Bounds<R> {
         Self([amax, amin, vmax, vmin, R::HALF * gd * vmax, -R::HALF * gu * vmin])
     }
 
-    /// What the acceleration, and the velocity once the acceleration is 0, leave of both limits: parts of the limits. An infinite limit
-    /// leaves 1.
+    /// What the acceleration, and the velocity once the acceleration is 0, leave of both limits: parts of the limits. An infinite limit leaves 1.
     fn slacks(&self, [v, a]: [R; 2]) -> [R; 4] {
         let Self([amax, amin, vmax, vmin, down, up]) = *self;
         let square = a * a;

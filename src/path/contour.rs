@@ -35,10 +35,9 @@ pub struct Contour<'a, R> {
 /// `tolerance + r` of the lines between those that it was given.
 ///
 /// Returns the findings of [`path_moves`](super::path_moves), whose motions are written, and the errors of [`plan_path`](super::plan_path).
-/// [`Error::Axes`] also if a list has another length, or there is no room for the given points; [`Error::Limits`] also if the tolerance is not
-/// above 0, [`Error::NotFinite`] if it is not a number. [`Error::Position`] if the room or the rounds end before the path is near enough. Then a
-/// path that leaves its lines farther is written, and [`path_deviation`](super::path_deviation) says how far: give more room, or ends that do
-/// not leave their lines.
+/// [`Error::Axes`] also if a list has another length, or there is no room for the given points; [`Error::Limits`] also if the tolerance is not above 0,
+/// [`Error::NotFinite`] if it is not a number. [`Error::Position`] if the room or the rounds end before the path is near enough. Then a path that leaves
+/// its lines farther is written, and [`path_deviation`](super::path_deviation) says how far: give more room, or ends that do not leave their lines.
 ///
 /// `examples/23_contour.rs` is a program.
 pub fn plan_contour<R: Real>(

@@ -1,11 +1,10 @@
 //! The curve of a row of points, a cubic spline by the length of its arcs, and the limits of a motion along it.
 
-use core::ops::Range;
-
 use super::chain::Chain;
 use crate::findings::Error;
 use crate::limits::Limits;
 use crate::real::Real;
+use core::ops::Range;
 
 /// Which part of the limits the first plan uses at most, so that it is off all of them, and which share of the highest speeds a row takes that begins
 /// in motion. With 31/32 one axis of twenty could not end in motion without turning back.
@@ -104,9 +103,8 @@ impl<R: Real> Chain<'_, '_, R> {
         (turn + turn) / (before + after)
     }
 
-    /// The spline of an axis: the slopes `m` at its points make its bends continuous,
-    /// `m0/h1 + 2 (1/h1 + 1/h2) m1 + m2/h2 = 3 (d1/h1 + d2/h2)` with the mean slopes `d` of arcs of the lengths `h`. Its bend is constant in the first
-    /// and in the last section: `m0 + m1 = 2 d1`.
+    /// The spline of an axis: the slopes `m` at its points make its bends continuous, `m0/h1 + 2 (1/h1 + 1/h2) m1 + m2/h2 = 3 (d1/h1 + d2/h2)` with the
+    /// mean slopes `d` of arcs of the lengths `h`. Its bend is constant in the first and in the last section: `m0 + m1 = 2 d1`.
     fn lay_spline(&mut self, axis: usize, row: Range<usize>) {
         let [two, three] = [2, 3].map(R::from);
         // The slope at a point is `s - e m` with the slope `m` at the next one.
@@ -189,13 +187,8 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(if self.displacement(section, axis) < R::ZERO { limits.mirrored() } else { *limits })
     }
 
-    /// At which share of its highest speed a section is passed: with the square of it of the acceleration, and with its cube of the jerk.
-    fn share(&self, section: usize) -> R {
-        self.memory.rows().share.at(section)
-    }
-
     pub fn speed(&self, section: usize) -> R {
-        self.share(section) * self.memory.rows().highest_speed.at(section)
+        self.memory.rows().share.at(section) * self.memory.rows().highest_speed.at(section)
     }
 
     /// The limits of a motion along some sections: what their bends leave of acceleration and jerk.
@@ -205,7 +198,7 @@ impl<R: Real> Chain<'_, '_, R> {
         let (square, cube) = (vmax * vmax, vmax * vmax * vmax);
         let mut along = Limits::symmetric(R::INFINITY, R::INFINITY, vmax);
         for section in sections {
-            let share = self.share(section);
+            let share = self.memory.rows().share.at(section);
             for axis in 0..self.axes {
                 if let Ok(limits) = self.limits_by_slope(section, axis) {
                     let [bend, twist] = self.bend_and_twist(section, axis);
@@ -225,7 +218,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// impossible at the highest jerk.
     pub fn ease(&mut self, sections: Range<usize>) {
         for section in sections {
-            let share = self.share(section);
+            let share = self.memory.rows().share.at(section);
             let less = (R::ONE - share + R::HALF * R::HALF * R::SIXTEENTH).at_most(R::SIXTEENTH);
             self.memory.rows_mut().share.put(section, share - less * share);
         }

@@ -8,8 +8,7 @@ use crate::interval::rounding::of_state;
 use crate::online::Move;
 use crate::real::Real;
 
-/// The shortest part of a piece that is looked at is one of so many: the most that binary32 counts. An axis that turns just after its point
-/// needs short ones.
+/// The shortest part of a piece that is looked at is one of so many: the most that binary32 counts. An axis that turns next to its point needs them.
 const PARTS: i32 = 1 << 24;
 
 /// How often parts of a piece are halved at most. Of 2,000 random paths none takes more, and 16 are too few.

@@ -1,6 +1,5 @@
 //! Newton's step: the unknowns stand along the path, so the work is linear in the sections. Those of a section are velocity and acceleration of
 //! each axis at its start, with its offset if the points have tolerances, and then its duration.
-//!
 //! `docs/path-theory.md` has the letters and the theory, in "The step". No root is taken, so powers of two in the units change no bit.
 
 use super::chain::Chain;
@@ -49,8 +48,7 @@ impl<R: Real> Band<'_, R> {
 }
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
-    /// Newton's step with damped diagonals: those of the states by `of_states`, those of the durations by `lambda`. `None` if the matrix is not
-    /// positive.
+    /// Newton's step with damped diagonals: those of the states by `of_states`, those of the durations by `lambda`. `None` if the matrix is not positive.
     pub fn solve(&mut self, of_states: R, lambda: R) -> Option<()> {
         let more = R::ONE + of_states;
         self.fill(0, more, lambda);

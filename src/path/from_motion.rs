@@ -1,5 +1,4 @@
 //! The first plan of a path that begins or ends in motion: it passes the points of a path with slower ends, which become faster step by step.
-//!
 //! `docs/path-theory.md` has the reasons, in "Ends in motion".
 
 use super::chain::Chain;
@@ -34,7 +33,7 @@ impl<R: Real> Chain<'_, '_, R> {
             self.stop_everywhere()?;
             brakes = self.brake_along();
         }
-        Ok(brakes || self.lengthen_until_feasible(0))
+        Ok(brakes || self.lengthen(0))
     }
 
     /// Plans between ends that are slow enough to pass the points. Returns how many times slower they are than the given ones.
@@ -44,8 +43,7 @@ impl<R: Real> Chain<'_, '_, R> {
             times = times + R::HALF * R::HALF * times;
             self.set_ends(R::ONE / times);
             self.stop_everywhere()?;
-            let passes =
-                if self.swerves() { self.brake_along() && !self.swerves() } else { self.lengthen_until_feasible(0) };
+            let passes = if self.swerves() { self.brake_along() && !self.swerves() } else { self.lengthen(0) };
             if passes {
                 return Ok(Some(times));
             }
@@ -106,8 +104,7 @@ impl<R: Real> Chain<'_, '_, R> {
         false
     }
 
-    /// Makes the path brake along its points: to the first corner or the end, or to a stop as early as it can. Whether this is possible, and
-    /// shorter.
+    /// Makes the path brake along its points: to the first corner or the end, or to a stop as early as it can. Whether this is possible, and shorter.
     pub fn brake_along(&mut self) -> bool {
         self.measure_axes();
         let Some(start) = self.along(0).filter(|start| start.velocity != R::ZERO) else { return false };
@@ -118,7 +115,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     fn brake(&mut self, share: R, start: State<R>, last: usize) -> bool {
-        self.pass_row(share, start, 0..last) && self.lengthen_until_feasible(last)
+        self.pass_row(share, start, 0..last) && self.lengthen(last)
     }
 
     fn stop_along(&mut self, start: State<R>) -> bool {

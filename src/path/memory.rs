@@ -1,9 +1,8 @@
 //! The working memory of a path: tables of numbers, which the caller provides.
 
-use core::ops::Range;
-
 use crate::real::Real;
 use crate::table::{Column, Table};
+use core::ops::Range;
 
 /// The unknowns of an axis at a point by those of another: `K` rows.
 pub(super) type Tile<R, const K: usize> = [[R; K]; K];
@@ -130,7 +129,7 @@ pub(super) struct RowTables<Column, Rows> {
     pub arc: Column,
     /// The highest speed along each section.
     pub highest_speed: Column,
-    /// Which share of it is taken.
+    /// At which share of it a section is passed: with the square of it of the acceleration, and with its cube of the jerk.
     pub share: Column,
     /// The speed at the end of each section, if the limits change there; else infinite.
     pub boundary_speed: Column,
@@ -144,8 +143,7 @@ pub(super) struct RowTables<Column, Rows> {
 const MOST_AXES: usize = 100;
 const MOST_SECTIONS: usize = 65_536;
 
-/// How many numbers the tables have with `K` unknowns. `None` if there is no axis or no section, or too many: three unknowns leave half of the
-/// sections.
+/// How many numbers the tables have with `K` unknowns. `None` if there is no axis or no section, or too many: three unknowns leave half of the sections.
 pub(super) fn size<const K: usize>(axes: usize, sections: usize) -> Option<usize> {
     let is_count = |count: usize, most: usize| count > 0 && count <= most;
     let fits = is_count(axes, MOST_AXES) && is_count(sections, MOST_SECTIONS >> (K - 2));
@@ -172,7 +170,6 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
         RowTables { arc, highest_speed, share, boundary_speed, slope_and_bend, measure }
     }
 
-    /// The same tables as [`Memory::rows`].
     pub fn rows_mut(&mut self) -> RowTables<&mut Column<'a, R>, &mut Table<'a, R, 3>> {
         let Self { gradient_t: arc, mixed: highest_speed, of_durations: share, .. } = self;
         let Self { weights: boundary_speed, diagonal: slope_and_bend, step: measure, .. } = self;

@@ -1,9 +1,7 @@
-//! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must.
-//!
-//! `docs/path-theory.md` has the theory. `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for
-//! one step, `steps` takes them. `start`, `rows`, `curve`, `from_motion` and `warm` find the plan before the first step. `moves` makes
-//! the motions of a planned path, and `deviation` says how far they leave the straight lines between its points, and `contour` adds points where
-//! that is too far. `feed` limits the speed of all axes together.
+//! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must. `docs/path-theory.md` has the theory.
+//! `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for one step, `steps` takes them. `start`, `rows`,
+//! `curve`, `from_motion` and `warm` find the plan before the first step. `moves` makes the motions of a planned path, and `deviation` says how far they
+//! leave the straight lines between its points, and `contour` adds points where that is too far. `feed` limits the speed of all axes together.
 
 mod barrier;
 mod bend;
@@ -209,10 +207,10 @@ impl<R: Real> Chain<'_, '_, R> {
         Ok(())
     }
 
-    /// The first plan: it stops at every waypoint, or passes rows where this is shorter. Whether it passes any.
+    /// The first plan: it stops at every waypoint, or, if the path begins at rest, passes rows where this is shorter. Whether it passes any.
     fn stop_or_pass(&mut self) -> Result<bool, Error> {
         self.stop_everywhere()?;
-        Ok(self.sections > 1 && self.pass_rows())
+        Ok(self.sections > 1 && self.rests_at(0) && self.pass_rows_from(0, R::ONE))
     }
 
     /// Makes the first plan strictly feasible: the one that passes rows, made slower, or the one with stops. Whether it is.

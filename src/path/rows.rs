@@ -1,8 +1,5 @@
 //! First plans that pass rows of points: each row between two corners is a motion along its curve.
-//!
 //! `docs/path-theory.md` has the reasons, in "The first plan".
-
-use core::ops::Range;
 
 use super::chain::Chain;
 use super::memory::Memory;
@@ -13,6 +10,7 @@ use crate::online::Move;
 use crate::real::Real;
 use crate::roots::root_between;
 use crate::state::State;
+use core::ops::Range;
 
 /// How fast the first plan is at most when the steps begin, so that it is strictly feasible: a part of its speed.
 pub(super) fn nearly_all<R: Real>() -> R {
@@ -70,11 +68,6 @@ fn sum<R: Real>(sections: Range<usize>, of: impl Fn(usize) -> R) -> R {
 }
 
 impl<R: Real> Chain<'_, '_, R> {
-    /// Replaces the plan with stops by a shorter one, if the path begins at rest. Whether there is one.
-    pub fn pass_rows(&mut self) -> bool {
-        self.rests_at(0) && self.pass_rows_from(0, R::ONE)
-    }
-
     /// Stretches the time of the plan by this factor, also at its ends.
     pub fn scale_time(&mut self, slower: R) {
         for section in 0..self.sections {

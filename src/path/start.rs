@@ -48,7 +48,7 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// Makes the sections from `first` on last a little longer, so that the plan is strictly feasible, and passes rows. Whether it is.
-    pub fn lengthen_until_feasible(&mut self, first: usize) -> bool {
+    pub fn lengthen(&mut self, first: usize) -> bool {
         for section in first..self.sections {
             let least = self.memory.plan.durations.at(section);
             // 1/16, 1/64, … longer, and then longer and longer.

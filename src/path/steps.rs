@@ -1,6 +1,4 @@
-//! The steps: Newton's method at a falling weight of the logarithms.
-//!
-//! `docs/path-theory.md` has the reason of every number, in "The steps".
+//! The steps: Newton's method at a falling weight of the logarithms. `docs/path-theory.md` has the reason of every number, in "The steps".
 
 use super::chain::Chain;
 use crate::real::Real;

@@ -10,7 +10,7 @@ use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::real::Real;
 
-/// A plan before the first step that is slower than the one that is there.
+/// A plan before the first step that is slower than the one that is there. In the table the slowest one comes first.
 struct Slower {
     /// By how much, in thousandths.
     thousandths: u8,
@@ -20,7 +20,6 @@ struct Slower {
     least_steps: u32,
 }
 
-/// The slowest one is the first.
 const SLOWER: [Slower; 6] = [
     Slower { thousandths: 200, octaves: 2, least_steps: 10 },
     Slower { thousandths: 100, octaves: 3, least_steps: 10 },
@@ -29,13 +28,6 @@ const SLOWER: [Slower; 6] = [
     Slower { thousandths: 5, octaves: 5, least_steps: 3 },
     Slower { thousandths: 0, octaves: 5, least_steps: 1 },
 ];
-
-impl Slower {
-    fn factor<R: Real>(&self) -> R {
-        let thousand = R::from(250) * R::from(4);
-        R::ONE + R::from(self.thousandths) / thousand
-    }
-}
 
 /// What is left of the speed of a plan at one of its times.
 struct Slow<R> {
@@ -175,8 +167,9 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let may_be_as_it_is = !is_new || steps < 3;
         let ease = if self.rests_at(0) { R::ZERO } else { R::HALF * R::HALF * total(given) };
         let tried = |slower: &&Slower| slower.least_steps <= steps && (slower.thousandths > 0 || may_be_as_it_is);
+        let thousand = R::from(250) * R::from(4);
         SLOWER.iter().filter(tried).find_map(|slower| {
-            let taken = self.take_slower(slower.factor(), ease, given);
+            let taken = self.take_slower(R::ONE + R::from(slower.thousandths) / thousand, ease, given);
             taken.map(|()| if is_new { 0 } else { slower.octaves })
         })
     }

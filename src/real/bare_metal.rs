@@ -19,8 +19,7 @@ pub fn forward<R: Primitives>(h: R, v0: R, v1: R) -> [R; 3] {
     }
 }
 
-/// Keeps the branch around the call. Otherwise the compiler computes both sides and selects one, which pays only where a processor
-/// predicts branches.
+/// Keeps the branch around the call. Otherwise the compiler computes both sides and selects one, which pays only where a processor predicts branches.
 pub fn keep_branch() {
     core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
 }

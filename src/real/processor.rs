@@ -8,6 +8,5 @@ pub const HAS_BINARY32_UNIT: bool = cfg!(not(any(target_abi = "eabi", all(target
 /// A unit computes in binary64.
 pub const HAS_BINARY64_UNIT: bool = HAS_BINARY32_UNIT && cfg!(not(unit_lacks_binary64));
 
-/// The largest vector registers of common processors, bytes: a store that crosses a cache line costs more than one that does
-/// not.
+/// The largest vector registers of common processors, bytes: a store that crosses a cache line costs more than one that does not.
 pub const VECTOR_BYTES: usize = 32;

@@ -1,8 +1,7 @@
 //! Binary64 for the Cortex-M cores whose unit computes in binary32 only.
 //!
-//! On such a core each operation on an `f64` is a call that takes and returns core registers. The compiler nevertheless carries
-//! an `f64` in the unit's registers and moves it out and in around every call: a third more code. A [`Soft64`] stays in core
-//! registers, as a `double` of gcc does.
+//! On such a core each operation on an `f64` is a call that takes and returns core registers. The compiler nevertheless carries an `f64` in the unit's
+//! registers and moves it out and in around every call: a third more code. A [`Soft64`] stays in core registers, as a `double` of gcc does.
 //!
 //! The compiler does not know that these calls have no effect but their result, so it neither drops nor moves one. A formula
 //! ends with the operand that is computed last, and a call returns its result where the next call takes its first argument.
@@ -19,8 +18,7 @@ pub struct Soft64(u64);
 
 const SIGN: u64 = 1 << 63;
 
-// From the run-time ABI for the Arm architecture: every toolchain has these functions, and the compiler itself calls them for
-// an `f64`.
+// From the run-time ABI for the Arm architecture: every toolchain has these functions, and the compiler itself calls them for an `f64`.
 #[allow(unsafe_code)]
 unsafe extern "C" {
     safe fn __aeabi_dadd(a: u64, b: u64) -> u64;

@@ -23,9 +23,8 @@ impl<R: Real> Task<'_, R> {
         Problem::new(self.limits, *self.from, *self.to)
     }
 
-    /// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the
-    /// range of the real type: the way in which the axis brakes, and the time in which it comes back, and one unit of length farther, at the
-    /// least limits.
+    /// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the range of
+    /// the real type: the way in which the axis brakes, and the time in which it comes back, and one unit of length farther, at the least limits.
     pub fn is_ordinary(&self, duration: R) -> bool {
         let Self { limits, from, to } = *self;
         let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
@@ -78,8 +77,7 @@ pub(super) fn next_of_plan<R: Real>(axis: &Move<R>, problem: &dyn Fn() -> Proble
     }
 }
 
-/// Whether a plan takes the duration `t` up to rounding: a tick is early by the rounding of a formula, and its quotient and product add half as
-/// much.
+/// Whether a plan takes the duration `t` up to rounding: a tick is early by the rounding of a formula, and its quotient and product add half as much.
 pub(super) fn lasts<R: Real>(axis: &Move<R>, t: R) -> bool {
     let rounding = of_formula(t);
     (t - axis.t).abs() <= rounding + R::HALF * rounding
@@ -117,7 +115,6 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
 
 /// Makes the move of an axis in motion, planned as fast as possible, last `t`: by the first of these motions that exists.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
-    // The axis cruises.
     let has_time = t >= axis.t;
     if has_time && write_cruise(axis, problem, t) {
         return;
@@ -180,8 +177,7 @@ mod tests {
         assert!(axis.phase[1].velocity < 4.0 && axis.phase[1].acceleration.abs() < f64::EPSILON);
     }
 
-    /// In the time of the shift the acceleration changes by the rounding errors of both accelerations, and by what changes the velocity by its rounding
-    /// error.
+    /// In the time of the shift the acceleration changes by the rounding errors of both accelerations, and by what changes the velocity by rounding.
     #[test]
     fn the_start_is_shifted_by_a_rounding_error() {
         let limits = Limits::symmetric(1.0, 9.0, 9.0);

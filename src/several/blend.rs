@@ -1,6 +1,4 @@
-//! The motion of a given duration: a mean of two motions on the border.
-//!
-//! `docs/planner.md` has the theory, in "Several axes".
+//! The motion of a given duration: a mean of two motions on the border. `docs/planner.md` has the theory, in "Several axes".
 
 use crate::interval::border::Border;
 use crate::interval::crossing;

@@ -1,5 +1,4 @@
 //! The motion of a given duration that cruises: a ramp to one velocity, the cruise, and a ramp to the end.
-//!
 //! `docs/planner.md` has the theory, in "Several axes".
 
 use crate::interval::border::Border;
@@ -48,8 +47,7 @@ impl<R: Real> Cruise<R> {
         Self::over(&problem.border, h, t)
     }
 
-    /// The ramps leave time for a cruise at velocities around the one that the start leads to, around the one that leads to the end, and perhaps at
-    /// all between.
+    /// The ramps leave time for a cruise at velocities around the one that the start leads to, around the one that leads to the end, and perhaps between.
     fn over(border: &Border<R>, h: R, t: R) -> Option<Self> {
         let reversed = border.reversed();
         let steady = |border: &Border<R>| border.v0 + border.per_jerk.straight(border.a0, R::ZERO);
@@ -60,8 +58,7 @@ impl<R: Real> Cruise<R> {
     /// The motion at a velocity that is as far from the guess as the axis cruises. There the slope of the displacement is positive.
     fn near(border: &Border<R>, reversed: &Border<R>, guess: R, h: R, t: R) -> Option<Self> {
         let ends = border.v0.abs() + border.v1.abs();
-        // The mean velocity of a ramp is at least a third of the cruise's, plus what its own end adds: a half, if both jerks are equal. So
-        // the cruise is not faster.
+        // A ramp's mean velocity is at least a third of the cruise's, plus what its own end adds: a half, if both jerks are equal. So the cruise is no faster.
         let fastest = R::from(3) * ((h / t).abs() + ends + border.eased);
         let [low, high] = [border.limits.vmin.at_least(-fastest), border.limits.vmax.at_most(fastest)];
         let mut v = guess.at_least(low).at_most(high);

@@ -13,8 +13,7 @@ use crate::state::State;
 /// Plans all axes on the straight line from their start to their end: the fastest motion on it that lasts at least `duration` and a multiple
 /// of `cycle` (0: any), s.
 ///
-/// [`Error::Line`] if the velocities and accelerations do not point along the line. An error of any axis is returned, and then no axis is
-/// written.
+/// [`Error::Line`] if the velocities and accelerations do not point along the line. An error of any axis is returned, and then no axis is written.
 pub fn line<R: Real>(
     axes: &mut [Move<R>], limits: &[Limits<R>], from: &[State<R>], to: &[State<R>], duration: R, cycle: R,
 ) -> Result<Findings, Error> {

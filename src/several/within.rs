@@ -137,8 +137,7 @@ impl<R: Real> Within<'_, R> {
         fastest(self.task).is_ok_and(|plan| takes(&plan, &self.task.problem(), t))
     }
 
-    /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found that stays between the positions, up to a part
-    /// of its rounding error.
+    /// Plans the move of the duration `t`, which is possible. [`Error::Position`] if none is found between the positions, up to a part of its rounding error.
     fn plan(&self, axis: &mut Move<R>, t: R, part: R) -> Result<(), Error> {
         let Task { limits, from: &from, to: &to } = self.task;
         axis.plan(limits, from, to)?;

@@ -82,8 +82,7 @@ impl<R: Real> Free<R> {
         (R::HALF * linear).at_most(square.sqrt().at_most(cube))
     }
 
-    /// The lowest trough has the square of this function: then no rise is left at the start. Of two forms, it takes the one whose terms are
-    /// small.
+    /// The lowest trough has the square of this function: then no rise is left at the start. Of two forms, it takes the one whose terms are small.
     pub fn end_of_easing(&self, a0: R) -> (R, Easing) {
         let Self { u, first, .. } = *self;
         let Profile { first: rise, peak, trough, .. } = first;

@@ -97,8 +97,7 @@ impl<R: Real> Piece<R> {
         }
     }
 
-    /// Not below the `x` of a displacement, on a piece on which the displacement rises and is convex: each of its terms alone would have to
-    /// reach farther.
+    /// Not below the `x` of a displacement, on a piece on which the displacement rises and is convex: each of its terms alone would have to reach farther.
     fn bound(&self, displacement: R) -> R {
         in_piece!(self, piece => piece.bound(displacement))
     }

@@ -90,11 +90,10 @@ impl<R: Real> Bell<R> {
 
     /// Passes over the rounds whose outcome is plain. `s = v0 + v1` and `q = 2 (v0^2 + v1^2)`.
     ///
-    /// A round that goes on needs only its verdict. With `k = am^2/jm` and `w = |v0 - v1|` its root is that of
-    /// `r = (k - s)^2 + w^2 + 4 h am`. Its shorter ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)` and is too steep from 0
-    /// to below `2 am/jm`. So the round compares `sqrt(r)` with `x = s + w - k` and with `x = s + w + 3 k`. Where `x < 0`,
-    /// `r >= x^2`, so it may compare `r` with `x^2`: too steep is `-w k <= 2 h am - w s < k (4 k + 4 s + 3 w)`. This
-    /// comparison takes no root, and one division serves all rounds.
+    /// A round that goes on needs only its verdict. With `k = am^2/jm` and `w = |v0 - v1|` its root is that of `r = (k - s)^2 + w^2 + 4 h am`. Its shorter
+    /// ramp lasts `(k + sqrt(r) - (s + w)) / (2 am)` and is too steep from 0 to below `2 am/jm`. So the round compares `sqrt(r)` with `x = s + w - k` and
+    /// with `x = s + w + 3 k`. Where `x < 0`, `r >= x^2`, so it may compare `r` with `x^2`: too steep is `-w k <= 2 h am - w s < k (4 k + 4 s + 3 w)`.
+    /// This comparison takes no root, and one division serves all rounds.
     ///
     /// With `size = 2 h am + 4 k^2 + q` and `u = EPSILON/2`, rounding moves these comparisons by at most 31 `u size` in the
     /// round itself and 20 `u size` here: a difference of more than 128 `u size` is beyond doubt. The guards keep off overflow

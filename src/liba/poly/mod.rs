@@ -42,8 +42,7 @@ pub type Poly5<R> = Poly<R, 6>;
 pub type Poly7<R> = Poly<R, 8>;
 
 impl<R: Real> Poly3<R> {
-    /// Plans a move that lasts `duration`, s. [`Error::Duration`] if `duration` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not
-    /// finite.
+    /// Plans a move that lasts `duration`, s. [`Error::Duration`] if `duration` is 0 or not a number; [`Error::NotFinite`] if a coefficient is not finite.
     pub fn new(duration: R, boundary: Boundary<R>) -> Result<Self, Error> {
         Self::planned(duration, |poly| poly.plan(duration, boundary))
     }
@@ -91,8 +90,7 @@ impl<R: Real> Poly5<R> {
 }
 
 impl<R: Real> Poly7<R> {
-    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. It returns the errors of
-    /// [`Poly3::new`].
+    /// Plans a move that lasts `duration`, s, between the accelerations `[a0, a1]` and the jerks `[j0, j1]`. It returns the errors of [`Poly3::new`].
     pub fn new(duration: R, boundary: Boundary<R>, acceleration: [R; 2], jerk: [R; 2]) -> Result<Self, Error> {
         Self::planned(duration, |poly| poly.plan(duration, boundary, acceleration, jerk))
     }
@@ -199,8 +197,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
         zeros
     }
 
-    /// Where the derivative of this order, which changes its sign between these times, passes through 0. Each round halves the
-    /// interval.
+    /// Where the derivative of this order, which changes its sign between these times, passes through 0. Each round halves the interval.
     fn zero_between(&self, order: usize, mut from: R, mut to: R) -> R {
         let rises = self.derivative_at(order, to) > R::ZERO;
         for _ in 0..MOST_HALVINGS {
@@ -229,8 +226,7 @@ impl<R: Real, const N: usize> Poly<R, N> {
         derivative
     }
 
-    /// The derivative of this order at time `x`, s, by Horner's rule: from the highest power down, multiplication and addition
-    /// rounded apart.
+    /// The derivative of this order at time `x`, s, by Horner's rule: from the highest power down, multiplication and addition rounded apart.
     pub(crate) fn derivative_at(&self, order: usize, x: R) -> R {
         let differentiate = |(power, &c): (usize, &R)| (0..order).fold(c, |c, k| c * R::from((power - k) as u8));
         let mut terms = self.c.iter().enumerate().skip(order).rev().map(differentiate);

@@ -10,8 +10,7 @@ use crate::findings::Error;
 use crate::real::Real;
 use crate::state::{Boundary, Saturation};
 
-/// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow
-/// each other.
+/// Trapezoidal velocity profile: acceleration and velocity are limited; acceleration, cruise and deceleration follow each other.
 ///
 /// No profile within the same limits of velocity and acceleration is faster, but the acceleration jumps at every border of a phase.
 /// Fields carry the book's symbols and are signed: for a move towards smaller positions `vc` and `a0` are negative.
