@@ -43,7 +43,7 @@ A_EXTERN size_t atraj_path_size(size_t axes, size_t sections);
  * @param sections number of sections: one less than points
  * @param steps how many steps the planner may take, at most 1024; 0: as many as the path needs, at most 48. A start that
  * cannot stop before the next point, or an end that cannot be reached from the last one at rest, takes up to 8 times as
- * many more.
+ * many more. Where the steps make a path longer than it was before them, all are taken twice.
  * @param work points to `atraj_path_size(axes, sections)` numbers, which need not be initialised
  * @return 0, or a sum of `ATRAJ_STARTS_OUTSIDE` and `ATRAJ_ENDS_LEAVING`; else the `atraj_error` of an axis as
  * `atraj_moves_sync` returns it, or `ATRAJ_ERR_NULL` if a pointer is NULL, or `atraj_path_size` is 0. On an error nothing

@@ -126,6 +126,24 @@ impl<R: Real> Chain<'_, '_, R> {
         self.brake(share, start, self.next_point(stop))
     }
 
+    /// Takes the states of the fastest move from start to end. If it passes the points in order, one axis has no faster path.
+    #[inline(never)] // for its stack
+    pub fn pass_at_once(&mut self) -> Option<()> {
+        let limits = self.limits(0, 0).ok().filter(|_| self.axes == 1 && !self.request.has_zones())?;
+        let mut run = Move::default();
+        run.plan(limits, self.ends(0, 0).0, self.ends(self.sections - 1, 0).1).ok()?;
+        for point in 1..self.sections {
+            let (_, to) = self.ends(point - 1, 0);
+            let state = run.state_at(run.time_at(to.position)?);
+            limits.check(to, state).ok()?;
+            self.memory.plan.states.set(point, [state.velocity, state.acceleration]);
+        }
+        self.memory.plan.durations.clear();
+        self.promise().ok()?;
+        // A section that rounding hides would count as one in which nothing moves.
+        self.memory.plan.durations.numbers().iter().all(|t| *t > R::ZERO).then_some(())
+    }
+
     /// The first point that is so far along the path, or its end.
     fn next_point(&self, length: R) -> usize {
         let mut passed = R::ZERO;

@@ -47,7 +47,7 @@ pub fn path_size(axes: usize, sections: usize) -> Option<usize> {
 /// the last state; the states between are written, and the durations, s. A start outside the limits returns within them in the first section.
 /// `limits` has an entry for each axis, or for each axis section by section. `steps` bounds the work, and at most 1024 are taken; 0: as many as
 /// the path needs, at most 48. A start that cannot stop before the next point, or an end that cannot be reached from the last one at rest, takes up to 8
-/// times as many more. `work` has [`path_size`] numbers.
+/// times as many more. Where the steps make a path longer than it was before them, all are taken twice. `work` has [`path_size`] numbers.
 ///
 /// [`path_moves`] makes the motions of the sections. A point whose state is given splits a path into two.
 ///
@@ -194,8 +194,11 @@ impl<R: Real> Chain<'_, '_, R> {
             return Ok(());
         }
         let first = self.duration();
-        if self.make_feasible(passes, budget)? {
-            self.shorten(budget, 0);
+        if self.make_feasible(passes, budget)? && !self.shorten(budget, 0) {
+            // Large weights led a start that cannot stop in time to turn back. With a 32nd of them the plan stays near the first one.
+            let passes = self.stop_or_pass()?;
+            self.make_feasible(passes, budget)?;
+            self.shorten(budget, 5);
         }
         self.promise()?;
         let is_shorter = self.duration() < first;
@@ -203,6 +206,12 @@ impl<R: Real> Chain<'_, '_, R> {
             // The steps have overwritten the first plan.
             self.stop_or_pass()?;
             self.promise()?;
+        }
+        // One move is on the limits, where no step can end. So it must save more than the steps leave.
+        let most = self.duration() - R::SIXTEENTH * R::SIXTEENTH * self.duration();
+        self.keep_plan();
+        if self.pass_at_once().is_none() || self.duration() >= most {
+            self.swap_plans();
         }
         Ok(())
     }

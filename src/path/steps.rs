@@ -128,14 +128,15 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         R::from(11) * R::SIXTEENTH / R::from_index(self.logarithms() as i32)
     }
 
-    /// Makes the plan shorter, which is strictly feasible and stays so. `octaves` says how near the plan is to the best one.
-    pub fn shorten(&mut self, NewtonBudget { most, mut falls }: NewtonBudget, octaves: u8) {
+    /// Makes the plan shorter, which is strictly feasible and stays so. `octaves` says how near the plan is to the best one. Whether it is not longer.
+    pub fn shorten(&mut self, NewtonBudget { most, mut falls }: NewtonBudget, octaves: u8) -> bool {
+        let given = self.duration();
         let per_logarithm = self.per_logarithm();
         let mut octaves = R::from(octaves);
         let mut mu = fallen(per_logarithm * self.duration(), octaves);
         let mut damping = Damping::new();
         let mut is_done = false;
-        let Some(()) = self.begin() else { return };
+        let Some(()) = self.begin() else { return true };
         for step in 0..most {
             let left = most - step;
             // After a short step the weight waits, but not in the last two fifths of the steps.
@@ -155,6 +156,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
                 None => break,
             }
         }
+        self.duration() <= given
     }
 
     /// One step, of which `first` is the first part that is tried. `None` if no step can be taken any more.

@@ -317,12 +317,10 @@ fn compared_with_the_move<R: Original>() {
     assert!(worst[0] < 1.1 && worst[1] < 1.0 + rounding);
 }
 
-/// Rows of one axis whose single move passes the points in order, but turns at an end, or comes back to it: over this move. A plan that stops before
-/// such an end took up to 4.7 times as long.
-#[test]
-fn ends_that_turn_cost_little() {
+/// Rows of one axis whose single move passes the points in order, and what is found in it: over this move.
+fn rows_over_the_move(rows: usize, found: Findings) -> Vec<f64> {
     let (mut random, mut parts) = (Random::seeded(9), Vec::new());
-    while parts.len() < 400 {
+    while parts.len() < rows {
         let limits =
             Limits::symmetric(random.magnitude(-1.0, 2.0), random.magnitude(-1.0, 1.0), random.magnitude(-1.0, 1.0));
         let (sections, scale, uneven) =
@@ -335,12 +333,28 @@ fn ends_that_turn_cost_little() {
         (states[0].velocity, states[sections].velocity) = (first, last);
         let single = online::plan(&limits, states[0], states[sections]);
         let times: Vec<_> = points[1..sections].iter().filter_map(|point| single.time_at(*point)).collect();
-        if times.len() == sections - 1 && times.is_sorted() && single.check(&limits) == Ok(Findings::OVERSHOOTS) {
+        if times.len() == sections - 1 && times.is_sorted() && single.check(&limits) == Ok(found) {
             let chain = Chain { family: Family::InMotion, axes: 1, limits: vec![limits], states };
             parts.push(duration(&chain, 0) / single.t);
         }
     }
-    assert_parts("rows with ends that turn, over the move", &parts, [1.01, 1.3]);
+    parts
+}
+
+/// The move turns at an end, or comes back to it. A plan that stops before such an end took up to 4.7 times as long.
+#[test]
+fn ends_that_turn_cost_little() {
+    assert_parts(
+        "rows with ends that turn, over the move",
+        &rows_over_the_move(400, Findings::OVERSHOOTS),
+        [1.01, 1.3],
+    );
+}
+
+/// The move does not turn, so no path is faster. One that turned back took up to 9 times as long.
+#[test]
+fn a_move_that_passes_the_points_is_the_path() {
+    assert_parts("rows ahead, over the move", &rows_over_the_move(4_000, Findings::default()), [1.0002, 1.004]);
 }
 
 /// A path is followed a tenth slower than it could be, and planned again at a random time: it takes no longer than what is left. An axis that
@@ -419,6 +433,10 @@ fn known_paths_are_short() {
     let positions = [-2.368494652249419, -0.23035103839058282, -0.38858956672634276, 1.1625790712239799, 0.6197050945210747,
                      1.014140204589089, 0.29520539230798315, 1.717299698180752];
     is_below(56.0, duration_of::<f64>(limits, &positions, [0.5822997321388476, 3.2217765793955357]));
+    // A little less jerk makes the axis turn back: the plan that does takes 0.933 s.
+    let (limits, positions) = ([1.168, -1.168, 23.5, -23.5, 11.64, -11.64], [0.0, 0.071, 0.1034, 0.154, 0.1868]);
+    is_below(0.367, duration_of::<f64>(limits, &positions, [0.314, 0.705]));
+    is_below(0.367, duration_of::<f32>(limits, &positions, [0.314, 0.705]));
     // The axis comes back to its waypoints from far away. A state at the second one that is no mean of two motions leads to 3,737 s.
     let limits = [3252.5698, -3252.5698, 386.61682, -386.61682, 0.00868558, -0.00868558];
     let positions = [0.0, 12.55309, 13.135509, 18.040173, 0.0, 0.0, -9.8475275];
