@@ -14,6 +14,11 @@ pub(super) fn total<R: Real>(durations: &[R]) -> R {
     durations.iter().fold(R::ZERO, |sum, t| sum + *t)
 }
 
+/// How much later than planned a section may end in a path of this duration, s: more than what rounding does in most.
+pub(super) fn most_late<R: Real>(duration: R) -> R {
+    R::EPSILON.sqrt() * duration
+}
+
 /// What is asked for: points with their states, and limits.
 #[derive(Clone, Copy)]
 pub(super) struct Request<'a, R> {

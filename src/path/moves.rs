@@ -1,6 +1,6 @@
 //! The motions of a planned path.
 
-use super::chain::{Request, total};
+use super::chain::{Request, most_late, total};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -37,7 +37,7 @@ pub(super) fn write_moves<R: Real>(
         checked(axes, request.zone(section), from, to).map(drop)?;
         Cycle::new(duration, R::ZERO)?;
     }
-    let tolerance = R::EPSILON.sqrt() * total(durations);
+    let late = most_late(total(durations));
     let mut found = Findings::default();
     let mut rest = moves;
     for (section, &duration) in durations.iter().enumerate() {
@@ -46,7 +46,7 @@ pub(super) fn write_moves<R: Real>(
         let [from, to] = request.ends(section);
         found |= synchronise(moves, request.zone(section), from, to, duration, R::ZERO)?;
         let lasts = moves.first().map_or(R::ZERO, |first| first.t);
-        Error::Duration.unless(lasts <= duration + tolerance)?;
+        Error::Duration.unless(lasts <= duration + late)?;
     }
     Ok(found)
 }

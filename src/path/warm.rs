@@ -3,7 +3,7 @@
 //! A slower plan is off all limits at once: with durations longer by the factor `s`, velocities are divided by `s` and accelerations by `s²`. A
 //! plan that begins in motion slows down by and by: velocities are `v/s`, accelerations `(a - v ṡ/s)/s²`.
 
-use super::chain::{Chain, total};
+use super::chain::{Chain, most_late, total};
 use super::steps::NewtonBudget;
 use crate::findings::Error;
 use crate::interval::rounding::of_check;
@@ -60,15 +60,19 @@ impl<R: Real> Slow<R> {
 impl<R: Real> Chain<'_, '_, R> {
     /// Shortens a plan; if it is impossible, plans again from stops. `false` if its first section is to be held, which is too short to slow down in.
     pub fn improve(&mut self, given: &[R], budget: NewtonBudget, may_be_held: bool) -> Result<bool, Error> {
-        let before = self.take_given(given)?;
+        let before = self.take_given(given, R::ZERO)?;
+        let late = most_late(self.duration());
         match (self.shorten_any(given, budget, before)?, before) {
             (true, _) => {}
             (false, Some(_)) if may_be_held && self.sections > 1 => return Ok(false),
             _ => self.plan(budget)?,
         }
-        let is_shorter = before.is_none_or(|before| self.duration() < before);
-        if !is_shorter {
-            self.take_given(given)?;
+        self.keep_plan();
+        let planned = self.duration();
+        // A section that is a little late is planned again. But the given plan stays as long as its motions can be planned, if it is not longer.
+        let before = self.take_given(given, late)?;
+        if before.is_none_or(|before| planned < before) {
+            self.swap_plans();
         }
         Ok(true)
     }
@@ -83,13 +87,13 @@ impl<R: Real> Chain<'_, '_, R> {
                 self.promise()?;
                 return Ok(true);
             }
-            self.take_given(given)?;
+            self.take_given(given, R::ZERO)?;
         }
         self.shorten_given(given, budget)
     }
 
-    /// Takes over the plan that is there. Gives its duration if it is possible, s.
-    fn take_given(&mut self, given: &[R]) -> Result<Option<R>, Error> {
+    /// Takes over the plan that is there. Gives its duration if it is possible and no section is later than this, s.
+    fn take_given(&mut self, given: &[R], late: R) -> Result<Option<R>, Error> {
         let full = Slow { factor: R::ONE, rate: R::ZERO, later: R::ZERO };
         for point in 1..self.sections {
             self.take_state(point, &full)?;
@@ -98,7 +102,7 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in 0..self.sections {
             let duration = self.given(section, given)?;
             let least = self.shortest(section, duration)?;
-            let is_kept = duration == R::ZERO || least <= duration + of_check(duration);
+            let is_kept = duration == R::ZERO || least <= duration + late.at_least(of_check(duration));
             is_possible = is_possible && (is_kept || section == 0 && self.is_left(given));
             let taken = if duration == R::ZERO { least } else { duration };
             self.memory.plan.durations.put(section, taken);

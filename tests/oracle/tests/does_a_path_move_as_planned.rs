@@ -72,6 +72,24 @@ fn wrong_durations_are_refused<R: Real>() {
     assert!(2 * refused > PATHS, "{refused} of {PATHS}");
 }
 
+/// Durations that are a little too short: a path whose motions can be planned does not get longer. A third of them did.
+fn late_sections_stay<R: Real>() {
+    let (mut chains, mut random, mut longer, mut asked) = (Chains::new(25), Random::seeded(25), 0, 0);
+    for _ in 0..PATHS {
+        let chain = chains.draw::<R>();
+        let Ok((mut path, _)) = Paths.plan(&chain, 0) else { continue };
+        path.durations.iter_mut().for_each(|t| *t = *t * R::of(1.0 - random.magnitude(-15.0, -3.0)));
+        if moves_of(&chain, &path).0.is_ok() {
+            let before = path.duration();
+            Paths.improve(&chain, &mut path, 0).expect("a plan");
+            longer += usize::from(path.duration() > before * (1.0 + 16.0 * R::MACHINE_EPSILON.widen()));
+            asked += 1;
+        }
+    }
+    let most = if size_of::<R>() == 8 { 0 } else { asked / 100 };
+    assert!(longer <= most && 4 * asked > PATHS, "{}: {longer} of {asked} of {PATHS}", R::NAME);
+}
+
 /// How far the axes are from the straight line of their section.
 fn off_line<R: Real>(moves: &[Move<R>], x: f64) -> f64 {
     let at = |x: &dyn Fn(&Move<R>) -> R| moves.iter().map(|axis| axis.position(x(axis)).widen()).collect::<Vec<_>>();
@@ -154,6 +172,6 @@ fn a_straight_line_is_kept<R: Real>() {
 }
 
 test_both_reals!(
-    sections_are_those_planned_by_hand, wrong_durations_are_refused, deviations_are_bounded_closely,
-    a_straight_line_is_kept
+    sections_are_those_planned_by_hand, wrong_durations_are_refused, late_sections_stay,
+    deviations_are_bounded_closely, a_straight_line_is_kept
 );

@@ -347,7 +347,7 @@ fn ends_that_turn_cost_little() {
     assert_parts(
         "rows with ends that turn, over the move",
         &rows_over_the_move(400, Findings::OVERSHOOTS),
-        [1.01, 1.3],
+        [1.001, 1.01],
     );
 }
 
