@@ -29,15 +29,13 @@ fn prose(document: &Path) -> String {
 fn links(document: &Path) -> Vec<Link> {
     let prose = prose(document);
     let targets = prose.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
-    targets
-        .filter(|target| !target.contains("://") && !target.starts_with("mailto:"))
-        .map(|target| {
-            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
-            let file =
-                if file.is_empty() { document.to_owned() } else { plain(&document.parent().unwrap().join(file)) };
-            Link { document: document.to_owned(), file, heading: heading.to_owned() }
-        })
-        .collect()
+    let of_files = targets.filter(|target| !target.contains("://") && !target.starts_with("mailto:"));
+    let link = |target: &str| {
+        let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+        let file = if file.is_empty() { document.to_owned() } else { plain(&document.parent().unwrap().join(file)) };
+        Link { document: document.to_owned(), file, heading: heading.to_owned() }
+    };
+    of_files.map(link).collect()
 }
 
 fn plain(path: &Path) -> PathBuf {
@@ -54,14 +52,12 @@ fn plain(path: &Path) -> PathBuf {
 /// The names under which a page can be entered: its headings in small letters, without punctuation, with hyphens.
 fn headings(file: &Path) -> HashSet<String> {
     let prose = prose(file);
-    let headings = prose.lines().filter(|line| line.starts_with('#'));
-    headings
-        .map(|line| {
-            let title = line.trim_start_matches('#').trim().to_lowercase();
-            let letters = title.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
-            letters.map(|c| if c == ' ' { '-' } else { c }).collect()
-        })
-        .collect()
+    let name = |line: &str| {
+        let title = line.trim_start_matches('#').trim().to_lowercase();
+        let letters = title.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+        letters.map(|c| if c == ' ' { '-' } else { c }).collect()
+    };
+    prose.lines().filter(|line| line.starts_with('#')).map(name).collect()
 }
 
 #[test]
@@ -92,11 +88,8 @@ fn each_table_is_drawn() {
 
 #[test]
 fn in_the_package() {
-    let packaged: HashSet<PathBuf> =
-        lines(Command::new(env!("CARGO")).args(["package", "--list", "--allow-dirty"]).current_dir(root()))
-            .iter()
-            .map(PathBuf::from)
-            .collect();
+    let list = lines(Command::new(env!("CARGO")).args(["package", "--list", "--allow-dirty"]).current_dir(root()));
+    let packaged: HashSet<_> = list.iter().map(PathBuf::from).collect();
     let readme = Path::new("README.md");
     assert!(packaged.contains(readme) && !links(readme).is_empty());
     for document in documents().iter().filter(|path| packaged.contains(*path)) {

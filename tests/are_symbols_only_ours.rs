@@ -6,11 +6,9 @@ use support::tools::{has_tool, lines};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, PREFIXED, Variant};
 
 fn names(flags: &[&str], file: &Path) -> Vec<String> {
-    let mut names: Vec<_> = lines(Command::new("nm").args(["--format=posix"]).args(flags).arg(file))
-        .iter()
-        .filter(|line| !line.ends_with(':'))
-        .filter_map(|line| line.split_whitespace().next().map(str::to_owned))
-        .collect();
+    let table = lines(Command::new("nm").arg("--format=posix").args(flags).arg(file));
+    let symbols = table.iter().filter(|line| !line.ends_with(':'));
+    let mut names: Vec<_> = symbols.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect();
     names.sort();
     names
 }
@@ -18,11 +16,8 @@ fn names(flags: &[&str], file: &Path) -> Vec<String> {
 /// What the archive may need: the clock, roots, `memcpy` for moves on a line, and `memset` for samples that are all 0. LLVM emits a bare root instruction
 /// only if the argument cannot be negative. Otherwise it also emits a call.
 fn needed(variant: &Variant) -> &'static [&'static str] {
-    if variant.choices.contains(&"REAL=float") {
-        &["clock_gettime", "memcpy", "memset", "sqrt", "sqrtf"]
-    } else {
-        &["clock_gettime", "memcpy", "memset", "sqrt"]
-    }
+    let count = if variant.choices.contains(&"REAL=float") { 5 } else { 4 };
+    &["clock_gettime", "memcpy", "memset", "sqrt", "sqrtf"][..count]
 }
 
 #[test]

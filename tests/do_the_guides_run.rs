@@ -58,13 +58,12 @@ fn followed(reader: &str) -> String {
 }
 
 fn steps(job: &str) -> Vec<String> {
-    let lines = job.lines().map(str::trim_start);
-    let commands = lines.filter_map(|line| {
-        let step = line.strip_prefix("- ")?;
+    let command = |line: &str| {
+        let step = line.trim_start().strip_prefix("- ")?;
         let command = step.strip_prefix("run: ").unwrap_or(step);
         command.starts_with("sh ").then(|| format!("{command}\n"))
-    });
-    let commands: Vec<_> = commands.collect();
+    };
+    let commands: Vec<_> = job.lines().filter_map(command).collect();
     assert!(!commands.is_empty(), "{job}");
     commands
 }

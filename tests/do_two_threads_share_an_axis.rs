@@ -29,7 +29,6 @@ fn without_a_jump() {
     for variant in [&DOUBLE, &FLOAT] {
         for flags in [&[][..], &[GROUP]] {
             let output = program(variant, flags);
-            println!("{flags:?} {}", printed(&output));
             assert!(output.status.success(), "{flags:?} {}", printed(&output));
         }
     }
@@ -56,8 +55,7 @@ fn host() -> String {
 fn watched_program(archive: &Path, library: &Path, flags: &[&str]) -> Output {
     let program = DOUBLE.scratch().join(format!("watched{}", flags.concat()));
     let object = program.with_extension("o");
-    let mut command = compiler(&DOUBLE, flags);
-    run(command.args(["-fsanitize=thread", "-c", "-o"]).arg(&object));
+    run(compiler(&DOUBLE, flags).args(["-fsanitize=thread", "-c", "-o"]).arg(&object));
     let mut link = Command::new("cc");
     link.args(["-no-pie", "-rdynamic", "-pthread"]).arg(object).arg(archive).arg(library);
     run(link.args(["-lm", "-ldl", "-lrt", "-o"]).arg(&program));
@@ -75,7 +73,6 @@ fn without_a_data_race() {
     let archive = watched_archive();
     for flags in [&[][..], &[GROUP]] {
         let output = watched_program(&archive, &library, flags);
-        println!("watched: {flags:?} {}", printed(&output));
         assert!(output.status.success(), "{flags:?} {}", printed(&output));
     }
     let early = printed(&watched_program(&archive, &library, &[EARLY]));

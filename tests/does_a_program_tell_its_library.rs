@@ -34,9 +34,8 @@ fn link(name: &str, archive: &Path, flags: &[&str]) -> PathBuf {
     fs::write(&source, text).unwrap();
     let program = tests.join(name);
     let mut cc = Command::new("cc");
-    cc.arg("-O2").args(flags).arg("-I").arg(DOUBLE.include());
-    cc.arg(source).arg(archive).arg("-lm");
-    run(cc.arg("-o").arg(&program));
+    cc.arg("-O2").args(flags).arg("-I").arg(DOUBLE.include()).arg(source).arg(archive);
+    run(cc.args(["-lm", "-o"]).arg(&program));
     program
 }
 
@@ -53,23 +52,19 @@ fn the_library_itself() {
 
 #[test]
 fn readelf_finds_the_note() {
-    let mut readelf = Command::new("readelf");
-    let notes = lines(readelf.arg("-n").arg(DOUBLE.archive()));
+    let notes = lines(Command::new("readelf").arg("-n").arg(DOUBLE.archive()));
     assert!(notes.iter().any(|l| l.trim().starts_with("atraj ")), "{notes:?}");
 }
 
 fn sizes(program: &Path) -> String {
-    let table = lines(Command::new("size").arg(program));
-    table[1].split_whitespace().take(3).collect::<Vec<_>>().join(" ")
+    lines(Command::new("size").arg(program))[1].split_whitespace().take(3).collect::<Vec<_>>().join(" ")
 }
 
 #[test]
 fn a_program_without_unused_sections_tells_it_at_no_cost() {
     let archive = DOUBLE.archive();
     let bare = DOUBLE.scratch().join("without-note.a");
-    fs::create_dir_all(bare.parent().unwrap()).unwrap();
-    let mut objcopy = Command::new("objcopy");
-    run(objcopy.args(["-R", ".atraj.note"]).arg(&archive).arg(&bare));
+    run(Command::new("objcopy").args(["-R", ".atraj.note"]).arg(&archive).arg(&bare));
     for linker in ["bfd", "lld"] {
         if !has_tool(&format!("ld.{linker}")) {
             continue;
@@ -104,9 +99,8 @@ fn a_file_without_the_library_is_answered_with_a_sentence() {
 #[test]
 fn the_preprocessor_knows_the_version() {
     let version = env!("CARGO_PKG_VERSION");
-    let mut macros = Command::new("cc");
-    macros.args(["-dM", "-E", "-x", "c", "-include", "atraj.h", "/dev/null", "-I"]);
-    let macros = lines(macros.arg(DOUBLE.include()));
+    let flags = ["-dM", "-E", "-x", "c", "-include", "atraj.h", "/dev/null", "-I"];
+    let macros = lines(Command::new("cc").args(flags).arg(DOUBLE.include()));
     let numbers = version.split(['.', '-']);
     let names = ["MAJOR", "MINOR", "PATCH"].map(|part| format!("ATRAJ_VERSION_{part}"));
     let mut wanted = vec![format!("#define ATRAJ_VERSION \"{version}\"")];

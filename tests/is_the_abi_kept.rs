@@ -26,9 +26,8 @@ fn library(tree: &Path, name: &str, choices: &[&str]) -> PathBuf {
 
 /// The source tree of the last release; `None` before the first.
 fn last_release() -> Option<PathBuf> {
-    let mut git = Command::new("git");
-    let output =
-        git.current_dir(root()).args(["describe", "--tags", "--abbrev=0", "--match=v*", "HEAD^"]).output().unwrap();
+    let describe = ["describe", "--tags", "--abbrev=0", "--match=v*", "HEAD^"];
+    let output = Command::new("git").current_dir(root()).args(describe).output().unwrap();
     let tag = String::from_utf8(output.stdout).unwrap().trim().to_owned();
     if tag.is_empty() {
         return None;

@@ -19,9 +19,8 @@ fn build(variant: &Variant, compiler: &str, flags: &[&str], source: &str) -> Pat
     // The tests run in threads, and some need the same program.
     let own = format!("{source}-{compiler}{options}-{:?}", std::thread::current().id());
     let program = variant.scratch().join(own.replace(['(', ')'], ""));
-    let mut command = Command::new(compiler);
-    command.args(STRICT).arg("-O2").args(flags).arg(root().join("c_tests").join(source));
-    variant.link(&mut command, program)
+    let source = root().join("c_tests").join(source);
+    variant.link(Command::new(compiler).args(STRICT).arg("-O2").args(flags).arg(source), program)
 }
 
 /// Compiles `c_tests/{source}` with each compiler of the language and each of these standards, and hands the programs over.
@@ -38,9 +37,8 @@ fn succeeds(program: &mut Command) {
 }
 
 fn replay_golden(command: &mut Command) -> Vec<String> {
-    let table = lines(command.arg(golden::directory()));
     let mut functions = Vec::new();
-    for line in table {
+    for line in lines(command.arg(golden::directory())) {
         let [function, rows, differing] = line.split_whitespace().collect::<Vec<_>>()[..] else {
             panic!("not a table line: {line}");
         };
@@ -126,9 +124,7 @@ fn layout_by_tcc() {
         let mut compile = Command::new("tcc");
         compile.args(["-c", "-Wall", "-Werror", "-I"]).arg(variant.include());
         run(compile.arg(root().join("c_tests/abi.c")).arg("-o").arg(&object));
-        let mut link = Command::new("cc");
-        link.args(["-z", "noexecstack"]).arg(&object).arg(variant.archive());
-        run(link.arg("-lm").arg("-o").arg(&program));
+        let program = variant.link(Command::new("cc").args(["-z", "noexecstack"]).arg(object), program);
         run(&mut Command::new(program));
     }
 }
@@ -148,19 +144,16 @@ fn contracts_of_our_own_functions() {
 
 #[test]
 fn a_c_program_calls_every_function() {
-    let called: BTreeSet<_> = CONTRACTS
-        .iter()
-        .chain(&["golden.c", "claraty.c"])
-        .flat_map(|source| {
-            let object = DOUBLE.scratch().join(source).with_extension("o");
-            let mut compile = Command::new("cc");
-            compile.args(["-std=c99", "-c", "-I"]).arg(DOUBLE.include());
-            run(compile.arg(root().join("c_tests").join(source)).arg("-o").arg(&object));
-            lines(Command::new("nm").args(["-u", "-j"]).arg(object))
-        })
-        .collect();
-    let symbols = DOUBLE.symbols();
-    assert_eq!(symbols.iter().filter(|symbol| !called.contains(*symbol)).collect::<Vec<_>>(), [""; 0]);
+    let sources = CONTRACTS.into_iter().chain(["golden.c", "claraty.c"]);
+    let calls = sources.flat_map(|source| {
+        let object = DOUBLE.scratch().join(source).with_extension("o");
+        let mut compile = Command::new("cc");
+        compile.args(["-std=c99", "-c", "-I"]).arg(DOUBLE.include());
+        run(compile.arg(root().join("c_tests").join(source)).arg("-o").arg(&object));
+        lines(Command::new("nm").args(["-u", "-j"]).arg(object))
+    });
+    let called: BTreeSet<_> = calls.collect();
+    assert_eq!(DOUBLE.symbols().into_iter().filter(|symbol| !called.contains(symbol)).collect::<Vec<_>>(), [""; 0]);
 }
 
 #[test]

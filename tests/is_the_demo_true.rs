@@ -48,9 +48,8 @@ fn parity(name: &str, filter: &str) -> Output {
     let script = directory.join("servo.sh");
     fs::write(&script, format!("#!/bin/sh\ntarget/demo/servo | {filter}\n")).unwrap();
     assert!(Command::new("chmod").arg("+x").arg(&script).status().unwrap().success());
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["run", "--quiet", "--locked", "-p", "demo", "--bin", "parity"]).arg(script).current_dir(root());
-    cargo.output().unwrap()
+    let arguments = ["run", "--quiet", "--locked", "-p", "demo", "--bin", "parity"];
+    Command::new(env!("CARGO")).args(arguments).arg(script).current_dir(root()).output().unwrap()
 }
 
 #[test]
@@ -87,17 +86,14 @@ fn each_example_has_its_picture_and_the_pages_show_it() {
     let examples = names("examples/expected").into_iter().map(|file| file.replace(".txt", ""));
     for name in examples.collect::<BTreeSet<_>>().iter().map(|name| &**name).chain(["sensitivity"]) {
         let start = format!("{name}: ");
-        let picture =
-            DEMO.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or_else(|| panic!("no picture of {name}"));
+        let picture = DEMO.lines().find_map(|line| line.strip_prefix(&start)).expect(&start);
         let file = picture.replace("target/demo/", "");
         let [drawn, shown] = [root().join(picture), root().join("docs/img").join(&file)].map(fs::read_to_string);
         assert!(drawn.unwrap() == shown.unwrap_or_default(), "copy {picture} to docs/img");
         assert!(known.insert(file.clone()), "{name} has the title of another example");
         if name != "sensitivity" {
-            let row = format!("| `{name}` |");
-            let rows = readme
-                .lines()
-                .filter(|line| line.starts_with(&row) && line.ends_with(&format!("(../docs/img/{file}) |")));
+            let (row, end) = (format!("| `{name}` |"), format!("(../docs/img/{file}) |"));
+            let rows = readme.lines().filter(|line| line.starts_with(&row) && line.ends_with(&end));
             assert_eq!(rows.count(), 1, "{row}");
             let text = read(format!("target/demo/{name}.txt"));
             let expected = read(format!("examples/expected/{name}.txt"));

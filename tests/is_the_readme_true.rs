@@ -57,8 +57,7 @@ fn its_lines_build_its_program() {
     DOUBLE.dist();
     let directory = directory("lines");
     fs::write(directory.join("axis.c"), program).unwrap();
-    let mut shell = Command::new("sh");
-    let said = run(shell.args(["-euc", lines]).current_dir(directory)).stdout;
+    let said = run(Command::new("sh").args(["-euc", lines]).current_dir(directory)).stdout;
     assert!(said.starts_with(b"-2.0000 m after "));
 }
 

@@ -74,13 +74,9 @@ fn brief() {
     }
     assert!(LONG.iter().all(|name| modules.contains(&format!("mod long_{name};"))), "{modules}");
 
-    let config = [
-        ("SIZE_FLOAT", 8),
-        ("TRAJPOLY_COMPACT", u8::from(is_compact)),
-        ("TRAJPOLY3", 3),
-        ("TRAJPOLY5", 3),
-        ("TRAJPOLY7", 4),
-    ];
+    let compact = u8::from(is_compact);
+    let config =
+        [("SIZE_FLOAT", 8), ("TRAJPOLY_COMPACT", compact), ("TRAJPOLY3", 3), ("TRAJPOLY5", 3), ("TRAJPOLY7", 4)];
     let config = config.map(|(name, value)| format!("#define ATRAJ_{name} {value}\n")).concat();
     fs::write(out.join("atraj_config.h"), config).unwrap();
     println!("cargo:rerun-if-changed={}", root.join("c_tests").display());
@@ -102,16 +98,10 @@ fn brief() {
 }
 
 fn liba() -> PathBuf {
-    let output = Command::new(env::var_os("CARGO").unwrap())
-        .args(["metadata", "--format-version=1", "--locked"])
-        .args(["--filter-platform", &env::var("HOST").unwrap()])
-        .output()
-        .expect("cargo runs");
+    let options = ["metadata", "--format-version=1", "--locked", "--filter-platform", &env::var("HOST").unwrap()];
+    let output = Command::new(env::var_os("CARGO").unwrap()).args(options).output().expect("cargo runs");
     assert!(output.status.success(), "cargo metadata: {}", String::from_utf8_lossy(&output.stderr));
     let metadata = String::from_utf8(output.stdout).unwrap();
-    metadata
-        .split('"')
-        .find_map(|text| text.strip_suffix("/Cargo.toml").filter(|d| d.ends_with("liba-0.1.15")))
-        .expect("cargo metadata lists liba 0.1.15")
-        .into()
+    let mut folders = metadata.split('"').filter_map(|text| text.strip_suffix("/Cargo.toml"));
+    folders.find(|folder| folder.ends_with("liba-0.1.15")).expect("cargo metadata lists liba 0.1.15").into()
 }

@@ -17,17 +17,12 @@ fn prototypes(include: &Path, size: &str) -> Vec<String> {
     let source = directory.join("prototypes.c");
     let list = directory.join("prototypes.txt");
     fs::write(&source, program).unwrap();
-    let mut gcc = Command::new("gcc");
-    gcc.args(["-fsyntax-only", size, "-I"]).arg(include);
-    run(gcc.arg("-aux-info").arg(&list).arg(source));
+    run(Command::new("gcc").args(["-fsyntax-only", size, "-aux-info"]).arg(&list).arg("-I").arg(include).arg(source));
     let real = if size.ends_with('4') { "float" } else { "double" };
-    let mut prototypes: Vec<_> = fs::read_to_string(list)
-        .unwrap()
-        .lines()
-        .filter_map(|line| line.split_once("*/ "))
-        .map(|(_place, prototype)| prototype.replace("struct ", "").replace("a_float", real))
-        .filter(|prototype| prototype.contains(" a_traj"))
-        .collect();
+    let text = fs::read_to_string(list).unwrap();
+    let prototypes = text.lines().filter_map(|line| Some(line.split_once("*/ ")?.1));
+    let named = prototypes.map(|prototype| prototype.replace("struct ", "").replace("a_float", real));
+    let mut prototypes: Vec<_> = named.filter(|prototype| prototype.contains(" a_traj")).collect();
     prototypes.sort();
     prototypes
 }
@@ -47,8 +42,7 @@ fn prototypes_are_the_same() {
 /// field. The second set uses the prelude of the first. `tv` replaces the field `tv` of the first set.
 fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> String {
     let headers = Family::ALL.map(Family::c_name);
-    let names: Vec<_> =
-        shared_symbols(&DOUBLE).into_iter().chain(headers.map(|header| format!("a_{header}"))).collect();
+    let names: Vec<_> = shared_symbols(&DOUBLE).into_iter().chain(headers.map(|name| format!("a_{name}"))).collect();
     let mut program = format!("#define tv {tv}\n");
     for (header, highest) in headers.iter().zip([0, 0, 3, 3, 4]) {
         if highest > 0 {
@@ -84,9 +78,8 @@ fn layout_program(first: &Path, second: &Path, levels: usize, tv: &str) -> Strin
 fn check_layout(compiler: &str, size: &str, program: &str) -> Output {
     let source = directory("layouts").join("layout.c");
     fs::write(&source, program).unwrap();
-    let mut check = Command::new(compiler);
-    check.args(["-std=gnu11", "-Wall", "-Werror", "-fsyntax-only", size]);
-    check.arg(source).output().unwrap()
+    let flags = ["-std=gnu11", "-Wall", "-Werror", "-fsyntax-only", size];
+    Command::new(compiler).args(flags).arg(source).output().unwrap()
 }
 
 #[test]
@@ -116,9 +109,8 @@ fn layouts_are_the_same() {
 fn consume(variant: &Variant, include: &Path, compiler: &[&str], source: &Path) -> Vec<String> {
     let program = directory("consumer").join("program");
     let mut compile = Command::new(compiler[0]);
-    compile.args(&compiler[1..]).args(["-Wall", "-Wextra", "-Werror", "-I"]).arg(include);
-    compile.arg(source).arg(variant.archive());
-    run(compile.arg("-lm").arg("-o").arg(&program));
+    compile.args(&compiler[1..]).args(["-Wall", "-Wextra", "-Werror", "-I"]).arg(include).arg(source);
+    run(compile.arg(variant.archive()).args(["-lm", "-o"]).arg(&program));
     lines(Command::new(program).arg(golden::directory()))
 }
 

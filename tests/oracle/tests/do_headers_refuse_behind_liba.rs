@@ -13,8 +13,7 @@ fn says(compiler: &str, ours: &Path, first: &str, header: &str, flags: &[&str]) 
     let source = directory(&format!("behind-liba-{}", std::thread::current().name().unwrap())).join("program.c");
     fs::write(&source, format!("{first}\n#include \"{header}\"\n")).unwrap();
     let mut check = Command::new(compiler);
-    check.args(["-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I"]);
-    check.arg(ours).arg("-I").arg(include());
+    check.args(["-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I"]).arg(ours).arg("-I").arg(include());
     let output = check.args(flags).arg(source).output().unwrap();
     let errors = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.success(), errors.is_empty(), "{errors}");
@@ -33,9 +32,7 @@ typedef double a_real;
 ";
 
 fn headers() -> Vec<String> {
-    let mut headers = Family::ALL.map(|family| format!("a/{}.h", family.c_name())).to_vec();
-    headers.push("atraj.h".into());
-    headers
+    Family::ALL.map(|family| format!("a/{}.h", family.c_name())).into_iter().chain(["atraj.h".into()]).collect()
 }
 
 #[test]
@@ -85,10 +82,8 @@ fn newer_liba() {
 /// `atraj.h` serves liba's own structs too. Its C++ members belong to ours.
 #[test]
 fn libas_own_structs() {
-    let theirs: String = Family::ALL
-        .map(|family| include().join(format!("a/{}.h", family.c_name())))
-        .map(|header| format!("#include \"{}\"\n", header.display()))
-        .concat();
+    let line = |family: Family| format!("#include \"{}/a/{}.h\"\n", include().display(), family.c_name());
+    let theirs = Family::ALL.map(line).concat();
     for compiler in compilers(Language::Cpp) {
         assert_eq!(says(compiler, &DOUBLE.include(), &theirs, "atraj.h", &["-xc++"]), "");
     }

@@ -48,8 +48,7 @@ fn the_originals_own_programs_print_the_same() {
                     printed[usize::from(cpp)] += output[0].len();
                 }
             }
-            println!("{size} {name}: {} lines in C, {} in C++", printed[0], printed[1]);
-            assert!(printed[0] > 1000 && (!has_cpp || printed[1] == printed[0]));
+            assert!(printed[0] > 1000 && (!has_cpp || printed[1] == printed[0]), "{size} {name}: {printed:?} lines");
         }
     }
 }

@@ -10,8 +10,7 @@ const LOADER: &str = "/lib64/ld-linux-x86-64.so.2";
 
 fn levels() -> Vec<&'static str> {
     let help = Command::new(LOADER).arg("--help").output();
-    let help = help.map(|output| String::from_utf8(output.stdout).unwrap());
-    let help = help.unwrap_or_default();
+    let help = help.map_or(String::new(), |output| String::from_utf8(output.stdout).unwrap());
     let mut levels = vec!["x86-64-v3", "x86-64-v4"];
     levels.retain(|level| {
         let is_here = help.contains(&format!("{level} (supported"));

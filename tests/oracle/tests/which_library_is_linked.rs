@@ -11,17 +11,15 @@ use support::variant::DOUBLE;
 
 /// Functions that the program calls: of the trajectories, of the original's other parts, and of the system.
 const TRACED: [&str; 4] = ["a_trajbell_gen", "a_pid_pos", "sqrt", "memcpy"];
+const MIXED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/c/mixed.c");
 
 /// Links `c/mixed.c` with these libraries. The result is what it prints, and the file that defines each traced function.
 fn link(libraries: &[&Path]) -> (Vec<String>, [String; 4]) {
     let program = directory("linked").join("mixed");
     let mut link = Command::new("cc");
-    link.args(["-O2", "-fno-builtin", "-Wall", "-Wextra", "-Werror", "-I"]).arg(include());
-    link.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/mixed.c"));
+    link.args(["-O2", "-fno-builtin", "-Wall", "-Wextra", "-Werror", "-I"]).arg(include()).arg(MIXED);
     for library in libraries {
-        link.arg(library);
-        let directory = library.parent().unwrap().display();
-        link.arg(format!("-Wl,-rpath,{directory}"));
+        link.arg(library).arg(format!("-Wl,-rpath,{}", library.parent().unwrap().display()));
     }
     link.args(TRACED.map(|name| format!("-Wl,--trace-symbol={name}")));
     let Output { stdout, stderr, .. } = run(link.arg("-lm").arg("-o").arg(&program));
@@ -66,18 +64,15 @@ fn make_identify_shows_that_a_relink_took() {
     let theirs = theirs.join("liba.a");
     let ours = DOUBLE.archive();
     let identify = |line: &[&Path]| {
-        let directory = directory("relinked");
+        let program = directory("relinked").join("program");
         let mut relink = Command::new("cc");
-        relink.args(["-O2", "-I"]).arg(include());
-        relink.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/mixed.c"));
-        relink.args(line).arg("-lm").arg("-o");
-        run(relink.arg(directory.join("program")));
-        let Output { stdout, stderr, .. } = tools::identify(&directory.join("program"));
+        relink.args(["-O2", "-I"]).arg(include()).arg(MIXED).args(line);
+        run(relink.args(["-lm", "-o"]).arg(&program));
+        let Output { stdout, stderr, .. } = tools::identify(&program);
         [stdout, stderr].map(|text| String::from_utf8(text).unwrap())
     };
     let [told, _] = identify(&[&ours, &theirs]);
-    println!("relinked: {told}");
-    assert!(told.starts_with("atraj ") && told.contains(", double, "));
+    assert!(told.starts_with("atraj ") && told.contains(", double, "), "{told}");
     // Behind the original the archive is not asked for anything.
     for line in [&[&*theirs][..], &[&*theirs, &*ours]] {
         let [told, error] = identify(line);
@@ -96,10 +91,9 @@ fn with_types(name: &str, flags: &[&str]) -> PathBuf {
     build(&directory, &sources, &[&["-g"], flags].concat());
     let library = directory.join("exported.so");
     let mut link = Command::new("cc");
-    link.args(["-shared", "-Wl,-soname,libatraj.so.0", "-Wl,--whole-archive"]);
-    link.arg(directory.join("liba.a")).arg("-Wl,--no-whole-archive");
-    link.arg(format!("-Wl,--version-script={}", exports.display()));
-    run(link.arg("-lm").arg("-o").arg(&library));
+    link.args(["-shared", "-Wl,-soname,libatraj.so.0", "-Wl,--whole-archive"]).arg(directory.join("liba.a"));
+    link.args(["-Wl,--no-whole-archive", &format!("-Wl,--version-script={}", exports.display()), "-lm", "-o"]);
+    run(link.arg(&library));
     library
 }
 
@@ -109,12 +103,10 @@ fn abidiff_sees_no_change() {
         return;
     }
     let dist = root().join("target/dist-types");
-    let mut make = Command::new("make");
-    make.current_dir(root()).env("CARGO_PROFILE_RELEASE_DEBUG", "2");
-    run(make.args(["-s", "dist", "DIST=target/dist-types"]));
+    let dist_of_types = ["-s", "dist", "DIST=target/dist-types"];
+    run(Command::new("make").current_dir(root()).env("CARGO_PROFILE_RELEASE_DEBUG", "2").args(dist_of_types));
     let ours = dist.join("lib/libatraj.so");
     let (text, changed) = abidiff(&with_types("abi", &[]), &ours);
-    println!("{text}");
     assert!(!changed, "{text}");
     assert!(text.contains("0 Removed"), "{text}");
     for planted in ["-DA_SIZE_FLOAT=4", "-DA_TRAJPOLY7=3", "-Da_trajtrap_acc=a_trajtrap_acceleration"] {

@@ -5,7 +5,6 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 #[derive(Clone, Copy)]
-#[allow(missing_docs)]
 pub enum Language {
     C,
     Cpp,
@@ -42,9 +41,8 @@ pub fn printed(output: &Output) -> String {
 
 /// Asks `make identify` which library is in a program.
 pub fn identify(program: &Path) -> Output {
-    let mut make = Command::new("make");
-    make.current_dir(root()).args(["-s", "identify"]);
-    make.arg(format!("FILE={}", program.display())).output().unwrap()
+    let file = format!("FILE={}", program.display());
+    Command::new("make").current_dir(root()).args(["-s", "identify", &file]).output().unwrap()
 }
 
 pub fn lines(command: &mut Command) -> Vec<String> {

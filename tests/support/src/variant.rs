@@ -33,8 +33,7 @@ impl Variant {
         static BUILT: Mutex<BTreeSet<&str>> = Mutex::new(BTreeSet::new());
         let mut built = BUILT.lock().unwrap();
         if !built.contains(self.directory) {
-            let mut make = Command::new("make");
-            run(make.current_dir(root()).args(["-s", "dist"]).args(self.choices));
+            run(Command::new("make").current_dir(root()).args(["-s", "dist"]).args(self.choices));
             built.insert(self.directory);
         }
         root().join("target").join(self.directory)

@@ -38,15 +38,13 @@ pub fn build(directory: &Path, sources: &[&str], flags: &[&str]) {
         if wanted && source.extension().is_some_and(|e| e == "c") {
             let object = directory.join(stem).with_extension("o");
             let mut compile = Command::new("cc");
-            compile.args(["-c", "-O2", "-fPIC", "-ffp-contract=off", "-I"]);
-            compile.arg(include()).args(flags).arg(&source);
-            run(compile.arg("-o").arg(&object));
+            compile.args(["-c", "-O2", "-fPIC", "-ffp-contract=off", "-I"]).arg(include()).args(flags);
+            run(compile.arg(&source).arg("-o").arg(&object));
             objects.push(object);
         }
     }
     assert!(objects.len() >= sources.len().max(1), "sources of liba");
     run(Command::new("ar").arg("crs").arg(directory.join("liba.a")).args(&objects));
-    let mut link = Command::new("cc");
-    link.args(["-shared", "-Wl,-soname,liba.so", "-o"]).arg(directory.join("liba.so"));
-    run(link.args(&objects).arg("-lm"));
+    let shared = ["-shared", "-Wl,-soname,liba.so", "-o"];
+    run(Command::new("cc").args(shared).arg(directory.join("liba.so")).args(&objects).arg("-lm"));
 }

@@ -122,12 +122,10 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 
 /// Instructions of a call, counted by callgrind in a process of its own.
 fn instructions(row: usize, library: usize, calls: usize) -> String {
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=counted"])
-        .arg(std::env::current_exe().expect("the path of this program"))
-        .args(["count", &row.to_string(), &library.to_string()])
-        .output()
-        .expect("valgrind is installed");
+    let mut valgrind = Command::new("valgrind");
+    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=counted"]);
+    valgrind.arg(std::env::current_exe().expect("the path of this program"));
+    let output = valgrind.args(["count", &row.to_string(), &library.to_string()]).output().expect("valgrind");
     let text = String::from_utf8_lossy(&output.stderr);
     let collected = text.lines().find_map(|line| line.split_once("Collected : "));
     let (_, count) = collected.unwrap_or_else(|| panic!("valgrind: {text}"));
@@ -157,8 +155,7 @@ fn rows(count: usize) -> Vec<Row> {
     let mut random = Random(1);
     let mut rows = Vec::new();
     for (case, plans) in bells(count, &mut random) {
-        let case = format!("{case}, {place}");
-        rows.push(gen7("a_trajbell_gen", case, plans, |abi| abi.bell));
+        rows.push(gen7("a_trajbell_gen", format!("{case}, {place}"), plans, |abi| abi.bell));
     }
     let plans = (0..count).map(|_| trap(&mut random)).collect();
     rows.push(gen7("a_trajtrap_gen", place.into(), plans, |abi| abi.trap));
@@ -277,10 +274,8 @@ fn evaluations(
 ) {
     let mut moves = planned(family, plans);
     moves.retain(|fields| duration(fields) > 0.0);
-    let at_random: Rc<[Moment]> = moves
-        .iter()
-        .map(|fields| (fields[..].into(), duration(fields) * random.between(0.0, 1.0) as a_float))
-        .collect();
+    let moment = |fields: &Plan| (fields[..].into(), duration(fields) * random.between(0.0, 1.0) as a_float);
+    let at_random: Rc<[Moment]> = moves.iter().map(moment).collect();
     let first: Rc<[a_float]> = moves[0][..].into();
     let step = duration(&first) / moves.len() as a_float;
     let sweep: Rc<[Moment]> = (0..moves.len()).map(|k| (first.clone(), k as a_float * step)).collect();
@@ -320,8 +315,7 @@ fn sample_all<C>(sample: Sample<C>, context: *const C, dt: a_float, out: Samples
 fn state_all<C>(state: State<C>, context: *const C, dt: a_float, [p, v, a, j]: Samples) {
     let state = black_box(state);
     align_code();
-    let all = p.iter_mut().zip(v).zip(a).zip(j);
-    for (k, (((p, v), a), j)) in all.enumerate() {
+    for (k, (((p, v), a), j)) in p.iter_mut().zip(v).zip(a).zip(j).enumerate() {
         // SAFETY: the function takes this struct.
         unsafe { state(context, k as a_float * dt, p, v, a, j) };
     }
@@ -366,8 +360,7 @@ fn four_calls<const LIBRARY: usize>(fields: &[a_float], dt: a_float, [p, v, a, j
     let functions: [Evaluate<a_float>; 4] = functions.try_into().expect("four functions");
     let [pos, vel, acc, jer] = black_box(functions);
     align_code();
-    let all = p.iter_mut().zip(v).zip(a).zip(j);
-    for (k, (((p, v), a), j)) in all.enumerate() {
+    for (k, (((p, v), a), j)) in p.iter_mut().zip(v).zip(a).zip(j).enumerate() {
         let x = k as a_float * dt;
         for (y, function) in [(p, pos), (v, vel), (a, acc), (j, jer)] {
             // SAFETY: these are the fields of a bell.
