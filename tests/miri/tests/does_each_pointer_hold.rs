@@ -608,7 +608,6 @@ fn each(rounds: &[(Contents, Null, usize)], mut judge: impl FnMut(&'static str, 
             judge(name, &answer);
         }
     }
-    println!("{} calls of {} functions", rounds.len() * FUNCTIONS.len(), FUNCTIONS.len());
 }
 
 #[test]

@@ -152,8 +152,8 @@ fn moves_stay_inside<R: Original>() {
             }
         }
     }
-    println!("{}: {inside} stay inside, {turned} turn at a bound, {refused} are refused", R::NAME);
-    assert!(inside > PROBLEMS / 10 && turned > PROBLEMS / 50 && refused > PROBLEMS / 10);
+    let is_enough = inside > PROBLEMS / 10 && turned > PROBLEMS / 50 && refused > PROBLEMS / 10;
+    assert!(is_enough, "{inside} stay inside, {turned} turn at a bound, {refused} are refused");
 }
 
 /// Limits with which an axis between 0 and 1 may turn at both of them before it stops.

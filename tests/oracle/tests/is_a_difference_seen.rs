@@ -23,7 +23,6 @@ fn three_libraries_are_linked() {
 fn every_fault_is_caught<R: Original>() {
     for fault in Fault::ALL {
         let report = run_seed::<R>(&fault, &R::ORIGINAL, 0);
-        println!("{} {fault:?}: {} differing", R::NAME, report.differing);
         assert!(report.differing > 0, "{fault:?} in {} went unseen", R::NAME);
         assert!(!report.examples.is_empty());
     }

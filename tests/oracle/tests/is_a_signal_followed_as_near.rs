@@ -30,6 +30,5 @@ fn ours_is_nearer() {
         before = output.new_acceleration[0];
     }
     let jerk = (squares / f64::from(TICKS - FIRST)).sqrt();
-    println!("rsruckig: error {error:.1e}, jerk {jerk:.1}");
-    assert!(error > 50.0 * 1.001 * 8.0 * HORIZON.powi(3) / 27.0 && jerk > 5.7);
+    assert!(error > 50.0 * 1.001 * 8.0 * HORIZON.powi(3) / 27.0 && jerk > 5.7, "error {error:.1e}, jerk {jerk:.1}");
 }

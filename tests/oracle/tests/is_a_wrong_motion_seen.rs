@@ -33,9 +33,7 @@ fn every_fault_is_seen<R: Original>() {
             if !fault.is_possible_in(request) {
                 continue;
             }
-            let seen = seen(fault, &tally);
-            let all = tally.problems;
-            println!("{} {request:?} {fault:?}: {seen} of {all} seen", R::NAME);
+            let (seen, all) = (seen(fault, &tally), tally.problems);
             // Many motions have nothing for a fault to spoil: they reach no limit, start inside, take no time or a long one.
             let few = match fault {
                 Fault::Refuses if request.profile().is_some() => 50,
@@ -44,7 +42,7 @@ fn every_fault_is_seen<R: Original>() {
                 Fault::SilentEnd => 100,
                 _ => 4,
             };
-            assert!(seen * few >= all, "{fault:?} of {request:?} in {}", R::NAME);
+            assert!(seen * few >= all, "{fault:?} of {request:?} in {}: {seen} of {all} seen", R::NAME);
             assert!(!tally.examples.is_empty());
         }
     }
