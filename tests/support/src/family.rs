@@ -5,7 +5,6 @@ use crate::real::Real;
 use atraj::{Bell, Trap};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
 pub enum Family {
     Bell,
     Trap,
@@ -14,8 +13,8 @@ pub enum Family {
     Poly7,
 }
 
-pub const MOST_ARGUMENTS: usize = POLY7.arguments.len(); // the most arguments a family's `gen` has
-pub const MOST_FIELDS: usize = POLY7.fields.len(); // the most reals a family's struct holds
+pub const MOST_ARGUMENTS: usize = Family::Poly7.arguments().len(); // the most arguments a family's `gen` has
+pub const MOST_FIELDS: usize = Family::Poly7.fields().len(); // the most reals a family's struct holds
 pub const MOST_BORDERS: usize = 9; // the most borders a family has, which are the borders of the bell
 
 pub struct Quantity {
@@ -34,53 +33,42 @@ struct Description {
     name: &'static str,
     c_name: &'static str,
     arguments: &'static [&'static str],
+    quantities: usize,
     fields: &'static [&'static str],
-    quantities: usize,
 }
 
-const fn described(
-    [name, c_name]: [&'static str; 2], arguments: &'static [&'static str], fields: &'static [&'static str],
-    quantities: usize,
-) -> Description {
-    Description { name, c_name, arguments, fields, quantities }
-}
-
-const BELL: Description = described(["bell", "trajbell"], &["jm", "am", "vm", "p0", "p1", "v0", "v1"], &BELL_FIELDS, 4);
-const TRAP: Description = described(["trap", "trajtrap"], &["vm", "ac", "de", "p0", "p1", "v0", "v1"], &TRAP_FIELDS, 3);
-
 #[rustfmt::skip]
-const POLY3: Description = described(["poly3", "trajpoly3"], &["ts", "p0", "p1", "v0", "v1"], &[
-    "p[0]", "p[1]", "p[2]", "p[3]",
-    "v[0]", "v[1]", "v[2]",
-    "a[0]", "a[1]",
-], 3);
-
-#[rustfmt::skip]
-const POLY5: Description = described(["poly5", "trajpoly5"], &["ts", "p0", "p1", "v0", "v1", "a0", "a1"], &[
-    "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]",
-    "v[0]", "v[1]", "v[2]", "v[3]", "v[4]",
-    "a[0]", "a[1]", "a[2]", "a[3]",
-], 3);
-
-#[rustfmt::skip]
-const POLY7: Description = described(["poly7", "trajpoly7"], &["ts", "p0", "p1", "v0", "v1", "a0", "a1", "j0", "j1"], &[
-    "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", "p[6]", "p[7]",
-    "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", "v[5]", "v[6]",
-    "a[0]", "a[1]", "a[2]", "a[3]", "a[4]", "a[5]",
-    "j[0]", "j[1]", "j[2]", "j[3]", "j[4]",
-], 4);
+const DESCRIPTIONS: &[Description; 5] = &[
+    Description { name: "bell", c_name: "trajbell", quantities: 4, fields: &BELL_FIELDS,
+        arguments: &["jm", "am", "vm", "p0", "p1", "v0", "v1"] },
+    Description { name: "trap", c_name: "trajtrap", quantities: 3, fields: &TRAP_FIELDS,
+        arguments: &["vm", "ac", "de", "p0", "p1", "v0", "v1"] },
+    Description { name: "poly3", c_name: "trajpoly3", quantities: 3,
+        arguments: &["ts", "p0", "p1", "v0", "v1"], fields: &[
+            "p[0]", "p[1]", "p[2]", "p[3]",
+            "v[0]", "v[1]", "v[2]",
+            "a[0]", "a[1]",
+        ] },
+    Description { name: "poly5", c_name: "trajpoly5", quantities: 3,
+        arguments: &["ts", "p0", "p1", "v0", "v1", "a0", "a1"], fields: &[
+            "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]",
+            "v[0]", "v[1]", "v[2]", "v[3]", "v[4]",
+            "a[0]", "a[1]", "a[2]", "a[3]",
+        ] },
+    Description { name: "poly7", c_name: "trajpoly7", quantities: 4,
+        arguments: &["ts", "p0", "p1", "v0", "v1", "a0", "a1", "j0", "j1"], fields: &[
+            "p[0]", "p[1]", "p[2]", "p[3]", "p[4]", "p[5]", "p[6]", "p[7]",
+            "v[0]", "v[1]", "v[2]", "v[3]", "v[4]", "v[5]", "v[6]",
+            "a[0]", "a[1]", "a[2]", "a[3]", "a[4]", "a[5]",
+            "j[0]", "j[1]", "j[2]", "j[3]", "j[4]",
+        ] },
+];
 
 impl Family {
     pub const ALL: [Self; 5] = [Self::Bell, Self::Trap, Self::Poly3, Self::Poly5, Self::Poly7];
 
     const fn description(self) -> &'static Description {
-        match self {
-            Self::Bell => &BELL,
-            Self::Trap => &TRAP,
-            Self::Poly3 => &POLY3,
-            Self::Poly5 => &POLY5,
-            Self::Poly7 => &POLY7,
-        }
+        &DESCRIPTIONS[self as usize]
     }
 
     pub const fn name(self) -> &'static str {

@@ -46,11 +46,9 @@ pub fn moves_of<R: Real>(family: Family, table: &str) -> Vec<Move<R>> {
 
 pub fn evaluations<R: Real>(family: Family) -> Vec<Evaluation<R>> {
     let table = format!("{}_eval", family.name());
-    let to_evaluation = |row: Row<R>| Evaluation {
-        place: row.place,
-        case: row.case,
-        x: row.values[0],
-        values: row.values[1..].to_vec(),
+    let to_evaluation = |Row { place, case, values }: Row<R>| {
+        let (x, values) = (values[0], values[1..].to_vec());
+        Evaluation { place, case, x, values }
     };
     rows(&table, 1, 1 + family.quantities().len()).into_iter().map(to_evaluation).collect()
 }
@@ -100,25 +98,20 @@ pub fn rows<R: Real>(table: &str, words: usize, numbers: usize) -> Vec<Row<R>> {
     let to_row = |(place, cells): (String, Vec<String>)| {
         let case = cells[0].parse().unwrap_or_else(|e| panic!("{place}: {e}"));
         let number = |cell: &String| R::parse(cell).unwrap_or_else(|| panic!("{place}: {cell:?}"));
-        let values = cells[words..].iter().map(number).collect();
-        Row { place, case, values }
+        Row { values: cells[words..].iter().map(number).collect(), place, case }
     };
     cells(&format!("{table}_{}.csv", R::NAME), words + numbers).into_iter().map(to_row).collect()
 }
 
 /// File and line of each row of a golden file, and its `columns` cells. Panics if the file is missing, has no rows or a row of another length.
 pub fn cells(name: &str, columns: usize) -> Vec<(String, Vec<String>)> {
-    let rows: Vec<_> = read(directory().join(name))
-        .lines()
-        .enumerate()
-        .skip(1)
-        .map(|(index, line)| {
-            let place = format!("{name}:{}", index + 1);
-            let cells: Vec<_> = line.split(',').map(str::to_owned).collect();
-            assert_eq!(cells.len(), columns, "{place}: columns");
-            (place, cells)
-        })
-        .collect();
+    let row = |(index, line): (usize, &str)| {
+        let place = format!("{name}:{}", index + 1);
+        let cells: Vec<_> = line.split(',').map(str::to_owned).collect();
+        assert_eq!(cells.len(), columns, "{place}: columns");
+        (place, cells)
+    };
+    let rows: Vec<_> = read(directory().join(name)).lines().enumerate().skip(1).map(row).collect();
     assert!(!rows.is_empty(), "{name}: no rows");
     rows
 }

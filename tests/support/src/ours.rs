@@ -18,15 +18,13 @@ impl<R: Real> Implementation<R> for OursNewest {
         let planned = match (family, arguments) {
             (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
                 let mut bell = bell(fields);
-                let boundary = Boundary { p0, p1, v0, v1 };
-                let planned = bell.plan_saturated(jm, am, vm, boundary, Saturation::Numbers);
+                let planned = bell.plan_saturated(jm, am, vm, Boundary { p0, p1, v0, v1 }, Saturation::Numbers);
                 fields.copy_from_slice(&bell_fields(&bell));
                 planned
             }
             (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
                 let mut trap = trap(fields);
-                let boundary = Boundary { p0, p1, v0, v1 };
-                let planned = trap.plan_saturated(vm, ac, de, boundary, Saturation::Numbers);
+                let planned = trap.plan_saturated(vm, ac, de, Boundary { p0, p1, v0, v1 }, Saturation::Numbers);
                 fields.copy_from_slice(&trap_fields(&trap));
                 planned
             }

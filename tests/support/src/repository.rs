@@ -4,10 +4,8 @@ use std::fs;
 use std::path::Path;
 
 pub fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .ancestors()
-        .find(|directory| directory.join("tests/golden").is_dir())
-        .expect("a repository around this package")
+    let mut folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
+    folders.find(|folder| folder.join("tests/golden").is_dir()).expect("a repository around this package")
 }
 
 /// The text of a file in the repository.
