@@ -28,8 +28,7 @@ fn illegal<R: Real>(problem: &Problem<R>, random: &mut Random) -> Option<State<R
     };
     let to = State { position: problem.to.position, velocity: R::of(v), acceleration: R::of(a) };
     let rounding = 64.0 * R::MACHINE_EPSILON.widen() * (v.abs() + vmax.min(-vmin));
-    let sure = beyond_legal(&problem.limits, to) > rounding;
-    (sure && v.is_finite() && a.is_finite()).then_some(to)
+    (beyond_legal(&problem.limits, to) > rounding && v.is_finite() && a.is_finite()).then_some(to)
 }
 
 fn illegal_targets<R: Real>() {
@@ -277,8 +276,7 @@ fn beyond_the_range<R: Real>() {
     let plan = |limits, from: &[State<R>], duration| {
         let count = from.len();
         let mut axes = [Move::default(); 2];
-        let limits = &[limits; 2][..count];
-        (synchronise(&mut axes[..count], limits, from, &to[..count], duration, R::ZERO).err(), axes)
+        (synchronise(&mut axes[..count], &[limits; 2][..count], from, &to[..count], duration, R::ZERO).err(), axes)
     };
     let refused = (Some(Error::NotFinite), [Move::default(); 2]);
     // The second axis is beyond the range of the real type, the first is not.

@@ -22,11 +22,8 @@ fn programs<R: Real>() {
 fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
     let zero = R::ZERO;
     let limits = [Limits::symmetric(R::of(30.0), R::of(10.0), R::of(5.0))];
-    let planned = [0.5, 1.5].map(|speed| {
-        let slow = Limits::symmetric(R::of(2.0), R::of(1.0), R::of(speed));
-        online::plan(&slow, State::at(zero), State::at(R::of(20.0)))
-    });
-    let [slow, path] = &planned;
+    let to_the_end = |v| online::plan(&online::symmetric(2.0, 1.0, v), State::at(zero), State::at(R::of(20.0)));
+    let [slow, path] = &[0.5, 1.5].map(to_the_end);
     let next_time = |of: &Move<R>, now: &State<R>, rate: f64| {
         R::of(of.time_at(now.position).expect("a position of the path").widen() + rate * PERIOD)
     };
@@ -62,8 +59,7 @@ fn a_path_goes_on_at_the_rate_in_force<R: Real>() {
         let off = [now[0].position.widen() - path[0].position(s).widen(), now[0].velocity.widen() - rate * 1.5];
         assert!(tick.begins && off.iter().all(|off| off.abs() < 1e3 * R::MACHINE_EPSILON.widen()), "{off:?}");
         assert!((0..2_000).any(|_| ticker.tick(&mut now).ends));
-        let end = if rate < 0.0 { 0.0 } else { 20.0 };
-        assert_eq!(now, [State::at(R::of(end))]);
+        assert_eq!(now, [State::at(R::of(if rate < 0.0 { 0.0 } else { 20.0 }))]);
     }
 }
 

@@ -26,15 +26,13 @@ fn differences() -> HashMap<String, [u64; 2]> {
     compile.arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("c/rounding.c"));
     compile.arg(DOUBLE.archive());
     run(compile.arg(&original).arg("-lm").arg("-o").arg(&program));
-    lines(&mut Command::new(program))
-        .iter()
-        .map(|line| {
-            println!("{line}");
-            let words: Vec<_> = line.split(' ').collect();
-            let number = |i: usize| words[i].parse().unwrap();
-            (words[0].to_owned(), [number(1), number(2)])
-        })
-        .collect()
+    let entry = |line: String| {
+        println!("{line}");
+        let words: Vec<_> = line.split(' ').collect();
+        let number = |i: usize| words[i].parse().unwrap();
+        (words[0].to_owned(), [number(1), number(2)])
+    };
+    lines(&mut Command::new(program)).into_iter().map(entry).collect()
 }
 
 #[test]

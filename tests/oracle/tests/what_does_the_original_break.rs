@@ -17,10 +17,8 @@ struct Counts {
 }
 
 fn arguments<R: Real>(random: &mut Random) -> [R; 7] {
-    let jm = random.between(1.0, 100.0);
-    let am = random.between(1.0, 20.0);
-    let vm = random.between(0.5, 10.0);
-    let p1 = random.between(-10.0, 10.0);
+    let ranges = [(1.0, 100.0), (1.0, 20.0), (0.5, 10.0), (-10.0, 10.0)];
+    let [jm, am, vm, p1] = ranges.map(|(lo, hi)| random.between(lo, hi));
     let [v0, v1] = [(); 2].map(|()| vm * random.between(-1.0, 1.0));
     [jm, am, vm, 0.0, p1, v0, v1].map(R::of)
 }

@@ -139,11 +139,8 @@ fn stretch<R: Real>(planned: &mut Move<R>, by: impl Fn(R) -> R) {
 fn drop_shortest<R: Real>(planned: &mut Move<R>) {
     let count = planned.count as usize;
     let phases = &mut planned.phase[..=count];
-    let shorter = |a: &usize, b: &usize| {
-        let [a, b] = [a, b].map(|index| phases[*index].duration.widen());
-        a.total_cmp(&b)
-    };
-    let shortest = (0..count).min_by(shorter).expect("phases");
+    let duration = |index: &usize| phases[*index].duration.widen();
+    let shortest = (0..count).min_by(|a, b| duration(a).total_cmp(&duration(b))).expect("phases");
     phases.copy_within(shortest + 1.., shortest);
     let mut t = R::ZERO;
     for phase in &mut phases[..count] {

@@ -22,8 +22,7 @@ impl<R: Real> Paths<R> {
         let back = online::together(limits, &points[n * sections..], &points[..n], R::of(0.0));
         let there = online::motions(points, limits, n, 6);
         let there_and_back = [&there[..], &back].concat();
-        let torn = [&there[..], &there].concat();
-        Self { there, there_and_back, torn }
+        Self { torn: [&there[..], &there].concat(), there, there_and_back }
     }
 
     fn start(&self, n: usize) -> Vec<State<R>> {

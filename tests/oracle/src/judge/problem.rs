@@ -47,9 +47,7 @@ pub fn beyond_legal<R: Real>(limits: &Limits<R>, to: State<R>) -> f64 {
     let [vmax, vmin, amax, amin, jmax, jmin] = widened(limits);
     let [v, a] = [to.velocity, to.acceleration].map(R::widen);
     let before = v - 0.5 * a * a.abs() / if a > 0.0 { jmax } else { -jmin };
-    let high = v.max(before) - vmax;
-    let low = vmin - v.min(before);
-    if a > amax || a < amin { f64::INFINITY } else { high.max(low) }
+    if a > amax || a < amin { f64::INFINITY } else { (v.max(before) - vmax).max(vmin - v.min(before)) }
 }
 
 impl<R: Real> Problem<R> {
@@ -106,10 +104,8 @@ impl<R: Real> Problem<R> {
     pub fn ends(&self) -> [State<R>; 2] {
         let vmax = self.limits.vmax.widen();
         let limit = |end: State<R>| State { velocity: R::of(end.velocity.widen().clamp(-vmax, vmax)), ..end };
-        if self.request.profile().is_none() {
-            return [self.from, self.to];
-        }
-        [limit(self.from), limit(self.to)]
+        let ends = [self.from, self.to];
+        if self.request.profile().is_none() { ends } else { ends.map(limit) }
     }
 
     pub fn mirrored(&self) -> Self {

@@ -34,9 +34,7 @@ pub fn wrong<R: Real>(of: &Move<R>, lines: [R; 2], first: i32, steps: &[Step<R>]
     let (phases, times, directions) = (phases.as_ptr(), times.as_ptr(), directions.as_ptr());
     let lines = [offset, step];
     // SAFETY: each pointer has as many values as the count behind it says.
-    let verdict =
-        unsafe { steps_wrong(phases, count, &lines, first.into(), times, directions, n, SAMPLES, &roundings) };
-    match verdict {
+    match unsafe { steps_wrong(phases, count, &lines, first.into(), times, directions, n, SAMPLES, &roundings) } {
         0 => None,
         1 => Some("a step at another place"),
         2 => Some("a step before the one before"),

@@ -224,10 +224,8 @@ impl<R: Original> Trial<R> {
         let near = |scale: f64| (scale * doubt).max(accuracy);
         let [position, velocity] = self.passed().map(near);
         // The velocities of a profile are taken as they are, and its displacement does not rise and fall.
-        let (velocity, coarse, fine) = match self.problem.request.profile() {
-            Some(_) => (0.0, 3, 0),
-            None => (velocity, 27, 3),
-        };
+        let is_profile = self.problem.request.profile().is_some();
+        let (velocity, coarse, fine) = if is_profile { (0.0, 3, 0) } else { (velocity, 27, 3) };
         let (mut lowest, mut highest) = (f64::INFINITY, 0f64);
         let coarse = (0..coarse).map(|index| (index, Grid::COARSE));
         for (index, grid) in coarse.chain((0..fine).map(|index| (index, Grid::FINE))) {
@@ -280,10 +278,7 @@ impl<R: Original> Trial<R> {
         let zero = R::ZERO;
         let [from, to] = self.problem.ends();
         let request = self.problem.request;
-        let (v1, a1) = match request {
-            Request::Stop => (zero, zero),
-            _ => (to.velocity, to.acceleration),
-        };
+        let (v1, a1) = if request == Request::Stop { (zero, zero) } else { (to.velocity, to.acceleration) };
         let t = plan.planned.t;
         let [position, velocity, acceleration, _] = plan.state(t);
         let has_position = self.has_position() && request != Request::Meet;
@@ -407,8 +402,7 @@ impl<R: Original> Trial<R> {
             Err(error) => return Verdict::Refused(error),
         };
         let t = plan.planned.t;
-        let motion = self.check_motion(&plan, random);
-        if let Err(what) = motion.and_then(|()| self.check_relatives(planner, t, random)) {
+        if let Err(what) = self.check_motion(&plan, random).and_then(|()| self.check_relatives(planner, t, random)) {
             return Verdict::Wrong(what);
         }
         match self.duration(t.widen()) {

@@ -6,7 +6,6 @@ use libloading::Library;
 use std::path::Path;
 use support::{Family, Implementation, Real};
 
-#[allow(missing_docs)]
 pub struct Abi<R: 'static> {
     pub bell: Gen7<R>,
     pub trap: Gen7<R>,

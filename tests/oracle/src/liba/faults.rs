@@ -34,8 +34,7 @@ impl<R: Real> Implementation<R> for Fault {
             (Self::ProductWithSixth, Family::Bell, _) => {
                 let b = bell(fields);
                 if b.p0 <= b.p1 && R::ZERO < x && x < b.taj && x < b.ta {
-                    let sixth = R::ONE / R::of(6.0);
-                    position = b.p0 + b.v0 * x + b.jm * x * x * x * sixth;
+                    position = b.p0 + b.v0 * x + b.jm * x * x * x * (R::ONE / R::of(6.0));
                 }
             }
             (Self::FusedMultiplyAdd, Family::Poly3, &[c0, c1, c2, c3, ..]) => {

@@ -40,19 +40,6 @@ impl<R: Real> Moves<R> {
         Self { random: Random::seeded(seed), real: PhantomData }
     }
 
-    fn case(&mut self) -> Case<R> {
-        let family = self.random.pick(&FAMILIES);
-        let distribution = self.random.pick(&DISTRIBUTIONS);
-        let only_evaluated = !family.is_polynomial() && self.random.one_in(8);
-        Case {
-            family,
-            arguments: self.arguments(family, distribution),
-            before: self.before(distribution, only_evaluated),
-            planned: !only_evaluated,
-            moments: std::array::from_fn(|_| self.moment()),
-        }
-    }
-
     fn arguments(&mut self, family: Family, distribution: Distribution) -> [R; MOST_ARGUMENTS] {
         let names = family.arguments();
         let mut arguments = [R::ZERO; MOST_ARGUMENTS];
@@ -118,16 +105,13 @@ impl<R: Real> Moves<R> {
     }
 
     fn before(&mut self, distribution: Distribution, read: bool) -> [R; MOST_FIELDS] {
-        let mut before = [R::ZERO; MOST_FIELDS];
-        if read || self.random.one_in(2) {
-            for field in &mut before {
-                *field = self.value(distribution);
-                if self.random.one_in(4) {
-                    *field = -*field;
-                }
-            }
+        if !read && !self.random.one_in(2) {
+            return [R::ZERO; MOST_FIELDS];
         }
-        before
+        [(); MOST_FIELDS].map(|()| {
+            let value = self.value(distribution);
+            if self.random.one_in(4) { -value } else { value }
+        })
     }
 
     fn moment(&mut self) -> Moment<R> {
@@ -165,6 +149,12 @@ impl<R: Real> Iterator for Moves<R> {
     type Item = Case<R>;
 
     fn next(&mut self) -> Option<Case<R>> {
-        Some(self.case())
+        let family = self.random.pick(&FAMILIES);
+        let distribution = self.random.pick(&DISTRIBUTIONS);
+        let only_evaluated = !family.is_polynomial() && self.random.one_in(8);
+        let arguments = self.arguments(family, distribution);
+        let before = self.before(distribution, only_evaluated);
+        let moments = std::array::from_fn(|_| self.moment());
+        Some(Case { family, arguments, before, planned: !only_evaluated, moments })
     }
 }

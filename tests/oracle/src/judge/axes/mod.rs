@@ -25,8 +25,7 @@ pub fn of_seed<R: Original>(planner: &impl Planner<R>, seed: u64, sets: usize) -
     for (is_line, set) in together.map(|set| (false, set)).chain(lines.map(|set| (true, set))) {
         let judged =
             if is_line { line::judge(planner, &set, &mut random) } else { several::judge(planner, &set, &mut random) };
-        let good = Verdict::Good { error: 0.0, detour: false };
-        let (axis, verdict) = judged.err().unwrap_or((0, good));
+        let (axis, verdict) = judged.err().unwrap_or((0, Verdict::Good { error: 0.0, detour: false }));
         let way = if is_line { "line" } else { "together" };
         let tally = tallies.row([usize::from(is_line), set.family as usize], || format!("{way} {:?}", set.family));
         tally.note(&verdict, || format!("axis {axis} of {}", set.show()));

@@ -3,7 +3,7 @@
 use crate::judge::problem::Problem;
 use crate::judge::problems::{Kind, Problems};
 use atraj::online::{Limits, State};
-use support::online::{Columns, tried};
+use support::online::{Columns, numbers_of, tried};
 use support::{Random, Real};
 
 macro_rules! families {
@@ -153,9 +153,8 @@ fn wider<R: Real>(limits: &Limits<R>, share: f64, random: &mut Random) -> Limits
         let [one, other] = [high, low].map(|limit| limit.widen() * (1.001 * random.magnitude(0.0, 1.0) * share));
         [one.max(other), one.min(other)].map(R::of)
     };
-    let [vmax, vmin] = pair(limits.vmax, limits.vmin);
-    let [amax, amin] = pair(limits.amax, limits.amin);
-    let [jmax, jmin] = pair(limits.jmax, limits.jmin);
+    let [vmax, vmin, amax, amin, jmax, jmin] = numbers_of(limits);
+    let [[vmax, vmin], [amax, amin], [jmax, jmin]] = [pair(vmax, vmin), pair(amax, amin), pair(jmax, jmin)];
     Limits { vmax, vmin, amax, amin, jmax, jmin }
 }
 
