@@ -174,20 +174,13 @@ static void (*posed_to)(void);
     static void name(void *ctx) { typedef void function_of parameters; ((function_of *)posed_to)(ctx, __VA_ARGS__); }
 POSE(pose, (atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *), &posed.limits, &posed.from, &posed.to)
 
-static void pose_axes(void *ctx) {
-    typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float);
-    const axes_problem *q = &posed_axes;
-    ((planner *)posed_to)(ctx, q->limits, q->from, q->to, AXES, q->duration, q->cycle);
-}
+POSE(pose_axes, (atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, size_t, a_float, a_float),
+     posed_axes.limits, posed_axes.from, posed_axes.to, AXES, posed_axes.duration, posed_axes.cycle)
 
-static void pose_within(void *ctx) {
-    typedef int planner(atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, const a_float *, const a_float *, size_t,
-                        a_float, a_float);
-    const axes_problem *q = &posed_axes;
-    a_float lowest[AXES], highest[AXES];
-    put_bounds(q, lowest, highest);
-    ((planner *)posed_to)(ctx, q->limits, q->from, q->to, lowest, highest, AXES, q->duration, q->cycle);
-}
+static a_float posed_lowest[AXES], posed_highest[AXES];
+POSE(pose_within,
+     (atraj_move *, const atraj_limits *, const atraj_state *, const atraj_state *, const a_float *, const a_float *, size_t, a_float, a_float),
+     posed_axes.limits, posed_axes.from, posed_axes.to, posed_lowest, posed_highest, AXES, posed_axes.duration, posed_axes.cycle)
 
 static void count(counted *function, void (*pose)(void *), void *ctx) {
     a_float const none[9] = {0};
@@ -232,6 +225,7 @@ static void axes(void) {
         [SYNC] = COUNTED(atraj_moves_sync), [LINE] = COUNTED(atraj_moves_line), [SYNC_WITHIN] = COUNTED(atraj_moves_sync_within)};
     for (size_t i = 0; i != ROWS(fastest_axes); ++i) {
         posed_axes = axes_of(fastest_axes[i]);
+        put_bounds(&posed_axes, posed_lowest, posed_highest);
         unsigned const function = posed_axes.function;
         count(&planners[function], function == SYNC_WITHIN ? pose_within : pose_axes, planned);
     }
@@ -302,11 +296,8 @@ static atraj_steps posed_steps;
 static atraj_shaper posed_shaper;
 static atraj_move posed_move;
 
-static void pose_step(void *ctx) {
-    typedef int iterator(atraj_steps *, const atraj_move *, a_float *);
-    a_float time;
-    ((iterator *)posed_to)(ctx, &posed_move, &time);
-}
+static a_float posed_time;
+POSE(pose_step, (atraj_steps *, const atraj_move *, a_float *), &posed_move, &posed_time)
 
 POSE(pose_shape, (const atraj_shaper *, const atraj_move *, a_float, atraj_state *), &posed_move, posed_axes.duration, &posed.from)
 

@@ -56,21 +56,16 @@ static a_float number(void) {
 }
 
 static void bell(a_float p0, a_float p1, a_float v0) {
-    a_trajbell ours, theirs;
-    a_float t, u;
-    memset(&ours, 0, sizeof(ours));
-    memset(&theirs, 0, sizeof(theirs));
-    t = x_a_trajbell_gen(&ours, 30, 10, 5, p0, p1, v0, 0);
-    u = a_trajbell_gen(&theirs, 30, LIMIT, 5, p0, p1, v0, 0);
+    a_trajbell ours = {0}, theirs = {0};
+    const a_float t = x_a_trajbell_gen(&ours, 30, 10, 5, p0, p1, v0, 0);
+    const a_float u = a_trajbell_gen(&theirs, 30, LIMIT, 5, p0, p1, v0, 0);
     compare(&t, &u, sizeof(t));
     EVALUATE_ALL(a_trajbell);
     EVALUATE(a_trajbell_jer, t / 2);
 }
 
 static void trap(a_float p0, a_float p1, a_float v0) {
-    a_trajtrap ours, theirs;
-    memset(&ours, 0, sizeof(ours));
-    memset(&theirs, 0, sizeof(theirs));
+    a_trajtrap ours = {0}, theirs = {0};
     x_a_trajtrap_gen(&ours, 5, 10, -10, p0, p1, v0, 0);
     a_trajtrap_gen(&theirs, 5, 10, -10, p0, p1, v0, 0);
     EVALUATE_ALL(a_trajtrap);

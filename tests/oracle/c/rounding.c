@@ -49,10 +49,7 @@ static void flush_subnormals(int flush) {
 static void compare(char const *name, int mode, int flush) {
     long from_original = 0, from_default = 0;
     for (int i = 0; i < MOVES; ++i) {
-        struct plans usual, ours, original;
-        memset(&usual, 0, sizeof(usual));
-        memset(&ours, 0, sizeof(ours));
-        memset(&original, 0, sizeof(original));
+        struct plans usual = {{0}, {0}}, ours = usual, original = usual;
         double const jm = between(1, 100), am = between(1, 20), vm = between(1, 10);
         double const p0 = between(-10, 10), p1 = between(-10, 10), v0 = between(-1, 1), v1 = between(-1, 1);
         a_trajbell_gen(&usual.bell, jm, am, vm, p0, p1, v0, v1);
