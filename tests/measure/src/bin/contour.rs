@@ -146,10 +146,8 @@ fn print(part: &str, points: &[Point], tolerance: &str, moves: &[Move<f64>], sta
     let duration: f64 = moves.iter().step_by(2).map(|axis| axis.t).sum();
     let [given, count] = [points.len(), moves.len() / 2 + 1];
     let speed = |section: &[Move<f64>], x: f64| section[0].velocity(x).hypot(section[1].velocity(x));
-    let times = |section: &[Move<f64>]| {
-        (0..=100).map(|k| 0.01 * f64::from(k)).map(|part| part * section[0].t).collect::<Vec<_>>()
-    };
-    let speeds = moves.chunks(2).flat_map(|section| times(section).into_iter().map(|x| speed(section, x)));
+    let time = |section: &[Move<f64>], k: i32| 0.01 * f64::from(k) * section[0].t;
+    let speeds = moves.chunks(2).flat_map(|section| (0..=100).map(move |k| speed(section, time(section, k))));
     let (deviation, highest) = (path_deviation(moves, 2), speeds.fold(0.0, f64::max));
     println!("{part},{given},{tolerance},{count},{duration:.3},{deviation:.4},{highest:.2},{took:.0}");
 }

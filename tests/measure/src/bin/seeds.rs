@@ -4,6 +4,7 @@
 use atraj::State;
 use atraj::online::Limits;
 use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
+use oracle::judge::problem::parts;
 use oracle::judge::problems::{Kind, Problems};
 use oracle::liba::abi::Original;
 use std::io::Result;
@@ -24,8 +25,7 @@ fn write<R: Original>(directory: &Path) -> Result<()> {
     let problems = problems.map(|problem| encode(&problem.arguments(), &[]));
     write_corpus::<R>(&directory.join("fastest"), "adversarial", problems)?;
     let [mut moves, mut axes, mut paths, mut requests, mut machines] = [0, 1, 2, 3, 3].map(Random::seeded);
-    let write =
-        |name, cases: &mut dyn Iterator<Item = Vec<u8>>| write_corpus::<R>(&directory.join(name), "random", cases);
+    let write = |name, all: &mut dyn Iterator<Item = Vec<u8>>| write_corpus::<R>(&directory.join(name), "random", all);
     write("move", &mut (0..64).map(|case| of_move::<R>(case, &mut moves)))?;
     write("axes", &mut (0..48).map(|case| of_axes::<R>(case, &mut axes)))?;
     write("path", &mut (0..48).map(|case| of_path::<R>(case, &mut paths)))?;
@@ -45,7 +45,7 @@ fn write_corpus<R: Real>(directory: &Path, name: &str, cases: impl Iterator<Item
 fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
     let limits = online::limits::<R>(random);
     let start = online::anywhere(random, &limits);
-    let numbers = [&[R::of(0.001)], &numbers_of_state(start)[..], &online::numbers_of(&limits)];
+    let numbers = [&[R::of(0.001)], &parts(start)[..], &online::numbers_of(&limits)];
     let mut bytes = encode(&numbers.concat(), &[]);
     for _ in 0..10 {
         let request = random.below(usize::from(REQUESTS)) as u8;
@@ -53,8 +53,8 @@ fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
         let target = online::inside(random, &limits);
         bytes.push(request + REQUESTS * random.pick(&[0, 1, 2, 5, 40]));
         let numbers = match request {
-            0..3 => numbers_of_state(target),
-            3 => [numbers_of_state(target), vec![R::of(0.1)]].concat(),
+            0..3 => parts(target).to_vec(),
+            3 => [&parts(target)[..], &[R::of(0.1)]].concat(),
             4 => online::numbers_of(&other).to_vec(),
             _ => Vec::new(),
         };
@@ -66,10 +66,6 @@ fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
 fn problem<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
     let limits = online::limits(random);
     (limits, online::anywhere(random, &limits), online::inside(random, &limits))
-}
-
-fn numbers_of_state<R: Real>(state: State<R>) -> Vec<R> {
-    vec![state.position, state.velocity, state.acceleration]
 }
 
 /// The numbers as bytes. The first byte holds the kind above the real type.
@@ -84,7 +80,7 @@ fn of_machine<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let (limits, from, to) = problem::<R>(random);
     let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1].map(R::of).to_vec();
     numbers.extend(online::numbers_of(&limits));
-    numbers.extend([from, to].map(numbers_of_state).concat());
+    numbers.extend([from, to].map(parts).concat());
     with_kind(&numbers, case % 25)
 }
 
@@ -96,8 +92,8 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     for _ in 0..axes {
         let (limits, from, to) = problem::<R>(random);
         numbers.extend(online::numbers_of(&limits));
-        ends[0].extend(numbers_of_state(from));
-        ends[1].extend(numbers_of_state(to));
+        ends[0].extend(parts(from));
+        ends[1].extend(parts(to));
     }
     numbers.extend(ends.concat());
     numbers.extend((0..axes * (sections - 1)).map(|_| R::of(random.between(-10.0, 10.0))));
@@ -108,7 +104,7 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
 fn of_move<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let (limits, from, to) = problem::<R>(random);
     let mut numbers = online::numbers_of(&limits).to_vec();
-    numbers.extend([from, to].map(numbers_of_state).concat());
+    numbers.extend([from, to].map(parts).concat());
     // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
     numbers.extend([R::of(0.5), R::of(50.0)]);
     with_kind(&numbers, case % PLANNERS)
@@ -135,8 +131,7 @@ fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
 
 fn write_golden<R: Real>(family: Family, directory: &Path) -> Result<()> {
     let evaluations = golden::evaluations::<R>(family);
-    let moves = golden::moves::<R>(family);
-    let cases = moves.iter().enumerate().map(|(case, golden)| {
+    let cases = golden::moves::<R>(family).into_iter().enumerate().map(|(case, golden)| {
         let times = evaluations.iter().filter(|golden| golden.case == case).map(|golden| golden.x);
         encode(&golden.arguments, &times.collect::<Vec<_>>())
     });

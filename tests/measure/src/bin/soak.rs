@@ -17,7 +17,6 @@ use oracle::liba::abi::Original;
 use oracle::liba::comparison::Report;
 use oracle::liba::volume::run_seed;
 use std::fs;
-use std::marker::PhantomData;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -57,7 +56,9 @@ trait Soak {
 fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
     let judged = |of_seed| Box::new(Judged { tallies: Tallies::default(), of_seed });
     match what {
-        "calls" => Box::new(Calls::<R> { report: Report::default(), real: PhantomData }),
+        "calls" => {
+            Box::new(Calls { report: Report::default(), of_seed: |seed| run_seed::<R>(&Ours, &R::ORIGINAL, seed) })
+        }
         "plans" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)),
         "moves" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED)),
         "axes" => judged(|seed| axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)),
@@ -67,14 +68,14 @@ fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
     }
 }
 
-struct Calls<R> {
+struct Calls {
     report: Report,
-    real: PhantomData<R>,
+    of_seed: fn(u64) -> Report,
 }
 
-impl<R: Original> Soak for Calls<R> {
+impl Soak for Calls {
     fn run(&mut self, seed: u64) {
-        self.report.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
+        self.report.add((self.of_seed)(seed));
     }
 
     fn found(&self) -> [u64; 2] {

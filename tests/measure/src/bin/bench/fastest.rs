@@ -43,13 +43,9 @@ fn races() -> Vec<Race> {
     let bells = bells(WARM, &mut random);
     let traps = (0..WARM).map(|_| trap(&mut random)).collect();
     let any = (0..WARM).map(|_| with_any_ends(&mut random)).collect();
-    let mut races: Vec<_> = bells
-        .into_iter()
-        .chain([("any v0 and v1", any)])
-        .map(|(case, plans)| race(Family::Bell, case, plans))
-        .collect();
-    races.push(race(Family::Trap, "as a_trajtrap_gen", traps));
-    races
+    let of_bells = bells.into_iter().chain([("any v0 and v1", any)]);
+    let of_bells = of_bells.map(|(case, plans)| race(Family::Bell, case, plans));
+    of_bells.chain([race(Family::Trap, "as a_trajtrap_gen", traps)]).collect()
 }
 
 pub fn with_any_ends(random: &mut Random) -> Vec<a_float> {

@@ -263,10 +263,9 @@ impl<const N: usize> Problem<N> {
 
     fn ask(&self, input: &mut InputParameter<N>) {
         let Self { limits, from, to } = self;
-        let lowest =
-            |low: fn(&atraj_limits) -> a_float| Some(DataArrayOrVec::Stack(from_fn(|k| low(&limits[k]).into())));
-        input.min_velocity = lowest(|limits| limits.vmin);
-        input.min_acceleration = lowest(|limits| limits.amin);
+        let all = |low: fn(&atraj_limits) -> a_float| Some(DataArrayOrVec::Stack(from_fn(|k| low(&limits[k]).into())));
+        input.min_velocity = all(|limits| limits.vmin);
+        input.min_acceleration = all(|limits| limits.amin);
         for k in 0..N {
             input.max_velocity[k] = limits[k].vmax.into();
             input.max_acceleration[k] = limits[k].amax.into();

@@ -31,20 +31,14 @@ impl Race {
         ask: impl Fn(&P, &mut InputParameter<N>) + 'static,
     ) -> Self {
         let ruckig = Rc::new((RefCell::new(Planner::new()), ask));
-        let pass = {
-            let ruckig = ruckig.clone();
-            Rc::new(move |library: usize, problems: &[P]| match passes.get(library) {
-                Some(pass) => pass(problems),
-                None => ruckig.0.borrow_mut().plan_all(problems, &ruckig.1),
-            })
-        };
-        let [all, each] = [(); 2].map(|()| problems.clone());
-        let run = {
-            let pass = pass.clone();
-            move |library: usize| pass(library, &all)
-        };
+        let theirs = ruckig.clone();
+        let pass = Rc::new(move |library: usize, problems: &[P]| match passes.get(library) {
+            Some(pass) => pass(problems),
+            None => theirs.0.borrow_mut().plan_all(problems, &theirs.1),
+        });
+        let ([all, each], pass_all) = ([(); 2].map(|()| problems.clone()), pass.clone());
         Self {
-            row: Row::new(function, case, problems.len(), run),
+            row: Row::new(function, case, problems.len(), move |library| pass_all(library, &all)),
             one: Box::new(move |library, plan| pass(library, &each[plan..=plan])),
             compare: Box::new(move || {
                 let mut tally = Tally::default();
