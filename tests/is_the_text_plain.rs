@@ -5,23 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use support::repository::{read, root};
 
+#[rustfmt::skip]
 const WORDS: [(&str, &str); 17] = [
-    ("anew", "again"),
-    ("to and fro", "back and forth"),
-    ("nasty", "adversarial"),
-    ("referee", "reference solver"),
-    ("storey|storeys", "layer"),
-    ("undone", "at zero acceleration"),
-    ("calm", "shaped"),
-    ("comes inside", "returns within the limits"),
-    ("bound to leave", "will unavoidably exceed"),
-    ("is no number", "is NaN or infinite"),
-    ("way point|way points", "waypoint"),
-    ("gets farthest", "covers the largest displacement"),
-    ("mend|mends", "fix"),
-    ("beside", "next to"),
-    ("wall|walls", "position limit"),
-    ("slip|slips", "time shift"),
+    ("anew", "again"), ("to and fro", "back and forth"), ("nasty", "adversarial"), ("referee", "reference solver"),
+    ("storey|storeys", "layer"), ("undone", "at zero acceleration"), ("calm", "shaped"), ("mend|mends", "fix"),
+    ("comes inside", "returns within the limits"), ("bound to leave", "will unavoidably exceed"), ("beside", "next to"),
+    ("is no number", "is NaN or infinite"), ("way point|way points", "waypoint"), ("wall|walls", "position limit"),
+    ("gets farthest", "covers the largest displacement"), ("slip|slips", "time shift"),
     ("so many is printed", "print every EVERY-th"),
 ];
 

@@ -22,15 +22,10 @@ edition = "2024"
 atraj = { path = "${ROOT}", default-features = false }
 `;
 const HASHES = {
-    bell: "profile=bell&p1=-4&v0=2.5",
-    liba_bell: "profile=liba-bell&jm=12.5",
-    trap: "profile=trap&v0=1&p1=-2",
-    liba_trap: "profile=liba-trap&p0=9&p1=-4&de=4",
-    poly3: "profile=poly3&ts=3&v0=1",
-    poly5: "profile=poly5&a1=-2",
-    poly7: "profile=poly7&ts=0.125&j1=7",
-    move: "profile=move&v0=-1&a1=0.5",
-    backward: "profile=move&backward=1&p1=-8",
+    bell: "profile=bell&p1=-4&v0=2.5", liba_bell: "profile=liba-bell&jm=12.5",
+    trap: "profile=trap&v0=1&p1=-2", liba_trap: "profile=liba-trap&p0=9&p1=-4&de=4",
+    poly3: "profile=poly3&ts=3&v0=1", poly5: "profile=poly5&a1=-2", poly7: "profile=poly7&ts=0.125&j1=7",
+    move: "profile=move&v0=-1&a1=0.5", backward: "profile=move&backward=1&p1=-8",
     retargeted: "profile=move&then=0.7~to~-2.5_1.1~jog~1.5_1.8~stop~0",
     sync: "profile=sync&y.v0=-1",
     line: "profile=line&least=4&cycle=0.004",

@@ -176,20 +176,16 @@ def test_bad_arrays_are_refused():
     assert array.tolist() == [7] * 4
 
 
-@pytest.mark.parametrize(
-    "request_, message",
-    [
-        ({}, "dt, n or out"),
-        ({"dt": 0}, "dt must be above 0"),
-        ({"dt": -0.1}, "dt must be above 0"),
-        ({"dt": math.nan}, "dt must be above 0"),
-        ({"dt": 0.1, "start": math.inf}, "start finite"),
-        ({"dt": 1e-300}, "more than 2147483647"),
-        ({"dt": 1e-9}, "more than 2147483647"),
-        ({"n": 2**31}, "more than 2147483647"),
-    ],
-)
-def test_bad_requests_are_refused(request_, message):
+BAD_REQUESTS = {
+    "dt, n or out": [{}],
+    "dt must be above 0": [{"dt": 0}, {"dt": -0.1}, {"dt": math.nan}],
+    "start finite": [{"dt": 0.1, "start": math.inf}],
+    "more than 2147483647": [{"dt": 1e-300}, {"dt": 1e-9}, {"n": 2**31}],
+}
+
+
+@pytest.mark.parametrize("message, request_", [(message, bad) for message, all_bad in BAD_REQUESTS.items() for bad in all_bad])
+def test_bad_requests_are_refused(message, request_):
     with pytest.raises(ValueError, match=message):
         atraj.Bell(30, 10, 5, 0, 10).sample(**request_)
 
@@ -528,9 +524,8 @@ def test_moves_say_why_not():
         "1e60": lambda: Trajectory().set(1e61, 1, 1, 1, now=0),
         "CORRECTED or LISTING": lambda: Trajectory(2),
     }.items():
-        with pytest.raises(ValueError, match=message) as refused:
+        with pytest.raises(ValueError, match=message):
             call()
-        print(refused.value)
 
 
 def test_claraty_is_copied():

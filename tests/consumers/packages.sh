@@ -31,6 +31,8 @@ cmake_program() {
     prints_the_bits build/program
 }
 
+cmake_shared() { cmake_program -DLIBRARY=$package::$package; }
+
 # A make that does not exist, so nothing can be built.
 cmake_prebuilt() {
     cmake_program -DATRAJ_PREBUILT="$unpacked-$package" -DATRAJ_MAKE=/nonexistent
@@ -228,18 +230,22 @@ debian_program() {
 
 # --- the matrix
 
-for real in double float; do
-    about $real
-    row "a release's folder, $real" unpacked_release
-done
-if have cmake; then
+# each_real TITLE COMMAND…: a row for each real type
+each_real() {
+    question=$1
+    shift
     for real in double float; do
         about $real
-        row "cmake, add_subdirectory, static, $real" cmake_program
-        row "cmake, add_subdirectory, shared, $real" cmake_program -DLIBRARY=$package::$package
-        row "cmake, add_subdirectory, a release's folder, $real" cmake_prebuilt
-        row "cmake, FetchContent of a release, $real" cmake_fetches_a_release
+        row "$question, $real" "$@"
     done
+}
+
+each_real "a release's folder" unpacked_release
+if have cmake; then
+    each_real "cmake, add_subdirectory, static" cmake_program
+    each_real "cmake, add_subdirectory, shared" cmake_shared
+    each_real "cmake, add_subdirectory, a release's folder" cmake_prebuilt
+    each_real "cmake, FetchContent of a release" cmake_fetches_a_release
     about double
     row "cmake, ESP-IDF's component on a stand-in" esp_idf_stand_in
 fi
@@ -262,11 +268,8 @@ fi
 if have python3; then
     row "Meson and Conan from PyPI" tools_from_pypi
     PATH=$root/target/venv/bin:$PATH
-    for real in double float; do
-        about $real
-        row "meson, subproject, $real" meson_program
-        row "meson, subproject, a release's folder, $real" meson_prebuilt
-    done
+    each_real "meson, subproject" meson_program
+    each_real "meson, subproject, a release's folder" meson_prebuilt
     have arm-none-eabi-gcc && row "meson, subproject, Cortex-M4F, float" meson_firmware
     about double
     row "conan create, static, double" conan_create False
@@ -276,8 +279,5 @@ fi
 
 if have dh && have lintian && have pkg-config && have cmake; then
     row "make deb, lintian, dpkg" debian_packages
-    for real in double float; do
-        about $real
-        row "program on the Debian packages, $real" debian_program
-    done
+    each_real "program on the Debian packages" debian_program
 fi
