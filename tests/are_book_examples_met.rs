@@ -5,8 +5,7 @@ use atraj::{Bell, Boundary};
 
 /// All four examples move from 0 to 10 with a jerk of 30 and an acceleration of 10 at most.
 fn example(velocity: f64, v0: f64, v1: f64) -> Bell<f64> {
-    let boundary = Boundary { p0: 0.0, p1: 10.0, v0, v1 };
-    Bell::new(30.0, 10.0, velocity, boundary).expect("the book gives a solution")
+    Bell::new(30.0, 10.0, velocity, Boundary { p0: 0.0, p1: 10.0, v0, v1 }).expect("the book gives a solution")
 }
 
 /// Each number of a plan, as the book prints it.

@@ -39,9 +39,8 @@ fn has_sliver<R: Real>(planned: &Move<R>) -> bool {
     phases.any(|phase| phase.duration.widen() < short)
 }
 
-/// Of 60,000 plans, 13 had a sliver in binary64 and 15 in binary32. Of as many plans from a state of their own motion, 1,809 and 1,874 had one,
-/// and of as many axes that arrive together, 19 and 27. Now 2 of the replans and 2 of the axes have one, in binary32: in so slow a motion its
-/// velocity shows.
+/// Of 60,000 plans 13 had a sliver, of as many from a state of their own motion 1,809, and of as many axes that arrive together 19.
+/// Now 2 of the replans and 2 of the axes have one, in binary32: in so slow a motion its velocity shows.
 fn few_and_none_is_a_sliver<R: Real>() {
     const ONE_SLIVER_OF: u32 = 20_000;
     let mut random = Random::seeded(1);

@@ -23,12 +23,11 @@ fn rows() -> Vec<Row> {
     let table = read("tests/names.csv");
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some("what,C,C++,Rust,Python"));
-    let rows: Vec<_> = lines
-        .map(|line| match &line.split(',').collect::<Vec<_>>()[..] {
-            [what, c, cpp, rust, python] => Row([what, c, cpp, rust, python].map(|cell| (*cell).to_owned())),
-            _ => panic!("not a row: {line}"),
-        })
-        .collect();
+    let row = |line: &str| match line.split(',').collect::<Vec<_>>()[..] {
+        [what, c, cpp, rust, python] => Row([what, c, cpp, rust, python].map(str::to_owned)),
+        _ => panic!("not a row: {line}"),
+    };
+    let rows: Vec<_> = lines.map(row).collect();
     assert!(rows.len() > 40, "{} rows", rows.len());
     rows
 }
@@ -66,17 +65,15 @@ fn c_has_the_names() {
         let declared = has_word(&headers, &format!("struct {name}"))
             || has_word(&headers, &format!("enum {name}"))
             || headers.contains(&format!("    {name} = "));
-        let is_function = symbols.lines().any(|symbol| symbol == name);
-        assert!(declared || is_function, "{name}");
+        assert!(declared || symbols.lines().any(|symbol| symbol == name), "{name}");
     }
     // Every error has a row, and every function that is not liba's or CLARAty's.
     let codes = read("include/atraj/codes.h");
     let errors = codes.lines().filter_map(|line| line.trim().split_once(" = ")).map(|(name, _)| name);
     let ours = errors.chain(symbols.lines()).filter(|name| name.starts_with("atraj_") || name.starts_with("ATRAJ_ERR"));
     for name in ours {
-        let of_bell = ["trap", "poly3", "poly5", "poly7", "move"]
-            .iter()
-            .fold(name.to_owned(), |name, profile| name.replace(&format!("_{profile}_"), "_bell_"));
+        let others = ["trap", "poly3", "poly5", "poly7", "move"].map(|profile| format!("_{profile}_"));
+        let of_bell = others.iter().fold(name.to_owned(), |name, profile| name.replace(profile, "_bell_"));
         let has_row =
             [name.to_owned(), of_bell.replace("atraj_", "a_traj"), of_bell].iter().any(|name| column(1).contains(name));
         assert!(has_row, "{name} has no row in names.csv");
@@ -89,8 +86,8 @@ fn python_has_members(class: &str, shown: impl Fn(u8) -> String) {
     let body = between(&text, &format!("class {class}(IntFlag):"), "\nclass ");
     let in_python: Vec<_> = body.lines().filter(|line| line.contains(" = ")).map(str::trim).collect();
     let bits = (0..8).map(|k| 1 << k).map(|bit| (bit, shown(bit)));
-    let in_rust: Vec<_> = bits.filter(|(_, text)| !text.ends_with("()")).collect();
-    let in_rust: Vec<_> = in_rust.iter().map(|(bit, text)| format!("{} = {bit}", between(text, "(", ")"))).collect();
+    let members = bits.filter(|(_, text)| !text.ends_with("()"));
+    let in_rust: Vec<_> = members.map(|(bit, text)| format!("{} = {bit}", between(&text, "(", ")"))).collect();
     assert_eq!(in_python, in_rust, "{class}");
 }
 
@@ -171,6 +168,7 @@ fn rust_has_the_names() {
 }
 
 fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
+    let word = |line: &str| -> String { line.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect() };
     let mut names = BTreeSet::new();
     for file in files {
         let text = read(Path::new("python/atraj").join(file));
@@ -182,16 +180,12 @@ fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
             if is_docstring || begins_or_ends {
                 continue;
             }
-            let word =
-                |line: &str| -> String { line.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect() };
             if let Some(rest) = line.strip_prefix("class ") {
                 class = word(rest);
                 let base = rest.split_once('(').map_or(String::new(), |(_, base)| word(base));
-                let inherited: Vec<_> = names
-                    .iter()
-                    .filter_map(|name: &String| name.strip_prefix(&format!("{module}{base}.")))
-                    .map(|member| format!("{module}{class}.{member}"))
-                    .collect();
+                let base = format!("{module}{base}.");
+                let members = names.iter().filter_map(|name: &String| name.strip_prefix(&base));
+                let inherited: Vec<_> = members.map(|member| format!("{module}{class}.{member}")).collect();
                 names.extend(inherited);
                 names.insert(format!("{module}{class}"));
             } else if let Some(rest) = line.strip_prefix("def ") {

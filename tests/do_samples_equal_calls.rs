@@ -14,10 +14,7 @@ fn check_sweep<R: Real, const N: usize>(
 ) {
     let untouched = R::of(77.0);
     let mut memory = lengths.map(|len| vec![untouched; offset + len + 1]);
-    let outputs = memory.each_mut().map(|memory| {
-        let end = memory.len() - 1;
-        &mut memory[offset..end]
-    });
+    let outputs = memory.each_mut().map(|memory| memory[offset..].split_last_mut().expect("a number behind it").1);
     let n = lengths.into_iter().max().unwrap();
     assert_eq!(profile.sample_into(x0, dt, outputs), n, "{place}");
     for (k, joint) in profile.states(x0, dt, n).into_iter().enumerate() {
@@ -62,16 +59,10 @@ fn sweeps_over<R: Real>(end: R) -> Vec<Sweep<R>> {
 /// By single roundings across each border, standing at it, and from zero to it.
 fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
     let around = |&border: &R| {
-        let ulp = border * R::MACHINE_EPSILON;
+        let (zero, ulp) = (R::ZERO, border * R::MACHINE_EPSILON);
         let [before, after] = [-6.0, 6.0].map(|ulps| border + R::of(ulps) * ulp);
-        [
-            (before, ulp, 12),
-            (after, -ulp, 12),
-            (border, R::ZERO, 2),
-            (border, -R::ZERO, 2),
-            (R::ZERO, border, 3),
-            (-R::ZERO, -border, 3),
-        ]
+        let crossing = [(before, ulp, 12), (after, -ulp, 12)];
+        crossing.into_iter().chain([(border, zero, 2), (border, -zero, 2), (zero, border, 3), (-zero, -border, 3)])
     };
     borders.iter().flat_map(around).collect()
 }
@@ -79,8 +70,7 @@ fn sweeps_around<R: Real>(borders: &[R]) -> Vec<Sweep<R>> {
 fn sweeps_of_special_times<R: Real>() -> Vec<Sweep<R>> {
     let huge = R::ONE / (R::MACHINE_EPSILON * R::MACHINE_EPSILON);
     let [zero, one, infinity, nan] = [0.0, 1.0, f64::INFINITY, f64::NAN].map(R::of);
-    let special = [zero, one, infinity, huge, nan].into_iter();
-    let special = special.flat_map(|x| [x, -x]);
+    let special = [zero, one, infinity, huge, nan].into_iter().flat_map(|x| [x, -x]);
     special.clone().flat_map(|x0| special.clone().map(move |dt| (x0, dt, 4))).collect()
 }
 
@@ -147,10 +137,8 @@ fn any_move<R: Real>(random: &mut Random) -> Move<R> {
 
 /// A small positive number more often than another.
 fn any_field<R: Real>(random: &mut Random) -> R {
-    let ordinary = [1.0, 2.0, 3.0, 0.5];
-    let peculiar = [0.0, -1.0, f64::INFINITY, f64::NAN];
-    let choices = if random.one_in(4) { peculiar } else { ordinary };
-    R::of(random.pick(&choices))
+    let is_peculiar = random.one_in(4);
+    R::of(random.pick(&if is_peculiar { [0.0, -1.0, f64::INFINITY, f64::NAN] } else { [1.0, 2.0, 3.0, 0.5] }))
 }
 
 test_both_reals!(moves, any_fields);

@@ -61,13 +61,8 @@ fn faults<R: Real>() -> Vec<Fault<R>> {
 
 /// A plan within symmetric limits in which each limit is reached, so each fault spoils it.
 fn clean<R: Real>(random: &mut Random) -> (Limits<R>, Move<R>) {
-    let number = |random: &mut Random| R::of(random.between(1.0, 4.0));
-    let limits = Limits {
-        vmin: -number(random),
-        amin: -number(random),
-        jmin: -number(random),
-        ..Limits::symmetric(number(random), number(random), number(random))
-    };
+    let [v, a, j, jerk, acceleration, velocity] = [(); 6].map(|()| R::of(random.between(1.0, 4.0)));
+    let limits = Limits { vmin: -v, amin: -a, jmin: -j, ..Limits::symmetric(jerk, acceleration, velocity) };
     let start: State<R> = state_of([random.between(-5.0, 5.0), random.between(-0.5, 0.5), 0.0]);
     let far = R::of(start.position.widen() + random.sign() * 50.0);
     (limits, online::plan(&limits, start, State::at(far)))
@@ -90,20 +85,17 @@ fn every_fault_is_seen<R: Real>() {
 
 fn what_is_no_number_is_refused<R: Real>() {
     let (limits, planned) = clean::<R>(&mut Random::seeded(3));
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let bad = R::of(bad);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::of) {
         assert_eq!(Move { t: bad, ..planned }.check(&limits), Err(Error::NotFinite));
         for index in 0..16 {
+            let is_read = index <= planned.count as usize;
+            let expected = if is_read { Err(Error::NotFinite) } else { planned.check(&limits) };
             let mut spoiled = [planned; 3];
             spoiled[0].phase[index].duration = bad;
             spoiled[1].phase[index].position = bad;
             spoiled[2].phase[index].jerk = bad;
             for spoiled in spoiled {
-                let is_read = index <= planned.count as usize;
-                assert_eq!(
-                    spoiled.check(&limits),
-                    if is_read { Err(Error::NotFinite) } else { planned.check(&limits) }
-                );
+                assert_eq!(spoiled.check(&limits), expected);
             }
         }
     }

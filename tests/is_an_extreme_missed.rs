@@ -97,22 +97,19 @@ fn between_any_states<R: Real>(random: &mut Random) -> Move<R> {
     let [p, v, a] = phases.iter().map(of_phase).fold([0.0; 3], added);
     let scales = [p + v * planned.t.widen(), v, a]; // the rounding of a velocity lasts until the end
     // Compared with a long phase the others are short.
-    let parts = 0..=40;
     let inside = |part: i32| {
         let share = R::of(f64::from(part) / 40.0);
         phases.iter().map(move |phase| phase.start + share * phase.duration)
     };
-    Move::new(planned, planned.t, planned.extremes(), scales, parts.flat_map(inside).collect())
+    Move::new(planned, planned.t, planned.extremes(), scales, (0..=40).flat_map(inside).collect())
 }
 
 /// Samples the move densely. The result is how far samples lie beyond the reported extremes, in ulps of the scale. The extremes
 /// may lie beyond the samples by no more than what samples miss.
 fn worst<R: Real>(the_move: &Move<R>) -> f64 {
-    let lowest = online::numbers_of_state(the_move.reached.lowest);
-    let highest = online::numbers_of_state(the_move.reached.highest);
+    let [lowest, highest] = [the_move.reached.lowest, the_move.reached.highest].map(online::numbers_of_state);
     let even = (0..=SAMPLES).map(|k| R::of(k as f64 / SAMPLES as f64) * the_move.duration);
-    let borders = the_move.borders.iter();
-    let borders = borders.flat_map(|x| [x.neighbour(-1), *x, x.neighbour(1)]);
+    let borders = the_move.borders.iter().flat_map(|x| [x.neighbour(-1), *x, x.neighbour(1)]);
     let within = |x: &R| *x >= R::ZERO && *x <= the_move.duration;
     let times: Vec<R> = even.chain(borders).filter(within).collect();
     let mut worst = 0.0_f64;
@@ -124,8 +121,7 @@ fn worst<R: Real>(the_move: &Move<R>) -> f64 {
         let missed = 0.01 * (sampled_high - sampled_low) + ROUNDINGS * rounding;
         assert!(low >= sampled_low - missed, "{low:e} is not reached");
         assert!(high <= sampled_high + missed, "{high:e} is not reached");
-        worst = worst.max((low - sampled_low) / rounding);
-        worst = worst.max((sampled_high - high) / rounding);
+        worst = worst.max((low - sampled_low) / rounding).max((sampled_high - high) / rounding);
     }
     worst
 }

@@ -109,8 +109,7 @@ fn same_bits_as_the_literal_search<R: Range>() {
         long += u32::from(plan.rounds > 3);
 
         let written = Family::Bell.fields().iter().zip(ours.into_iter().zip(literal));
-        let returned = (&"duration", (duration, plan.duration));
-        for (name, (ours, literal)) in written.chain([returned]) {
+        for (name, (ours, literal)) in written.chain([(&"duration", (duration, plan.duration))]) {
             let (shown, wanted) = (ours.show(), literal.show());
             assert!(ours.same(literal), "{name}: {shown} is not {wanted} of {arguments:?}, {} rounds", plan.rounds);
         }

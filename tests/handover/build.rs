@@ -30,11 +30,10 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     let source = fs::read_to_string(SOURCE).unwrap();
     // A comment for a file cannot stand inside a module.
-    let source: String =
-        source.lines().filter(|line| !line.starts_with("//!")).map(|line| format!("{line}\n")).collect();
+    let code: String = source.lines().filter(|line| !line.starts_with("//!")).map(|line| format!("{line}\n")).collect();
     let directory = env::var_os("OUT_DIR").unwrap();
     for (name, changes) in VARIANTS {
-        let mut text = source.clone();
+        let mut text = code.clone();
         for (from, to) in changes.iter().chain(&SMALL) {
             assert_eq!(text.matches(from).count(), 1, "{name}: {from}");
             text = text.replace(from, to);
