@@ -211,16 +211,21 @@ impl<'a, R: Real> RateChange<'a, R> {
         let (mut time, mut best) = (Move::default(), None);
         for share in SHARES {
             let share = R::from(share) * R::SIXTEENTH * R::SIXTEENTH;
-            raise_scale(|scale| {
+            let mut scales = Scales { low: None, high: R::from(4) };
+            for _ in 0..TRIALS {
+                let scale = scales.next();
                 let limits = [share * up, share * down, acceleration * scale];
                 self.within(from, limits, &mut time)?;
                 let is_shorter = time.t < shortest;
-                let passes = is_shorter && self.is_on_path(&time) && self.keeps(&time);
-                if passes {
-                    (shortest, best, *change) = (time.t, Some(limits), time);
+                if is_shorter && self.is_on_path(&time) && self.keeps(&time) {
+                    (shortest, best, scales.low) = (time.t, Some(limits), Some(scale));
+                    *change = time;
+                } else if is_shorter || scales.low.is_some() {
+                    scales.high = scale;
+                } else {
+                    break; // a lower scale takes even longer
                 }
-                Ok([is_shorter, passes])
-            })?;
+            }
         }
         let Some(limits) = best else { return Ok(false) };
         self.raise(from, change, limits)?;
@@ -304,20 +309,17 @@ fn slowest<'a, R: Real + 'a>(most: [R; 2], axes: impl Iterator<Item = (R, R, &'a
     })
 }
 
-/// Tries the scales 2, 1, 1/2, … until one passes, and then raises it: to the geometric mean of the highest one that passed and the lowest one above it
-/// that did not. From above, because where the axes get faster a slow change may be impossible and a fast one possible. `trial` says whether a change is
-/// shorter than those before, and whether it also passes. If it is not, a lower scale takes even longer.
-fn raise_scale<R: Real>(mut trial: impl FnMut(R) -> Result<[bool; 2], Error>) -> Result<(), Error> {
-    let (mut low, mut high) = (None, R::from(4));
-    for _ in 0..TRIALS {
-        let scale = low.map_or(R::HALF * high, |low: R| (low * high).sqrt());
-        match trial(scale)? {
-            [_, true] => low = Some(scale),
-            [is_shorter, _] if is_shorter || low.is_some() => high = scale,
-            _ => break,
-        }
+/// The highest scale that passed, and the lowest one above it that did not.
+struct Scales<R> {
+    low: Option<R>,
+    high: R,
+}
+
+impl<R: Real> Scales<R> {
+    /// 2, 1, 1/2, … until one passes, then the geometric mean of both. From above: where the axes get faster, only a fast change may be possible.
+    fn next(&self) -> R {
+        self.low.map_or(R::HALF * self.high, |low| (low * self.high).sqrt())
     }
-    Ok(())
 }
 
 impl<R: Real> Move<R> {

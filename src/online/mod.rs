@@ -78,7 +78,7 @@ impl<R: Real> Move<R> {
         limits.check(from, to)?;
         let mut problem = Problem::new(limits, from, to);
         let (direct, end) = problem.reach();
-        problem.to = end;
+        problem.to.position = end;
         problem.write(self, &direct)?;
         Ok(problem.findings(self))
     }

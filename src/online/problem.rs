@@ -40,12 +40,12 @@ impl<R: Real> Problem<R> {
         Self { positions, ..self }
     }
 
-    /// The fastest change of velocity, and the state in which it ends.
-    pub fn reach(&self) -> (Profile<R>, State<R>) {
+    /// The fastest change of velocity, and the position at which it ends.
+    pub fn reach(&self) -> (Profile<R>, R) {
         let border = &self.border;
         let direct = border.direct(border.beyond_straight());
         let displacement = self.displacement_of_recovery() + border.passed(&direct).displacement;
-        (border.profile(&direct), State { position: self.from.position + displacement, ..self.to })
+        (border.profile(&direct), self.from.position + displacement)
     }
 
     fn displacement_of_recovery(&self) -> R {

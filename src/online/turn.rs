@@ -84,7 +84,7 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
     let State { velocity: v, acceleration: a, .. } = from;
     let after = |acceleration: R| {
         let to = State { velocity: R::ZERO, acceleration, ..from };
-        Problem::new(limits, from, to).reach().1
+        State { position: Problem::new(limits, from, to).reach().1, ..to }
     };
     // The accelerations of an axis that eases its brake, and that brakes harder, all the time until it stands, and the one that leads to the lowest
     // velocity after the turn.

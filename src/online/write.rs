@@ -28,8 +28,7 @@ impl<'a, R: Real> Writer<'a, R> {
         Self { ctx, t: R::ZERO, shortest: R::INFINITY, count: 1 }
     }
 
-    /// Adds a phase, if it has a duration. There is room for all: a mean of two motions with seven phases has 13 at most. A recovery ends at a limit,
-    /// so it takes as many phases from both motions as it has, or more.
+    /// Adds a phase, if it has a duration. There is room: a mean of two motions has 13 at most, and a recovery takes as many from them as it has.
     pub fn write(&mut self, segment: &Segment<R>) {
         let Segment { from, jerk, duration } = *segment;
         if !(duration > R::ZERO && self.count < MOST_PHASES) {

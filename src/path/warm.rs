@@ -170,9 +170,9 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         // From the plan itself no step opens new sections. But for fewer than 3 steps there is no other.
         let may_be_as_it_is = !is_new || steps < 3;
         let ease = if self.rests_at(0) { R::ZERO } else { R::HALF * R::HALF * total(given) };
-        let tried = |slower: &&Slower| slower.least_steps <= steps && (slower.thousandths > 0 || may_be_as_it_is);
+        let tried = |slower: &Slower| slower.least_steps <= steps && (slower.thousandths > 0 || may_be_as_it_is);
         let thousand = R::from(250) * R::from(4);
-        SLOWER.iter().filter(tried).find_map(|slower| {
+        SLOWER.into_iter().filter(tried).find_map(|slower| {
             let taken = self.take_slower(R::ONE + R::from(slower.thousandths) / thousand, ease, given);
             taken.map(|()| if is_new { 0 } else { slower.octaves })
         })

@@ -116,14 +116,18 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
 /// Makes the move of an axis in motion, planned as fast as possible, last `t`: by the first of these motions that exists.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     let has_time = t >= axis.t;
-    if has_time && write_cruise(axis, problem, t) {
-        return;
+    if has_time {
+        if let Some(cruise) = Cruise::of(problem, t) {
+            return cruise.write(problem, axis, t);
+        }
     }
     // If its problem does not take the duration, a problem that differs by rounding may: again the axis cruises, if it can.
     let is_possible = has_time && (may_wait(problem) || blend::next_duration(problem, t) <= t);
     let problem = if is_possible { *problem } else { neighbour(problem, t).unwrap_or(*problem) };
-    if !is_possible && write_cruise(axis, &problem, t) {
-        return;
+    if !is_possible {
+        if let Some(cruise) = Cruise::of(&problem, t) {
+            return cruise.write(&problem, axis, t);
+        }
     }
     if let Some(blend) = Blend::of(&problem, t) {
         blend.write(&problem, axis, t);
@@ -133,10 +137,6 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     } else {
         axis.shift_in_time(t);
     }
-}
-
-fn write_cruise<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
-    Cruise::of(problem, t).map(|cruise| cruise.write(problem, axis, t)).is_some()
 }
 
 #[cfg(test)]
@@ -211,7 +211,7 @@ mod tests {
         let mut problem = Problem::new(&limits, from, State::at(0.0));
         let mut axis = Move::default();
         let (fastest, end) = problem.reach();
-        problem.to = end;
+        problem.to.position = end;
         problem.write(&mut axis, &fastest).expect("a plan");
         for t in (2..10).map(f64::from) {
             assert_eq!(next_duration(&problem, t), t);
