@@ -2,8 +2,7 @@
 
 use crate::real::Real;
 use crate::state::{Boundary, State};
-use core::ffi::CStr;
-use core::fmt;
+use core::{ffi::CStr, fmt};
 
 /// A set of at most eight findings. Each has a bit, a name and a sentence, which is its documentation, perhaps with more.
 macro_rules! set {

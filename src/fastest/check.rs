@@ -2,9 +2,7 @@
 
 use super::trap::rise_and_fall;
 use crate::findings::{Error, Extremes, Findings};
-use crate::liba::bell::motion::Phase;
-use crate::liba::trap::motion::Phase as TrapPhase;
-use crate::liba::{Bell, Trap};
+use crate::liba::{Bell, Trap, bell::motion::Phase, trap::motion::Phase as TrapPhase};
 use crate::real::Real;
 use crate::state::{Boundary, State};
 

@@ -1,9 +1,7 @@
 //! The derivatives of the displacement on the border by velocity and acceleration at both ends, and by the duration.
 //! `docs/path-theory.md` has the tables, in "Its derivatives". Letters without a variable of that name are given in comments.
 
-use super::border::Border;
-use super::profile::Profile;
-use super::ramp::PerJerk;
+use super::{border::Border, profile::Profile, ramp::PerJerk};
 use crate::real::Real;
 
 pub(crate) struct Derivatives<R> {

@@ -1,8 +1,6 @@
 //! The sections of a path, one after the other: what is given, and the plan as it stands.
 
-use super::bounds::Bounds;
-use super::memory::Memory;
-use super::slack::Side;
+use super::{bounds::Bounds, memory::Memory, slack::Side};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::problem::Problem;

@@ -1,9 +1,6 @@
 //! A path that stays near its lines: points are added on the lines that it leaves too far.
 
-use super::chain::Request;
-use super::deviation::stays_within;
-use super::moves::write_moves;
-use super::{path_size, plan};
+use super::{chain::Request, deviation::stays_within, moves::write_moves, path_size, plan};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;

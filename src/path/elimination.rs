@@ -2,8 +2,7 @@
 //! each axis at its start, with its offset if the points have tolerances, and then its duration.
 //! `docs/path-theory.md` has the letters and the theory, in "The step". No root is taken, so powers of two in the units change no bit.
 
-use super::chain::Chain;
-use super::memory::Band;
+use super::{chain::Chain, memory::Band};
 use crate::real::Real;
 
 /// Subtracts a multiple of a row from another one.

@@ -1,8 +1,6 @@
 //! What a section can spare: how much longer the largest displacement of its duration is than the section.
 
-use crate::interval::border::Border;
-use crate::interval::derivatives::Derivatives;
-use crate::interval::profile::Profile;
+use crate::interval::{border::Border, derivatives::Derivatives, profile::Profile};
 use crate::limits::Limits;
 use crate::real::Real;
 

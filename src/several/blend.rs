@@ -3,8 +3,7 @@
 use crate::interval::border::Border;
 use crate::interval::crossing;
 use crate::interval::profile::{MOST_SEGMENTS, Profile, Segment};
-use crate::online::Move;
-use crate::online::problem::Problem;
+use crate::online::{Move, problem::Problem};
 use crate::real::Real;
 
 /// Two motions of the same duration, whose mean travels a displacement.

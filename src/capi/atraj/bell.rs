@@ -1,8 +1,7 @@
 //! `atraj.h`: the double-S that never fails, and what any other does.
 
 use super::{answer, sample, write, write_extremes};
-use crate::capi::a::trajbell::a_trajbell;
-use crate::capi::{a_float, boundary, of, of_mut};
+use crate::capi::{a::trajbell::a_trajbell, a_float, boundary, of, of_mut};
 use crate::liba::Bell;
 use core::ffi::c_int;
 

@@ -6,8 +6,7 @@ use super::{answer, done, list, list_mut};
 use crate::capi::{Number, a_float, assert_same_layout, of, value};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
-use crate::machine::group::Course;
-use crate::machine::{Group, GroupPlanner, GroupTicker};
+use crate::machine::{Group, GroupPlanner, GroupTicker, group::Course};
 use core::cell::Cell;
 use core::ffi::{c_int, c_uint, c_void};
 

@@ -1,8 +1,7 @@
 //! `atraj.h`: the trapezoid that never fails, and what any other does.
 
 use super::{answer, sample, write, write_extremes};
-use crate::capi::a::trajtrap::a_trajtrap;
-use crate::capi::{a_float, boundary, of, of_mut};
+use crate::capi::{a::trajtrap::a_trajtrap, a_float, boundary, of, of_mut};
 use crate::liba::Trap;
 use core::ffi::c_int;
 

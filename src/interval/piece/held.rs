@@ -1,9 +1,7 @@
 //! The piece of the border on which the highest acceleration holds.
 
 use super::easing::Easing;
-use crate::interval::border::Border;
-use crate::interval::profile::Profile;
-use crate::interval::ramp::PerJerk;
+use crate::interval::{border::Border, profile::Profile, ramp::PerJerk};
 use crate::real::Real;
 use crate::roots::first_zero;
 

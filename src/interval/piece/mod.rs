@@ -7,8 +7,7 @@ mod easing;
 mod free;
 mod held;
 
-use super::border::Border;
-use super::profile::Profile;
+use super::{border::Border, profile::Profile};
 use crate::real::Real;
 use crate::roots::root_between;
 pub(super) use easing::Easing;

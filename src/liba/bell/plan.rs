@@ -1,7 +1,6 @@
 //! liba's plan of the double-S, in the order of the numerical contract.
 
-use super::Bell;
-use super::search::Fit;
+use super::{Bell, search::Fit};
 use crate::real::{Real, target};
 use crate::state::{Boundary, Saturation};
 
