@@ -39,10 +39,14 @@ impl Place {
 ///
 /// # Safety
 /// `ctx` is NULL or points to a struct that stores the polynomial and, if structs have levels, its derivatives up to this one.
-#[cfg(not(feature = "poly-compact"))]
 pub unsafe fn evaluate<const N: usize, const ORDER: usize>(ctx: *const Number, x: a_float) -> a_float {
+    // SAFETY: by the contract of this function.
+    #[cfg(feature = "poly-compact")]
+    let y = value(unsafe { ctx.cast::<Poly<Number, N>>().as_ref() }, |poly| poly.derivative_at(ORDER, x.into()));
     // SAFETY: both functions have the same contract.
-    unsafe { evaluate_at(ctx, const { Place::new(N, ORDER) }, x) }
+    #[cfg(not(feature = "poly-compact"))]
+    let y = unsafe { evaluate_at(ctx, const { Place::new(N, ORDER) }, x) };
+    y
 }
 
 /// # Safety
@@ -56,16 +60,6 @@ unsafe fn evaluate_at(ctx: *const Number, place: Place, x: a_float) -> a_float {
     // SAFETY: not NULL, so the coefficients are there by the contract of this function.
     let c = unsafe { slice::from_raw_parts(ctx.add(place.first()), place.count()) };
     target::horner(c, x.into()).into()
-}
-
-/// The derivative of order `ORDER` of a polynomial with `N` coefficients, at `x`; NaN for a NULL context.
-///
-/// # Safety
-/// `ctx` is NULL or points to a struct that stores the polynomial.
-#[cfg(feature = "poly-compact")]
-pub unsafe fn evaluate<const N: usize, const ORDER: usize>(ctx: *const Number, x: a_float) -> a_float {
-    // SAFETY: by the contract of this function.
-    value(unsafe { ctx.cast::<Poly<Number, N>>().as_ref() }, |poly| poly.derivative_at(ORDER, x.into()))
 }
 
 /// Writes the coefficients of the derivative of order `ORDER + 1` from the coefficients of order `ORDER`; nothing for a NULL context.

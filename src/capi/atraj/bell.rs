@@ -22,11 +22,11 @@ pub unsafe extern "C" fn atraj_bell_gen(
 ) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let Some(ctx) = (unsafe { of_mut(ctx) }) else { return a_float::NAN };
-    let fastest = Bell::fastest(jm.into(), am.into(), vm.into(), boundary(p0, p1, v0, v1));
-    fastest.map_or(a_float::NAN, |fastest| {
-        *ctx = fastest;
-        fastest.t.into()
-    })
+    let Ok(fastest) = Bell::fastest(jm.into(), am.into(), vm.into(), boundary(p0, p1, v0, v1)) else {
+        return a_float::NAN;
+    };
+    *ctx = fastest;
+    fastest.t.into()
 }
 
 /// @brief Examine a bell-shaped velocity trajectory, whichever function planned it.
@@ -55,9 +55,7 @@ pub unsafe extern "C" fn atraj_bell_sample(
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe {
-        sample(of(ctx), [pos, vel, acc, jer], n, |bell, outputs| bell.sample_into(start.into(), dt.into(), outputs))
-    }
+    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |bell, to| bell.sample_into(start.into(), dt.into(), to)) }
 }
 
 /// @brief State of a bell-shaped velocity trajectory: position, velocity, acceleration and jerk at one time.

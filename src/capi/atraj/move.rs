@@ -213,9 +213,7 @@ pub unsafe extern "C" fn atraj_move_sample(
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe {
-        sample(of(ctx), [pos, vel, acc, jer], n, |ctx, outputs| ctx.sample_into(start.into(), dt.into(), outputs))
-    }
+    unsafe { sample(of(ctx), [pos, vel, acc, jer], n, |ctx, to| ctx.sample_into(start.into(), dt.into(), to)) }
 }
 
 /// @brief The lowest and the highest position, velocity and acceleration from start to end, each at its own time.

@@ -74,9 +74,10 @@ pub unsafe extern "C" fn atraj_path_plan_zones(
     states: *mut atraj_state, durations: *mut a_float, limits: *const atraj_limits, axes: usize, sections: usize,
     steps: c_uint, work: *mut a_float,
 ) -> c_int {
-    let count = axes.wrapping_mul(sections);
     // SAFETY: both functions have the same contract.
-    unsafe { plan(path::plan_path, states, durations, limits, count, axes, sections, steps, work) }
+    unsafe {
+        plan(path::plan_path, states, durations, limits, axes.wrapping_mul(sections), axes, sections, steps, work)
+    }
 }
 
 /// @brief Plan the motions of a path: the moves of all axes for the first section, then of all axes for the second one, as

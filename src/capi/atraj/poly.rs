@@ -22,7 +22,7 @@ pub unsafe extern "C" fn atraj_poly3_sample(
     acc: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state())) }
+    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, to| sweep(start, dt).fill(to, poly.state())) }
 }
 
 /// @brief State of a cubic polynomial trajectory: position, velocity and acceleration at one time.
@@ -51,7 +51,7 @@ pub unsafe extern "C" fn atraj_poly5_sample(
     acc: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state())) }
+    unsafe { sample(ctx.as_ref(), [pos, vel, acc], n, |poly, to| sweep(start, dt).fill(to, poly.state())) }
 }
 
 /// @brief State of a quintic polynomial trajectory: position, velocity and acceleration at one time.
@@ -80,9 +80,7 @@ pub unsafe extern "C" fn atraj_poly7_sample(
     acc: *mut a_float, jer: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe {
-        sample(ctx.as_ref(), [pos, vel, acc, jer], n, |poly, outputs| sweep(start, dt).fill(outputs, poly.state()))
-    }
+    unsafe { sample(ctx.as_ref(), [pos, vel, acc, jer], n, |poly, to| sweep(start, dt).fill(to, poly.state())) }
 }
 
 /// @brief State of a septic polynomial trajectory: position, velocity, acceleration and jerk at one time.

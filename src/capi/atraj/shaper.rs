@@ -211,6 +211,5 @@ fn kind_of(kind: c_int) -> Result<ShaperKind, Error> {
         (ATRAJ_SHAPER_EI, ShaperKind::Ei),
         (ATRAJ_SHAPER_EI2, ShaperKind::Ei2),
     ];
-    let mut named = kinds.into_iter().map(|(name, kind)| (name as c_int, kind));
-    named.find_map(|(name, named)| (name == kind).then_some(named)).ok_or(Error::Limits)
+    kinds.into_iter().find_map(|(name, named)| (name as c_int == kind).then_some(named)).ok_or(Error::Limits)
 }

@@ -21,11 +21,11 @@ pub unsafe extern "C" fn atraj_trap_gen(
 ) -> a_float {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
     let Some(ctx) = (unsafe { of_mut(ctx) }) else { return a_float::NAN };
-    let fastest = Trap::fastest(vm.into(), ac.into(), de.into(), boundary(p0, p1, v0, v1));
-    fastest.map_or(a_float::NAN, |fastest| {
-        *ctx = fastest;
-        fastest.t.into()
-    })
+    let Ok(fastest) = Trap::fastest(vm.into(), ac.into(), de.into(), boundary(p0, p1, v0, v1)) else {
+        return a_float::NAN;
+    };
+    *ctx = fastest;
+    fastest.t.into()
 }
 
 /// @brief Examine a trapezoidal velocity trajectory, whichever function planned it.
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn atraj_trap_sample(
     acc: *mut a_float,
 ) -> usize {
     // SAFETY: the pointers are NULL or valid by the contract of this module.
-    unsafe { sample(of(ctx), [pos, vel, acc], n, |trap, outputs| trap.sample_into(start.into(), dt.into(), outputs)) }
+    unsafe { sample(of(ctx), [pos, vel, acc], n, |trap, to| trap.sample_into(start.into(), dt.into(), to)) }
 }
 
 /// @brief State of a trapezoidal velocity trajectory: position, velocity and acceleration at one time.
