@@ -251,10 +251,6 @@ impl<R: Real> Extremes<R> {
 }
 
 fn include<R: Real>(lowest: &mut R, highest: &mut R, x: R) {
-    if x < *lowest {
-        *lowest = x;
-    }
-    if x > *highest {
-        *highest = x;
-    }
+    *lowest = x.at_most(*lowest);
+    *highest = x.at_least(*highest);
 }

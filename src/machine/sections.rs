@@ -65,9 +65,7 @@ impl<'a, R: Real> AxisPath<'a, R> {
 
     /// Position, velocity, acceleration and jerk by the time of the path and its derivatives. All are NaN if there is no move.
     pub fn state(self, [s, rate, slowing, bending]: [R; 4]) -> [R; 4] {
-        let Some((of, start)) = self.section(s) else {
-            return [R::NAN; 4];
-        };
+        let Some((of, start)) = self.section(s) else { return [R::NAN; 4] };
         // The path is at its end, whatever a difference is rounded to.
         let passed = if s < start + of.t { s - start } else { (s - start).at_least(of.t) };
         let [position, v, a, j] = of.state(passed);

@@ -37,10 +37,8 @@ impl<R: Real> Move<R> {
     /// ```
     pub fn check(&self, limits: &Limits<R>) -> Result<Findings, Error> {
         limits.are_limits()?;
-        let used = self.phase.iter().take(1 + self.phase_count());
-        if !(self.t.is_finite() && used.clone().all(is_finite)) {
-            return Err(Error::NotFinite);
-        }
+        let mut used = self.phase.iter().take(1 + self.phase_count());
+        Error::NotFinite.unless(self.t.is_finite() && used.all(is_finite))?;
         let scale = self.scale(limits);
         let reached = self.extremes();
         let (lowest, highest) = (reached.lowest, reached.highest);
@@ -117,11 +115,10 @@ impl<R: Real> Move<R> {
     /// Whether a phase begins elsewhere than the one before it leads.
     fn jumps(&self, scale: &Scale<R>) -> bool {
         let few = R::DOUBT;
-        self.neighbours().any(|(before, after)| {
+        !self.neighbours().all(|(before, after)| {
             let z = before.duration;
-            let fits = (after.position - before.position(z)).abs() <= few * scale.position
-                && (after.velocity - before.velocity(z)).abs() <= few * scale.velocity;
-            !fits
+            (after.position - before.position(z)).abs() <= few * scale.position
+                && (after.velocity - before.velocity(z)).abs() <= few * scale.velocity
         })
     }
 

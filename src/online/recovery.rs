@@ -31,10 +31,8 @@ impl<R: Real> Recovery<R> {
         let State { velocity: v, acceleration: a, .. } = from;
         // The velocity once the acceleration is 0.
         let v_at_a_zero = v + per_jerk.straight(a, R::ZERO);
-        let is_within = a <= limits.amax
-            && a >= limits.amin
-            && v_at_a_zero.at_least(v) <= limits.vmax
-            && v_at_a_zero.at_most(v) >= limits.vmin;
+        let Limits { vmax, vmin, amax, amin, .. } = *limits;
+        let is_within = a <= amax && a >= amin && v_at_a_zero.at_least(v) <= vmax && v_at_a_zero.at_most(v) >= vmin;
         if is_within {
             Self { acceleration: a, ..Self::default() }
         } else {

@@ -55,7 +55,8 @@ impl<R: Real> Deviation<R> {
             self.follow_piece(section, [from, to])?;
             from = to;
         }
-        section.are_finite().then_some(())
+        let sum = section.axes.iter().fold(section.size + section.square, |sum, axis| sum + axis.t.abs());
+        sum.is_finite().then_some(())
     }
 
     /// Takes account of a section between two borders: as a whole, or else each half of it, and so on.
@@ -101,11 +102,6 @@ impl<'a, R: Real> Section<'a, R> {
             square = square + (to - from) * (to - from);
         }
         Self { axes, size, square }
-    }
-
-    fn are_finite(&self) -> bool {
-        let sum = self.axes.iter().fold(self.size + self.square, |sum, axis| sum + axis.t.abs());
-        sum.is_finite()
     }
 
     /// The first time after `x` at which a phase of an axis begins, s.

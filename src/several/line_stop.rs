@@ -19,12 +19,9 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     let Highest { lead, place, order } = find_highest(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
     let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| derivative(phase, order));
-    let share = |axis: &Move<R>| {
-        if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) }
-    };
+    let share = |axis: &Move<R>| if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) };
     let now = lead.state_at(x);
-    let endless = R::INFINITY;
-    let mut tightest = Limits::symmetric(endless, endless, endless);
+    let mut tightest = Limits::symmetric(R::INFINITY, R::INFINITY, R::INFINITY);
     // The states at both ends are the caller's, with rounding errors of their own, so they count only where there are no others.
     let first = usize::from(lead.phases().len() > 1);
     for (axis, limits) in axes.iter().zip(limits) {
@@ -82,11 +79,8 @@ fn find_highest<R: Real>(axes: &[Move<R>]) -> Highest {
 /// Whether every phase of the move, from number `first` on, is that of the lead times `share`.
 pub(crate) fn goes_along<R: Real>(share: R, axis: &Move<R>, lead: &Move<R>, first: usize) -> bool {
     let agree = |x: R, y: R| (x - share * y).abs() <= of_check(x.abs() + (share * y).abs());
-    let mut phases = axis.phases().iter().zip(lead.phases()).skip(first);
-    axis.count == lead.count
-        && phases.all(|(phase, other)| {
-            phase.start == other.start
-                && agree(phase.velocity, other.velocity)
-                && agree(phase.acceleration, other.acceleration)
-        })
+    let go_along = |(one, other): (&Phase<R>, &Phase<R>)| {
+        one.start == other.start && agree(one.velocity, other.velocity) && agree(one.acceleration, other.acceleration)
+    };
+    axis.count == lead.count && axis.phases().iter().zip(lead.phases()).skip(first).all(go_along)
 }
