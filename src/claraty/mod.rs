@@ -1,8 +1,7 @@
 //! CLARAty's trapezoid: a target, start and stop at any time, and a setpoint whenever the controller asks.
 //!
-//! Two modes share one profile. [`Mode::Corrected`] keeps the promise of CLARAty's class: a motion starts from any position and
-//! velocity, reaches the target at rest, does not jump and does not overshoot without need. [`Mode::Listing`] gives the numbers
-//! of the published listing, bit for bit, wrong motions included.
+//! Two modes share one profile. [`Mode::Corrected`] keeps the promise of CLARAty's class: a motion starts in any state, ends at rest at the target,
+//! and neither jumps nor overshoots without need. [`Mode::Listing`] gives the published listing's numbers, bit for bit, wrong motions included.
 //!
 //! Nothing here reads a clock. A method that needs the time takes it as `now`: a finite number of seconds from any fixed origin.
 //!

@@ -75,10 +75,9 @@ impl<R: Real> Shaper<R> {
         Ok(shaper)
     }
 
-    /// Shapes the shaped motion once more: for another frequency of the load. The impulses of both are multiplied.
-    ///
-    /// [`Error::Duration`] if the frequency is not above 0 or has no finite period; [`Error::Limits`] if the damping is not from 0 to below 1,
-    /// or if there are more than 16 impulses. On an error the shaper stays as it is.
+    /// Shapes the shaped motion once more: for another frequency of the load. The impulses of both are multiplied. [`Error::Duration`] if the
+    /// frequency is not above 0 or has no finite period; [`Error::Limits`] if the damping is not from 0 to below 1, or if there are more than 16
+    /// impulses. On an error the shaper stays as it is.
     pub fn add(&mut self, kind: ShaperKind, frequency: R, damping: R) -> Result<(), Error> {
         Error::Limits.unless(damping >= R::ZERO && damping < R::ONE)?;
         let other = Impulses::of(kind, frequency, damping);
@@ -102,7 +101,6 @@ impl<R: Real> Shaper<R> {
 
     /// A shaper without a frequency: the motion becomes its mean over this time, s. So its acceleration changes evenly, and the derivative of its
     /// jerk is at most twice the limit of the jerk, divided by the time. A time of 0 changes nothing. [`Shaper::add`] adds frequencies.
-    ///
     /// [`Error::Duration`] if the time is negative or not finite.
     pub fn smooth(time: R) -> Result<Self, Error> {
         Error::Duration.unless(time >= R::ZERO && time < R::INFINITY)?;

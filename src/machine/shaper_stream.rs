@@ -97,10 +97,8 @@ impl<R: Real> Shaper<R> {
 
 impl<R: Real> ShaperStream<R> {
     /// A stream that is in the state `now`, and gets a state every `period`, s. A stream in motion is taken to have had its velocity for long: so it
-    /// starts later than `now` by the mean delay.
-    ///
-    /// [`Error::Duration`] if [`Shaper::size`] is `None`; [`Error::Axes`] if the line has fewer numbers; [`Error::NotFinite`] if the state is not
-    /// finite, or one that it is taken to have had.
+    /// starts later than `now` by the mean delay. [`Error::Duration`] if [`Shaper::size`] is `None`; [`Error::Axes`] if the line has fewer numbers;
+    /// [`Error::NotFinite`] if the state is not finite, or one that it is taken to have had.
     pub fn new(shaper: &Shaper<R>, period: R, now: State<R>, line: &mut [R]) -> Result<Self, Error> {
         let [ticks, means] = shaper.ticks(period).ok_or(Error::Duration)?;
         Error::Axes.unless(line.len() >= N * (ticks + means))?;

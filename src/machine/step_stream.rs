@@ -33,7 +33,6 @@ pub struct StepStream<R> {
 
 impl<R: Real> StepStream<R> {
     /// A motor at the step that is nearest to the axis, which is in the state `now`. It gets a state every `period`, s. `step` is the length of one.
-    ///
     /// [`Error::Limits`] if `step` is not above 0; [`Error::Duration`] if the period is not above 0 or not finite; [`Error::NotFinite`] if another
     /// number is not finite, or if the position is more than `1/ε` steps (8,388,608 in `f32`) or 1,000,000,000 steps away from 0.
     pub fn new(step: R, period: R, now: State<R>) -> Result<Self, Error> {

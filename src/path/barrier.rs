@@ -221,8 +221,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         self.memory.diagonal.add(row, hessian);
         let mut gradient = [g_v, g_a, R::ZERO];
         if K > 2 {
-            let [offset, before] =
-                [&self.memory.plan.offsets, &self.memory.other.offsets].map(|offsets| offsets.at(row));
+            let (offset, before) = (self.memory.plan.offsets.at(row), self.memory.other.offsets.at(row));
             let left = |offset: R| (R::ONE - offset) * (R::ONE + offset);
             let is_feasible = left(offset) > R::ZERO;
             is_feasible.then(|| logarithms.add(left(offset) / left(before)))?;
@@ -282,8 +281,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
 mod tests {
     use super::super::chain::{Chain, Request};
     use super::super::elimination::tests::errors;
-    use super::super::plan_path;
-    use super::super::steps::NewtonBudget;
+    use super::super::{plan_path, steps::NewtonBudget};
     use super::Logarithms;
     use crate::limits::Limits;
     use crate::state::State;

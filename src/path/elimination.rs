@@ -247,10 +247,8 @@ pub(super) mod tests {
                 let of_durations = (0..sections).map(|section| given.gradient_t.at(section) * chain.change(section));
                 let slope: f64 = of_states.chain(of_durations).sum();
                 assert!((chain.slope() - slope).abs() < 1e-12, "{axes} {sections}: {slope}");
-                assert!(
-                    errors(&given, &chain, lambda).all(|error| error.abs() < 1e-12),
-                    "{K} unknowns, {axes} axes, {sections} sections, {lambda}"
-                );
+                let is_solved = errors(&given, &chain, lambda).all(|error| error.abs() < 1e-12);
+                assert!(is_solved, "{K} unknowns, {axes} axes, {sections} sections, {lambda}");
             }
         }
     }
