@@ -65,7 +65,10 @@ pub fn plan_contour<R: Real>(
             let moves = moves.get(section * axes..(section + 1) * axes);
             moves.is_some_and(|moves| !stays_within(moves, most))
         };
-        let far = (0..sections).filter(|&section| is_far(section)).count();
+        let mut far = 0;
+        for section in 0..sections {
+            far += usize::from(is_far(section));
+        }
         if far == 0 {
             return Ok(found);
         }
