@@ -78,9 +78,13 @@ impl<R: Real> Limits<R> {
 
     /// Whether an axis can come to this state without leaving the limits. It built the acceleration up from 0.
     fn admit(&self, state: State<R>) -> bool {
-        let State { velocity: v, acceleration: a, .. } = state;
-        let is_inside = a <= self.amax && a >= self.amin && v <= self.vmax && v >= self.vmin;
-        is_inside && (a == R::ZERO || self.keep(v, -self.change_per_jerk(a, self.jmax, self.jmin)))
+        let State { velocity, acceleration, .. } = state;
+        acceleration <= self.amax
+            && acceleration >= self.amin
+            && velocity <= self.vmax
+            && velocity >= self.vmin
+            && (acceleration == R::ZERO
+                || self.keep(velocity, -self.change_per_jerk(acceleration, self.jmax, self.jmin)))
     }
 
     /// Whether an axis in this state will unavoidably exceed the limits, because its acceleration does not vanish at once.
