@@ -18,14 +18,14 @@ impl<R: Real> Move<R> {
     /// Plans the next moments of an axis that follows a signal. Call it in every tick with the state of the axis and of the signal, drive one tick
     /// of the plan, and call it again. `jerk` is the jerk of the signal, 0 if nobody knows it.
     ///
-    /// The signal is taken to go on with its jerk for the time `horizon`, s. Where the axis can be next to the signal after this time, it gets there
-    /// in just this time, and the plan depends evenly on the signal: noise does not switch the jerk. An axis that is on a signal that stands, or
-    /// that moves at a constant velocity, stays on it. A signal that is farther is chased as fast as the limits allow after what the signal needs.
+    /// The signal is taken to go on with its jerk for the time `horizon`, s. If the axis can meet it after this time, the move lasts exactly this long
+    /// and varies smoothly with the signal, so noise does not make the jerk chatter. An axis that is on a signal at rest or at a constant velocity
+    /// stays on it. A signal that is farther away is chased with whatever limits the signal leaves over.
     ///
     /// The plan of an axis next to the signal lasts for `horizon`, s. It keeps the limits, and the axis can keep them from then on. The plan of a chase
     /// lasts longer: until the axis is on a signal of constant velocity, or has stopped. A signal beyond the limits is followed as well as they allow;
-    /// the plan then lasts as long as [`Move::plan`] takes to where the signal is now. A longer horizon smooths more; a jerk from noisy numbers must
-    /// be smooth itself.
+    /// the plan then lasts as long as [`Move::plan`] takes to where the signal is now. A longer horizon smooths more. A jerk that is
+    /// estimated from noisy data must be filtered first.
     ///
     /// It returns the findings of [`Move::plan`]. [`Error::Duration`] if `horizon` is not above 0 and finite, [`Error::Limits`] and
     /// [`Error::NotFinite`] as in [`Move::plan`]. Any other signal is followed. On an error the move stays as it is.
