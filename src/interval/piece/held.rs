@@ -1,6 +1,6 @@
 //! The piece of the border on which the highest acceleration holds.
 
-use super::Easing;
+use super::easing::Easing;
 use crate::interval::{border::Border, profile::Profile, ramp::PerJerk};
 use crate::real::Real;
 use crate::roots::first_zero;

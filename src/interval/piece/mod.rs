@@ -3,12 +3,14 @@
 //!
 //! A piece counts displacements from its first motion. `docs/planner.md` has the formulas and the letters: `u`, `y`, `r`, `s`, `k`, `c`, `x`.
 
+mod easing;
 mod free;
 mod held;
 
 use super::{border::Border, profile::Profile};
 use crate::real::Real;
 use crate::roots::root_between;
+pub(super) use easing::Easing;
 use free::Free;
 use held::Held;
 
@@ -17,16 +19,6 @@ pub(super) enum Piece<R> {
     Free(Free<R>),
     /// The highest acceleration holds.
     Held(Held<R>),
-}
-
-/// How the piece ends in which the acceleration eases.
-pub(in crate::interval) enum Easing {
-    /// The hold is over.
-    HoldEnds,
-    /// The acceleration eases down to 0.
-    Vanishes,
-    /// The acceleration can ease no further.
-    IsFollowedByGap,
 }
 
 /// A value that both kinds of pieces have, each by its own formula.
