@@ -74,15 +74,21 @@ impl<'a, R: Real> RateChange<'a, R> {
         let stop = self.free_stop(from.position)?;
         let Some(law) = self.faster_later(stop, time)? else { return self.slow(from, stop, time) };
         // From a low rate the motion takes long to the places where a change is searched.
-        if self.rate.abs() > from.velocity.abs() && from.velocity != R::ZERO {
-            let mut slow = Move::default();
-            let sooner = self.slow(from, stop, &mut slow).ok().filter(|slow| slow.is_reached && slow.until < law.until);
-            if let Some(sooner) = sooner {
+        let is_low = self.rate.abs() > from.velocity.abs() && from.velocity != R::ZERO;
+        Ok(if is_low { self.sooner(from, stop, law, time) } else { law })
+    }
+
+    /// What is sooner: the law, or that of the slow change.
+    #[inline(never)] // for its stack
+    fn sooner(&self, from: State<R>, stop: R, law: Law<R>, time: &mut Move<R>) -> Law<R> {
+        let mut slow = Move::default();
+        match self.slow(from, stop, &mut slow) {
+            Ok(sooner) if sooner.is_reached && sooner.until < law.until => {
                 *time = slow;
-                return Ok(sooner);
+                sooner
             }
+            _ => law,
         }
-        Ok(law)
     }
 
     /// A faster change, which may begin later; `stop` is the slowest axis' free stop. `None` if none is found and the motion cannot go on.
