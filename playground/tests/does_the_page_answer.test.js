@@ -119,7 +119,7 @@ for (const [hash, words] of [
     ["#profile=trap&ac=0", [/^atraj refuses/, /^liba /]],
     ["#profile=bell&p0=3&p1=3", [/^atraj: there is nothing to do/]],
     ["#profile=poly5&ts=0", [/no such polynomial/]],
-    ["#profile=sync&cycle=-1", [/^atraj refuses: the duration or the cycle/]],
+    ["#profile=sync&cycle=-1", [/^atraj refuses: a duration, cycle/]],
     ["#profile=line&x.v0=1", [/^atraj refuses: the states do not lie/]],
 ]) {
     onPage(`words at ${hash}`, hash, async (page) => {
