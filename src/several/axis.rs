@@ -70,11 +70,12 @@ pub(crate) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
 
 /// The shortest possible duration from `t` on of an axis that has made its fastest plan, s.
 pub(super) fn next_of_plan<R: Real>(axis: &Move<R>, problem: &dyn Fn() -> Problem<R>, t: R) -> R {
-    if lasts(axis, t) || axis.start().is_at_rest() || axis.end().is_at_rest() {
-        t
-    } else {
-        next_duration(&problem(), t)
-    }
+    if may_last(axis, t) { t } else { next_duration(&problem(), t) }
+}
+
+/// Whether the fastest plan of an axis alone tells that the axis can take the duration `t`, which is not shorter up to rounding.
+fn may_last<R: Real>(axis: &Move<R>, t: R) -> bool {
+    lasts(axis, t) || axis.start().is_at_rest() || axis.end().is_at_rest()
 }
 
 /// Whether a plan takes the duration `t` up to rounding: a tick is early by the rounding of a formula, and its quotient and product add half as much.
@@ -85,7 +86,7 @@ pub(super) fn lasts<R: Real>(axis: &Move<R>, t: R) -> bool {
 
 /// Whether an axis that has made its fastest plan can take the duration `t`, up to the rounding of its states.
 pub(super) fn takes<R: Real>(axis: &Move<R>, problem: &Problem<R>, t: R) -> bool {
-    let is_possible = t >= axis.t && next_of_plan(axis, &|| *problem, t) <= t;
+    let is_possible = t >= axis.t && (may_last(axis, t) || next_duration(problem, t) <= t);
     is_possible || lasts(axis, t) || problem.may_shift(axis, t) || neighbour(problem, t).is_some()
 }
 
@@ -117,20 +118,21 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     let has_time = t >= axis.t;
     if has_time {
-        if let Some(cruise) = Cruise::of(problem, t) {
+        if let Some(cruise) = &Cruise::of(problem, t) {
             return cruise.write(problem, axis, t);
         }
     }
     // If its problem does not take the duration, a problem that differs by rounding may: again the axis cruises, if it can.
     let is_possible = has_time && (may_wait(problem) || blend::next_duration(problem, t) <= t);
-    let problem = if is_possible { *problem } else { neighbour(problem, t).unwrap_or(*problem) };
+    let near = if is_possible { None } else { neighbour(problem, t) };
+    let problem = near.as_ref().unwrap_or(problem);
     if !is_possible {
-        if let Some(cruise) = Cruise::of(&problem, t) {
-            return cruise.write(&problem, axis, t);
+        if let Some(cruise) = &Cruise::of(problem, t) {
+            return cruise.write(problem, axis, t);
         }
     }
-    if let Some(blend) = Blend::of(&problem, t) {
-        blend.write(&problem, axis, t);
+    if let Some(blend) = &Blend::of(problem, t) {
+        blend.write(problem, axis, t);
     } else if problem.to.is_at_rest() && has_time {
         // Where rounding hides the wait from both, the axis waits at its target.
         axis.wait_until(t);
