@@ -333,7 +333,9 @@ impl<R: Real> Border<R> {
         } else if top_holds {
             self.top_alone(t)
         } else {
-            self.reversed().top_alone(t).map(Profile::reversed)
+            let mut profile = self.reversed().top_alone(t)?;
+            profile.reverse();
+            Some(profile)
         }
     }
 

@@ -10,6 +10,7 @@ use super::ramp::{Fitted, Passed, Ramp};
 use super::rounding::{of_formula, of_state};
 use crate::real::Real;
 use crate::roots::larger_root;
+use core::slice;
 
 #[derive(Clone, Copy)]
 pub(crate) struct Displacement<R> {
@@ -37,24 +38,16 @@ impl<R: Real> Shortfall<R> {
     }
 }
 
-/// Where the border first gets as far as wanted, before a gap: durations in which the end cannot be reached.
-enum Crossing<R> {
-    At(Profile<R>),
-    /// A gap comes first: the last motion before it.
-    GapAfter(Profile<R>),
+/// Whether a motion gets as far as wanted.
+#[derive(Clone, Copy, PartialEq)]
+enum Crossing {
+    /// It is the first one that does.
+    Here,
+    /// It is the last one before a gap: durations in which the end cannot be reached.
+    BehindGap,
+    /// It is the last one of its part of the border.
+    Later,
 }
-
-impl<R: Real> Crossing<R> {
-    fn map(self, motion: impl Fn(Profile<R>) -> Profile<R>) -> Self {
-        match self {
-            Self::At(profile) => Self::At(motion(profile)),
-            Self::GapAfter(profile) => Self::GapAfter(motion(profile)),
-        }
-    }
-}
-
-/// The last motion of a piece that does not get as far as wanted, and what its displacement lacks.
-type Lacking<R> = (Profile<R>, R);
 
 /// The fastest motion over a displacement.
 pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> Profile<R> {
@@ -75,36 +68,39 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     }
     let direct = border.direct(beyond);
     let of_direct = shortfall(border, &direct, wanted);
-    let last_before_gap = match crossing_after_ramp(border, &direct, wanted.h, of_direct) {
-        Crossing::At(motion) => return without_overshoot(border, motion, &direct, of_direct.lacks, wanted),
-        Crossing::GapAfter(last) => last.as_ramp(),
-    };
+    let (motion, crossing) = crossing_after_ramp(border, &direct, wanted.h, of_direct);
+    if crossing == Crossing::Here {
+        return without_overshoot(border, motion, &direct, of_direct.lacks, wanted);
+    }
+    let last_before_gap = motion.as_ramp();
     if shortfall(border, &last_before_gap, wanted).is_rounding() {
         return border.profile(&last_before_gap);
     }
     let after = border.after_gap();
-    let motion = match crossing_after_ramp(border, &after, wanted.h, shortfall(border, &after, wanted)) {
-        Crossing::At(motion) => motion,
-        Crossing::GapAfter(_) => border.profile(&after),
-    };
+    let (motion, crossing) = crossing_after_ramp(border, &after, wanted.h, shortfall(border, &after, wanted));
+    let motion = if crossing == Crossing::Here { motion } else { border.profile(&after) };
     // The fastest ramp is the last one that is tried.
     let ramps = [&after, &last_before_gap, &direct];
     let shorter = |motion, ramp| without_overshoot(border, motion, ramp, shortfall(border, ramp, wanted).lacks, wanted);
     ramps.into_iter().fold(motion, shorter)
 }
 
-/// The first motion over `h` from the duration of a ramp on. This duration allows one displacement only, whose shortfall is given.
-fn crossing_after_ramp<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>) -> Crossing<R> {
+/// The first motion over `h` from the duration of a ramp on, or the last one before a gap. This duration allows one displacement only, whose shortfall
+/// is given.
+fn crossing_after_ramp<R: Real>(
+    border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>,
+) -> (Profile<R>, Crossing) {
     let lacks = shortfall.lacks;
     if shortfall.is_rounding() && shortfall.tie.is_finite() {
-        let fitted = border.fitted(ramp, lacks).filter(|_| !ramp.is_straight());
-        return Crossing::At(border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp)));
+        let fitted = if ramp.is_straight() { None } else { border.fitted(ramp, lacks) };
+        return (border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp)), Crossing::Here);
     }
     let mirrored = lacks < R::ZERO;
     let axis = border.mirrored_if(mirrored);
-    let mut base = axis.profile(&ramp.mirrored_if(mirrored));
-    split_at_0(&axis, &mut base);
-    crossing_after(&axis, base, h.negate_if(mirrored), lacks.abs()).map(|profile| Profile { mirrored, ..profile })
+    let mut motion = axis.profile(&ramp.mirrored_if(mirrored));
+    split_at_0(&axis, &mut motion);
+    let crossing = go_on(&axis, &mut motion, h.negate_if(mirrored), lacks.abs());
+    (Profile { mirrored, ..motion }, crossing)
 }
 
 /// The motion, or the ramp, if the motion overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
@@ -112,36 +108,36 @@ fn crossing_after_ramp<R: Real>(border: &Border<R>, ramp: &Ramp<R>, h: R, shortf
 fn without_overshoot<R: Real>(
     border: &Border<R>, motion: Profile<R>, ramp: &Ramp<R>, lacks: R, wanted: Displacement<R>,
 ) -> Profile<R> {
-    let fitted = |ramp: &Ramp<R>| {
-        let Fitted { ramp, faster } = border.fitted(ramp, lacks)?;
-        let Passed { duration, displacement } = border.passed(&ramp);
-        let lacks = wanted.h - (displacement - faster * duration);
-        (lacks.abs() <= border.rounding_of_displacement(duration, wanted.positions)).then_some((ramp, duration))
-    };
-    let found = if ramp.is_straight() {
+    let sides;
+    let ramps = if ramp.is_straight() {
         // The ramp grows to one side, or to the other one if its acceleration is at a limit.
         let below = lacks < R::ZERO;
-        let sides = [below, !below].map(|mirrored| border.straight(mirrored));
-        sides.iter().find_map(fitted)
+        sides = [below, !below].map(|mirrored| border.straight(mirrored));
+        &sides
     } else {
-        fitted(ramp)
+        slice::from_ref(ramp)
     };
-    let lasts = motion.duration(border.per_jerk.mirrored_if(motion.mirrored));
-    match found {
-        Some((ramp, duration)) if lasts > duration => border.profile(&ramp),
-        _ => motion,
+    for Fitted { ramp, faster } in ramps.iter().filter_map(|ramp| border.fitted(ramp, lacks)) {
+        let Passed { duration, displacement } = border.passed(&ramp);
+        let lacks = wanted.h - (displacement - faster * duration);
+        if lacks.abs() <= border.rounding_of_displacement(duration, wanted.positions) {
+            let lasts = motion.duration(border.per_jerk.mirrored_if(motion.mirrored));
+            return if lasts > duration { border.profile(&ramp) } else { motion };
+        }
     }
+    motion
 }
 
 /// The fastest motion over `h` between equal velocities without acceleration: the direct ramp has no duration.
 fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
     let mirrored = h < R::ZERO;
     let distance = h.abs();
-    let stay = border.profile(&Ramp::straight(border.a0, border.a1));
-    if distance <= tie {
-        return stay;
+    let mut motion = border.profile(&Ramp::straight(border.a0, border.a1));
+    if distance > tie {
+        turn(&border.mirrored_if(mirrored), &mut motion, distance, distance);
+        motion.mirrored = mirrored;
     }
-    Profile { mirrored, ..turning(&border.mirrored_if(mirrored), stay, distance, distance) }
+    motion
 }
 
 /// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
@@ -164,17 +160,16 @@ pub(crate) fn next_duration<R: Real>(
         if !(lacks - exceeds).is_finite() {
             return R::INFINITY;
         }
-        let (axis, h, base, lacks) = if lacks > tie {
-            (*border, h, farthest, lacks)
+        let (axis, h, mut motion, lacks) = if lacks > tie {
+            (border, h, farthest, lacks)
         } else if exceeds > tie {
-            (mirrored, -h, nearest, exceeds)
+            (&mirrored, -h, nearest, exceeds)
         } else {
             return t;
         };
-        let next = match crossing_after(&axis, base, h, lacks) {
-            Crossing::GapAfter(last) if h - axis.displacement(&last) > tie => None,
-            Crossing::At(motion) | Crossing::GapAfter(motion) => Some(motion.duration(axis.per_jerk)),
-        };
+        let crossing = go_on(axis, &mut motion, h, lacks);
+        let is_there = crossing == Crossing::Here || h - axis.displacement(&motion) <= tie;
+        let next = is_there.then(|| motion.duration(axis.per_jerk));
         // Rounding can yield a spurious motion just after the gap begins. The real one lies before the gap.
         let is_before = |next: R| next < t - of_formula(t);
         t = match next {
@@ -201,78 +196,78 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
     }
 }
 
-/// The first motion of the border over `h`: it gets `lacks` farther than `base`. A gap may come first where the acceleration keeps its sign in mid-motion.
-fn crossing_after<R: Real>(border: &Border<R>, base: Profile<R>, h: R, lacks: R) -> Crossing<R> {
-    let keeps_sign = base.trough > R::ZERO || base.peak < R::ZERO;
-    let found = if keeps_sign { before_gap(border, base, lacks) } else { Err((base, lacks)) };
-    found.unwrap_or_else(|(base, lacks)| Crossing::At(turning(border, base, h, lacks)))
-}
-
-/// The part of the border in which the acceleration keeps its sign in the middle of the motion.
-fn before_gap<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Result<Crossing<R>, Lacking<R>> {
-    if base.trough > R::ZERO {
-        return easing(border, base, lacks);
+/// Goes on along the border to the first motion over `h`, which gets `lacks` farther, or to the last one before a gap. A gap may come first where the
+/// acceleration keeps its sign in mid-motion.
+fn go_on<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: R) -> Crossing {
+    let crossing = if motion.trough > R::ZERO {
+        ease(border, motion, &mut lacks)
+    } else if motion.peak < R::ZERO {
+        motion.reverse();
+        let crossing = ease(&border.reversed(), motion, &mut lacks);
+        motion.reverse();
+        crossing
+    } else {
+        Crossing::Later
+    };
+    if crossing == Crossing::Later {
+        turn(border, motion, h, lacks);
+        return Crossing::Here;
     }
-    let found = easing(&border.reversed(), base.reversed(), lacks);
-    found.map(|crossing| crossing.map(Profile::reversed)).map_err(|(last, lacks)| (last.reversed(), lacks))
+    crossing
 }
 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
-fn easing<R: Real>(border: &Border<R>, mut base: Profile<R>, mut lacks: R) -> Result<Crossing<R>, Lacking<R>> {
+fn ease<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: &mut R) -> Crossing {
     for _ in 0..EASING_PIECES {
-        let piece = Piece::of(border, &base, base.top > R::ZERO);
+        let piece = Piece::of(border, motion, motion.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
-        match piece.find_crossing(lacks, end, false) {
-            Ok(x) => return Ok(Crossing::At(piece.profile(x))),
-            Err(beyond) => lacks = beyond,
-        }
-        base = piece.profile(end);
+        let Some(beyond) = piece.go_on(motion, *lacks, end, false) else { return Crossing::Here };
+        *lacks = beyond;
         match what {
-            Easing::HoldEnds => base.top = R::ZERO,
+            Easing::HoldEnds => motion.top = R::ZERO,
             Easing::Vanishes => {
                 // Exact, where the digits of high accelerations cancel.
-                (base.peak, base.trough) = (base.fall, R::ZERO);
-                return Err((base, lacks));
+                (motion.peak, motion.trough) = (motion.fall, R::ZERO);
+                return Crossing::Later;
             }
             Easing::IsFollowedByGap => {
-                base.last = base.last + base.first;
-                base.trough = base.trough - base.first;
-                (base.first, base.peak) = (R::ZERO, border.a0);
+                motion.last = motion.last + motion.first;
+                motion.trough = motion.trough - motion.first;
+                (motion.first, motion.peak) = (R::ZERO, border.a0);
                 break;
             }
         }
     }
-    Ok(Crossing::GapAfter(base))
+    Crossing::BehindGap
 }
 
-/// The first motion over `h` on the part of the border in which the acceleration changes its sign in the middle of the motion: it
-/// gets `lacks` farther than `base`.
-fn turning<R: Real>(border: &Border<R>, mut base: Profile<R>, h: R, mut lacks: R) -> Profile<R> {
+/// The part of the border in which the acceleration changes its sign in the middle of the motion: goes on to the first motion over `h`, which gets
+/// `lacks` farther.
+fn turn<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: R) {
     let ramps @ [up, down] = border.ramps_to_vmax();
     let while_up = up.passed(border.v0, border.a0, R::ZERO, border.per_jerk).displacement;
     let while_down = down.passed(border.v1, -border.a1, R::ZERO, border.per_jerk).displacement;
     let displacement = while_up + while_down;
     if h >= displacement {
-        return Border::by_way_of_vmax(ramps, (h - displacement) / border.limits.vmax);
+        *motion = Border::by_way_of_vmax(ramps, (h - displacement) / border.limits.vmax);
+        return;
     }
-    if !(base.top > R::ZERO || base.bottom > R::ZERO) {
-        let piece = Piece::of(border, &base, false);
-        let end = until_hold(border, &base);
+    if !(motion.top > R::ZERO || motion.bottom > R::ZERO) {
+        let end = until_hold(border, motion);
         if end > R::ZERO {
-            match piece.find_crossing(lacks, end, true) {
-                Ok(x) => return piece.profile(x),
-                Err(beyond) => lacks = beyond,
-            }
-            base = piece.profile(end);
+            let Some(beyond) = Piece::of(border, motion, false).go_on(motion, lacks, end, true) else { return };
+            lacks = beyond;
         }
     }
-    let holds = base.top > R::ZERO || base.bottom > R::ZERO;
+    let holds = motion.top > R::ZERO || motion.bottom > R::ZERO;
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
-    let nearer = bu - base.peak <= bd + base.trough;
-    if base.top > R::ZERO || !holds && nearer {
-        holding(border, base, lacks)
+    let nearer = bu - motion.peak <= bd + motion.trough;
+    if motion.top > R::ZERO || !holds && nearer {
+        hold(border, motion, lacks);
     } else {
-        holding(&border.reversed(), base.reversed(), lacks).reversed()
+        motion.reverse();
+        hold(&border.reversed(), motion, lacks);
+        motion.reverse();
     }
 }
 
@@ -297,22 +292,22 @@ fn until_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
 }
 
 /// The highest acceleration holds, and at last the lowest one too.
-fn holding<R: Real>(border: &Border<R>, mut base: Profile<R>, lacks: R) -> Profile<R> {
-    base.peak = border.limits.amax;
-    let piece = Piece::of(border, &base, true);
-    let end = (base.trough - border.limits.amin).at_least(R::ZERO);
-    match piece.find_crossing(lacks, end, true) {
-        Ok(x) => piece.profile(x),
-        Err(lacks) => both_hold(border, piece.profile(end), lacks),
+fn hold<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
+    motion.peak = border.limits.amax;
+    let end = (motion.trough - border.limits.amin).at_least(R::ZERO);
+    if let Some(lacks) = Piece::of(border, motion, true).go_on(motion, lacks, end, true) {
+        hold_both(border, motion, lacks);
     }
 }
 
 /// Both accelerations hold, and the displacement is a quadratic.
-fn both_hold<R: Real>(border: &Border<R>, base: Profile<R>, lacks: R) -> Profile<R> {
+fn hold_both<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
     let sum = bu + bd;
     let curvature = bu * bd / sum;
-    let slope = border.slope(&base);
+    let slope = border.slope(motion);
     let longer = larger_root(slope / curvature, -(lacks + lacks) / curvature);
-    Profile { top: base.top + bd / sum * longer, trough: -bd, bottom: base.bottom + bu / sum * longer, ..base }
+    motion.top = motion.top + bd / sum * longer;
+    motion.trough = -bd;
+    motion.bottom = motion.bottom + bu / sum * longer;
 }

@@ -27,18 +27,12 @@ pub(crate) struct Profile<R> {
 }
 
 impl<R: Real> Profile<R> {
-    /// The motion in the other order of time.
+    /// Makes it the motion in the other order of time.
     #[inline(never)] // for its size: it is asked in several places
-    pub fn reversed(self) -> Self {
-        Self {
-            first: self.last,
-            peak: -self.trough,
-            top: self.bottom,
-            trough: -self.peak,
-            bottom: self.top,
-            last: self.first,
-            ..self
-        }
+    pub fn reverse(&mut self) {
+        (self.first, self.last) = (self.last, self.first);
+        (self.peak, self.trough) = (-self.trough, -self.peak);
+        (self.top, self.bottom) = (self.bottom, self.top);
     }
 
     /// The ramp that the motion is, if one of its rises has no duration.

@@ -43,11 +43,6 @@ impl<R: Real> Piece<R> {
         in_piece!(self, piece => piece.displacement(x))
     }
 
-    /// The motion in which the acceleration falls by `x` more.
-    pub fn profile(&self, x: R) -> Profile<R> {
-        in_piece!(self, piece => piece.profile(x))
-    }
-
     /// How the easing ends, and where. `a0` is the acceleration at the start of the motion.
     pub fn end_of_easing(&self, a0: R) -> (R, Easing) {
         match self {
@@ -56,9 +51,18 @@ impl<R: Real> Piece<R> {
         }
     }
 
+    /// Goes on to the motion whose displacement is `lacks` for the first time; else to the one at `end`, and returns what it lacks.
+    #[inline(never)] // for its size: it is asked in several places
+    pub fn go_on(&self, motion: &mut Profile<R>, lacks: R, end: R, turns: bool) -> Option<R> {
+        let crossing = self.find_crossing(lacks, end, turns);
+        let x = crossing.unwrap_or(end);
+        *motion = in_piece!(self, piece => piece.profile(x));
+        crossing.err()
+    }
+
     /// Where the displacement is `lacks` for the first time; else what it lacks at `end`. `turns`: the acceleration changes its sign in the
     /// middle of the motion. Then the displacement is convex wherever it rises.
-    pub fn find_crossing(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
+    fn find_crossing(&self, lacks: R, end: R, turns: bool) -> Result<R, R> {
         let beyond_at = |x| {
             let (displacement, slope) = self.displacement(x);
             (displacement - lacks, slope)
