@@ -28,13 +28,9 @@ impl<R: Real> Phase<R> {
     #[inline(always)]
     pub(super) fn time(&self, x: R) -> R {
         let passed = (x - self.start).at_least(R::ZERO);
-        if self.duration > R::ZERO {
-            passed.at_most(self.duration)
-        } else if passed < R::INFINITY {
-            passed
-        } else {
-            R::ZERO
-        }
+        let duration = self.duration.at_least(R::ZERO);
+        let most = if duration > R::ZERO { duration } else { R::INFINITY };
+        if passed < most { passed } else { duration }
     }
 
     pub(crate) fn state(&self) -> State<R> {
