@@ -64,16 +64,12 @@ impl<R: Real> Free<R> {
         Some(unit * zero / ((square + zero).sqrt() + u))
     }
 
-    /// Only the bound of this piece is asked for, so its peak and trough stay.
-    pub fn from(&self, x: R) -> Self {
-        Self { u: self.u + x, s: R::ZERO, ..*self }
-    }
-
-    pub fn bound(&self, displacement: R) -> R {
-        let slope = self.s.at_least(R::ZERO); // -0 too
+    /// Not below how much farther than `from` a displacement is: see [`Held::bound`](super::held::Held::bound).
+    pub fn bound(&self, from: R, displacement: R) -> R {
+        let slope = if from > R::ZERO { R::ZERO } else { self.s.at_least(R::ZERO) }; // -0 too
         let reduced = displacement / self.per_jerk.q();
         let linear = reduced / slope;
-        let square = (reduced + reduced) / (self.per_jerk.gd * self.u);
+        let square = (reduced + reduced) / (self.per_jerk.gd * (self.u + from));
         // The third power of a time, not of an acceleration, is in range in any unit of length.
         let c = self.c();
         let cube = (reduced * c * c).cube_root_above() / c;

@@ -48,15 +48,12 @@ impl<R: Real> Held<R> {
         first_zero(R::HALF * self.k / q, self.s / q)
     }
 
-    pub fn from(&self, x: R) -> Self {
-        let q = self.per_jerk.q();
-        Self { u: self.u + x, s: R::ZERO, k: self.k + (q + q) * x, ..*self }
-    }
-
-    pub fn bound(&self, displacement: R) -> R {
-        let Self { bu, u, s, k, .. } = *self;
-        let q = self.per_jerk.q();
-        let slope = s.at_least(R::ZERO); // -0 too
+    /// Not below how much farther than `from`, which is 0 or a turning point, the `x` of a displacement from there is, if the displacement rises and is
+    /// convex from there: each of its terms alone would have to reach farther. At a turning point the slope is 0.
+    pub fn bound(&self, from: R, displacement: R) -> R {
+        let (bu, q) = (self.bu, self.per_jerk.q());
+        let (u, k) = (self.u + from, self.k + (q + q) * from);
+        let slope = if from > R::ZERO { R::ZERO } else { self.s.at_least(R::ZERO) }; // -0 too
         let reduced = displacement / q;
         let fourth = (reduced + reduced) / bu / q;
         let reduced = reduced * bu;

@@ -86,22 +86,10 @@ impl<R: Real> Piece<R> {
         }
         let mut high = end;
         if turns {
-            let bound = if low > R::ZERO { low + self.from(low).bound(-beyond_at(low).0) } else { self.bound(lacks) };
+            let left = if low > R::ZERO { -beyond_at(low).0 } else { lacks };
+            let bound = low + in_piece!(self, piece => piece.bound(low, left));
             high = bound.at_most(end);
         }
         Ok(root_between(low, high, beyond_at))
-    }
-
-    /// The piece from the turning point `x` on, where the slope is 0.
-    fn from(&self, x: R) -> Self {
-        match self {
-            Self::Free(free) => Self::Free(free.from(x)),
-            Self::Held(held) => Self::Held(held.from(x)),
-        }
-    }
-
-    /// Not below the `x` of a displacement, on a piece on which the displacement rises and is convex: each of its terms alone would have to reach farther.
-    fn bound(&self, displacement: R) -> R {
-        in_piece!(self, piece => piece.bound(displacement))
     }
 }
