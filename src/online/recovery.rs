@@ -48,12 +48,13 @@ impl<R: Real> Recovery<R> {
         let rounding = of_state(v.abs() + (v_at_a_zero - v).abs());
         let (highest, lowest) = (vmax + rounding, vmin - rounding);
         // Where the acceleration goes, how far that is, whether it rises, and how long it stays there.
-        let (to, far, rises, hold) = if v_at_a_zero > highest {
-            let ramp = Ramp::over(v_at_a_zero - vmax, (-a).at_most(-amin), R::ZERO, -amin, per_jerk);
-            (-ramp.peak, ramp.rise + below, below > R::ZERO, ramp.hold)
-        } else if v_at_a_zero < lowest {
-            let ramp = Ramp::over(vmin - v_at_a_zero, a.at_most(amax), R::ZERO, amax, per_jerk);
-            (ramp.peak, ramp.rise + above, above == R::ZERO, ramp.hold)
+        let (to, far, rises, hold) = if v_at_a_zero > highest || v_at_a_zero < lowest {
+            let falls = v_at_a_zero > highest;
+            let (beyond, limit, farther) =
+                if falls { (v_at_a_zero - vmax, -amin, below) } else { (vmin - v_at_a_zero, amax, above) };
+            let ramp = Ramp::over(beyond, a.negate_if(falls).at_most(limit), R::ZERO, limit, per_jerk);
+            let turns = farther > R::ZERO;
+            (ramp.peak.negate_if(falls), ramp.rise + farther, turns == falls, ramp.hold)
         } else {
             let limited = a.at_most(amax).at_least(amin);
             (limited, above + below, below > R::ZERO, R::ZERO)
