@@ -184,6 +184,8 @@ impl<R: Real> Move<R> {
 
     /// Joins each phase of the duration `t` that is shorter than a `sliver` with the phase after it, if the states stay the same up to rounding.
     /// Returns what is left of `count`.
+    #[cold]
+    #[inline(never)] // the end of most moves saves no registers for it
     fn join_slivers(&mut self, count: usize, t: R, sliver: R) -> usize {
         let mut kept = 1;
         for index in 1..count {
