@@ -263,10 +263,12 @@ impl<R: Real> Border<R> {
 
     /// The motion of the duration `t`, not below that of the direct ramp, that covers the largest displacement. `None` if it cannot reach the end.
     pub fn farthest(&self, t: R) -> Option<Profile<R>> {
-        let straight = self.profile(&Ramp::straight(self.a0, self.a1));
-        let waits = t - straight.duration(self.per_jerk);
-        if !self.is_real(self.beyond_straight()) && waits.abs() <= of_state(t) {
-            return Some(straight);
+        if !self.is_real(self.beyond_straight()) {
+            let straight = self.profile(&Ramp::straight(self.a0, self.a1));
+            let waits = t - straight.duration(self.per_jerk);
+            if waits.abs() <= of_state(t) {
+                return Some(straight);
+            }
         }
         let cruise = Self::by_way_of_vmax(self.ramps_to_vmax(), R::ZERO);
         let without_cruise = cruise.duration(self.per_jerk);
