@@ -54,9 +54,9 @@ impl<R: Real> Phase<R> {
         self.acceleration + z * self.jerk
     }
 
-    /// The phase that begins with the short phase `before`, of a move of the duration `t`. `None` if this changes an acceleration or a velocity by
-    /// more than rounding, or if this rounding error may be beyond the range of the real type.
-    pub(super) fn joined(&self, before: &Self, t: R) -> Option<Self> {
+    /// Begins with the short phase `before`, of a move of the duration `t`. The phase stays if this changes an acceleration or a velocity by more
+    /// than rounding, or if this rounding error may be beyond the range of the real type. Returns whether it begins there.
+    pub(super) fn join(&mut self, before: &Self, t: R) -> bool {
         let shorter = before.duration;
         let acceleration = self.acceleration - shorter * self.jerk;
         let step = (acceleration - before.acceleration).abs();
@@ -67,7 +67,10 @@ impl<R: Real> Phase<R> {
         let fits = (size * duration * t).is_finite()
             && step <= R::from(16) * R::EPSILON * (size + self.jerk.abs() * t)
             && shorter / duration * (step + step_behind) <= R::from(8) * R::EPSILON * size;
-        fits.then_some(Self { start: before.start, duration, acceleration, ..*self })
+        if fits {
+            (self.start, self.duration, self.acceleration) = (before.start, duration, acceleration);
+        }
+        fits
     }
 
     /// When the axis gets to `position` between two times, if it does. It does not turn between them, and it is at `far` in the end.
@@ -108,9 +111,9 @@ mod tests {
     #[test]
     fn phases_with_a_step_of_rounding_are_joined() {
         let is_joined = |ulps: f64, part: f64| {
-            let phase = Phase { acceleration: 1.0, duration: 1.0 - part, ..Phase::default() };
+            let mut phase = Phase { acceleration: 1.0, duration: 1.0 - part, ..Phase::default() };
             let before = Phase { acceleration: 1.0 - ulps * f64::EPSILON, duration: part, ..Phase::default() };
-            phase.joined(&before, 1.0).is_some()
+            phase.join(&before, 1.0)
         };
         assert!(is_joined(24.0, 0.25) && !is_joined(24.0, 0.5) && !is_joined(40.0, 1e-6));
     }

@@ -189,18 +189,13 @@ impl<R: Real> Move<R> {
     fn join_slivers(&mut self, count: usize, t: R, sliver: R) -> usize {
         let mut kept = 1;
         for index in 1..count {
-            let Some(phase) = self.phase.get(index).copied() else { break };
-            let next = self.phase.get_mut(index + 1).filter(|_| index + 1 < count);
-            if let Some(next) = next.filter(|_| phase.duration < sliver) {
-                if let Some(joined) = next.joined(&phase, t) {
-                    *next = joined;
-                    continue;
-                }
+            let Some([phase, next]) = self.phase.get_mut(index..index + 2) else { break };
+            if phase.duration < sliver && index + 1 < count && next.join(phase, t) {
+                continue;
             }
-            if kept < index {
-                if let Some(place) = self.phase.get_mut(kept) {
-                    *place = phase;
-                }
+            let Phase { start, duration, acceleration, jerk, .. } = *phase;
+            if let Some(place) = self.phase.get_mut(kept) {
+                *place = Phase { start, duration, acceleration, jerk, ..*place };
             }
             kept += 1;
         }
