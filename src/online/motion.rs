@@ -215,6 +215,7 @@ impl<R: Real> Move<R> {
     }
 
     /// The phase at the time `x`. Phase 0 is the start. After the last phase is one without duration, the end.
+    #[cfg_attr(target_os = "none", inline(never))] // one copy for all evaluations
     pub(crate) fn phase_at(&self, x: R) -> &Phase<R> {
         let [start, later @ ..] = &self.phase;
         let mut found = start;
