@@ -46,6 +46,7 @@ impl<R: Real> Limits<R> {
         Error::Target.unless(self.admit(to))
     }
 
+    #[inline] // a call less in each plan
     pub(crate) fn are_limits(&self) -> Result<(), Error> {
         let Self { vmax, vmin, amax, amin, jmax, jmin } = *self;
         let are_around_0 =

@@ -144,6 +144,7 @@ impl<R: Real> Ramp<R> {
     }
 
     /// The ramp that is `longer` at its highest acceleration, s. `None` if it does not exist, or if it is faster by more than `most`.
+    #[inline] // a call less in each plan
     pub fn longer(self, longer: R, limit: R, most: R, per_jerk: PerJerk<R>) -> Option<Fitted<R>> {
         let holds = self.hold > R::ZERO;
         let z = if holds { R::ZERO } else { R::HALF * longer / per_jerk.q() };

@@ -120,6 +120,7 @@ impl<R: Real> Problem<R> {
     }
 
     /// Whether a motion, and `added` added to any of its numbers, is within the range of the real type.
+    #[inline] // a call less in each plan
     pub fn check(&self, profile: &Profile<R>, added: R) -> Result<(), Error> {
         let Self { from, to, .. } = self;
         let t = self.duration(profile);

@@ -203,6 +203,7 @@ impl<R: Real> Move<R> {
     }
 
     /// Finds the states at the start of each phase from the end.
+    #[inline] // a call less in each plan
     fn find_states(&mut self, count: usize) {
         let end = self.phase.get(count).copied().unwrap_or_default();
         let (mut way, mut velocity) = (R::ZERO, end.velocity);
