@@ -68,24 +68,21 @@ impl<R: Real> Piece<R> {
             (displacement - lacks, slope)
         };
         let rises = in_piece!(self, piece => piece.s) >= R::ZERO;
-        let mut low = R::ZERO;
+        let (mut low, mut high) = (R::ZERO, end);
         if !(turns && rises) {
             let turning_point = in_piece!(self, piece => piece.turning_point());
             if let Some(x) = turning_point.filter(|x| *x < end) {
-                if rises && beyond_at(x).0 >= R::ZERO {
-                    return Ok(root_between(R::ZERO, x, beyond_at));
-                }
-                low = x;
+                *(if rises && beyond_at(x).0 >= R::ZERO { &mut high } else { &mut low }) = x;
             }
         }
-        if end < R::INFINITY {
+        let is_before_turn = high < end;
+        if !is_before_turn && end < R::INFINITY {
             let beyond = beyond_at(end).0;
             if beyond < R::ZERO {
                 return Err(-beyond);
             }
         }
-        let mut high = end;
-        if turns {
+        if turns && !is_before_turn {
             let left = if low > R::ZERO { -beyond_at(low).0 } else { lacks };
             let bound = low + in_piece!(self, piece => piece.bound(low, left));
             high = bound.at_most(end);
