@@ -2,7 +2,7 @@
 
 use atraj::State;
 use atraj::online::Limits;
-use oracle::judge::path::problems::{Chain, example_of_ruckig};
+use oracle::judge::path::{Chain, example_of_ruckig};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 

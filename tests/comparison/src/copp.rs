@@ -8,7 +8,7 @@ use copp::robot::Robot;
 use copp::solver::topp2_ra::{ReachSet2OptionsBuilder, Topp2ProblemBuilder, s_to_t_topp2, topp2_ra};
 use copp::solver::topp3_socp::{ClarabelOptionsBuilder, Topp3ProblemBuilder, s_to_t_topp3, topp3_socp};
 use nalgebra::DMatrix;
-use oracle::judge::path::problems::Chain;
+use oracle::judge::path::Chain;
 
 const STATIONS: usize = 1001; // points of the spline at which the limits hold
 

@@ -7,8 +7,7 @@ mod two_passes;
 
 use atraj::axes::path_deviation;
 use cases::{Case, cases};
-use oracle::judge::path::problems::Chain;
-use oracle::judge::path::{Paths, Planner, stopping};
+use oracle::judge::path::{Chain, Paths, Planner, stopping};
 use oracle::judge::rivals::ruckig_path;
 use std::time::Instant;
 

@@ -2,7 +2,7 @@
 
 use crate::cases::Case;
 use crate::copp::is_curve;
-use oracle::judge::path::problems::Chain;
+use oracle::judge::path::Chain;
 use std::io::Write;
 use std::process::{Command, Stdio};
 

@@ -3,7 +3,7 @@
 use crate::Duration;
 use atraj::State;
 use atraj::online::{Limits, Move};
-use oracle::judge::path::problems::Chain;
+use oracle::judge::path::Chain;
 
 /// How long such a plan takes, if the points are a row in one direction.
 pub fn duration(chain: &Chain<f64>) -> Option<Duration> {

@@ -4,11 +4,8 @@
 //! time. Missing bytes are 0. A problem for the planners of the fastest moves has no times. In a problem for `Move`, the first byte names the planner
 //! too, and the numbers are the limits, the start and the target, and two more: the positions between which it stays, or the horizon.
 
-use crate::judge::planner::{Fastest, Planner};
-use crate::judge::problem::{Problem, Request};
-use crate::judge::trial::{Trial, Verdict};
-use crate::liba::abi::Original;
-use crate::liba::comparison::{Case, MOMENTS, Moment, Report};
+use crate::judge::{Fastest, Planner, Problem, Request, Trial, Verdict};
+use crate::liba::{Case, MOMENTS, Moment, Original, Report};
 use atraj::machine::{Axis, Clock, Shaper, ShaperKind, Step, Steps};
 use atraj::online::{Error, Limits, Move, Phase};
 use atraj::{Findings, State, axes};

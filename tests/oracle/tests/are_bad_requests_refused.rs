@@ -7,9 +7,8 @@ use atraj::axes::{
 use atraj::machine::{Axis, Clock, Group, Shaper, ShaperKind, ShaperStream, Steps};
 use atraj::online::{Error, Limits, Move, State};
 use atraj::{Bell, Boundary, Findings, Poly3, Trap};
-use oracle::judge::axes::problems::{Set, Sets};
-use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
-use oracle::judge::problems::{Kind, Problems};
+use oracle::judge::axes::{Set, Sets};
+use oracle::judge::{Kind, Problem, Problems, Request, beyond_legal, widened};
 use support::online::PlannerOfAxes as Plan;
 use support::{Random, Real, online, test_both_reals};
 

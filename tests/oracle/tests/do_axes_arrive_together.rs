@@ -2,14 +2,10 @@
 
 use atraj::online::Move;
 use oracle::judge::axes::faults::Fault;
-use oracle::judge::axes::problems::{Family, Set, Sets};
 use oracle::judge::axes::several::{self, Bad, Planner, Together};
-use oracle::judge::axes::{line, of_seed};
-use oracle::judge::problem::{Problem, Request};
-use oracle::judge::problems::Kind;
-use oracle::judge::tally::Tallies;
-use oracle::judge::trial::Check;
-use oracle::liba::abi::Original;
+use oracle::judge::axes::{Family, Set, Sets, line, of_seed};
+use oracle::judge::{Check, Kind, Problem, Request, Tallies};
+use oracle::liba::Original;
 use support::{Random, Real, online, test_both_reals};
 
 const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };

@@ -3,13 +3,11 @@
 
 use atraj::axes::synchronise_within;
 use atraj::online::{Error, Limits, Move, State};
-use oracle::judge::axes::problems::{Set, Sets};
 use oracle::judge::axes::several::{check_motions, time_shift};
+use oracle::judge::axes::{Set, Sets};
 use oracle::judge::inside::{approach, brake, launch, stop};
-use oracle::judge::planner::Plan;
-use oracle::judge::problem::Problem;
-use oracle::judge::trial::{Scale, Trial, doubt};
-use oracle::liba::abi::Original;
+use oracle::judge::{Plan, Problem, Scale, Trial, doubt};
+use oracle::liba::Original;
 use support::{Random, Real, online, test_both_reals};
 
 const SETS: usize = 20_000;

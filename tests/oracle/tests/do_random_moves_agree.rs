@@ -1,8 +1,6 @@
 //! Do the Rust API and the original agree in fifty million random calls per real type?
 
-use oracle::liba::abi::Original;
-use oracle::liba::comparison::Report;
-use oracle::liba::volume::run_seed;
+use oracle::liba::{Original, Report, run_seed};
 use support::{Ours, test_both_reals};
 
 fn fifty_million_calls<R: Original>() {

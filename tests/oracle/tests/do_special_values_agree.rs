@@ -1,7 +1,6 @@
 //! Do ours and the original agree on special values: in every argument, in every pair of arguments, and as the time?
 
-use oracle::liba::abi::Original;
-use oracle::liba::comparison::{Case, MOMENTS, Moment, Report};
+use oracle::liba::{Case, MOMENTS, Moment, Original, Report};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours, test_both_reals};
 

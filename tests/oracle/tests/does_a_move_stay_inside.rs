@@ -4,11 +4,8 @@ use atraj::Findings;
 use atraj::axes::synchronise_within;
 use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::inside::{Viable, approach, backwards, brake, launch, span, stop};
-use oracle::judge::planner::Plan;
-use oracle::judge::problem::{Problem, Request};
-use oracle::judge::problems::Problems;
-use oracle::judge::trial::{Scale, doubt};
-use oracle::liba::abi::Original;
+use oracle::judge::{Plan, Problem, Problems, Request, Scale, doubt};
+use oracle::liba::Original;
 use support::online::{allowed, largest, state_of, tried};
 use support::{Random, test_both_reals};
 

@@ -3,8 +3,7 @@
 use atraj::State;
 use atraj::axes::{path_deviation, path_moves, synchronise};
 use atraj::online::{Error, Move, Phase};
-use oracle::judge::path::problems::{Chain, Chains};
-use oracle::judge::path::{Path, Paths, Planner, distance};
+use oracle::judge::path::{Chain, Chains, Path, Paths, Planner, distance};
 use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };

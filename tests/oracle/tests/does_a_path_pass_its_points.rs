@@ -4,9 +4,10 @@ use atraj::State;
 use atraj::axes::{path_size, synchronise};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::faults::Fault;
-use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Path, Paths, Planner, check_near, judge, judge_near, promised, stopping};
-use oracle::liba::abi::Original;
+use oracle::judge::path::{
+    Chain, Chains, Family, Path, Paths, Planner, check_near, judge, judge_near, promised, stopping,
+};
+use oracle::liba::Original;
 use std::collections::BTreeMap;
 use support::online::state_of;
 use support::{Random, Real, online, test_both_reals};

@@ -3,11 +3,10 @@
 use atraj::State;
 use atraj::axes::{limit_feed, path_deviation};
 use atraj::online::{Error, Limits, Move};
+use oracle::judge::Check;
 use oracle::judge::path::contour::{Planned, contour};
-use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Paths, Planner, check, distance};
-use oracle::judge::trial::Check;
-use oracle::liba::abi::Original;
+use oracle::judge::path::{Chain, Chains, Family, Paths, Planner, check, distance};
+use oracle::liba::Original;
 use support::{Random, Real, online, test_both_reals};
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };

@@ -1,7 +1,6 @@
 //! Does the shared library of each level of x86-64 that this processor has give the bits of the original?
 
-use oracle::liba::abi::{Abi, Original};
-use oracle::liba::volume::run_seed;
+use oracle::liba::{Abi, Original, run_seed};
 use std::path::PathBuf;
 use std::process::Command;
 use support::variant::{DOUBLE, FLOAT, Variant};

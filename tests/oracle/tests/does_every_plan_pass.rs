@@ -3,9 +3,8 @@
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
 use atraj::online::{Limits, Move};
-use oracle::judge::axes::problems::Sets;
-use oracle::judge::planner::{Fastest, Planner};
-use oracle::judge::problems::Problems;
+use oracle::judge::axes::Sets;
+use oracle::judge::{Fastest, Planner, Problems};
 use support::online::{PlannerOfAxes, allowed};
 use support::{Real, test_both_reals};
 

@@ -1,11 +1,9 @@
 //! Do our C functions, in this build's real type and polynomial layout, give the bits of the original's?
 
 use atraj::capi::a_float;
-use oracle::liba::abi::{OURS, Original};
-use oracle::liba::comparison::{Case, Report};
 use oracle::liba::moves::Moves;
 use oracle::liba::together::Together;
-use oracle::liba::volume::run_seed_of;
+use oracle::liba::{Case, OURS, Original, Report, run_seed_of};
 use support::Implementation;
 
 /// Whether this build saturates the velocities of the case as the original, liba 0.1.15, does. The compact build does so except for

@@ -1,7 +1,6 @@
 //! How many rounds can the search without cruise take?
 
-use oracle::liba::abi::Original;
-use oracle::liba::comparison::{Case, MOMENTS, Moment, Report};
+use oracle::liba::{Case, MOMENTS, Moment, Original, Report};
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
 use support::{Family, Ours};
 

@@ -1,9 +1,7 @@
 //! Does the comparison see a difference, and does it compare two libraries?
 
-use oracle::liba::abi::{OURS, Original};
-use oracle::liba::comparison::Report;
 use oracle::liba::faults::Fault;
-use oracle::liba::volume::run_seed;
+use oracle::liba::{OURS, Original, Report, run_seed};
 use std::collections::HashSet;
 use support::test_both_reals;
 

@@ -3,10 +3,9 @@
 use atraj::axes::limit_feed;
 use atraj::online::Limits;
 use atraj::{Findings, State};
-use oracle::judge::path::problems::{Chain, Chains, Family, example_of_ruckig};
-use oracle::judge::path::{Path, Paths, Planner, check, under_way, windows};
+use oracle::judge::path::{Chain, Chains, Family, Path, Paths, Planner, check, example_of_ruckig, under_way, windows};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
-use oracle::liba::abi::Original;
+use oracle::liba::Original;
 use support::online::{limits_of, state_of};
 use support::{Random, Real, online, test_both_reals};
 

@@ -1,10 +1,8 @@
 //! Does the judge see a wrong motion of each planner: a double-S, a trapezoid, a move?
 
 use oracle::judge::faults::Fault;
-use oracle::judge::problem::Request;
-use oracle::judge::problems::Problems;
-use oracle::judge::tally::{Tallies, Tally};
-use oracle::liba::abi::Original;
+use oracle::judge::{Problems, Request, Tallies, Tally};
+use oracle::liba::Original;
 use support::test_both_reals;
 
 const OF_PROFILES: usize = 7_500;

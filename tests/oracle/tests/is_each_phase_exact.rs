@@ -1,10 +1,10 @@
 //! In exact arithmetic: does each motion begin at its start, end at its target, keep the limits and go as far as its time allows? Two thousand
 //! of every function that plans, in each real type; `cargo run -p measure --bin exact` asks a million.
 
+use oracle::judge::Request;
 use oracle::judge::exact::Row;
 use oracle::judge::faults::Fault;
-use oracle::judge::problem::Request;
-use oracle::liba::abi::Original;
+use oracle::liba::Original;
 use support::test_both_reals;
 
 const MOTIONS: usize = 2_000;

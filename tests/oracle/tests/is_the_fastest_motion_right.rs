@@ -1,10 +1,8 @@
 //! Is the fastest motion right: never refused, never wrong, never longer than the reference solver's? Per real type two million double-S,
 //! trapezoids and moves without acceleration at their ends, and half a million moves from any state to any state.
 
-use oracle::judge::planner::Fastest;
-use oracle::judge::problems::Problems;
-use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
-use oracle::liba::abi::Original;
+use oracle::judge::{Fastest, MOVES_PER_SEED, PROFILES_PER_SEED, Problems, Tallies};
+use oracle::liba::Original;
 use support::test_both_reals;
 
 const SEEDS: u64 = if support::BRIEF { 1 } else { 2 };

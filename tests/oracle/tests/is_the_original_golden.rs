@@ -1,6 +1,6 @@
 //! Is the original that is compiled here the one that the golden data were taken from?
 
-use oracle::liba::abi::{Abi, Original};
+use oracle::liba::{Abi, Original};
 use support::{Comparison, Family, golden, test_both_reals};
 
 fn original_gives_the_golden_data<R: Original>() {

@@ -2,12 +2,9 @@
 //! the peak velocity, which knows no border, finds the same durations of motions without acceleration at their ends.
 
 use atraj::online::{Limits, Move, Phase, State};
-use oracle::judge::planner::Fastest;
-use oracle::judge::problem::{Problem, Request, beyond_legal, widened};
-use oracle::judge::problems::{Kind, Problems};
 use oracle::judge::rivals::Theirs;
 use oracle::judge::solver::Walk;
-use oracle::judge::trial::{Trial, Verdict};
+use oracle::judge::{Fastest, Kind, Problem, Problems, Request, Trial, Verdict, beyond_legal, widened};
 use support::Random;
 use support::online::state_of;
 

@@ -1,7 +1,7 @@
 //! What do the judge of plans and the planner of the fastest moves say of the original's plans for moving ends?
 
 use atraj::{Bell, Boundary, Findings};
-use oracle::liba::abi::Original;
+use oracle::liba::Original;
 use support::profiles::bell;
 use support::{Family, Implementation, Random, Real, online, test_both_reals};
 

@@ -8,8 +8,7 @@
 use atraj::axes::{limit_feed, path_deviation};
 use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::contour::contour;
-use oracle::judge::path::problems::Chain;
-use oracle::judge::path::{Paths, Planner, stopping};
+use oracle::judge::path::{Chain, Paths, Planner, stopping};
 use std::f64::consts::PI;
 use std::path::Path;
 use std::time::Instant;

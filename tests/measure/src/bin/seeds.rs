@@ -4,9 +4,8 @@
 use atraj::State;
 use atraj::online::Limits;
 use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
-use oracle::judge::problem::parts;
-use oracle::judge::problems::{Kind, Problems};
-use oracle::liba::abi::Original;
+use oracle::judge::{Kind, Problems, parts};
+use oracle::liba::Original;
 use std::io::Result;
 use std::path::{Path, PathBuf};
 use support::{Family, Random, Real, golden, online};

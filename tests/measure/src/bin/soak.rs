@@ -7,15 +7,9 @@
 
 use oracle::judge::axes::several::Together;
 use oracle::judge::axes::{self, SETS_PER_SEED};
-use oracle::judge::group;
-use oracle::judge::path::problems::Chains;
-use oracle::judge::path::{self, Paths};
-use oracle::judge::planner::Fastest;
-use oracle::judge::problems::Problems;
-use oracle::judge::tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies};
-use oracle::liba::abi::Original;
-use oracle::liba::comparison::Report;
-use oracle::liba::volume::run_seed;
+use oracle::judge::path::{self, Chains, Paths};
+use oracle::judge::{Fastest, MOVES_PER_SEED, PROFILES_PER_SEED, Problems, Tallies, group};
+use oracle::liba::{Original, Report, run_seed};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

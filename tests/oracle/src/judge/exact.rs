@@ -1,13 +1,10 @@
 //! The exact judge: it follows the phases of a plan without rounding. Every number of a plan is a whole number times a power of two, so the states
 //! at the borders of the phases are exact. Only where the axis turns, or is fastest, within a phase, a root or a quotient is taken, to 500 bits.
 
-use super::axes::problems::Sets;
+use super::axes::Sets;
 use super::axes::several::{Planner as _, Together};
-use super::planner::{Fastest, Plan, Planner};
-use super::problem::{Problem, Request, parts, widened};
-use super::problems::Problems;
-use super::trial::Scale;
-use crate::liba::abi::Original;
+use super::{Fastest, Plan, Planner, Problem, Problems, Request, Scale, parts, widened};
+use crate::liba::Original;
 use atraj::Findings;
 use atraj::online::{Limits, Move, Phase};
 use dashu_float::FBig;

@@ -1,8 +1,6 @@
 //! Faults planted into the planners, each as small as a fault can be. They show whether the judge sees a fault.
 
-use super::planner::{Fastest, Plan, Planner, Profile};
-use super::problem::{Problem, Request};
-use super::trial::{OF_A_MOVE, Scale};
+use super::{Fastest, OF_A_MOVE, Plan, Planner, Problem, Profile, Request, Scale};
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move, Phase};
 use support::{Family, Real};

@@ -18,3 +18,9 @@ pub mod solver;
 pub mod steps;
 pub mod tally;
 pub mod trial;
+
+pub use planner::{Fastest, Plan, Planner, Profile};
+pub use problem::{POWERS_OF_TIME, Problem, Request, beyond_legal, parts, widened};
+pub use problems::{Kind, Problems};
+pub use tally::{MOVES_PER_SEED, PROFILES_PER_SEED, Tallies, Tally};
+pub use trial::{Check, LEAVES, OF_A_MOVE, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};

@@ -1,6 +1,6 @@
 //! The planners under test: of a double-S, of a trapezoid and of a `Move`. The judge sees every plan as phases.
 
-use super::problem::{Problem, Request};
+use super::{Problem, Request};
 use atraj::online::{Error, Move, Phase};
 use atraj::{Bell, Boundary, Findings, Trap};
 use support::profiles::{bell, bell_fields, trap, trap_fields};

@@ -1,6 +1,6 @@
 //! A motion to plan, the same motion seen from elsewhere, and numbers as round as a fault allows.
 
-use super::problems::Kind;
+use super::Kind;
 use atraj::online::{Limits, State};
 use std::fmt::{Display, Formatter, Result as Written};
 use support::online::{limits_of, numbers_of};

@@ -1,8 +1,7 @@
 //! Adversarial problems for every planner, in kinds. The same seed gives the same problems.
 
-use super::planner::{Fastest, Planner};
-use super::problem::{POWERS_OF_TIME, Problem, Request, beyond_legal, parts};
 use super::solver::Motion;
+use super::{Fastest, POWERS_OF_TIME, Planner, Problem, Request, beyond_legal, parts};
 use atraj::State;
 use support::{Family, Random, Real};
 

@@ -1,9 +1,8 @@
 //! The crate rsruckig next to ours. It computes in binary64 always.
 
-use super::path::problems::Chain;
-use super::problem::{Problem, Request, parts, widened};
-use super::trial::{Trial, Verdict, tolerance};
-use crate::liba::abi::Original;
+use super::path::Chain;
+use super::{Problem, Request, Trial, Verdict, parts, tolerance, widened};
+use crate::liba::Original;
 use atraj::State;
 use atraj::online::Limits;
 use rsruckig::prelude::*;

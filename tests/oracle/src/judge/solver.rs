@@ -1,6 +1,6 @@
 //! The reference solver, which is in C because Rust has no `long double`: `c/solver.c`.
 
-use super::problem::{Problem, Request, parts, widened};
+use super::{Problem, Request, parts, widened};
 use atraj::State;
 use atraj::online::Move;
 use support::Real;

@@ -1,9 +1,7 @@
 //! What the judge found, counted.
 
-use super::planner::Planner;
-use super::problems::Problems;
-use super::trial::{Trial, Verdict};
-use crate::liba::abi::Original;
+use super::{Planner, Problems, Trial, Verdict};
+use crate::liba::Original;
 use std::collections::BTreeMap;
 use std::fmt::{Display, Formatter, Result as Written};
 use std::time::Instant;

@@ -2,11 +2,9 @@
 //! other durations if it is mirrored or in other units.
 
 use super::exact::Misses;
-use super::planner::{Plan, Planner};
-use super::problem::{Problem, Request};
-use super::problems::Kind;
 use super::solver::{Best, Grid, Knot, Motion, Walk};
-use crate::liba::abi::Original;
+use super::{Kind, Plan, Planner, Problem, Request};
+use crate::liba::Original;
 use atraj::Findings;
 use atraj::online::{Error, Limits, Move};
 use support::online::numbers_of_phase;

@@ -1,6 +1,6 @@
 //! Random moves of every kind. The same seed gives the same moves.
 
-use super::comparison::{Case, Moment};
+use super::{Case, Moment};
 use Distribution::*;
 use std::marker::PhantomData;
 use support::family::{MOST_ARGUMENTS, MOST_BORDERS, MOST_FIELDS};

@@ -1,6 +1,6 @@
 //! The functions of `atraj.h`, which compute all quantities in one call.
 
-use super::abi::OURS;
+use super::OURS;
 use atraj::capi::a_float;
 use atraj::capi::atraj::*;
 use support::{Family, Implementation, Real};

@@ -1,7 +1,7 @@
 //! Many random moves, in portions that belong to a seed.
 
-use super::comparison::{Case, Report};
 use super::moves::Moves;
+use super::{Case, Report};
 use support::{Implementation, Real};
 
 /// Calls of each implementation in the moves of a seed. The last move may add a few.

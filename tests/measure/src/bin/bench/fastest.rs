@@ -8,7 +8,7 @@
 use crate::race::{Pass, Race};
 use crate::{OPTIMISED, REAL, Row, WARM, bells, instructions, plan_all, times, trap};
 use atraj::capi::a_float;
-use oracle::liba::abi::FASTEST;
+use oracle::liba::FASTEST;
 use rsruckig::prelude::*;
 use std::cell::RefCell;
 use support::{Family, Random, Real};

@@ -21,7 +21,7 @@ mod ruckig;
 
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_bell_sample, atraj_bell_state};
-use oracle::liba::abi::{Abi, Evaluate, Gen7, OURS, Original};
+use oracle::liba::{Abi, Evaluate, Gen7, OURS, Original};
 use std::array::from_fn;
 use std::hint::black_box;
 use std::process::Command;

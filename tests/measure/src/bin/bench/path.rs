@@ -3,8 +3,7 @@
 use crate::{REAL, median};
 use atraj::capi::a_float;
 use atraj::capi::atraj::{atraj_path_plan, atraj_path_size};
-use oracle::judge::path::problems::{Chain, Chains, Family};
-use oracle::judge::path::{Paths, Planner};
+use oracle::judge::path::{Chain, Chains, Family, Paths, Planner};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,6 +1,6 @@
 //! Faults planted into the planner of several axes. They show whether the judge sees a fault.
 
-use super::problems::Set;
+use super::Set;
 use super::several::{Planner, Together};
 use atraj::Findings;
 use atraj::axes::synchronise;

@@ -1,10 +1,9 @@
 //! What is wrong with axes on a straight line.
 
-use super::problems::Set;
+use super::Set;
 use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_shift, scale_of_short_ramps, time_shift, wrong};
-use crate::judge::problem::{Problem, parts, widened};
-use crate::judge::trial::{Check, Scale, Trial, Verdict, doubt};
-use crate::liba::abi::Original;
+use crate::judge::{Check, Problem, Scale, Trial, Verdict, doubt, parts, widened};
+use crate::liba::Original;
 use atraj::Findings;
 use atraj::online::Move;
 use support::{Random, Real};

@@ -6,12 +6,12 @@ pub mod loops;
 pub mod problems;
 pub mod several;
 
-use super::tally::Tallies;
-use super::trial::Verdict;
-use crate::liba::abi::Original;
-use problems::Sets;
+use super::{Tallies, Verdict};
+use crate::liba::Original;
 use several::Planner;
 use support::Random;
+
+pub use problems::{Family, Set, Sets};
 
 pub const SETS_PER_SEED: usize = 10_000; // sets that a seed stands for in long runs
 

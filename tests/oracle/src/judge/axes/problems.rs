@@ -1,7 +1,6 @@
 //! Random sets of axes, in families. The same seed gives the same sets.
 
-use crate::judge::problem::Problem;
-use crate::judge::problems::{Kind, Problems};
+use crate::judge::{Kind, Problem, Problems};
 use atraj::online::{Limits, State};
 use support::online::{Columns, numbers_of, tried};
 use support::{Random, Real};

@@ -1,11 +1,9 @@
 //! What is wrong with axes that arrive together.
 
-use super::problems::Set;
-use crate::judge::planner::Plan;
-use crate::judge::problem::Problem;
+use super::Set;
 use crate::judge::rivals::{fits_ruckig, ruckig};
-use crate::judge::trial::{Check, LEAVES, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};
-use crate::liba::abi::Original;
+use crate::judge::{Check, LEAVES, Plan, Problem, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};
+use crate::liba::Original;
 use atraj::Findings;
 use atraj::axes::{line, synchronise};
 use atraj::online::{Error, Move};

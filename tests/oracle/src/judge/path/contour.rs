@@ -1,7 +1,6 @@
 //! Paths that stay near their lines, with the points that are added.
 
-use super::Path;
-use super::problems::Chain;
+use super::{Chain, Path};
 use atraj::axes::{Contour, path_size, plan_contour};
 use atraj::online::{Error, Move};
 use atraj::{Findings, State};

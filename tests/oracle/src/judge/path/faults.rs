@@ -1,7 +1,6 @@
 //! Faults planted into the planner of paths. They show whether the judge sees a fault.
 
-use super::problems::Chain;
-use super::{Path, Paths, Planner};
+use super::{Chain, Path, Paths, Planner};
 use atraj::Findings;
 use atraj::online::Error;
 use support::Real;

@@ -6,15 +6,14 @@ pub mod problems;
 pub mod windows;
 
 use super::axes::several::{plan_of, scale_of_short_ramps};
-use super::problem::{Problem, Request};
-use super::problems::Kind;
-use super::trial::{Check, Trial};
-use crate::liba::abi::Original;
+use super::{Check, Kind, Problem, Request, Trial};
+use crate::liba::Original;
 use atraj::axes::{improve_path, path_moves, path_size, path_size_near, plan_path, plan_path_near, synchronise};
 use atraj::online::{Error, Limits, Move};
 use atraj::{Findings, State};
-use problems::Chain;
 use support::{Random, Real, online};
+
+pub use problems::{Chain, Chains, Family, example_of_ruckig};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<R> {

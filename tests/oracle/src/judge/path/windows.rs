@@ -1,8 +1,7 @@
 //! A path through a window over a row of points, which moves along and is updated 20 times a second.
 
-use super::problems::Chain;
-use super::{Path, Paths, Planner, under_way};
-use crate::liba::abi::Original;
+use super::{Chain, Path, Paths, Planner, under_way};
+use crate::liba::Original;
 use atraj::State;
 use atraj::online::Limits;
 use std::f64::consts::TAU;
