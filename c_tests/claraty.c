@@ -5,6 +5,7 @@
  broken promise.
 */
 #include "claraty/trapezoid.h"
+#include "promises.h"
 #include "table.h"
 #include <math.h>
 #include <stdint.h>
@@ -95,14 +96,6 @@ static int replay_listing(const char *directory, const char *how, int stands_sti
     printf("%s %d %d\n", how, rows, differing);
     return scripts == SCRIPTS && differing == 0;
 }
-
-static int broken;
-
-#define PROMISE(condition) \
-    if (!(condition)) { \
-        printf("broken: line %d: %s\n", __LINE__, #condition); \
-        broken = 1; \
-    }
 
 /* A new axis on the manual clock, in corrected mode. */
 static axis manual(void) {

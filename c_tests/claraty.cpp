@@ -1,8 +1,8 @@
 // Tests that each member of CLARAty's C++ class calls its C function. `claraty.c` replays the golden scripts.
 #include <trapezoidal_trajectory.h>
 
+#include "promises.h"
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -11,16 +11,6 @@
 namespace {
 
 typedef claraty::Trapezoidal_Trajectory axis;
-
-int broken = 0;
-
-void promise(bool kept, int line, const char *what) {
-    if (!kept) {
-        std::printf("broken: line %d: %s\n", line, what);
-        broken = 1;
-    }
-}
-#define PROMISE(condition) promise(condition, __LINE__, #condition)
 
 // CLARAty's own vector has get_size() instead of size().
 class Vector {

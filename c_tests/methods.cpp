@@ -8,20 +8,10 @@
 #if !defined(LIBA_HEADERS)
 #include "atraj.h"
 #endif
-#include <cstdio>
+#include "promises.h"
 #include <cstring>
 
 namespace {
-int broken = 0;
-
-void promise(bool kept, const char *what) {
-    if (!kept) {
-        std::printf("broken: %s\n", what);
-        broken = 1;
-    }
-}
-#define PROMISE(condition) promise(condition, #condition)
-
 template <class T>
 bool same(const T &x, const T &y) {
     return std::memcmp(&x, &y, sizeof(T)) == 0;
