@@ -13,13 +13,17 @@ type Row = ([f64; 6], [f64; 3], [f64; 3]);
 
 /// The axes of a defect, from its table.
 fn rows<const AXES: usize>(defect: &str) -> [Row; AXES] {
+    axes_of(defect).try_into().expect("so many axes")
+}
+
+fn axes_of(defect: &str) -> Vec<Row> {
     let lines = include_str!("known_defects.csv").lines().map(|line| line.split(','));
     let axes = lines.filter_map(|mut line| (line.next() == Some(defect)).then_some(line)).map(|numbers| {
         let numbers: Vec<f64> = numbers.map(|number| number.parse().expect("a number")).collect();
         let part = |from: usize| [0, 1, 2].map(|k| numbers[from + k]);
         (std::array::from_fn(|k| numbers[k]), part(6), part(9))
     });
-    axes.collect::<Vec<_>>().try_into().expect("so many axes")
+    axes.collect()
 }
 
 fn columns<R: Real>(rows: &[Row]) -> Columns<R> {
@@ -44,14 +48,52 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
     jump / (R::MACHINE_EPSILON.widen() * scale)
 }
 
-/// Plans that were refused or jumped: the start will unavoidably exceed the velocity, and the target is on the border of what can be held; in the third
-/// one a step of Newton's method was small by chance, and the method ended 1,229 ulps from the root; in the last one the third power of an
-/// acceleration was 0 in `float`.
-fn planned_without_a_jump<R: Real>() {
-    for (bounds, from, to) in rows::<4>("planned_without_a_jump") {
-        let planned = online::plan(&limits(bounds), state(from), state::<R>(to));
-        assert_eq!(planned.state_at(planned.t), state(to));
-        assert_no_jump(&planned);
+/// A plan that was wrong once, from the table of such plans, and its mirror: it is made in less time than this, leads to its targets and does not
+/// jump. Or it is refused and writes nothing.
+fn assert_planned<R: Real>(axes: &[Row], planner: &str, [duration, cycle]: [&str; 2], below: &str, what: &str) {
+    let [duration, cycle] = [duration, cycle].map(|number| R::of(number.parse().expect("a number")));
+    for is_mirrored in [false, true] {
+        let (mut limits, mut from, mut to) = columns::<R>(axes);
+        if is_mirrored {
+            limits.iter_mut().for_each(|of| *of = online::mirrored_limits(of));
+            from.iter_mut().chain(&mut to).for_each(|state| *state = online::mirrored(*state));
+        }
+        let mut moves = vec![Move::default(); axes.len()];
+        let planned = match planner {
+            "alone" => moves[0].plan(&limits[0], from[0], to[0]),
+            "together" => synchronise(&mut moves, &limits, &from, &to, duration, cycle),
+            "line" => line(&mut moves, &limits, &from, &to, duration, cycle),
+            _ => panic!("no planner {planner}"),
+        };
+        let Ok(below) = below.parse::<f64>() else {
+            assert_eq!(format!("{planned:?}"), format!("Err({below})"), "{what}");
+            assert!(moves.iter().all(|axis| *axis == Move::default()), "{what} {moves:?}");
+            continue;
+        };
+        assert!(planned.is_ok() && moves[0].t.widen() < below, "{what} {planned:?} {moves:?}");
+        for ((axis, limits), to) in moves.iter().zip(&limits).zip(to) {
+            let (jump, found) = (worst_jump(axis), axis.check(limits).expect("numbers"));
+            assert!(jump <= 64.0 && !found.contains(Findings::JUMPS), "{what} {jump} ulps: {axis:?}");
+            assert_eq!(axis.state_at(axis.t), to, "{what}");
+        }
+    }
+}
+
+#[test]
+fn known_plans() {
+    for line in include_str!("known_plans.csv").lines().skip(1) {
+        let cells: Vec<_> = line.splitn(8, ',').collect();
+        let [defect, axes, real, planner, duration, cycle, below, what] = cells[..] else {
+            panic!("not a row: {line}")
+        };
+        let all = axes_of(defect);
+        let axes: Vec<_> = axes.split(' ').map(|axis| all[axis.parse::<usize>().expect("an axis")]).collect();
+        if real != "f32" {
+            assert_planned::<f64>(&axes, planner, [duration, cycle], below, what);
+        }
+        if real != "f64" {
+            assert_planned::<f32>(&axes, planner, [duration, cycle], below, what);
+        }
     }
 }
 
@@ -327,42 +369,6 @@ fn at_a_tick<R: Real>(row: Row, duration: f64, cycle: f64) -> Move<R> {
     together(&[row], duration, cycle).expect("a plan")[0]
 }
 
-fn assert_no_jump<R: Real>(planned: &Move<R>) {
-    let jump = worst_jump(planned);
-    assert!(jump <= 64.0, "{jump} ulps: {planned:?}");
-}
-
-/// Axes were written before it was seen that one of them has no plan.
-#[test]
-fn one_axis_of_several_has_no_plan() {
-    let [ages @ .., one, other] = rows::<5>("one_axis_of_several_has_no_plan");
-    // One axis cannot last as long as the slowest, which takes 3e38 s.
-    assert_eq!(together::<f32>(&ages, 0.0, 0.0).err(), Some(Error::NotFinite));
-    // A number falls below the range of the real type.
-    assert_eq!(together::<f32>(&[one, other], 0.0, 0.001).err(), Some(Error::NotFinite));
-}
-
-/// A rise came out below 0 by a rounding of 1.7e10, which became an acceleration that lasts for 2e14 s: the move had infinite positions.
-#[test]
-fn a_rounding_lasts_for_ages() {
-    let [(bounds, from, to)] = rows("a_rounding_lasts_for_ages");
-    let plan = |[planned]: &mut [Move<f32>; 1]| planned.plan(&limits(bounds), state(from), state(to));
-    assert_eq!(finite_or_untouched(plan), Err(Error::NotFinite));
-}
-
-/// A tick lay in a gap or next to it, and the position jumped.
-#[test]
-fn a_tick_lies_in_a_gap() {
-    let [hidden, shown, equal] = rows("a_tick_lies_in_a_gap");
-    // Roundings of the velocities hid the gap: 9e-5.
-    assert_no_jump(&at_a_tick::<f32>(hidden, 0.0, 3.248_935_2e-6));
-    // Where one jerk is infinite, roundings showed a gap that was over: the axis arrived a fiftieth too early, and jumped a twenty-fifth of the way.
-    assert_no_jump(&at_a_tick::<f64>(shown, 0.0, 0.01713017967812304));
-    // Both velocities are equal up to rounding, so the fastest motion is below the shortest ramp between them. Twice its duration is
-    // impossible, because the axis must brake and come again: the whole way.
-    assert_no_jump(&at_a_tick::<f32>(equal, 0.00064851233, 1.3801445e-6));
-}
-
 /// An axis misses a tick by little, and what it did then was wrong.
 #[test]
 fn an_axis_misses_a_tick() {
@@ -386,34 +392,6 @@ fn an_axis_misses_a_tick() {
     // With infinite jerks the least ramp takes no time, and it hurried to tick 0: it jumped to its target.
     let tick = 10981.297685419608;
     assert_eq!(at_a_tick::<f64>(least, 0.0, tick).t, tick);
-}
-
-/// The straight change of the acceleration leads to the target up to rounding. The first axis has its highest deceleration at the start. So the ramp
-/// cannot grow to this side, and the axis made a detour of 0.3 s. In the second one both accelerations point against the change of velocity.
-#[test]
-fn a_straight_ramp_leads_to_the_target() {
-    let rows = rows::<2>("a_straight_ramp_leads_to_the_target").into_iter().zip([4.5e-6, 1.95e-3]);
-    for ((within, from, to), most) in rows {
-        let [vmax, vmin, amax, amin, jmax, jmin] = within;
-        for (sign, within) in [(1.0, within), (-1.0, [-vmin, -vmax, -amin, -amax, -jmin, -jmax])] {
-            let [from, to] = [from, to].map(|end: [f64; 3]| state(end.map(|number| sign * number)));
-            let axis = online::plan(&limits::<f64>(within), from, to);
-            assert!(axis.t < most, "{} s", axis.t);
-            assert_no_jump(&axis);
-        }
-    }
-}
-
-/// The axis whose positions are the largest led, and the positions of an axis near 0 jumped by the roundings of the lead.
-#[test]
-fn two_ways_are_as_long() {
-    let [first, second] = rows("two_ways_are_as_long");
-    for (own, order) in [(0, [first, second]), (1, [second, first])] {
-        let (limits, from, to) = columns::<f32>(&order);
-        let mut axes = [Move::default(); 2];
-        line(&mut axes, &limits, &from, &to, 3.029068e-6, 0.0).expect("a line");
-        assert_no_jump(&axes[own]);
-    }
 }
 
 /// On a way of 7e24 numbers leave the range of the real type. The path was planned, and its improvement was refused.
@@ -757,27 +735,6 @@ fn infinite_limits_of_every_kind_leave_a_common_duration() {
     assert!(asked > 16_000, "{asked}");
 }
 
-/// The second axis is 288 m from its origin and goes 13 m, in roundings of 31 mm: it may arrive at a tick which its motion misses by some of them.
-/// Then the first axis jumped by 26 mm of 180 mm.
-#[test]
-fn a_coarse_axis_spares_a_fine_one() {
-    let (limits, from, to) = columns::<f32>(&rows::<2>("a_coarse_axis_spares_a_fine_one"));
-    let mut axes = [Move::default(); 2];
-    line(&mut axes, &limits, &from, &to, 0.0, 0.53716314).expect("a line");
-    assert!(worst_jump(&axes[0]) < 64.0, "{}", worst_jump(&axes[0]));
-}
-
-/// States of a loop on its way. In the first 0.696 s were planned: the slowest axis can take the duration of the other one. In the second 0.3 ms are 0.16
-/// of a tick, and 0.922 s were planned: the velocity of the second axis has the rounding error of the tick before, when it was 50 times as high.
-#[test]
-fn the_rest_of_a_loop_is_short() {
-    let rows = rows::<4>("the_rest_of_a_loop_is_short");
-    for (rows, cycle, most) in [(&rows[..2], 4e-3, 0.188 + 1e-9), (&rows[2..], 0.0, 0.0004)] {
-        let axes = together::<f64>(rows, 0.0, cycle).expect("a plan");
-        assert!(axes[0].t < most, "{} s", axes[0].t);
-    }
-}
-
 /// The first axis has the longest way, and its positions round most. Its rounding errors made the loop miss a tick, and where the axes came to their
 /// targets, the next line was refused.
 #[test]
@@ -869,28 +826,6 @@ fn the_last_ticks_are_short_whatever_is_infinite() {
     let rows = rows::<2>("the_last_ticks_are_short_whatever_is_infinite");
     let axes = together::<f64>(&rows, 0.0, 1e-3).expect("a plan");
     assert!(axes.iter().all(|axis| axis.t == 2e-3), "{axes:?}");
-}
-
-/// Two ticks are left, and 865 were planned: the third axis takes 2.00005 ticks. If its start is faster by a rounding, the acceleration changes straight
-/// to its target, in less than two ticks. How much faster it has to be for two ticks exactly is lost in the roundings.
-#[test]
-fn a_straight_change_is_shorter_than_the_tick() {
-    let rows = rows::<3>("a_straight_change_is_shorter_than_the_tick");
-    let axes = together::<f32>(&rows, 0.0, 2e-3).expect("a plan");
-    assert!(axes[0].t < 5e-3, "{} s", axes[0].t);
-    axes.iter().for_each(assert_no_jump);
-}
-
-/// The velocity is so high that its roundings hide every change of it, and an acceleration was held for less than no time. The phases lasted for 0.196 ms,
-/// and the move for 0.141 ms.
-#[test]
-fn no_acceleration_holds_for_less_than_no_time() {
-    let rows = rows::<2>("no_acceleration_holds_for_less_than_no_time");
-    for (row, (duration, cycle)) in rows.into_iter().zip([(0.00012443958, 1.8354264e-7), (0.0, 1.22015e-7)]) {
-        let planned = at_a_tick::<f32>(row, duration, cycle);
-        let found = planned.check(&limits(row.0)).expect("limits");
-        assert!(!found.contains(Findings::JUMPS), "{planned:?}");
-    }
 }
 
 /// At every tick the loop waited for the axis whose roundings were the slowest. They added up, until the second axis could not wait any more: in tick 799
@@ -1018,7 +953,7 @@ fn a_move_from_a_line<R: Real>() {
 }
 
 test_both_reals!(
-    a_gap_of_no_width, a_move_from_a_line, a_target_at_the_start, planned_without_a_jump, passed_in_motion,
-    one_jerk_is_far_larger, the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself,
-    beyond_the_range, named_tolerance, of_any_size, at_the_border_of_the_range, the_rest_of_a_section
+    a_gap_of_no_width, a_move_from_a_line, a_target_at_the_start, passed_in_motion, one_jerk_is_far_larger,
+    the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself, beyond_the_range, named_tolerance,
+    of_any_size, at_the_border_of_the_range, the_rest_of_a_section
 );

@@ -34,6 +34,16 @@ pub fn numbers_of<R: Copy>(limits: &Limits<R>) -> [R; 6] {
     [limits.vmax, limits.vmin, limits.amax, limits.amin, limits.jmax, limits.jmin]
 }
 
+/// The limits seen in a mirror.
+pub fn mirrored_limits<R: Real>(limits: &Limits<R>) -> Limits<R> {
+    let [vmax, vmin, amax, amin, jmax, jmin] = numbers_of(limits).map(|limit| -limit);
+    limits_of([vmin, vmax, amin, amax, jmin, jmax])
+}
+
+pub fn mirrored<R: Real>(state: State<R>) -> State<R> {
+    State { position: -state.position, velocity: -state.velocity, acceleration: -state.acceleration }
+}
+
 pub fn limits_times<R: Real>(limits: &[Limits<R>], by: f64) -> Vec<Limits<R>> {
     let times = |limit: R| R::of(limit.widen() * by);
     limits.iter().map(|limits| limits_of(numbers_of(limits).map(times))).collect()

@@ -3,7 +3,7 @@
 use super::solver::Walk;
 use atraj::online::{Limits, Move, State};
 use support::Real;
-use support::online::numbers_of_state;
+use support::online::{mirrored, mirrored_limits, numbers_of_state};
 
 /// The lowest and the highest position of a move that begins in this state, by integration of its phases.
 pub fn span<R: Real>(from: State<R>, planned: &Move<R>) -> [f64; 2] {
@@ -41,11 +41,7 @@ fn highest_of_brake<R: Real>(limits: &Limits<R>, from: State<R>) -> f64 {
 }
 
 pub fn brake<R: Real>(limits: &Limits<R>, from: State<R>) -> [f64; 2] {
-    let State { position, velocity, acceleration } = from;
-    let mirrored = State { position: -position, velocity: -velocity, acceleration: -acceleration };
-    let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
-    let other = Limits { vmax: -vmin, vmin: -vmax, amax: -amin, amin: -amax, jmax: -jmin, jmin: -jmax };
-    [-highest_of_brake(&other, mirrored), highest_of_brake(limits, from)]
+    [-highest_of_brake(&mirrored_limits(limits), mirrored(from)), highest_of_brake(limits, from)]
 }
 
 /// The limits and the state in the other order of time, seen in a mirror: velocities stay.
