@@ -3,8 +3,7 @@
 use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
 use std::process::Command;
-use support::repository::{names, read, root};
-use support::tools::lines;
+use support::{lines, names, read, root};
 
 /// A link of a document that is no address: the file it names and the heading in it.
 struct Link {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 use std::process::Command;
-use support::tools::{has_tool, lines};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, PREFIXED, Variant};
+use support::{has_tool, lines};
 
 fn names(flags: &[&str], file: &Path) -> Vec<String> {
     let table = lines(Command::new("nm").arg("--format=posix").args(flags).arg(file));

@@ -5,8 +5,7 @@ use atraj::machine::{Clock, GroupTicker, Step, StepStream, Steps};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use support::online::{Columns, numbers_of_state, state_of as state};
-use support::repository::read;
-use support::{Random, Real, online, test_both_reals};
+use support::{Random, Real, online, read, test_both_reals};
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);

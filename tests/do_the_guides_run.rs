@@ -4,9 +4,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::Command;
-use support::documents::blocks;
-use support::repository::{read, root};
-use support::tools::{has_tool, run};
+use support::{blocks, has_tool, read, root, run};
 
 /// One after the other, because `make dist` replaces the directory that the next page uses.
 #[test]

@@ -5,9 +5,8 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use support::repository::root;
-use support::tools::{lines, printed, run};
 use support::variant::{DOUBLE, FLOAT, Variant};
+use support::{lines, printed, root, run};
 
 const EARLY: &str = "-DPUBLISHED_EARLY";
 const GROUP: &str = "-DGROUP";

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::tools::{has_tool, identify, lines, run};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, Variant};
+use support::{has_tool, identify, lines, run};
 
 fn identity(file: &Path) -> String {
     let output = identify(file);

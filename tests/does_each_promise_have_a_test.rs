@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 use std::process::Command;
-use support::repository::{read, root};
-use support::tools::lines;
+use support::{lines, read, root};
 
 fn questions() -> HashMap<String, String> {
     let map = lines(Command::new("sh").arg(root().join("tests/map.sh")));

@@ -4,8 +4,7 @@ use atraj::machine::{Shaper, ShaperKind};
 use atraj::online::{Limits, Move};
 use atraj::{Bell, Boundary, Error, State};
 use std::f64::consts::PI;
-use support::repository::read;
-use support::{Random, Real, online, test_both_reals};
+use support::{Random, Real, online, read, test_both_reals};
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
 type Swing = [f64; 2]; // a complex number

@@ -1,7 +1,6 @@
 //! Does the Rust API give the bits of both generations of the original C library on every golden row?
 
-use support::repository::{names, read};
-use support::{Comparison, Family, Ours, OursNewest, Real, golden, test_both_reals, test_each_family};
+use support::{Comparison, Family, Ours, OursNewest, Real, golden, names, read, test_both_reals, test_each_family};
 
 fn meets_golden_data<R: Real>(family: Family) {
     let mut comparison = Comparison::default();

@@ -4,8 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::repository::root;
-use support::tools::{abidiff, has_tool, run};
+use support::{abidiff, has_tool, root, run};
 
 /// Two builds hold both real types and both generations of the polynomial structs.
 const BUILDS: [(&str, &[&str]); 2] = [("double", &[]), ("float-compact", &["REAL=float", "POLY=compact"])];

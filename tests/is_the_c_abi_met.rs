@@ -5,10 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::golden;
-use support::repository::{names, read, root};
-use support::tools::{Language, compilers, has_tool, lines, run};
 use support::variant::{COMPACT, DOUBLE, FLOAT, FLOAT_COMPACT, LOW_LEVELS, VARIANTS, Variant, headers};
+use support::{Language, compilers, golden, has_tool, lines, names, read, root, run};
 
 const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 const C: [&str; 3] = ["c99", "c11", "c17"];

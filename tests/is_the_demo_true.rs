@@ -4,9 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::process::{Command, Output};
 use std::sync::LazyLock;
-use support::golden;
-use support::repository::{names, read, root};
-use support::tools::printed;
+use support::{golden, names, printed, read, root};
 
 /// What `make demo` printed. It runs once for all tests of this file.
 static DEMO: LazyLock<String> = LazyLock::new(|| {

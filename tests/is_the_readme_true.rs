@@ -5,10 +5,8 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::documents::blocks;
-use support::repository::{names, read, root};
-use support::tools::{Language, compilers, run};
 use support::variant::DOUBLE;
+use support::{Language, blocks, compilers, names, read, root, run};
 
 /// The width counts characters. The words are those of `wc -w`, code and tables included.
 #[test]

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::repository::{read, root};
+use support::{read, root};
 
 #[rustfmt::skip]
 const WORDS: [(&str, &str); 17] = [

@@ -4,8 +4,7 @@
 use spdx::{Expression, ParseMode};
 use std::collections::BTreeSet;
 use std::process::Command;
-use support::repository::{read, root};
-use support::tools::lines;
+use support::{lines, read, root};
 
 /// Licences that ask for no more than their text with the code. A dependency offers at least one of them.
 const ALLOWED: [&str; 10] = [

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
-use support::repository::root;
+use support::root;
 
 /// The layers from the ground, and the modules of each. `|` parts layers at the same height.
 const HOUSE: &str = "real < state limits findings roots sampling table < liba | claraty < fastest < interval < online < several < path < machine < capi < lib";

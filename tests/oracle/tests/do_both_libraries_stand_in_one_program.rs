@@ -3,8 +3,8 @@
 use oracle::liba::original::{build, directory};
 use std::path::Path;
 use std::process::{Command, Output};
-use support::tools::{Language, compilers};
 use support::variant::{FLOAT_PREFIXED, PREFIXED, Variant};
+use support::{Language, compilers};
 
 fn compare(variant: &Variant, compiler: &str, liba: &Path, flags: &[&str]) -> Output {
     let mut link = Command::new(compiler);

@@ -5,10 +5,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
-use support::repository::root;
-use support::tools::{Language, compilers, lines, run};
 use support::variant::{DOUBLE, Variant, headers};
-use support::{Family, golden};
+use support::{Family, Language, compilers, golden, lines, root, run};
 
 /// The prototypes that gcc sees in the headers of a directory, with the real type by its C name.
 fn prototypes(include: &Path, size: &str) -> Vec<String> {

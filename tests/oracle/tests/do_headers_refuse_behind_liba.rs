@@ -4,9 +4,8 @@ use oracle::liba::original::{directory, include};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use support::Family;
-use support::tools::{Language, compilers};
 use support::variant::{DOUBLE, FLOAT, Variant};
+use support::{Family, Language, compilers};
 
 /// What the compiler says of a program that begins with `first` and then includes a header of ours; empty if it takes the program.
 fn says(compiler: &str, ours: &Path, first: &str, header: &str, flags: &[&str]) -> String {

@@ -3,8 +3,7 @@
 use oracle::liba::original::{LIBA, REALS, build, directory, include};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::Family;
-use support::tools::{has_tool, lines, run};
+use support::{Family, has_tool, lines, run};
 
 const MOVES: [&str; 7] = [
     "30 10 5 0 10 1 0", "3 2 2 10 -10 0 0.5", "5 4 -2 0 50 0 0", "2 -1 1.5 10 -3 0 0.25", "0 8 0 10 0 0 0 0 0 0",

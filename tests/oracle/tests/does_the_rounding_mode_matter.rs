@@ -5,8 +5,8 @@ use oracle::liba::original::{build, directory, include, shared_symbols};
 use std::collections::HashMap;
 use std::path::Path;
 use std::process::Command;
-use support::tools::{lines, run};
 use support::variant::DOUBLE;
+use support::{lines, run};
 
 /// What `c/rounding.c` prints: for each mode, the plans that differ from the original's and from those of the default mode.
 fn differences() -> HashMap<String, [u64; 2]> {

@@ -4,10 +4,8 @@ use oracle::liba::original::{build, directory, include};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use support::Family;
-use support::repository::root;
-use support::tools::{self, abidiff, has_tool, lines, run};
 use support::variant::DOUBLE;
+use support::{Family, abidiff, has_tool, lines, root, run, tools};
 
 /// Functions that the program calls: of the trajectories, of the original's other parts, and of the system.
 const TRACED: [&str; 4] = ["a_trajbell_gen", "a_pid_pos", "sqrt", "memcpy"];

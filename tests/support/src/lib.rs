@@ -21,8 +21,11 @@ pub mod variant;
 pub const BRIEF: bool = option_env!("BRIEF").is_some();
 
 pub use comparison::Comparison;
+pub use documents::blocks;
 pub use family::Family;
 pub use implementation::Implementation;
 pub use ours::{Ours, OursNewest};
 pub use random::Random;
 pub use real::Real;
+pub use repository::{names, read, root};
+pub use tools::{Language, abidiff, compilers, has_tool, identify, lines, printed, run};

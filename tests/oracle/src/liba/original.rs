@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::tools::run;
+use support::run;
 use support::variant::{DOUBLE, FLOAT, Variant};
 
 pub const LIBA: &str = env!("LIBA");
