@@ -4,6 +4,7 @@
 //! left out of Rust's paths, and the package's out of Python's. Four names differ for a reason: `gen` is liba's own plan, so the plan that never
 //! fails is `fastest` in C++ too; Rust's `sample_into` fills arrays of the caller; Rust's `state_at` gives a whole `State`, and its `state` plain
 //! numbers with the jerk; Python's `path` also makes the motions of a path, and its `Shaper.shape` gives the shaped move as a motion.
+//! `python/tests/test_use.py` asks whether Python has its names.
 
 use atraj::machine::{
     Axis, Clock, Group, GroupPlanner, GroupTicker, Planner, Shaper, ShaperKind, ShaperStream, Step, StepStream, Steps,
@@ -14,7 +15,7 @@ use atraj::{Bell, Error, Extremes, Findings, Poly3, Poly5, Poly7, State, Trap, a
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use support::repository::{read, root};
+use support::{read, root};
 
 /// What a row names, and its name in C, C++, Rust and Python; empty without one. Other profiles have the names of the double-S.
 struct Row([String; 5]);
@@ -165,47 +166,6 @@ fn rust_has_the_names() {
     );
     let named = column(3).into_iter().map(|name| name.replace("online::", "").replace("machine::", ""));
     assert_eq!(named.collect::<BTreeSet<_>>(), compiled.into_iter().collect());
-}
-
-fn declared(files: &[&str], module: &str) -> BTreeSet<String> {
-    let word = |line: &str| -> String { line.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect() };
-    let mut names = BTreeSet::new();
-    for file in files {
-        let text = read(Path::new("python/atraj").join(file));
-        let mut class = String::new();
-        let mut is_docstring = false;
-        for line in text.lines() {
-            let begins_or_ends = line.matches("\"\"\"").count() % 2 == 1;
-            is_docstring ^= begins_or_ends;
-            if is_docstring || begins_or_ends {
-                continue;
-            }
-            if let Some(rest) = line.strip_prefix("class ") {
-                class = word(rest);
-                let base = rest.split_once('(').map_or(String::new(), |(_, base)| word(base));
-                let base = format!("{module}{base}.");
-                let members = names.iter().filter_map(|name: &String| name.strip_prefix(&base));
-                let inherited: Vec<_> = members.map(|member| format!("{module}{class}.{member}")).collect();
-                names.extend(inherited);
-                names.insert(format!("{module}{class}"));
-            } else if let Some(rest) = line.strip_prefix("def ") {
-                names.insert(format!("{module}{}", word(rest)));
-            } else if let Some(rest) = line.strip_prefix("    ") {
-                let member = word(rest.strip_prefix("def ").unwrap_or(rest));
-                names.insert(format!("{module}{class}.{member}"));
-            }
-        }
-    }
-    names
-}
-
-#[test]
-fn python_has_the_names() {
-    let mut names = declared(&["values.py", "__init__.pyi"], "");
-    names.extend(declared(&["values.py", "claraty.pyi"], "claraty."));
-    for name in column(4) {
-        assert!(names.contains(&name), "{name}");
-    }
 }
 
 #[test]

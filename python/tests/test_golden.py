@@ -8,7 +8,6 @@ from golden import REALS, rows
 
 from atraj.claraty import Mode, Trajectory, TrapezoidalProfile
 
-reals = pytest.mark.parametrize("real", REALS, ids=lambda real: real.name)
 FIELDS = {"Bell": 14, "Trap": 12}
 POLYNOMIALS = [("Poly3", 5, 4, 3), ("Poly5", 7, 6, 3), ("Poly7", 9, 8, 4)]
 
@@ -48,7 +47,6 @@ def check_evaluations(real, table, moves, quantities):
             assert real.bits([evaluate(x) for x in times.tolist()]) == real.bits(golden)
 
 
-@reals
 @pytest.mark.parametrize("name", FIELDS)
 def test_bells_and_trapezoids(real, name):
     family, table = getattr(real.module, name), name.lower()
@@ -57,7 +55,6 @@ def test_bells_and_trapezoids(real, name):
     check_evaluations(real, table, moves, quantities)
 
 
-@reals
 @pytest.mark.parametrize("name", FIELDS)
 def test_newest_saturation(real, name):
     family = getattr(real.module, name)
@@ -65,7 +62,6 @@ def test_newest_saturation(real, name):
         check_plan(real, family, golden, newest_saturation=True)
 
 
-@reals
 @pytest.mark.parametrize("name, arguments, coefficients, quantities", POLYNOMIALS)
 def test_polynomials(real, name, arguments, coefficients, quantities):
     family, table = getattr(real.module, name), name.lower()

@@ -6,17 +6,14 @@ import pickle
 
 import numpy as np
 import pytest
-from golden import REALS
 
 import atraj
 
-reals = pytest.mark.parametrize("real", REALS, ids=lambda real: real.name)
 PLANNED = [atraj.Limits(jerk=16, acceleration=4, velocity=0.8)] * 2
 LIMITS = [atraj.Limits(jerk=20, acceleration=5, velocity=1)] * 2
 POINTS = [[0, 0], [0.8, 0.1], [0.9, 0.9], [0, 1]]
 
 
-@reals
 def test_a_clock_holds_and_goes_on(real):
     rounding = 1e-4 if real.dtype == np.float32 else 1e-9
     for moves in [real.module.synchronise(PLANNED, [0, 0], [0.8, -0.4]), real.module.path(PLANNED, POINTS)]:
@@ -43,7 +40,6 @@ def test_a_clock_holds_and_goes_on(real):
         assert [state.velocity for state in states] == clock.velocity(0.7).tolist()
 
 
-@reals
 def test_a_copied_clock_goes_its_own_way(real):
     clock = real.module.Clock(LIMITS, real.module.synchronise(PLANNED, [0, 0], [0.8, -0.4]))
     for copied in [copy.copy(clock), copy.deepcopy(clock), pickle.loads(pickle.dumps(clock))]:
@@ -56,7 +52,6 @@ def test_a_copied_clock_goes_its_own_way(real):
         assert real.bits(again.sample(0.01, n=200).p) == real.bits(copied.sample(0.01, n=200).p)
 
 
-@reals
 def test_a_clock_stands_at_its_ends(real):
     clock = real.module.Clock(LIMITS, real.module.path(PLANNED, POINTS))
     found = atraj.Findings
@@ -105,7 +100,6 @@ def test_a_shaper_leaves_the_load_at_rest(kind):
             shaped.extremes()
 
 
-@reals
 def test_shapers_add_and_smooth(real):
     kinds, shaper = atraj.ShaperKind, real.module.Shaper
     both = shaper(kinds.ZV, 5).add(kinds.ZVD, 12, 0.1)
@@ -127,7 +121,6 @@ def test_shapers_add_and_smooth(real):
         both.shape(real.module.Trap(5, 4, -2, 0, 50))
 
 
-@reals
 def test_no_step_is_lost(real):
     move = real.module.Move.plan(LIMITS[0], (0, -0.5), 0.9)  # turns once
     steps = real.module.Steps(move, 0.005, 0.01)
@@ -162,7 +155,6 @@ def run(cell, ticks=10_000):
     return np.array(states)
 
 
-@reals
 def test_a_group_works_in_a_cell(real):
     rounding, period = (1e-4 if real.dtype == np.float32 else 1e-9), 0.002
     cell = real.module.Group(period, [0, (0.1, 0, 0)])

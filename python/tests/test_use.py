@@ -1,20 +1,21 @@
 """Do the classes take and give what their documentation says, and say what is wrong with bad arguments?"""
 
 import copy
+import csv
 import inspect
 import math
+import operator
 import pickle
 import subprocess
 import sys
 
 import numpy as np
 import pytest
-from golden import DIRECTORY, REALS
+from golden import DIRECTORY
 
 import atraj
 from atraj.claraty import Trajectory, Warnings
 
-reals = pytest.mark.parametrize("real", REALS, ids=lambda real: real.name)
 LIMITS = atraj.Limits.symmetric(jerk=30, acceleration=10, velocity=5)
 QUANTITIES = ["position", "velocity", "acceleration", "jerk"]
 
@@ -35,13 +36,19 @@ def test_version():
     assert f'\nversion = "{atraj.__version__}"\n' in manifest
 
 
+def test_each_name_of_the_table_is_there():
+    """`tests/do_names_agree.rs` asks whether the others have the same names."""
+    with open(DIRECTORY.parent / "names.csv") as table:
+        names = [row["Python"] for row in csv.DictReader(table) if row["Python"]]
+    assert len(operator.attrgetter(*names)(atraj)) > 40
+
+
 def test_one_import_brings_all():
     program = "import atraj; print(atraj.f32.Move.__module__, atraj.claraty.Trajectory.__module__)"
     printed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
     assert printed == "atraj.f32 atraj.claraty\n"
 
 
-@reals
 def test_times_have_any_shape_and_type(real):
     for profile in profiles(real.module):
         assert isinstance(profile, real.module.Profile)
@@ -71,7 +78,6 @@ def layouts(dtype):
     yield from [times.astype(f">f{size}"), times.astype(f"<f{size}"), objects, objects[::-1]]
 
 
-@reals
 def test_times_have_any_layout(real):
     for profile in profiles(real.module):
         for times in layouts(real.dtype):
@@ -80,7 +86,6 @@ def test_times_have_any_layout(real):
             assert values.dtype == real.dtype and values.tolist() == expected.tolist(), times
 
 
-@reals
 def test_numbers_of_records_have_any_type(real):
     for dtype in ["i1", "u2", ">i4", "i8", ">f2", "f4", ">f8", "O", "?"]:
         records = np.zeros(2, [("id", "S3"), ("t", dtype)])
@@ -90,7 +95,6 @@ def test_numbers_of_records_have_any_type(real):
             assert values.dtype == real.dtype and values.tolist() == [profile.position(0), profile.position(1)], dtype
 
 
-@reals
 def test_complex_numbers_are_refused(real):
     for times in [np.array([0.5j]), [0.5, 1j]]:
         with pytest.raises(TypeError, match="complex"):
@@ -102,7 +106,6 @@ def test_errors_name_the_class():
         atraj.Move()
 
 
-@reals
 def test_no_times_give_no_values(real):
     records = np.zeros((0, 2), [("id", "u1"), ("t", real.dtype)])
     for times in [records["t"], records["t"][::-1], records["t"].T]:
@@ -110,7 +113,6 @@ def test_no_times_give_no_values(real):
         assert values.shape == times.shape and values.dtype == real.dtype
 
 
-@reals
 def test_masks_are_not_looked_at(real):
     bell = real.module.Bell(30, 10, 5, 0, 10)
     times = np.ma.array([0.5, 1], real.dtype, mask=[True, False])
@@ -120,7 +122,6 @@ def test_masks_are_not_looked_at(real):
     assert samples.t is times and times.data.tolist() == [0.5, 1] and times.mask.tolist() == [True, False]
 
 
-@reals
 def test_samples_have_the_bits_of_single_calls(real):
     for profile in profiles(real.module):
         samples = profile.sample(0.01, start=-0.1)
@@ -190,7 +191,6 @@ def test_bad_requests_are_refused(message, request_):
         atraj.Bell(30, 10, 5, 0, 10).sample(**request_)
 
 
-@reals
 def test_extremes_and_states(real):
     bell = real.module.Bell(30, 10, 5, 0, 10)
     lowest, highest = bell.extremes()
@@ -212,7 +212,6 @@ def test_check():
         atraj.Bell.from_fields([math.nan] * 14).check(1, 1, 1)
 
 
-@reals
 def test_fastest_plans_where_liba_fails(real):
     for family, limits in [(real.module.Bell, (30, 10, 5)), (real.module.Trap, (5, 10, -10))]:
         with pytest.raises(ValueError, match="no such move within the limits"):
@@ -223,7 +222,6 @@ def test_fastest_plans_where_liba_fails(real):
             family.fastest(*limits, 0, math.nan)
 
 
-@reals
 def test_an_axis_is_retargeted(real):
     axis = real.module.Move
     move = axis.plan(LIMITS, atraj.State(0), (10, 0, 0))
@@ -248,7 +246,6 @@ def test_an_axis_is_retargeted(real):
     assert move.position(move.time_at(4)) == pytest.approx(4) and move.time_at(11) is None
 
 
-@reals
 def test_axes_move_together(real):
     limits = [LIMITS, atraj.Limits.symmetric(60, 20, 5)]
     start, end = [atraj.State(0), atraj.State(1)], [atraj.State(10), atraj.State(-1)]
@@ -259,7 +256,6 @@ def test_axes_move_together(real):
     np.testing.assert_allclose(y.position(times), 1 - 0.2 * x.position(times), atol=1e-5)
 
 
-@reals
 def test_axes_stay_between_their_positions(real):
     limits, start, end = [LIMITS] * 2, [0, (9, 2)], [10, 8]
     lowest, highest = np.array([-math.inf, 8]), [math.inf, 9.49]
@@ -277,7 +273,6 @@ def test_axes_stay_between_their_positions(real):
     assert real.module.synchronise_within(limits, start, end, *everywhere) == real.module.synchronise(limits, start, end)
 
 
-@reals
 def test_axes_stop_on_their_line(real):
     limits, rounding = [LIMITS, atraj.Limits.symmetric(60, 20, 0.5)], 1e-5 if real.dtype == np.float32 else 1e-12
     moves = real.module.line(limits, [0, 1], [10, -1])
@@ -298,7 +293,6 @@ def test_axes_stop_on_their_line(real):
 POINTS = [[0, 0, 1], [3, 1, 1], [4, 5, 1], [4, 5, 1], [-2, 4, 0]]
 
 
-@reals
 def test_a_path_passes_its_points(real):
     limits = [LIMITS, atraj.Limits.symmetric(60, 20, 5), LIMITS]
     for points in [POINTS, np.array(POINTS), np.array(POINTS, np.float32).tolist()]:
@@ -319,7 +313,6 @@ def states(points):
     return zip(rest, rest[1:])
 
 
-@reals
 def test_a_path_leaves_its_lines(real):
     path = real.module.path([LIMITS] * 2, [[0, 0], [3, 0], [3, 3]])
     x, y = path.position(np.linspace(0, path.t, 10_001)).T.astype(float)
@@ -328,7 +321,6 @@ def test_a_path_leaves_its_lines(real):
     assert real.module.path([LIMITS], [[0], [3], [4]]).deviation < 1e-5
 
 
-@reals
 def test_a_path_is_a_sequence_of_sections(real):
     path = real.module.path([LIMITS] * 3, POINTS)
     assert len(path) == len(POINTS) - 1 and [moves.t for moves in path] == [path[k].t for k in range(len(path))]
@@ -340,7 +332,6 @@ def test_a_path_is_a_sequence_of_sections(real):
             path[k]
 
 
-@reals
 def test_the_phases_of_a_path(real):
     path = real.module.path([LIMITS] * 3, POINTS)
     assert len(path.phases) == 3
@@ -354,7 +345,6 @@ def test_the_phases_of_a_path(real):
             assert middle.position == pytest.approx(position + half * (velocity + half * (acceleration / 2 + half * jerk / 6)), abs=9 * close)
 
 
-@reals
 def test_an_array_of_times_has_the_values_of_single_times(real):
     path = real.module.path([LIMITS] * 3, POINTS)
     times = np.concatenate([np.linspace(-0.1, path.t + 0.1, 301), path.times, [math.nan, math.inf, -math.inf]]).astype(real.dtype)
@@ -363,7 +353,6 @@ def test_an_array_of_times_has_the_values_of_single_times(real):
             assert np.array_equal(value(times), np.stack([value(float(x)) for x in times]), equal_nan=True)
 
 
-@reals
 def test_a_path_keeps_its_limits_and_does_not_jump(real):
     limits = [LIMITS, atraj.Limits(vmax=4, vmin=-5, amax=20, amin=-15, jmax=60, jmin=-50), LIMITS]
     t, p, v, a, j = real.module.path(limits, POINTS).sample(0.001)
@@ -376,7 +365,6 @@ def test_a_path_keeps_its_limits_and_does_not_jump(real):
         assert np.allclose(np.diff(values, axis=0), dt * (rate[1:] + rate[:-1]) / 2, atol=bend * 1e-6 + rounding * 1e-3)
 
 
-@reals
 def test_a_path_starts_in_motion(real):
     limits = [LIMITS] * 3
     first = real.module.path(limits, POINTS)
@@ -388,7 +376,6 @@ def test_a_path_starts_in_motion(real):
     assert real.module.path([LIMITS], [[(0, 6, 0)], [9]]).findings == atraj.Findings.STARTS_OUTSIDE
 
 
-@reals
 def test_a_path_is_improved(real):
     hasty = real.module.path([LIMITS] * 3, POINTS, steps=3)
     better = hasty.improve()
@@ -397,7 +384,6 @@ def test_a_path_is_improved(real):
     assert better.t == pytest.approx(real.module.path([LIMITS] * 3, POINTS).t, rel=1e-3)
 
 
-@reals
 def test_sections_of_a_path_have_limits_of_their_own(real):
     points, slow = [[0, 0], [3, 1], [4, 5]], LIMITS._replace(vmax=0.5, vmin=-0.5)
     fast = real.module.path([LIMITS] * 2, points)
@@ -412,7 +398,6 @@ def test_sections_of_a_path_have_limits_of_their_own(real):
     assert real.module.path([[slow], [LIMITS]], [[0], [3], [(4, 1, 0)]]).velocity(99) == 1
 
 
-@reals
 def test_points_of_a_path_have_tolerances(real):
     exact = real.module.path([LIMITS] * 3, POINTS)
     near = real.module.path([LIMITS] * 3, POINTS, tolerances=[0.0625, 0, 0.125])
@@ -424,7 +409,6 @@ def test_points_of_a_path_have_tolerances(real):
     assert none.t <= exact.t and none.position(none.times).tolist() == POINTS
 
 
-@reals
 def test_times_of_a_path_have_any_shape_and_layout(real):
     path = real.module.path([LIMITS] * 3, POINTS)
     one = path.position(0.5)
@@ -558,7 +542,6 @@ def things(module):
     return [*profiles(module), x, y, moves, path, zoned, shaper, other, shaper.shape(x), other.shape(profiles(module)[0])]
 
 
-@reals
 def test_copies_are_equal(real):
     originals, same = things(real.module), things(real.module)
     for k, (thing, equal) in enumerate(zip(originals, same)):
@@ -594,7 +577,6 @@ def test_limits():
         atraj.Limits(acceleration=10, velocity=5, jmax=3)
 
 
-@reals
 def test_numbers_come_in_lists_tuples_and_arrays(real):
     plan = real.module.Move.plan
     one = plan(LIMITS, atraj.State(0, 1), atraj.State(10))
@@ -634,7 +616,6 @@ def test_arguments_have_one_order():
     assert seen >= 40
 
 
-@reals
 def test_several_axes_are_alike(real):
     limits = [LIMITS, LIMITS._replace(vmax=3)]
     moves, path = real.module.synchronise(limits, [0, 0], [10, -1]), real.module.path(limits, [[0, 0], [3, 1], [10, -1]])
