@@ -418,43 +418,24 @@ fn the_first_falls_wait_for_the_centre() {
     assert!(duration < 5.604, "{duration} s");
 }
 
-/// Paths of one axis, and what they may take, s.
-#[test]
-#[rustfmt::skip]
-fn known_paths_are_short() {
-    let is_below = |most: f64, duration: f64| assert!(duration < most, "{duration} s");
-    // The axis cannot stop at its waypoint. The steps begin from a slower start, whose plan stops there, and a plan that turns takes 3.3 s. The move
-    // without the waypoint takes 1.3202 s.
-    is_below(1.3204, duration_of::<f64>([3.0, -3.0, 2.5, -2.5, 5.0, -5.0], &[0.0, 1.0, 3.0], [2.0, 2.0]));
-    // The axis has to speed up at the end, where its acceleration falls slowly. So the last section must last more than a sixteenth longer before the
-    // steps can begin, and the plan that stops everywhere takes 71 s.
-    let limits = [7.159670624361445, -13.304736786064264, 23.568132238832195, -15.684154254318747, 41.3076190518182, -0.03687880531051443];
-    let positions = [-2.368494652249419, -0.23035103839058282, -0.38858956672634276, 1.1625790712239799, 0.6197050945210747,
-                     1.014140204589089, 0.29520539230798315, 1.717299698180752];
-    is_below(56.0, duration_of::<f64>(limits, &positions, [0.5822997321388476, 3.2217765793955357]));
-    // A little less jerk makes the axis turn back: the plan that does takes 0.933 s.
-    let (limits, positions) = ([1.168, -1.168, 23.5, -23.5, 11.64, -11.64], [0.0, 0.071, 0.1034, 0.154, 0.1868]);
-    is_below(0.367, duration_of::<f64>(limits, &positions, [0.314, 0.705]));
-    is_below(0.367, duration_of::<f32>(limits, &positions, [0.314, 0.705]));
-    // The axis comes back to its waypoints from far away. A state at the second one that is no mean of two motions leads to 3,737 s.
-    let limits = [3252.5698, -3252.5698, 386.61682, -386.61682, 0.00868558, -0.00868558];
-    let positions = [0.0, 12.55309, 13.135509, 18.040173, 0.0, 0.0, -9.8475275];
-    is_below(3_700.0, duration_of::<f32>(limits, &positions, [1812.7721, 1642.051]));
+/// A path of `known_paths.csv`: one axis in motion, and what its plan may take, s.
+fn assert_short<R: Original>(row: &str) {
+    let cells: Vec<_> = row.splitn(14, ',').collect();
+    let number = |k: usize| cells[k].parse::<f64>().expect("a number");
+    let positions: Vec<f64> = cells[12].split(' ').map(|position| position.parse().expect("a position")).collect();
+    let limits = [3, 4, 5, 6, 7, 8].map(|k| R::of(number(k)));
+    let mut chain = Chain::at_rest(vec![limits_of(limits)], positions.iter().copied());
+    let [start, .., end] = &mut chain.states[..] else { panic!("no section") };
+    [start.velocity, start.acceleration, end.velocity] = [9, 10, 11].map(|k| R::of(number(k)));
+    let duration = duration(&chain, number(2) as u32);
+    assert!(duration < number(0), "{duration} s: {row}");
 }
 
-/// The axis starts so fast that it can only turn behind its first two waypoints. A plan that passes neither takes 10.2 s.
 #[test]
-#[rustfmt::skip]
-fn an_axis_that_brakes_passes_two_waypoints() {
-    let [vmax, vmin, amax, amin] = [3.9169249486055695, -8.345_599_809_954_097, 4.195_254_553_806_566, -3.278618207792956];
-    let limits = vec![Limits { vmax, vmin, amax, amin, jmax: 2.4383703407595436, jmin: -2.4383703407595436 }];
-    let start = State { position: 0.7240614495535671, velocity: -2.8307241205847067, acceleration: -1.3226213165634968 };
-    let points = [0.210_609_364_306_674_32, -1.0721902479940006, 0.657_636_754_210_661_5, 0.43416238842824006];
-    let states = [start].into_iter().chain(points.map(State::at)).collect();
-    let chain = Chain { family: Family::InMotion, axes: 1, limits, states };
-    let [default, long] = [0, 48].map(|steps| duration(&chain, steps));
-    println!("{default} s by default, {long} s in 48 steps");
-    assert!(default < 6.6 && long < 6.516);
+fn known_paths_are_short() {
+    for row in include_str!("known_paths.csv").lines().skip(1) {
+        if row.contains(",f32,") { assert_short::<f32>(row) } else { assert_short::<f64>(row) }
+    }
 }
 
 /// A path of one limit from rest to rest.
@@ -465,22 +446,6 @@ fn between([jerk, acceleration, velocity]: [f64; 3], points: &[Vec<f64>]) -> Cha
 
 fn duration_between(limits: [f64; 3], points: &[Vec<f64>]) -> f64 {
     duration(&between(limits, points), 0)
-}
-
-/// Long sections with short ones between them: the bars are the best known durations and a little, s.
-#[test]
-fn uneven_rows_do_not_stall() {
-    // LinuxCNC's issue 4149.
-    let of_linuxcnc = [0.0, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 2.0, 5.0, 8.0, 20.0, 50.0, 100.0, 200.0];
-    let rows: [(&[f64], _, _); 2] = [
-        (&[0.0, 10.0, 10.01, 20.01, 20.02, 30.02], [60_000.0, 3_000.0, 100.0], 0.3825),
-        (&of_linuxcnc, [10_000.0, 1_000.0, 266.67], 1.118),
-    ];
-    for (positions, limits, most) in rows {
-        let duration = duration_between(limits, &positions.iter().map(|&p| vec![p]).collect::<Vec<_>>());
-        println!("{} points: {duration:.5} s", positions.len());
-        assert!(duration <= most);
-    }
 }
 
 /// Points on the way of a move that ends in motion: over the move without points, from rest and from motion. A few of the latter turn back, because a
