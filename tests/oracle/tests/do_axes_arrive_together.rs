@@ -87,37 +87,25 @@ fn of_two_axes_that_go_as_far_the_finer_one_leads() {
     assert!(t > 130.0, "{t} s");
 }
 
-/// Sets of axes in which the judge was wrong, or the plan was.
+/// A set of `known_sets.csv`, a row for each axis. The judge was wrong in it, or the plan was.
+fn assert_good<R: Original>(set: &[&str]) {
+    let cells: Vec<Vec<_>> = set.iter().map(|row| row.splitn(17, ',').collect()).collect();
+    let number = |row: &[&str], k: usize| row[k].parse::<f64>().expect("a number");
+    let rows: Vec<Row> = cells.iter().map(|row| std::array::from_fn(|k| number(row, 4 + k))).collect();
+    let (axes, mut random) = (axes::<R>(number(&cells[0], 3), &rows), Random::seeded(0));
+    let judged = match cells[0][2] {
+        "line" => line::judge(&Together, &axes, &mut random),
+        _ => several::judge(&Together, &axes, &mut random),
+    };
+    assert_eq!(judged, Ok(()), "{set:?}");
+}
+
 #[test]
-#[rustfmt::skip]
 fn known_sets_are_good() {
-    let of_line = |set: Set<f32>| assert_eq!(line::judge(&Together, &set, &mut Random::seeded(0)), Ok(()));
-    // A line is counted from its end, so an axis that is shifted in time has the phases of its fastest move up to rounding: the judge saw a jump.
-    of_line(axes(0.0002649748, &[
-        [570.6762, -683.005, 0.0015765755, -0.34183756, 0.00022960664, -0.00011802478, 5.1351995, -64.6683, 0.0, 5.118261, -64.6683, 0.0],
-        [100.61523, -100.61523, 0.053813163, -0.00036121882, 0.00011307208, -0.00010227046, 4.1300793, 64.6683, 0.0, 4.147018, 64.6683, 0.0],
-    ]));
-    // Of two axes that go as far, the judge let the one lead whose positions are far from 0, and its fastest move had large roundings.
-    of_line(axes(8.467512e-9, &[
-        [1.5089617, -0.9301958, 0.56556946, -0.56556946, 680.40674, -80.83802, 0.29599607, 0.049285777, 0.019426448, 0.29599616, 0.049285777, 0.019426448],
-        [8.086602, -6.000829, 1.6318153, -1.3454347, 885.46893, -179.05002, 0.0, 0.049285777, 0.019426448, 8.940697e-8, 0.049285777, 0.019426448],
-    ]));
-    // A ramp joins both ends up to rounding. The reference solver tries some of these ends only, and the judge called its duration impossible.
-    let ramp = axes(0.0, &[
-        [28.391020588992827, -28.391020588992827, 161.6011401515295, -37.45933811048514, 33.247303717053164, -11.378379200431727,
-         0.0, 11.9558487703089, -0.7271642198254368, 5.127720470454733e-10, 11.955848770277713, -0.7271642198254368],
-    ]);
-    assert_eq!(line::judge::<f64>(&Together, &ramp, &mut Random::seeded(0)), Ok(()));
-    // An axis is shifted in time at its start and at its end. Each is within its roundings, and the judge allowed those of one end.
-    assert_eq!(apart(3.674447319727584e-13, &[
-        [0.07560695002629314, -0.1960165993807255, 0.2177562829843771, -0.2177562829843771, 0.07902598402106711, -0.07902598402106711,
-         -5.314358103161447, 0.024209434683268152, -0.034392874159650484, -5.314358103153544, 0.02420943467204031, -0.0343928741510563],
-    ]), Ok(()));
-    // An axis has 1,000 times as long as it needs. In the mean of motions at its limits rounding errors let its position jump.
-    assert_eq!(apart(375.524990440379, &[
-        [2.1137054399908717, -2.1137054399908717, 0.38359803842883605, -0.38359803842883605, 74.70198582519306, -74.70198582519306,
-         0.0, 0.0, -0.10913559403318034, -1.1646755558612535e-25, -1.5944124849433836e-13, -0.10913559403318034],
-    ]), Ok(()));
+    let rows: Vec<_> = include_str!("known_sets.csv").lines().skip(1).collect();
+    for set in rows.chunk_by(|one, other| one.split(',').next() == other.split(',').next()) {
+        if set[0].contains(",f32,") { assert_good::<f32>(set) } else { assert_good::<f64>(set) }
+    }
 }
 
 /// Each of four axes is a slower copy of the one before, and the end of its gap lies in the gap of the next one. So four gaps are passed.
