@@ -134,7 +134,7 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
     let distance = h.abs();
     let mut motion = border.profile(&Ramp::straight(border.a0, border.a1));
     if distance > tie {
-        turn(&border.mirrored_if(mirrored), &mut motion, distance, distance);
+        turning(&border.mirrored_if(mirrored), &mut motion, distance, distance);
         motion.mirrored = mirrored;
     }
     motion
@@ -200,24 +200,24 @@ fn split_at_0<R: Real>(border: &Border<R>, profile: &mut Profile<R>) {
 /// acceleration keeps its sign in mid-motion.
 fn go_on<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: R) -> Crossing {
     let crossing = if motion.trough > R::ZERO {
-        ease(border, motion, &mut lacks)
+        easing(border, motion, &mut lacks)
     } else if motion.peak < R::ZERO {
         motion.reverse();
-        let crossing = ease(&border.reversed(), motion, &mut lacks);
+        let crossing = easing(&border.reversed(), motion, &mut lacks);
         motion.reverse();
         crossing
     } else {
         Crossing::Later
     };
     if crossing == Crossing::Later {
-        turn(border, motion, h, lacks);
+        turning(border, motion, h, lacks);
         return Crossing::Here;
     }
     crossing
 }
 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
-fn ease<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: &mut R) -> Crossing {
+fn easing<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: &mut R) -> Crossing {
     for _ in 0..EASING_PIECES {
         let piece = Piece::of(border, motion, motion.top > R::ZERO);
         let (end, what) = piece.end_of_easing(border.a0);
@@ -243,7 +243,7 @@ fn ease<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: &mut R) -> 
 
 /// The part of the border in which the acceleration changes its sign in the middle of the motion: goes on to the first motion over `h`, which gets
 /// `lacks` farther.
-fn turn<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: R) {
+fn turning<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: R) {
     let ramps @ [up, down] = border.ramps_to_vmax();
     let while_up = up.passed(border.v0, border.a0, R::ZERO, border.per_jerk).displacement;
     let while_down = down.passed(border.v1, -border.a1, R::ZERO, border.per_jerk).displacement;
@@ -263,10 +263,10 @@ fn turn<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: R
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
     let nearer = bu - motion.peak <= bd + motion.trough;
     if motion.top > R::ZERO || !holds && nearer {
-        hold(border, motion, lacks);
+        holding(border, motion, lacks);
     } else {
         motion.reverse();
-        hold(&border.reversed(), motion, lacks);
+        holding(&border.reversed(), motion, lacks);
         motion.reverse();
     }
 }
@@ -292,16 +292,16 @@ fn until_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
 }
 
 /// The highest acceleration holds, and at last the lowest one too.
-fn hold<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
+fn holding<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
     motion.peak = border.limits.amax;
     let end = (motion.trough - border.limits.amin).at_least(R::ZERO);
     if let Some(lacks) = Piece::of(border, motion, true).go_on(motion, lacks, end, true) {
-        hold_both(border, motion, lacks);
+        both_hold(border, motion, lacks);
     }
 }
 
 /// Both accelerations hold, and the displacement is a quadratic.
-fn hold_both<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
+fn both_hold<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
     let sum = bu + bd;
     let curvature = bu * bd / sum;
