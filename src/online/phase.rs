@@ -1,6 +1,6 @@
 //! A phase of constant jerk, and its evaluation.
 
-use crate::real::Real;
+use crate::real::{Real, target::keep_branch};
 use crate::roots::root_between;
 use crate::state::State;
 
@@ -28,9 +28,14 @@ impl<R: Real> Phase<R> {
     #[inline(always)]
     pub(super) fn time(&self, x: R) -> R {
         let passed = (x - self.start).at_least(R::ZERO);
-        let duration = self.duration.at_least(R::ZERO);
-        let most = if duration > R::ZERO { duration } else { R::INFINITY };
-        if passed < most { passed } else { duration }
+        if self.duration > R::ZERO {
+            passed.at_most(self.duration)
+        } else if passed < R::INFINITY {
+            keep_branch();
+            passed
+        } else {
+            R::ZERO
+        }
     }
 
     pub(crate) fn state(&self) -> State<R> {
