@@ -7,39 +7,26 @@ use core::ops::Range;
 /// The unknowns of an axis at a point by those of another: `K` rows.
 pub(super) type Tile<R, const K: usize> = [[R; K]; K];
 
-/// Does this for each of `K` places, which are 2 or 3. No loop: where firmware is small, the compiler unrolls none.
-macro_rules! each {
-    ($place:ident: $done:expr) => {{
-        let $place = 0;
-        $done;
-        let $place = 1;
-        $done;
-        if K > 2 {
-            let $place = 2;
-            $done;
-        }
-    }};
-}
-
-/// The first `K` numbers.
-#[inline(always)] // the place of each number is known then
-pub(super) fn group<R: Real, const K: usize>(numbers: [R; 3]) -> [R; K] {
-    let mut group = [R::ZERO; K];
-    each!(k: group[k] = numbers[k]);
-    group
+/// The first `K` of three, where `K` is 2 or 3.
+#[inline(always)] // the place of each one is known then
+pub(super) fn group<T: Copy, const K: usize>(all: [T; 3]) -> [T; K] {
+    all.first_chunk().copied().unwrap_or([all[0]; K])
 }
 
 /// The first `K` numbers of the first `K` rows.
 #[inline(always)] // the place of each number is known then
-pub(super) fn tile<R: Real, const K: usize>(rows: [[R; 3]; 3]) -> Tile<R, K> {
-    let mut tile = [[R::ZERO; K]; K];
-    each!(row: tile[row] = group(rows[row]));
-    tile
+pub(super) fn tile<R: Real, const K: usize>([one, other, third]: [[R; 3]; 3]) -> Tile<R, K> {
+    group([group(one), group(other), group(third)])
 }
 
 impl<R: Real, const K: usize> Table<'_, R, K> {
     pub fn set_tile(&mut self, k: usize, tile: Tile<R, K>) {
-        each!(row: self.set(K * k + row, tile[row]));
+        // No loop: where firmware is small, the compiler unrolls none.
+        self.set(K * k, tile[0]);
+        self.set(K * k + 1, tile[1]);
+        if K > 2 {
+            self.set(K * k + 2, tile[2]);
+        }
     }
 }
 
