@@ -217,17 +217,19 @@ impl<'a, R: Real> RateChange<'a, R> {
         let (mut time, mut best) = (Move::default(), None);
         for share in SHARES {
             let share = R::from(share) * R::SIXTEENTH * R::SIXTEENTH;
-            let mut scales = Scales { low: None, high: R::from(4) };
+            // The highest scale that passed, or 0, and the lowest one above it that did not.
+            let (mut low, mut high) = (R::ZERO, R::from(4));
             for _ in 0..TRIALS {
-                let scale = scales.next();
+                // 2, 1, 1/2, … until one passes, then the geometric mean of both. From above: where the axes get faster, only a fast change may be possible.
+                let scale = if low > R::ZERO { (low * high).sqrt() } else { R::HALF * high };
                 let limits = [share * up, share * down, acceleration * scale];
                 self.within(from, limits, &mut time)?;
                 let is_shorter = time.t < shortest;
                 if is_shorter && self.is_on_path(&time) && self.keeps(&time) {
-                    (shortest, best, scales.low) = (time.t, Some(limits), Some(scale));
+                    (shortest, best, low) = (time.t, Some(limits), scale);
                     *change = time;
-                } else if is_shorter || scales.low.is_some() {
-                    scales.high = scale;
+                } else if is_shorter || low > R::ZERO {
+                    high = scale;
                 } else {
                     break; // a lower scale takes even longer
                 }
@@ -313,19 +315,6 @@ fn slowest<'a, R: Real + 'a>(most: [R; 2], axes: impl Iterator<Item = (R, R, &'a
         let [most_a, most_j] = [limits.amax.at_most(-limits.amin), limits.jmax.at_most(-limits.jmin)];
         [acceleration.at_most(most_a / v.abs()).at_most(most_j / a.abs()), jerk.at_most(most_j / v.abs())]
     })
-}
-
-/// The highest scale that passed, and the lowest one above it that did not.
-struct Scales<R> {
-    low: Option<R>,
-    high: R,
-}
-
-impl<R: Real> Scales<R> {
-    /// 2, 1, 1/2, … until one passes, then the geometric mean of both. From above: where the axes get faster, only a fast change may be possible.
-    fn next(&self) -> R {
-        self.low.map_or(R::HALF * self.high, |low| (low * self.high).sqrt())
-    }
 }
 
 impl<R: Real> Move<R> {
