@@ -100,9 +100,6 @@ impl<R: Real> Sweep<R> {
     const FEW: i32 = 32;
 
     /// Fills every output to its end, run by run; the number of samples. Where too few samples are alike for a loop, it takes them one by one.
-    ///
-    /// The last run comes first, and each run begins a few samples early, where vectors are aligned. The next run overwrites
-    /// these samples. A store across cache lines would cost more.
     pub fn sample<const N: usize, const B: usize>(
         self, profile: &impl Sampled<R, N, B>, mut outputs: [&mut [R]; N],
     ) -> usize {
@@ -114,16 +111,14 @@ impl<R: Real> Sweep<R> {
         }
         let rate = R::ONE / self.dt;
         let crossings = sorted(borders.map(|border| self.crossing(border, rate, count)));
-        let mut starts = crossings.into_iter().rev();
-        let mut end = count;
-        while end > 0 {
-            let start = starts.next().unwrap_or(0);
+        let mut start = 0;
+        for end in crossings.into_iter().chain([count]) {
             if target::samples_are_few(end - start, Self::VECTOR) {
                 self.sample_each(start..end, &mut outputs, profile);
             } else {
                 profile.fill(self.run(start..end, &mut outputs));
             }
-            end = start;
+            start = end;
         }
         count as usize
     }
@@ -143,14 +138,13 @@ impl<R: Real> Sweep<R> {
 
     fn run<'a, const N: usize>(self, numbers: Range<i32>, outputs: &'a mut [&mut [R]; N]) -> Run<'a, R, N> {
         let Range { start, end } = numbers;
-        let first = start - Self::since_aligned(outputs, start).min(start);
         Run {
             sweep: self,
             x: self.time(start),
-            start: first,
+            start,
             outputs: outputs.each_mut().map(|output| {
                 let end = output.len().min(end as usize);
-                output.get_mut(first as usize..end).unwrap_or_default()
+                output.get_mut(start as usize..end).unwrap_or_default()
             }),
         }
     }
@@ -167,12 +161,6 @@ impl<R: Real> Sweep<R> {
                 }
             }
         }
-    }
-
-    /// How many samples before `k` the first output has since it was aligned for whole vectors.
-    fn since_aligned<const N: usize>(outputs: &[&mut [R]; N], k: i32) -> i32 {
-        let first = outputs.first().map_or(0, |output| output.as_ptr() as usize);
-        ((first / size_of::<R>() + k as usize) % Self::VECTOR as usize) as i32
     }
 
     /// The first of `count` samples beyond `border`, seen from sample 0, or `count`. `rate` is `1/dt`.
