@@ -91,16 +91,14 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         // If a whole step is infeasible, half of it often is too, in the same section.
         let first = self.last_assembled;
         for section in (first..self.sections).chain(0..first) {
-            let weight = self.memory.weights.at(section);
             for axis in 0..self.axes {
                 self.last_assembled = section;
-                growth = growth + weight * self.assemble_section(section, axis)?.ln();
+                growth = growth + self.assemble_section(section, axis)?;
             }
         }
         for point in 1..self.sections {
-            let weight = self.weight_of_point(point);
             for axis in 0..self.axes {
-                growth = growth + weight * self.assemble_point(point, axis)?;
+                growth = growth + self.assemble_point(point, axis)?;
             }
         }
         Some(growth)
@@ -118,7 +116,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    /// How many times as large the product of both slacks is as in the plan before.
+    /// How much the logarithms of both slacks of a section grow since the plan before.
     fn assemble_section(&mut self, section: usize, axis: usize) -> Option<R> {
         let duration = self.memory.plan.durations.at(section);
         let weight = self.memory.weights.at(section);
@@ -160,7 +158,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             memory.of_offsets.add(piece, [y * hv1, y * ha1, y * y * hh]);
         }
         let [was_above, was_below] = memory.other.slacks.row(piece);
-        Some((above / was_above) * (below / was_below))
+        Some(weight * ((above / was_above) * (below / was_below)).ln())
     }
 
     /// Adds the part of the second derivatives by the durations that is never negative: along the motion on which they bend the narrow points next to
@@ -215,7 +213,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
             self.memory.mixed.add(point - 1, [mixed]);
             self.memory.of_durations.add(point, [later + second * curves[1]]);
         }
-        Some(growth)
+        Some(weight * growth)
     }
 
     /// Moves the plan by the part `part` of the step. Gives the change of the objective. `None` if the plan would not be feasible: then it stays.
