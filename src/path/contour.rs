@@ -1,6 +1,6 @@
 //! A path that stays near its lines: points are added on the lines that it leaves too far.
 
-use super::{chain::Request, deviation::stays_within, moves::write_moves, path_size, plan};
+use super::{chain::Request, deviation::path_deviation, moves::write_moves, path_size, plan};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::Move;
@@ -62,8 +62,9 @@ pub fn plan_contour<R: Real>(
         plan(Request::of_parts(planned, lasting, limits, axes, places)?, steps, work)?.write(planned, lasting);
         let found = write_moves(moves, Request::of_parts(planned, lasting, limits, axes, places)?, lasting)?;
         let is_far = |section: usize| {
-            let moves = moves.get(section * axes..(section + 1) * axes);
-            moves.is_some_and(|moves| !stays_within(moves, most))
+            let moves = moves.get(section * axes..(section + 1) * axes).unwrap_or_default();
+            let stays = path_deviation(moves, axes) <= most; // false for NaN
+            !stays
         };
         let mut far = 0;
         for section in 0..sections {

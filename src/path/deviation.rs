@@ -32,12 +32,6 @@ pub fn path_deviation<R: Real>(moves: &[Move<R>], axes: usize) -> R {
     if memory::size::<2>(axes, sections).is_some() { reached.most } else { R::NAN }
 }
 
-/// Whether the moves of a section surely stay within `tolerance` of its line, unit.
-pub(super) fn stays_within<R: Real>(section: &[Move<R>], tolerance: R) -> bool {
-    let mut reached = Deviation { seen: R::ZERO, most: R::ZERO };
-    reached.follow(&Section::new(section)).is_some() && reached.most <= tolerance
-}
-
 /// How far a motion is off its line.
 struct Deviation<R> {
     /// At the times that were looked at, unit.
