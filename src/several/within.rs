@@ -1,8 +1,7 @@
 //! Several axes in the same time, each between two positions.
 //!
 //! A motion that cruises stays between the positions between which the fastest one stays: see `docs/planner.md`, "Between two positions". So
-//! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position. Then it makes its fastest move and
-//! waits, or it stops, waits and goes, or it is slower between its turns.
+//! an axis with time to spare leaves them in a blend at most, or where its fastest move turns at a position.
 
 use super::axis::{Task, checked, next_duration, stretch, takes};
 use super::cycle::Cycle;
