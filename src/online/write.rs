@@ -94,7 +94,10 @@ impl<R: Real> Move<R> {
         let State { position, velocity, acceleration } = from;
         let [first, later @ ..] = &mut self.phase;
         *first = Phase { position, velocity, acceleration, ..Phase::default() };
-        let mut before = *first;
+        // As that of a plan, the velocity is found from the end. So a loop does not add up rounding errors.
+        let is_steady = signal.acceleration == R::ZERO && signal.jerk == R::ZERO;
+        let velocity = if is_steady { later[0].velocity + signal.velocity } else { velocity };
+        let mut before = Phase { velocity, ..*first };
         for phase in later.iter_mut().take(self.count as usize) {
             let [own, other] = [phase.acceleration, signal.acceleration(phase.start)];
             let (sum, led) = (own + other, before.acceleration(before.duration));
