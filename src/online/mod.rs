@@ -99,7 +99,8 @@ impl<R: Real> Move<R> {
         let seen = Limits { vmax: limits.vmax - v, vmin: limits.vmin - v, ..*limits };
         Error::Target.unless(seen.are_limits().is_ok() && target.acceleration == R::ZERO)?;
         let seen_from = State { position: from.position - target.position, velocity: from.velocity - v, ..from };
-        let problem = Problem::new(&seen, seen_from, State::at(R::ZERO));
+        let problem = Problem::new(&seen, seen_from, State::at(R::ZERO))
+            .with_positions(from.position.abs() + target.position.abs());
         let profile = problem.fastest();
         let travelled = v.abs() * problem.duration(&profile);
         problem.check(&profile, target.position.abs() + v.abs() + travelled)?;

@@ -43,7 +43,9 @@ impl<R: Real> Problem<R> {
     /// The fastest change of velocity, and the position at which it ends.
     pub fn reach(&self) -> (Profile<R>, R) {
         let border = &self.border;
-        let direct = border.direct(border.beyond_straight());
+        let beyond = border.beyond_straight();
+        let is_rounding = beyond.abs() <= border.rounding_before();
+        let direct = border.direct(if is_rounding { R::ZERO } else { beyond });
         let displacement = self.displacement_of_recovery() + border.passed(&direct).displacement;
         (border.profile(&direct), self.from.position + displacement)
     }

@@ -13,6 +13,8 @@ use support::{Random, Real};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
     Alone,    // one axis, without a cycle
+    Meeting,  // one axis that meets a target that moves steadily
+    Changing, // one axis that changes its velocity and acceleration
     Together, // axes that arrive together
     Straight, // axes on a line
     Inside,   // axes that arrive together, each between two positions
@@ -48,14 +50,20 @@ impl Family {
             (true, AtZero::Accelerated),
             (true, AtZero::AtRest),
         ];
+        let single =
+            [Meeting, Changing].into_iter().flat_map(|way| [kinds[0], kinds[1]].map(|kind| family((way, false), kind)));
         let inside = [(Inside, true), (Inside, false)];
         let inside = inside.into_iter().flat_map(|way| [kinds[0], kinds[1]].map(|kind| family(way, kind)));
-        ways.into_iter().flat_map(|way| kinds.map(|kind| family(way, kind))).chain(inside).collect()
+        ways.into_iter().flat_map(|way| kinds.map(|kind| family(way, kind))).chain(single).chain(inside).collect()
+    }
+
+    fn is_single(&self) -> bool {
+        matches!(self.way, Way::Alone | Way::Meeting | Way::Changing)
     }
 
     /// Whether several axes come to rest at 0. Then a loop follows its last plan in the last two ticks: a known limit.
     pub fn is_limited(&self) -> bool {
-        matches!(self.at_zero, AtZero::AtRest) && self.way != Way::Alone
+        matches!(self.at_zero, AtZero::AtRest) && !self.is_single()
     }
 }
 
@@ -83,6 +91,8 @@ impl Family {
         let (zero, cycle) = (R::of(0.0), R::of(if self.on_ticks { *tick } else { 0.0 }));
         match self.way {
             Way::Alone => axes[0].plan(&limits[0], from[0], to[0]),
+            Way::Meeting => axes[0].meet(&limits[0], from[0], to[0]),
+            Way::Changing => axes[0].reach(&limits[0], from[0], to[0].velocity, to[0].acceleration),
             Way::Together => synchronise(axes, limits, from, to, zero, cycle),
             Way::Straight => line(axes, limits, from, to, zero, cycle),
             Way::Inside => synchronise_within(axes, limits, from, to, [lowest, highest], zero, cycle),
@@ -103,7 +113,7 @@ impl Family {
     }
 
     fn draw<R: Real>(&self, random: &mut Random) -> Set<R> {
-        let count = if self.way == Way::Alone { 1 } else { 1 + random.below(6) };
+        let count = if self.is_single() { 1 } else { 1 + random.below(6) };
         let tick = random.pick(&[0.125e-3, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3]);
         let is_unequal = self.is_general && random.one_in(4);
         let offset = random.pick(&[0.0, 1.0, 10.0]);
@@ -129,7 +139,10 @@ impl Family {
                 states.push(State { position: R::of(offset + p), velocity: R::of(v), acceleration: R::of(a) });
             }
         }
-        let [from, to] = states;
+        let [from, mut to] = states;
+        if self.way == Way::Meeting {
+            to[0].acceleration = R::of(0.0);
+        }
         let limits: Vec<_> = limits.into_iter().map(|limits| limits_of(limits.map(R::of))).collect();
         let mut positions = [Vec::new(), Vec::new()];
         if self.way == Way::Inside {
@@ -187,6 +200,7 @@ pub enum Outcome {
 
 pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> Outcome {
     let promised = (axes[0].t.widen() / set.tick).ceil();
+    let target = set.to[0];
     let last = if family.is_limited() { LAST_AT_ZERO } else { LAST };
     for tick in 0.. {
         let left = axes[0].t.widen() / set.tick;
@@ -200,6 +214,10 @@ pub fn run<R: Real>(family: &Family, set: &mut Set<R>, axes: &mut [Move<R>]) -> 
             let next = axis.state_at(R::of(set.tick));
             assert!(!steps(limits, from, &next, set.tick), "{tick} {left}: {family:?} {limits:?} {from:?} {next:?}");
             *from = next;
+        }
+        if family.way == Way::Meeting {
+            let passed = (tick + 1) as f64 * set.tick;
+            set.to[0].position = R::of(target.position.widen() + passed * target.velocity.widen());
         }
         if let Err(error) = family.plan(set, axes) {
             return Outcome::Refused(tick, error);
