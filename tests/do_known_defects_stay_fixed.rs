@@ -894,6 +894,73 @@ fn a_rounding_beyond_a_position_refuses_nothing() {
     }
 }
 
+/// An axis that moves down and accelerates up leaves the lowest position first. It was to turn at the highest one first, and was refused, but not its mirror.
+#[test]
+fn an_axis_turns_first_where_it_moves() {
+    let limits = Limits::symmetric(1.0, 1.0, 1.0);
+    let rows =
+        [([0.0, -0.26, 0.95], 0.06, [-0.04, 0.12], 2.65316), ([0.0, -0.143, 0.978], 0.183, [-0.011, 0.366], 3.35561)];
+    for (from, to, [lowest, highest], duration) in rows {
+        let (from, to, mut axes) = (state::<f64>(from), State::at(to), [Move::default(); 2]);
+        axes[0].within(&limits, from, to, lowest, highest).expect("a plan");
+        axes[1].within(&limits, online::mirrored(from), online::mirrored(to), -highest, -lowest).expect("its mirror");
+        assert!(axes[0].t == axes[1].t && (axes[0].t - duration).abs() < 1e-5, "{axes:?}");
+    }
+}
+
+/// Fast to a position and slowly back: every rounding error was that of the highest speed, and the axis passed the position by 1.6 mm in `float`.
+#[test]
+fn a_slow_way_back_moves_no_position() {
+    let mut planned = 0;
+    for vmin in [-1.0_f32, -0.1, -0.01, -0.001, -0.0001] {
+        let limits = Limits { vmin, ..Limits::symmetric(100.0, 10.0, 1.0) };
+        for highest in (0..100).map(|k| 0.05 + 0.001 * k as f32) {
+            let mut axis = Move::default();
+            if axis.within(&limits, state([0.0, 1.0, 0.0]), State::at(-1.0), f32::NEG_INFINITY, highest).is_ok() {
+                planned += 1;
+                assert!(axis.extremes().highest.position < highest + 1e-4, "{vmin} {highest} {axis:?}");
+            }
+        }
+    }
+    assert!(planned > 200, "{planned}");
+}
+
+/// The acceleration may jump to the hardest brake: it was infinite, and the axis had no plan.
+#[test]
+fn an_infinite_brake_turns_at_a_position() {
+    let [lowest, highest] = [f64::NEG_INFINITY, 0.1];
+    let limits = Limits { vmin: lowest, amin: lowest, jmin: lowest, ..Limits::symmetric(1.0, 1.0, 1.0) };
+    let (mut axis, from) = (Move::default(), state([0.0, 1.0, 0.0]));
+    axis.within(&limits, from, State::at(0.0), lowest, highest).expect("a plan");
+    assert!(axis.extremes().highest.position < highest + 1e-12, "{axis:?}");
+    let on_it = State { position: highest, ..from };
+    assert_eq!(axis.within(&limits, on_it, State::at(0.0), lowest, highest), Err(Error::Position));
+}
+
+/// In `float` a loop to a moving target found a detour at each tick, and never arrived: a tie had the rounding of the way, not that of the positions.
+/// A loop that stops was late too.
+#[test]
+fn a_loop_in_float_meets_and_stops() {
+    let (limits, mut axis) = (Limits::symmetric(30.0_f32, 10.0, 5.0), Move::default());
+    for (start, velocity) in [(10.0, 0.5), (100.0, 0.5), (1000.0, 0.5), (100.0, 0.0)] {
+        let (tick, mut now) = (0.001, State::at(start));
+        let arrives = (0_u16..1_120).any(|ticks| {
+            let target = State { velocity, ..State::at(start + (1.0 + velocity * tick * f32::from(ticks))) };
+            axis.meet(&limits, now, target).expect("a plan");
+            now = axis.state_at(tick);
+            axis.t < 1.2 * tick
+        });
+        assert!(arrives, "{start} {velocity}: {axis:?}");
+    }
+    let (tick, mut now) = (0.000125, state([0.0, 4.0, 0.0]));
+    let stops = (0..5_868).any(|_| {
+        axis.stop(&limits, now).expect("a plan");
+        now = axis.state_at(tick);
+        axis.t < 1.2 * tick
+    });
+    assert!(stops, "{axis:?}");
+}
+
 /// A move that ends on a line stepped over it and back, by a turn that is a rounding error.
 #[test]
 fn a_move_to_a_line() {

@@ -70,10 +70,13 @@ fn turn_after<R: Real>(
 ) -> Result<Option<State<R>>, Error> {
     let mut stop = Move::default();
     stop.stop(limits, from)?;
-    Ok(if stop.leaves(-R::INFINITY, highest, R::SIXTEENTH) {
-        turn_below(limits, from, highest)
-    } else if stop.leaves(lowest, R::INFINITY, R::SIXTEENTH) {
+    let is_above = stop.leaves(-R::INFINITY, highest, R::SIXTEENTH);
+    let is_below = stop.leaves(lowest, R::INFINITY, R::SIXTEENTH);
+    // If it leaves both, it leaves first the one to which it moves.
+    Ok(if is_below && (from.velocity < R::ZERO || !is_above) {
         turn_below(&limits.mirrored(), from.mirrored(), -lowest).map(State::mirrored)
+    } else if is_above {
+        turn_below(limits, from, highest)
     } else {
         None
     })
@@ -90,13 +93,15 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
     // velocity after the turn.
     let root = |square: R| square.at_least(R::ZERO).sqrt();
     let eased = if a < R::ZERO { root(a * a - (v + v) * limits.jmax) } else { R::ZERO };
-    let fallen = root(a * a - (v + v) * limits.jmin);
+    // If the acceleration may jump, twice the constant brake is hard enough.
+    let jumped = v * v / (highest - from.position).abs();
+    let fallen = if limits.jmin > -R::INFINITY { root(a * a - (v + v) * limits.jmin) } else { jumped };
     let kept = (-(limits.vmin + limits.vmin) * limits.jmax).sqrt();
     let (hardest, mut soft) = ((-fallen.at_most(kept)).at_least(limits.amin), -eased);
     let rounding = of_check(from.position.abs() + highest.abs());
-    let leaves = |acceleration: R| after(acceleration).position > highest + rounding;
+    let stays = |acceleration: &R| after(*acceleration).position <= highest + rounding;
     // If it is too hard by a rounding error, the axis speeds up first, for the root of this error, and turns as much farther.
-    let mut hard = [hardest, hardest - of_formula(hardest)].into_iter().find(|&hard| !leaves(hard))?;
+    let mut hard = [hardest, hardest - of_formula(hardest)].into_iter().find(stays)?;
     for _ in 0..MOST_HALVES {
         let half = R::HALF * (hard + soft);
         if half <= hard || half >= soft {
