@@ -23,6 +23,12 @@ bool same(const atraj_move &x, const atraj_move &y) {
     return x.t == y.t && x.phases == y.phases && std::memcmp(x.phase, y.phase, sizeof(x.phase)) == 0;
 }
 
+bool same(const atraj_axis &x, const atraj_axis &y) {
+    bool all = x.period == y.period && std::memcmp(x.words, y.words, sizeof(x.words)) == 0;
+    for (int i = 0; i < 3; ++i) { all = all && same(x.moves[i], y.moves[i]); }
+    return all;
+}
+
 bool same(const atraj_steps &x, const atraj_steps &y) {
     return x.offset == y.offset && x.step == y.step && x.from == y.from && x.to == y.to && x.count == y.count && x.far == y.far && x.phase == y.phase;
 }
