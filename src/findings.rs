@@ -103,7 +103,7 @@ set! {
         EXCEEDS_VELOCITY = 4: "the velocity is above its limit",
         JUMPS = 8: "position or velocity is not continuous, or not where the struct says",
         /// By more than rounding: an ulp is that of `|p0| + |p1| + v t`, with the highest speed `v`. A plan between any states tolerates 128 of them
-        /// where it turns, the check of a profile 64.
+        /// where it turns, and counts no more than four times its way for `v t`; the check of a profile 64.
         OVERSHOOTS = 16: "the move leaves the positions between its ends",
         STARTS_OUTSIDE = 32: "the move starts outside its limits, or will unavoidably exceed them",
         /// The acceleration at the end does not vanish at once.

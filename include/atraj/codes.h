@@ -32,7 +32,8 @@ enum atraj_finding {
     ATRAJ_JUMPS = 8,
     /**
      * the move leaves the positions between its ends by more than rounding: by more than 128 ulps in a plan between any states, 64 in
-     * a check; a rounding is `a_float`'s epsilon times `|p0| + |p1| + v*t`, with the highest speed `v`
+     * a check; a rounding is `a_float`'s epsilon times `|p0| + |p1| + v*t`, with the highest speed `v`; such a
+     * plan counts no more than four times its way for `v*t`
      */
     ATRAJ_OVERSHOOTS = 16,
     /**

@@ -58,7 +58,7 @@ int atraj_move_plan(struct atraj_move *ctx,
  * only if no move stays between the positions: the hardest brake leaves them, or the state `to` cannot be reached from within them.
  * @param lowest lowest position, unit; minus infinity: none
  * @param highest highest position, unit, above `lowest`; infinity: none
- * @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if no move stays between the positions up to 128 ulps,
+ * @return as `atraj_move_plan`; `ATRAJ_ERR_POSITION` if no move stays between the positions up to 128 ulps of them and of four times its way,
  * `ATRAJ_ERR_NOT_FINITE` also if one of them is not a number, `ATRAJ_ERR_LIMITS` also if `lowest` is not below `highest`
  */
 A_EXTERN

@@ -16,7 +16,8 @@ pub enum atraj_finding {
     /// position or velocity is not continuous, or not where the struct says
     ATRAJ_JUMPS = 8,
     /// the move leaves the positions between its ends by more than rounding: by more than 128 ulps in a plan between any states, 64 in
-    /// a check; a rounding is `a_float`'s epsilon times `|p0| + |p1| + v*t`, with the highest speed `v`
+    /// a check; a rounding is `a_float`'s epsilon times `|p0| + |p1| + v*t`, with the highest speed `v`; such a
+    /// plan counts no more than four times its way for `v*t`
     ATRAJ_OVERSHOOTS = 16,
     /// the move starts outside its limits, or will unavoidably exceed them
     ATRAJ_STARTS_OUTSIDE = 32,
