@@ -67,15 +67,16 @@ impl<R: Real> Move<R> {
         self.plan(limits, from, State { position, velocity: slower, acceleration: zero })
     }
 
-    /// Whether the move keeps the limits, and can keep them from then on.
+    /// Whether the move keeps the limits, up to the rounding errors of its highest velocity and acceleration, and can keep them from then on.
     fn keeps(&self, limits: &Limits<R>) -> bool {
-        let few = R::ONE + R::DOUBT;
-        let within = |x: R, low: R, high: R| x >= few * low && x <= few * high;
         let reached = self.extremes();
+        let within = |x: R, low: R, high: R, size: R| (low - x).at_least(x - high) <= R::DOUBT * size;
+        let [speed, acceleration] = [reached.speed(), reached.acceleration()];
         self.is_finite()
-            && self.phases().iter().all(|phase| within(phase.jerk, limits.jmin, limits.jmax))
+            && self.phases().iter().all(|phase| within(phase.jerk, limits.jmin, limits.jmax, phase.jerk.abs()))
             && [reached.lowest, reached.highest].into_iter().all(|state| {
-                within(state.velocity, limits.vmin, limits.vmax) && within(state.acceleration, limits.amin, limits.amax)
+                within(state.velocity, limits.vmin, limits.vmax, speed)
+                    && within(state.acceleration, limits.amin, limits.amax, acceleration)
             })
             && !limits.are_left_after(self.end())
     }
