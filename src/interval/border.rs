@@ -119,9 +119,9 @@ impl<R: Real> Border<R> {
         of_state(self.speeds())
     }
 
-    /// The rounding error of a velocity that a plan gave shortly before, when it was higher. A check accepts it.
-    pub fn rounding_before(&self) -> R {
-        of_state(self.speeds() + R::from(3) * self.eased)
+    /// Whether a change of velocity is the rounding error of one that a plan gave shortly before, when it was higher. A check accepts it.
+    pub fn is_left_over(&self, change: R) -> bool {
+        change.abs() <= of_state(self.speeds() + R::from(3) * self.eased)
     }
 
     /// The rounding error of the difference of both velocities and of the area of a fall.

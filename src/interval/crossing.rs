@@ -56,7 +56,7 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     }
     let beyond = border.beyond_straight();
     // What is left of a move may be a straight change of the acceleration, up to rounding.
-    if beyond != R::ZERO && beyond.abs() <= border.rounding_before() {
+    if beyond != R::ZERO && border.is_left_over(beyond) {
         let straight = Ramp::straight(border.a0, border.a1);
         let shortfall = shortfall(border, &straight, wanted);
         if shortfall.is_rounding() && shortfall.tie.is_finite() {

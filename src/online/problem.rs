@@ -44,8 +44,7 @@ impl<R: Real> Problem<R> {
     pub fn reach(&self) -> (Profile<R>, R) {
         let border = &self.border;
         let beyond = border.beyond_straight();
-        let is_rounding = beyond.abs() <= border.rounding_before();
-        let direct = border.direct(if is_rounding { R::ZERO } else { beyond });
+        let direct = border.direct(if border.is_left_over(beyond) { R::ZERO } else { beyond });
         let displacement = self.displacement_of_recovery() + border.passed(&direct).displacement;
         (border.profile(&direct), self.from.position + displacement)
     }

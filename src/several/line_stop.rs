@@ -16,7 +16,7 @@ use crate::state::State;
 /// [`Error::Axes`] if there is no axis or the slices have different lengths. On an error no axis is written.
 pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> Result<Findings, Error> {
     Error::Axes.unless(axes.len() == limits.len())?;
-    let (lead, place, order) = find_highest(axes);
+    let Highest { lead, place, order } = find_highest(axes);
     let lead = *axes.get(lead).ok_or(Error::Axes)?;
     let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| derivative(phase, order));
     let share = |axis: &Move<R>| if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) };
@@ -40,6 +40,13 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     Ok(found)
 }
 
+/// Where the highest number of all axes is: the axis, the number of its phase, and the order of the derivative.
+struct Highest {
+    lead: usize,
+    place: usize,
+    order: u8,
+}
+
 /// A derivative of the position at the start of a phase: velocity, acceleration, jerk.
 fn derivative<R: Real>(phase: &Phase<R>, order: u8) -> R {
     match order {
@@ -49,17 +56,16 @@ fn derivative<R: Real>(phase: &Phase<R>, order: u8) -> R {
     }
 }
 
-/// Where the highest number in the phases of all axes is: the axis, the number of its phase, and the order of the derivative. It is one of the jerks,
-/// else of the accelerations, else of the velocities. Each has one rounding, so it gives the shares of the axes. Their displacements may be so short
-/// that rounding hides them.
-fn find_highest<R: Real>(axes: &[Move<R>]) -> (usize, usize, u8) {
-    let (mut size, mut highest) = (R::ZERO, (0, 0, 1));
+/// The highest number in the phases of all axes: of the jerks, else of the accelerations, else of the velocities. Each has one rounding, so it
+/// gives the shares of the axes. Their displacements may be so short that rounding hides them.
+fn find_highest<R: Real>(axes: &[Move<R>]) -> Highest {
+    let (mut size, mut highest) = (R::ZERO, Highest { lead: 0, place: 0, order: 1 });
     for order in [3, 2, 1] {
         for (lead, axis) in axes.iter().enumerate() {
             for (place, phase) in axis.phases().iter().enumerate() {
                 let number = derivative(phase, order).abs();
                 if number > size {
-                    (size, highest) = (number, (lead, place, order));
+                    (size, highest) = (number, Highest { lead, place, order });
                 }
             }
         }
